@@ -51,6 +51,8 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
         "max_residual": certificate.max_residual,
         "max_acceleration_error_bound": certificate.max_acceleration_error_bound,
         "max_step_error": certificate.max_step_error,
+        "estimated_error": certificate.estimated_error,
+        "max_numerical_relative": certificate.max_numerical_relative,
         "fallbacks": certificate.fallbacks,
         "events": report.events,
         "warnings": report.warnings,

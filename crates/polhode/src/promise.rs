@@ -9,19 +9,23 @@
 //!
 //! s: size of the smaller body of the pair, m; ulp: unit in the last place of the largest coordinate of the two, m;
 //! tolerance: that of the method; drift: the tolerance, at least ten times its default; E: the largest energy of the
-//! run, at least that of lifting all bodies by their size, J. The time of an impact is known to four units in its last
+//! run, at least that of lifting all bodies by their size, J. In every tier the integrator may lose or gain at most a
+//! hundredth of the largest energy (`crate::accounting::numerical_loss`). The time of an impact is known to four units in its last
 //! place, and the distance by which the bodies approach in that time is added to the limit of penetration. A run that
 //! exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is a run of any tier with a
 //! problem that was not solved to its tolerance.
 
 use crate::accounting::books::Balance;
 use crate::accounting::measures::{Limits, Measure};
+use crate::accounting::numerical_loss::FixedStep;
 use crate::core::Core;
 use crate::interaction::constraint::ConstraintId;
 use crate::interaction::projection::Projection;
-use crate::world::{World, WorldBody};
+use crate::scene::Tier;
+use crate::time_stepping::TimeStepReport;
+use crate::world::World;
 use polhode_contact::ContactKinematics;
-use polhode_dynamics::{BodyState, RigidBody};
+use polhode_dynamics::BodyState;
 
 /// How far a projection of a separation that is rounding may move a tilted body, in such separations (no unit): beyond
 /// that the projection is partial (`crate::interaction::projection`).
@@ -30,6 +34,9 @@ const MOVED_BY_ROUNDING: f64 = 5.0;
 /// Allowed delay of an impact, in units in the last place of its time.
 const TIME_ULPS: f64 = 4.0;
 
+/// Order in the step of time steps between changes of contact.
+const ORDER_OF_TIME_STEPS: u32 = 2;
+
 /// Most bodies that a warning names.
 const MOST_NAMES: usize = 4;
 
@@ -37,13 +44,15 @@ impl Core {
     /// The limits of the whole run.
     pub(crate) fn limits(&self) -> Limits {
         let drift = self.settings.promised_drift();
-        let lift_j = |body: &WorldBody| {
-            let mass = body.rigid.as_ref().map_or(0.0, RigidBody::mass);
-            mass * self.world.gravity().length() * body.size
-        };
+        let settings = &self.settings;
+        let order = if settings.tier == Tier::Stepped { ORDER_OF_TIME_STEPS } else { settings.integrator.order() };
+        let is_fixed = settings.tier != Tier::Accurate || !settings.integrator.controls_error();
+        let duration_s = self.world.scene.duration_s();
+        let step = is_fixed.then_some(FixedStep { step_s: settings.step_s, order, duration_s });
         Limits {
             projection_energy_relative: drift.unwrap_or(f64::INFINITY),
-            smallest_energy_j: self.world.bodies.iter().map(lift_j).sum(),
+            smallest_energy_j: self.world.lifting_energy_j(),
+            step,
         }
     }
 
@@ -78,6 +87,16 @@ impl Core {
             let late_approach = TIME_ULPS * f64::EPSILON * t.abs() * rate.abs();
             relative * self.world.pair_size(a, b) + self.world.penetration_rounding(states, a, b) + late_approach
         })
+    }
+
+    /// Records the penetration that a time step up to `t` (s) has left and removed. Its tier promises no limit.
+    pub(crate) fn note_overlap_of_step(&mut self, t: f64, report: &TimeStepReport) {
+        let Some(pair) = report.deepest.map(|id| (id.a, id.b)) else { return };
+        let measure = |value: f64| Measure { t, pair, value, allowed: f64::INFINITY };
+        let measures = &mut self.accounts.measures;
+        measures.penetration.note(measure(report.max_penetration_m));
+        measures.projection.note(measure(report.max_projection_m));
+        measures.projection_energy.note(measure(report.books.ledger.projection.value().abs()));
     }
 
     /// Books a projection at `t` (s) that has led to these states, and records it in the certificate.

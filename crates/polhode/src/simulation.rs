@@ -104,7 +104,7 @@ impl Simulation {
         if let Some(error) = singular_force::not_finite(&world, 0.0, &states) {
             return Err(error);
         }
-        let separated = start_overlap::separate(&world, &settings, &mut states)?;
+        let separated = start_overlap::judge(&world, &settings, &mut states)?;
         let choice = free_method::choose(&world, &states, &settings);
         settings.integrator = choice.integrator;
         let planar = match effects {
@@ -118,11 +118,7 @@ impl Simulation {
             core.accounts.warn(0.0, what);
         }
         let tier: Box<dyn Tier> = match settings.tier {
-            TierName::Accurate => {
-                let engine = Engine::new(&mut core, states.clone());
-                let all = |error| start_overlap::with_all_pairs(error, &core.world, &settings, &states);
-                Box::new(engine.map_err(all)?)
-            }
+            TierName::Accurate => Box::new(Engine::new(&mut core, states)?),
             TierName::Stepped => Box::new(SteppedEngine::new(&core, states)?),
             TierName::Thesis => Box::new(ThesisEngine::new(&core, states)?),
         };
@@ -386,7 +382,9 @@ impl Simulation {
         if let Companion::Lost(reason) = &self.companion {
             accounts.warn(
                 self.core.t,
-                format!("the error of stretches of crowded events is not known: the run that estimates it ended: {reason}"),
+                format!(
+                    "the error of stretches of crowded events is not known: the run that estimates it ended: {reason}"
+                ),
             );
         }
         self.tier.book_present(&self.core, &mut accounts)?;

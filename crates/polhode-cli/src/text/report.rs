@@ -150,8 +150,9 @@ fn certificate(report: &RunReport) -> String {
         ]);
     }
     table.row(["largest residual of a contact problem", &number(certificate.max_residual)]);
-    table.row(["bound on the error of an acceleration", &number(certificate.max_acceleration_error_bound)]);
-    table.row(["largest error of a step, of its tolerance", &number(certificate.max_step_error)]);
+    table.row(["bound on the error of an acceleration", &measured(certificate.max_acceleration_error_bound)]);
+    table.row(["largest error of a step, of its tolerance", &measured(certificate.max_step_error)]);
+    table.row(["estimated error of the run, of a body's size", &measured(certificate.estimated_error)]);
     table.row(["fallbacks", &certificate.fallbacks.to_string()]);
     table.print()
 }
@@ -160,6 +161,11 @@ fn certificate(report: &RunReport) -> String {
 fn with_limit(report: &RunReport, length_m: f64, of_limit: f64, pair: Option<PairAt>) -> String {
     let of_limit = if of_limit > 0.0 { format!(", {} of its limit", number(of_limit)) } else { String::new() };
     format!("{} m{of_limit}{}", number(length_m), at(report, pair))
+}
+
+/// A value, or that there is none.
+fn measured(value: Option<f64>) -> String {
+    value.map_or_else(|| "not measured".to_owned(), number)
 }
 
 /// Which bodies, and when.

@@ -1,5 +1,7 @@
 //! Measured values that are compared with the promised limits: the worst over the run, with bodies and time.
 
+use super::long_steps::LongSteps;
+use super::numerical_loss::{FixedStep, NumericalLoss};
 use super::occurrences::Occurrences;
 use crate::snapshot::{SnapshotError, content};
 use crate::world::World;
@@ -13,6 +15,8 @@ pub(crate) struct Limits {
     pub(crate) projection_energy_relative: f64,
     /// Lower bound for the energy scale of the scene, J, for runs with hardly any energy.
     pub(crate) smallest_energy_j: f64,
+    /// The fixed step of the method; none under error control.
+    pub(crate) step: Option<FixedStep>,
 }
 
 /// A value measured for a pair of bodies.
@@ -104,6 +108,10 @@ pub(crate) struct Measures {
     pub(crate) drift_energy: CompensatedSum,
     /// Problems that were not solved to their tolerance.
     pub(crate) unsolved: Occurrences,
+    /// What the integrator lost or gained.
+    pub(crate) numerical: NumericalLoss,
+    /// Fixed steps that were too long.
+    pub(crate) long_steps: LongSteps,
 }
 
 impl Measures {
@@ -122,6 +130,8 @@ impl Measures {
             projection_energy: self.projection_energy.save(),
             drift_energy: self.drift_energy.parts(),
             unsolved: self.unsolved.save(),
+            numerical: self.numerical.save(),
+            long_steps: self.long_steps.save(),
         }
     }
 
@@ -137,11 +147,15 @@ impl Measures {
             projection_energy: Worst::restored(&saved.projection_energy, bodies)?,
             drift_energy: CompensatedSum::from_parts(saved.drift_energy),
             unsolved: Occurrences::restored(&saved.unsolved),
+            numerical: NumericalLoss::restored(&saved.numerical),
+            long_steps: LongSteps::restored(&saved.long_steps, bodies)
+                .ok_or(SnapshotError::Invalid("a step is of a body that the scene does not have"))?,
         })
     }
 
     /// Writes what was measured into the certificate.
     pub(crate) fn fill(&self, ledger: &Ledger, certificate: &mut Certificate) {
+        certificate.max_numerical_relative = self.numerical.relative();
         certificate.max_penetration_m = self.penetration.largest;
         certificate.max_penetration_of_limit = self.penetration.of_limit();
         certificate.max_penetration_at = self.penetration.at();
@@ -184,6 +198,7 @@ impl Measures {
                  the promised limit is {allowed:e} J"
             ));
         }
+        exceeded.extend(self.numerical.exceeded(limits.step));
         exceeded.extend(self.unsolved.list().iter().map(|unsolved| format!("{unsolved} (degraded)")));
         exceeded
     }

@@ -425,7 +425,7 @@ fn group_forces(
         ContactMethod::ActiveSet => exact_forces(core, &assembly, &delassus, &b)?,
     };
     let worst = &mut core.accounts.certificate.max_acceleration_error_bound;
-    *worst = worst.max(bound);
+    *worst = Some(worst.unwrap_or(0.0).max(bound));
     Ok(forces)
 }
 
