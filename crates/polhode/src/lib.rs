@@ -153,6 +153,7 @@ mod core;
 mod effects;
 mod energy;
 pub mod error;
+mod error_estimate;
 pub mod event;
 mod few_digits;
 pub mod frame;

@@ -44,9 +44,9 @@ pub struct Certificate {
     /// Largest estimated local error of a step under error control, of free or constrained motion, relative to its
     /// tolerance. None where no step was under error control.
     pub max_step_error: Option<f64>,
-    /// Estimated error of a run by fixed steps of the tier `stepped`: the largest sum over the errors of position of a
-    /// body, relative to its size, each by comparison with two steps of half the length. It does not contain what an
-    /// unstable motion adds. None in other tiers.
+    /// Estimated error of a run by fixed steps of the tiers `stepped` and `thesis`: the largest sum of the errors of
+    /// position of a body, relative to its size, each by comparison with two steps of half the length; in the tier
+    /// `thesis` with the deepest overlap. It does not contain what an unstable motion adds. None in the tier `accurate`.
     pub estimated_error: Option<f64>,
     /// The largest energy that the integrator had lost or gained at any time, relative to the largest energy of the run
     /// until then: above 0.01 the run is degraded.

@@ -6,6 +6,7 @@
 
 use crate::snapshot::content;
 use crate::world::World;
+use polhode_dynamics::BodyState;
 
 /// The angle by which a body may turn in one step, rad: within it the chord is the arc to a twentieth.
 const LARGEST_TURN: f64 = 1.0;
@@ -25,6 +26,19 @@ pub(crate) struct Movement {
 }
 
 impl Movement {
+    /// That of a body between two states, in a step from `t` over `h` (s). The rotation is the faster one of both.
+    pub(crate) fn between(
+        world: &World,
+        body: usize,
+        (start, end): (&BodyState, &BodyState),
+        (t, h): (f64, f64),
+    ) -> Self {
+        let way = (end.pose.translation - start.pose.translation).length();
+        let rates = [start, end].map(|state| world.velocity(body, state).angular.length());
+        let travel = way / world.bodies[body].size;
+        Self { body, t: t + h, step_s: h, travel, turn: h * rates[0].max(rates[1]) }
+    }
+
     /// How many times the step is too long.
     fn excess(&self) -> f64 {
         self.travel.max(self.turn / LARGEST_TURN)

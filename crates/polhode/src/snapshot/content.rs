@@ -418,8 +418,8 @@ pub(crate) struct Stepped {
     pub(crate) touching: Vec<(usize, usize)>,
     pub(crate) forces: Vec<(Contact, f64)>,
     pub(crate) islands: Vec<Vec<usize>>,
-    /// Estimated errors of the bodies: of position (m) and velocity (m/s).
-    pub(crate) errors: Vec<[f64; 2]>,
+    /// Estimated errors of the bodies: of position (m) and velocity (m/s), and their deepest overlap (m).
+    pub(crate) errors: Vec<[f64; 3]>,
     /// Friction of the contacts of `forces`, N.
     pub(crate) friction: Vec<[f64; 3]>,
     pub(crate) grid: u64,
@@ -430,6 +430,8 @@ pub(crate) struct Stepped {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Thesis {
     pub(crate) states: Vec<State>,
+    /// As those of the tier `stepped`.
+    pub(crate) errors: Vec<[f64; 3]>,
     pub(crate) resting: Vec<(Contact, f64)>,
     pub(crate) touching_pairs: usize,
     /// The variables from which the integrator continues.

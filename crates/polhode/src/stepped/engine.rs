@@ -1,12 +1,12 @@
 //! A run by fixed time steps: one step, and queries at the present.
 
-use super::error_estimate::{BodyError, EVERY, ErrorEstimate};
 use super::islands::{Island, IslandSearch, islands};
 use super::present_forces::{BodyAcceleration, PresentForces};
 use crate::accounting::books::Received;
 use crate::accounting::long_steps::Movement;
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::core::Core;
+use crate::error_estimate::{EVERY, ErrorEstimate};
 use crate::event::{Event, EventKind};
 use crate::frame::{ContactView, IslandView, MotionKind};
 use crate::interaction::assembly::free_acceleration;
@@ -133,17 +133,14 @@ impl SteppedEngine {
         engine.stepper.carry(carried);
         engine.touching = saved.touching.iter().copied().collect();
         let normal = restored_forces(world, &saved.forces)?;
-        if saved.friction.len() != normal.len() || saved.errors.len() != bodies {
-            return Err(SnapshotError::Invalid(
-                "it does not say the friction of each contact, or the error of each body",
-            ));
+        if saved.friction.len() != normal.len() {
+            return Err(SnapshotError::Invalid("it does not say the friction of each contact"));
         }
         let force = |((id, normal), friction): ((ContactId, f64), &[f64; 3])| {
             (id, MeanForce { normal, friction: DVec3::from_array(*friction) })
         };
         engine.forces = normal.into_iter().zip(&saved.friction).map(force).collect();
-        let error = |&[position, velocity]: &[f64; 2]| BodyError { position, velocity };
-        engine.errors = ErrorEstimate { of_bodies: saved.errors.iter().map(error).collect() };
+        engine.errors = ErrorEstimate::restored(&saved.errors, bodies)?;
         engine.islands.clone_from(&saved.islands);
         (engine.grid, engine.begun) = (saved.grid, saved.begun);
         Ok(engine)
@@ -163,15 +160,15 @@ impl SteppedEngine {
         let mut touching = BTreeSet::new();
         self.forces.clear();
         let compares = core.accounts.steps().is_multiple_of(EVERY);
+        let halves = if compares { Some(self.in_two_halves(core, &islands, interval)?) } else { None };
         for island in &islands {
-            let halves = if compares { Some(self.in_two_halves(core, island, interval)?) } else { None };
             let start: Vec<BodyState> = states_of(&self.states, &island.bodies);
             let report = self.stepper.advance(&core.world, &mut self.states, &island.bodies, &island.pairs, interval);
             let report = report.map_err(|source| Core::response_error(core.t, source))?;
             self.note(core, &report, h);
             self.note_movement(core, island, &start, h);
-            for (&body, halves) in island.bodies.iter().zip(halves.iter().flatten()) {
-                self.errors.compare(&core.world, body, &self.states[body], halves);
+            for (&body, halves) in island.bodies.iter().filter_map(|body| Some((body, halves.as_ref()?))) {
+                self.errors.compare(&core.world, body, &self.states[body], &halves[body]);
             }
             if let Some(&first) = island.bodies.first()
                 && report.left_penetration_m > LEFT_RELATIVE * core.world.bodies[first].size
@@ -240,20 +237,22 @@ impl SteppedEngine {
         }
     }
 
-    /// States of an island's bodies after two steps of half the length.
+    /// States of all bodies, those of these islands after two steps of half the length.
     fn in_two_halves(
         &self,
         core: &Core,
-        island: &Island,
+        islands: &[Island],
         (t, h): (f64, f64),
     ) -> Result<Vec<BodyState>, SimulationError> {
         let (mut states, mut stepper) = (self.states.clone(), self.stepper.clone());
-        for part in [(t, 0.5 * h), (t + 0.5 * h, 0.5 * h)] {
-            stepper
-                .advance(&core.world, &mut states, &island.bodies, &island.pairs, part)
-                .map_err(|source| Core::response_error(core.t, source))?;
+        for island in islands {
+            for part in [(t, 0.5 * h), (t + 0.5 * h, 0.5 * h)] {
+                stepper
+                    .advance(&core.world, &mut states, &island.bodies, &island.pairs, part)
+                    .map_err(|source| Core::response_error(core.t, source))?;
+            }
         }
-        Ok(states_of(&states, &island.bodies))
+        Ok(states)
     }
 
     /// Records how far the bodies of an island moved in a step of `h` (s), if they may touch another one.
@@ -262,11 +261,8 @@ impl SteppedEngine {
             return;
         }
         for (&body, start) in island.bodies.iter().zip(start) {
-            let (world, end) = (&core.world, &self.states[body]);
-            let way = (end.pose.translation - start.pose.translation).length();
-            let rates = [start, end].map(|state| world.velocity(body, state).angular.length());
-            let (travel, turn) = (way / world.bodies[body].size, h * rates[0].max(rates[1]));
-            core.accounts.measures.long_steps.note(Movement { body, t: core.t + h, step_s: h, travel, turn });
+            let movement = Movement::between(&core.world, body, (start, &self.states[body]), (core.t, h));
+            core.accounts.measures.long_steps.note(movement);
         }
     }
 
@@ -483,7 +479,7 @@ impl Tier for SteppedEngine {
             touching: self.touching.iter().copied().collect(),
             forces: self.forces.iter().map(|(&id, force)| (save_contact(id), force.normal)).collect(),
             friction: self.forces.values().map(|force| force.friction.to_array()).collect(),
-            errors: self.errors.of_bodies.iter().map(|error| [error.position, error.velocity]).collect(),
+            errors: self.errors.save(),
             islands: self.islands.clone(),
             grid: self.grid,
             begun: self.begun,

@@ -12,10 +12,8 @@
 //! | `engine` | a run, one step of it, and queries at the present |
 //! | `islands` | the islands of a step |
 //! | `present_forces` | forces and accelerations at one instant, for queries |
-//! | `error_estimate` | the estimated error of the run |
 
 mod engine;
-mod error_estimate;
 mod islands;
 mod present_forces;
 
