@@ -12,12 +12,14 @@
 //! run, at least that of lifting all bodies by their size, J. In every tier the integrator may lose or gain at most a
 //! hundredth of the largest energy (`crate::accounting::numerical_loss`). The time of an impact is known to four units in its last
 //! place, and the distance by which the bodies approach in that time is added to the limit of penetration. A run that
-//! exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is a run of any tier with a
+//! exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is one in which ending bounces took
+//! more than 1e-9 of that energy beyond the energy of the bounces themselves, and a run of any tier with a
 //! problem that was not solved to its tolerance.
 
 use crate::accounting::books::Balance;
 use crate::accounting::measures::{Limits, Measure};
 use crate::accounting::numerical_loss::FixedStep;
+use crate::collision::contact_set::Touch;
 use crate::core::Core;
 use crate::interaction::constraint::ConstraintId;
 use crate::interaction::projection::Projection;
@@ -37,6 +39,10 @@ const TIME_ULPS: f64 = 4.0;
 /// Order in the step of time steps between changes of contact.
 const ORDER_OF_TIME_STEPS: u32 = 2;
 
+/// Energy that ended bounces may take beyond their own, relative to the largest energy of the run (no unit, 1e-12 to
+/// 1e-8): a run that loses more does not have the motion of its scene.
+const ENDED_BOUNCES_RELATIVE: f64 = 1e-9;
+
 /// Most bodies that a warning names.
 const MOST_NAMES: usize = 4;
 
@@ -51,6 +57,7 @@ impl Core {
         let step = is_fixed.then_some(FixedStep { step_s: settings.step_s, order, duration_s });
         Limits {
             projection_energy_relative: drift.unwrap_or(f64::INFINITY),
+            ended_bounces_relative: ENDED_BOUNCES_RELATIVE,
             smallest_energy_j: self.world.lifting_energy_j(),
             step,
         }
@@ -97,6 +104,27 @@ impl Core {
         measures.penetration.note(measure(report.max_penetration_m));
         measures.projection.note(measure(report.max_projection_m));
         measures.projection_energy.note(measure(report.books.ledger.projection.value().abs()));
+    }
+
+    /// Books the end of bounces of some bodies at `t` (s), and records in the certificate what was taken beyond the
+    /// energy of the bounces. That energy is at most the one that all the bodies have at the speed of the fastest bounce.
+    pub(crate) fn book_ended_bounces(
+        &mut self,
+        t: f64,
+        bodies: &[usize],
+        fastest: &Touch,
+        (before, after): (Balance, Balance),
+        work_j: f64,
+    ) {
+        let taken = self.accounts.books.rest(before, after, work_j);
+        let mass = |&body: &usize| self.world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
+        let speed = fastest.kinematics.separation_rate;
+        let of_bounces = 0.5 * bodies.iter().map(mass).sum::<f64>() * speed * speed;
+        let beyond = (taken.abs() - of_bounces).max(0.0);
+        let pair = (fastest.id.a, fastest.id.b);
+        let measure = Measure { t, pair, value: beyond, allowed: f64::INFINITY };
+        self.accounts.measures.ended_bounces.note(measure);
+        self.accounts.measures.ended_bounces_sum.add(beyond);
     }
 
     /// Books a projection at `t` (s) that has led to these states, and records it in the certificate.

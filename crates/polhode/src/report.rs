@@ -37,6 +37,13 @@ pub struct Certificate {
     pub max_projection_relative: f64,
     /// The pair and the time of that projection.
     pub max_projection_j_at: Option<PairAt>,
+    /// Largest energy that the end of bounces at one instant took beyond that of the bounces themselves, J: of motion
+    /// along a surface, for example. Bounces too small to resolve are ended by a projection of the velocities.
+    pub max_ended_bounces_j: f64,
+    /// The pair and the time of that.
+    pub max_ended_bounces_at: Option<PairAt>,
+    /// The same energy of all instants, J: above 1e-9 of the largest energy of the run it is degraded.
+    pub ended_bounces_j: f64,
     /// Largest bound `sqrt(f.w)` on the error of the accelerations from a solve for contact forces, in the norm of
     /// mass, N^(1/2) (m/s^2)^(1/2); zero to rounding for exact solves. None where no contact force was solved for: in the
     /// tier `stepped`, which solves for impulses, and in runs without contact.

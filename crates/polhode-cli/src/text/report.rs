@@ -130,6 +130,9 @@ fn certificate(report: &RunReport) -> String {
     table.row(["taken by projection", &energy(ledger.projection.value())]);
     let at = at(report, certificate.max_projection_j_at);
     table.row(["largest projection, energy", &format!("{}{at}", energy(max_projection_j))]);
+    let at = self::at(report, certificate.max_ended_bounces_at);
+    table.row(["taken by ended bounces, beyond their energy", &energy(certificate.ended_bounces_j)]);
+    table.row(["largest of these", &format!("{}{at}", energy(certificate.max_ended_bounces_j))]);
     table.row([
         "largest projection, distance",
         &with_limit(report, max_projection_m, certificate.max_projection_of_limit, certificate.max_projection_at),

@@ -129,11 +129,14 @@ impl Books {
         taken
     }
 
-    /// Books the end of bounces and velocities that were set to zero, in which prescribed motions did work (J).
-    pub(crate) fn rest(&mut self, before: Balance, after: Balance, work_j: f64) {
+    /// Books the end of bounces and velocities that were set to zero, in which prescribed motions did work (J). Returns
+    /// the energy that was taken, J.
+    pub(crate) fn rest(&mut self, before: Balance, after: Balance, work_j: f64) -> f64 {
+        let taken = before.energy_j - after.energy_j + work_j;
         self.ledger.external.add(work_j);
-        self.ledger.rest.add(before.energy_j - after.energy_j + work_j);
+        self.ledger.rest.add(taken);
         self.ledger.momentum.rest.add(before.momentum - after.momentum);
+        taken
     }
 
     /// Books the changes that a program made to bodies: external work and impulse.

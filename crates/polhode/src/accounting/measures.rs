@@ -13,6 +13,8 @@ use polhode_spatial::CompensatedSum;
 pub(crate) struct Limits {
     /// Energy that projections may remove or add, relative to the energy of the scene.
     pub(crate) projection_energy_relative: f64,
+    /// Energy that ended bounces may take beyond their own, relative to the energy of the scene.
+    pub(crate) ended_bounces_relative: f64,
     /// Lower bound for the energy scale of the scene, J, for runs with hardly any energy.
     pub(crate) smallest_energy_j: f64,
     /// The fixed step of the method; none under error control.
@@ -106,6 +108,10 @@ pub(crate) struct Measures {
     pub(crate) projection_energy: Worst,
     /// Energy removed by all projections except those of overlaps at the start, J.
     pub(crate) drift_energy: CompensatedSum,
+    /// Energy that the end of bounces at one instant took beyond that of the bounces, J.
+    pub(crate) ended_bounces: Worst,
+    /// The same of all instants, J.
+    pub(crate) ended_bounces_sum: CompensatedSum,
     /// Problems that were not solved to their tolerance.
     pub(crate) unsolved: Occurrences,
     /// What the integrator lost or gained.
@@ -129,6 +135,8 @@ impl Measures {
             projection: self.projection.save(),
             projection_energy: self.projection_energy.save(),
             drift_energy: self.drift_energy.parts(),
+            ended_bounces: self.ended_bounces.save(),
+            ended_bounces_sum: self.ended_bounces_sum.parts(),
             unsolved: self.unsolved.save(),
             numerical: self.numerical.save(),
             long_steps: self.long_steps.save(),
@@ -146,6 +154,8 @@ impl Measures {
             projection: Worst::restored(&saved.projection, bodies)?,
             projection_energy: Worst::restored(&saved.projection_energy, bodies)?,
             drift_energy: CompensatedSum::from_parts(saved.drift_energy),
+            ended_bounces: Worst::restored(&saved.ended_bounces, bodies)?,
+            ended_bounces_sum: CompensatedSum::from_parts(saved.ended_bounces_sum),
             unsolved: Occurrences::restored(&saved.unsolved),
             numerical: NumericalLoss::restored(&saved.numerical),
             long_steps: LongSteps::restored(&saved.long_steps, bodies)
@@ -168,6 +178,9 @@ impl Measures {
         certificate.max_projection_j = self.projection_energy.largest;
         certificate.max_projection_relative = relative(self.projection_energy.largest, ledger);
         certificate.max_projection_j_at = self.projection_energy.at();
+        certificate.max_ended_bounces_j = self.ended_bounces.largest;
+        certificate.max_ended_bounces_at = self.ended_bounces.at();
+        certificate.ended_bounces_j = self.ended_bounces_sum.value();
     }
 
     /// The limits that were exceeded.
@@ -199,6 +212,15 @@ impl Measures {
             ));
         }
         exceeded.extend(self.numerical.exceeded(limits.step));
+        let sum = self.ended_bounces_sum.value();
+        let allowed = limits.ended_bounces_relative * ledger.scale_j.max(limits.smallest_energy_j);
+        if let Some(worst) = self.ended_bounces.worst.filter(|_| sum > allowed) {
+            let (t, value, names) = (worst.t, worst.value, names(&worst));
+            exceeded.push(format!(
+                "t = {t} s: degraded: ending bounces took {sum:e} J beyond the energy of the bounces, most of it from \
+                 {names}, {value:e} J; the limit is {allowed:e} J"
+            ));
+        }
         exceeded.extend(self.unsolved.list().iter().map(|unsolved| format!("{unsolved} (degraded)")));
         exceeded
     }

@@ -137,6 +137,8 @@ pub(crate) struct Measures {
     pub(crate) projection: Worst,
     pub(crate) projection_energy: Worst,
     pub(crate) drift_energy: Sum,
+    pub(crate) ended_bounces: Worst,
+    pub(crate) ended_bounces_sum: Sum,
     pub(crate) unsolved: Vec<Warning>,
     pub(crate) numerical: NumericalLoss,
     pub(crate) long_steps: LongSteps,
