@@ -147,7 +147,7 @@ impl World {
         kinematics
     }
 
-    fn kinematics_in_space(&self, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
+    pub(super) fn kinematics_in_space(&self, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
         let (shape_a, shape_b) = self.shapes(id.a, id.b)?;
         let (state_a, state_b) = (&states[id.a], &states[id.b]);
         polhode_contact::kinematics(
@@ -281,12 +281,14 @@ impl World {
         // A contact that has left its features is dropped, even if collision detection keeps it as the last one of its
         // pair.
         let border = -TOUCH_RELATIVE * self.pair_size(a, b);
+        let mut found: Vec<FoundContact> = found.collect();
+        let passing = self.take_place_of_collisions(states, (a, b), &mut found);
         let within = |contact: &FoundContact| {
             let geometry = &contact.kinematics.geometry;
-            geometry.separation <= reach && geometry.margin >= border
+            geometry.separation <= reach
+                && (geometry.margin >= border || passing.binary_search(&contact.id.feature).is_ok())
         };
-        let Some(plane) = &self.plane else { return (separation, found.filter(within).collect()) };
-        let found: Vec<FoundContact> = found.collect();
+        let Some(plane) = &self.plane else { return (separation, found.into_iter().filter(within).collect()) };
         let is_counted =
             |contact: &&FoundContact| is_counted(plane, contact.kinematics.geometry.point, &found, distance);
         let in_motion =
