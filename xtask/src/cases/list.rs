@@ -2,7 +2,7 @@
 
 use super::case::Case;
 use super::{
-    arches, convergence, convex_pairs, curved_bodies, decomposition, diamonds, effects, exact_drift, falling_shapes,
+    arches, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds, effects, exact_drift, falling_shapes,
     free_rotation, friction_effects, friction_invariances, friction_scenes, frictional_impacts, frictional_statics,
     heavy_tops, impact_chains, impacts, invariances, ledger, long_runs, mass_properties, numerical_loss,
     one_dependency, peers, pi_machine, polhode_times, published_rotations, random_solids, reductions, resting_contact,
@@ -165,6 +165,10 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "Rigid IPC incline", rows: rigid_ipc::incline },
     Case { name: "Rigid IPC suite", rows: rigid_ipc::suite },
     Case { name: "effects", rows: effects::planned_equals_all },
+    Case { name: "crowds: output intervals", rows: crowds::intervals },
+    Case { name: "crowds: samples", rows: crowds::samples },
+    Case { name: "crowds: estimated error", rows: crowds::estimates },
+    Case { name: "crowds: friction far away", rows: crowds::far_friction },
     Case { name: "snapshots", rows: snapshots::continued_runs },
     Case { name: "speed", rows: speed::diamond_4 },
     Case { name: "memory", rows: speed::peak_memory },

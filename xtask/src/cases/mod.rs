@@ -26,6 +26,7 @@ mod case;
 mod context;
 mod convergence;
 mod convex_pairs;
+mod crowds;
 mod curved_bodies;
 mod decomposition;
 mod diamonds;
