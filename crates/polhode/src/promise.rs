@@ -12,11 +12,13 @@
 //! run, at least that of lifting all bodies by their size, J. The time of an impact is known to four units in its last
 //! place, and the distance by which the bodies approach in that time is added to the limit of penetration. A run that
 //! exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is a run of any tier with a
-//! problem that was not solved to its tolerance.
+//! problem that was not solved to its tolerance, or with forces of friction that violate Coulomb's law by more than
+//! [`CONE_LIMIT`], in time steps [`STEP_CONE_LIMIT`], relative to the largest force of their problem.
 
 use crate::accounting::books::Balance;
 use crate::accounting::measures::{Limits, Measure};
 use crate::core::Core;
+use crate::interaction::cone_violation::ConeViolation;
 use crate::interaction::constraint::ConstraintId;
 use crate::interaction::projection::Projection;
 use crate::world::{World, WorldBody};
@@ -29,6 +31,13 @@ const MOVED_BY_ROUNDING: f64 = 5.0;
 
 /// Allowed delay of an impact, in units in the last place of its time.
 const TIME_ULPS: f64 = 4.0;
+
+/// Most that forces and impulses may violate Coulomb's law by in the tier `accurate`, relative to the largest of their problem
+/// (no unit, 1e-10 to 1e-8): ten times the residual that counts as solved where contacts slide.
+pub(crate) const CONE_LIMIT: f64 = 1e-9;
+
+/// The same in a time step (no unit, 1e-6 to 1e-4): ten times the residual that counts as solved there.
+pub(crate) const STEP_CONE_LIMIT: f64 = 1e-5;
 
 /// Most bodies that a warning names.
 const MOST_NAMES: usize = 4;
@@ -73,6 +82,11 @@ impl Core {
             relative * self.world.pair_size(a, b) + self.world.penetration_rounding(states, a, b) + late_approach
         });
         self.accounts.measures.penetration.note(Measure { t, pair: (a, b), value: -separation_m, allowed });
+    }
+
+    /// Records in the certificate how far forces or impulses at `t` (s) are from Coulomb's law, and how far they may be.
+    pub(crate) fn note_friction(&mut self, t: f64, violation: Option<ConeViolation>, allowed: f64) {
+        self.accounts.measures.note_friction(t, violation, allowed);
     }
 
     /// Books a projection at `t` (s) that has led to these states, and records it in the certificate.

@@ -1,6 +1,7 @@
 //! Measured values that are compared with the promised limits: the worst over the run, with bodies and time.
 
 use super::occurrences::Occurrences;
+use crate::interaction::cone_violation::ConeViolation;
 use crate::snapshot::{SnapshotError, content};
 use crate::world::World;
 use crate::{BodyId, Certificate, Ledger, PairAt};
@@ -98,6 +99,8 @@ pub(crate) struct Measures {
     pub(crate) projection: Worst,
     /// Change of energy by one projection, J.
     pub(crate) projection_energy: Worst,
+    /// Violation of Coulomb's law, relative to the largest force of the problem.
+    pub(crate) friction: Worst,
     /// Energy removed by all projections except those of overlaps at the start, J.
     pub(crate) drift_energy: CompensatedSum,
     /// Problems that were not solved to their tolerance.
@@ -105,12 +108,20 @@ pub(crate) struct Measures {
 }
 
 impl Measures {
+    /// Records a violation of Coulomb's law at `t` (s), and how large it may be.
+    pub(crate) fn note_friction(&mut self, t: f64, violation: Option<ConeViolation>, allowed: f64) {
+        if let Some(ConeViolation { value, pair }) = violation {
+            self.friction.note(Measure { t, pair, value, allowed });
+        }
+    }
+
     /// The measures as plain data.
     pub(super) fn save(&self) -> content::Measures {
         content::Measures {
             penetration: self.penetration.save(),
             projection: self.projection.save(),
             projection_energy: self.projection_energy.save(),
+            friction: self.friction.save(),
             drift_energy: self.drift_energy.parts(),
             unsolved: self.unsolved.save(),
         }
@@ -125,6 +136,7 @@ impl Measures {
             penetration: Worst::restored(&saved.penetration, bodies)?,
             projection: Worst::restored(&saved.projection, bodies)?,
             projection_energy: Worst::restored(&saved.projection_energy, bodies)?,
+            friction: Worst::restored(&saved.friction, bodies)?,
             drift_energy: CompensatedSum::from_parts(saved.drift_energy),
             unsolved: Occurrences::restored(&saved.unsolved),
         })
@@ -141,6 +153,9 @@ impl Measures {
         certificate.max_projection_j = self.projection_energy.largest;
         certificate.max_projection_relative = relative(self.projection_energy.largest, ledger);
         certificate.max_projection_j_at = self.projection_energy.at();
+        certificate.max_friction_violation = self.friction.largest;
+        certificate.max_friction_violation_of_limit = self.friction.of_limit();
+        certificate.max_friction_violation_at = self.friction.at();
     }
 
     /// The limits that were exceeded.
@@ -169,6 +184,14 @@ impl Measures {
             exceeded.push(format!(
                 "t = {t} s: degraded: projections took {sum:e} J in all, the largest, of {names}, changed {value:e} J; \
                  the promised limit is {allowed:e} J"
+            ));
+        }
+        if let Some(worst) = self.friction.exceeded() {
+            let (t, value, allowed) = (worst.t, worst.value, worst.allowed);
+            let names = names(&worst);
+            exceeded.push(format!(
+                "t = {t} s: degraded: friction of {names} exceeded Coulomb's law by {value:e} of the largest force, the \
+                 promised limit is {allowed:e}"
             ));
         }
         exceeded.extend(self.unsolved.list().iter().map(|unsolved| format!("{unsolved} (degraded)")));

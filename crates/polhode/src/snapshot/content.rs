@@ -122,6 +122,7 @@ pub(crate) struct Measures {
     pub(crate) penetration: Worst,
     pub(crate) projection: Worst,
     pub(crate) projection_energy: Worst,
+    pub(crate) friction: Worst,
     pub(crate) drift_energy: Sum,
     pub(crate) unsolved: Vec<Warning>,
 }
@@ -292,6 +293,7 @@ pub(crate) struct Island {
     /// Modes of the contacts with friction.
     pub(crate) friction: Vec<(Contact, Friction)>,
     pub(crate) stopping: Vec<Contact>,
+    pub(crate) fading: Vec<Contact>,
     /// Directions in which contacts begin to slide.
     pub(crate) slipping: Vec<(Contact, Vector)>,
     /// Rolling, then spinning.
