@@ -13,7 +13,8 @@
 //! place, and the distance by which the bodies approach in that time is added to the limit of penetration. A run that
 //! exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is a run of any tier with a
 //! problem that was not solved to its tolerance, or with forces of friction that violate Coulomb's law by more than
-//! [`CONE_LIMIT`], in time steps [`STEP_CONE_LIMIT`], relative to the largest force of their problem.
+//! [`CONE_LIMIT`](crate::interaction::cone_violation::CONE_LIMIT), in time steps by more than
+//! [`STEP_CONE_LIMIT`](crate::interaction::cone_violation::STEP_CONE_LIMIT), relative to the largest force of their problem.
 
 use crate::accounting::books::Balance;
 use crate::accounting::measures::{Limits, Measure};
@@ -31,13 +32,6 @@ const MOVED_BY_ROUNDING: f64 = 5.0;
 
 /// Allowed delay of an impact, in units in the last place of its time.
 const TIME_ULPS: f64 = 4.0;
-
-/// Most that forces and impulses may violate Coulomb's law by in the tier `accurate`, relative to the largest of their problem
-/// (no unit, 1e-10 to 1e-8): ten times the residual that counts as solved where contacts slide.
-pub(crate) const CONE_LIMIT: f64 = 1e-9;
-
-/// The same in a time step (no unit, 1e-6 to 1e-4): ten times the residual that counts as solved there.
-pub(crate) const STEP_CONE_LIMIT: f64 = 1e-5;
 
 /// Most bodies that a warning names.
 const MOST_NAMES: usize = 4;
@@ -75,13 +69,18 @@ impl Core {
         (a, b): (usize, usize),
         (separation_m, rate): (f64, f64),
     ) {
-        let promised = self.settings.promised_penetration();
-        let allowed = promised.map_or(f64::INFINITY, |relative| {
+        let allowed = self.penetration_allowed(t, states, (a, b), rate);
+        self.accounts.measures.penetration.note(Measure { t, pair: (a, b), value: -separation_m, allowed });
+    }
+
+    /// The penetration (m) that the tier promises not to exceed for a pair at `t` (s) whose separation changes at this rate
+    /// (m/s); infinite without a promise.
+    pub(crate) fn penetration_allowed(&self, t: f64, states: &[BodyState], (a, b): (usize, usize), rate: f64) -> f64 {
+        self.settings.promised_penetration().map_or(f64::INFINITY, |relative| {
             // The time of an impact is known to its rounding only.
             let late_approach = TIME_ULPS * f64::EPSILON * t.abs() * rate.abs();
             relative * self.world.pair_size(a, b) + self.world.penetration_rounding(states, a, b) + late_approach
-        });
-        self.accounts.measures.penetration.note(Measure { t, pair: (a, b), value: -separation_m, allowed });
+        })
     }
 
     /// Records in the certificate how far forces or impulses at `t` (s) are from Coulomb's law, and how far they may be.

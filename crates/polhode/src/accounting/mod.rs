@@ -11,9 +11,9 @@ mod stretches;
 
 use crate::collision::contact_set::ContactId;
 use crate::event::EventKind;
+use crate::interaction::cone_violation::STEP_CONE_LIMIT;
 use crate::interaction::impact::raised_energy;
 use crate::observer::Observer;
-use crate::promise::STEP_CONE_LIMIT;
 use crate::scene::ImpactLaw;
 use crate::time_stepping::{ImpulseKind, TimeStepReport};
 use crate::world::World;
@@ -143,6 +143,11 @@ impl Accounts {
     pub(crate) fn begin_crowding(&mut self, t: f64, bodies: usize) -> usize {
         self.warn(t, "crowded events: the affected bodies advance by time steps for a while");
         self.crowded.begin(t, bodies)
+    }
+
+    /// Whether a stretch of crowded events has begun.
+    pub(crate) fn has_crowded(&self) -> bool {
+        !self.crowded.0.is_empty()
     }
 
     /// Records the outcome of an impact of some bodies by a law in the certificate.

@@ -17,10 +17,10 @@ use crate::collision::contact_set::{ContactId, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::Turn;
 use crate::core::Core;
+use crate::interaction::cone_violation::CONE_LIMIT;
 use crate::interaction::constraint::ContactEvent;
 use crate::interaction::locator::{Side, close_in};
 use crate::interaction::projection::rate_exceeds_drift;
-use crate::promise::CONE_LIMIT;
 use crate::world::TOUCH_RELATIVE;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
@@ -466,7 +466,8 @@ fn sliding(touches: &[Touch]) -> impl Iterator<Item = ContactId> + '_ {
 fn held_kinematics(core: &Core, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
     let tolerance = TOUCH_RELATIVE * core.world.pair_size(id.a, id.b);
     let kinematics = core.world.kinematics(states, id)?;
-    let stays = ContactEvent::Leaving.value(&kinematics) >= -tolerance
+    let is_on_features = ContactEvent::Leaving.value(&kinematics) >= -tolerance;
+    let stays = (is_on_features || core.world.holds_beyond_border(states, id))
         && !rate_exceeds_drift(&core.world, states, id, &kinematics, core.settings.step_error());
     stays.then_some(kinematics)
 }
