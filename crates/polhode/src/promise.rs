@@ -14,13 +14,16 @@
 //! place, and the distance by which the bodies approach in that time is added to the limit of penetration. A run that
 //! exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is one in which ending bounces took
 //! more than 1e-9 of that energy beyond the energy of the bounces themselves, and a run of any tier with a
-//! problem that was not solved to its tolerance.
+//! problem that was not solved to its tolerance, or with forces of friction that violate Coulomb's law by more than
+//! [`CONE_LIMIT`](crate::interaction::cone_violation::CONE_LIMIT), in time steps by more than
+//! [`STEP_CONE_LIMIT`](crate::interaction::cone_violation::STEP_CONE_LIMIT), relative to the largest force of their problem.
 
 use crate::accounting::books::Balance;
 use crate::accounting::measures::{Limits, Measure};
 use crate::accounting::numerical_loss::FixedStep;
 use crate::collision::contact_set::Touch;
 use crate::core::Core;
+use crate::interaction::cone_violation::ConeViolation;
 use crate::interaction::constraint::ConstraintId;
 use crate::interaction::projection::Projection;
 use crate::scene::Tier;
@@ -125,6 +128,11 @@ impl Core {
         let measure = Measure { t, pair, value: beyond, allowed: f64::INFINITY };
         self.accounts.measures.ended_bounces.note(measure);
         self.accounts.measures.ended_bounces_sum.add(beyond);
+    }
+
+    /// Records in the certificate how far forces or impulses at `t` (s) are from Coulomb's law, and how far they may be.
+    pub(crate) fn note_friction(&mut self, t: f64, violation: Option<ConeViolation>, allowed: f64) {
+        self.accounts.measures.note_friction(t, violation, allowed);
     }
 
     /// Books a projection at `t` (s) that has led to these states, and records it in the certificate.

@@ -44,6 +44,15 @@ pub struct Certificate {
     pub max_ended_bounces_at: Option<PairAt>,
     /// The same energy of all instants, J: above 1e-9 of the largest energy of the run it is degraded.
     pub ended_bounces_j: f64,
+    /// Largest violation of Coulomb's law by forces or impulses of contacts with friction: what a tangential force exceeds
+    /// `mu` times the normal one by, or what pulls, relative to the largest force of the problem; or the acceleration of a
+    /// slip that is held although friction does not hold it, relative to the largest without contact forces. Judged at every
+    /// instant, impact and time step, and at the end of every step between them.
+    pub max_friction_violation: f64,
+    /// The same relative to its limit: above 1 the run is degraded.
+    pub max_friction_violation_of_limit: f64,
+    /// The pair and the time of that violation.
+    pub max_friction_violation_at: Option<PairAt>,
     /// Largest bound `sqrt(f.w)` on the error of the accelerations from a solve for contact forces, in the norm of
     /// mass, N^(1/2) (m/s^2)^(1/2); zero to rounding for exact solves. None where no contact force was solved for: in the
     /// tier `stepped`, which solves for impulses, and in runs without contact.

@@ -8,7 +8,7 @@ use super::{
     one_dependency, peers, pi_machine, polhode_times, published_rotations, random_solids, reductions, resting_contact,
     rigid_ipc, rocking_and_toppling, rolling_disc, sliding, sliding_and_spinning, slipping_and_rolling, slopes,
     snapshots, speed, spinning_scenes, stackings, stacks, stacks_on_slopes, structures, table_edge, thesis_tier,
-    tunnelling, valleys, videos,
+    tunnelling, valleys, videos, walls,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -140,6 +140,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "friction elsewhere", rows: friction_invariances::settings },
     Case { name: "scenes of friction", rows: friction_scenes::rows },
     Case { name: "scenes of spinning", rows: spinning_scenes::rows },
+    Case { name: "walls", rows: walls::rows },
     Case { name: "effects of friction", rows: friction_effects::rows },
     Case { name: "SimBenchmark rolling", rows: slipping_and_rolling::simbenchmark_rolling },
     Case { name: "falling shapes", rows: falling_shapes::times },

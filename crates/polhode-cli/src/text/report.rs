@@ -152,6 +152,10 @@ fn certificate(report: &RunReport) -> String {
             ),
         ]);
     }
+    let violation = number(certificate.max_friction_violation);
+    let of_limit = of_its_limit(certificate.max_friction_violation_of_limit);
+    let at = self::at(report, certificate.max_friction_violation_at);
+    table.row(["largest violation of friction's law", &format!("{violation} of the largest force{of_limit}{at}")]);
     table.row(["largest residual of a contact problem", &number(certificate.max_residual)]);
     table.row(["bound on the error of an acceleration", &measured(certificate.max_acceleration_error_bound)]);
     table.row(["largest error of a step, of its tolerance", &measured(certificate.max_step_error)]);
@@ -162,8 +166,12 @@ fn certificate(report: &RunReport) -> String {
 
 /// A length, how much of what is promised it is, and where that was.
 fn with_limit(report: &RunReport, length_m: f64, of_limit: f64, pair: Option<PairAt>) -> String {
-    let of_limit = if of_limit > 0.0 { format!(", {} of its limit", number(of_limit)) } else { String::new() };
-    format!("{} m{of_limit}{}", number(length_m), at(report, pair))
+    format!("{} m{}{}", number(length_m), of_its_limit(of_limit), at(report, pair))
+}
+
+/// How much of a limit something is.
+fn of_its_limit(of_limit: f64) -> String {
+    if of_limit > 0.0 { format!(", {} of its limit", number(of_limit)) } else { String::new() }
 }
 
 /// A value, or that there is none.

@@ -175,9 +175,14 @@ impl Books {
 
     /// Books an impact: the change of energy (J) by its impulses along normals in relative velocities, the energy lost to
     /// friction (J), the impulses that fixed and kinematic bodies gave, and the work of prescribed motions (J) by them.
+    ///
+    /// Friction gives no energy. Contacts that share an impact are booked along the straight way from the velocities before
+    /// to those afterwards, on which the impulse of a slip that reverses may seem to: what it seems to give belongs to the
+    /// normal impulses that reversed the slip.
     pub(crate) fn impact(&mut self, (energy_change_j, friction_j): (f64, f64), support: Momentum, work_j: f64) {
-        self.ledger.impact.add(-energy_change_j);
-        self.ledger.friction.add(friction_j);
+        let taken_j = friction_j.max(0.0);
+        self.ledger.impact.add(-energy_change_j - (taken_j - friction_j));
+        self.ledger.friction.add(taken_j);
         self.ledger.external.add(work_j);
         self.ledger.momentum.support.add(support);
     }

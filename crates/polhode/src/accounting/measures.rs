@@ -3,6 +3,7 @@
 use super::long_steps::LongSteps;
 use super::numerical_loss::{FixedStep, NumericalLoss};
 use super::occurrences::Occurrences;
+use crate::interaction::cone_violation::ConeViolation;
 use crate::snapshot::{SnapshotError, content};
 use crate::world::World;
 use crate::{BodyId, Certificate, Ledger, PairAt};
@@ -106,6 +107,8 @@ pub(crate) struct Measures {
     pub(crate) projection: Worst,
     /// Change of energy by one projection, J.
     pub(crate) projection_energy: Worst,
+    /// Violation of Coulomb's law, relative to the largest force of the problem.
+    pub(crate) friction: Worst,
     /// Energy removed by all projections except those of overlaps at the start, J.
     pub(crate) drift_energy: CompensatedSum,
     /// Energy that the end of bounces at one instant took beyond that of the bounces, J.
@@ -121,6 +124,13 @@ pub(crate) struct Measures {
 }
 
 impl Measures {
+    /// Records a violation of Coulomb's law at `t` (s), and how large it may be.
+    pub(crate) fn note_friction(&mut self, t: f64, violation: Option<ConeViolation>, allowed: f64) {
+        if let Some(ConeViolation { value, pair }) = violation {
+            self.friction.note(Measure { t, pair, value, allowed });
+        }
+    }
+
     /// Records the penetration of a sample: it counts for the run too.
     pub(crate) fn note_sample(&mut self, measure: Measure) {
         self.sample_penetration.note(measure);
@@ -134,6 +144,7 @@ impl Measures {
             sample_penetration: self.sample_penetration.save(),
             projection: self.projection.save(),
             projection_energy: self.projection_energy.save(),
+            friction: self.friction.save(),
             drift_energy: self.drift_energy.parts(),
             ended_bounces: self.ended_bounces.save(),
             ended_bounces_sum: self.ended_bounces_sum.parts(),
@@ -153,6 +164,7 @@ impl Measures {
             sample_penetration: Worst::restored(&saved.sample_penetration, bodies)?,
             projection: Worst::restored(&saved.projection, bodies)?,
             projection_energy: Worst::restored(&saved.projection_energy, bodies)?,
+            friction: Worst::restored(&saved.friction, bodies)?,
             drift_energy: CompensatedSum::from_parts(saved.drift_energy),
             ended_bounces: Worst::restored(&saved.ended_bounces, bodies)?,
             ended_bounces_sum: CompensatedSum::from_parts(saved.ended_bounces_sum),
@@ -181,6 +193,9 @@ impl Measures {
         certificate.max_ended_bounces_j = self.ended_bounces.largest;
         certificate.max_ended_bounces_at = self.ended_bounces.at();
         certificate.ended_bounces_j = self.ended_bounces_sum.value();
+        certificate.max_friction_violation = self.friction.largest;
+        certificate.max_friction_violation_of_limit = self.friction.of_limit();
+        certificate.max_friction_violation_at = self.friction.at();
     }
 
     /// The limits that were exceeded.
@@ -219,6 +234,14 @@ impl Measures {
             exceeded.push(format!(
                 "t = {t} s: degraded: ending bounces took {sum:e} J beyond the energy of the bounces, most of it from \
                  {names}, {value:e} J; the limit is {allowed:e} J"
+            ));
+        }
+        if let Some(worst) = self.friction.exceeded() {
+            let (t, value, allowed) = (worst.t, worst.value, worst.allowed);
+            let names = names(&worst);
+            exceeded.push(format!(
+                "t = {t} s: degraded: friction of {names} exceeded Coulomb's law by {value:e} of the largest force, the \
+                 promised limit is {allowed:e}"
             ));
         }
         exceeded.extend(self.unsolved.list().iter().map(|unsolved| format!("{unsolved} (degraded)")));

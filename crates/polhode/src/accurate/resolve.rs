@@ -12,6 +12,7 @@ use crate::collision::contact_set::{ContactId, FoundContact, Hold, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::core::Core;
 use crate::event::{Event, EventKind};
+use crate::interaction::cone_violation::CONE_LIMIT;
 use crate::interaction::frictional_impact::Restitution;
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{Struck, impulse_event, pivot_support, raised_energy, strike};
@@ -183,6 +184,7 @@ impl Engine {
         let by_pivots = pivot_support(about, struck.pivots.iter().map(|(pivot, impulse)| (pivot, *impulse)));
         let given = struck.support(&core.world, about, &members) + by_pivots;
         core.accounts.books.impact((outcome.energy_change, struck.friction_j), given, work);
+        core.note_friction(instant.t, struck.cone_violation(&core.world, &self.states, &members), CONE_LIMIT);
         let largest = outcome.applications.iter().fold(0.0, |most: f64, one| most.max(one.impulse.abs()));
         let is_event = |impulse: f64| impulse.abs() > NEGLIGIBLE_IMPULSE * largest;
         let applications = outcome.applications.iter().zip(&struck.constraints);
@@ -284,7 +286,7 @@ impl Engine {
         touch.kinematics.separation_rate < -self.sustained_speed(core, instant.speed_scale, touch)
     }
 
-    fn forces(
+    pub(super) fn forces(
         &mut self,
         core: &mut Core,
         instant: &Instant,
@@ -299,6 +301,7 @@ impl Engine {
             return Err(SimulationError::ContactSolve { t: instant.t, residual: forces.solution.report.residual });
         }
         core.accounts.note_solve(instant.t, &forces.solution.report)?;
+        core.note_friction(instant.t, forces.violation, CONE_LIMIT);
         if forces.motion_depends_on_choice {
             let names = core.world.names_of(&group.bodies);
             core.accounts.warn(instant.t, format!("{LEAST_NORM} {names} depends on that choice"));
@@ -360,7 +363,9 @@ impl Engine {
             _ => None,
         };
         if let Some(kind) = kind {
-            let event = contact_event(instant.t, kind, &touch);
+            let ended = instant.slip_ends.get(&touch.id).copied();
+            let t = ended.filter(|_| kind == EventKind::Stick).unwrap_or(instant.t);
+            let event = contact_event(t, kind, &touch);
             core.accounts.add_contact_event(&core.world, &self.states, event, touch.id);
         }
         instant.touches[i].friction = mode;

@@ -85,6 +85,7 @@ impl Engine {
             change: ContactChange::default(),
             woken: BTreeSet::new(),
             rest_times: BTreeMap::new(),
+            slip_ends: BTreeMap::new(),
             speed_scale,
         }
     }

@@ -136,6 +136,7 @@ pub(crate) struct Measures {
     pub(crate) sample_penetration: Worst,
     pub(crate) projection: Worst,
     pub(crate) projection_energy: Worst,
+    pub(crate) friction: Worst,
     pub(crate) drift_energy: Sum,
     pub(crate) ended_bounces: Worst,
     pub(crate) ended_bounces_sum: Sum,
@@ -338,6 +339,7 @@ pub(crate) struct Island {
     /// Modes of the contacts with friction.
     pub(crate) friction: Vec<(Contact, Friction)>,
     pub(crate) stopping: Vec<Contact>,
+    pub(crate) fading: Vec<Contact>,
     /// Directions in which contacts begin to slide.
     pub(crate) slipping: Vec<(Contact, Vector)>,
     /// Rolling, then spinning.

@@ -11,6 +11,7 @@ use super::contacts::{FreeAccelerations, NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Substep, TimeStepper};
 use crate::collision::contact_set::{FoundContact, Touch};
+use crate::interaction::cone_violation::ConeViolation;
 use crate::interaction::frictional_impact::Restitution;
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{Struck, strike};
@@ -102,6 +103,8 @@ fn note(world: &World, states: &[BodyState], touches: &[Touch], struck: &Struck,
     report.raises_energy |= struck.restitution == Restitution::RaisesEnergy;
     let given = struck.support(world, report.books.ledger.momentum.about, touches);
     let work = struck.work(world, states, touches);
+    let violation = struck.cone_violation(world, states, touches);
+    report.cone_violation = ConeViolation::larger(report.cone_violation, violation);
     report.books.impact((outcome.energy_change, struck.friction_j), given, work);
     report.impulses.extend(outcome.applications.iter().map(|application| ContactImpulse {
         t,

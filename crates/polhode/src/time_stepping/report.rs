@@ -2,6 +2,7 @@
 
 use crate::accounting::books::Books;
 use crate::collision::contact_set::ContactId;
+use crate::interaction::cone_violation::ConeViolation;
 use polhode_contact::ContactGeometry;
 use polhode_spatial::DVec3;
 
@@ -51,6 +52,8 @@ pub(crate) struct TimeStepReport {
     pub(crate) max_projection_m: f64,
     /// Largest residual of the problems solved (natural map, relative).
     pub(crate) residual: f64,
+    /// How far forces and impulses are from Coulomb's law, the largest of any step.
+    pub(crate) cone_violation: Option<ConeViolation>,
     /// Number of approximations: solutions of a fallback solver, impact laws that did not finish.
     pub(crate) fallbacks: u64,
     /// Whether a law of restitution has raised the energy of an impact.
@@ -86,6 +89,7 @@ impl TimeStepReport {
             left_penetration_m: 0.0,
             max_projection_m: 0.0,
             residual: 0.0,
+            cone_violation: None,
             fallbacks: 0,
             raises_energy: false,
             contacts: 0,
@@ -106,6 +110,7 @@ impl TimeStepReport {
         self.left_penetration_m = later.left_penetration_m;
         self.max_projection_m = self.max_projection_m.max(later.max_projection_m);
         self.residual = self.residual.max(later.residual);
+        self.cone_violation = ConeViolation::larger(self.cone_violation, later.cone_violation);
         self.fallbacks += later.fallbacks;
         self.raises_energy |= later.raises_energy;
         self.contacts = self.contacts.max(later.contacts);

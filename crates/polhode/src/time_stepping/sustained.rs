@@ -30,6 +30,7 @@ use super::step::TimeStepper;
 use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
 use crate::collision::contact_set::ContactId;
 use crate::interaction::assembly::Assembly;
+use crate::interaction::cone_violation::ConeViolation;
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{apply_without_gain, support};
 use crate::interaction::rotational_friction::{moment_support, moment_work};
@@ -176,8 +177,9 @@ impl TimeStepper {
             let found = sustained_friction::solve(assembly, states, constants, &friction)?;
             report.residual = report.residual.max(found.report.residual);
             report.fallbacks += u64::from(found.report.status != SolverStatus::Solved);
-            let sustained_friction::FrictionalImpulses { normal: impulses, tangential, moments, stops, .. } = found;
-            report.stops.extend(stops);
+            report.stops.extend(found.stops.iter().copied());
+            report.cone_violation = ConeViolation::larger(report.cone_violation, found.cone_violation());
+            let sustained_friction::FrictionalImpulses { normal: impulses, tangential, moments, .. } = found;
             return Ok(SolvedGroup { group, impulses, tangential, moments });
         }
         let carried = (0..members.len()).filter(|&i| self.carried.contains(near[members[i].contact].id)).collect();

@@ -25,6 +25,7 @@ use crate::collision::contact_set::ContactId;
 use crate::collision::friction_mode::FrictionCoefficients;
 use crate::collision::turn::Turn;
 use crate::interaction::assembly::{Assembly, TangentRow};
+use crate::interaction::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use crate::interaction::friction_blocks::{FrictionBlocks, RowSolution};
 use crate::interaction::rotation_row::RotationRow;
 use crate::interaction::rotational_friction::{ResistedRotation, solve_with_rotations};
@@ -71,7 +72,9 @@ pub(super) struct TangentialRow {
     normal: DVec3,
     /// `w-`, the angular velocity of A relative to B, rad/s.
     rotation: DVec3,
-    /// Friction of rolling and of spinning, m.
+    /// The length in the rows of rotations, m.
+    turning_length: f64,
+    /// Friction of rolling and of spinning in these rows (no unit).
     rotational: [Option<f64>; 2],
 }
 
@@ -88,9 +91,11 @@ impl TangentialRow {
         let coefficients = world.friction_at(states, id, terms.basis)?;
         let along = terms.basis.map(|tangent| TangentRow::new(id, &kinematics.geometry, &terms, tangent));
         let slip = terms.basis.map(|tangent| tangent.dot(terms.slip_velocity));
-        let rotational = Turn::ALL.map(|turn| turn.friction(world, (id.a, id.b)));
+        let rotational = Turn::ALL.map(|turn| turn.coefficient(world, (id.a, id.b)));
+        let turning_length = world.turning_length(id.a, id.b);
         let rotation = world.relative_rotation(states, id);
         let normal = kinematics.geometry.normal;
+        let half_change = [0.0; 2];
         Some(Self {
             coefficients,
             sticks: false,
@@ -98,9 +103,10 @@ impl TangentialRow {
             given: 0.0,
             along,
             slip,
-            half_change: [0.0; 2],
+            half_change,
             normal,
             rotation,
+            turning_length,
             rotational,
         })
     }
@@ -171,10 +177,14 @@ impl TangentialRow {
         self.sticks && self.coefficients.sliding.is_below(self.coefficients.at_rest)
     }
 
-    /// The axes of its rows of rotation of each kind that friction resists, with that friction (m).
+    /// The axes of its rows of rotation of each kind that friction resists, times their length (m), with that friction (no
+    /// unit).
     fn rotations(&self) -> impl Iterator<Item = (f64, Vec<DVec3>)> + '_ {
         let basis = self.along.map(|row| row.along.normal);
-        let of = move |(turn, friction): (Turn, &Option<f64>)| Some(((*friction)?, turn.axes(self.normal, basis)));
+        let of = move |(turn, friction): (Turn, &Option<f64>)| {
+            let axes = turn.axes(self.normal, basis).into_iter().map(|axis| axis * self.turning_length);
+            Some(((*friction)?, axes.collect()))
+        };
         Turn::ALL.into_iter().zip(&self.rotational).filter_map(of)
     }
 
@@ -191,6 +201,8 @@ impl TangentialRow {
 /// A contact with friction and its impulse along the tangents, N s.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TangentialImpulse {
+    /// The place of its contact among the normal impulses.
+    contact: usize,
     row: TangentialRow,
     impulse: [f64; 2],
 }
@@ -253,6 +265,19 @@ pub(super) struct FrictionalImpulses {
     pub(super) report: SolverReport,
 }
 
+impl FrictionalImpulses {
+    /// How far they are from Coulomb's law.
+    pub(super) fn cone_violation(&self) -> Option<ConeViolation> {
+        let rubbing = |one: &TangentialImpulse| {
+            let (ellipse, id) = (one.row.coefficient(), one.id());
+            let normal = self.normal.get(one.contact).copied()?;
+            let tangential = ellipse.length(&one.impulse);
+            Some(RubbingForce { pair: (id.a, id.b), normal, tangential, friction: ellipse.largest() })
+        };
+        largest_violation(self.tangential.iter().filter_map(rubbing), 0.0)
+    }
+}
+
 /// Solves for the impulses of contacts whose normal rows `assembly` holds, with these constant terms (m/s).
 ///
 /// # Errors
@@ -290,8 +315,9 @@ pub(super) fn solve(
     };
     let stops = stops(&friction, &rows, &solved);
     let (normal, along) = solved.reactions.split_at(friction.len().min(solved.reactions.len()));
-    let pairs = friction.iter().flatten().zip(along.as_chunks::<2>().0);
-    let tangential = pairs.map(|(&row, &impulse)| TangentialImpulse { row, impulse }).collect();
+    let rubbing = friction.iter().enumerate().filter_map(|(contact, row)| Some((contact, (*row)?)));
+    let pairs = rubbing.zip(along.as_chunks::<2>().0);
+    let tangential = pairs.map(|((contact, row), &impulse)| TangentialImpulse { contact, row, impulse }).collect();
     let rotation = |id: ContactId| friction.iter().flatten().find(|row| row.along[0].id == id).map(|row| row.rotation);
     let moments = assembly.of_rotations(&solved.reactions).map(|(row, moment)| {
         let rotation_before = rotation(row.id).unwrap_or_default();
@@ -320,11 +346,11 @@ fn resisted_rotations(
     for (normal, friction) in friction.iter().enumerate() {
         let Some(friction) = friction else { continue };
         let id = friction.along[0].id;
-        for (length, axes) in friction.rotations() {
+        for (coefficient, axes) in friction.rotations() {
             let first = assembly.problem.len();
             assembly.push_rotations(axes.into_iter().map(|axis| RotationRow { id, axis }))?;
             let rows = first..assembly.problem.len();
-            resisted.push(ResistedRotation { normal, rows, friction: length, turns: None });
+            resisted.push(ResistedRotation { normal, rows, friction: coefficient, turns: None });
         }
     }
     Ok(resisted)
