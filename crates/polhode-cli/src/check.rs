@@ -3,7 +3,7 @@
 use crate::args::CheckArgs;
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::{scene, stdout};
+use crate::{scene, stdout, text};
 
 /// Loads the scene and prepares it, which finds bodies that overlap.
 pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
@@ -14,5 +14,7 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     let bodies = loaded.scene.bodies();
     let fixed = bodies.iter().filter(|body| body.is_fixed()).count();
     let (path, name, duration) = (args.scene.scene.display(), loaded.scene.name(), loaded.scene.duration_s());
-    stdout::text(&format!("{path}: {name}: fine; bodies: {} ({fixed} fixed); duration: {duration} s\n", bodies.len()))
+    let mut page = format!("{path}: {name}: fine; bodies: {} ({fixed} fixed); duration: {duration} s\n", bodies.len());
+    page.push_str(&text::approximations(&loaded.scene));
+    stdout::text(&page)
 }

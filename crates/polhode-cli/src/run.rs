@@ -29,8 +29,7 @@ pub(crate) fn resume(args: &ResumeArgs) -> Result<(), Failure> {
 }
 
 /// Progress of a run that is prepared. A trajectory that goes to a terminal leaves no line there to draw on.
-fn preparing(asked: &RunOutputArgs) -> Progress {
-    let what = "preparing the run";
+fn preparing(asked: &RunOutputArgs, what: &'static str) -> Progress {
     let is_covered = Report::of(asked) == Report::OnStderr && std::io::stdout().is_terminal();
     if is_covered { Progress::in_lines(what) } else { Progress::new(what) }
 }
@@ -42,7 +41,7 @@ fn prepared(args: &RunArgs) -> Result<Run, Failure> {
     if let Some(accuracy) = args.accuracy {
         changes.extend(cost::settings_for(&text, &args.scene.changes, accuracy)?);
     }
-    let progress = preparing(&args.output);
+    let progress = preparing(&args.output, "preparing the run");
     let loaded = text.load(&changes)?;
     let file = args.scene.scene.as_path();
     if text.file().is_none() && (args.checkpoints.checkpoint.is_some() || args.checkpoints.checkpoint_every.is_some()) {
@@ -54,13 +53,19 @@ fn prepared(args: &RunArgs) -> Result<Run, Failure> {
     inputs.extend(text.file().map(Path::to_owned));
     let files = RunFiles::create(&args.output, &inputs, &loaded, &checkpoints)?;
     let started = Instant::now();
+    let progress = if scene::has_parts_to_find(&loaded) {
+        drop(progress);
+        preparing(&args.output, "decomposing meshes into convex parts")
+    } else {
+        progress
+    };
     let simulation = scene::prepare(&loaded, &args.scene.changes)?;
     Ok(Run { loaded, simulation, files, checkpoints, progress, started, report: Report::of(&args.output) })
 }
 
 /// A run from a checkpoint on.
 fn restored(args: &ResumeArgs) -> Result<Run, Failure> {
-    let progress = preparing(&args.output);
+    let progress = preparing(&args.output, "preparing the run");
     let checkpoint = Checkpoint::read(&args.from)?;
     let (loaded, simulation) = checkpoint.load(&args.from)?;
     let checkpoints = Checkpoints::new(&args.checkpoints, &args.from, &checkpoint.scene, checkpoint.overrides.clone())?;

@@ -3,7 +3,7 @@
 use crate::args::{ChangeArgs, EffectsArg, SceneArgs};
 use crate::examples;
 use crate::failure::Failure;
-use polhode::{Effects, Simulation, SimulationError};
+use polhode::{Effects, Geometry, Simulation, SimulationError};
 use polhode_scene::{LoadedScene, Override, SceneFileError, load_text, load_with, load_with_meshes};
 use std::ffi::OsStr;
 use std::io::Read as _;
@@ -14,6 +14,12 @@ pub(crate) const STANDARD: &str = "-";
 
 /// What errors call a scene from stdin.
 const STDIN: &str = "<stdin>";
+
+/// Whether preparing the scene decomposes a mesh into convex parts, which may take seconds.
+pub(crate) fn has_parts_to_find(loaded: &LoadedScene) -> bool {
+    let bodies = loaded.scene.bodies();
+    bodies.iter().any(|body| !body.is_fixed() && matches!(body.shape(), Some(Geometry::Mesh(_))))
+}
 
 /// Where the text of a scene is. It can be loaded many times, each time with other changes.
 #[derive(Debug, Clone)]

@@ -2,7 +2,7 @@
 
 use crate::document::{KeyPath, Step};
 use polhode::SceneError;
-use polhode::contact::ShapeError;
+use polhode::contact::{ApproximateError, ShapeError};
 use polhode::dynamics::field::FieldError;
 use polhode::mesh::{MeshError, MeshFormat, PrimitiveError, ReadError};
 use polhode::scene::{MotionError, OverlapAtStart};
@@ -271,6 +271,21 @@ pub enum Refusal {
     /// A mesh file is refused.
     #[error(transparent)]
     MeshFile(#[from] MeshFileError),
+    /// A mesh has no approximate convex parts.
+    #[error(transparent)]
+    Approximate(ApproximateError),
+    /// Approximate convex parts fill a mesh less well than demanded.
+    #[error(
+        "the volume of the {parts} convex parts differs from that of the solid by {found:e} of it, the limit is {limit:e}: allow more `parts`, a larger `error`, or leave `approximate` out for exact parts"
+    )]
+    ApproximateVolume {
+        /// How many parts there are.
+        parts: usize,
+        /// Difference of their volume from that of the solid, relative to it.
+        found: f64,
+        /// The limit given.
+        limit: f64,
+    },
 }
 
 impl From<InertiaError> for Refusal {

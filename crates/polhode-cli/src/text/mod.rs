@@ -16,5 +16,5 @@ mod table;
 pub(crate) use comparison::comparison;
 pub(crate) use mesh::{mesh, repairs};
 pub(crate) use mesh_studies::{monte_carlo, reference_points};
-pub(crate) use report::{accelerations, plan, run};
+pub(crate) use report::{accelerations, approximations, plan, run};
 pub(crate) use table::{Table, number};

@@ -2,7 +2,7 @@
 
 use super::table::{Table, number, vector};
 use crate::heading::Heading;
-use polhode::{Acceleration, BodyId, Certificate, Ledger, MomentumLedger, PairAt, Plan, RunReport, Scene};
+use polhode::{Acceleration, Body, BodyId, Certificate, Ledger, MomentumLedger, PairAt, Plan, RunReport, Scene};
 use polhode_scene::{LoadedScene, names};
 
 /// Most bodies listed: more are for a file to hold.
@@ -24,7 +24,20 @@ pub(crate) fn plan(loaded: &LoadedScene, plan: &Plan) -> String {
 /// Name, title and description of the scene.
 fn heading(loaded: &LoadedScene) -> String {
     let name = loaded.scene.name();
-    format!("scene {name}\n{}\n", Heading::of(std::iter::once(loaded)).lines(name))
+    let lines = Heading::of(std::iter::once(loaded)).lines(name);
+    format!("scene {name}\n{lines}{}\n", approximations(&loaded.scene))
+}
+
+/// How well convex parts fill the meshes that they stand for; one line for each such body.
+pub(crate) fn approximations(scene: &Scene) -> String {
+    let of_body = |body: &Body| {
+        let found = body.approximation()?;
+        let (name, parts, error) = (body.name(), found.parts, number(found.volume_error));
+        Some(format!(
+            "body {name}: {parts} convex parts stand for its mesh; error of their volume, relative: {error}\n"
+        ))
+    };
+    scene.bodies().iter().filter_map(of_body).collect()
 }
 
 fn methods_and_effects(plan: &Plan) -> String {

@@ -30,8 +30,8 @@ mod scene;
 mod signal;
 
 pub use body::{
-    BodyEntry, BoxEntry, CompoundEntry, FileEntry, HalfSpaceEntry, InertiaEntry, PartEntry, PointsEntry,
-    RadiusHeightEntry, ShapeEntry, SphereEntry, TorusEntry,
+    ApproximateEntry, BodyEntry, BoxEntry, CompoundEntry, FileEntry, HalfSpaceEntry, InertiaEntry, MeshEntry,
+    PartEntry, PointsEntry, RadiusHeightEntry, ShapeEntry, SphereEntry, TorusEntry,
 };
 pub use broad_phase::BroadPhaseName;
 pub use exactly::{Exactly, Vector};

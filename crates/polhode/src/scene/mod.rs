@@ -7,7 +7,7 @@
 //! |---|---|
 //! | `builder` | [`SceneBuilder`]: collects the parts of a scene and checks them together |
 //! | `body` | [`Body`]: fixed, kinematic or moved by forces |
-//! | `geometry` | [`Geometry`]: the shape of a body |
+//! | `geometry` | [`Geometry`]: the shape of a body; [`ApproximateParts`]: how well it fills a mesh |
 //! | `material` | [`Material`], [`PairRule`]: friction and restitution |
 //! | `grain` | [`FrictionEllipse`]: friction along and across a grain |
 //! | `force` | [`Force`]: forces besides uniform gravity and contact |
@@ -32,7 +32,7 @@ pub use builder::SceneBuilder;
 pub use error::{OverlapAtStart, SceneError};
 pub(crate) use force::MovingFrames;
 pub use force::{Attachment, Force};
-pub use geometry::Geometry;
+pub use geometry::{ApproximateParts, Geometry};
 pub use grain::FrictionEllipse;
 pub(crate) use grain::GrainOf;
 pub use material::{Material, PairRule};
