@@ -90,7 +90,9 @@ fn drawing_that_is_asked_to_end_leaves_nothing() {
         signal(&child, name);
         let run: crate::Run = child.wait_with_output().unwrap().into();
         assert_eq!(run.code, Some(code), "{}", run.stderr);
-        assert!(run.stderr.contains("a.gif: drawing was stopped after"), "{}", run.stderr);
+        // A frame that takes long is not waited for.
+        let words = ["a.gif: drawing was stopped after", "interrupted"];
+        assert!(words.iter().any(|said| run.stderr.contains(said)), "{}", run.stderr);
         assert_eq!(place.list(), ["scene.toml"]);
     }
 }
@@ -110,7 +112,8 @@ fn what_a_killed_program_left_behind_is_found() {
     assert_eq!(hidden.len(), 3, "{hidden:?}");
     for name in hidden.iter().filter(|name| !name.starts_with(".a.glb")) {
         let run = place.expect(0, &["view", "scene.toml", name, "-o", "page.html"]);
-        assert!(run.stderr.contains("cut off"), "{name}: {}", run.stderr);
+        // A file of lines may end with a whole one by chance.
+        assert!(name.starts_with(".a.csv") || run.stderr.contains("cut off"), "{}", run.stderr);
     }
     let args = ["run", "scene.toml", "--duration", "0.01", "-o", "a.csv", "-o", "a.npy", "-o", "a.glb"];
     let said = place.expect(0, &args).stderr;
@@ -149,7 +152,13 @@ fn a_step_that_does_not_end_is_not_waited_for() {
     let place = long_flight();
     // Nobody reads stdout: the run waits for room in the pipe, within its step.
     let mut child = start(&place, &["run", "scene.toml", "-o", "a.csv", "-o", "page.html", "-o", "-"]);
-    wait_for(&place, "a.csv");
+    // The pipe and the buffers before it hold 64 and 9 KiB of the same rows: the run is held up when the file has as many.
+    let held_up = |name: &String| {
+        name.starts_with(".a.csv.") && std::fs::metadata(place.path(name)).is_ok_and(|file| file.len() > 70_000)
+    };
+    while !place.list().iter().any(held_up) {
+        std::thread::yield_now();
+    }
     signal(&child, "TERM");
     assert_eq!(child.wait().unwrap().code(), Some(143));
     assert_eq!(place.list(), ["a.csv.partial", "scene.toml"]);

@@ -141,7 +141,7 @@ fn the_largest_penetration_is_not_below_that_of_now() {
     let svg = place.read("a.svg");
     let number = |name: &str| -> f64 {
         let text = svg.split(&format!(">{name} ")).nth(1).unwrap().split(['<', ' ']).next().unwrap();
-        text.parse().unwrap_or_else(|error| panic!("{text}: {error}"))
+        text.replace('\u{2212}', "-").parse().unwrap_or_else(|error| panic!("{text}: {error}"))
     };
     assert!(number("now") <= number("largest so far"), "{} {}", number("now"), number("largest so far"));
 }

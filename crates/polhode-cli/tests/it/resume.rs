@@ -188,7 +188,8 @@ fn a_run_at_rest_has_a_checkpoint_and_is_extended() {
     assert!(refused.contains("is of t = 5 s already"), "{refused}");
 }
 
-/// A run that is extended has the rows of one that was as long from the start, whether it was saved at its end or before.
+/// A run that is extended has the motion of one that was as long from the start: to the bit where it was saved before its
+/// end, at which its last step ends, and else to the error of a step.
 #[test]
 fn an_extended_run_is_one_that_was_longer() {
     let place = Place::with_scene(&fall());
@@ -196,10 +197,19 @@ fn an_extended_run_is_one_that_was_longer() {
     place.expect(0, &["run", "scene.toml", "--checkpoint", "ended"]);
     place.expect(0, &["run", "scene.toml", "--checkpoint-every", "0.6", "--checkpoint", "before"]);
     let whole = place.read("whole.csv");
-    for saved in ["ended", "before"] {
-        place.expect(0, &["resume", saved, "--duration", "2", "-o", "rest.csv"]);
-        let rest = place.read("rest.csv");
-        let rest = rest.split_once('\n').unwrap().1;
-        assert!(!rest.is_empty() && whole.ends_with(rest), "{saved}\n{rest}");
-    }
+    place.expect(0, &["resume", "before", "--duration", "2", "-o", "rest.csv"]);
+    let rest = place.read("rest.csv");
+    let rest = rest.split_once('\n').unwrap().1;
+    assert!(!rest.is_empty() && whole.ends_with(rest), "{rest}");
+    place.expect(0, &["resume", "ended", "--duration", "2", "-o", "rest.csv"]);
+    let rest = place.read("rest.csv");
+    let (header, whole) = whole.split_once('\n').unwrap();
+    let after: String = whole
+        .lines()
+        .filter(|row| row.split(',').next().unwrap().parse::<f64>().unwrap() > 1.5)
+        .map(|row| format!("{row}\n"))
+        .collect();
+    place.write("after.csv", &format!("{header}\n{after}"));
+    assert_eq!(rest.lines().count(), after.lines().count() + 1);
+    place.expect(0, &["compare", "rest.csv", "after.csv", "--atol", "1e-9"]);
 }

@@ -7,7 +7,7 @@ use super::npy::Npy;
 use super::{TrajectoryFormat, cut_to_line, events};
 use polhode::{BodySample, Event, Flow, Observer, Scene};
 use std::fs::File;
-use std::io;
+use std::io::{self, Cursor};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -50,15 +50,21 @@ pub enum OutputError {
     },
 }
 
-/// Makes a readable file of one that a killed program has left behind.
+/// Makes a readable file of one that a killed program has left behind; one without samples has the length `empty`.
 ///
 /// # Errors
-/// When nothing has reached the disk, or the file cannot be mended.
-fn mended(file: &mut File, mend: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
-    if file.metadata()?.len() == 0 {
-        return Err(io::ErrorKind::UnexpectedEof.into());
-    }
-    mend(file)
+/// When the file cannot be mended, or there is nothing in it.
+fn mended(file: &mut File, empty: u64, mend: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
+    mend(file)?;
+    if file.metadata()?.len() > empty { Ok(()) } else { Err(io::ErrorKind::UnexpectedEof.into()) }
+}
+
+/// The length of a file of this kind without samples, bytes.
+fn length_without_samples(format: &mut dyn TrajectoryFormat) -> io::Result<u64> {
+    let mut empty = Cursor::new(Vec::new());
+    format.begin(&mut empty)?;
+    format.end(&mut empty)?;
+    Ok(empty.get_ref().len() as u64)
 }
 
 /// Whether the ending of a name fits events: `.csv`, or none.
@@ -111,13 +117,20 @@ impl Outputs {
         let mut outputs = Self { bodies, trajectories: Vec::new(), events: None, fault: None };
         for (path, mut format) in trajectories.iter().zip(formats) {
             let mut mender = format.mender();
-            let file = AtomicFile::create_mending(path, |open| mended(open, |open| mender.mend(open)));
+            let file = AtomicFile::create_mending(path, |open| {
+                let empty = length_without_samples(mender.as_mut())?;
+                mended(open, empty, |open| mender.mend(open))
+            });
             let mut file = file.map_err(|source| fault(path, source))?;
             format.begin(&mut file).map_err(|source| fault(path, source))?;
             outputs.trajectories.push((file, format));
         }
         if let Some(path) = events {
-            let file = AtomicFile::create_mending(path, |open| mended(open, cut_to_line));
+            let file = AtomicFile::create_mending(path, |open| {
+                let mut empty = Cursor::new(Vec::new());
+                events::begin(&mut empty)?;
+                mended(open, empty.position(), cut_to_line)
+            });
             let mut file = file.map_err(|source| fault(path, source))?;
             events::begin(&mut file).map_err(|source| fault(path, source))?;
             outputs.events = Some(file);
