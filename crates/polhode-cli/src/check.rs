@@ -1,7 +1,7 @@
 //! `polhode check`: validates a scene.
 
 use crate::args::CheckArgs;
-use crate::failure::Failure;
+use crate::failure::{self, Failure};
 use crate::progress::Progress;
 use crate::{scene, stdout, text};
 
@@ -11,6 +11,9 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     let loaded = scene::load(&args.scene)?;
     scene::prepare(&loaded, &args.scene.changes)?;
     drop(progress);
+    for warning in loaded.scene.warnings() {
+        failure::remark(&format!("warning: {}: {warning}", loaded.scene.name()));
+    }
     let bodies = loaded.scene.bodies();
     let fixed = bodies.iter().filter(|body| body.is_fixed()).count();
     let (path, name, duration) = (args.scene.scene.display(), loaded.scene.name(), loaded.scene.duration_s());

@@ -108,6 +108,7 @@ impl Simulation {
         let mut probe = world.clone();
         let (index, state) = probe.add_body(body.clone(), self.core.t)?;
         probe.scene.check_grains()?;
+        probe.scene.check_motions()?;
         let mut states = self.tier.states(&self.core);
         states.push(state);
         check_clear(&probe, index, &states)?;

@@ -98,6 +98,7 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
         | SceneError::Shape { body: name, .. }
         | SceneError::MovingHalfSpace(name)
         | SceneError::Motion { body: name, .. } => body(name),
+        SceneError::MotionJumps { body: name, .. } => body(name).key("motion").key("table").key("interpolation"),
         SceneError::FixedBodyPivots(name) | SceneError::KinematicBodyPivots(name) => body(name).key("pivot"),
         SceneError::PivotMoves { body: name, .. } | SceneError::KinematicBodyHasVelocity(name) => {
             body(name).key("velocity")
