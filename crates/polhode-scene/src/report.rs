@@ -44,6 +44,10 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
         "max_penetration_m": certificate.max_penetration_m,
         "max_penetration_of_limit": certificate.max_penetration_of_limit,
         "max_penetration_at": pair_json(report, certificate.max_penetration_at),
+        "max_sample_penetration_m": certificate.max_sample_penetration_m,
+        "max_sample_penetration_of_limit": certificate.max_sample_penetration_of_limit,
+        "max_sample_penetration_at": pair_json(report, certificate.max_sample_penetration_at),
+        "crowded": crowded_json(report),
         "max_residual": certificate.max_residual,
         "max_acceleration_error_bound": certificate.max_acceleration_error_bound,
         "max_step_error": certificate.max_step_error,
@@ -67,6 +71,28 @@ pub fn scene_report_json(loaded: &LoadedScene, report: &RunReport, wall_s: f64) 
 fn pair_json(report: &RunReport, at: Option<PairAt>) -> Value {
     let name = |body: BodyId| report.bodies.get(body.index()).map(|(name, _)| name.as_str());
     at.map_or(Value::Null, |at| json!({ "t_s": at.t_s, "body_a": name(at.body_a), "body_b": name(at.body_b) }))
+}
+
+/// The stretches of crowded events together, and the estimated error that they have caused; null without one.
+fn crowded_json(report: &RunReport) -> Value {
+    if report.crowded.is_empty() {
+        return Value::Null;
+    }
+    let name = |body: BodyId| report.bodies.get(body.index()).map(|(name, _)| name.as_str());
+    let error = report.crowding_error.map(|error| {
+        json!({
+            "position_m": error.position_m,
+            "body": error.body.and_then(name),
+            "velocity_m_s": error.velocity_m_s,
+            "angular_velocity_rad_s": error.angular_velocity_rad_s,
+        })
+    });
+    json!({
+        "stretches": report.crowded.len(),
+        "length_s": report.crowded_s(),
+        "max_residual": report.crowded_residual(),
+        "error": error,
+    })
 }
 
 /// What was tolerated; times in s.

@@ -29,7 +29,9 @@ impl Simulation {
         self.finite(index, "the force", force_n)?;
         self.finite(index, "the torque", torque_nm)?;
         let wrench = Wrench { force: force_n, torque: torque_nm };
-        self.act(&[index], &[], "set_force", |simulation| Ok(simulation.core.world.set_applied(index, wrench)?))
+        self.act(&[index], &[], "set_force", |simulation| Ok(simulation.core.world.set_applied(index, wrench)?))?;
+        self.repeat_on_companion(|companion| companion.set_force(body, force_n, torque_nm));
+        Ok(())
     }
 
     /// Applies an impulse (N s) to a body at a point (m), both world.
@@ -46,7 +48,9 @@ impl Simulation {
                 state.linear_velocity += impulse_ns * rigid.inverse_mass();
             }
             world.hold_velocity(index, state);
-        })
+        })?;
+        self.repeat_on_companion(|companion| companion.apply_impulse(body, impulse_ns, point_m));
+        Ok(())
     }
 
     /// Sets the velocity of the centre of mass of a body and its angular velocity, world. For a body at a pivot the
@@ -60,7 +64,9 @@ impl Simulation {
         self.finite(index, "the angular velocity", velocity.angular)?;
         self.change_state(index, &[], "set_velocity", |world, rigid, state| {
             *state = rigid.at_velocity(state.pose, world.admitted_velocity(index, &state.pose, velocity));
-        })
+        })?;
+        self.repeat_on_companion(|companion| companion.set_velocity(body, velocity));
+        Ok(())
     }
 
     /// Sets the pose of a body (of its own origin, world). Its velocity and angular velocity stay.
@@ -85,7 +91,9 @@ impl Simulation {
             // The velocities stay; the angular momentum follows from the new attitude.
             let velocity = rigid.center_of_mass_velocity(state);
             *state = rigid.at_velocity(moved, world.admitted_velocity(index, &moved, velocity));
-        })
+        })?;
+        self.repeat_on_companion(|companion| companion.set_pose(body, pose));
+        Ok(())
     }
 
     /// Adds a body, given as in a scene, at the present time. Returns its handle.
@@ -103,6 +111,7 @@ impl Simulation {
         let mut states = self.tier.states(&self.core);
         states.push(state);
         check_clear(&probe, index, &states)?;
+        let again = body.clone();
         self.act(&[], &[index], "add_body", |simulation| {
             let (added, state) = simulation.core.world.add_body(body, simulation.core.t)?;
             simulation.tier.add_body(&simulation.core, state);
@@ -110,6 +119,7 @@ impl Simulation {
             simulation.core.accounts.books.added(&simulation.core.world, &states, added);
             simulation.tier.interrupt(&mut simulation.core, &[added])
         })?;
+        self.repeat_on_companion(|companion| companion.add_body(again).map(|_| ()));
         Ok(BodyId::new(index))
     }
 
@@ -124,7 +134,9 @@ impl Simulation {
             simulation.core.accounts.books.removed(&simulation.core.world, &states, index);
             simulation.tier.remove_body(index);
             Ok(simulation.core.world.remove_body(index)?)
-        })
+        })?;
+        self.repeat_on_companion(|companion| companion.remove_body(body));
+        Ok(())
     }
 
     /// Changes the state of a body and books the change as one by the program. `moved` holds the body if its pose

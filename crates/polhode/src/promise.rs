@@ -66,13 +66,18 @@ impl Core {
         (a, b): (usize, usize),
         (separation_m, rate): (f64, f64),
     ) {
-        let promised = self.settings.promised_penetration();
-        let allowed = promised.map_or(f64::INFINITY, |relative| {
+        let allowed = self.penetration_allowed(t, states, (a, b), rate);
+        self.accounts.measures.penetration.note(Measure { t, pair: (a, b), value: -separation_m, allowed });
+    }
+
+    /// The penetration (m) that the tier promises not to exceed for a pair at `t` (s) whose separation changes at this rate
+    /// (m/s); infinite without a promise.
+    pub(crate) fn penetration_allowed(&self, t: f64, states: &[BodyState], (a, b): (usize, usize), rate: f64) -> f64 {
+        self.settings.promised_penetration().map_or(f64::INFINITY, |relative| {
             // The time of an impact is known to its rounding only.
             let late_approach = TIME_ULPS * f64::EPSILON * t.abs() * rate.abs();
             relative * self.world.pair_size(a, b) + self.world.penetration_rounding(states, a, b) + late_approach
-        });
-        self.accounts.measures.penetration.note(Measure { t, pair: (a, b), value: -separation_m, allowed });
+        })
     }
 
     /// Books a projection at `t` (s) that has led to these states, and records it in the certificate.

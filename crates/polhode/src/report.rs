@@ -17,6 +17,13 @@ pub struct Certificate {
     pub max_penetration_of_limit: f64,
     /// The pair and the time of that penetration.
     pub max_penetration_at: Option<PairAt>,
+    /// Largest penetration in a sample that was written, m: of all pairs, measured by the distance of their shapes. Zero
+    /// when no bodies overlapped in one, or none was written.
+    pub max_sample_penetration_m: f64,
+    /// The same relative to the limit that the tier promises for the pair.
+    pub max_sample_penetration_of_limit: f64,
+    /// The pair and the time of that sample.
+    pub max_sample_penetration_at: Option<PairAt>,
     /// Largest displacement of a body by one projection, m: of its origin, plus its rotation times its size.
     pub max_projection_m: f64,
     /// Largest such displacement relative to the limit that the tier promises for the pair: above 1 the run is
@@ -104,6 +111,22 @@ pub struct CrowdedStretch {
     /// Sum of the errors of the steps, each estimated by halving the step: largest displacement of a body relative to
     /// its size.
     pub error: f64,
+    /// Largest residual of the contact problems solved in it (natural map, relative).
+    pub max_residual: f64,
+}
+
+/// The estimated error at the end of a run that stretches of crowded events have caused, with all that followed from
+/// it: how far the run is from one with longer time steps in these stretches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CrowdingError {
+    /// Largest distance of any point of a body from its place, m, bounded by the size of the body.
+    pub position_m: f64,
+    /// The body of that distance.
+    pub body: Option<BodyId>,
+    /// Largest error of the velocity of a body, m/s.
+    pub velocity_m_s: f64,
+    /// Largest error of the angular velocity of a body, rad/s.
+    pub angular_velocity_rad_s: f64,
 }
 
 /// A change of the plan, which is derived again after every action of the program.
@@ -145,6 +168,9 @@ pub struct RunReport {
     pub warnings: Vec<String>,
     /// Stretches of crowded events, passed by time steps: the events in them are not located exactly.
     pub crowded: Vec<CrowdedStretch>,
+    /// The estimated error that these stretches have caused; none without one, and where it is unknown, which a warning
+    /// says.
+    pub crowding_error: Option<CrowdingError>,
     /// Changes of the plan by actions of the program.
     pub plan_changes: Vec<PlanChange>,
     /// Tolerated violations and fallbacks, in the order of their first occurrence. Their counts add up to
@@ -152,4 +178,23 @@ pub struct RunReport {
     pub tolerated: Vec<Tolerated>,
     /// Names and final states of the bodies, in the order of the scene.
     pub bodies: Vec<(String, BodySample)>,
+}
+
+impl RunReport {
+    /// Total time in stretches of crowded events, s; where those of two islands overlap in time it counts once.
+    pub fn crowded_s(&self) -> f64 {
+        let mut intervals: Vec<(f64, f64)> = self.crowded.iter().map(|stretch| (stretch.from_s, stretch.to_s)).collect();
+        intervals.sort_by(|x, y| x.0.total_cmp(&y.0));
+        let (mut total, mut covered_to) = (0.0, f64::NEG_INFINITY);
+        for (from, to) in intervals {
+            total += (to - from.max(covered_to)).max(0.0);
+            covered_to = covered_to.max(to);
+        }
+        total
+    }
+
+    /// Largest residual of the contact problems in stretches of crowded events (natural map, relative).
+    pub fn crowded_residual(&self) -> f64 {
+        self.crowded.iter().map(|stretch| stretch.max_residual).fold(0.0, f64::max)
+    }
 }

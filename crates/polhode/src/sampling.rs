@@ -28,11 +28,26 @@ pub(crate) fn frame(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) 
 
 /// Gives the observer a sample of the states at `t` (s), unless it already has one of that time, and a frame if it
 /// wants frames.
-pub(crate) fn emit_sample(tier: &dyn Tier, core: &mut Core, states: &[BodyState], t: f64, observer: &mut dyn Observer) {
+///
+/// # Errors
+/// When the penetration of the sample cannot be measured.
+pub(crate) fn emit_sample(
+    tier: &dyn Tier,
+    core: &mut Core,
+    states: &[BodyState],
+    t: f64,
+    observer: &mut dyn Observer,
+) -> Result<(), SimulationError> {
+    if observer.wants_samples() || observer.wants_frames() {
+        for overlap in core.overlaps_of(t, states)? {
+            core.accounts.measures.note_sample(overlap);
+        }
+    }
     let emitted = core.accounts.emit_sample(&core.world, states, t, observer);
     if emitted && observer.wants_frames() {
         observer.frame(&frame(tier, core, t, states));
     }
+    Ok(())
 }
 
 /// Gives the observer all samples that are due before `until` (s). `states_at` evaluates the states within the present
@@ -53,7 +68,7 @@ pub(crate) fn emit_samples_before<T: Tier>(
             return Ok(());
         }
         if let Some(states) = states_at(tier, core, t)? {
-            emit_sample(tier, core, &states, t, observer);
+            emit_sample(tier, core, &states, t, observer)?;
         }
     }
 }

@@ -52,9 +52,18 @@ pub(crate) struct Settings {
     pub(crate) crowding: Crowding,
     /// Error of a stretch of crowded events per longest step, relative to the size of each body.
     pub(crate) crowding_tolerance: f64,
+    /// How many times longer the time steps of stretches of crowded events are than those of the run: 1, or more in a
+    /// companion run that estimates their error (`companion.rs`).
+    pub(crate) crowd_step_factor: f64,
 }
 
 impl Settings {
+    /// Error of a stretch of crowded events per longest step, relative to the size of each body. Between changes of
+    /// contact it grows with the square of the length of the time steps.
+    pub(crate) fn crowd_error_allowed(&self) -> f64 {
+        self.crowding_tolerance * self.crowd_step_factor * self.crowd_step_factor
+    }
+
     /// Whether bodies under gravity alone are in free flight, evaluated from flight records.
     pub(crate) fn flies(&self) -> bool {
         self.tier == Tier::Stepped
@@ -148,6 +157,7 @@ impl Settings {
             max_events_per_step: method.max_events_per_step.unwrap_or(DEFAULT_MAX_EVENTS_PER_STEP),
             crowding: method.crowding.unwrap_or_default(),
             crowding_tolerance: method.crowding_tolerance.unwrap_or(DEFAULT_CROWDING_TOLERANCE),
+            crowd_step_factor: 1.0,
         }
     }
 }

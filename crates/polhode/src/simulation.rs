@@ -4,6 +4,7 @@ use crate::acceleration::Acceleration;
 use crate::accounting::Accounts;
 use crate::accurate::Engine;
 use crate::body_queries::BodyQueries;
+use crate::companion::Companion;
 use crate::core::Core;
 use crate::frame::{ContactView, Frame, IslandView, PivotView};
 use crate::free_method;
@@ -86,6 +87,8 @@ pub struct Simulation {
     plane_at_start: Option<PlaneOfMotion>,
     /// Whether the end of the scene's duration has been reached.
     ended: bool,
+    /// The run that estimates the error of stretches of crowded events.
+    pub(crate) companion: Companion,
 }
 
 impl Simulation {
@@ -134,6 +137,7 @@ impl Simulation {
             tier,
             plan_changes: Vec::new(),
             ended: false,
+            companion: Companion::None,
         })
     }
 
@@ -186,7 +190,7 @@ impl Simulation {
     fn advance(&mut self, limit: f64, observer: &mut dyn Observer) -> Result<StepOutcome, SimulationError> {
         if self.core.accounts.is_unsampled() {
             let (t, states) = (self.core.t, self.tier.states(&self.core));
-            emit_sample(&*self.tier, &mut self.core, &states, t, observer);
+            emit_sample(&*self.tier, &mut self.core, &states, t, observer)?;
         }
         let reached = self.tier.advance(&mut self.core, limit, observer);
         let reached =
@@ -196,8 +200,9 @@ impl Simulation {
             self.ended = true;
             let states = self.tier.states(&self.core);
             self.core.accounts.observe(&self.core.world, &states, t)?;
-            emit_sample(&*self.tier, &mut self.core, &states, t, observer);
+            emit_sample(&*self.tier, &mut self.core, &states, t, observer)?;
         }
+        self.accompany();
         let end = if reached == Reached::Event { StepEnd::Event } else { StepEnd::Planned };
         Ok(StepOutcome { t_s: t, end })
     }
@@ -301,12 +306,17 @@ impl Simulation {
     ///
     /// It holds a hash of the scene, not the scene itself.
     pub fn snapshot(&self) -> Snapshot {
+        Snapshot::new(self.content())
+    }
+
+    /// The content of a snapshot.
+    pub(crate) fn content(&self) -> Content {
         let change = |change: &PlanChange| content::PlanChange {
             t_s: change.t_s,
             action: change.action.clone(),
             changes: change.changes.clone(),
         };
-        Snapshot::new(Content {
+        Content {
             scene: self.scene.name().to_owned(),
             scene_hash: snapshot::scene_hash(&self.core.world.scene),
             all_effects: self.core.effects == Effects::All,
@@ -319,7 +329,8 @@ impl Simulation {
             plan_changes: self.plan_changes.iter().map(change).collect(),
             accounts: self.core.accounts.save(),
             tier: self.tier.save(),
-        })
+            companion: self.companion.save(),
+        }
     }
 
     /// Restores a snapshot of a simulation of the same scene, with the same effects and the same bodies added and
@@ -330,10 +341,19 @@ impl Simulation {
     /// When the snapshot is of another scene or other effects, or contradicts itself; the simulation is then as it was.
     pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), SimulationError> {
         let content = snapshot.content_for(&self.core.world.scene, self.core.effects)?;
+        let companion = self.restored_companion(&content.companion)?;
+        *self = Self { companion, ..self.twin(content, self.core.settings)? };
+        Ok(())
+    }
+
+    /// The simulation of the same scene, with these settings, that continues from this content. It is a companion.
+    ///
+    /// # Errors
+    /// When the content contradicts itself.
+    pub(crate) fn twin(&self, content: &Content, mut settings: Settings) -> Result<Self, SimulationError> {
         let mut world = self.core.world.clone();
         world.replace_applied(&content.applied)?;
         world.plane = self.plane_at_start.filter(|_| content.in_plane);
-        let mut settings = self.core.settings;
         settings.integrator = Integrator::from_name(&content.integrator)
             .map_err(|_| SnapshotError::Invalid("it names an integrator that does not exist"))?;
         let plan = self.plan_at_start.restored(content.plan.as_ref(), settings.integrator)?;
@@ -341,20 +361,34 @@ impl Simulation {
         let solver = ComplementaritySolver::default();
         let mut core = Core { world, settings, effects: self.core.effects, t: content.t, accounts, solver };
         let tier = restored_tier(&mut core, &content.tier)?;
-        (self.core, self.tier, self.ended) = (core, tier, content.ended);
-        self.plan = plan;
         let change = |change: &content::PlanChange| PlanChange {
             t_s: change.t_s,
             action: change.action.clone(),
             changes: change.changes.clone(),
         };
-        self.plan_changes = content.plan_changes.iter().map(change).collect();
-        Ok(())
+        Ok(Self {
+            scene: self.scene.clone(),
+            plan,
+            core,
+            tier,
+            plan_changes: content.plan_changes.iter().map(change).collect(),
+            plan_at_start: self.plan_at_start.clone(),
+            plane_at_start: self.plane_at_start,
+            ended: content.ended,
+            companion: Companion::Itself,
+        })
     }
 
     /// The report of the run up to the present.
     fn report(&mut self, outcome: Outcome) -> Result<RunReport, SimulationError> {
+        self.bring_companion();
         let mut accounts = self.core.accounts.clone();
+        if let Companion::Lost(reason) = &self.companion {
+            accounts.warn(
+                self.core.t,
+                format!("the error of stretches of crowded events is not known: the run that estimates it ended: {reason}"),
+            );
+        }
         self.tier.book_present(&self.core, &mut accounts)?;
         let mut report = RunReport {
             scene: self.scene.name().to_owned(),
@@ -369,6 +403,7 @@ impl Simulation {
             certificate: crate::Certificate::default(),
             warnings: Vec::new(),
             crowded: Vec::new(),
+            crowding_error: self.crowding_error(),
             plan_changes: self.plan_changes.clone(),
             tolerated: Vec::new(),
             bodies: Vec::new(),

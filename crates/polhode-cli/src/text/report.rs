@@ -64,6 +64,11 @@ fn report(report: &RunReport, wall_s: f64) -> String {
     run.row(["steps", &report.steps.to_string()]);
     run.row(["events", &report.events.to_string()]);
     run.row(["wall time", &format!("{} s", number(wall_s))]);
+    if !report.crowded.is_empty() {
+        let [stretches, error] = crowded(report);
+        run.row(["crowded stretches", &stretches]);
+        run.row(["their error", &error]);
+    }
 
     let energy = &report.energy;
     let mut energies = Table::default();
@@ -83,6 +88,26 @@ fn report(report: &RunReport, wall_s: f64) -> String {
         momentum_ledger(&report.ledger.momentum),
         bodies(report)
     )
+}
+
+/// The stretches of crowded events of a run, and the error that they have caused.
+fn crowded(report: &RunReport) -> [String; 2] {
+    let (length, residual) = (number(report.crowded_s()), number(report.crowded_residual()));
+    let stretches = format!("{}, {length} s in all, largest residual {residual}", report.crowded.len());
+    let error = report.crowding_error.map_or_else(
+        || "not known".to_owned(),
+        |error| {
+            let name = error.body.and_then(|body| report.bodies.get(body.index())).map(|(name, _)| name.as_str());
+            format!(
+                "{} m{}, {} m/s, {} rad/s at the end (estimated)",
+                number(error.position_m),
+                name.map(|name| format!(" ({name})")).unwrap_or_default(),
+                number(error.velocity_m_s),
+                number(error.angular_velocity_rad_s)
+            )
+        },
+    );
+    [stretches, error]
 }
 
 /// What is to be known of the run before its numbers.
@@ -113,6 +138,17 @@ fn certificate(report: &RunReport) -> String {
         "largest penetration",
         &with_limit(report, max_penetration_m, certificate.max_penetration_of_limit, certificate.max_penetration_at),
     ]);
+    if certificate.max_sample_penetration_m > 0.0 {
+        table.row([
+            "  of the samples alone",
+            &with_limit(
+                report,
+                certificate.max_sample_penetration_m,
+                certificate.max_sample_penetration_of_limit,
+                certificate.max_sample_penetration_at,
+            ),
+        ]);
+    }
     table.row(["largest residual of a contact problem", &number(certificate.max_residual)]);
     table.row(["bound on the error of an acceleration", &number(certificate.max_acceleration_error_bound)]);
     table.row(["largest error of a step, of its tolerance", &number(certificate.max_step_error)]);

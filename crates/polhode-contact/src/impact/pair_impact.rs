@@ -22,6 +22,7 @@ use crate::narrow_phase::feature::closest_feature::nearest_feature;
 use crate::narrow_phase::feature::element::{Element, Locus};
 use crate::narrow_phase::feature::placed::Placed;
 use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
+use crate::narrow_phase::terms::open_face::{Moving, open_faces};
 use crate::shape::round::{Hull, circles, is_round};
 use crate::{Shape, Side, SurfaceFeature};
 use glam::DVec3;
@@ -48,8 +49,7 @@ pub(crate) fn find_in_parts(
         cuts: Cuts::new(),
     };
     let start = search.moment_at(t0)?;
-    let (time, separation) =
-        if start.separation > search.touch(&start) { search.advance(start, t1)? } else { search.depart(start, t1)? };
+    let (time, separation) = search.from(start, t1)?;
     Ok(ImpactReport { time, separation, evaluations: search.evaluations, cuts: search.cuts.made() })
 }
 
@@ -59,6 +59,14 @@ struct Moment {
     t: f64,
     poses: [Pose; 2],
     separation: f64,
+}
+
+/// How one stage of a search ends.
+enum Ended {
+    /// The time of impact, if any, and the separation there or at the end of the interval.
+    At(Option<f64>, f64),
+    /// The pair is clear from here on, or touches here while it passes along an open face: the search continues.
+    GoesOn(Moment),
 }
 
 struct Search<'a> {
@@ -174,26 +182,49 @@ impl Search<'_> {
         touch_tolerance(self.wholes[0], &at.poses[0], self.wholes[1], &at.poses[1], self.settings.touch_relative)
     }
 
-    /// From a time at which the pair is clear: the time of impact, if any, and the separation there or at the end.
-    fn advance(&mut self, start: Moment, t1: f64) -> Result<(Option<f64>, f64), ImpactError> {
+    /// The time of impact from a time on, if any, and the separation there or at the end.
+    fn from(&mut self, start: Moment, t1: f64) -> Result<(Option<f64>, f64), ImpactError> {
+        let mut now = start;
+        loop {
+            let is_clear = now.separation > self.touch(&now);
+            match if is_clear { self.advance(now, t1)? } else { self.depart(now, t1)? } {
+                Ended::At(time, separation) => return Ok((time, separation)),
+                Ended::GoesOn(next) => now = next,
+            }
+        }
+    }
+
+    /// From a time at which the pair is clear to its next touch.
+    fn advance(&mut self, start: Moment, t1: f64) -> Result<Ended, ImpactError> {
         let mut now = start;
         loop {
             if now.separation == f64::INFINITY {
-                return Ok((None, now.separation));
+                return Ok(Ended::At(None, now.separation));
             }
             if now.separation <= self.resolution(&now) {
-                return self.refine(now, (start.t, t1)).map(|moment| (Some(moment.t), moment.separation));
+                return self.refine(now, (start.t, t1)).map(|touch| self.passed(touch, start.t));
             }
             if now.t >= t1 {
-                return Ok((None, now.separation));
+                return Ok(Ended::At(None, now.separation));
             }
             let next = (now.t + self.safe_step(&now, t1 - now.t)?).min(t1);
             // The gap closes before the next larger floating point number.
             if next <= now.t {
-                return Ok((Some(now.t), now.separation));
+                return Ok(self.passed(now, start.t));
             }
             now = self.moment_at(next)?;
         }
+    }
+
+    /// Whether a touch is an impact. It is none while the bodies pass each other along an open face.
+    fn passed(&self, touch: Moment, start: f64) -> Ended {
+        let velocities = self.motions.map(|motion| motion.velocity(touch.t));
+        let moving = |k: usize| Moving { shape: self.shapes[k], pose: &touch.poses[k], velocity: &velocities[k] };
+        let goes_on = touch.t > start && touch.separation <= self.touch(&touch);
+        if goes_on && !open_faces(moving(0), moving(1)).is_empty() {
+            return Ended::GoesOn(touch);
+        }
+        Ended::At(Some(touch.t), touch.separation)
     }
 
     /// Refines the impact found at `now` beyond the rounding of poses where the motions allow it (`fine_time.rs`).
@@ -413,7 +444,7 @@ impl Search<'_> {
     }
 
     /// The search from a time at which the pair is in contact: see the description in `time_of_impact.rs`.
-    fn depart(&mut self, start: Moment, t1: f64) -> Result<(Option<f64>, f64), ImpactError> {
+    fn depart(&mut self, start: Moment, t1: f64) -> Result<Ended, ImpactError> {
         let rounding = self.resolution(&start);
         // Below this the separation has measurably decreased. Bodies in contact at rest stay above it.
         let noticed = (NOTICED * self.touch(&start)).max(MEASURABLE * rounding);
@@ -445,7 +476,7 @@ impl Search<'_> {
                 return self.locate_closing(above, overlap, closed, rounding);
             }
             if last.separation > touch {
-                return self.advance(last, t1);
+                return Ok(Ended::GoesOn(last));
             }
             if last.separation >= level {
                 (above, below) = (last, None);
@@ -463,7 +494,7 @@ impl Search<'_> {
             let above = if above.separation >= closed { above } else { start };
             return self.locate_closing(above, last, closed, rounding);
         }
-        Ok((None, last.separation))
+        Ok(Ended::At(None, last.separation))
     }
 
     /// Whether a point can have moved by the distance that counts as an impact (`CLOSED`) by the `j`-th departure time.
@@ -489,11 +520,11 @@ impl Search<'_> {
         below: Moment,
         level: f64,
         tolerance: f64,
-    ) -> Result<(Option<f64>, f64), ImpactError> {
+    ) -> Result<Ended, ImpactError> {
         let left = Sample { at: above.t, value: above.separation - level };
         let right = Sample { at: below.t, value: below.separation - level };
         let found =
             last_not_negative(left, right, tolerance, |t| self.moment_at(t).map(|moment| moment.separation - level))?;
-        Ok((Some(found.at), found.value + level))
+        Ok(Ended::At(Some(found.at), found.value + level))
     }
 }

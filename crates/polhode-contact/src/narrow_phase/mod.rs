@@ -22,6 +22,6 @@ pub(crate) mod parts;
 pub(crate) mod region;
 pub(crate) mod terms;
 
-pub use dispatch::{convex_method, manifold, pair_memory, separation, workspace};
+pub use dispatch::{convex_method, manifold, pair_memory, passing, separation, workspace};
 pub use feature::counterpart;
-pub use terms::{evaluate, tangential};
+pub use terms::{evaluate, open_face, tangential};

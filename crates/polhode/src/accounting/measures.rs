@@ -28,7 +28,7 @@ pub(crate) struct Measure {
 
 impl Measure {
     /// The value in units of its limit.
-    fn ratio(&self) -> f64 {
+    pub(crate) fn ratio(&self) -> f64 {
         self.value / self.allowed
     }
 
@@ -94,6 +94,8 @@ impl Worst {
 pub(crate) struct Measures {
     /// m.
     pub(crate) penetration: Worst,
+    /// That of the samples alone, m.
+    pub(crate) sample_penetration: Worst,
     /// Displacement by one projection, m.
     pub(crate) projection: Worst,
     /// Change of energy by one projection, J.
@@ -105,10 +107,17 @@ pub(crate) struct Measures {
 }
 
 impl Measures {
+    /// Records the penetration of a sample: it counts for the run too.
+    pub(crate) fn note_sample(&mut self, measure: Measure) {
+        self.sample_penetration.note(measure);
+        self.penetration.note(measure);
+    }
+
     /// The measures as plain data.
     pub(super) fn save(&self) -> content::Measures {
         content::Measures {
             penetration: self.penetration.save(),
+            sample_penetration: self.sample_penetration.save(),
             projection: self.projection.save(),
             projection_energy: self.projection_energy.save(),
             drift_energy: self.drift_energy.parts(),
@@ -123,6 +132,7 @@ impl Measures {
     pub(super) fn restored(saved: &content::Measures, bodies: usize) -> Result<Self, SnapshotError> {
         Ok(Self {
             penetration: Worst::restored(&saved.penetration, bodies)?,
+            sample_penetration: Worst::restored(&saved.sample_penetration, bodies)?,
             projection: Worst::restored(&saved.projection, bodies)?,
             projection_energy: Worst::restored(&saved.projection_energy, bodies)?,
             drift_energy: CompensatedSum::from_parts(saved.drift_energy),
@@ -135,6 +145,9 @@ impl Measures {
         certificate.max_penetration_m = self.penetration.largest;
         certificate.max_penetration_of_limit = self.penetration.of_limit();
         certificate.max_penetration_at = self.penetration.at();
+        certificate.max_sample_penetration_m = self.sample_penetration.largest;
+        certificate.max_sample_penetration_of_limit = self.sample_penetration.of_limit();
+        certificate.max_sample_penetration_at = self.sample_penetration.at();
         certificate.max_projection_m = self.projection.largest;
         certificate.max_projection_of_limit = self.projection.of_limit();
         certificate.max_projection_at = self.projection.at();

@@ -143,6 +143,11 @@ impl Accounts {
         self.crowded.begin(t, bodies)
     }
 
+    /// Whether a stretch of crowded events has begun.
+    pub(crate) fn has_crowded(&self) -> bool {
+        !self.crowded.0.is_empty()
+    }
+
     /// Records the outcome of an impact of some bodies by a law in the certificate.
     pub(crate) fn note_impact(
         &mut self,

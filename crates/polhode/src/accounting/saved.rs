@@ -50,13 +50,13 @@ impl Accounts {
 }
 
 fn save_stretch(stretch: &CrowdedStretch) -> content::CrowdedStretch {
-    let CrowdedStretch { from_s, to_s, bodies, steps, error } = *stretch;
-    content::CrowdedStretch { from_s, to_s, bodies, steps, error }
+    let CrowdedStretch { from_s, to_s, bodies, steps, error, max_residual } = *stretch;
+    content::CrowdedStretch { from_s, to_s, bodies, steps, error, max_residual }
 }
 
 fn restored_stretch(saved: &content::CrowdedStretch) -> CrowdedStretch {
-    let content::CrowdedStretch { from_s, to_s, bodies, steps, error } = *saved;
-    CrowdedStretch { from_s, to_s, bodies, steps, error }
+    let content::CrowdedStretch { from_s, to_s, bodies, steps, error, max_residual } = *saved;
+    CrowdedStretch { from_s, to_s, bodies, steps, error, max_residual }
 }
 
 fn save_books(books: &Books) -> content::Books {

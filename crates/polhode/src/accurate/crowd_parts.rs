@@ -41,7 +41,7 @@ impl CrowdPart {
     /// The parts into which it falls in these states within its step, in the order of their first bodies. Without
     /// friction, stretches are rare, and a crowd is one part.
     pub(super) fn divided(self, world: &World, states: &[BodyState]) -> Vec<Self> {
-        if !world.has_friction() {
+        if !world.have_friction(&self.pairs) {
             return vec![self];
         }
         let Self { bodies, mut pairs, crowd, refused } = self;

@@ -1,8 +1,15 @@
-//! One time step of bodies with crowded events (`crowding.rs`). Within it each body moves along a line at constant
-//! angular velocity.
+//! One time step of bodies with crowded events (`crowding.rs`).
+//!
+//! The states at an instant within it are those of a shorter time step from the same start: they obey the contacts, and
+//! do not change the step. Only the search for impacts of other islands takes each body along a line at constant angular
+//! velocity.
 
+use crate::pivots::with_pivots_reduced;
+use crate::states_of::set_states;
 use crate::time_stepping::{TimeStepReport, TimeStepper};
+use crate::world::World;
 use polhode_dynamics::BodyState;
+use polhode_response::ResponseError;
 use polhode_spatial::{ConstantVelocity, Motion, MotionBounds, Pose, Still, Velocity};
 
 /// The state of a stretch of crowded events.
@@ -51,20 +58,42 @@ impl CrowdStep {
         self.motions.get(place)
     }
 
-    /// States of the bodies at a time within the step.
-    pub(super) fn states_at(&self, t: f64) -> Vec<BodyState> {
+    /// Advances the bodies from the start of the step to `t` (s), and writes their states, and those of the kinematic
+    /// bodies that they may touch, into `states` (of all bodies). Within the step the same two halves are made as for the
+    /// whole step, the last one shorter: bodies obey the contacts at every instant, and at the end of the step these are
+    /// its states.
+    ///
+    /// # Errors
+    /// When it is not possible; the states are those at the start of the step then.
+    pub(super) fn advance_to(
+        &self,
+        world: &World,
+        bodies: &[usize],
+        t: f64,
+        states: &mut [BodyState],
+    ) -> Result<TimeStepReport, ResponseError> {
         if t >= self.end {
-            return self.states.clone();
+            set_states(states, bodies, &self.states);
+            return Ok(self.report.clone());
         }
-        let at = |(motion, (start, end)): (&StepMotion, (&BodyState, &BodyState))| {
-            let share = if self.end > self.t { (t - self.t) / (self.end - self.t) } else { 0.0 };
-            BodyState {
-                pose: motion.pose(t),
-                linear_velocity: start.linear_velocity.lerp(end.linear_velocity, share),
-                angular_momentum: start.angular_momentum.lerp(end.angular_momentum, share),
+        set_states(states, bodies, &self.start);
+        world.prescribe_members(&self.pairs, self.t, states);
+        let mut stepper = self.stepper.clone();
+        let about = stepper.about();
+        if t <= self.t {
+            return Ok(TimeStepReport::new(about));
+        }
+        let (whole, h) = (self.end - self.t, t - self.t);
+        let half = 0.5 * whole;
+        let parts = [(self.t, h.min(half)), (self.t + half, h - half)];
+        let work = |world: &World, states: &mut [BodyState]| {
+            let mut report = TimeStepReport::new(about);
+            for &(from, span) in parts.iter().filter(|(_, span)| *span > 0.0) {
+                report.append(stepper.advance(world, states, bodies, &self.pairs, (from, span))?);
             }
+            Ok(report)
         };
-        self.motions.iter().zip(self.start.iter().zip(&self.states)).map(at).collect()
+        with_pivots_reduced(world, states, bodies, h, work, |report| &mut report.books)
     }
 }
 

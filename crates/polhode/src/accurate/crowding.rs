@@ -80,8 +80,9 @@ enum StepControl {
 }
 
 impl StepControl {
-    fn of(world: &World) -> Self {
-        if world.has_friction() { Self::Growing } else { Self::Restoring }
+    /// That of a crowd whose bodies may touch at these pairs.
+    fn of(world: &World, pairs: &[(usize, usize)]) -> Self {
+        if world.have_friction(pairs) { Self::Growing } else { Self::Restoring }
     }
 
     /// What part of the error allowed is spread over a stretch evenly (no unit).
@@ -134,7 +135,7 @@ struct Made {
 fn stepper(core: &Core) -> TimeStepper {
     let about = core.accounts.books.ledger.momentum.about;
     let stepper = TimeStepper::new(core.settings.impact, about, MOST_SPLITS);
-    stepper.following_bounces(core.settings.crowding_tolerance)
+    stepper.following_bounces(core.settings.crowd_error_allowed())
 }
 
 /// A time step from `t` over `h` (s) with its error estimate. Pivoted bodies are reduced to their rotation.
@@ -175,9 +176,10 @@ impl Engine {
             self.tracks[body].last_stretch_s = span;
         }
         let number = core.accounts.begin_crowding(instant.t, instant.bodies.len());
-        let spare_error =
-            (1.0 - StepControl::of(&core.world).even_share()) * core.settings.crowding_tolerance * span / longest;
-        let crowd = Crowd { until: instant.t + span, step_s: FIRST_STEP * longest, number, spare_error };
+        // A crowd without friction has no use for it, but a rough body may join.
+        let spare_error = (1.0 - EVEN_SHARE) * core.settings.crowd_error_allowed() * span / longest;
+        let step_s = FIRST_STEP * longest * core.settings.crowd_step_factor;
+        let crowd = Crowd { until: instant.t + span, step_s, number, spare_error };
         for &body in &instant.bodies {
             self.book_flight(core, body, instant.t);
             self.tracks[body].mode = Mode::Crowded(crowd);
@@ -185,22 +187,19 @@ impl Engine {
         self.crowd_step(core, instant, crowd)
     }
 
-    /// The stretch that bodies of the instant are in, if there is one. Without friction a crowd has no parts, and that of
-    /// the first body counts.
-    pub(super) fn ongoing_stretch(&self, core: &Core, instant: &Instant) -> Option<Crowd> {
+    /// The stretch that bodies of the instant are in, if there is one: of several, their union.
+    pub(super) fn ongoing_stretch(&self, instant: &Instant) -> Option<Crowd> {
         let crowds = instant.bodies.iter().filter_map(|&body| match self.tracks[body].mode {
             Mode::Crowded(crowd) => Some(crowd),
             _ => None,
         });
-        crowds.reduce(|one, other| if core.world.has_friction() { one.together_with(&other) } else { one })
+        crowds.reduce(|one, other| one.together_with(&other))
     }
 
     /// Latest end of a time step from `t`, s.
     fn limit_of_crowd_step(&self, core: &Core, t: f64) -> f64 {
-        let limit = core.horizon(t).min(t + core.settings.step_s).min(self.end_of_kinematic_boxes(core, t));
-        // Samples are taken between time steps.
-        let sample = core.accounts.next_sample_s(&core.world);
-        if sample > t { limit.min(sample) } else { limit }
+        let longest = core.settings.step_s * core.settings.crowd_step_factor;
+        core.horizon(t).min(t + longest).min(self.end_of_kinematic_boxes(core, t))
     }
 
     /// Makes one time step of the bodies of an instant and of all bodies that may meet them within it: of each part by
@@ -217,14 +216,15 @@ impl Engine {
         for pair in instant.pairs.iter().chain(&pairs) {
             self.contacts.set(*pair, Vec::new());
         }
-        let crowd = self.ongoing_stretch(core, &instant).filter(|_| core.world.has_friction()).unwrap_or(crowd);
+        let is_rough = core.world.have_friction(&pairs);
+        let crowd = self.ongoing_stretch(&instant).filter(|_| is_rough).unwrap_or(crowd);
         let whole = CrowdPart { bodies: instant.bodies.clone(), pairs: pairs.clone(), crowd, refused: 0 };
         let mut states = std::mem::take(&mut self.scratch);
         set_states(&mut states, &instant.bodies, &states_of(&self.states, &instant.bodies));
         let parts = whole.divided(&core.world, &states);
         self.restore_scratch(core, states, &instant.bodies);
         let (mut staying, leaving): (Vec<_>, Vec<_>) =
-            parts.into_iter().partition(|part| self.belongs_to_stretch(core, &part.bodies, t));
+            parts.into_iter().partition(|part| !is_rough || self.belongs_to_stretch(&part.bodies, t));
         let mut firsts = Vec::new();
         while let Some(part) = staying.pop() {
             firsts.extend(self.step_of_part(core, part, (t, limit), &mut staying)?);
@@ -240,11 +240,10 @@ impl Engine {
         Ok(())
     }
 
-    /// Whether the stretch goes on at `t` (s) for a part of a crowd: the events of one of its bodies crowded. Without
-    /// friction a crowd is one part, and goes on as a whole.
-    fn belongs_to_stretch(&self, core: &Core, bodies: &[usize], t: f64) -> bool {
+    /// Whether the stretch goes on at `t` (s) for a part of a crowd: the events of one of its bodies crowded.
+    fn belongs_to_stretch(&self, bodies: &[usize], t: f64) -> bool {
         let began = |&body: &usize| matches!(self.tracks[body].mode, Mode::Crowded(crowd) if crowd.until > t);
-        !core.world.has_friction() || bodies.iter().any(began)
+        bodies.iter().any(began)
     }
 
     /// Makes one time step of a part of a crowd from `t` that ends by `limit` (s), and returns the first body of its island.
@@ -276,11 +275,12 @@ impl Engine {
                 return Ok(None);
             }
         };
-        core.accounts.crowded.step(part.crowd.number, end, report.steps, error);
+        core.accounts.crowded.step(part.crowd.number, end, &report, error);
         let CrowdPart { bodies, pairs, .. } = part;
+        let is_rough = core.world.have_friction(&pairs);
         for &body in &bodies {
             let until = match self.tracks[body].mode {
-                _ if !core.world.has_friction() => next.until,
+                _ if !is_rough => next.until,
                 Mode::Crowded(own) => own.until,
                 _ => t,
             };
@@ -363,7 +363,7 @@ impl Engine {
     }
 
     /// Whether another body, whose box overlaps that of a body of a crowd, may touch it within `h` seconds. Without
-    /// friction, stretches are rare, and the boxes decide.
+    /// friction between the two the boxes decide: stretches are rare then.
     ///
     /// # Errors
     /// When the state of the other body cannot be evaluated.
@@ -373,7 +373,7 @@ impl Engine {
         (body, other): (usize, usize),
         (t, h): (f64, f64),
     ) -> Result<bool, SimulationError> {
-        if !core.world.has_friction() {
+        if core.world.friction_of(body, other).is_none() {
             return Ok(true);
         }
         let state = self.state_at(core, other, t)?;
@@ -404,17 +404,7 @@ impl Engine {
             return Ok((step.states.clone(), step.report.clone()));
         }
         let mut scratch = std::mem::take(&mut self.scratch);
-        set_states(&mut scratch, bodies, &step.start);
-        let mut stepper = step.stepper.clone();
-        let h = t - step.t;
-        let made = with_pivots_reduced(
-            &core.world,
-            &mut scratch,
-            bodies,
-            h,
-            |world, states| stepper.advance(world, states, bodies, &step.pairs, (step.t, h)),
-            |report| &mut report.books,
-        );
+        let made = step.advance_to(&core.world, bodies, t, &mut scratch);
         let states = states_of(&scratch, bodies);
         self.restore_scratch(core, scratch, bodies);
         made.map(|report| (states, report)).map_err(|source| Core::response_error(step.t, source))
@@ -446,7 +436,7 @@ impl Engine {
         for &body in &instant.bodies {
             self.scratch[body] = self.states[body];
         }
-        let Some(crowd) = self.ongoing_stretch(core, &instant) else { return Ok(()) };
+        let Some(crowd) = self.ongoing_stretch(&instant) else { return Ok(()) };
         if t < crowd.until && !core.is_end_of_run(t) {
             return self.crowd_step(core, instant, crowd);
         }
@@ -492,8 +482,8 @@ fn attempt(
     let CrowdPart { bodies, pairs, crowd, .. } = part;
     let mut refused = part.refused;
     let longest = core.settings.step_s;
-    let shortest = SHORTEST_STEP * longest;
-    let (before, control) = (stepper(core), StepControl::of(&core.world));
+    let shortest = SHORTEST_STEP * longest * core.settings.crowd_step_factor;
+    let (before, control) = (stepper(core), StepControl::of(&core.world, pairs));
     let mut h = crowd.step_s.min(limit - t);
     loop {
         set_states(states, bodies, start);
@@ -502,7 +492,7 @@ fn attempt(
         let end = if h >= limit - t { limit } else { t + h };
         let made = time_step(&core.world, &mut stepper, states, (bodies, pairs), (t, end - t));
         let (report, error) = made.map_err(|source| Core::response_error(t, source))?;
-        let even = control.even_share() * core.settings.crowding_tolerance * h / longest;
+        let even = control.even_share() * core.settings.crowd_error_allowed() * h / longest;
         let allowed = even.max(SHARE_OF_SPARE * crowd.spare_error);
         let ratio = if error > 0.0 { SAFETY * (allowed / error).sqrt() } else { f64::INFINITY };
         if error <= allowed || h <= shortest {

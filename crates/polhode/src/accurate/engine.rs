@@ -221,7 +221,8 @@ impl Engine {
             if !is_watched && engine.islands.is_empty() && core.accounts.skips_sample(UNOBSERVED_SAMPLES) {
                 return Ok(None);
             }
-            engine.observe_at(core, t).map(Some)
+            let states = engine.observe_at(core, t)?;
+            Ok(Some(if is_watched { engine.kept_apart(core, t, states)? } else { states }))
         })
     }
 
@@ -453,9 +454,8 @@ pub(super) fn write_states(
             }
         }
         Step::Crowd(step) => {
-            for (&body, state) in island.bodies.iter().zip(step.states_at(t)) {
-                states[body] = state;
-            }
+            step.advance_to(&core.world, &island.bodies, t, states)
+                .map_err(|source| Core::response_error(step.t, source))?;
         }
         Step::Waiting(_) => {}
     }

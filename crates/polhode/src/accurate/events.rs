@@ -40,7 +40,7 @@ impl Engine {
     ) -> Result<(), SimulationError> {
         let affected = self.affected_bodies(core, t, found_for)?;
         let mut instant = self.end_islands(core, t, affected)?;
-        if let Some(crowd) = self.ongoing_stretch(core, &instant) {
+        if let Some(crowd) = self.ongoing_stretch(&instant) {
             for &body in &instant.bodies {
                 self.scratch[body] = self.states[body];
             }

@@ -464,7 +464,8 @@ fn sliding(touches: &[Touch]) -> impl Iterator<Item = ContactId> + '_ {
 fn held_kinematics(core: &Core, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
     let tolerance = TOUCH_RELATIVE * core.world.pair_size(id.a, id.b);
     let kinematics = core.world.kinematics(states, id)?;
-    let stays = ContactEvent::Leaving.value(&kinematics) >= -tolerance
+    let is_on_features = ContactEvent::Leaving.value(&kinematics) >= -tolerance;
+    let stays = (is_on_features || core.world.holds_beyond_border(states, id))
         && !rate_exceeds_drift(&core.world, states, id, &kinematics, core.settings.step_error());
     stays.then_some(kinematics)
 }

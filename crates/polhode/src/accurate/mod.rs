@@ -59,6 +59,7 @@ mod present;
 mod program;
 mod projection;
 mod resolve;
+mod sampled_poses;
 mod saved;
 mod stage_method;
 mod start;

@@ -30,7 +30,12 @@ impl Engine {
         let present = match &island.step {
             Step::Constrained(step) => step.state_at(body, t),
             Step::Free(step) => step.present().get(place).copied(),
-            Step::Crowd(step) => step.states_at(t).get(place).copied(),
+            Step::Crowd(step) => {
+                let mut states = self.states.clone();
+                // As in `Engine::states`.
+                let _ = step.advance_to(&core.world, &island.bodies, t, &mut states);
+                states.get(body).copied()
+            }
             Step::Waiting(_) => None,
         };
         present.unwrap_or(start)

@@ -94,9 +94,9 @@ impl Tier for Engine {
                     }
                 }
                 Step::Crowd(step) => {
-                    for (&body, state) in island.bodies.iter().zip(step.states_at(core.t)) {
-                        states[body] = state;
-                    }
+                    // A step that could be made to its end can be made to an instant within it. If rounding makes it
+                    // fail, the states are those at its start.
+                    let _ = step.advance_to(&core.world, &island.bodies, core.t, &mut states);
                 }
                 Step::Waiting(_) => {}
             }

@@ -147,7 +147,7 @@ impl World {
         kinematics
     }
 
-    fn kinematics_in_space(&self, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
+    pub(super) fn kinematics_in_space(&self, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
         let (shape_a, shape_b) = self.shapes(id.a, id.b)?;
         let (state_a, state_b) = (&states[id.a], &states[id.b]);
         polhode_contact::kinematics(
@@ -171,6 +171,11 @@ impl World {
             FrictionCoefficients { at_rest: material.static_ellipse(), sliding: material.friction_ellipse() };
         let resists_rotation = self.has_rotational_friction() && self.rotational_friction_of(a, b).is_some();
         (coefficients.at_rest.largest() > 0.0 || resists_rotation).then_some(coefficients)
+    }
+
+    /// Whether the bodies of any of these pairs rub on each other.
+    pub(crate) fn have_friction(&self, pairs: &[(usize, usize)]) -> bool {
+        self.has_friction() && pairs.iter().any(|&(a, b)| self.friction_of(a, b).is_some())
     }
 
     /// The coefficients of friction of a contact whose tangents are these; none without friction. Where the grain stands
@@ -276,12 +281,14 @@ impl World {
         // A contact that has left its features is dropped, even if collision detection keeps it as the last one of its
         // pair.
         let border = -TOUCH_RELATIVE * self.pair_size(a, b);
+        let mut found: Vec<FoundContact> = found.collect();
+        let passing = self.take_place_of_collisions(states, (a, b), &mut found);
         let within = |contact: &FoundContact| {
             let geometry = &contact.kinematics.geometry;
-            geometry.separation <= reach && geometry.margin >= border
+            geometry.separation <= reach
+                && (geometry.margin >= border || passing.binary_search(&contact.id.feature).is_ok())
         };
-        let Some(plane) = &self.plane else { return (separation, found.filter(within).collect()) };
-        let found: Vec<FoundContact> = found.collect();
+        let Some(plane) = &self.plane else { return (separation, found.into_iter().filter(within).collect()) };
         let is_counted =
             |contact: &&FoundContact| is_counted(plane, contact.kinematics.geometry.point, &found, distance);
         let in_motion =

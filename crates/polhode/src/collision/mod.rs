@@ -5,6 +5,7 @@
 //! | `boxes` | swept boxes of moving bodies, and the pairs whose boxes overlap |
 //! | `narrow_phase` | contacts and separation of a pair of shapes, computed with the memory of the pair |
 //! | `contact_set` | the contacts of a pair with identity, geometry and time derivatives |
+//! | `passing` | bodies that pass over the border of another one without a collision |
 //! | `friction_mode` | whether an active contact with friction sticks or slides, and in which direction |
 //! | `friction_ellipse` | Coulomb's law along and across a grain |
 //! | `moving_surfaces` | what belts do to the slip of a contact, and the work of their drives |
@@ -18,4 +19,5 @@ mod friction_ellipse;
 pub(crate) mod friction_mode;
 mod moving_surfaces;
 pub(crate) mod narrow_phase;
+mod passing;
 pub(crate) mod turn;

@@ -28,6 +28,18 @@ pub(crate) struct Content {
     pub(crate) plan_changes: Vec<PlanChange>,
     pub(crate) accounts: Accounts,
     pub(crate) tier: Tier,
+    pub(crate) companion: Companion,
+}
+
+/// The companion run that estimates the error of stretches of crowded events.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) enum Companion {
+    /// None is needed so far.
+    None,
+    /// It runs beside the run.
+    Beside(Box<Content>),
+    /// It has ended, for this reason.
+    Lost(String),
 }
 
 /// The parts of a [`crate::Plan`] that actions of a program may change, besides the integrator.
@@ -120,6 +132,7 @@ pub(crate) struct Certificate {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Measures {
     pub(crate) penetration: Worst,
+    pub(crate) sample_penetration: Worst,
     pub(crate) projection: Worst,
     pub(crate) projection_energy: Worst,
     pub(crate) drift_energy: Sum,
@@ -150,6 +163,7 @@ pub(crate) struct CrowdedStretch {
     pub(crate) bodies: usize,
     pub(crate) steps: u64,
     pub(crate) error: f64,
+    pub(crate) max_residual: f64,
 }
 
 /// A warning and how often it was given.

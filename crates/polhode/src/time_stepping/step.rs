@@ -81,6 +81,11 @@ impl TimeStepper {
         Self { law, about, splits, unseen_bounce: f64::INFINITY, solver, delassus, carried: Carried::default() }
     }
 
+    /// The point about which moments are booked, m.
+    pub(crate) fn about(&self) -> DVec3 {
+        self.about
+    }
+
     /// The contacts that carried an impulse in the last step of their pair, in order.
     pub(crate) fn carried(&self) -> impl Iterator<Item = ContactId> + '_ {
         let of_pair = |(&(a, b), features): (&(usize, usize), &Vec<ContactFeature>)| {

@@ -8,9 +8,11 @@
 //! | `point_on_surface` | a point on a surface |
 //! | `stationary` | two elements at a common normal |
 //! | [`evaluate`] | any contact, by the kind of its features |
+//! | [`open_face`] | a face along which two bodies pass each other |
 
 pub(crate) mod crossed_edges;
 pub mod evaluate;
+pub mod open_face;
 pub(crate) mod point_on_surface;
 pub(crate) mod stationary;
 pub(crate) mod surface_distance;

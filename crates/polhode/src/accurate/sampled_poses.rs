@@ -1,0 +1,56 @@
+//! Poses of samples within the steps of islands.
+//!
+//! The dense output of an integrator is of lower order than its step: between the ends of a step, bodies in contact may
+//! overlap by more than the promised limit although they do not at its ends. Where they do, the sampled poses are
+//! projected onto touch, by the smallest displacement in the metric of mass. The step, and the states from which the run
+//! continues, stay as they are.
+
+use super::engine::Engine;
+use super::island::Step;
+use crate::SimulationError;
+use crate::core::Core;
+use crate::interaction::overlap::Overlaps;
+use polhode_dynamics::BodyState;
+use polhode_response::Delassus;
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+impl Engine {
+    /// These states at `t` (s), with the bodies of integrated islands moved out of each other where they overlap by more
+    /// than is promised.
+    ///
+    /// # Errors
+    /// When the overlaps cannot be measured or removed.
+    pub(super) fn kept_apart(
+        &self,
+        core: &mut Core,
+        t: f64,
+        states: Arc<Vec<BodyState>>,
+    ) -> Result<Arc<Vec<BodyState>>, SimulationError> {
+        let overlaps = core.overlaps_of(t, &states)?;
+        let deep: Vec<(usize, usize)> =
+            overlaps.iter().filter(|overlap| overlap.ratio() > 1.0).map(|overlap| overlap.pair).collect();
+        if deep.is_empty() {
+            return Ok(states);
+        }
+        let mut apart = states.to_vec();
+        for island in self.islands.values().filter(|island| island.t < t) {
+            let Step::Constrained(step) = &island.step else { continue };
+            let is_member = |body: usize| island.bodies.binary_search(&body).is_ok();
+            let stays = |body: usize| is_member(body) || !core.world.bodies[body].moves();
+            let overlaps = deep.iter().copied().filter(|&(a, b)| (is_member(a) || is_member(b)) && stays(a) && stays(b));
+            let overlaps: BTreeSet<(usize, usize)> = overlaps.collect();
+            if overlaps.is_empty() {
+                continue;
+            }
+            let pairs: Vec<(usize, usize)> =
+                overlaps.into_iter().chain(step.held_pairs()).collect::<BTreeSet<_>>().into_iter().collect();
+            let found = Overlaps::find(&core.world, &apart, &pairs);
+            let problem = (&mut core.solver, &mut Delassus::default());
+            found
+                .remove(&core.world, &mut apart, (&island.bodies, &pairs), problem)
+                .map_err(|source| Core::response_error(t, source))?;
+        }
+        Ok(Arc::new(apart))
+    }
+}

@@ -1,0 +1,58 @@
+//! Bodies that pass over the border of another one without a collision.
+//!
+//! A body slides from one body to the next, whose surface is flush with the first. At the border of the second one it
+//! touches an edge or a side towards which it moves. It does not collide there as long as the two do not approach along
+//! a face at that border (`polhode_contact::passing_contacts`, where the rule stands): the contacts with the plane of
+//! this face take the place of those that would collide.
+
+use super::contact_set::{ContactId, FoundContact};
+use crate::world::World;
+use polhode_contact::{ContactFeature, Moving, passing_contacts};
+use polhode_dynamics::BodyState;
+
+/// Contacts that approach by less than this part of the speeds of their bodies do not collide: a thousand rounding
+/// units.
+const SUSTAINED_RELATIVE: f64 = 1e-12;
+
+impl World {
+    /// Replaces the contacts of a pair that would collide, although the bodies pass each other along a face, by those
+    /// with the plane of that face. Returns the features of these, ascending; they may lie beyond the border of the
+    /// face. The contacts remain sorted.
+    pub(super) fn take_place_of_collisions(
+        &self,
+        states: &[BodyState],
+        (a, b): (usize, usize),
+        contacts: &mut Vec<FoundContact>,
+    ) -> Vec<ContactFeature> {
+        let speed = self.point_speed(states, a) + self.point_speed(states, b);
+        let approaches = |contact: &FoundContact| contact.kinematics.separation_rate < -SUSTAINED_RELATIVE * speed;
+        if !contacts.iter().any(approaches) {
+            return Vec::new();
+        }
+        let Some((shape_a, shape_b)) = self.shapes(a, b) else { return Vec::new() };
+        let velocities = [a, b].map(|body| self.velocity(body, &states[body]));
+        let moving = [(shape_a, a, &velocities[0]), (shape_b, b, &velocities[1])]
+            .map(|(shape, body, velocity)| Moving { shape, pose: &states[body].pose, velocity });
+        let mut passing = Vec::new();
+        let mut passes = |contact: &FoundContact| {
+            let taken = approaches(contact).then(|| passing_contacts(contact.id.feature, moving[0], moving[1]));
+            taken.flatten().map(|features| passing.extend(features)).is_some()
+        };
+        contacts.retain(|contact| !passes(contact));
+        passing.sort_unstable();
+        passing.dedup();
+        passing.retain(|&feature| contacts.iter().all(|contact| contact.id.feature != feature));
+        contacts.extend(passing.iter().filter_map(|&feature| {
+            let id = ContactId { a, b, feature };
+            Some(FoundContact { id, kinematics: self.kinematics_in_space(states, id)? })
+        }));
+        contacts.sort_by_key(|contact| contact.id);
+        passing
+    }
+
+    /// Whether a contact beyond the border of its face holds, because its bodies pass each other along that face.
+    pub(crate) fn holds_beyond_border(&self, states: &[BodyState], id: ContactId) -> bool {
+        let found = self.contacts_of_pair(states, id.a, id.b, self.touch_distance(states, id.a, id.b));
+        found.iter().any(|contact| contact.id == id)
+    }
+}
