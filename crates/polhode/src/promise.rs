@@ -30,7 +30,7 @@ use crate::scene::Tier;
 use crate::time_stepping::TimeStepReport;
 use crate::world::World;
 use polhode_contact::ContactKinematics;
-use polhode_dynamics::BodyState;
+use polhode_dynamics::{BodyState, RigidBody};
 
 /// How far a projection of a separation that is rounding may move a tilted body, in such separations (no unit): beyond
 /// that the projection is partial (`crate::interaction::projection`).

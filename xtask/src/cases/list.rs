@@ -2,13 +2,13 @@
 
 use super::case::Case;
 use super::{
-    arches, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds, effects, exact_drift, falling_shapes,
-    free_rotation, friction_effects, friction_invariances, friction_scenes, frictional_impacts, frictional_statics,
-    heavy_tops, impact_chains, impacts, invariances, ledger, long_runs, mass_properties, numerical_loss,
-    one_dependency, peers, pi_machine, polhode_times, published_rotations, random_solids, reductions, resting_contact,
-    rigid_ipc, rocking_and_toppling, rolling_disc, sliding, sliding_and_spinning, slipping_and_rolling, slopes,
-    snapshots, speed, spinning_scenes, stackings, stacks, stacks_on_slopes, structures, table_edge, thesis_tier,
-    tunnelling, valleys, videos, walls,
+    arches, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds, effects, exact_drift,
+    falling_shapes, free_rotation, friction_effects, friction_invariances, friction_scenes, frictional_impacts,
+    frictional_statics, heavy_tops, impact_chains, impacts, invariances, ledger, long_runs, mass_properties,
+    numerical_loss, one_dependency, peers, pi_machine, polhode_times, published_rotations, random_scenes,
+    random_solids, reductions, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, sliding,
+    sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed, spinning_scenes, stackings, stacks,
+    stacks_on_slopes, structures, table_edge, thesis_tier, tunnelling, valleys, videos, walls,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -170,6 +170,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "crowds: samples", rows: crowds::samples },
     Case { name: "crowds: estimated error", rows: crowds::estimates },
     Case { name: "crowds: friction far away", rows: crowds::far_friction },
+    Case { name: "random scenes", rows: random_scenes::scenes },
     Case { name: "snapshots", rows: snapshots::continued_runs },
     Case { name: "speed", rows: speed::diamond_4 },
     Case { name: "memory", rows: speed::peak_memory },

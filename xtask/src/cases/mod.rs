@@ -59,6 +59,7 @@ mod polhode_times;
 mod published_rotations;
 mod random_impacts;
 mod random_pairs;
+pub(crate) mod random_scenes;
 mod random_solids;
 mod random_throws;
 mod reductions;
