@@ -11,9 +11,9 @@
 //! tolerance: that of the method; drift: the tolerance, at least ten times its default; E: the largest energy of the
 //! run, at least that of lifting all bodies by their size, J. The time of an impact is known to four units in its last
 //! place, and the distance by which the bodies approach in that time is added to the limit of penetration. A run that
-//! exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is one in which ending bounces took
-//! more than 1e-9 of that energy beyond the energy of the bounces themselves, and a run of any tier with a
-//! problem that was not solved to its tolerance.
+//! exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is a
+//! run of any tier in which ending bounces took more than 1e-9 of E beyond the energy of the bounces themselves, or with
+//! a problem that was not solved to its tolerance.
 
 use crate::accounting::books::Balance;
 use crate::accounting::measures::{Limits, Measure};

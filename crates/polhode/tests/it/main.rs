@@ -38,6 +38,7 @@ mod public_interface;
 mod refusals;
 mod rotational_friction;
 mod round_bodies;
+mod seams;
 mod snapshots;
 mod stepped;
 mod stiff_and_singular;
