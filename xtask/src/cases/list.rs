@@ -6,7 +6,7 @@ use super::{
     falling_shapes, free_rotation, friction_effects, friction_invariances, friction_scenes, frictional_impacts,
     frictional_statics, heavy_tops, impact_chains, impacts, invariances, ledger, long_runs, mass_properties,
     numerical_loss, one_dependency, peers, pi_machine, polhode_times, published_rotations, random_scenes,
-    random_solids, reductions, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, sliding,
+    random_solids, reductions, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, seams, sliding,
     sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed, spinning_scenes, stackings, stacks,
     stacks_on_slopes, structures, table_edge, thesis_tier, tunnelling, valleys, videos, walls,
 };
@@ -109,6 +109,9 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "RC-08", rows: resting_contact::rc_08 },
     Case { name: "RC-09", rows: resting_contact::rc_09 },
     Case { name: "RC-10", rows: table_edge::rc_10 },
+    Case { name: "seams", rows: seams::tiles },
+    Case { name: "seams of other surfaces", rows: seams::surfaces },
+    Case { name: "seams with friction", rows: seams::friction },
     Case { name: "FC-01", rows: slopes::fc_01 },
     Case { name: "FC-02", rows: slopes::fc_02 },
     Case { name: "FC-03", rows: sliding::fc_03 },

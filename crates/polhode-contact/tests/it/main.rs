@@ -18,6 +18,7 @@ mod meshes;
 mod nearest_normals;
 mod needles;
 mod pair_memory;
+mod passing;
 mod polyhedra;
 mod query_parts;
 mod rays;
