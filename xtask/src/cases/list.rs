@@ -2,13 +2,13 @@
 
 use super::case::Case;
 use super::{
-    arches, convergence, convex_pairs, curved_bodies, decomposition, diamonds, effects, exact_drift, falling_shapes,
-    free_rotation, friction_effects, friction_invariances, friction_scenes, frictional_impacts, frictional_statics,
-    heavy_tops, impact_chains, impacts, invariances, ledger, long_runs, mass_properties, numerical_loss,
-    one_dependency, peers, pi_machine, polhode_times, published_rotations, random_scenes, random_solids, reductions,
-    resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, sliding, sliding_and_spinning,
-    slipping_and_rolling, slopes, snapshots, speed, spinning_scenes, stackings, stacks, stacks_on_slopes, structures,
-    table_edge, thesis_tier, tunnelling, valleys, videos,
+    arches, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds, effects, exact_drift,
+    falling_shapes, free_rotation, friction_effects, friction_invariances, friction_scenes, frictional_impacts,
+    frictional_statics, heavy_tops, impact_chains, impacts, invariances, ledger, long_runs, mass_properties,
+    numerical_loss, one_dependency, peers, pi_machine, polhode_times, published_rotations, random_scenes,
+    random_solids, reductions, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, sliding,
+    sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed, spinning_scenes, stackings, stacks,
+    stacks_on_slopes, structures, table_edge, thesis_tier, tunnelling, valleys, videos, walls,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -140,6 +140,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "friction elsewhere", rows: friction_invariances::settings },
     Case { name: "scenes of friction", rows: friction_scenes::rows },
     Case { name: "scenes of spinning", rows: spinning_scenes::rows },
+    Case { name: "walls", rows: walls::rows },
     Case { name: "effects of friction", rows: friction_effects::rows },
     Case { name: "SimBenchmark rolling", rows: slipping_and_rolling::simbenchmark_rolling },
     Case { name: "falling shapes", rows: falling_shapes::times },
@@ -166,6 +167,10 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "Rigid IPC suite", rows: rigid_ipc::suite },
     Case { name: "effects", rows: effects::planned_equals_all },
     Case { name: "random scenes", rows: random_scenes::scenes },
+    Case { name: "crowds: output intervals", rows: crowds::intervals },
+    Case { name: "crowds: samples", rows: crowds::samples },
+    Case { name: "crowds: estimated error", rows: crowds::estimates },
+    Case { name: "crowds: friction far away", rows: crowds::far_friction },
     Case { name: "snapshots", rows: snapshots::continued_runs },
     Case { name: "speed", rows: speed::diamond_4 },
     Case { name: "memory", rows: speed::peak_memory },

@@ -15,6 +15,7 @@
 //! | `motion` | states at any time, zeros and angles of what moved |
 //! | `random_impacts` | impacts with friction made from random numbers |
 //! | `random_pairs` | pairs of bodies made from random numbers |
+//! | `random_throws` | bodies thrown at walls, made from random numbers, with their closed forms |
 //! | `rough_plane` | a rough plane, level or inclined, bodies on it, and thresholds |
 //! | `feature_numbers` | a polyhedron of the contact crate and the exact one, and which features of them are the same |
 //! | `strict_hash` | a hash of all bits of a run |
@@ -26,6 +27,7 @@ mod case;
 mod context;
 mod convergence;
 mod convex_pairs;
+mod crowds;
 mod curved_bodies;
 mod decomposition;
 mod diamonds;
@@ -59,6 +61,7 @@ mod random_impacts;
 mod random_pairs;
 pub(crate) mod random_scenes;
 mod random_solids;
+mod random_throws;
 mod reductions;
 mod resting_contact;
 mod rigid_ipc;
@@ -84,6 +87,7 @@ mod thesis_tier;
 mod tunnelling;
 mod valleys;
 mod videos;
+mod walls;
 
 pub(crate) use case::{CaseResult, guarded};
 pub(crate) use context::{Amount, Context};

@@ -15,6 +15,8 @@ pub(super) struct ContactChange {
     pub(super) departing: BTreeSet<ContactId>,
     /// Contacts whose slip vanishes then.
     pub(super) stopping: BTreeSet<ContactId>,
+    /// Contacts whose slips turn and nearly vanish.
+    pub(super) fading: BTreeSet<ContactId>,
     /// Contacts that can stick no longer, and the direction in which they begin to slide (unit vectors, world).
     pub(super) slipping: BTreeMap<ContactId, DVec3>,
     /// Rotations that vanish then.
@@ -28,6 +30,7 @@ impl ContactChange {
     pub(super) fn include(&mut self, other: &Self) {
         self.departing.extend(other.departing.iter().copied());
         self.stopping.extend(other.stopping.iter().copied());
+        self.fading.extend(other.fading.iter().copied());
         self.slipping.extend(other.slipping.iter().map(|(&id, &direction)| (id, direction)));
         self.settling.extend(other.settling.iter().copied());
         self.turning.extend(other.turning.iter().map(|(&turn, &direction)| (turn, direction)));

@@ -1,14 +1,16 @@
-//! Slips that end within a negligible distance.
+//! Slips that turn while they end.
 //!
-//! A contact that slides with the speed `u` and whose slip decelerates by `a` comes to a stop after the distance
-//! `u^2 / 2a`. Friction turns a slip ever faster as it becomes slow (at the rate `mu g / u` where its direction must
-//! change), so that the last bit of it takes many steps. Where that distance is below [`NEGLIGIBLE_TRAVEL`] touch
-//! distances the bodies cannot be distinguished from bodies that stick, and the slip is replaced by its end, as the
-//! last bounces of a contact are: the smallest change of velocities that makes it zero, booked as energy lost at rest.
-//! Whether the contact sticks from then on its forces decide.
+//! A slip that keeps its direction passes through zero smoothly: its component along that direction is the event function
+//! of the location of contact changes, and nothing is lost, whether the contact sticks then or slides back.
 //!
-//! Assumes that the deceleration lasts. Limit: the time until the slip would have ended, `u / a`, is lost; for a body
-//! on a floor of friction 0.5 it is some microseconds.
+//! A slip that turns does so at the rate `g / u` and faster, so that the last bit of it takes many steps. If it decelerates
+//! by `a`, it comes to a stop after the distance `u^2 / 2a`. Where that distance is below [`NEGLIGIBLE_TRAVEL`] touch
+//! distances and friction holds the contact afterwards, the bodies cannot be distinguished from bodies that stick: the slip
+//! is replaced by its end, as the last bounces of a contact are, by the smallest change of velocities that makes it zero,
+//! booked as energy lost at rest. The event has the time at which the slip would have ended. A slip that friction would not
+//! hold afterwards goes on.
+//!
+//! Assumes that the deceleration lasts for the rest, `u / a`: for a body on a floor of friction 0.5 some microseconds.
 
 use super::constrained_step::{ConstrainedStep, StepEndStates};
 use super::engine::Engine;
@@ -16,7 +18,7 @@ use super::hold::Forces;
 use super::instant::Instant;
 use crate::SimulationError;
 use crate::collision::contact_set::{ContactId, Touch};
-use crate::collision::friction_mode::FrictionMode;
+use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::core::Core;
 use crate::interaction::groups::Group;
 use crate::interaction::projection::{self, Removal};
@@ -41,15 +43,22 @@ fn ends_at_once(world: &World, states: &[BodyState], id: ContactId, speed: f64, 
     speed > 0.0 && speed * speed <= 2.0 * deceleration * travel
 }
 
-/// Whether a slip of a step has become so slow at its end, with these states, that it is worth a look at the forces.
-pub(super) fn slip_nearly_ended(core: &Core, step: &ConstrainedStep, states: &[BodyState]) -> bool {
-    step.active.friction.iter().any(|(&id, mode)| {
-        let FrictionMode::Sliding(slide) = mode else { return false };
-        let Some(terms) = core.world.tangential_kinematics(states, id) else { return false };
+/// The contacts whose slips have turned in a step and have become so slow at its end, with these states, that they are worth
+/// a look at the forces.
+pub(super) fn fading_slips(core: &Core, step: &ConstrainedStep, states: &[BodyState]) -> BTreeSet<ContactId> {
+    let fades = |id: ContactId, slide: &Slide| {
+        let terms = core.world.tangential_kinematics(states, id)?;
         let speed = terms.slip_velocity.length();
-        let lost = slide.speed - speed;
-        speed < SLOWED * slide.speed && ends_at_once(&core.world, states, id, speed, lost / (step.end - step.t))
-    })
+        let turns = slide.direction_of(terms.slip_velocity) != slide.direction;
+        let deceleration = (slide.speed - speed) / (step.end - step.t);
+        let ends = turns && speed < SLOWED * slide.speed;
+        Some(ends && ends_at_once(&core.world, states, id, speed, deceleration))
+    };
+    let fading = step.active.friction.iter().filter_map(|(&id, mode)| match mode {
+        FrictionMode::Sliding(slide) => fades(id, slide)?.then_some(id),
+        FrictionMode::Sticking => None,
+    });
+    fading.collect()
 }
 
 impl Engine {
@@ -99,7 +108,8 @@ impl Engine {
             };
             let Some(terms) = core.world.tangential_kinematics(&self.states, touch.id) else { continue };
             let (speed, deceleration) = (terms.slip_velocity.length(), -friction.growth_along(direction));
-            if ends_at_once(&core.world, &self.states, touch.id, speed, deceleration) {
+            let fades = instant.change.fading.contains(&touch.id);
+            if fades && ends_at_once(&core.world, &self.states, touch.id, speed, deceleration) {
                 ending.push((touch.id, speed / deceleration));
             }
         }
@@ -109,26 +119,46 @@ impl Engine {
             let of_pair = ending.iter().filter(|(other, _)| (other.a, other.b) == (id.a, id.b));
             of_pair.fold(f64::INFINITY, |soonest: f64, &(_, time)| soonest.min(time)) <= SAME_END * soonest
         };
-        let mut any = false;
-        for &(id, _) in &ending {
-            if ends_now(id) {
-                sticking.push(id);
-                any |= instant.change.stopping.insert(id);
-            }
-        }
-        if !any {
+        let ended: Vec<ContactId> = ending.iter().map(|&(id, _)| id).filter(|&id| ends_now(id)).collect();
+        if ended.is_empty() || ended.iter().all(|id| instant.change.stopping.contains(id)) {
             return Ok(false);
         }
-        self.end_flights(core, instant.t, group);
+        sticking.extend(&ended);
         let ids: Vec<_> = members.iter().map(|touch| touch.id).collect();
+        self.end_flights(core, instant.t, group);
+        let sliding: Vec<BodyState> = group.bodies.iter().map(|&body| self.states[body]).collect();
         let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
         let of = (&ids[..], &sticking[..], &[][..]);
         let slowed =
             projection::project_velocities(&core.world, &mut self.states, &group.bodies, of, Removal::Complete)
                 .map_err(|source| Core::response_error(instant.t, source))?;
+        let newly: Vec<ContactId> = ended.iter().copied().filter(|&id| instant.change.stopping.insert(id)).collect();
+        self.refresh_kinematics(core, instant);
+        if !self.friction_holds(core, instant, group, (candidates, &ended))? {
+            set_states(&mut self.states, &group.bodies, &sliding);
+            instant.change.stopping.retain(|id| !newly.contains(id));
+            instant.change.fading.retain(|id| !ended.contains(id));
+            self.refresh_kinematics(core, instant);
+            return Ok(false);
+        }
         let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
         core.accounts.books.rest(before, after, slowed.work_j);
-        self.refresh_kinematics(core, instant);
+        let end = instant.t + soonest;
+        instant.slip_ends.extend(newly.into_iter().map(|id| (id, end)));
         Ok(true)
+    }
+
+    /// Whether friction holds these contacts with the present velocities.
+    fn friction_holds(
+        &mut self,
+        core: &mut Core,
+        instant: &Instant,
+        group: &Group,
+        (candidates, ended): (&[usize], &[ContactId]),
+    ) -> Result<bool, SimulationError> {
+        let forces = self.forces(core, instant, group, candidates)?;
+        let is_held = |row: usize| forces.friction(row).is_some_and(|friction| friction.is_held);
+        let of_ended = candidates.iter().enumerate().filter(|&(_, &i)| ended.contains(&instant.touches[i].id));
+        Ok(of_ended.map(|(row, _)| row).all(is_held))
     }
 }

@@ -197,6 +197,7 @@ impl Engine {
             change,
             woken: BTreeSet::new(),
             rest_times: BTreeMap::new(),
+            slip_ends: BTreeMap::new(),
             speed_scale: bodies.iter().fold(0.0, |most, &body| self.tracks[body].speed_scale.max(most)),
             bodies,
         })

@@ -25,7 +25,7 @@ use polhode_spatial::DVec3;
 #[derive(Debug, Clone, Copy)]
 struct ResistedTurn {
     turn: Turn,
-    /// The direction in which it turns, and the friction, m; none while it is held.
+    /// The direction in which it turns, and the friction in the rows of rotations (no unit); none while it is held.
     turning: Option<(DVec3, f64)>,
 }
 
@@ -42,22 +42,29 @@ pub(super) struct FrictionContact {
     sliding: Option<(DVec3, f64)>,
     /// The angular velocity of A relative to B, rad/s.
     rotation: DVec3,
+    /// The length in the rows of its rotations, m.
+    turning_length: f64,
     /// Rotations that friction resists.
     turns: [Option<ResistedTurn>; 2],
 }
 
 impl FrictionContact {
+    /// The row of a rotation about an axis (unit vector, world).
+    fn row_about(&self, axis: DVec3) -> RotationRow {
+        RotationRow { id: self.id, axis: axis * self.turning_length }
+    }
+
     /// The rows of rotations that are held.
     fn held_rotations(&self) -> impl Iterator<Item = RotationRow> + '_ {
         let held = self.turns.iter().flatten().filter(|resisted| resisted.turning.is_none());
         let axes = held.flat_map(|resisted| resisted.turn.axes(self.geometry.normal, self.terms.basis));
-        axes.map(|axis| RotationRow { id: self.id, axis })
+        axes.map(|axis| self.row_about(axis))
     }
 
-    /// The rotations that turn: their rows and their friction, m.
+    /// The rotations that turn: their rows and their friction there (no unit).
     fn turning(&self) -> impl Iterator<Item = (RotationRow, f64)> + '_ {
         let turning = self.turns.iter().flatten().filter_map(|resisted| resisted.turning);
-        turning.map(|(axis, friction)| (RotationRow { id: self.id, axis }, friction))
+        turning.map(|(axis, friction)| (self.row_about(axis), friction))
     }
 }
 
@@ -104,13 +111,14 @@ pub(super) fn friction_contacts(
                 FrictionMode::Sticking => None,
                 FrictionMode::Sliding(slide) => {
                     let direction = slide.direction_of(turn.part(rotation, kinematics.geometry.normal));
-                    Some((direction, turn.friction(world, (id.a, id.b))?))
+                    Some((direction, turn.coefficient(world, (id.a, id.b))?))
                 }
             };
             Some(ResistedTurn { turn, turning })
         });
         let geometry = kinematics.geometry;
-        Some(FrictionContact { contact, id: *id, geometry, terms, sliding, rotation, turns })
+        let turning_length = world.turning_length(id.a, id.b);
+        Some(FrictionContact { contact, id: *id, geometry, terms, sliding, rotation, turning_length, turns })
     };
     contacts.iter().enumerate().filter_map(friction).collect()
 }

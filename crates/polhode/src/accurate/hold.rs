@@ -9,6 +9,7 @@ use crate::collision::friction_mode::FrictionMode;
 use crate::collision::turn::Turn;
 use crate::interaction::acceleration_problem::AccelerationProblem;
 use crate::interaction::assembly::Assembly;
+use crate::interaction::cone_violation::{ConeViolation, largest_violation};
 use crate::interaction::frictional_accelerations::{ContactTangent, ContactTurn, FrictionalAccelerations};
 use crate::world::World;
 use polhode_dynamics::{BodyState, RigidBody};
@@ -48,6 +49,8 @@ pub(super) struct Forces {
     pub(super) motion_depends_on_choice: bool,
     /// Whether contacts slide and no forces were found: they may jam.
     pub(super) jams: bool,
+    /// How far contacts with friction are from Coulomb's law.
+    pub(super) violation: Option<ConeViolation>,
     /// The modes that the contacts were known to have.
     known_modes: Vec<Option<FrictionMode>>,
 }
@@ -131,6 +134,7 @@ impl Forces {
             friction,
             known_modes,
             jams: false,
+            violation: None,
             motion_depends_on_choice: false,
             turns: BTreeMap::new(),
         })
@@ -141,18 +145,22 @@ impl Forces {
         let opening = OPENING_RELATIVE * found.scale;
         let friction = found.contacts.iter().map(|contact| {
             contact.map(|contact| {
-                let ContactTangent { force, slip_acceleration, sliding, slides, .. } = contact;
-                let begins = slides && slip_acceleration.length() > opening;
+                let ContactTangent { force, slip_acceleration, sliding, is_held, .. } = contact;
+                let begins = !is_held && slip_acceleration.length() > opening;
                 let begins_along = if begins { contact.begins_along() } else { None };
-                ContactFriction { force, slip_acceleration, sliding: sliding.or(begins_along), is_held: !slides }
+                let is_held = sliding.is_none() && !begins;
+                ContactFriction { force, slip_acceleration, sliding: sliding.or(begins_along), is_held }
             })
         });
+        let friction: Vec<Option<ContactFriction>> = friction.collect();
         let slides = found.contacts.iter().flatten().any(|contact| contact.sliding.is_some());
+        let violation = violation_of(&found, &friction, load);
         Self {
+            violation,
             motion_depends_on_choice: found.motion_depends_on_choice,
             jams: slides && found.solution.report.status != SolverStatus::Solved,
             turns: found.turns,
-            friction: friction.collect(),
+            friction,
             contacts: found.contacts.len(),
             solution: found.solution,
             assembly: found.assembly,
@@ -280,4 +288,21 @@ impl Forces {
             .map(|(body, _, _)| body)
             .collect()
     }
+}
+
+/// The largest violation of Coulomb's law: of the cones by forces, relative to the largest of them or to `load` (N); and by
+/// contacts that go on sticking although their slips grow, the acceleration of the slip relative to the largest without
+/// contact forces.
+fn violation_of(
+    found: &FrictionalAccelerations,
+    friction: &[Option<ContactFriction>],
+    load: f64,
+) -> Option<ConeViolation> {
+    let by_forces = largest_violation(found.contacts.iter().flatten().map(|contact| contact.rubbing), load);
+    let sticks = found.contacts.iter().flatten().zip(friction.iter().flatten()).filter(|(_, own)| own.is_held);
+    let slip = |(contact, own): (&ContactTangent, &ContactFriction)| {
+        let value = own.slip_acceleration.length() / found.scale;
+        (value > 0.0).then_some(ConeViolation { value, pair: contact.rubbing.pair })
+    };
+    sticks.filter_map(slip).fold(by_forces, |worst, one| ConeViolation::larger(worst, Some(one)))
 }

@@ -3,7 +3,7 @@
 use super::contact_change::ContactChange;
 use super::pace::NoAdvance;
 use crate::SimulationError;
-use crate::collision::contact_set::{Hold, Touch};
+use crate::collision::contact_set::{ContactId, Hold, Touch};
 use crate::core::Core;
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
@@ -25,6 +25,8 @@ pub(super) struct Instant {
     pub(super) woken: BTreeSet<usize>,
     /// When the bounces that are ended at this instant would have ended, by body, s.
     pub(super) rest_times: BTreeMap<usize, f64>,
+    /// When the slips that are ended at this instant would have ended, s.
+    pub(super) slip_ends: BTreeMap<ContactId, f64>,
     /// Largest speed of any of the bodies so far, at least that of a fall over a body's size, m/s.
     pub(super) speed_scale: f64,
 }
@@ -45,6 +47,7 @@ impl Instant {
             change: ContactChange { t: self.t, ..ContactChange::default() },
             woken: BTreeSet::new(),
             rest_times: BTreeMap::new(),
+            slip_ends: BTreeMap::new(),
             speed_scale: self.speed_scale,
             bodies,
         }

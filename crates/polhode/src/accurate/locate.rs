@@ -8,7 +8,7 @@
 
 use super::constrained_step::ConstrainedStep;
 use super::contact_change::ContactChange;
-use super::ending_slips::slip_nearly_ended;
+use super::ending_slips::fading_slips;
 use super::engine::Engine;
 use super::hold::Forces;
 use super::pace::Pace;
@@ -17,6 +17,7 @@ use crate::collision::contact_set::{ContactId, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::Turn;
 use crate::core::Core;
+use crate::interaction::cone_violation::CONE_LIMIT;
 use crate::interaction::constraint::ContactEvent;
 use crate::interaction::locator::{Side, close_in};
 use crate::interaction::projection::rate_exceeds_drift;
@@ -90,8 +91,9 @@ impl Engine {
             Some(violated) => self.locate_change(core, step, violated, &tolerated, states).map(Some),
             None if found.is_none() && limit >= step.end => {
                 step.states_at(&core.world, step.end, states);
-                let change = ContactChange { t: step.end, ..ContactChange::default() };
-                Ok(slip_nearly_ended(core, step, states).then_some(change))
+                let fading = fading_slips(core, step, states);
+                let any = !fading.is_empty();
+                Ok(any.then(|| ContactChange { t: step.end, fading, ..ContactChange::default() }))
             }
             None => Ok(found),
         }
@@ -535,6 +537,7 @@ fn forces_of(
         .map_err(|source| Core::response_error(t, source))?;
     if !forces.jams {
         core.accounts.note_solve(t, &forces.solution.report)?;
+        core.note_friction(t, forces.violation, CONE_LIMIT);
     }
     Ok(forces)
 }

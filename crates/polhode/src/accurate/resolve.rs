@@ -12,6 +12,7 @@ use crate::collision::contact_set::{ContactId, FoundContact, Hold, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::core::Core;
 use crate::event::{Event, EventKind};
+use crate::interaction::cone_violation::CONE_LIMIT;
 use crate::interaction::frictional_impact::Restitution;
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{Struck, impulse_event, pivot_support, raised_energy, strike};
@@ -94,6 +95,8 @@ impl Engine {
     fn detect(&mut self, core: &mut Core, instant: &mut Instant) {
         let still = |body: usize| matches!(self.tracks[body].mode, Mode::Rest | Mode::Fixed);
         let mut found = Vec::with_capacity(instant.touches.len());
+        // Pairs of which a contact lies deeper than the pair overlaps, with their separations.
+        let mut passing = Vec::new();
         for &(a, b) in &instant.pairs {
             if still(a) && still(b) {
                 found.extend(instant.touches.iter().filter(|touch| (touch.id.a, touch.id.b) == (a, b)).copied());
@@ -104,6 +107,9 @@ impl Engine {
             // The overlap of two bodies may be larger than the penetration of each contact.
             let rate = contacts.iter().fold(0.0, |rate, contact| contact.kinematics.separation_rate.min(rate));
             core.note_separation(instant.t, &self.states, (a, b), (separation, rate));
+            if contacts.iter().any(|contact| contact.kinematics.geometry.separation < separation.min(0.0) - core.world.rounding(&self.states, a, b)) {
+                passing.push((a, b));
+            }
             found.extend(contacts.into_iter().map(|contact| {
                 let FoundContact { id, kinematics } = contact;
                 match instant.touches.binary_search_by(|known| known.id.cmp(&id)) {
@@ -113,9 +119,14 @@ impl Engine {
             }));
         }
         found.sort_by_key(|touch| touch.id);
+        core.world.remove_covered_crossings(&self.states, &mut found);
         instant.touches = found;
-        // A contact point outside its features measures no penetration.
-        for touch in instant.touches.iter().filter(|touch| touch.kinematics.geometry.margin >= 0.0) {
+        // A contact point outside its features measures no penetration, nor does one with the plane of a face that the
+        // bodies are about to pass onto.
+        let measures = |touch: &&Touch| {
+            touch.kinematics.geometry.margin >= 0.0 && passing.binary_search(&(touch.id.a, touch.id.b)).is_err()
+        };
+        for touch in instant.touches.iter().filter(measures) {
             core.note_contact(instant.t, &self.states, (touch.id.a, touch.id.b), &touch.kinematics);
         }
     }
@@ -173,6 +184,7 @@ impl Engine {
         let by_pivots = pivot_support(about, struck.pivots.iter().map(|(pivot, impulse)| (pivot, *impulse)));
         let given = struck.support(&core.world, about, &members) + by_pivots;
         core.accounts.books.impact((outcome.energy_change, struck.friction_j), given, work);
+        core.note_friction(instant.t, struck.cone_violation(&core.world, &self.states, &members), CONE_LIMIT);
         let largest = outcome.applications.iter().fold(0.0, |most: f64, one| most.max(one.impulse.abs()));
         let is_event = |impulse: f64| impulse.abs() > NEGLIGIBLE_IMPULSE * largest;
         let applications = outcome.applications.iter().zip(&struck.constraints);
@@ -274,7 +286,7 @@ impl Engine {
         touch.kinematics.separation_rate < -self.sustained_speed(core, instant.speed_scale, touch)
     }
 
-    fn forces(
+    pub(super) fn forces(
         &mut self,
         core: &mut Core,
         instant: &Instant,
@@ -289,6 +301,7 @@ impl Engine {
             return Err(SimulationError::ContactSolve { t: instant.t, residual: forces.solution.report.residual });
         }
         core.accounts.note_solve(instant.t, &forces.solution.report)?;
+        core.note_friction(instant.t, forces.violation, CONE_LIMIT);
         if forces.motion_depends_on_choice {
             let names = core.world.names_of(&group.bodies);
             core.accounts.warn(instant.t, format!("{LEAST_NORM} {names} depends on that choice"));
@@ -350,7 +363,9 @@ impl Engine {
             _ => None,
         };
         if let Some(kind) = kind {
-            let event = contact_event(instant.t, kind, &touch);
+            let ended = instant.slip_ends.get(&touch.id).copied();
+            let t = ended.filter(|_| kind == EventKind::Stick).unwrap_or(instant.t);
+            let event = contact_event(t, kind, &touch);
             core.accounts.add_contact_event(&core.world, &self.states, event, touch.id);
         }
         instant.touches[i].friction = mode;
@@ -401,6 +416,9 @@ impl Engine {
     ) -> Result<(), SimulationError> {
         self.end_flights(core, instant.t, group);
         let ids: Vec<_> = candidates.iter().map(|&i| instant.touches[i].id).collect();
+        let speed = |touch: &Touch| touch.kinematics.separation_rate.abs();
+        let bounces = candidates.iter().map(|&i| instant.touches[i]);
+        let fastest = bounces.max_by(|x, y| speed(x).total_cmp(&speed(y)));
         let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
         let slowed = projection::project_velocities(
             &core.world,
@@ -411,7 +429,9 @@ impl Engine {
         )
         .map_err(|source| Core::response_error(instant.t, source))?;
         let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-        core.accounts.books.rest(before, after, slowed.work_j);
+        if let Some(fastest) = fastest {
+            core.book_ended_bounces(instant.t, &group.bodies, &fastest, (before, after), slowed.work_j);
+        }
         self.refresh_kinematics(core, instant);
         Ok(())
     }

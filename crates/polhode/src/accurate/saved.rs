@@ -78,6 +78,13 @@ impl Engine {
             engine.insert_island(island);
         }
         engine.rebuild_agenda(core);
+        // A run that had ended goes on to a longer duration: the islands that begin no step at its end begin one. Those that
+        // wait for time steps on the way are unsolved.
+        let waits_for_end = |island: &Island| matches!(island.step, Step::Waiting(_)) && !island.is_unsolved;
+        if core.t < core.world.scene.duration_s() && !engine.goes_on && engine.islands.values().any(waits_for_end) {
+            engine.continue_after_end_of_run(core)?;
+            engine.goes_on = false;
+        }
         Ok(engine)
     }
 
@@ -198,6 +205,7 @@ fn restored_change(world: &World, saved: &content::Island) -> Result<ContactChan
         t: saved.due,
         departing: restored_ids(world, &saved.departing)?.into_iter().collect(),
         stopping: restored_ids(world, &saved.stopping)?.into_iter().collect(),
+        fading: restored_ids(world, &saved.fading)?.into_iter().collect(),
         slipping: slipping.collect::<Result<_, SnapshotError>>()?,
         settling: settling.collect::<Result<_, SnapshotError>>()?,
         turning: turning.collect::<Result<_, SnapshotError>>()?,
@@ -256,6 +264,7 @@ fn save_island(island: &Island) -> content::Island {
         departing: ids(&island.change.departing),
         friction: island.active.friction.iter().map(|(&id, &mode)| (save_contact(id), save_friction(mode))).collect(),
         stopping: ids(&island.change.stopping),
+        fading: ids(&island.change.fading),
         slipping: island.change.slipping.iter().map(|(&id, to)| (save_contact(id), to.to_array())).collect(),
         rotation: island.active.rotation.iter().map(|(&id, modes)| (save_contact(id), save_rotation(modes))).collect(),
         settling: island.change.settling.iter().map(|&(id, turn)| (save_contact(id), turn == Turn::Spinning)).collect(),

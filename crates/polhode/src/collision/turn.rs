@@ -35,6 +35,12 @@ impl Turn {
         (length > 0.0).then_some(length)
     }
 
+    /// Its friction between two bodies in the rows of their rotations: its length over that of the rows (no unit); none
+    /// without it.
+    pub(crate) fn coefficient(self, world: &World, (a, b): (usize, usize)) -> Option<f64> {
+        Some(self.friction(world, (a, b))? / world.turning_length(a, b))
+    }
+
     /// The part of a relative angular velocity (rad/s) that is of this kind.
     pub(crate) fn part(self, rotation: DVec3, normal: DVec3) -> DVec3 {
         let along = normal * normal.dot(rotation);

@@ -6,6 +6,7 @@
 //! one, and the problem is solved again until no further contact begins to slide.
 
 use super::assembly::{Assembly, TangentRow};
+use super::cone_violation::RubbingForce;
 use super::friction_blocks::{FrictionBlocks, RowSolution};
 use super::frictional_contact::{Frictional, Sliding};
 use super::least_sliding_forces::{RowFriction, least_sliding_forces};
@@ -70,6 +71,12 @@ pub(crate) struct ContactTangent {
     pub(crate) sliding: Option<DVec3>,
     /// Whether the solver found that it slides, or slides already.
     pub(crate) slides: bool,
+    /// Whether friction holds it. A contact that touches without pressing is not held: friction of no force holds nothing.
+    pub(crate) is_held: bool,
+    /// Its normal and its tangential force.
+    pub(crate) rubbing: RubbingForce,
+    /// Whether its force is more than rounding, so that it has a direction.
+    has_force: bool,
 }
 
 impl ContactTangent {
@@ -77,8 +84,11 @@ impl ContactTangent {
     /// has the same direction, but where the force barely exceeds static friction it is too small to give one. There
     /// the forces at several contacts of one pair may differ a little in direction without effect on the motion; slips
     /// that begin in such directions would turn at once. A force that nearly agrees with the sum of its pair takes the
-    /// direction of the sum.
+    /// direction of the sum. A contact that touches without pressing bears no force: its slip follows its acceleration.
     pub(crate) fn begins_along(&self) -> Option<DVec3> {
+        if !self.has_force {
+            return self.slip_acceleration.try_normalize();
+        }
         let against = |force| self.coefficients.at_rest.slip_against(self.basis, force);
         let own = against(self.force).or_else(|| self.slip_acceleration.try_normalize())?;
         let together = against(self.force_of_pair);
@@ -160,9 +170,13 @@ impl FrictionalAccelerations {
             *acceleration += free;
         }
         let mut first = assembly.first_tangent();
+        let scale = constants.iter().fold(0.0f64, |most, b| most.max(b.abs()));
         let tangential = frictional.iter().enumerate().map(|(normal, friction)| {
             let friction = friction.as_ref()?;
-            let found = contact_tangent(&solved, (normal, first), friction);
+            let mobility = delassus.get(first, first);
+            let id = contacts.get(normal)?.id;
+            let rounding = STICKING_RELATIVE * scale / mobility;
+            let found = contact_tangent(&solved, (normal, first), (id, friction), rounding);
             first += friction.tangents().len();
             Some(found)
         });
@@ -171,7 +185,6 @@ impl FrictionalAccelerations {
         complete_slips((world, t, states), (contacts, frictional), (&assembly, &accelerations), &mut tangential);
         let turn = |law: &ResistedRotation| ContactTurn { turning: turning(&assembly, law) };
         let turns = turns.into_iter().zip(rotations.iter().map(turn)).collect();
-        let scale = constants.iter().fold(0.0f64, |most, b| most.max(b.abs()));
         let solution = contact_solution(&solved, assembly.first_tangent());
         Ok(Self {
             are_alike: assembly.problem.has_alike_masses(),
@@ -289,7 +302,7 @@ fn rotations_of(
     for (normal, (touch, frictional)) in contacts.iter().zip(frictional).enumerate() {
         let Some(frictional) = frictional else { continue };
         for turn in Turn::ALL {
-            let Some(friction) = turn.friction(world, (touch.id.a, touch.id.b)) else { continue };
+            let Some(friction) = turn.coefficient(world, (touch.id.a, touch.id.b)) else { continue };
             let axes = turn.axes(touch.kinematics.geometry.normal, frictional.terms.basis);
             let rows = assembly.problem.len()..assembly.problem.len() + axes.len();
             let along = match touch.rotation.get(turn) {
@@ -300,7 +313,7 @@ fn rotations_of(
                 }
                 Some(FrictionMode::Sticking) | None => None,
             };
-            assembly.push_rotations(axes.into_iter().map(|axis| RotationRow { id: touch.id, axis }))?;
+            assembly.push_rotations(axes.into_iter().map(|axis| RotationRow::about(world, touch.id, axis)))?;
             found.turns.push((touch.id, turn));
             found.laws.push(ResistedRotation { normal, rows, friction, turns: along });
         }
@@ -317,20 +330,38 @@ fn turning(assembly: &Assembly, law: &ResistedRotation) -> Option<DVec3> {
     assembly.of_rotations(&of_rows).map(|(row, part)| row.axis * part).sum::<DVec3>().try_normalize()
 }
 
-/// What friction does at a contact, from the solution of all rows: its normal row and its first tangential one.
-fn contact_tangent(solved: &RowSolution, (normal, first): (usize, usize), friction: &Frictional) -> ContactTangent {
+/// What friction does at a contact, from the solution of all rows: its normal row and its first tangential one. A force of
+/// at most `rounding` (N) is none.
+fn contact_tangent(
+    solved: &RowSolution,
+    (normal, first): (usize, usize),
+    (id, friction): (ContactId, &Frictional),
+    rounding: f64,
+) -> ContactTangent {
     let sum = |of: &[f64]| {
         let along = friction.tangents().into_iter().zip(of.iter().skip(first));
         along.map(|(tangent, value)| tangent * *value).sum::<DVec3>()
     };
+    let (force, status) = (sum(&solved.reactions), solved.statuses.get(normal));
+    let along: Vec<f64> = solved.reactions.iter().skip(first).take(friction.tangents().len()).copied().collect();
+    let at_rest = friction.coefficients.at_rest;
+    let (tangential, coefficient) = match friction.sliding {
+        Some(sliding) => (force.length(), sliding.coefficient),
+        None => (at_rest.length(&along), at_rest.largest()),
+    };
+    let normal = solved.reactions.get(normal).copied().unwrap_or(0.0);
+    let rubbing = RubbingForce { pair: (id.a, id.b), normal, tangential, friction: coefficient };
     ContactTangent {
-        force: sum(&solved.reactions),
+        force,
         force_of_pair: DVec3::ZERO,
         slip_acceleration: sum(&solved.velocities),
         coefficients: friction.coefficients,
         basis: friction.terms.basis,
         sliding: friction.sliding.map(|sliding| sliding.direction),
-        slides: solved.statuses.get(normal) == Some(&ContactStatus::Slide),
+        slides: status == Some(&ContactStatus::Slide),
+        is_held: status == Some(&ContactStatus::Stick),
+        rubbing,
+        has_force: force.length() > rounding,
     }
 }
 

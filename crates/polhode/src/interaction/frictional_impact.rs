@@ -24,7 +24,7 @@ use polhode_response::{
     MultipleFrictionalImpact, MultipleImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus,
     ResponseError,
 };
-use polhode_spatial::DVec3;
+use polhode_spatial::{CompensatedSum, DVec3};
 
 /// An impact with friction.
 #[derive(Debug)]
@@ -123,7 +123,10 @@ pub(crate) fn solve(
         let (struck, reactions) = strike(&blocks, &before, None)?;
         let velocities_after = blocks.velocities_in_rows(&struck.velocities_after);
         let friction_work_j = struck.friction_work.iter().sum();
-        let energy_change = struck.energy_change;
+        // Contacts of the cone problem are at zero to its residual: the energy is that of what the impulses really do.
+        let given = delassus.times(&reactions)?;
+        let works = reactions.iter().zip(&given).zip(&before).map(|((p, given), before)| p * (before + 0.5 * given));
+        let energy_change = works.collect::<CompensatedSum>().value();
         let rows = StruckRows { reactions, velocities_after, energy_change, friction_work_j, is_settled: true };
         return Ok(impact_of(assembly, contacts.len(), &struck, rows));
     }
@@ -194,7 +197,7 @@ fn impact_of(assembly: Assembly, contacts: usize, struck: &MultipleImpact, rows:
     FrictionalImpact { assembly, outcome, tangential, moments, friction_work_j, restitution }
 }
 
-/// Adds the rows of rotations that friction resists, and their velocities before the impact (rad/s) to `before`.
+/// Adds the rows of rotations that friction resists, and their velocities before the impact (m/s) to `before`.
 fn rotations_of(
     assembly: &mut Assembly,
     world: &World,
@@ -208,11 +211,11 @@ fn rotations_of(
     }
     for (normal, touch) in contacts.iter().enumerate() {
         for turn in Turn::ALL {
-            let Some(friction) = turn.friction(world, (touch.id.a, touch.id.b)) else { continue };
+            let Some(friction) = turn.coefficient(world, (touch.id.a, touch.id.b)) else { continue };
             let Some(terms) = world.tangential_kinematics(states, touch.id) else { continue };
             let first = assembly.problem.len();
             let axes = turn.axes(touch.kinematics.geometry.normal, terms.basis).into_iter();
-            let axes: Vec<RotationRow> = axes.map(|axis| RotationRow { id: touch.id, axis }).collect();
+            let axes: Vec<RotationRow> = axes.map(|axis| RotationRow::about(world, touch.id, axis)).collect();
             before.extend(axes.iter().map(|row| row.rate(world, states)));
             assembly.push_rotations(axes.into_iter())?;
             found.push(ResistedRotation { normal, rows: first..assembly.problem.len(), friction, turns: None });

@@ -3,6 +3,7 @@
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::event::{Event, EventKind};
 use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulses};
+use crate::interaction::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use crate::interaction::constraint::ConstraintId;
 use crate::interaction::frictional_impact::{self, Cause, FrictionalImpact, Restitution};
 use crate::interaction::groups::Group;
@@ -79,6 +80,27 @@ impl Struck {
     pub(crate) fn support(&self, world: &World, about: DVec3, contacts: &[Touch]) -> Momentum {
         let moments = self.moments.iter().copied();
         support(world, about, self.impulses(contacts.iter())) + moment_support(world, moments)
+    }
+
+    /// How far the impulses of contacts with friction, which are in the order of the impact, are from Coulomb's law.
+    pub(crate) fn cone_violation(
+        &self,
+        world: &World,
+        states: &[BodyState],
+        contacts: &[Touch],
+    ) -> Option<ConeViolation> {
+        let normal_of = |id: ContactId| {
+            let place = contacts.iter().position(|touch| touch.id == id)?;
+            self.outcome.impulses.get(place).copied()
+        };
+        let rubbing = |[(id, first, p), (_, second, q)]: &[(ContactId, ContactGeometry, f64); 2]| {
+            let ellipse = world.friction_at(states, *id, [first.normal, second.normal])?.sliding;
+            let tangential = ellipse.length(&[*p, *q]);
+            let friction = ellipse.largest();
+            Some(RubbingForce { pair: (id.a, id.b), normal: normal_of(*id)?, tangential, friction })
+        };
+        let forces: Vec<RubbingForce> = self.tangential.as_chunks::<2>().0.iter().filter_map(rubbing).collect();
+        largest_violation(forces.into_iter(), 0.0)
     }
 
     /// Impulses at contacts along tangents.

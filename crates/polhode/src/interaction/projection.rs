@@ -348,12 +348,12 @@ fn slip_rows(world: &World, states: &[BodyState], id: ContactId) -> Vec<(Tangent
     rows.into_iter().flatten().collect()
 }
 
-/// Rows of a rotation, each with its rate, rad/s.
+/// Rows of a rotation, each with its rate, m/s.
 fn turn_rows(world: &World, states: &[BodyState], (id, turn): (ContactId, Turn)) -> Vec<(RotationRow, f64)> {
     let both = world.kinematics(states, id).zip(world.tangential_kinematics(states, id));
     let rows = both.map(|(kinematics, terms)| turn.axes(kinematics.geometry.normal, terms.basis));
     let row = |axis| {
-        let row = RotationRow { id, axis };
+        let row = RotationRow::about(world, id, axis);
         (row, row.rate(world, states))
     };
     rows.into_iter().flatten().map(row).collect()

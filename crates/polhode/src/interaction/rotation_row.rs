@@ -1,4 +1,8 @@
-//! A row of a rotation: the angular velocity of A relative to B at a contact, along an axis.
+//! A row of a rotation: the angular velocity of A relative to B at a contact, along an axis, times a length.
+//!
+//! The length `l` (m) is of the order of the size of the pair. With it the rate `l w` is a velocity (m/s), and the reaction
+//! `M / l` a force (N): rows of rotations and of contacts stand in one problem, whose norms and thresholds would otherwise
+//! add newtons to newton metres and depend on the unit of length. It is a power of two, so that it rounds nothing.
 
 use crate::collision::contact_set::ContactId;
 use crate::world::World;
@@ -9,17 +13,22 @@ use polhode_spatial::DVec3;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct RotationRow {
     pub(crate) id: ContactId,
-    /// Unit vector, world.
+    /// The axis (world) times the length, m.
     pub(crate) axis: DVec3,
 }
 
 impl RotationRow {
-    /// The relative angular velocity along the axis, rad/s.
+    /// The row of a rotation about an axis (unit vector, world).
+    pub(crate) fn about(world: &World, id: ContactId, axis: DVec3) -> Self {
+        Self { id, axis: axis * world.turning_length(id.a, id.b) }
+    }
+
+    /// The relative angular velocity along the axis, times the length, m/s.
     pub(crate) fn rate(&self, world: &World, states: &[BodyState]) -> f64 {
         self.axis.dot(world.relative_rotation(states, self.id))
     }
 
-    /// Term of prescribed accelerations at `t` (s) in the derivative of its rate, rad/s^2. The turning of the axis
+    /// Term of prescribed accelerations at `t` (s) in the derivative of its rate, m/s^2. The turning of the axis
     /// itself is left out: a rotation that is held is zero, and one that spins about a normal that turns slowly
     /// drifts little within a step.
     pub(crate) fn prescribed_acceleration(&self, world: &World, t: f64) -> f64 {

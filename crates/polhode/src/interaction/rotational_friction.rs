@@ -10,7 +10,8 @@
 //! Leine and Glocker 2003. Assumptions: the contact is a point, moments of friction do not depend on the speed, and
 //! the impulse of a moment at an impact is bounded by the same length times the normal impulse.
 //!
-//! Method: rotations that are held are rows `w = 0` beside the contact problem. One whose moment exceeds its limit
+//! Method: rotations that are held are rows `l w = 0` beside the contact problem, with a length `l` of the pair: their
+//! reactions `M / l` are forces, and their friction is the number `c / l` (`interaction/rotation_row.rs`). One whose moment exceeds its limit
 //! turns against that moment. The moments of those that turn follow the normal forces, by repeating the solve until
 //! they no longer change: a moment changes normal forces little or not at all. Fails where that does not converge:
 //! the status of the solution says so.
@@ -41,7 +42,7 @@ pub(crate) struct ResistedRotation {
     pub(crate) normal: usize,
     /// Its own rows.
     pub(crate) rows: Range<usize>,
-    /// The length of its friction, m.
+    /// The length of its friction over that of its rows (no unit).
     pub(crate) friction: f64,
     /// The direction in its rows in which it turns; none while it is held.
     pub(crate) turns: Option<Vec<f64>>,
@@ -68,7 +69,7 @@ impl ResistedRotation {
 pub(crate) struct SettledRotations<S> {
     /// What the last solve found.
     pub(crate) found: S,
-    /// Reactions of all rows, moments included.
+    /// Reactions of all rows, those of moments included.
     pub(crate) reactions: Vec<f64>,
     /// Whether the moments no longer change. Otherwise all numbers are those of the last solve.
     pub(crate) is_settled: bool,

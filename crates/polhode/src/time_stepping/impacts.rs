@@ -11,6 +11,7 @@ use super::contacts::{FreeAccelerations, NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Substep, TimeStepper};
 use crate::collision::contact_set::{FoundContact, Touch};
+use crate::interaction::cone_violation::ConeViolation;
 use crate::interaction::frictional_impact::Restitution;
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{Struck, strike};
@@ -18,6 +19,7 @@ use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
+use polhode_spatial::DVec3;
 
 /// Most rounds of impacts in one step: one for each body of a chain with gaps, or for each bounce of a body between two
 /// others. Contacts that still close afterwards are stopped without restitution.
@@ -101,12 +103,15 @@ fn note(world: &World, states: &[BodyState], touches: &[Touch], struck: &Struck,
     report.raises_energy |= struck.restitution == Restitution::RaisesEnergy;
     let given = struck.support(world, report.books.ledger.momentum.about, touches);
     let work = struck.work(world, states, touches);
+    let violation = struck.cone_violation(world, states, touches);
+    report.cone_violation = ConeViolation::larger(report.cone_violation, violation);
     report.books.impact((outcome.energy_change, struck.friction_j), given, work);
     report.impulses.extend(outcome.applications.iter().map(|application| ContactImpulse {
         t,
         id: touches[application.row].id,
         geometry: touches[application.row].kinematics.geometry,
         impulse: application.impulse,
+        friction: DVec3::ZERO,
         kind: ImpulseKind::Impact { energy_change_j: application.energy_change },
     }));
 }

@@ -2,6 +2,7 @@
 
 use crate::accounting::books::Books;
 use crate::collision::contact_set::ContactId;
+use crate::interaction::cone_violation::ConeViolation;
 use polhode_contact::ContactGeometry;
 use polhode_spatial::DVec3;
 
@@ -27,6 +28,8 @@ pub(crate) struct ContactImpulse {
     pub(crate) geometry: ContactGeometry,
     /// On A along the normal, N s.
     pub(crate) impulse: f64,
+    /// On A in the tangent plane, world, N s: of friction in a sustained contact.
+    pub(crate) friction: DVec3,
     pub(crate) kind: ImpulseKind,
 }
 
@@ -41,12 +44,16 @@ pub(crate) struct TimeStepReport {
     pub(crate) touching: Vec<(usize, usize)>,
     /// Largest penetration before its removal, m.
     pub(crate) max_penetration_m: f64,
+    /// The contact of that penetration; none when none penetrated.
+    pub(crate) deepest: Option<ContactId>,
     /// Largest penetration after its removal, m.
     pub(crate) left_penetration_m: f64,
     /// Largest displacement of a body by the removal of penetration, m.
     pub(crate) max_projection_m: f64,
     /// Largest residual of the problems solved (natural map, relative).
     pub(crate) residual: f64,
+    /// How far forces and impulses are from Coulomb's law, the largest of any step.
+    pub(crate) cone_violation: Option<ConeViolation>,
     /// Number of approximations: solutions of a fallback solver, impact laws that did not finish.
     pub(crate) fallbacks: u64,
     /// Whether a law of restitution has raised the energy of an impact.
@@ -57,6 +64,16 @@ pub(crate) struct TimeStepReport {
     pub(crate) steps: u64,
     /// Whether every body is exactly at its initial pose, at zero velocity.
     pub(crate) at_rest: bool,
+    /// Contacts whose slip passes through zero within the step, so that it must be made in two parts.
+    pub(super) stops: Vec<Stop>,
+}
+
+/// A contact that comes to rest within a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Stop {
+    pub(super) id: ContactId,
+    /// When, as a part of the step (0 to 1).
+    pub(super) part: f64,
 }
 
 impl TimeStepReport {
@@ -67,9 +84,12 @@ impl TimeStepReport {
             books: Books::blank(about),
             touching: Vec::new(),
             max_penetration_m: 0.0,
+            deepest: None,
+            stops: Vec::new(),
             left_penetration_m: 0.0,
             max_projection_m: 0.0,
             residual: 0.0,
+            cone_violation: None,
             fallbacks: 0,
             raises_energy: false,
             contacts: 0,
@@ -84,10 +104,13 @@ impl TimeStepReport {
         self.impulses.extend(later.impulses);
         self.books.enter(&later.books);
         self.touching = later.touching;
-        self.max_penetration_m = self.max_penetration_m.max(later.max_penetration_m);
+        if later.max_penetration_m > self.max_penetration_m {
+            (self.max_penetration_m, self.deepest) = (later.max_penetration_m, later.deepest);
+        }
         self.left_penetration_m = later.left_penetration_m;
         self.max_projection_m = self.max_projection_m.max(later.max_projection_m);
         self.residual = self.residual.max(later.residual);
+        self.cone_violation = ConeViolation::larger(self.cone_violation, later.cone_violation);
         self.fallbacks += later.fallbacks;
         self.raises_energy |= later.raises_energy;
         self.contacts = self.contacts.max(later.contacts);
