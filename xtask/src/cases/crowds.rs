@@ -13,9 +13,9 @@ use crate::row::Row;
 use glam::DVec3;
 use polhode::contact::Shape;
 use polhode::mesh::{Cone, Cylinder, Primitive, solid_box};
-use polhode::scene::Material;
+use polhode::scene::{Material, Method};
 use polhode::spatial::{Mass, Pose, UnitVector, Velocity};
-use polhode::{Body, BodySample, CrowdingError, Effects, Method, Observer, Outcome, RunReport, Scene, Simulation};
+use polhode::{Body, BodySample, CrowdingError, Effects, Observer, Outcome, RunReport, Scene, Simulation};
 use std::error::Error;
 
 /// Random scenes with `--full`.
@@ -35,6 +35,19 @@ const TOO_SMALL: f64 = 10.0;
 
 /// Errors below this are those of the located events and of rounding, m.
 const SMALLEST_ERROR_M: f64 = 1e-9;
+
+/// Tolerance of the stretches of the runs that are judged: the default.
+const TOLERANCE: f64 = 1e-6;
+
+/// Largest penetration in a sample of a run that is not degraded, of the size of a body: the promised limit at the default
+/// tolerance, with the rounding of the coordinates.
+const DEEPEST: f64 = 1e-11;
+
+/// Largest penetration beyond what the certificate says, of the size of a body: rounding of the lowest points.
+const UNTOLD: f64 = 1e-14;
+
+/// Output interval of the scenes whose samples are measured, s: no multiple of a step.
+const SAMPLES_S: f64 = 0.0037;
 
 /// Output intervals with which a scene is run, s.
 const INTERVALS_S: [f64; 3] = [0.0013, 0.01, 0.37];
@@ -115,9 +128,8 @@ impl Thrown {
             let place = random.vector(-0.05, 0.05).with_z(0.5 + 0.75 * f64::from(body));
             let velocity = Velocity::new(random.vector(-1.0, 1.0), random.vector(-3.0, 3.0));
             let thrown = solid.body(format!("thrown {body}"), Mass::new(random.between(0.5, 2.0))?)?;
-            scene = scene.body(
-                thrown.pose(Pose::new(random.rotation(), place)).velocity(velocity).material(material.clone()),
-            );
+            scene = scene
+                .body(thrown.pose(Pose::new(random.rotation(), place)).velocity(velocity).material(material.clone()));
             solids.push(solid);
         }
         for body in far {
@@ -216,7 +228,7 @@ pub(super) fn samples(context: &Context) -> CaseResult {
     let (mut deepest, mut untold) = (0.0_f64, 0.0_f64);
     for number in 0..count as u64 {
         let Thrown { scene, solids } = Thrown::new(number)?;
-        let scene = scene.with_output_interval(0.0037)?;
+        let scene = scene.with_output_interval(SAMPLES_S)?;
         let mut seen = Penetration { solids: &solids, deepest_m: 0.0 };
         let report = run(&scene, &mut seen)?;
         let size = solids.iter().map(|solid| -solid.lowest(&Pose::IDENTITY)).fold(f64::INFINITY, f64::min);
@@ -227,8 +239,18 @@ pub(super) fn samples(context: &Context) -> CaseResult {
     }
     let case = "crowds: samples";
     Ok(vec![
-        Row::at_most(case, "penetration of the floor in a sample of a run that is not degraded, of a size", 1e-11, deepest),
-        Row::at_most(case, "penetration of the floor in a sample beyond that of the certificate, of a size", 1e-14, untold),
+        Row::at_most(
+            case,
+            "penetration of the floor in a sample of a run that is not degraded, of a size",
+            DEEPEST,
+            deepest,
+        ),
+        Row::at_most(
+            case,
+            "penetration of the floor in a sample beyond that of the certificate, of a size",
+            UNTOLD,
+            untold,
+        ),
     ])
 }
 
@@ -264,8 +286,7 @@ pub(super) fn estimates(context: &Context) -> CaseResult {
 
 /// The error of a run, in estimates of it.
 fn ratio(scene: &Scene, report: &RunReport, estimate: &CrowdingError) -> Result<f64, Box<dyn Error>> {
-    let tolerance = 1e-6 / FINER;
-    let method = Method { crowding_tolerance: Some(tolerance), ..scene.method().clone() };
+    let method = Method { crowding_tolerance: Some(TOLERANCE / FINER), ..scene.method().clone() };
     let finer = run(&scene.clone().with_method(method), &mut polhode::Unobserved)?;
     let error_m = |((_, own), (_, finer)): (&(String, BodySample), &(String, BodySample))| {
         (own.pose.translation - finer.pose.translation).length()

@@ -2,13 +2,13 @@
 
 use super::case::Case;
 use super::{
-    arches, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds, effects, exact_drift, falling_shapes,
-    free_rotation, friction_effects, friction_invariances, friction_scenes, frictional_impacts, frictional_statics,
-    heavy_tops, impact_chains, impacts, invariances, ledger, long_runs, mass_properties, numerical_loss,
-    one_dependency, peers, pi_machine, polhode_times, published_rotations, random_solids, reductions, resting_contact,
-    rigid_ipc, rocking_and_toppling, rolling_disc, sliding, sliding_and_spinning, slipping_and_rolling, slopes,
-    snapshots, speed, spinning_scenes, stackings, stacks, stacks_on_slopes, structures, table_edge, thesis_tier,
-    tunnelling, valleys, videos,
+    arches, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds, effects, exact_drift,
+    falling_shapes, free_rotation, friction_effects, friction_invariances, friction_scenes, frictional_impacts,
+    frictional_statics, heavy_tops, impact_chains, impacts, invariances, ledger, long_runs, mass_properties,
+    numerical_loss, one_dependency, peers, pi_machine, polhode_times, published_rotations, random_solids, reductions,
+    resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, sliding, sliding_and_spinning,
+    slipping_and_rolling, slopes, snapshots, speed, spinning_scenes, stackings, stacks, stacks_on_slopes, structures,
+    table_edge, thesis_tier, tunnelling, valleys, videos,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
