@@ -12,9 +12,9 @@
 //! run, at least that of lifting all bodies by their size, J. In every tier the integrator may lose or gain at most a
 //! hundredth of the largest energy (`crate::accounting::numerical_loss`). The time of an impact is known to four units in its last
 //! place, and the distance by which the bodies approach in that time is added to the limit of penetration. A run that
-//! exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is one in which ending bounces took
-//! more than 1e-9 of that energy beyond the energy of the bounces themselves, and a run of any tier with a
-//! problem that was not solved to its tolerance, or with forces of friction that violate Coulomb's law by more than
+//! exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is a run of any tier in which ending
+//! bounces took more than 1e-9 of E beyond the energy of the bounces themselves, or with a problem that was not solved to
+//! its tolerance, or with forces of friction that violate Coulomb's law by more than
 //! [`CONE_LIMIT`](crate::interaction::cone_violation::CONE_LIMIT), in time steps by more than
 //! [`STEP_CONE_LIMIT`](crate::interaction::cone_violation::STEP_CONE_LIMIT), relative to the largest force of their problem.
 
@@ -30,7 +30,7 @@ use crate::scene::Tier;
 use crate::time_stepping::TimeStepReport;
 use crate::world::World;
 use polhode_contact::ContactKinematics;
-use polhode_dynamics::BodyState;
+use polhode_dynamics::{BodyState, RigidBody};
 
 /// How far a projection of a separation that is rounding may move a tilted body, in such separations (no unit): beyond
 /// that the projection is partial (`crate::interaction::projection`).

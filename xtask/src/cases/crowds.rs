@@ -13,9 +13,9 @@ use crate::row::Row;
 use glam::DVec3;
 use polhode::contact::Shape;
 use polhode::mesh::{Cone, Cylinder, Primitive, solid_box};
-use polhode::scene::Material;
+use polhode::scene::{Material, Method};
 use polhode::spatial::{Mass, Pose, UnitVector, Velocity};
-use polhode::{Body, BodySample, CrowdingError, Effects, Method, Observer, Outcome, RunReport, Scene, Simulation};
+use polhode::{Body, BodySample, CrowdingError, Effects, Observer, Outcome, RunReport, Scene, Simulation};
 use std::error::Error;
 
 /// Random scenes with `--full`.
@@ -115,9 +115,8 @@ impl Thrown {
             let place = random.vector(-0.05, 0.05).with_z(0.5 + 0.75 * f64::from(body));
             let velocity = Velocity::new(random.vector(-1.0, 1.0), random.vector(-3.0, 3.0));
             let thrown = solid.body(format!("thrown {body}"), Mass::new(random.between(0.5, 2.0))?)?;
-            scene = scene.body(
-                thrown.pose(Pose::new(random.rotation(), place)).velocity(velocity).material(material.clone()),
-            );
+            scene = scene
+                .body(thrown.pose(Pose::new(random.rotation(), place)).velocity(velocity).material(material.clone()));
             solids.push(solid);
         }
         for body in far {
@@ -227,8 +226,18 @@ pub(super) fn samples(context: &Context) -> CaseResult {
     }
     let case = "crowds: samples";
     Ok(vec![
-        Row::at_most(case, "penetration of the floor in a sample of a run that is not degraded, of a size", 1e-11, deepest),
-        Row::at_most(case, "penetration of the floor in a sample beyond that of the certificate, of a size", 1e-14, untold),
+        Row::at_most(
+            case,
+            "penetration of the floor in a sample of a run that is not degraded, of a size",
+            1e-11,
+            deepest,
+        ),
+        Row::at_most(
+            case,
+            "penetration of the floor in a sample beyond that of the certificate, of a size",
+            1e-14,
+            untold,
+        ),
     ])
 }
 

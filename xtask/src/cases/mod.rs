@@ -69,6 +69,7 @@ mod rocking_and_toppling;
 mod rolling_disc;
 mod rough_plane;
 mod run;
+mod seams;
 mod setting;
 mod sliding;
 mod sliding_and_spinning;

@@ -107,7 +107,9 @@ impl Engine {
             // The overlap of two bodies may be larger than the penetration of each contact.
             let rate = contacts.iter().fold(0.0, |rate, contact| contact.kinematics.separation_rate.min(rate));
             core.note_separation(instant.t, &self.states, (a, b), (separation, rate));
-            if contacts.iter().any(|contact| contact.kinematics.geometry.separation < separation.min(0.0) - core.world.rounding(&self.states, a, b)) {
+            if contacts.iter().any(|contact| {
+                contact.kinematics.geometry.separation < separation.min(0.0) - core.world.rounding(&self.states, a, b)
+            }) {
                 passing.push((a, b));
             }
             found.extend(contacts.into_iter().map(|contact| {
@@ -119,7 +121,6 @@ impl Engine {
             }));
         }
         found.sort_by_key(|touch| touch.id);
-        core.world.remove_covered_crossings(&self.states, &mut found);
         instant.touches = found;
         // A contact point outside its features measures no penetration, nor does one with the plane of a face that the
         // bodies are about to pass onto.

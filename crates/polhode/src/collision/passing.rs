@@ -65,12 +65,7 @@ impl World {
     }
 
     /// Whether the bodies of a contact pass each other along a face, so that they do not collide there.
-    pub(crate) fn pass_each_other(
-        &self,
-        states: &[BodyState],
-        id: ContactId,
-        kinematics: &ContactKinematics,
-    ) -> bool {
+    pub(crate) fn pass_each_other(&self, states: &[BodyState], id: ContactId, kinematics: &ContactKinematics) -> bool {
         self.passing_contacts(states, id, kinematics).is_some()
     }
 

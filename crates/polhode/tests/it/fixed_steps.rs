@@ -9,7 +9,9 @@ use crate::support::{ball, brick, floor, run_even_degraded};
 use polhode::contact::Shape;
 use polhode::scene::{Attachment, DragLaw, Force, Integrator, Method, Tier};
 use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Effects, Geometry, Outcome, RunReport, Scene, SceneBuilder, Simulation, SimulationError, Unobserved};
+use polhode::{
+    Body, Effects, Geometry, Outcome, RunReport, Scene, SceneBuilder, Simulation, SimulationError, Unobserved,
+};
 
 const G: f64 = 9.81;
 
@@ -107,9 +109,8 @@ fn springs_gain_no_energy_at_any_step() {
         for damping in [0.0, 0.3, 30.0] {
             let (step, mass) = (1e-3, 1e-3);
             let stiffness = strength * mass / (step * step);
-            let spring = |a, b, rest_length| {
-                Force::Spring { a, b, stiffness, rest_length, damping: damping * mass / step }
-            };
+            let spring =
+                |a, b, rest_length| Force::Spring { a, b, stiffness, rest_length, damping: damping * mass / step };
             let on = |body, point| Attachment::Body { body, point };
             let world = spring(Attachment::World(DVec3::Z * 0.1), on(0, DVec3::ZERO), 0.1);
             let one = alone(world, mass, DVec3::X * 1e-3, DVec3::ZERO, DVec3::ZERO);

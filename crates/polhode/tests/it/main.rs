@@ -41,6 +41,7 @@ mod queries_of_all_tiers;
 mod refusals;
 mod rotational_friction;
 mod round_bodies;
+mod seams;
 mod slip_reversal;
 mod snapshots;
 mod stepped;
