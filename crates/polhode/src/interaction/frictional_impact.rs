@@ -130,7 +130,7 @@ pub(crate) fn solve(
         let rows = StruckRows { reactions, velocities_after, energy_change, friction_work_j, is_settled: true };
         return Ok(impact_of(assembly, contacts.len(), &struck, rows));
     }
-    let settled = settle_rotations(&blocks, &mut rotations, (&delassus, &before), settings.solver.acceptance, strike)?;
+    let settled = settle_rotations(&blocks, &mut rotations, (&delassus, &before), strike)?;
     let SettledRotations { found, reactions, is_settled } = settled;
     let given = delassus.times(&reactions)?;
     let velocities_after: Vec<f64> = given.iter().zip(&before).map(|(by, before)| by + before).collect();

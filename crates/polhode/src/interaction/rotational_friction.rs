@@ -13,9 +13,8 @@
 //! Method: rotations that are held are rows `l w = 0` beside the contact problem, with a length `l` of the pair: their
 //! reactions `M / l` are forces, and their friction is the number `c / l` (`interaction/rotation_row.rs`). One whose moment exceeds its limit
 //! turns against that moment. The moments of those that turn follow the normal forces, by repeating the solve until
-//! they change by no more than what counts as solved: a moment changes normal forces little or not at all. Where a
-//! repetition does not bring them nearer, they go half the way, which converges also where they would swing about their
-//! values. Fails where neither converges: the status of the solution says so.
+//! they no longer change: a moment changes normal forces little or not at all. Fails where that does not converge:
+//! the status of the solution says so.
 
 use super::friction_blocks::{FrictionBlocks, RowSolution};
 use crate::collision::contact_set::ContactId;
@@ -30,8 +29,8 @@ use std::ops::Range;
 /// Most repetitions of a solve. Each brings the moments nearer by the ratio of the length of friction to a lever arm.
 const MOST_SOLVES: usize = 64;
 
-/// A repetition brings moments nearer if it leaves at most this part of their change (no unit, between 0 and 1).
-const NEARER: f64 = 0.5;
+/// Moments that change by less than this fraction of the largest no longer change (1e-15 to 1e-12).
+const SETTLED: f64 = 1e-14;
 
 /// A moment may exceed its limit by this fraction of it (1e-13 to 1e-9): the residual of the solver.
 const LIMIT_ROUNDING: f64 = 1e-11;
@@ -79,8 +78,7 @@ pub(crate) struct SettledRotations<S> {
 /// Solves contacts with rotations that friction resists, each time by `solve`: it is given the blocks with rotations that
 /// are held, the constant terms with those of the moments of others, and the reactions of the solve before, and returns
 /// what it found with the reactions of the rows of the blocks. `blocks` hold all rows of `delassus` but those of
-/// `rotations`. Rotations that give way turn afterwards. Moments that change by at most the fraction `acceptance` of the
-/// largest, the residual that counts as solved, no longer change.
+/// `rotations`. Rotations that give way turn afterwards.
 ///
 /// # Errors
 /// When a number is not finite.
@@ -88,13 +86,11 @@ pub(crate) fn settle_rotations<S>(
     blocks: &FrictionBlocks,
     rotations: &mut [ResistedRotation],
     (delassus, constants): (&Delassus, &[f64]),
-    acceptance: f64,
     mut solve: impl FnMut(&FrictionBlocks, &[f64], Option<&[f64]>) -> Result<(S, Vec<f64>), ResponseError>,
 ) -> Result<SettledRotations<S>, ResponseError> {
     let mut moments = vec![0.0; constants.len()];
     let mut start: Option<Vec<f64>> = None;
     let mut solves = 0;
-    let mut last_change = f64::INFINITY;
     loop {
         let mut with_held = blocks.clone();
         for rotation in rotations.iter().filter(|rotation| rotation.turns.is_none()) {
@@ -117,7 +113,7 @@ pub(crate) fn settle_rotations<S>(
         }
         let most = moments.iter().fold(0.0, |most: f64, moment| most.max(moment.abs()));
         let change = moments.iter().zip(&before).fold(0.0, |most: f64, (new, old)| most.max((new - old).abs()));
-        let is_settled = !any && change <= acceptance * most;
+        let is_settled = !any && change <= SETTLED * most;
         if is_settled || solves == MOST_SOLVES {
             let used = if is_settled { &moments } else { &before };
             for (reaction, moment) in reactions.iter_mut().zip(used) {
@@ -125,12 +121,6 @@ pub(crate) fn settle_rotations<S>(
             }
             return Ok(SettledRotations { found, reactions, is_settled });
         }
-        if !any && change > NEARER * last_change {
-            for (moment, before) in moments.iter_mut().zip(&before) {
-                *moment = moment.midpoint(*before);
-            }
-        }
-        last_change = if any { f64::INFINITY } else { change };
         start = Some(reactions);
     }
 }
@@ -145,14 +135,13 @@ pub(crate) fn solve_with_rotations(
     delassus: &Delassus,
     constants: &[f64],
 ) -> Result<RowSolution, ResponseError> {
-    let settings = FrictionSettings::default();
     let solve = |blocks: &FrictionBlocks, constants: &[f64], start: Option<&[f64]>| {
-        let mut solved = blocks.solve(delassus, constants, start, &settings)?;
+        let mut solved = blocks.solve(delassus, constants, start, &FrictionSettings::default())?;
         let reactions = std::mem::take(&mut solved.reactions);
         Ok((solved, reactions))
     };
     let SettledRotations { found: mut solved, reactions, is_settled } =
-        settle_rotations(blocks, rotations, (delassus, constants), settings.acceptance, solve)?;
+        settle_rotations(blocks, rotations, (delassus, constants), solve)?;
     solved.reactions = reactions;
     let velocities = delassus.times(&solved.reactions)?;
     solved.velocities.resize(constants.len(), 0.0);
