@@ -1,7 +1,7 @@
 //! Energy from the states, held against the report, against time and against the ledger.
 
 use super::{Findings, Judged, State, Track};
-use crate::random_scene::model::{Force, Role};
+use crate::random_scene::model::{Force, RestitutionLaw, Role};
 use glam::DVec3;
 
 /// Relative to the scale: what two computations of one energy may differ by.
@@ -71,8 +71,15 @@ pub(super) fn hold(judged: &Judged<'_>, track: &Track, findings: &mut Findings) 
         findings.hold("loss below zero", -loss, RISE * scale, || format!("{name}: {loss:.3e} J of {scale:.3e}"));
     }
     if !may_add {
-        let loss = account.impact;
-        findings.hold("loss below zero", -loss, RISE * scale, || format!("impact: {loss:.3e} J of {scale:.3e}"));
+        // By Stronge's law no normal work is given back beyond what was taken; by the others with friction some may be, at
+        // the cost of friction.
+        let is_stronge = judged.model.restitution_law.is_none_or(|law| law == RestitutionLaw::Named("stronge"));
+        let (name, loss) = if is_stronge {
+            ("impact", account.impact)
+        } else {
+            ("impact and friction", account.impact + account.friction)
+        };
+        findings.hold("loss below zero", -loss, RISE * scale, || format!("{name}: {loss:.3e} J of {scale:.3e}"));
     }
     for (name, taken) in [("numerical", account.numerical), ("projection", account.projection)] {
         findings
