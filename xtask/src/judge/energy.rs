@@ -12,6 +12,9 @@ const RISE: f64 = 1e-8;
 /// Relative to the scale: what the integrator and projections may take or give in a run that ends well.
 const NUMERICAL: f64 = 1e-6;
 
+/// Of bodies at rest the energy of a lift by this height is the scale, m.
+const LEAST_HEIGHT: f64 = 1e-2;
+
 /// T, V and the largest T so far.
 fn energy(judged: &Judged<'_>, states: &[State]) -> (f64, f64) {
     let (mut kinetic, mut potential) = (0.0, 0.0);
@@ -57,8 +60,8 @@ pub(super) fn hold(judged: &Judged<'_>, track: &Track, findings: &mut Findings) 
         });
     }
     let is_driven = judged.model.bodies.iter().any(|body| matches!(body.role, Role::Moved(_)));
-    let may_add = judged.model.restitution_law.is_some_and(|law| law.may_add_energy());
-    let scale = moved.max(weight * 1e-2);
+    let may_add = judged.model.restitution_law.is_some_and(RestitutionLaw::may_add_energy);
+    let scale = moved.max(weight * LEAST_HEIGHT);
     if !is_driven && !may_add {
         for (pair, times) in energies.windows(2).zip(track.times.windows(2)) {
             let rise = total(pair[1]) - total(pair[0]);
