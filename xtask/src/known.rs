@@ -36,6 +36,24 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure { case: "FC-05", quantity: "F/(mu m g)", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "stop time", reason: FEW_FEET },
     KnownFailure {
+        case: "random scenes",
+        quantity: "seeds that end well and break a law",
+        reason: "4 of 100: the row of impacts is below zero (19: -3.7 % of the energy, 49: -0.1 %); in crowded stretches projections take \
+                 5e-5 of the energy of a spinning cone (53), the integrator 3.6e-6 (98)",
+    },
+    KnownFailure {
+        case: "random scenes",
+        quantity: "seeds whose copies are other runs",
+        reason: "2 of 100: the copies of 72 and 84 in other units have other bits (1.2e-15 and 1.1e-10 at the end)",
+    },
+    KnownFailure {
+        case: "random scenes",
+        quantity: "share that is degraded or fails",
+        reason: "10 of 100: impacts with friction of rolling and spinning whose moments do not settle (18, 61, 70, 81), or that leave a \
+                 body on a pivot no freedom (14, 43, 67); ends of bounces beyond 1e-9 of the energy (22, 58); Coulomb's law in a \
+                 crowded stretch (25)",
+    },
+    KnownFailure {
         case: "friction elsewhere",
         quantity: "tippe top, moved by 1e6 m",
         reason: "so far from the origin rounding makes the steps of slow slips short, and islands whose sliding steps have a small mean \

@@ -1,7 +1,7 @@
 //! Energy from the states, held against the report, against time and against the ledger.
 
 use super::{Findings, Judged, State, Track};
-use crate::random_scene::model::{Force, Role};
+use crate::random_scene::model::{Force, RestitutionLaw, Role};
 use glam::DVec3;
 
 /// Relative to the scale: what two computations of one energy may differ by.
@@ -11,6 +11,9 @@ const ROUNDING: f64 = 1e-11;
 const RISE: f64 = 1e-8;
 /// Relative to the scale: what the integrator and projections may take or give in a run that ends well.
 const NUMERICAL: f64 = 1e-6;
+
+/// Of bodies at rest the energy of a lift by this height is the scale, m.
+const LEAST_HEIGHT: f64 = 1e-2;
 
 /// T, V and the largest T so far.
 fn energy(judged: &Judged<'_>, states: &[State]) -> (f64, f64) {
@@ -57,8 +60,8 @@ pub(super) fn hold(judged: &Judged<'_>, track: &Track, findings: &mut Findings) 
         });
     }
     let is_driven = judged.model.bodies.iter().any(|body| matches!(body.role, Role::Moved(_)));
-    let may_add = judged.model.restitution_law.is_some_and(|law| law.may_add_energy());
-    let scale = moved.max(weight * 1e-2);
+    let may_add = judged.model.restitution_law.is_some_and(RestitutionLaw::may_add_energy);
+    let scale = moved.max(weight * LEAST_HEIGHT);
     if !is_driven && !may_add {
         for (pair, times) in energies.windows(2).zip(track.times.windows(2)) {
             let rise = total(pair[1]) - total(pair[0]);
@@ -71,8 +74,15 @@ pub(super) fn hold(judged: &Judged<'_>, track: &Track, findings: &mut Findings) 
         findings.hold("loss below zero", -loss, RISE * scale, || format!("{name}: {loss:.3e} J of {scale:.3e}"));
     }
     if !may_add {
-        let loss = account.impact;
-        findings.hold("loss below zero", -loss, RISE * scale, || format!("impact: {loss:.3e} J of {scale:.3e}"));
+        // By Stronge's law no normal work is given back beyond what was taken; by the others with friction some may be, at
+        // the cost of friction.
+        let is_stronge = judged.model.restitution_law.is_none_or(|law| law == RestitutionLaw::Named("stronge"));
+        let (name, loss) = if is_stronge {
+            ("impact", account.impact)
+        } else {
+            ("impact and friction", account.impact + account.friction)
+        };
+        findings.hold("loss below zero", -loss, RISE * scale, || format!("{name}: {loss:.3e} J of {scale:.3e}"));
     }
     for (name, taken) in [("numerical", account.numerical), ("projection", account.projection)] {
         findings

@@ -8,8 +8,14 @@ use std::f64::consts::TAU;
 
 /// Rounding of a quaternion, a prescribed pose, or the time of a sample, relative.
 const ROUNDING: f64 = 1e-12;
-/// Error of a flight, an impulse or a momentum, relative to the largest terms that it is made of. Tilts of a plane contact
-/// and the error allowed to an integrator are below it.
+/// Overlaps at the start that count as touch are removed by moves of this size at the most, m.
+const TOUCH: f64 = 1e-9;
+/// Arm about which a body without spin is given an angular momentum as a scale, m.
+const LEAST_ARM: f64 = 1e-2;
+/// Bodies nearer than this may touch, however slow they are, m.
+const LEAST_GAP: f64 = 1e-6;
+/// Error of a flight or a momentum, relative to the largest terms that it is made of. The error allowed to an integrator
+/// is below it.
 const MOTION: f64 = 1e-8;
 /// Error of an impulse of a plane, relative to the speeds: bounces too small to be resolved end at once, with what they
 /// would still have given.
@@ -67,21 +73,11 @@ pub(super) fn still_bodies(judged: &Judged<'_>, track: &Track, findings: &mut Fi
             };
             let state = &states[number];
             let off =
-                (state.position - position).length() + (state.orientation * orientation.inverse()).xyz_length() * 2.0;
+                (state.position - position).length() + (state.orientation * orientation.inverse()).xyz().length() * 2.0;
             // At the start overlaps that are rounding are removed.
-            let allowed = if body.is_free() { 1e-9 } else { ROUNDING * 10.0 };
+            let allowed = if body.is_free() { TOUCH } else { ROUNDING * 10.0 };
             findings.hold("prescribed motion", off, allowed, || format!("t = {t} s: {} is {off:.1e} off", body.name));
         }
-    }
-}
-
-trait VectorPart {
-    fn xyz_length(&self) -> f64;
-}
-
-impl VectorPart for DQuat {
-    fn xyz_length(&self) -> f64 {
-        DVec3::new(self.x, self.y, self.z).length()
     }
 }
 
@@ -103,7 +99,7 @@ pub(super) fn momentum(judged: &Judged<'_>, track: &Track, findings: &mut Findin
             linear += p;
             angular += orbital + spin;
             scale[0] += p.length();
-            scale[1] += orbital.length() + spin.length() + p.length() * 1e-2;
+            scale[1] += orbital.length() + spin.length() + p.length() * LEAST_ARM;
         }
         (linear, angular, scale)
     };
@@ -189,7 +185,7 @@ fn may_touch(judged: &Judged<'_>, pair: [usize; 2], states: [&Vec<State>; 2], dt
         at(states[0]).max(at(states[1]))
     };
     let fall = judged.model.gravity.length() * dt;
-    let most = 1.5 * dt * (speed(pair[0]) + speed(pair[1]) + fall) + 1e-6;
+    let most = 1.5 * dt * (speed(pair[0]) + speed(pair[1]) + fall) + LEAST_GAP;
     apart[0] <= most || apart[1] <= most
 }
 

@@ -124,10 +124,7 @@ fn around(ring: &Placed, radius: f64, other: &Placed, enough: f64) -> f64 {
     }
     let point =
         |angle: f64| ring.center + ring.rotation * (DVec3::new(libm::cos(angle), libm::sin(angle), 0.0) * radius);
-    let separation = |angle: f64| match &other.core {
-        Core::Segment(_) | Core::Circle(_) | Core::Point => distance::signed(other, point(angle)),
-        _ => distance::signed(other, point(angle)),
-    };
+    let separation = |angle: f64| distance::signed(other, point(angle));
     let step = TAU / CIRCLE_POINTS as f64;
     let values: Vec<f64> = (0..CIRCLE_POINTS).map(|k| separation(k as f64 * step)).collect();
     let value = |k: usize| values[k % CIRCLE_POINTS];

@@ -70,7 +70,7 @@ impl Generator<'_> {
             2 => Some("reflection"),
             _ => None,
         };
-        for _ in 0..1 + self.random.below(3) {
+        for _ in 0..=self.random.below(3) {
             let material = self.material();
             self.model.materials.push(material);
         }
@@ -89,7 +89,7 @@ impl Generator<'_> {
         let friction = random.one_of(&[0.0, 0.1, 0.3, 0.5, 1.0, any]);
         let more = random.between(1.0, 2.0);
         let static_friction = friction * random.one_of(&[1.0, 1.0, more]);
-        let length = random.between(0.0, 5e-3);
+        let length = random.between(0.0, 0.005);
         let bounce = random.unit();
         Material {
             friction,
@@ -169,7 +169,7 @@ impl Generator<'_> {
     /// Level ground with fixed bodies on it.
     fn obstacles(&mut self) {
         self.still(Form::HalfSpace(DVec3::Z), DVec3::ZERO, DQuat::IDENTITY, Role::Fixed);
-        for _ in 0..1 + self.random.below(3) {
+        for _ in 0..=self.random.below(3) {
             let (size, place) = (self.random.between(0.2, 0.5), self.random.vector(-0.4, 0.4));
             let form = self.form(size);
             let height = self.random.between(0.0, 0.4);
@@ -337,7 +337,7 @@ impl Generator<'_> {
             2 => Force::Drag {
                 is_quadratic: self.random.below(2) == 0,
                 translational: self.random.between(0.01, 1.0),
-                rotational: self.random.one_of(&[0.0, 1e-3]),
+                rotational: self.random.one_of(&[0.0, 0.001]),
             },
             _ => return,
         };

@@ -7,6 +7,9 @@ use glam::{DQuat, DVec3};
 use std::error::Error;
 use toml::{Table, Value};
 
+/// The tolerance of a method that names none (no unit): with a larger one it promises less.
+const DEFAULT_TOLERANCE: f64 = 1e-11;
+
 /// What is not known of a scene.
 fn unknown(what: &str) -> Box<dyn Error> {
     format!("the judge does not know {what}").into()
@@ -102,7 +105,9 @@ pub(crate) fn model(text: &str) -> Result<Model, Box<dyn Error>> {
     };
     if let Some(method) = table.get("method") {
         let method = Keys::of(method)?;
-        if !matches!(method.text("tier"), None | Some("accurate")) || method.number_or("tolerance", 0.0) > 1e-11 {
+        if !matches!(method.text("tier"), None | Some("accurate"))
+            || method.number_or("tolerance", 0.0) > DEFAULT_TOLERANCE
+        {
             return Err(unknown("what another tier or tolerance promises"));
         }
         if matches!(method.text("restitution_law"), Some("newton" | "whittaker")) {

@@ -55,7 +55,7 @@ impl Model {
             lines.extend(body.lines(stem, &mut written.meshes));
         }
         for force in &self.forces {
-            lines.extend(["".to_owned(), "[[forces]]".to_owned(), force.line(&self.bodies)]);
+            lines.extend([String::new(), "[[forces]]".to_owned(), force.line(&self.bodies)]);
         }
         written.text = lines.join("\n") + "\n";
         written

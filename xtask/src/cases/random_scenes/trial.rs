@@ -15,6 +15,9 @@ const MOST_STEPS: u64 = 60_000;
 /// A run that takes longer is ended, s.
 const MOST_S: f64 = 20.0;
 
+/// In a second.
+const NANOSECONDS: f64 = 1e9;
+
 /// How a run ended.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Ending {
@@ -79,7 +82,7 @@ impl Observer for Bounded {
 /// Computing time of this thread, s; nothing where the system does not tell it.
 fn computing_s() -> Option<f64> {
     let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
-    Some(told.split_whitespace().next()?.parse::<f64>().ok()? * 1e-9)
+    Some(told.split_whitespace().next()?.parse::<f64>().ok()? / NANOSECONDS)
 }
 
 impl Bounded {
