@@ -142,7 +142,7 @@ pub(super) fn tiles(context: &Context) -> CaseResult {
                     continue;
                 }
                 let change = largest(Tiles { tiles, gap, step }, &slider, speed);
-                let quantity = format!("{}, {speed} m/s, gap {gap:e} m, step {step:e} m", slider.name);
+                let quantity = format!("{}, step {step:e} m, gap {gap:e} m, {speed} m/s", slider.name);
                 rows.push(match change {
                     Ok(change) => Row::at_most(CASE, &quantity, KEPT, change),
                     Err(error) => Row::broken(CASE, &quantity, error.to_string()),
