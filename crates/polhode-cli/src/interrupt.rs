@@ -1,7 +1,7 @@
 //! Ctrl-C and SIGTERM are acted on within two seconds, wherever the program is.
 //!
 //! At first they end the program at once. While a run makes its steps, or pictures are drawn frame by frame
-//! ([`Interrupt::end_of_step`]), the first one ends the work at the end of that step or frame, so that a checkpoint can be
+//! ([`Interrupt::wait_for_steps`]), the first one ends the work at the end of that step or frame, so that a checkpoint can be
 //! written; a second one, or a step that has not ended [`PATIENCE`] later, ends the program at once. In no case is lost what
 //! was computed: files that hold whole samples are kept under their partial names, and all other temporary files removed.
 
@@ -69,7 +69,7 @@ impl Interrupt {
     }
 
     /// From now on the work looks after every step or frame whether it is to end.
-    pub(crate) fn end_of_step(&self) {
+    pub(crate) fn wait_for_steps(&self) {
         self.asked.looks.store(true, Ordering::SeqCst);
     }
 

@@ -68,7 +68,7 @@ fn prepared(args: &RunArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
 fn restored(args: &ResumeArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
     let progress = preparing(&args.output, "preparing the run");
     let mut checkpoint = Checkpoint::read(&args.from)?;
-    checkpoint.overrides.extend(args.duration.as_ref().map(|duration| scene::duration(duration)));
+    checkpoint.overrides.extend(args.duration.as_deref().map(scene::duration));
     let (loaded, simulation) = checkpoint.load(&args.from)?;
     let checkpoints = Checkpoints::new(&args.checkpoints, &args.from, &checkpoint.scene, checkpoint.overrides.clone())?;
     let mut inputs = loaded.mesh_files();
@@ -171,7 +171,7 @@ impl Run {
         failure::detail(&text::plan(&self.loaded, &scene::with_origins(&self.loaded, self.simulation.plan())));
         let (duration_s, at_start_s) = (self.loaded.scene.duration_s(), self.simulation.time());
         self.files.begin(&self.loaded, &self.simulation);
-        interrupt.end_of_step();
+        interrupt.wait_for_steps();
         self.progress.run(at_start_s, duration_s);
         let (observers, bar) = (self.files.observers(), &self.progress);
         let mut watch = Watch { observers, bar, interrupt, stop_s: f64::INFINITY, is_stopped: false };

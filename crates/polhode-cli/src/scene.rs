@@ -111,7 +111,7 @@ pub(crate) fn overrides(args: &ChangeArgs) -> Result<Vec<Override>, Failure> {
             overrides.push(Override::new(format!("command line ({flag})"), key, value));
         }
     }
-    overrides.extend(args.duration.as_ref().map(|value| duration(value)));
+    overrides.extend(args.duration.as_deref().map(duration));
     Ok(overrides)
 }
 

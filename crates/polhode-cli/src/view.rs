@@ -81,7 +81,7 @@ pub(crate) fn view(args: &ViewArgs, interrupt: &Interrupt) -> Result<(), Failure
         }
     }
     let report = if reports.len() == 1 { reports.swap_remove(0) } else { Value::Array(reports) };
-    interrupt.end_of_step();
+    interrupt.wait_for_steps();
     pictures.finish(&report, interrupt)?;
     print_paths(&paths)?;
     ended
@@ -192,7 +192,7 @@ fn show(
             let mut simulation = scene::prepare(&run.loaded, &args.changes)?;
             let mut bar = Progress::new("simulating");
             bar.run(0.0, run.loaded.scene.duration_s());
-            interrupt.end_of_step();
+            interrupt.wait_for_steps();
             let stop_s = f64::INFINITY;
             let mut watch = Watch { observers: vec![pictures], bar: &bar, interrupt, stop_s, is_stopped: false };
             let report = shown_to_its_end(&mut simulation, &mut watch);

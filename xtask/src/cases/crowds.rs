@@ -13,9 +13,9 @@ use crate::row::Row;
 use glam::DVec3;
 use polhode::contact::Shape;
 use polhode::mesh::{Cone, Cylinder, Primitive, solid_box};
-use polhode::scene::Material;
+use polhode::scene::{Material, Method};
 use polhode::spatial::{Mass, Pose, UnitVector, Velocity};
-use polhode::{Body, BodySample, CrowdingError, Effects, Method, Observer, Outcome, RunReport, Scene, Simulation};
+use polhode::{Body, BodySample, CrowdingError, Effects, Observer, Outcome, RunReport, Scene, Simulation};
 use std::error::Error;
 
 /// Random scenes with `--full`.

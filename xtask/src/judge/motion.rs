@@ -11,7 +11,10 @@ const ROUNDING: f64 = 1e-12;
 /// Error of a flight, an impulse or a momentum, relative to the largest terms that it is made of. Tilts of a plane contact
 /// and the error allowed to an integrator are below it.
 const MOTION: f64 = 1e-8;
-/// The same in runs with stretches of crowded events, in which errors of 1e-6 are allowed and told.
+/// Error of an impulse of a plane, relative to the speeds: bounces too small to be resolved end at once, with what they
+/// would still have given.
+const BOUNCES: f64 = 2e-5;
+/// Error of a flight or a momentum in runs with stretches of crowded events, in which errors of 1e-6 are allowed and told.
 const CROWDED: f64 = 1e-5;
 
 /// Whether all states are numbers, at the times asked for.
@@ -210,7 +213,8 @@ fn flight(judged: &Judged<'_>, interval: &Interval<'_>, findings: &mut Findings)
 
 /// The impulse of a plane on a body that can touch nothing else.
 fn coulomb(judged: &Judged<'_>, interval: &Interval<'_>, other: usize, normal: DVec3, findings: &mut Findings) {
-    let Interval { number, t, dt, before, after, limit } = *interval;
+    let Interval { number, t, dt, before, after, .. } = *interval;
+    let limit = BOUNCES;
     let gravity = judged.model.gravity;
     let gained = after.velocity - before.velocity - gravity * dt;
     let pressed = gained.dot(normal);

@@ -17,10 +17,13 @@ const ATTEMPTS: usize = 60;
 const GAP: f64 = 1e-3;
 /// Samples of a scene.
 const SAMPLES: f64 = 100.0;
+/// An odd number that spreads seeds over the states of the random numbers.
+const SPREAD: u64 = 0xD1B5_4A32_D192_ED03;
 
 /// The scene of this seed.
 pub(crate) fn scene(seed: u64) -> Model {
-    let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(0x5151));
+    // Not a multiple of the increment of the sequence, of which seeds that follow each other would be shifted pieces.
+    let mut random = Random(seed.wrapping_add(1).wrapping_mul(SPREAD));
     let mut generator = Generator { random: &mut random, model: empty(seed) };
     generator.setting();
     generator.bodies();

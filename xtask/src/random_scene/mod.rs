@@ -10,12 +10,14 @@
 //! | `generate` | the scene of a seed |
 //! | `polyhedra` | polyhedra whose faces and convex pieces are known |
 //! | `copies` | the same scene mirrored, turned, moved, in other units |
+//! | `reader` | a scene file as a model |
 //! | `written` | scene file and mesh files |
 
 pub(crate) mod copies;
 pub(crate) mod generate;
 pub(crate) mod model;
 mod polyhedra;
+pub(crate) mod reader;
 pub(crate) mod written;
 
 use clap::Args;

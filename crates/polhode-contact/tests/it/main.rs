@@ -33,6 +33,8 @@ mod round_gaps;
 mod round_impacts;
 mod round_touch;
 mod scenes;
+mod slivers;
+mod slow_departures;
 mod smooth_shapes;
 mod stacking;
 mod support;

@@ -115,13 +115,17 @@ impl NumericalLoss {
 
     /// As plain data.
     pub(super) fn save(&self) -> content::NumericalLoss {
-        let first = self.first.map(|First { t, rates }| (t, rates.oscillation, rates.decay));
+        let first = self.first.map(|First { t, rates }| {
+            let Rates { oscillation, decay } = rates;
+            content::FirstLoss { t, oscillation, decay }
+        });
         content::NumericalLoss { energy_j: self.energy_j, relative: self.relative, first }
     }
 
     /// From such data.
     pub(super) fn restored(saved: &content::NumericalLoss) -> Self {
-        let first = saved.first.map(|(t, oscillation, decay)| First { t, rates: Rates { oscillation, decay } });
+        let first = |content::FirstLoss { t, oscillation, decay }| First { t, rates: Rates { oscillation, decay } };
+        let first = saved.first.map(first);
         Self { energy_j: saved.energy_j, relative: saved.relative, first }
     }
 }

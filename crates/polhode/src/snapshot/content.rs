@@ -150,8 +150,17 @@ pub(crate) struct Measures {
 pub(crate) struct NumericalLoss {
     pub(crate) energy_j: f64,
     pub(crate) relative: f64,
-    /// When it first exceeded its limit, s, and the fastest rates then, 1/s: of oscillation and of decay.
-    pub(crate) first: Option<(f64, f64, f64)>,
+    /// When it first exceeded its limit.
+    pub(crate) first: Option<FirstLoss>,
+}
+
+/// What the integrator lost when it first exceeded its limit.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct FirstLoss {
+    pub(crate) t: f64,
+    /// The fastest rates then, 1/s.
+    pub(crate) oscillation: f64,
+    pub(crate) decay: f64,
 }
 
 /// Fixed steps that were too long.

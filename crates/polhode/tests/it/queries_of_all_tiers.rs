@@ -37,7 +37,8 @@ fn every_query_answers_in_every_tier() {
         let flown = DVec3::new(2.0, t, 3.0 - 0.5 * G * t * t);
         assert!((position(flying) - flown).length() < 1e-11, "{tier:?}");
         assert!((position(box_) - DVec3::Z * 0.1).length() < 1e-11, "{tier:?}");
-        assert!((position(hanging) - DVec3::new(5.0, 0.0, 3.0)).length() < 1e-6, "{tier:?}");
+        // The balance of a spring is held to g h^2.
+        assert!((position(hanging) - DVec3::new(5.0, 0.0, 3.0)).length() < 1e-5, "{tier:?}");
         let listed = simulation.bodies();
         assert!([box_, flying, hanging].iter().all(|&id| listed[id.index()] == simulation.body(id)), "{tier:?}");
 

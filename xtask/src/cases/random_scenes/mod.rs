@@ -86,9 +86,11 @@ pub(super) fn scenes(context: &Context) -> CaseResult {
         Row::exact(CASE, &named("seeds that panic"), "none", list(&|v| v.panics())),
         Row::exact(CASE, &named("seeds that are refused"), "none", list(&|v| v.is_refused())),
         Row::at_most(CASE, &named("share that is degraded or fails"), MOST_FAILED, share(&|v| v.fails())),
-        Row::at_most(CASE, &named("share that is slow"), MOST_SLOW, share(&|v| v.is_slow())),
+        Row::at_most(CASE, &named("share that takes very many steps"), MOST_SLOW, share(&|v| v.is_slow())),
         Row::info(CASE, &named("degraded or failed"), "", list(&|v| v.fails())),
-        Row::info(CASE, &named("slow"), "", list(&|v| v.is_slow())),
+        Row::info(CASE, &named("very many steps"), "", list(&|v| v.is_slow())),
+        Row::info(CASE, &named("share that takes longer than 20 s here"), MOST_SLOW, share(&|v| v.is_late())),
+        Row::info(CASE, &named("longer than 20 s here"), "", list(&|v| v.is_late())),
         Row::info(CASE, &named("longest run, s; most steps"), "", [slowest, most_steps as f64]),
     ])
 }
@@ -97,10 +99,14 @@ pub(super) fn scenes(context: &Context) -> CaseResult {
 #[derive(Debug, Args)]
 pub(crate) struct Options {
     /// First seed.
+    #[arg(default_value_t = 0)]
     first: u64,
     /// Number of seeds.
     #[arg(default_value_t = 1)]
     count: u64,
+    /// Scene files that are judged instead.
+    #[arg(long, num_args = 1.., conflicts_with_all = ["first", "count", "output"])]
+    files: Vec<PathBuf>,
     /// Run every kind of copy of every scene instead of one.
     #[arg(long)]
     all_copies: bool,
@@ -114,6 +120,15 @@ pub(crate) struct Options {
 /// # Errors
 /// When files cannot be written.
 pub(crate) fn run(options: &Options) -> Result<ExitCode, Box<dyn Error>> {
+    if !options.files.is_empty() {
+        for path in &options.files {
+            match Verdict::of_file(path) {
+                Ok(verdict) => println!("{}: {verdict}", path.display()),
+                Err(error) => println!("{}: not judged: {error}", path.display()),
+            }
+        }
+        return Ok(ExitCode::SUCCESS);
+    }
     let copies = if options.all_copies { Copies::All } else { Copies::One };
     let each = |verdict: &Verdict| {
         if verdict.is_right() {

@@ -7,12 +7,13 @@ use polhode::{
 };
 use std::error::Error;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
 use std::time::Instant;
 
-/// Steps after which a run is ended.
-pub(super) const MOST_STEPS: u64 = 60_000;
-/// A run is slow that takes longer, s.
-pub(super) const SLOW_S: f64 = 20.0;
+/// Steps and events after which a run is ended: it is slow on every machine.
+const MOST_STEPS: u64 = 60_000;
+/// A run that takes longer is ended, s.
+const MOST_S: f64 = 20.0;
 
 /// How a run ended.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,8 +26,10 @@ pub(super) enum Ending {
     Failed(String),
     /// The scene was not taken.
     Refused(String),
-    /// Ended after many steps or a long time.
+    /// Ended after many steps.
     Slow(String),
+    /// Ended after a long time.
+    Late(String),
     /// A panic.
     Panicked,
 }
@@ -36,7 +39,7 @@ pub(super) enum Ending {
 pub(super) struct Trial {
     pub(super) ending: Ending,
     pub(super) track: Track,
-    /// Steps made.
+    /// Steps and events.
     pub(super) steps: u64,
     /// s
     pub(super) wall_s: f64,
@@ -52,7 +55,7 @@ struct Bounded {
     computed_s: Option<f64>,
     pause_s: f64,
     is_paused: bool,
-    is_late: bool,
+    is_stopped: bool,
 }
 
 impl Observer for Bounded {
@@ -61,13 +64,15 @@ impl Observer for Bounded {
         self.track.states.push(bodies.iter().map(state).collect());
     }
 
-    fn event(&mut self, _event: &Event) {}
+    fn event(&mut self, _event: &Event) {
+        self.steps += 1;
+    }
 
     fn progress(&mut self, t: f64) -> Flow {
         self.steps += 1;
-        self.is_late = self.steps > MOST_STEPS || self.elapsed_s() > SLOW_S;
+        self.is_stopped = self.steps > MOST_STEPS || self.elapsed_s() > MOST_S;
         self.is_paused = t >= self.pause_s;
-        if self.is_late || self.is_paused { Flow::Stop } else { Flow::Continue }
+        if self.is_stopped || self.is_paused { Flow::Stop } else { Flow::Continue }
     }
 }
 
@@ -107,6 +112,11 @@ impl Trial {
             std::fs::write(folder.path().join(name), text)?;
         }
         let origin = folder.path().join("random.toml");
+        Ok(Self::of_text(&origin, &written.text, effects, pause))
+    }
+
+    /// Runs a scene from the text of its file.
+    pub(super) fn of_text(origin: &Path, text: &str, effects: Effects, pause: Pause) -> Self {
         let mut observer = Bounded {
             track: Track::default(),
             steps: 0,
@@ -114,10 +124,10 @@ impl Trial {
             computed_s: computing_s(),
             pause_s: pause.unwrap_or(f64::INFINITY),
             is_paused: false,
-            is_late: false,
+            is_stopped: false,
         };
         let ran = catch_unwind(AssertUnwindSafe(|| {
-            match polhode_scene::load_text(&origin.display().to_string(), &written.text, &[]) {
+            match polhode_scene::load_text(&origin.display().to_string(), text, &[]) {
                 Err(error) => Ending::Refused(error.to_string()),
                 Ok(loaded) => match run(&loaded.scene, effects, &mut observer) {
                     Ok(report) => ending(&report, &mut observer),
@@ -128,14 +138,14 @@ impl Trial {
         }));
         let wall_s = observer.elapsed_s();
         let Bounded { track, steps, .. } = observer;
-        Ok(Self { ending: ran.unwrap_or(Ending::Panicked), track, steps, wall_s })
+        Self { ending: ran.unwrap_or(Ending::Panicked), track, steps, wall_s }
     }
 }
 
 fn run(scene: &Scene, effects: Effects, observer: &mut Bounded) -> Result<RunReport, SimulationError> {
     let mut simulation = Simulation::new(scene, effects)?;
     let report = simulation.run(observer)?;
-    if !observer.is_paused || report.outcome == Outcome::Completed || observer.is_late {
+    if !observer.is_paused || report.outcome == Outcome::Completed || observer.is_stopped {
         return Ok(report);
     }
     observer.pause_s = f64::INFINITY;
@@ -161,9 +171,9 @@ fn ending(report: &RunReport, observer: &mut Bounded) -> Ending {
         end: report.energy.final_j,
         is_crowded: !report.crowded.is_empty(),
     };
-    if observer.is_late {
-        let steps = observer.steps;
-        return Ending::Slow(format!("at t = {} s of {} s after {steps} steps", report.simulated_s, report.duration_s));
+    if observer.is_stopped {
+        let place = format!("at t = {} s of {} s", report.simulated_s, report.duration_s);
+        return if observer.steps > MOST_STEPS { Ending::Slow(place) } else { Ending::Late(place) };
     }
     match report.outcome {
         Outcome::Completed => Ending::Completed,

@@ -6,13 +6,12 @@ use crate::judge::{Finding, judge};
 use crate::random::Random;
 use crate::random_scene::copies::SceneCopy;
 use crate::random_scene::model::Model;
+use crate::random_scene::reader;
 use glam::DVec3;
 use polhode::Effects;
 use std::error::Error;
 use std::fmt;
-
-/// A run is slow that takes more steps, whatever the machine.
-const SLOW_STEPS: u64 = super::trial::MOST_STEPS;
+use std::path::Path;
 
 /// How many kinds of copies are run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,6 +54,20 @@ impl Verdict {
             verdict.compare(model, &trial, copies)?;
         }
         Ok(verdict)
+    }
+
+    /// Of a scene file, without copies.
+    ///
+    /// # Errors
+    /// When it cannot be read, or the judge does not know what is in it.
+    pub(crate) fn of_file(path: &Path) -> Result<Self, Box<dyn Error>> {
+        let text = std::fs::read_to_string(path)?;
+        let mut model = reader::model(&text)?;
+        let trial = Trial::of_text(path, &text, Effects::Planned, None);
+        model.interval = trial.track.times.get(1).copied().unwrap_or_default();
+        let laws = if trial.ending == Ending::Completed { judge(&model, &trial.track) } else { Vec::new() };
+        let (steps, wall_s) = (trial.steps, trial.wall_s);
+        Ok(Self { seed: 0, ending: trial.ending, laws, copies: Vec::new(), steps, wall_s })
     }
 
     fn compare(&mut self, model: &Model, trial: &Trial, copies: Copies) -> Result<(), Box<dyn Error>> {
@@ -132,7 +145,7 @@ impl Verdict {
 
     /// Whether it ends well, breaks no law, and its copies are the same runs.
     pub(crate) fn is_right(&self) -> bool {
-        self.ending == Ending::Completed && self.laws.is_empty() && self.copies.is_empty() && !self.is_slow()
+        self.ending == Ending::Completed && self.laws.is_empty() && self.copies.is_empty()
     }
 
     /// Whether it ends well and breaks a law.
@@ -160,9 +173,14 @@ impl Verdict {
         matches!(self.ending, Ending::Degraded(_) | Ending::Failed(_))
     }
 
-    /// Whether it takes many steps or long.
+    /// Whether it takes very many steps.
     pub(super) fn is_slow(&self) -> bool {
-        matches!(self.ending, Ending::Slow(_)) || self.steps > SLOW_STEPS || self.wall_s > super::trial::SLOW_S
+        matches!(self.ending, Ending::Slow(_))
+    }
+
+    /// Whether it takes long on this machine.
+    pub(super) fn is_late(&self) -> bool {
+        matches!(self.ending, Ending::Late(_))
     }
 }
 
@@ -179,6 +197,7 @@ impl fmt::Display for Verdict {
             Ending::Failed(why) => write!(f, "failed: {}", first_line(why))?,
             Ending::Refused(why) => write!(f, "refused: {}", why.replace('\n', " "))?,
             Ending::Slow(why) => write!(f, "slow: {why}")?,
+            Ending::Late(why) => write!(f, "late: {why}")?,
             Ending::Panicked => write!(f, "panics")?,
         }
         for Finding { law, what, of_limit } in &self.laws {
