@@ -131,7 +131,8 @@ pub(super) fn tiles(context: &Context) -> CaseResult {
     let mut rows = Vec::new();
     let is_full = context.amount == Amount::Full;
     let tiles = if is_full { 20 } else { 3 };
-    let (speeds, angles): (&[f64], &[f64]) = if is_full { (&[0.1, 1.0, 10.0], &ANGLES) } else { (&[1.0], &ANGLES[2..3]) };
+    let (speeds, angles): (&[f64], &[f64]) =
+        if is_full { (&[0.1, 1.0, 10.0], &ANGLES) } else { (&[1.0], &ANGLES[2..3]) };
     for slider in sliders()? {
         for &speed in speeds {
             // A wheel on its rim falls over in the ten seconds and more that a slow one takes.
