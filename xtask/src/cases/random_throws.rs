@@ -163,7 +163,7 @@ impl Wall {
                 let size = DVec3::splat(WALL);
                 let mesh = || -> Result<Shape, Box<dyn Error>> {
                     let mesh = box_mesh(size)?;
-                    Ok(Shape::triangle_mesh(mesh.vertices().to_vec(), mesh.triangles().to_vec())?)
+                    Ok(Shape::triangle_mesh(mesh.mesh().vertices().to_vec(), mesh.mesh().triangles().to_vec())?)
                 };
                 (if kind == 1 { Shape::cuboid(size)? } else { mesh()? }, pose)
             }
