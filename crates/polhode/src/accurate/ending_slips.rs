@@ -18,7 +18,7 @@ use super::hold::Forces;
 use super::instant::Instant;
 use crate::SimulationError;
 use crate::collision::contact_set::{ContactId, Touch};
-use crate::collision::friction_mode::{FrictionMode, Slide};
+use crate::collision::friction_mode::FrictionMode;
 use crate::core::Core;
 use crate::interaction::groups::Group;
 use crate::interaction::projection::{self, Removal};
@@ -43,22 +43,24 @@ fn ends_at_once(world: &World, states: &[BodyState], id: ContactId, speed: f64, 
     speed > 0.0 && speed * speed <= 2.0 * deceleration * travel
 }
 
-/// The contacts whose slips have turned in a step and have become so slow at its end, with these states, that they are worth
-/// a look at the forces.
+/// The contacts whose slips have become so slow at the end of a step, with these states, that they are worth a look at the
+/// forces: those of pairs of which a slip has turned in the step.
 pub(super) fn fading_slips(core: &Core, step: &ConstrainedStep, states: &[BodyState]) -> BTreeSet<ContactId> {
-    let fades = |id: ContactId, slide: &Slide| {
-        let terms = core.world.tangential_kinematics(states, id)?;
+    let (mut fading, mut turned) = (BTreeSet::new(), BTreeSet::new());
+    for (&id, mode) in &step.active.friction {
+        let FrictionMode::Sliding(slide) = mode else { continue };
+        let Some(terms) = core.world.tangential_kinematics(states, id) else { continue };
         let speed = terms.slip_velocity.length();
-        let turns = slide.direction_of(terms.slip_velocity) != slide.direction;
         let deceleration = (slide.speed - speed) / (step.end - step.t);
-        let ends = turns && speed < SLOWED * slide.speed;
-        Some(ends && ends_at_once(&core.world, states, id, speed, deceleration))
-    };
-    let fading = step.active.friction.iter().filter_map(|(&id, mode)| match mode {
-        FrictionMode::Sliding(slide) => fades(id, slide)?.then_some(id),
-        FrictionMode::Sticking => None,
-    });
-    fading.collect()
+        if speed < SLOWED * slide.speed && ends_at_once(&core.world, states, id, speed, deceleration) {
+            fading.insert(id);
+            if slide.direction_of(terms.slip_velocity) != slide.direction {
+                turned.insert((id.a, id.b));
+            }
+        }
+    }
+    fading.retain(|id| turned.contains(&(id.a, id.b)));
+    fading
 }
 
 impl Engine {
@@ -134,12 +136,13 @@ impl Engine {
                 .map_err(|source| Core::response_error(instant.t, source))?;
         let newly: Vec<ContactId> = ended.iter().copied().filter(|&id| instant.change.stopping.insert(id)).collect();
         self.refresh_kinematics(core, instant);
-        if !self.friction_holds(core, instant, group, (candidates, &ended))? {
+        let holds = self.friction_holds(core, instant, group, (candidates, &ended));
+        if !matches!(holds, Ok(true)) {
             set_states(&mut self.states, &group.bodies, &sliding);
             instant.change.stopping.retain(|id| !newly.contains(id));
             instant.change.fading.retain(|id| !ended.contains(id));
             self.refresh_kinematics(core, instant);
-            return Ok(false);
+            return holds;
         }
         let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
         core.accounts.books.rest(before, after, slowed.work_j);

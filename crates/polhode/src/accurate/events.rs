@@ -25,7 +25,8 @@ use polhode_contact::aabb_of;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The tolerated problem that is counted when time steps replace the location of events.
-const UNSOLVED: &str = "contact forces were not found: time steps advance the bodies";
+const UNSOLVED: &str = "no forces were found that satisfy Coulomb's law for accelerations (a slip that presses its own contact \
+                        has several answers or none): time steps answer by its law for velocities";
 
 impl Engine {
     /// Resolves the event at `t` that was found for these bodies.
