@@ -66,10 +66,8 @@ fn mistyped_commands_are_recognised() {
         let said = Place::new().expect(2, &[typed, "scene.toml"]).stderr;
         assert!(said.contains("similar subcommand") && said.contains(meant), "{said}");
     }
-    for typed in ["frobnicate", "prob"] {
-        let said = Place::new().expect(2, &[typed]).stderr;
-        assert!(!said.contains("similar") && !said.contains("probe"), "{said}");
-    }
+    let said = Place::new().expect(2, &["frobnicate"]).stderr;
+    assert!(!said.contains("similar"), "{said}");
 }
 
 /// Quiet is quiet: no report, no notes; what is asked for as JSON and errors are told all the same.
