@@ -18,6 +18,10 @@ struct KnownFailure {
 const FEW_FEET: &str = "a disc of 108 feet stands for one that presses evenly: its sums are those of the feet to rounding, \
                         and integrals over the disc only as the number of feet grows (720 feet: 2e-3 of eps0)";
 
+/// Why flat bodies do not pass over a step of 1e-12 m as if it were not there.
+const TWO_LEVELS: &str = "the body keeps its velocity, but while it lies on both levels not all of its contacts can have zero \
+                          separation; projection leaves one of 1e-12 m, above the promised 3e-13 m, and the run is degraded";
+
 /// All of them.
 const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure {
@@ -35,6 +39,10 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure { case: "FC-05", quantity: "eps0", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "F/(mu m g)", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "stop time", reason: FEW_FEET },
+    KnownFailure { case: "seams", quantity: "box, step 1e-12 m", reason: TWO_LEVELS },
+    KnownFailure { case: "seams", quantity: "prism, step 1e-12 m", reason: TWO_LEVELS },
+    KnownFailure { case: "seams", quantity: "puck, step 1e-12 m", reason: TWO_LEVELS },
+    KnownFailure { case: "seams", quantity: "cone, step 1e-12 m", reason: TWO_LEVELS },
     KnownFailure {
         case: "random scenes",
         quantity: "seeds that end well and break a law",

@@ -36,6 +36,19 @@ const TOO_SMALL: f64 = 10.0;
 /// Errors below this are those of the located events and of rounding, m.
 const SMALLEST_ERROR_M: f64 = 1e-9;
 
+/// Tolerance of the stretches of the runs that are judged: the default.
+const TOLERANCE: f64 = 1e-6;
+
+/// Largest penetration in a sample of a run that is not degraded, of the size of a body: the promised limit at the default
+/// tolerance, with the rounding of the coordinates.
+const DEEPEST: f64 = 1e-11;
+
+/// Largest penetration beyond what the certificate says, of the size of a body: rounding of the lowest points.
+const UNTOLD: f64 = 1e-14;
+
+/// Output interval of the scenes whose samples are measured, s: no multiple of a step.
+const SAMPLES_S: f64 = 0.0037;
+
 /// Output intervals with which a scene is run, s.
 const INTERVALS_S: [f64; 3] = [0.0013, 0.01, 0.37];
 
@@ -215,7 +228,7 @@ pub(super) fn samples(context: &Context) -> CaseResult {
     let (mut deepest, mut untold) = (0.0_f64, 0.0_f64);
     for number in 0..count as u64 {
         let Thrown { scene, solids } = Thrown::new(number)?;
-        let scene = scene.with_output_interval(0.0037)?;
+        let scene = scene.with_output_interval(SAMPLES_S)?;
         let mut seen = Penetration { solids: &solids, deepest_m: 0.0 };
         let report = run(&scene, &mut seen)?;
         let size = solids.iter().map(|solid| -solid.lowest(&Pose::IDENTITY)).fold(f64::INFINITY, f64::min);
@@ -229,13 +242,13 @@ pub(super) fn samples(context: &Context) -> CaseResult {
         Row::at_most(
             case,
             "penetration of the floor in a sample of a run that is not degraded, of a size",
-            1e-11,
+            DEEPEST,
             deepest,
         ),
         Row::at_most(
             case,
             "penetration of the floor in a sample beyond that of the certificate, of a size",
-            1e-14,
+            UNTOLD,
             untold,
         ),
     ])
@@ -273,8 +286,7 @@ pub(super) fn estimates(context: &Context) -> CaseResult {
 
 /// The error of a run, in estimates of it.
 fn ratio(scene: &Scene, report: &RunReport, estimate: &CrowdingError) -> Result<f64, Box<dyn Error>> {
-    let tolerance = 1e-6 / FINER;
-    let method = Method { crowding_tolerance: Some(tolerance), ..scene.method().clone() };
+    let method = Method { crowding_tolerance: Some(TOLERANCE / FINER), ..scene.method().clone() };
     let finer = run(&scene.clone().with_method(method), &mut polhode::Unobserved)?;
     let error_m = |((_, own), (_, finer)): (&(String, BodySample), &(String, BodySample))| {
         (own.pose.translation - finer.pose.translation).length()

@@ -430,13 +430,16 @@ impl Search<'_> {
             let y = x.transform_point(*center);
             let away = y - ring.nearest(y);
             let (distance, rho) = (away.length(), ring.axis.cross(y - ring.center).length());
-            let least = rho - speed * window.length();
-            if least < LEAST_AXIS_DISTANCE * rho || distance == 0.0 {
-                return 0.0;
-            }
             let gap = distance - torus.minor - radius;
-            let only = (std::slice::from_ref(center), radius);
-            step = step.min(window.above_surfaces(of, only, speed * speed / least, |_| (away / distance, gap)));
+            let least = rho - speed * window.length();
+            // Near the axis the distance over the speed is all that is known.
+            let clear = if least < LEAST_AXIS_DISTANCE * rho || rho == 0.0 || distance == 0.0 {
+                (gap / speed).min(window.length())
+            } else {
+                let only = (std::slice::from_ref(center), radius);
+                window.above_surfaces(of, only, speed * speed / least, |_| (away / distance, gap))
+            };
+            step = step.min(clear);
         }
         step
     }

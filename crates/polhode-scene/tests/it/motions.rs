@@ -224,7 +224,8 @@ fn interpolations() {
     }
     let spline = ", interpolation = \"spline\"";
     assert!(highest(spline) > 42.0);
-    let [warning] = &scene(&with(&table(spline))).warnings()[..] else { panic!("one warning") };
+    let warnings = scene(&with(&table(spline))).warnings();
+    let [warning] = &warnings[..] else { panic!("one warning") };
     for part in ["mover", "z = 42.8 m", "between sample 0 and sample 1", "39.8 m beyond", "\"monotone\""] {
         assert!(warning.contains(part), "{part}: {warning}");
     }

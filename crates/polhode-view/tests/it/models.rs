@@ -145,7 +145,7 @@ fn fast_bodies_turn_forwards() {
             [&pair[0], &pair[1]].map(|q| [q[0], q[1], q[2], q[3]].map(f64::from));
         let cosine = x0 * x1 + y0 * y1 + z0 * z1 + w0 * w1;
         // Of the shortest way; its sense is that of the z component of q1 q0^-1.
-        let sine = w0 * z1 - z0 * w1 + y0 * x1 - x0 * y1;
+        let sine = w0 * z1 - z0 * w1 + x0 * y1 - y0 * x1;
         turned += 2.0 * libm::atan2(sine * cosine.signum(), cosine.abs());
     }
     assert!((turned - spin * duration_s).abs() < 1e-3, "{turned}");

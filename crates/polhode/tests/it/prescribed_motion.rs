@@ -321,10 +321,10 @@ fn vector(size: f64) -> impl Strategy<Value = DVec3> {
     prop::array::uniform3(-size..size).prop_map(DVec3::from_array)
 }
 
-/// Tables of three to seven samples with spacings between 0.01 and 1 s and turns of up to 3 rad.
+/// Smooth tables of three to seven samples with spacings between 0.01 and 1 s and turns of up to 3 rad.
 fn tables() -> impl Strategy<Value = MotionTable> {
     let sample = (0.01..1.0f64, vector(1.0), vector(1.7));
-    let kind = prop_oneof![Just(Interpolation::Monotone), Just(Interpolation::Spline), Just(Interpolation::Linear)];
+    let kind = prop_oneof![Just(Interpolation::Monotone), Just(Interpolation::Spline)];
     (prop::collection::vec(sample, 3..8), kind).prop_map(|(samples, interpolation)| {
         let (mut t, mut rotation) = (-0.3, Rotation::IDENTITY);
         let mut table = MotionTable { interpolation, ..MotionTable::default() };
