@@ -13,8 +13,7 @@
 //! place, and the distance by which the bodies approach in that time is added to the limit of penetration. A run that
 //! exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is a run of any tier with a
 //! problem that was not solved to its tolerance, or with forces of friction that violate Coulomb's law by more than
-//! [`CONE_LIMIT`](crate::interaction::cone_violation::CONE_LIMIT), in time steps by more than
-//! [`STEP_CONE_LIMIT`](crate::interaction::cone_violation::STEP_CONE_LIMIT), relative to the largest force of their problem.
+//! [`CONE_LIMIT`](crate::interaction::cone_violation::CONE_LIMIT) relative to the largest force of their problem.
 
 use crate::accounting::books::Balance;
 use crate::accounting::measures::{Limits, Measure};
