@@ -15,8 +15,7 @@
 //! exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is a run of any tier in which ending
 //! bounces took more than 1e-9 of E beyond the energy of the bounces themselves, or with a problem that was not solved to
 //! its tolerance, or with forces of friction that violate Coulomb's law by more than
-//! [`CONE_LIMIT`](crate::interaction::cone_violation::CONE_LIMIT), in time steps by more than
-//! [`STEP_CONE_LIMIT`](crate::interaction::cone_violation::STEP_CONE_LIMIT), relative to the largest force of their problem.
+//! [`CONE_LIMIT`](crate::interaction::cone_violation::CONE_LIMIT) relative to the largest force of their problem.
 
 use crate::accounting::books::Balance;
 use crate::accounting::measures::{Limits, Measure};

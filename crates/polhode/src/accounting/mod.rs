@@ -13,7 +13,7 @@ mod stretches;
 
 use crate::collision::contact_set::ContactId;
 use crate::event::EventKind;
-use crate::interaction::cone_violation::STEP_CONE_LIMIT;
+use crate::interaction::cone_violation::CONE_LIMIT;
 use crate::interaction::impact::raised_energy;
 use crate::observer::Observer;
 use crate::scene::ImpactLaw;
@@ -105,7 +105,7 @@ impl Accounts {
     pub(crate) fn note_time_step(&mut self, world: &World, t: f64, states: &[BodyState], report: &TimeStepReport) {
         self.books.enter(&report.books);
         self.certificate.max_residual = self.certificate.max_residual.max(report.residual);
-        self.measures.note_friction(t, report.cone_violation, STEP_CONE_LIMIT);
+        self.measures.note_friction(t, report.cone_violation, CONE_LIMIT);
         for _ in 0..report.fallbacks {
             self.tolerate(t, "a contact problem of a time step was solved approximately");
         }
