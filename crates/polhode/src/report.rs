@@ -191,7 +191,8 @@ pub struct RunReport {
 impl RunReport {
     /// Total time in stretches of crowded events, s; where those of two islands overlap in time it counts once.
     pub fn crowded_s(&self) -> f64 {
-        let mut intervals: Vec<(f64, f64)> = self.crowded.iter().map(|stretch| (stretch.from_s, stretch.to_s)).collect();
+        let mut intervals: Vec<(f64, f64)> =
+            self.crowded.iter().map(|stretch| (stretch.from_s, stretch.to_s)).collect();
         intervals.sort_by(|x, y| x.0.total_cmp(&y.0));
         let (mut total, mut covered_to) = (0.0, f64::NEG_INFINITY);
         for (from, to) in intervals {

@@ -382,7 +382,9 @@ impl Simulation {
         if let Companion::Lost(reason) = &self.companion {
             accounts.warn(
                 self.core.t,
-                format!("the error of stretches of crowded events is not known: the run that estimates it ended: {reason}"),
+                format!(
+                    "the error of stretches of crowded events is not known: the run that estimates it ended: {reason}"
+                ),
             );
         }
         self.tier.book_present(&self.core, &mut accounts)?;

@@ -81,7 +81,11 @@ impl LongSteps {
             format!("{name} turned by {turn:.3} rad")
         };
         let enough = step_s / worst.excess() * 0.95;
-        let times = if self.count == 1 { "once".to_owned() } else { format!("{} times, first at t = {} s", self.count, self.first_s) };
+        let times = if self.count == 1 {
+            "once".to_owned()
+        } else {
+            format!("{} times, first at t = {} s", self.count, self.first_s)
+        };
         Some(format!(
             "t = {t} s: {moved} in one step of {step_s:e} s, where contacts may be missed ({times}): a step of {enough:.1e} s \
              would do"
@@ -90,7 +94,13 @@ impl LongSteps {
 
     /// As plain data.
     pub(super) fn save(&self) -> content::LongSteps {
-        let worst = self.worst.map(|Movement { body, t, step_s, travel, turn }| content::Movement { body, t, step_s, travel, turn });
+        let worst = self.worst.map(|Movement { body, t, step_s, travel, turn }| content::Movement {
+            body,
+            t,
+            step_s,
+            travel,
+            turn,
+        });
         content::LongSteps { count: self.count, first_s: self.first_s, worst }
     }
 
@@ -98,6 +108,10 @@ impl LongSteps {
     pub(super) fn restored(saved: &content::LongSteps, bodies: usize) -> Option<Self> {
         let movement = |content::Movement { body, t, step_s, travel, turn }| Movement { body, t, step_s, travel, turn };
         let worst = saved.worst.map(movement);
-        worst.is_none_or(|worst| worst.body < bodies).then_some(Self { count: saved.count, first_s: saved.first_s, worst })
+        worst.is_none_or(|worst| worst.body < bodies).then_some(Self {
+            count: saved.count,
+            first_s: saved.first_s,
+            worst,
+        })
     }
 }

@@ -8,9 +8,9 @@
 //! what the order describes, the fastest rates of the forces give it: an oscillation of rate w over the time T loses
 //! about `w T (w h)^p`, a decay of rate c about `(c h)^p`.
 
+use crate::Ledger;
 use crate::snapshot::content;
 use crate::world::{Rates, World};
-use crate::Ledger;
 use polhode_dynamics::BodyState;
 
 /// The part of the largest energy of a run that its integrator may lose or gain (no unit, 1e-3 to 1e-1). A speed is then

@@ -58,16 +58,9 @@ mod tests {
         stretches.step(second, 0.25, &report(4, 1e-7), 1e-8);
         assert_eq!(stretches.begin(0.3, 4), first);
         stretches.step(first, 0.35, &report(1, 0.0), 0.0);
-        let first = CrowdedStretch {
-            from_s: 0.1,
-            to_s: 0.35,
-            bodies: 4,
-            steps: 4,
-            error: 1e-7 + 2e-7,
-            max_residual: 1e-9,
-        };
-        let second =
-            CrowdedStretch { from_s: 0.15, to_s: 0.25, bodies: 5, steps: 4, error: 1e-8, max_residual: 1e-7 };
+        let first =
+            CrowdedStretch { from_s: 0.1, to_s: 0.35, bodies: 4, steps: 4, error: 1e-7 + 2e-7, max_residual: 1e-9 };
+        let second = CrowdedStretch { from_s: 0.15, to_s: 0.25, bodies: 5, steps: 4, error: 1e-8, max_residual: 1e-7 };
         assert_eq!(stretches.0, [first, second]);
     }
 }

@@ -38,7 +38,8 @@ impl Engine {
             let Step::Constrained(step) = &island.step else { continue };
             let is_member = |body: usize| island.bodies.binary_search(&body).is_ok();
             let stays = |body: usize| is_member(body) || !core.world.bodies[body].moves();
-            let overlaps = deep.iter().copied().filter(|&(a, b)| (is_member(a) || is_member(b)) && stays(a) && stays(b));
+            let overlaps =
+                deep.iter().copied().filter(|&(a, b)| (is_member(a) || is_member(b)) && stays(a) && stays(b));
             let overlaps: BTreeSet<(usize, usize)> = overlaps.collect();
             if overlaps.is_empty() {
                 continue;

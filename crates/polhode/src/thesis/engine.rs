@@ -3,9 +3,9 @@
 use super::impulse_models::{move_apart, strike_unconditionally};
 use super::system::LoadedBodies;
 use crate::accounting::books::Received;
+use crate::accounting::long_steps::Movement;
 use crate::collision::boxes::Boxes;
 use crate::collision::contact_set::{ContactId, Touch};
-use crate::accounting::long_steps::Movement;
 use crate::core::Core;
 use crate::error_estimate::{EVERY, ErrorEstimate};
 use crate::event::EventKind;

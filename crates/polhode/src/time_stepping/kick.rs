@@ -91,7 +91,8 @@ fn add_differences(
         let (start, end) = (&before[place], &states[*body]);
         let mean = |a: polhode_spatial::DVec3, b: polhode_spatial::DVec3| (a + b) * 0.5;
         let (from, to) = (rigid.velocity(start), rigid.velocity(end));
-        let work = impulse.linear.dot(mean(from.linear, to.linear)) + impulse.angular.dot(mean(from.angular, to.angular));
+        let work =
+            impulse.linear.dot(mean(from.linear, to.linear)) + impulse.angular.dot(mean(from.angular, to.angular));
         match account {
             Account::Potential => {}
             Account::Damping => received.damping_j -= work,

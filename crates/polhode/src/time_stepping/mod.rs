@@ -26,8 +26,8 @@
 
 mod contacts;
 mod halving;
-mod implicit_kick;
 mod impacts;
+mod implicit_kick;
 mod kick;
 mod projection;
 mod report;

@@ -24,7 +24,8 @@ fn energy(simulation: &Simulation, balls: &[Known]) -> f64 {
         let body = simulation.body(known.id);
         let (v, w) = (body.velocity.linear.length_squared(), body.velocity.angular.length_squared());
         let stretch = if known.on_spring { (body.pose.translation - ANCHOR).length() } else { 0.0 };
-        0.5 * known.mass * (v + 0.4 * 0.01 * w) + known.mass * G * body.pose.translation.z
+        0.5 * known.mass * (v + 0.4 * 0.01 * w)
+            + known.mass * G * body.pose.translation.z
             + 0.5 * STIFFNESS * stretch * stretch
     };
     balls.iter().map(of).sum()
@@ -61,7 +62,8 @@ fn the_energy_is_that_of_the_bodies_that_are_there() {
             simulation.advance_to(t, &mut Unobserved).unwrap();
             let place = (random.uniform() * balls.len() as f64) as usize;
             let what = (4.0 * random.uniform()) as usize;
-            let at = DVec3::new(10.0 + f64::from(action), between(&mut random, -1.0, 1.0), between(&mut random, 0.5, 4.0));
+            let at =
+                DVec3::new(10.0 + f64::from(action), between(&mut random, -1.0, 1.0), between(&mut random, 0.5, 4.0));
             match (what, balls.get(place).map(|known| known.id)) {
                 (0, Some(id)) => {
                     simulation.remove_body(id).unwrap();
