@@ -140,6 +140,7 @@
 //! [`mesh`], [`response`] and [`spatial`].
 
 mod acceleration;
+mod accompany;
 mod accounting;
 mod accurate;
 mod action_error;

@@ -88,7 +88,7 @@ pub struct Simulation {
     /// Whether the end of the scene's duration has been reached.
     ended: bool,
     /// The run that estimates the error of stretches of crowded events.
-    pub(crate) companion: Companion,
+    pub(crate) companion: Companion<Self>,
 }
 
 impl Simulation {

@@ -126,6 +126,12 @@ fn largest(laid: Tiles, slider: &Slider, speed: f64, angles: &[f64]) -> Result<f
     Ok(most)
 }
 
+/// Gaps and steps between tiles (m): none, far below the size at which a step trips, and at it.
+const GAPS_AND_STEPS: [(f64, f64); 5] = [(0.0, 0.0), (1e-12, 0.0), (1e-9, 0.0), (0.0, 1e-12), (1e-9, 1e-12)];
+
+/// Relative change of the velocity that shows that a body has tripped (no unit, 1e-6 to 1e-1).
+const TRIPPED: f64 = 1e-3;
+
 /// Fixed tiles, with gaps and steps.
 pub(super) fn tiles(context: &Context) -> CaseResult {
     let mut rows = Vec::new();
@@ -139,7 +145,7 @@ pub(super) fn tiles(context: &Context) -> CaseResult {
             if slider.name == "wheel" && speed < 1.0 {
                 continue;
             }
-            for (gap, step) in [(0.0, 0.0), (1e-12, 0.0), (1e-9, 0.0), (0.0, 1e-12), (1e-9, 1e-12)] {
+            for (gap, step) in GAPS_AND_STEPS {
                 if !is_full && gap > 0.0 && step > 0.0 {
                     continue;
                 }
@@ -152,7 +158,7 @@ pub(super) fn tiles(context: &Context) -> CaseResult {
             }
         }
         let high = Tiles { tiles: 2, gap: 0.0, step: 0.02 * slider.height };
-        let trips = change(high.bodies()?, &slider, DVec3::X, high.way())? > 1e-3;
+        let trips = change(high.bodies()?, &slider, DVec3::X, high.way())? > TRIPPED;
         rows.push(Row::exact(CASE, &format!("{} trips over a real step", slider.name), "yes", word(trips)));
     }
     Ok(rows)

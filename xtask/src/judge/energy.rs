@@ -1,6 +1,6 @@
 //! Energy from the states, held against the report, against time and against the ledger.
 
-use super::{Findings, Judged, State, Track};
+use super::judged::{Findings, Judged, State, Track};
 use crate::random_scene::model::{Force, RestitutionLaw, Role};
 use glam::DVec3;
 

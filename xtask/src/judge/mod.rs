@@ -16,6 +16,7 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | `judged` | the run and the scene that are judged, and the findings |
 //! | `piece` | shapes as unions of thickened convex cores and rings |
 //! | `distance` | distance of a point from a core |
 //! | `separation` | separation of two cores |
@@ -26,111 +27,19 @@
 
 mod distance;
 mod energy;
+mod judged;
 mod mass;
 mod motion;
 mod pairs;
 mod piece;
 mod separation;
 
-use crate::random_scene::model::{Body, Form, Model, Role};
-use glam::{DQuat, DVec3};
+use crate::random_scene::model::{Form, Model, Role};
+use judged::Judged;
 use mass::Weight;
 
+pub(crate) use judged::{Account, Finding, Findings, State, Track};
 pub(crate) use pairs::are_apart;
-
-/// A body at one time.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct State {
-    /// Of the body's own origin, m.
-    pub(crate) position: DVec3,
-    pub(crate) orientation: DQuat,
-    /// Of the centre of mass, m/s; of a kinematic body of its origin.
-    pub(crate) velocity: DVec3,
-    /// rad/s
-    pub(crate) angular_velocity: DVec3,
-}
-
-/// What a run has written.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Track {
-    /// Times of the samples, s.
-    pub(crate) times: Vec<f64>,
-    /// States of all bodies at these times.
-    pub(crate) states: Vec<Vec<State>>,
-    /// The terms of the ledger.
-    pub(crate) account: Account,
-}
-
-/// The ledger of a run, J.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Account {
-    pub(crate) impact: f64,
-    pub(crate) friction: f64,
-    pub(crate) rest: f64,
-    pub(crate) damping: f64,
-    pub(crate) external: f64,
-    pub(crate) projection: f64,
-    pub(crate) numerical: f64,
-    /// Energy at the start and at the end.
-    pub(crate) initial: f64,
-    pub(crate) end: f64,
-    /// Whether time steps have passed a stretch of crowded events.
-    pub(crate) is_crowded: bool,
-}
-
-/// A law that a run has broken.
-#[derive(Debug, Clone)]
-pub(crate) struct Finding {
-    /// Which law.
-    pub(crate) law: &'static str,
-    /// Where and by how much.
-    pub(crate) what: String,
-    /// How many times the limit.
-    pub(crate) of_limit: f64,
-}
-
-/// The findings, the worst of each law.
-#[derive(Debug, Default)]
-pub(crate) struct Findings(Vec<Finding>);
-
-impl Findings {
-    /// Holds a magnitude against its limit.
-    fn hold(&mut self, law: &'static str, amount: f64, limit: f64, what: impl FnOnce() -> String) {
-        if amount <= limit {
-            return;
-        }
-        let of_limit = amount / limit;
-        let found = self.0.iter_mut().find(|finding| finding.law == law);
-        match found {
-            Some(finding) if finding.of_limit >= of_limit => {}
-            Some(finding) => *finding = Finding { law, what: what(), of_limit },
-            None => self.0.push(Finding { law, what: what(), of_limit }),
-        }
-    }
-}
-
-/// The scene with what is computed once.
-struct Judged<'a> {
-    model: &'a Model,
-    weights: Vec<Weight>,
-}
-
-impl Judged<'_> {
-    fn body(&self, number: usize) -> &Body {
-        &self.model.bodies[number]
-    }
-
-    /// The centre of mass of a body, m.
-    fn center(&self, number: usize, state: &State) -> DVec3 {
-        state.position + state.orientation * self.weights[number].center
-    }
-
-    /// Its angular momentum about the centre of mass, N m s.
-    fn spin(&self, number: usize, state: &State) -> DVec3 {
-        let own = state.orientation.inverse() * state.angular_velocity;
-        state.orientation * (self.weights[number].inertia * own)
-    }
-}
 
 /// Volume of a shape, m^3; that of a compound is the sum of its parts.
 pub(crate) fn volume(form: &Form) -> f64 {

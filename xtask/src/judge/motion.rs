@@ -1,7 +1,7 @@
 //! States, prescribed motions, momentum, free flight and Coulomb's law.
 
+use super::judged::{Findings, Judged, State, Track};
 use super::pairs::Near;
-use super::{Findings, Judged, State, Track};
 use crate::random_scene::model::{Force, Form, Motion, Role};
 use glam::{DQuat, DVec3};
 use std::f64::consts::TAU;

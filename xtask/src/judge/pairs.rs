@@ -1,8 +1,8 @@
 //! Separations of all pairs of bodies at every sample.
 
+use super::judged::{Findings, Judged, Track};
 use super::piece::{Piece, Placed, pieces};
 use super::separation::separation;
-use super::{Findings, Judged, Track};
 use crate::random_scene::model::Body;
 use glam::DVec3;
 use std::collections::BTreeMap;

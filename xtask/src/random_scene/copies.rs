@@ -55,11 +55,6 @@ impl SceneCopy {
         }
     }
 
-    /// Factor of times.
-    pub(crate) fn time(self) -> f64 {
-        self.units().time
-    }
-
     /// Factor of lengths.
     pub(crate) fn length(self) -> f64 {
         self.units().length

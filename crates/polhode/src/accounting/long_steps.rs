@@ -58,7 +58,7 @@ impl LongSteps {
     /// Records how far a body moved in one step; those within the limits are ignored.
     pub(crate) fn note(&mut self, movement: Movement) {
         // NaN is detected by the check of states.
-        if !(movement.excess() > 1.0) {
+        if movement.excess().is_nan() || movement.excess() <= 1.0 {
             return;
         }
         if self.count == 0 {

@@ -15,7 +15,7 @@ impl Accounts {
     pub(crate) fn save(&self) -> content::Accounts {
         content::Accounts {
             books: save_books(&self.books),
-            certificate: save_certificate(self.certificate),
+            certificate: save_certificate(&self.certificate),
             warnings: self.warnings.save(),
             tolerated: self.tolerated.save(),
             measures: self.measures.save(),
@@ -157,24 +157,15 @@ fn restored_momentum(saved: &content::MomentumLedger) -> MomentumLedger {
     }
 }
 
-fn save_certificate(certificate: Certificate) -> content::Certificate {
+fn save_certificate(certificate: &Certificate) -> content::Certificate {
     // The other fields are computed when a report is filled, from the measures and from what was tolerated.
-    let Certificate {
-        max_residual,
-        max_penetration_m,
-        max_acceleration_error_bound,
-        max_step_error,
-        estimated_error,
-        fallbacks,
-        ..
-    } = certificate;
     content::Certificate {
-        max_residual,
-        max_penetration_m,
-        max_acceleration_error_bound,
-        max_step_error,
-        estimated_error,
-        fallbacks,
+        max_residual: certificate.max_residual,
+        max_penetration_m: certificate.max_penetration_m,
+        max_acceleration_error_bound: certificate.max_acceleration_error_bound,
+        max_step_error: certificate.max_step_error,
+        estimated_error: certificate.estimated_error,
+        fallbacks: certificate.fallbacks,
     }
 }
 

@@ -51,7 +51,7 @@ impl PresentForces {
         let loads = world.loads_on(core.t, states, bodies);
         let body = |(body, linear, angular): (usize, DVec3, DVec3)| BodyAcceleration { body, linear, angular };
         if contacts.iter().any(|touch| world.friction_of(touch.id.a, touch.id.b).is_some()) {
-            let contacts: Vec<Touch> = contacts.iter().map(|touch| with_modes(core, states, *touch)).collect();
+            let contacts: Vec<Touch> = contacts.iter().map(|touch| with_modes(core, states, touch)).collect();
             let found = FrictionalAccelerations::solve(world, (core.t, states), bodies, &contacts, &loads)?;
             return Ok(Self {
                 normal: found.solution.forces.iter().take(contacts.len()).copied().collect(),
@@ -77,7 +77,7 @@ impl PresentForces {
 }
 
 /// The contact with its modes: it slides or turns where its velocity is more than a step leaves of one that is held.
-fn with_modes(core: &Core, states: &[BodyState], touch: Touch) -> Touch {
+fn with_modes(core: &Core, states: &[BodyState], touch: &Touch) -> Touch {
     let world = &core.world;
     let none = STICKING_RELATIVE * world.gravity().length() * core.settings.step_s;
     let noise = world.velocity_rounding(states, &[touch.id.a, touch.id.b]);
@@ -93,5 +93,5 @@ fn with_modes(core: &Core, states: &[BodyState], touch: Touch) -> Touch {
         turn.friction(world, (touch.id.a, touch.id.b))?;
         mode(turn.part(rotation, touch.kinematics.geometry.normal), size)
     };
-    Touch { friction: mode(slip, 1.0), rotation: RotationModes::of(turn), ..touch }
+    Touch { friction: mode(slip, 1.0), rotation: RotationModes::of(turn), ..*touch }
 }

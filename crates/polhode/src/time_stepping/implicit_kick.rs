@@ -102,7 +102,7 @@ impl<'a> ImplicitKick<'a> {
         let mut kick = Self { world, states, bodies, elements: Vec::with_capacity(responses.len()) };
         let stiffness = kick.stiffness_of_bodies(&responses, h);
         for (account, response) in responses {
-            let element = kick.element(account, response, &stiffness, h);
+            let element = kick.element(account, &response, &stiffness, h);
             if element.matrix != DMat3::ZERO || element.rotational != DMat3::ZERO || element.turning != [0.0; 2] {
                 kick.elements.push(element);
             }
@@ -131,7 +131,7 @@ impl<'a> ImplicitKick<'a> {
         sums
     }
 
-    fn element(&self, account: Account, response: ForceResponse, stiffness: &[f64], h: f64) -> Element {
+    fn element(&self, account: Account, response: &ForceResponse, stiffness: &[f64], h: f64) -> Element {
         let places = response.ends.map(|end| end.and_then(|end| self.place(&end)));
         let x: f64 = places.iter().flatten().map(|&place| stiffness[place]).sum();
         let along = if x > 1.0 { 0.25 - 0.25 / x } else { 0.0 };
@@ -143,10 +143,10 @@ impl<'a> ImplicitKick<'a> {
         let pull = (a - b) * h;
         Element {
             account,
-            response,
+            response: *response,
             places,
             matrix: response.stiffness * (h * along * h) + response.damping * (h * part),
-            rotational: self.rotational(&response, h),
+            rotational: self.rotational(response, h),
             turning: response.rotational_stiffness.map(|stiffness| stiffness * (h * along * h)),
             given: response.stiffness * pull * (-0.5 * h * along * h) - response.damping * pull * (h * (part - 0.5)),
         }
@@ -184,8 +184,8 @@ impl<'a> ImplicitKick<'a> {
     /// Adds `factor` times the implicit impulses against these changes of velocity.
     fn add_resisting(&self, changes: &[Twist], out: &mut [Twist], factor: f64) {
         for element in &self.elements {
-            let impulse = element.matrix * self.relative(element, changes) * factor;
-            self.push(element, impulse, out);
+            let impulse = element.matrix * Self::relative(element, changes) * factor;
+            Self::push(element, impulse, out);
             if let Some(place) = element.places[0] {
                 out[place].angular += element.rotational * changes[place].angular * factor;
             }
@@ -198,7 +198,7 @@ impl<'a> ImplicitKick<'a> {
     }
 
     /// The relative velocity of both ends of an element.
-    fn relative(&self, element: &Element, velocities: &[Twist]) -> DVec3 {
+    fn relative(element: &Element, velocities: &[Twist]) -> DVec3 {
         let at = |index: usize| {
             let (Some(place), Some(end)) = (element.places[index], element.response.ends[index]) else {
                 return DVec3::ZERO;
@@ -209,7 +209,7 @@ impl<'a> ImplicitKick<'a> {
     }
 
     /// Adds an impulse at the first end of an element, and its opposite at the second.
-    fn push(&self, element: &Element, impulse: DVec3, out: &mut [Twist]) {
+    fn push(element: &Element, impulse: DVec3, out: &mut [Twist]) {
         for (index, impulse) in [(0, impulse), (1, -impulse)] {
             if let (Some(place), Some(end)) = (element.places[index], element.response.ends[index]) {
                 out[place].linear += impulse;
@@ -250,7 +250,7 @@ impl<'a> ImplicitKick<'a> {
     pub(super) fn solve(&self, forces: &[Twist]) -> Vec<Twist> {
         let mut residual = forces.to_vec();
         for element in &self.elements {
-            self.push(element, element.given, &mut residual);
+            Self::push(element, element.given, &mut residual);
         }
         let mut changes = vec![Twist::default(); self.bodies.len()];
         let mut preconditioned = self.velocities(&residual);
@@ -259,7 +259,7 @@ impl<'a> ImplicitKick<'a> {
         let smallest = RESIDUAL_RELATIVE * RESIDUAL_RELATIVE * size;
         for _ in 0..ROUNDS_PER_BODY * (self.bodies.len() + 1) {
             // NaN ends the rounds; the check of states finds it.
-            if !(size > smallest) {
+            if size.is_nan() || size <= smallest {
                 break;
             }
             let mut image = self.momenta(&direction);
@@ -280,7 +280,7 @@ impl<'a> ImplicitKick<'a> {
     pub(super) fn differences(&self, changes: &[Twist]) -> Vec<Difference> {
         let mut found = Vec::with_capacity(2 * self.elements.len());
         for element in &self.elements {
-            let impulse = element.given - element.matrix * self.relative(element, changes);
+            let impulse = element.given - element.matrix * Self::relative(element, changes);
             for (index, impulse) in [(0, impulse), (1, -impulse)] {
                 let (Some(place), Some(end)) = (element.places[index], element.response.ends[index]) else { continue };
                 let mut angular = end.arm.cross(impulse) - changes[place].angular * element.turning[index];

@@ -29,6 +29,7 @@ mod halving;
 mod impacts;
 mod implicit_kick;
 mod kick;
+mod middle;
 mod projection;
 mod report;
 mod rigid_terms;

@@ -24,6 +24,7 @@
 //! the impulses are added until there are none.
 
 use super::contacts::{NearContact, kinematics_at_point};
+use super::middle::{Middle, Stops};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::rigid_terms::{Term, make_rigid};
 use super::step::TimeStepper;
@@ -50,25 +51,6 @@ const SEPARATION_ROUNDING: f64 = 0.25;
 
 /// Normals whose components differ by less count as equal (no unit, 1e-14 to 1e-9): the rounding of attitudes.
 const SAME_NORMAL: f64 = 1e-12;
-
-/// What is done about slips that end within a step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Stops<'a> {
-    /// They are looked for. When one is found, the report names it and the step has to be made again in two parts.
-    Sought,
-    /// Those of these contacts end with the step.
-    At(&'a [ContactId]),
-}
-
-/// The middle of a step, where impulses act.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Middle<'a> {
-    /// When, s.
-    pub(super) t: f64,
-    /// Length of the step, s.
-    pub(super) h: f64,
-    pub(super) stops: Stops<'a>,
-}
 
 /// A contact in the middle of the step.
 #[derive(Debug, Clone, Copy)]

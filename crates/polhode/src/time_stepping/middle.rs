@@ -1,0 +1,22 @@
+//! The middle of a time step, where its impulses act, and what is done about slips that end within the step.
+
+use crate::collision::contact_set::ContactId;
+
+/// What is done about slips that end within a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Stops<'a> {
+    /// They are looked for. When one is found, the report names it and the step has to be made again in two parts.
+    Sought,
+    /// Those of these contacts end with the step.
+    At(&'a [ContactId]),
+}
+
+/// The middle of a step, where impulses act.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Middle<'a> {
+    /// When, s.
+    pub(super) t: f64,
+    /// Length of the step, s.
+    pub(super) h: f64,
+    pub(super) stops: Stops<'a>,
+}
