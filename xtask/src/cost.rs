@@ -63,7 +63,10 @@ fixtures/scenes/NAME.toml` prints the whole table of each.
   the attitude do not exceed.
 - **Ties** are methods that reach a target and whose time cannot be told from that of the cheapest: the ranges that hold
   the middle half of the rounds of both overlap. A bar shows such a range if it is wider than a marker. A ring marks the
-  cheapest method for an error of 1e-6, a dashed ring a tie.
+  cheapest method for an error of 1e-6, a dashed ring a tie. Settings of one method that made the same run, step for step
+  and bit for bit (tolerances that nothing needs), are ties whatever their times; the first of them is named.
+- **Velocity** and **energy** in the tables that `polhode cost` prints: the largest error of a velocity at the end of the
+  run, of the largest speed (0 where all have come to rest), and what integration lost or made of the energy.
 - **Colours** are families of methods, markers their members.
 - The **Pareto front** has the methods for which no other has both a smaller error and a shorter time. In a figure it is
   the broad line: the smallest error at each time.

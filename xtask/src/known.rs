@@ -18,6 +18,14 @@ struct KnownFailure {
 const FEW_FEET: &str = "a disc of 108 feet stands for one that presses evenly: its sums are those of the feet to rounding, \
                         and integrals over the disc only as the number of feet grows (720 feet: 2e-3 of eps0)";
 
+/// Why flat bodies do not pass over a step of 1e-12 m as if it were not there.
+const TWO_LEVELS: &str = "the body keeps its velocity, but while it lies on both levels not all of its contacts can have zero \
+                          separation; projection leaves one of 1e-12 m, above the promised 3e-13 m, and the run is degraded";
+
+/// Why a torus does not pass over the seams of a compound.
+const TORUS_ON_PARTS: &str = "the run is degraded: contacts of a torus with the edges between parts of a compound are not \
+                              yet left out of its set of contacts";
+
 /// All of them.
 const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure {
@@ -35,6 +43,30 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure { case: "FC-05", quantity: "eps0", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "F/(mu m g)", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "stop time", reason: FEW_FEET },
+    KnownFailure { case: "seams", quantity: "ring over parts of a body", reason: TORUS_ON_PARTS },
+    KnownFailure { case: "seams", quantity: "wheel over parts of a body", reason: TORUS_ON_PARTS },
+    KnownFailure { case: "seams", quantity: "box, step 1e-12 m", reason: TWO_LEVELS },
+    KnownFailure { case: "seams", quantity: "prism, step 1e-12 m", reason: TWO_LEVELS },
+    KnownFailure { case: "seams", quantity: "puck, step 1e-12 m", reason: TWO_LEVELS },
+    KnownFailure { case: "seams", quantity: "cone, step 1e-12 m", reason: TWO_LEVELS },
+    KnownFailure {
+        case: "random scenes",
+        quantity: "seeds that end well and break a law",
+        reason: "3 of 100: with friction of rolling the row of impacts is below zero (19: -3.7 % of the energy); projections of a crowded \
+                 stretch take 5e-5 of the energy of a spinning cone (53), the integrator 3.6e-6 of that of a cone on a spring (98)",
+    },
+    KnownFailure {
+        case: "random scenes",
+        quantity: "seeds whose copies are other runs",
+        reason: "2 of 100: the copies of 72 and 84 in other units have other bits (1.2e-15 and 1.1e-10 at the end)",
+    },
+    KnownFailure {
+        case: "random scenes",
+        quantity: "share that is degraded or fails",
+        reason: "10 of 100: impacts with friction of rolling and spinning whose moments do not settle (18, 61, 70, 81), or that leave a \
+                 body on a pivot no freedom (14, 43, 67); ends of bounces beyond 1e-9 of the energy (22, 58); Coulomb's law in a \
+                 crowded stretch (25)",
+    },
     KnownFailure {
         case: "friction elsewhere",
         quantity: "tippe top, moved by 1e6 m",

@@ -24,6 +24,8 @@
 //! | [`rigid_ipc`] | the command: scenes of the Rigid IPC suite in our format |
 //! | [`statics`] | static equilibrium of structures of blocks, from their geometry alone |
 //! | [`viewer`] | pages in a real browser |
+//! | [`random_scene`] | the commands: random scenes, written and judged |
+//! | [`judge`] | whether the run of a random scene keeps the laws of physics |
 //! | [`known`] | rows that are known to fail, with the reason |
 
 mod book;
@@ -37,9 +39,11 @@ mod gallery;
 mod golden;
 mod house;
 mod interpenetration;
+mod judge;
 mod known;
 mod narrow_phase;
 mod random;
+mod random_scene;
 mod reference;
 mod rigid_ipc;
 mod row;
@@ -74,6 +78,10 @@ enum Task {
     Gallery(gallery::Options),
     /// Regenerates the comparison of narrow phases in docs/accuracy-and-cost.md.
     NarrowPhase,
+    /// Writes the random scene of a seed as a scene file.
+    RandomScene(random_scene::Options),
+    /// Judges random scenes, and prints a line for each that is not right.
+    JudgeScenes(cases::random_scenes::Options),
 }
 
 fn main() -> ExitCode {
@@ -84,6 +92,8 @@ fn main() -> ExitCode {
         Task::SolveFriction(options) => friction::run(&options),
         Task::Gallery(options) => verify::workspace_root().and_then(|root| gallery::run(&options, &root)),
         Task::NarrowPhase => verify::workspace_root().and_then(|root| narrow_phase::run(&root)),
+        Task::RandomScene(options) => random_scene::run(&options),
+        Task::JudgeScenes(options) => cases::random_scenes::run(&options),
     };
     match outcome {
         Ok(code) => code,

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(name = "polhode", version, about, after_help = EXIT_CODES)]
 pub(crate) struct Cli {
-    /// Says nothing on stderr but errors: no progress, no notes
+    /// Says nothing but errors: no progress, no notes, and no report of a run (--json prints it all the same)
     #[arg(short, long, global = true, conflicts_with = "verbose")]
     pub(crate) quiet: bool,
     /// Says on stderr what is being done
@@ -157,10 +157,11 @@ pub(crate) enum RunPlotArg {
 /// Where and when checkpoints are written.
 #[derive(Debug, Args)]
 pub(crate) struct CheckpointArgs {
-    /// Writes a checkpoint at the first step end after every S seconds of simulated time, and at Ctrl-C or SIGTERM
+    /// Writes a checkpoint at the first step end after every S seconds of simulated time, at Ctrl-C or SIGTERM, and at the
+    /// end where none was due before; `resume --duration` goes on from there
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     pub(crate) checkpoint_every: Option<f64>,
-    /// Where checkpoints are written, one over the other; alone: at Ctrl-C [default: the scene file's name with the ending
+    /// Where checkpoints are written, one over the other; alone: at the end and at Ctrl-C [default: the scene file's name with the ending
     /// .checkpoint, in this folder; for `resume` the checkpoint itself]
     #[arg(long, value_name = "FILE")]
     pub(crate) checkpoint: Option<PathBuf>,
@@ -171,6 +172,9 @@ pub(crate) struct CheckpointArgs {
 pub(crate) struct ResumeArgs {
     /// Checkpoint of a run; its scene file must stand where it stood
     pub(crate) from: PathBuf,
+    /// Simulated time of the whole run, s, counted from its start: a longer one than before extends a run that has ended
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    pub(crate) duration: Option<String>,
     #[command(flatten)]
     pub(crate) output: RunOutputArgs,
     #[command(flatten)]
@@ -202,7 +206,8 @@ pub(crate) struct CostArgs {
     ///
     /// Ties are the methods that reach it too, and whose time cannot be told from that of the cheapest within the noise
     /// of timing: the ranges that hold the middle half of the rounds' ratios of both overlap. With fewer than three
-    /// rounds the range is 10 % each way.
+    /// rounds the range is 10 % each way. Settings of one method that made the same run, step for step and bit for bit, are
+    /// ties too: the first of them, the coarsest, is named.
     #[arg(long, value_name = "ERROR", allow_negative_numbers = true)]
     pub(crate) target: Option<f64>,
     /// Counts instructions too, which repeat exactly, and takes them for the cost (needs valgrind)

@@ -4,6 +4,7 @@ use crate::args::CheckpointArgs;
 use crate::failure::Failure;
 use polhode::Simulation;
 use polhode_scene::{Checkpoint, Override, checkpoint};
+use std::cell::Cell;
 use std::path::{Path, PathBuf};
 
 /// The checkpoints of one run, one written over the other.
@@ -13,6 +14,8 @@ pub(crate) struct Checkpoints {
     every_s: Option<f64>,
     scene: PathBuf,
     overrides: Vec<Override>,
+    /// Whether one has been written.
+    is_written: Cell<bool>,
 }
 
 impl Checkpoints {
@@ -35,7 +38,8 @@ impl Checkpoints {
         if let Some(path) = &path {
             checkpoint::check_place(path)?;
         }
-        Ok(Self { path, every_s: args.checkpoint_every, scene: scene.to_owned(), overrides })
+        let (every_s, scene, is_written) = (args.checkpoint_every, scene.to_owned(), Cell::new(false));
+        Ok(Self { path, every_s, scene, overrides, is_written })
     }
 
     /// Where they are written.
@@ -52,6 +56,14 @@ impl Checkpoints {
         })
     }
 
+    /// Writes one at the end of a run that had no step end at which one was due, as a run at rest has none; what to say of it.
+    ///
+    /// # Errors
+    /// As [`Checkpoints::write`].
+    pub(crate) fn write_at_end(&self, simulation: &Simulation) -> Result<Option<String>, Failure> {
+        if self.is_written.get() { Ok(None) } else { self.write(simulation) }
+    }
+
     /// Writes one, if it was asked for; what to say of it.
     ///
     /// # Errors
@@ -59,6 +71,7 @@ impl Checkpoints {
     pub(crate) fn write(&self, simulation: &Simulation) -> Result<Option<String>, Failure> {
         let Some(path) = &self.path else { return Ok(None) };
         Checkpoint::new(&self.scene, &self.overrides, simulation.snapshot())?.write(path)?;
+        self.is_written.set(true);
         Ok(Some(format!("note: checkpoint of t = {} s in {}", simulation.time(), path.display())))
     }
 }

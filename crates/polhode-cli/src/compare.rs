@@ -1,7 +1,9 @@
 //! `polhode compare`: two trajectories, number by number, and their differences over time as plots.
 
+use crate::abandoned;
 use crate::args::{CompareArgs, ComparePlotArg};
 use crate::failure::Failure;
+use crate::interrupt::Interrupt;
 use crate::plots::{cannot_write, is_plot};
 use crate::progress::Progress;
 use crate::scene::load_changed;
@@ -12,10 +14,11 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 /// Compares and prints the largest difference of every column; exit code 1 when they differ beyond the tolerance.
-pub(crate) fn compare(args: &CompareArgs) -> Result<(), Failure> {
+pub(crate) fn compare(args: &CompareArgs, interrupt: &Interrupt) -> Result<(), Failure> {
     let tolerance = Tolerance { absolute: args.atol, relative: args.rtol };
     let progress = Progress::new("comparing the trajectories");
     let mut plots = Plots::create(args)?;
+    interrupt.remove(plots.iter().filter_map(|plots| plots.file.temporary().map(Path::to_owned)));
     let comparison = compare_rows(&args.a, &args.b, tolerance, |row| {
         if let (Some(plots), Some([a, b])) = (&mut plots, &row.samples) {
             plots.drawn.push(row.t_s, row.body, [a, b]);
@@ -56,6 +59,7 @@ impl Plots {
         }
         let drawn = ComparePlots::new(&asked, scene.as_ref().map(|loaded| &loaded.scene));
         let file = AtomicFile::create(path).map_err(|error| cannot_write(path, &error))?;
+        abandoned::note(file.left_behind());
         Ok(Some(Self { file, drawn }))
     }
 

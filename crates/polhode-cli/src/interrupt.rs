@@ -1,33 +1,52 @@
-//! Ctrl-C and SIGTERM: the first ends a run at the end of its step and drawing at the end of its frame, the second ends the
-//! program at once. Neither loses what was computed.
+//! Ctrl-C and SIGTERM are acted on within two seconds, wherever the program is.
+//!
+//! At first they end the program at once. While a run makes its steps, or pictures are drawn frame by frame
+//! ([`Interrupt::wait_for_steps`]), the first one ends the work at the end of that step or frame, so that a checkpoint can be
+//! written; a second one, or a step that has not ended [`PATIENCE`] later, ends the program at once. In no case is lost what
+//! was computed: files that hold whole samples are kept under their partial names, and all other temporary files removed.
 
 use crate::failure::{self, Failure};
 use polhode_scene::Unfinished;
 use std::io;
 use std::path::PathBuf;
 use std::process;
-use std::sync::atomic::{AtomicU8, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+/// How long a step or a frame may take to end after the program has been asked to: what is left of the two seconds is for
+/// moving files.
+const PATIENCE: Duration = Duration::from_millis(1500);
 
 /// Whether the program has been asked to end, and by what.
+#[derive(Clone)]
 pub(crate) struct Interrupt {
     asked: Arc<Asked>,
 }
 
-/// What those who listen to signals share with the run.
+/// What those who listen to signals share with the work.
 #[derive(Default)]
 struct Asked {
     /// The exit code of what has asked for an end; 0 as long as nothing has.
     code: AtomicU8,
-    /// Files that a program which ends at once keeps under their partial names.
-    unfinished: Mutex<Vec<Unfinished>>,
-    /// Temporary files that it removes.
-    temporary: Mutex<Vec<PathBuf>>,
+    /// Whether the work looks at [`Interrupt::has_come`] after every step or frame.
+    looks: AtomicBool,
+    /// Whether the work has seen that an end is asked for, and is ending.
+    has_seen: AtomicBool,
+    files: Mutex<Files>,
+}
+
+/// What a program that ends at once does with its files.
+#[derive(Default)]
+struct Files {
+    /// Kept under their partial names.
+    unfinished: Vec<Unfinished>,
+    /// Removed.
+    temporary: Vec<PathBuf>,
 }
 
 impl Interrupt {
-    /// From now on Ctrl-C, and where there is such a thing SIGTERM, ends the run at the end of its step; either of them
-    /// after that ends the program at once.
+    /// From now on Ctrl-C, and where there is such a thing SIGTERM, are listened to. Called once, at the start.
     ///
     /// # Errors
     /// When signals cannot be listened to.
@@ -41,17 +60,26 @@ impl Interrupt {
 
     /// Files that a program which ends at once keeps under their partial names.
     pub(crate) fn keep(&self, files: Vec<Unfinished>) {
-        *self.asked.unfinished.lock().unwrap_or_else(PoisonError::into_inner) = files;
+        self.asked.files().unfinished = files;
     }
 
     /// Temporary files that a program which ends at once removes: nobody could open them.
-    pub(crate) fn remove(&self, files: Vec<PathBuf>) {
-        *self.asked.temporary.lock().unwrap_or_else(PoisonError::into_inner) = files;
+    pub(crate) fn remove(&self, files: impl IntoIterator<Item = PathBuf>) {
+        self.asked.files().temporary.extend(files);
     }
 
-    /// Whether the program has been asked to end.
+    /// From now on the work looks after every step or frame whether it is to end.
+    pub(crate) fn wait_for_steps(&self) {
+        self.asked.looks.store(true, Ordering::SeqCst);
+    }
+
+    /// Whether the program has been asked to end. Who asks is taken to end the work now, however long that takes.
     pub(crate) fn has_come(&self) -> bool {
-        self.code() != 0
+        let has_come = self.code() != 0;
+        if has_come {
+            self.asked.has_seen.store(true, Ordering::SeqCst);
+        }
+        has_come
     }
 
     /// The exit code of a run that was asked to end; 0 of one that was not.
@@ -61,12 +89,33 @@ impl Interrupt {
 }
 
 impl Asked {
+    fn files(&self) -> MutexGuard<'_, Files> {
+        self.files.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// Someone asks for an end that has this exit code.
-    fn ask(&self, code: u8) {
-        if self.code.compare_exchange(0, code, Ordering::SeqCst, Ordering::SeqCst).is_ok() {
-            return failure::remark("note: stopping at the end of this step or frame; Ctrl-C again stops at once");
+    fn ask(self: &Arc<Self>, code: u8) {
+        let is_first = self.code.compare_exchange(0, code, Ordering::SeqCst, Ordering::SeqCst).is_ok();
+        if !is_first || !self.looks.load(Ordering::SeqCst) {
+            self.end(code);
         }
-        for file in self.unfinished.lock().unwrap_or_else(PoisonError::into_inner).drain(..) {
+        failure::remark("note: stopping at the end of this step or frame; Ctrl-C again stops at once");
+        let own = Arc::clone(self);
+        let waits = std::thread::Builder::new().spawn(move || {
+            std::thread::sleep(PATIENCE);
+            if !own.has_seen.load(Ordering::SeqCst) {
+                own.end(code);
+            }
+        });
+        if waits.is_err() {
+            self.end(code);
+        }
+    }
+
+    /// Ends the program at once.
+    fn end(&self, code: u8) -> ! {
+        let mut files = self.files();
+        for file in files.unfinished.drain(..) {
             match file.keep() {
                 Ok(partial) => failure::note(&format!("note: what was computed is in {}", partial.display())),
                 // The run has just come to its end and moved the file to its own name.
@@ -74,10 +123,11 @@ impl Asked {
                 Err(error) => failure::note(&format!("error: cannot keep what was computed: {error}")),
             }
         }
-        for file in self.temporary.lock().unwrap_or_else(PoisonError::into_inner).drain(..) {
+        for file in files.temporary.drain(..) {
             // One that has been moved to its name is gone.
             let _ = std::fs::remove_file(file);
         }
+        failure::note("interrupted");
         process::exit(i32::from(code));
     }
 }

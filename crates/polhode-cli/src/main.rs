@@ -7,6 +7,7 @@
 //! | module | holds |
 //! |---|---|
 //! | `args` | the command line |
+//! | `abandoned` | what programs that were killed have left behind |
 //! | `failure` | [`Failure`]: what went wrong, and the exit code it means |
 //! | `run`, `plan`, `check`, `mesh`, `compare` | the commands; `run` has `resume` too |
 //! | `run_files` | the files that a run writes |
@@ -18,6 +19,7 @@
 //! | `plots` | the plots of a run over time |
 //! | `watch` | the observer of a run: tells outputs and pictures |
 //! | `interrupt` | Ctrl-C and SIGTERM |
+//! | `meant` | the command that was meant by a mistyped one |
 //! | `progress`, `verbosity` | progress of long work; how much is said on stderr |
 //! | `terminal` | stderr: messages, and the line that is drawn again |
 //! | `examples` | the shipped scenes, inside the program; new scenes |
@@ -43,6 +45,7 @@
 //! | report | prints the report and the plan, for people or as JSON | `text/report.rs`, `stdout.rs` |
 //! | exit code | says on stderr what went wrong, and returns the exit code | `failure.rs` |
 
+mod abandoned;
 mod args;
 mod check;
 mod checkpoints;
@@ -56,6 +59,7 @@ mod heading;
 mod help;
 mod inputs;
 mod interrupt;
+mod meant;
 mod mesh;
 mod pictures;
 mod plan;
@@ -75,6 +79,7 @@ mod watch;
 use args::{Cli, Command};
 use clap::{CommandFactory, Parser};
 use failure::Failure;
+use interrupt::Interrupt;
 use std::process::ExitCode;
 use verbosity::Verbosity;
 
@@ -82,6 +87,7 @@ fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => {
+            let error = meant::with_suggestion(error, &Cli::command());
             // Help and version go to stdout with code 0, mistakes to stderr with code 2; a closed pipe is no mistake.
             let _ = error.print();
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(failure::USAGE));
@@ -92,22 +98,27 @@ fn main() -> ExitCode {
         (_, true) => Verbosity::Verbose,
         _ => Verbosity::Usual,
     });
-    let outcome = match &cli.command {
-        Command::Run(args) => run::run(args),
-        Command::Resume(args) => run::resume(args),
+    let outcome = Interrupt::listen().and_then(|interrupt| called(&cli.command, &interrupt));
+    outcome.map_or_else(Failure::report, |()| ExitCode::SUCCESS)
+}
+
+/// Calls the command.
+fn called(command: &Command, interrupt: &Interrupt) -> Result<(), Failure> {
+    match command {
+        Command::Run(args) => run::run(args, interrupt),
+        Command::Resume(args) => run::resume(args, interrupt),
         Command::Plan(args) => plan::plan(args),
-        Command::Cost(args) => cost::cost(args),
+        Command::Cost(args) => cost::cost(args, interrupt),
         Command::Check(args) => check::check(args),
         Command::Mesh(args) => mesh::mesh(args),
         Command::Schema => schema(),
-        Command::Compare(args) => compare::compare(args),
-        Command::View(args) => view::view(args),
+        Command::Compare(args) => compare::compare(args, interrupt),
+        Command::View(args) => view::view(args, interrupt),
         Command::New(args) => examples::new(args),
         Command::Scenes => examples::scenes(),
         Command::Completions(args) => completions(args.shell),
         Command::Probe(args) => cost::probe(args),
-    };
-    outcome.map_or_else(Failure::report, |()| ExitCode::SUCCESS)
+    }
 }
 
 /// Prints the JSON Schema of the scene format.

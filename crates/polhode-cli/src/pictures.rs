@@ -1,7 +1,8 @@
 //! What a run is shown as: pages, pictures and models, which polhode-view makes.
 
+use crate::abandoned;
 use crate::drawing::Drawing;
-use crate::failure::Failure;
+use crate::failure::{self, Failure};
 use crate::heading::Heading;
 use crate::interrupt::Interrupt;
 use polhode::{BodySample, Event, Flow, Frame, Observer, Outcome, RunReport, Scene};
@@ -74,6 +75,8 @@ pub(crate) struct Pictures {
     pages: Vec<(PathBuf, Page<AtomicFile>)>,
     page_runs: Vec<(PathBuf, PageRun<AtomicFile>)>,
     files: Vec<(Kind, AtomicFile)>,
+    /// The temporary names of all of them.
+    temporary: Vec<PathBuf>,
     recording: Option<Recording>,
     options: Options,
 }
@@ -103,8 +106,8 @@ impl Pictures {
     /// # Errors
     /// When a name is given twice or a file cannot be opened.
     pub(crate) fn create(paths: &[PathBuf], heading: &Heading, options: Options) -> Result<Self, Failure> {
-        let mut pictures =
-            Self { pages: Vec::new(), page_runs: Vec::new(), files: Vec::new(), recording: None, options };
+        let (pages, page_runs, files, temporary) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let mut pictures = Self { pages, page_runs, files, temporary, recording: None, options };
         for (number, path) in paths.iter().enumerate() {
             if paths[..number].contains(path) {
                 let what = format!("error: {} is named twice: every output needs a file of its own", path.display());
@@ -112,6 +115,8 @@ impl Pictures {
             }
             let Some(kind) = Kind::of(path) else { continue };
             let file = AtomicFile::create(path).map_err(|error| failure(path, ViewError::Write(error)))?;
+            abandoned::note(file.left_behind());
+            pictures.temporary.extend(file.temporary().map(Path::to_owned));
             match kind {
                 Kind::Page => {
                     let page = Page::begin(file, &heading.title, &heading.description);
@@ -172,9 +177,9 @@ impl Pictures {
         Ok(())
     }
 
-    /// The temporary names under which pictures and models grow.
-    pub(crate) fn temporary(&self) -> Vec<PathBuf> {
-        self.files.iter().filter_map(|(_, file)| file.temporary().map(Path::to_owned)).collect()
+    /// The temporary names under which pages, pictures and models grow.
+    pub(crate) fn temporary(&self) -> &[PathBuf] {
+        &self.temporary
     }
 
     /// Completes the files and moves them to their names.
@@ -190,6 +195,9 @@ impl Pictures {
         let drawing = Drawing::watched_by(interrupt);
         for (number, (kind, mut file)) in self.files.into_iter().enumerate() {
             let ended = if number == 0 { recording.end() } else { Ok(()) };
+            if ended.is_ok() && kind.moves() {
+                note_turns(&recording, file.target());
+            }
             ended
                 .and_then(|()| encode(&recording, kind, &self.options, &drawing, &mut file))
                 .and_then(|()| file.commit().map_err(ViewError::Write))
@@ -228,6 +236,19 @@ impl Observer for Pictures {
         let stops = self.observers().any(|observer| observer.progress(t) == Flow::Stop);
         if stops { Flow::Stop } else { Flow::Continue }
     }
+}
+
+/// Says of a moving picture that a body turns too far from frame to frame for its sense to be seen.
+fn note_turns(recording: &Recording, path: &Path) {
+    let Some((body, angle)) = recording.largest_turn().filter(|(_, angle)| *angle > std::f64::consts::PI) else {
+        return;
+    };
+    let turns = angle / std::f64::consts::TAU;
+    failure::remark(&format!(
+        "note: {}: body {body} turns up to {turns:.2} times from frame to frame, and may seem to turn backwards; `polhode \
+         view --fps` with more frames, or a page (.html), shows how it turns",
+        path.display()
+    ));
 }
 
 /// Writes a recording into a file of a kind.

@@ -13,10 +13,11 @@ pub(crate) fn plan(args: &PlanArgs) -> Result<(), Failure> {
     let mut simulation = scene::prepare(&loaded, &args.scene.changes)?;
     let accelerations = simulation.accelerations().map_err(|error| scene::failed(&loaded, error))?;
     drop(progress);
+    let plan = scene::with_origins(&loaded, simulation.plan());
     if args.json {
-        return stdout::json(&plan_with_accelerations_json(&loaded.scene, simulation.plan(), &accelerations));
+        return stdout::json(&plan_with_accelerations_json(&loaded.scene, &plan, &accelerations));
     }
-    let mut page = text::plan(&loaded, simulation.plan());
+    let mut page = text::plan(&loaded, &plan);
     page.push_str(&text::accelerations(&loaded.scene, &accelerations));
     stdout::text(&page)
 }

@@ -1,5 +1,6 @@
 //! Plots of a run over time: the SVG files of `polhode run` and `polhode resume`.
 
+use crate::abandoned;
 use crate::args::RunPlotArg;
 use crate::failure::Failure;
 use polhode::{BodySample, Event, Flow, Frame, Observer, Outcome, Plan, RunReport, Simulation};
@@ -31,9 +32,15 @@ impl Plots {
             return Err(Failure::Usage(what));
         }
         let open = |path: &PathBuf| AtomicFile::create(path).map_err(|error| cannot_write(path, &error));
-        let files = paths.iter().map(open).collect::<Result<_, _>>()?;
+        let files: Vec<AtomicFile> = paths.iter().map(open).collect::<Result<_, _>>()?;
+        files.iter().for_each(|file| abandoned::note(file.left_behind()));
         let asked = if asked.is_empty() { RunPlot::ALL.to_vec() } else { asked.iter().copied().map(plot).collect() };
         Ok(Self { files, asked, drawn: None })
+    }
+
+    /// The temporary names of the files.
+    pub(crate) fn temporary(&self) -> Vec<PathBuf> {
+        self.files.iter().filter_map(|file| file.temporary().map(Path::to_owned)).collect()
     }
 
     /// Begins at the present time of a simulation.

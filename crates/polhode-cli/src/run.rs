@@ -7,6 +7,7 @@ use crate::interrupt::Interrupt;
 use crate::progress::Progress;
 use crate::run_files::{RunFiles, is_stdout};
 use crate::scene::SceneText;
+use crate::verbosity::{self, Verbosity};
 use crate::watch::Watch;
 use crate::{cost, scene, stdout, text};
 use polhode::{Outcome, RunReport, Simulation};
@@ -17,32 +18,31 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Simulates, writes the files asked for and prints the report.
-pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
-    let prepared = prepared(args);
-    prepared.map_err(|failure| told(Report::of(&args.output), failure, None))?.finish()
+pub(crate) fn run(args: &RunArgs, interrupt: &Interrupt) -> Result<(), Failure> {
+    let prepared = prepared(args, interrupt);
+    prepared.map_err(|failure| told(Report::of(&args.output), failure, None))?.finish(interrupt)
 }
 
 /// Continues from a checkpoint: the report is that of the whole run.
-pub(crate) fn resume(args: &ResumeArgs) -> Result<(), Failure> {
-    let restored = restored(args);
-    restored.map_err(|failure| told(Report::of(&args.output), failure, None))?.finish()
+pub(crate) fn resume(args: &ResumeArgs, interrupt: &Interrupt) -> Result<(), Failure> {
+    let restored = restored(args, interrupt);
+    restored.map_err(|failure| told(Report::of(&args.output), failure, None))?.finish(interrupt)
 }
 
 /// Progress of a run that is prepared. A trajectory that goes to a terminal leaves no line there to draw on.
-fn preparing(asked: &RunOutputArgs) -> Progress {
-    let what = "preparing the run";
+fn preparing(asked: &RunOutputArgs, what: &'static str) -> Progress {
     let is_covered = Report::of(asked) == Report::OnStderr && std::io::stdout().is_terminal();
     if is_covered { Progress::in_lines(what) } else { Progress::new(what) }
 }
 
 /// A run of a scene from its start.
-fn prepared(args: &RunArgs) -> Result<Run, Failure> {
+fn prepared(args: &RunArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
     let mut changes = scene::overrides(&args.scene.changes)?;
     let text = SceneText::of(&args.scene.scene)?;
     if let Some(accuracy) = args.accuracy {
         changes.extend(cost::settings_for(&text, &args.scene.changes, accuracy)?);
     }
-    let progress = preparing(&args.output);
+    let progress = preparing(&args.output, "preparing the run");
     let loaded = text.load(&changes)?;
     let file = args.scene.scene.as_path();
     if text.file().is_none() && (args.checkpoints.checkpoint.is_some() || args.checkpoints.checkpoint_every.is_some()) {
@@ -52,21 +52,41 @@ fn prepared(args: &RunArgs) -> Result<Run, Failure> {
     let checkpoints = Checkpoints::new(&args.checkpoints, &checkpoint_name(file), file, changes)?;
     let mut inputs = loaded.mesh_files();
     inputs.extend(text.file().map(Path::to_owned));
-    let files = RunFiles::create(&args.output, &inputs, &loaded, &checkpoints)?;
+    let files = RunFiles::create(&args.output, &inputs, &loaded, &checkpoints, interrupt)?;
     let started = Instant::now();
+    let progress = if scene::has_parts_to_find(&loaded) {
+        drop(progress);
+        preparing(&args.output, "decomposing meshes into convex parts")
+    } else {
+        progress
+    };
     let simulation = scene::prepare(&loaded, &args.scene.changes)?;
     Ok(Run { loaded, simulation, files, checkpoints, progress, started, report: Report::of(&args.output) })
 }
 
 /// A run from a checkpoint on.
-fn restored(args: &ResumeArgs) -> Result<Run, Failure> {
-    let progress = preparing(&args.output);
-    let checkpoint = Checkpoint::read(&args.from)?;
+fn restored(args: &ResumeArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
+    let progress = preparing(&args.output, "preparing the run");
+    let mut checkpoint = Checkpoint::read(&args.from)?;
+    checkpoint.overrides.extend(args.duration.as_deref().map(scene::duration));
     let (loaded, simulation) = checkpoint.load(&args.from)?;
     let checkpoints = Checkpoints::new(&args.checkpoints, &args.from, &checkpoint.scene, checkpoint.overrides.clone())?;
     let mut inputs = loaded.mesh_files();
     inputs.extend([args.from.clone(), checkpoint.scene.clone()]);
-    let files = RunFiles::create(&args.output, &inputs, &loaded, &checkpoints)?;
+    let (reached_s, duration_s) = (simulation.time(), loaded.scene.duration_s());
+    if args.duration.is_some() && duration_s <= reached_s {
+        let what = format!(
+            "error: --duration {duration_s}: the checkpoint is of t = {reached_s} s already; the duration counts from the \
+             start of the run"
+        );
+        return Err(Failure::Usage(what));
+    }
+    if simulation.has_ended() {
+        failure::remark(&format!(
+            "note: the run has ended at t = {reached_s} s; resume --duration S, with S above that, goes on from there"
+        ));
+    }
+    let files = RunFiles::create(&args.output, &inputs, &loaded, &checkpoints, interrupt)?;
     let started = Instant::now();
     Ok(Run { loaded, simulation, files, checkpoints, progress, started, report: Report::of(&args.output) })
 }
@@ -78,6 +98,8 @@ enum Report {
     Text,
     /// As text on stderr: stdout holds the trajectory.
     OnStderr,
+    /// Not at all: quiet is asked for.
+    Untold,
     /// As JSON on stdout.
     Json,
 }
@@ -86,6 +108,8 @@ impl Report {
     fn of(asked: &RunOutputArgs) -> Self {
         if asked.json {
             Self::Json
+        } else if verbosity::asked() == Verbosity::Quiet {
+            Self::Untold
         } else if asked.output.iter().any(|path| is_stdout(path)) {
             Self::OnStderr
         } else {
@@ -143,26 +167,27 @@ struct Run {
 
 impl Run {
     /// Goes on to the end, and prints the report.
-    fn finish(mut self) -> Result<(), Failure> {
-        failure::detail(&text::plan(&self.loaded, self.simulation.plan()));
-        let interrupt = Interrupt::listen()?;
+    fn finish(mut self, interrupt: &Interrupt) -> Result<(), Failure> {
+        failure::detail(&text::plan(&self.loaded, &scene::with_origins(&self.loaded, self.simulation.plan())));
         let (duration_s, at_start_s) = (self.loaded.scene.duration_s(), self.simulation.time());
         self.files.begin(&self.loaded, &self.simulation);
-        interrupt.keep(self.files.unfinished());
-        interrupt.remove(self.files.temporary());
+        interrupt.wait_for_steps();
         self.progress.run(at_start_s, duration_s);
         let (observers, bar) = (self.files.observers(), &self.progress);
-        let mut watch = Watch { observers, bar, interrupt: &interrupt, stop_s: f64::INFINITY, is_stopped: false };
+        let mut watch = Watch { observers, bar, interrupt, stop_s: f64::INFINITY, is_stopped: false };
         let ended = go_on(&self.loaded, &mut self.simulation, &self.checkpoints, &mut watch);
         self.progress.clear();
         let reached_s = self.simulation.time();
         let name = self.loaded.scene.name().to_owned();
         let ended = match ended {
-            Ok(_) if reached_s < duration_s && interrupt.has_come() => self.interrupted(&interrupt),
-            Ok(report) => self.completed(&report, &interrupt),
+            Ok(_) if reached_s < duration_s && interrupt.has_come() => self.interrupted(interrupt),
+            Ok(report) => {
+                let plan = scene::with_origins(&self.loaded, &report.plan);
+                self.completed(&RunReport { plan, ..report }, interrupt)
+            }
             Err(failure) => {
                 // A run that has diverged is worth looking at: what it had written is kept beside the name asked for.
-                self.files.keep(self.simulation.plan(), failure.message(), &interrupt);
+                self.files.keep(self.simulation.plan(), failure.message(), interrupt);
                 return Err(told(self.report, failure, Some((&name, reached_s, duration_s))));
             }
         };
@@ -183,11 +208,15 @@ impl Run {
     /// At the end: completes the files and prints the report.
     fn completed(self, report: &RunReport, interrupt: &Interrupt) -> Result<(), (Report, Failure)> {
         let told = self.report;
+        if let Some(said) = self.checkpoints.write_at_end(&self.simulation).map_err(|failure| (told, failure))? {
+            failure::remark(&said);
+        }
         self.files.finish(report, interrupt).map_err(|failure| (told, failure))?;
         let wall_s = self.started.elapsed().as_secs_f64();
         let printed = match told {
             Report::Json => stdout::json(&scene_report_json(&self.loaded, report, wall_s)),
             Report::Text => stdout::text(&text::run(&self.loaded, report, wall_s)),
+            Report::Untold => Ok(()),
             Report::OnStderr => {
                 failure::remark(text::run(&self.loaded, report, wall_s).trim_end());
                 Ok(())
@@ -222,7 +251,7 @@ fn go_on(
             return Ok(report);
         }
         if is_due && let Some(said) = checkpoints.write(simulation)? {
-            failure::note(&said);
+            failure::remark(&said);
         }
     }
 }

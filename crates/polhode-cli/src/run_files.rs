@@ -1,5 +1,6 @@
 //! The files that a run writes: trajectories, events, pictures, plots, and CSV on stdout.
 
+use crate::abandoned;
 use crate::args::RunOutputArgs;
 use crate::checkpoints::Checkpoints;
 use crate::failure::{self, Failure};
@@ -10,7 +11,7 @@ use crate::pictures::{ENDINGS, Kind, Options, Pictures};
 use crate::plots::{Plots, is_plot};
 use crate::scene::STANDARD;
 use polhode::{Observer, Plan, RunReport, Simulation};
-use polhode_scene::{CsvStream, LoadedScene, OutputError, Outputs, Unfinished};
+use polhode_scene::{CsvStream, LoadedScene, OutputError, Outputs};
 use polhode_view::FrameSource;
 use serde_json::Value;
 use std::io::{self, BufWriter, Stdout};
@@ -40,6 +41,7 @@ impl RunFiles {
         inputs: &[PathBuf],
         loaded: &LoadedScene,
         checkpoints: &Checkpoints,
+        interrupt: &Interrupt,
     ) -> Result<Self, Failure> {
         check_stdout(asked)?;
         let (to_stdout, output): (Vec<_>, Vec<_>) = asked.output.iter().cloned().partition(|path| is_stdout(path));
@@ -50,12 +52,16 @@ impl RunFiles {
         let is_trajectory = |path: &&PathBuf| !is_picture(path) && !is_plot(path);
         let trajectories: Vec<PathBuf> = output.iter().filter(is_trajectory).cloned().collect();
         let plots = Plots::create(&plotted, &asked.plot)?;
+        interrupt.remove(plots.temporary());
         let mut pictures = Pictures::create(&shown, &Heading::of(std::iter::once(loaded)), Options::default())?;
+        interrupt.remove(pictures.temporary().to_vec());
         let outputs = Outputs::create(&loaded.scene, &trajectories, asked.events.as_deref());
         let outputs = outputs.map_err(|error| match error {
             OutputError::Ending { .. } => Failure::Usage(format!("error: {error}, {ENDINGS}, .svg, or - for stdout")),
             error => error.into(),
         })?;
+        interrupt.keep(outputs.unfinished());
+        abandoned::note(&outputs.left_behind());
         pictures.begin_run(&loaded.scene, loaded.scene.name(), FrameSource::Simulation)?;
         let begin = |_| CsvStream::begin(&loaded.scene, BufWriter::new(io::stdout()));
         let stream = to_stdout.first().map(begin).transpose()?;
@@ -72,16 +78,6 @@ impl RunFiles {
         let mut all: Vec<&mut dyn Observer> = vec![&mut self.outputs, &mut self.pictures, &mut self.plots];
         all.extend(self.stream.as_mut().map(|stream| stream as &mut dyn Observer));
         all
-    }
-
-    /// Where trajectories and events grow.
-    pub(crate) fn unfinished(&self) -> Vec<Unfinished> {
-        self.outputs.unfinished()
-    }
-
-    /// The temporary names of files that are of no use before they are complete.
-    pub(crate) fn temporary(&self) -> Vec<PathBuf> {
-        self.pictures.temporary()
     }
 
     /// Completes all files and moves them to their names.

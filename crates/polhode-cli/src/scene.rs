@@ -3,7 +3,7 @@
 use crate::args::{ChangeArgs, EffectsArg, SceneArgs};
 use crate::examples;
 use crate::failure::Failure;
-use polhode::{Effects, Simulation, SimulationError};
+use polhode::{Effects, Geometry, Plan, Simulation, SimulationError};
 use polhode_scene::{LoadedScene, Override, SceneFileError, load_text, load_with, load_with_meshes};
 use std::ffi::OsStr;
 use std::io::Read as _;
@@ -14,6 +14,12 @@ pub(crate) const STANDARD: &str = "-";
 
 /// What errors call a scene from stdin.
 const STDIN: &str = "<stdin>";
+
+/// Whether preparing the scene decomposes a mesh into convex parts, which may take seconds.
+pub(crate) fn has_parts_to_find(loaded: &LoadedScene) -> bool {
+    let bodies = loaded.scene.bodies();
+    bodies.iter().any(|body| !body.is_fixed() && matches!(body.shape(), Some(Geometry::Mesh(_))))
+}
 
 /// Where the text of a scene is. It can be loaded many times, each time with other changes.
 #[derive(Debug, Clone)]
@@ -99,17 +105,19 @@ pub(crate) fn overrides(args: &ChangeArgs) -> Result<Vec<Override>, Failure> {
     for text in &args.set {
         overrides.push(change("--set", text)?);
     }
-    let flags = [
-        ("--tier", "method.tier", &args.tier),
-        ("--step", "method.step", &args.step),
-        ("--duration", "duration", &args.duration),
-    ];
+    let flags = [("--tier", "method.tier", &args.tier), ("--step", "method.step", &args.step)];
     for (flag, key, value) in flags {
         if let Some(value) = value {
             overrides.push(Override::new(format!("command line ({flag})"), key, value));
         }
     }
+    overrides.extend(args.duration.as_deref().map(duration));
     Ok(overrides)
+}
+
+/// The change that `--duration` is.
+pub(crate) fn duration(value: &str) -> Override {
+    Override::new("command line (--duration)".to_owned(), "duration", value)
 }
 
 /// One change that an option of this name gives.
@@ -131,6 +139,21 @@ pub(crate) fn effects(args: &ChangeArgs) -> Effects {
         EffectsArg::All => Effects::All,
     }
 }
+
+/// A plan whose reasons name the option that has set a method, where it was not the scene.
+pub(crate) fn with_origins(loaded: &LoadedScene, plan: &Plan) -> Plan {
+    let mut plan = plan.clone();
+    for (reason, key) in [(&mut plan.tier_reason, "method.tier"), (&mut plan.integrator_reason, "method.integrator")] {
+        if let (Some(origin), Some(rest)) = (loaded.set_by(key), reason.strip_prefix(NAMED_BY_SCENE)) {
+            let option = origin.strip_prefix("command line (").and_then(|option| option.strip_suffix(')'));
+            *reason = format!("set by {}{rest}", option.unwrap_or(origin));
+        }
+    }
+    plan
+}
+
+/// How the plan says that a method is given by what it was made from.
+const NAMED_BY_SCENE: &str = "the scene names it";
 
 /// A failure of the engine: a scene that is refused is shown at its place, anything else is a failed check.
 pub(crate) fn failed(loaded: &LoadedScene, error: SimulationError) -> Failure {

@@ -35,7 +35,7 @@ struct ShownRun {
 }
 
 /// Shows what the command line names, and prints where.
-pub(crate) fn view(args: &ViewArgs) -> Result<(), Failure> {
+pub(crate) fn view(args: &ViewArgs, interrupt: &Interrupt) -> Result<(), Failure> {
     let paths = outputs(args)?;
     let interval_s = interval(args.fps, &paths)?;
     let reading = Progress::new("reading the scene");
@@ -53,19 +53,18 @@ pub(crate) fn view(args: &ViewArgs) -> Result<(), Failure> {
         viewpoint: viewpoint(args, &paths)?,
     };
     let mut pictures = Pictures::create(&paths, &heading, options)?;
-    let interrupt = Interrupt::listen()?;
-    interrupt.remove(pictures.temporary());
+    interrupt.remove(pictures.temporary().to_vec());
     if let (Some(text), [run]) = (&args.still, &runs[..]) {
         let progress = Progress::new("simulating to the picture");
         pictures.take(at_instant(run, args, still_time(text, run)?)?);
         drop(progress);
-        pictures.finish(&Value::Null, &interrupt)?;
+        pictures.finish(&Value::Null, interrupt)?;
         return print_paths(&paths);
     }
     let mut reports = Vec::new();
     let mut ended = Ok(());
     for run in &runs {
-        let (outcome, report) = show(run, args, &mut pictures, &interrupt)?;
+        let (outcome, report) = show(run, args, &mut pictures, interrupt)?;
         let shown = pictures.end_run(&outcome);
         match report {
             // What went wrong first is what is told.
@@ -82,7 +81,8 @@ pub(crate) fn view(args: &ViewArgs) -> Result<(), Failure> {
         }
     }
     let report = if reports.len() == 1 { reports.swap_remove(0) } else { Value::Array(reports) };
-    pictures.finish(&report, &interrupt)?;
+    interrupt.wait_for_steps();
+    pictures.finish(&report, interrupt)?;
     print_paths(&paths)?;
     ended
 }
@@ -160,6 +160,7 @@ fn nearest_sample(
         recording.sample(t, &bodies);
         before = Some((t, bodies));
     }
+    note_cut_off(&reader);
     Err(outside(t_s, first_s, before.map_or(f64::NAN, |(last, _)| last)))
 }
 
@@ -191,6 +192,7 @@ fn show(
             let mut simulation = scene::prepare(&run.loaded, &args.changes)?;
             let mut bar = Progress::new("simulating");
             bar.run(0.0, run.loaded.scene.duration_s());
+            interrupt.wait_for_steps();
             let stop_s = f64::INFINITY;
             let mut watch = Watch { observers: vec![pictures], bar: &bar, interrupt, stop_s, is_stopped: false };
             let report = shown_to_its_end(&mut simulation, &mut watch);
@@ -240,7 +242,15 @@ fn read(path: &Path, run: &ShownRun, pictures: &mut Pictures) -> Result<(), Fail
             break;
         }
     }
+    note_cut_off(&reader);
     Ok(())
+}
+
+/// Says that a file was cut off, and what is shown of it.
+fn note_cut_off(reader: &TrajectoryReader) {
+    if let Some(error) = reader.cut_off() {
+        failure::remark(&format!("note: {error}; what stands before is shown"));
+    }
 }
 
 /// The runs that the command line names.

@@ -51,11 +51,14 @@ pub struct DecompositionSettings {
     /// Most parts before it is given up, at least 1. The default of 100,000 is reached by smooth surfaces of some ten
     /// thousand triangles.
     pub max_parts: usize,
+    /// Most comparisons of a vertex or an edge with a plane that may be cut along before it is given up; a few million
+    /// of them take a second or less. There is no limit by default.
+    pub max_comparisons: u64,
 }
 
 impl Default for DecompositionSettings {
     fn default() -> Self {
-        Self { max_parts: 100_000 }
+        Self { max_parts: 100_000, max_comparisons: u64::MAX }
     }
 }
 
@@ -71,6 +74,18 @@ pub enum DecompositionError {
         /// The limit.
         limit: usize,
         /// Reflex edges of the solid as given.
+        reflex_edges: usize,
+    },
+    /// The search for planes to cut along would take more comparisons than allowed.
+    #[error(
+        "the solid has {triangles} triangles and {reflex_edges} reflex edges, and exact convex parts of it would take too long to find (more than {limit} comparisons): coarsen the mesh, or decompose it approximately"
+    )]
+    TooMuchWork {
+        /// The limit.
+        limit: u64,
+        /// Triangles of the solid.
+        triangles: usize,
+        /// Its reflex edges.
         reflex_edges: usize,
     },
 }
@@ -111,7 +126,7 @@ pub struct Decomposition {
 /// ```
 ///
 /// # Errors
-/// [`DecompositionError::TooManyParts`].
+/// [`DecompositionError`], when the limits of `settings` are reached.
 pub fn convex_decomposition(
     solid: &SolidMesh,
     settings: DecompositionSettings,
@@ -128,19 +143,27 @@ pub fn convex_decomposition(
     };
     let limit = settings.max_parts.max(1);
     let mut stack = vec![faces];
+    let mut comparisons: u64 = 0;
     while let Some(faces) = stack.pop() {
         let adjacency = Adjacency::of(&space, &faces);
         let mut groups = grouping::groups(&space, &faces, &adjacency);
         // The stack gives back the last first.
         groups.reverse();
         for group in groups {
-            let plane = choice::plane_through_reflex_edge(&mut space, &group);
+            let plane = choice::plane_through_reflex_edge(&mut space, &group, &mut comparisons);
             let plane = plane.or_else(|| emit(&space, &group, &mut result));
             if let Some((plane, sides)) = plane {
                 let (front, back) = cut::cut(&mut space, &group.faces, plane, &sides);
                 result.cuts += 1;
                 stack.extend([front, back]);
             }
+        }
+        if comparisons > settings.max_comparisons {
+            return Err(DecompositionError::TooMuchWork {
+                limit: settings.max_comparisons,
+                triangles: solid.mesh().triangles().len(),
+                reflex_edges: result.reflex_edges,
+            });
         }
         // Every piece that waits is one part at least.
         if result.parts.len() + result.flat_parts + stack.len() > limit {

@@ -50,6 +50,18 @@ pub enum MeshError {
     /// The surface does not part space into inside and outside, or is inside out.
     #[error("the mesh bounds no solid: {} (indices count from 0)", list(.0))]
     NotSolid(Vec<Defect>),
+    /// The surface is open along seams, at which vertices are doubled, as textured files have them: merged, they make it a
+    /// solid.
+    #[error(
+        "the mesh bounds no solid: {} (indices count from 0); its vertices are doubled at seams, {}",
+        list(.defects), seams(*.distance_m)
+    )]
+    Seams {
+        /// What prevents a solid.
+        defects: Vec<Defect>,
+        /// Distance within which vertices must be merged, m; zero where doubled ones are equal.
+        distance_m: f64,
+    },
     /// The surface is closed but encloses nothing that rounding of its coordinates could not make.
     #[error(
         "the mesh encloses a volume of {volume} m^3 under an area of {area} m^2: it is flat, or too small or large for f64"
@@ -66,6 +78,15 @@ pub enum MeshError {
     /// The integrals are no mass properties (a rod without thickness, numbers beyond f64).
     #[error(transparent)]
     MassProperties(#[from] MassPropertiesError),
+}
+
+/// How far doubled vertices are apart.
+fn seams(distance_m: f64) -> String {
+    if distance_m == 0.0 {
+        "as those of textured files are".to_owned()
+    } else {
+        format!("up to {distance_m:e} m apart")
+    }
 }
 
 /// The defects in one line.

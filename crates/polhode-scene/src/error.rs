@@ -2,7 +2,7 @@
 
 use crate::document::{KeyPath, Step};
 use polhode::SceneError;
-use polhode::contact::ShapeError;
+use polhode::contact::{ApproximateError, ShapeError};
 use polhode::dynamics::field::FieldError;
 use polhode::mesh::{MeshError, MeshFormat, PrimitiveError, ReadError};
 use polhode::scene::{MotionError, OverlapAtStart};
@@ -271,6 +271,21 @@ pub enum Refusal {
     /// A mesh file is refused.
     #[error(transparent)]
     MeshFile(#[from] MeshFileError),
+    /// A mesh has no approximate convex parts.
+    #[error(transparent)]
+    Approximate(ApproximateError),
+    /// Approximate convex parts fill a mesh less well than demanded.
+    #[error(
+        "the volume of the {parts} convex parts differs from that of the solid by {found:e} of it, the limit is {limit:e}: allow more `parts`, a larger `error`, or leave `approximate` out for exact parts"
+    )]
+    ApproximateVolume {
+        /// How many parts there are.
+        parts: usize,
+        /// Difference of their volume from that of the solid, relative to it.
+        found: f64,
+        /// The limit given.
+        limit: f64,
+    },
 }
 
 impl From<InertiaError> for Refusal {
@@ -360,6 +375,10 @@ impl Refusal {
             Self::UnknownName { name, known, .. } => Some(format!("{}accepted: {known}", meant(name, known))),
             Self::Type { accepted, .. } => Some(format!("accepted: {accepted}")),
             Self::Scene(SceneError::InitialOverlap(pairs)) => mend(pairs),
+            Self::Mesh(MeshError::Seams { distance_m, .. }) => Some(format!(
+                "to merge them: `polhode mesh FILE --repair{} -o MENDED.obj`, and name that file here",
+                weld_tolerance(*distance_m)
+            )),
             Self::Number { accepted, .. } => Some(format!("accepted: {accepted}")),
             Self::ShapeKinds => Some(format!("accepted: one of {}", crate::format::SHAPES)),
             Self::ForceKinds => Some(format!("accepted: one of {}", crate::format::FORCES)),
@@ -444,8 +463,20 @@ fn is_of_material(key: &str, accepted: &str) -> bool {
 /// The question whether one of a list of quoted words was meant; empty when none is like the word.
 fn meant(word: &str, list: &str) -> String {
     let near = list.split('`').skip(1).step_by(2).map(|known| (edits(word, known), known)).min();
-    let is_slip = |edits: usize| edits > 0 && edits <= MOST_SLIPS && 2 * edits <= word.chars().count();
-    near.filter(|(edits, _)| is_slip(*edits)).map_or_else(String::new, |(_, known)| format!("did you mean `{known}`? "))
+    near.filter(|(_, known)| is_slip_of(word, known))
+        .map_or_else(String::new, |(_, known)| format!("did you mean `{known}`? "))
+}
+
+/// Whether a word is another one but for a few slips of the pen: a character too many or too few, another one, or two
+/// neighbours exchanged.
+pub fn is_slip_of(word: &str, known: &str) -> bool {
+    let edits = edits(word, known);
+    edits > 0 && edits <= MOST_SLIPS && 2 * edits <= word.chars().count()
+}
+
+/// The option that merges vertices within a distance (m), for the command line; empty where equal ones are meant.
+pub fn weld_tolerance(distance_m: f64) -> String {
+    if distance_m == 0.0 { String::new() } else { format!(" --weld-tolerance {distance_m:e}") }
 }
 
 /// How the overlaps of a start are mended, when they are small: the overlap that counts as touch is 1e-9 of a body's size,

@@ -40,6 +40,12 @@ impl LoadedScene {
         self.file.description.as_deref().and_then(on_one_line)
     }
 
+    /// What has set a key from outside the file (the origin of the last [`Override`] of it); none when the file itself does, or
+    /// nothing.
+    pub fn set_by(&self, key: &str) -> Option<&str> {
+        self.document.set_by(key)
+    }
+
     /// An error that the engine found in the scene later (two bodies that overlap), shown at its place in the file.
     pub fn explain(&self, error: SceneError) -> SceneFileError {
         self.document.refuse(&build::path_of(&error, &self.file), Refusal::Scene(error))

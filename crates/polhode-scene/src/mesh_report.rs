@@ -1,7 +1,7 @@
 //! What is wrong with a mesh, and its mass properties.
 
 use crate::report::triple;
-use glam::DMat3;
+use glam::{DMat3, DVec3};
 use polhode::mesh::{
     Amount, Diagnosis, MeshError, Repair, SolidMesh, SurfaceIntegrals, TriangleMesh, diagnose, hollow_mass_properties,
     solid_mass_properties,
@@ -25,6 +25,8 @@ pub struct MeshReport {
     pub vertices: usize,
     /// Number of triangles.
     pub triangles: usize,
+    /// Extent along the axes, m.
+    pub size_m: DVec3,
     /// What is wrong.
     pub diagnosis: Diagnosis,
     /// Area, m^2.
@@ -40,6 +42,11 @@ impl MeshReport {
     pub fn new(mesh: TriangleMesh, filling: Filling, amount: Amount) -> Self {
         let diagnosis = diagnose(&mesh);
         let (vertices, triangles) = (mesh.vertices().len(), mesh.triangles().len());
+        let (low, high) = mesh
+            .vertices()
+            .iter()
+            .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &vertex| (low.min(vertex), high.max(vertex)));
+        let size_m = (high - low).max(DVec3::ZERO);
         let area_m2 = SurfaceIntegrals::of(&mesh).area;
         let hollow = hollow_mass_properties(&mesh, amount);
         let solid = SolidMesh::new(mesh);
@@ -48,7 +55,7 @@ impl MeshReport {
             Filling::Hollow => hollow,
             Filling::Solid => solid.and_then(|solid| solid_mass_properties(&solid, amount)),
         };
-        Self { vertices, triangles, diagnosis, area_m2, volume_m3, mass_properties }
+        Self { vertices, triangles, size_m, diagnosis, area_m2, volume_m3, mass_properties }
     }
 
     /// The report as JSON. What there is none of is `null`; matrices are lists of rows, and the columns of
@@ -72,6 +79,7 @@ impl MeshReport {
         json!({
             "vertices": self.vertices,
             "triangles": self.triangles,
+            "size_m": triple(self.size_m),
             "volume_m3": self.volume_m3,
             "area_m2": self.area_m2,
             "mass_kg": properties.map(MassProperties::mass),

@@ -78,14 +78,13 @@ impl Rows {
             return Ok(None);
         }
         if self.fields.len() != COLUMNS.len() {
-            let cut_off = if self.ends_with_line_end() { "" } else { ": the file is cut off in this line" };
             let (found, needed) = (self.fields.len(), COLUMNS.len());
-            return Err(self.content(format!("{found} columns, {needed} are needed{cut_off}")));
+            return Err(self.content(format!("{found} columns, {needed} are needed{}", self.cut_off())));
         }
         let mut numbers = [0.0; NUMBERS];
         for (number, (field, column)) in numbers.iter_mut().zip(self.fields.iter().zip(COLUMNS).skip(FIRST_NUMBER)) {
-            *number =
-                field.parse().map_err(|_| self.content(format!("`{field}` in column {column} is not a number")))?;
+            let wrong = |_| self.content(format!("`{field}` in column {column} is not a number{}", self.cut_off()));
+            *number = field.parse().map_err(wrong)?;
         }
         let key = [std::mem::take(&mut self.fields[0]), std::mem::take(&mut self.fields[1])];
         Ok(Some(Row { key, numbers }))
@@ -99,6 +98,11 @@ impl Rows {
     /// Whether the last row read has a line's end behind it.
     pub(crate) fn ends_with_line_end(&self) -> bool {
         self.records.ends_with_line_end()
+    }
+
+    /// What is to be said besides of a last line that has no end.
+    fn cut_off(&self) -> &'static str {
+        if self.ends_with_line_end() { "" } else { ": in this line the file is cut off: write it again" }
     }
 
     /// That the file is not a trajectory at the present line.

@@ -1,7 +1,8 @@
 //! Animated models: binary glTF 2.0 (`.glb`).
 //!
 //! Every body is a node with its parts as children, every part a node with a mesh. A body that moves has an animation of its
-//! position and its orientation, linear between frames. glTF has y up: a root node turns the world. A half-space is a square
+//! position and its orientation, linear between frames. Players turn a body from one orientation to the next by the shortest
+//! way, which is the wrong one from half a turn on: a body that turns fast has more orientations between two frames. glTF has y up: a root node turns the world. A half-space is a square
 //! as large as what is shown needs. Source: docs/REFERENCES.md, glTF 2.0.
 
 use crate::colors;
@@ -220,17 +221,30 @@ impl Model {
         if frames.len() < 2 {
             return;
         }
-        let times: Vec<Vec<f32>> = frames.iter().map(|&frame| vec![recording.times()[frame] as f32]).collect();
-        let mut input = None;
+        let times: Vec<f32> = frames.iter().map(|&frame| recording.times()[frame] as f32).collect();
+        let mut shared = None;
         for (place, &body) in recording.shown().moving.iter().enumerate() {
             let poses: Vec<&Pose> = frames.iter().map(|&frame| &recording.moving_poses(frame)[place]).collect();
             let translations: Vec<Vec<f32>> = poses.iter().map(|pose| triple(pose.translation)).collect();
-            let rotations = continuous(poses.iter().map(|pose| pose.rotation));
-            for (path, kind, rows) in [("translation", "VEC3", translations), ("rotation", "VEC4", rotations)] {
+            let turns = orientations(recording, &frames, place);
+            let turn_times: Vec<f32> = turns.iter().map(|(t, _)| *t).collect();
+            let rotations = continuous(turns.iter().map(|(_, rotation)| *rotation));
+            for (path, kind, rows, own) in
+                [("translation", "VEC3", translations, &times), ("rotation", "VEC4", rotations, &turn_times)]
+            {
                 if rows.windows(2).all(|pair| pair[0] == pair[1]) {
                     continue;
                 }
-                let input = *input.get_or_insert_with(|| self.add_floats("SCALAR", &times, None));
+                let input = match shared {
+                    Some(input) if *own == times => input,
+                    _ => {
+                        let input = self.add_floats("SCALAR", &own.iter().map(|&t| vec![t]).collect::<Vec<_>>(), None);
+                        if *own == times {
+                            shared = Some(input);
+                        }
+                        input
+                    }
+                };
                 let output = self.add_floats(kind, &rows, None);
                 self.samplers.push(json!({ "input": input, "output": output, "interpolation": "LINEAR" }));
                 let target = json!({ "node": self.bodies[body], "path": path });
@@ -298,6 +312,39 @@ fn turned_from_z(normal: DVec3) -> Rotation {
     } else {
         Rotation::renormalized(DQuat::from_xyzw(1.0, 0.0, 0.0, 0.0))
     }
+}
+
+/// Largest angle from one orientation to the next, rad: well below half a turn, so that the shortest way is the right one.
+const LARGEST_TURN: f64 = 2.0;
+
+/// Orientations between two frames at the most: a body that turns faster than they show is a blur at any rate.
+const MOST_BETWEEN: f64 = 64.0;
+
+/// Times (s) and orientations of a body that moves: in the frames, and between them where it turns fast.
+fn orientations(recording: &Recording, frames: &[usize], place: usize) -> Vec<(f32, Rotation)> {
+    let mut list: Vec<(f32, Rotation)> = Vec::with_capacity(frames.len());
+    let mut add = |t: f64, rotation: Rotation| {
+        if list.last().is_none_or(|&(last, _)| t as f32 > last) {
+            list.push((t as f32, rotation));
+        }
+    };
+    for pair in frames.windows(2) {
+        let [start, end] = [pair[0], pair[1]].map(|frame| recording.turning(frame, place));
+        let (t, h) = (recording.times()[pair[0]], recording.times()[pair[1]] - recording.times()[pair[0]]);
+        add(t, start.rotation);
+        let parts = (start.angle_to(&end, h) / LARGEST_TURN).ceil().min(MOST_BETWEEN);
+        for part in 1..parts as usize {
+            let s = part as f64 / parts;
+            // One that rounds to the time of the next frame would take its place.
+            if ((t + s * h) as f32) < (t + h) as f32 {
+                add(t + s * h, start.towards(&end, h, s));
+            }
+        }
+    }
+    if let Some(&last) = frames.last() {
+        add(recording.times()[last], recording.turning(last, place).rotation);
+    }
+    list
 }
 
 /// Quaternions of which each is the nearer of the two that are the same rotation.

@@ -9,6 +9,8 @@
 //! | [`surface_mesh`], [`mod@tessellation`] | triangles, normals and sharp edges of every shape |
 //! | [`shown_scene`], [`mesh_library`] | what is shown: bodies, their parts, and meshes that they share |
 //! | [`quanta`], [`chunk`] | frames as integers, packed |
+//! | `turning` | orientations between two frames |
+//! | `penetration` | how deep bodies overlap, as plots and pages show it |
 //! | [`event_list`], [`series`] | events in words, and quantities over time |
 //! | [`page`] | the page writer, which streams while the run goes on |
 //! | [`recording`] | poses over time, for pictures and models |
@@ -38,8 +40,10 @@ pub mod surface_mesh;
 pub mod tessellation;
 
 mod colors;
+mod penetration;
 mod text;
 mod thinning;
+mod turning;
 
 pub use error::ViewError;
 pub use mesh_library::MeshLibrary;

@@ -4,6 +4,7 @@ use crate::error::ViewError;
 use crate::mesh_library::MeshLibrary;
 use crate::shown_scene::{ShownBody, ShownScene};
 use crate::thinning::Thinning;
+use crate::turning::Turning;
 use polhode::spatial::{DVec3, Pose};
 use polhode::{BodySample, Flow, Observer, Scene};
 
@@ -28,6 +29,8 @@ pub struct Recording {
     times: Vec<f64>,
     /// Frame by frame, in the order of the bodies that move.
     poses: Vec<Vec<Pose>>,
+    /// Angular velocities in the world (rad/s), as the poses.
+    spins: Vec<Vec<DVec3>>,
     /// Poses of all bodies in the first frame.
     initial: Vec<Pose>,
     put_off: Option<(f64, Vec<BodySample>)>,
@@ -50,6 +53,7 @@ impl Recording {
             thinning: Thinning::new(least_interval_s),
             times: Vec::new(),
             poses: Vec::new(),
+            spins: Vec::new(),
             initial: Vec::new(),
             put_off: None,
             fault: None,
@@ -85,6 +89,7 @@ impl Recording {
         while self.times.last().is_some_and(|&last| last >= t_s) {
             self.times.pop();
             self.poses.pop();
+            self.spins.pop();
         }
         self.add(t_s, bodies)?;
         self.end()
@@ -118,7 +123,31 @@ impl Recording {
         }
         self.times.push(t);
         self.poses.push(self.shown.moving.iter().map(|&body| bodies[body].pose).collect());
+        // What is no number turns nothing.
+        let spin = |&body: &usize| Some(bodies[body].velocity.angular).filter(|w| w.is_finite()).unwrap_or_default();
+        self.spins.push(self.shown.moving.iter().map(spin).collect());
         Ok(())
+    }
+
+    /// Orientation and angular velocity of a body that moves in a frame, by its place in [`ShownScene::moving`].
+    pub(crate) fn turning(&self, frame: usize, place: usize) -> Turning {
+        let pose = self.moving_poses(frame).get(place).copied().unwrap_or(Pose::IDENTITY);
+        let spin = self.spins.get(frame).and_then(|spins| spins.get(place)).copied().unwrap_or_default();
+        Turning { rotation: pose.rotation, angular_velocity: spin }
+    }
+
+    /// The body that turns the farthest from one frame to the next, with the angle, rad; none where nothing turns.
+    pub fn largest_turn(&self) -> Option<(&str, f64)> {
+        let mut largest: Option<(usize, f64)> = None;
+        for (frame, times) in self.times.windows(2).enumerate() {
+            for (place, &body) in self.shown.moving.iter().enumerate() {
+                let angle = self.turning(frame, place).angle_to(&self.turning(frame + 1, place), times[1] - times[0]);
+                if angle > largest.map_or(0.0, |(_, angle)| angle) {
+                    largest = Some((body, angle));
+                }
+            }
+        }
+        largest.map(|(body, angle)| (self.shown.bodies[body].name.as_str(), angle))
     }
 
     /// What is shown.

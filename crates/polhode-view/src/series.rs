@@ -1,5 +1,6 @@
 //! Quantities over time, one value a frame.
 
+use crate::penetration::Penetration;
 use crate::text;
 use polhode::Frame;
 use serde_json::{Value, json};
@@ -25,6 +26,7 @@ const QUANTITIES: [(&str, &str, &str); 13] = [
 #[derive(Debug, Default)]
 pub struct Series {
     values: Vec<Vec<f64>>,
+    penetration: Penetration,
     last: Option<(f64, u64)>,
 }
 
@@ -37,7 +39,8 @@ impl Series {
         };
         self.last = Some((frame.t_s, frame.steps));
         self.values.resize_with(QUANTITIES.len(), Vec::new);
-        for (list, value) in self.values.iter_mut().zip(values(frame, mean_step)) {
+        let deepest_m = self.penetration.of(frame).largest_m;
+        for (list, value) in self.values.iter_mut().zip(values(frame, deepest_m, mean_step)) {
             list.push(value);
         }
     }
@@ -51,7 +54,7 @@ impl Series {
     }
 }
 
-fn values(frame: &Frame, mean_step: f64) -> [f64; QUANTITIES.len()] {
+fn values(frame: &Frame, deepest_m: f64, mean_step: f64) -> [f64; QUANTITIES.len()] {
     let (energy, ledger, certificate) = (&frame.energy, &frame.ledger, &frame.certificate);
     [
         energy.kinetic_j,
@@ -64,7 +67,7 @@ fn values(frame: &Frame, mean_step: f64) -> [f64; QUANTITIES.len()] {
         ledger.external.value(),
         ledger.projection.value(),
         ledger.numerical.value(),
-        certificate.max_penetration_m,
+        deepest_m,
         certificate.max_residual,
         mean_step,
     ]

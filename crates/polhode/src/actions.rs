@@ -108,15 +108,19 @@ impl Simulation {
         let mut probe = world.clone();
         let (index, state) = probe.add_body(body.clone(), self.core.t)?;
         probe.scene.check_grains()?;
+        probe.scene.check_motions()?;
         let mut states = self.tier.states(&self.core);
         states.push(state);
         check_clear(&probe, index, &states)?;
         let again = body.clone();
         self.act(&[], &[index], "add_body", |simulation| {
+            let fields_before_j = simulation.field_potential();
             let (added, state) = simulation.core.world.add_body(body, simulation.core.t)?;
             simulation.tier.add_body(&simulation.core, state);
             let states = simulation.tier.states_mut().to_vec();
             simulation.core.accounts.books.added(&simulation.core.world, &states, added);
+            let fields_after_j = simulation.field_potential();
+            simulation.core.accounts.books.fields_changed(fields_before_j, fields_after_j);
             simulation.tier.interrupt(&mut simulation.core, &[added])
         })?;
         self.repeat_on_companion(|companion| companion.add_body(again).map(|_| ()));
@@ -131,12 +135,21 @@ impl Simulation {
         let index = self.present(body)?;
         self.act(&[index], &[], "remove_body", |simulation| {
             let states = simulation.tier.states_mut().to_vec();
+            let fields_before_j = simulation.field_potential();
             simulation.core.accounts.books.removed(&simulation.core.world, &states, index);
             simulation.tier.remove_body(index);
-            Ok(simulation.core.world.remove_body(index)?)
+            simulation.core.world.remove_body(index)?;
+            let fields_after_j = simulation.field_potential();
+            simulation.core.accounts.books.fields_changed(fields_before_j, fields_after_j);
+            Ok(())
         })?;
         self.repeat_on_companion(|companion| companion.remove_body(body));
         Ok(())
+    }
+
+    /// Potential energy of the force fields on the present bodies, J.
+    fn field_potential(&mut self) -> f64 {
+        self.core.world.field_potential(self.tier.states_mut())
     }
 
     /// Changes the state of a body and books the change as one by the program. `moved` holds the body if its pose

@@ -4,8 +4,8 @@
 //! with the run at the end. Of time steps of length `h` the error is `e ~ h^p`, with `p` 2 between changes of contact
 //! and 1 across them, whatever amplifies it later. That of the companion is `2^p e`, and the distance of the two runs
 //! `(2^p - 1) e`, from `e` to `3 e`. The estimate is [`SAFETY`] times this distance, and the positions are at least as
-//! uncertain as the errors of the steps themselves. Source: Hairer, Nørsett, Wanner (step doubling), applied to the whole
-//! motion and not to one step.
+//! uncertain as the errors of the steps themselves. Source: step doubling (docs/REFERENCES.md, Hairer, Norsett and
+//! Wanner), applied to the whole motion and not to one step.
 //!
 //! Assumes that the error falls with the steps. Limit: two motions that have lost all memory of each other (chaos) are
 //! as far apart as the scene is wide, which says that the error is as large. Where the companion ends with an error, the
@@ -49,6 +49,20 @@ impl Companion {
     }
 }
 
+/// The same content, with the next time steps of its stretches as long as those of a companion. Where a length grows by
+/// the largest factor from step to step, the companion would otherwise make the steps of the run.
+fn with_longer_steps(mut content: Content) -> Content {
+    if let content::Tier::Accurate(tier) = &mut content.tier {
+        for track in &mut tier.tracks {
+            if let content::Mode::Crowded { step_s, spare_error, .. } = &mut track.mode {
+                *step_s *= STEP_FACTOR;
+                *spare_error *= STEP_FACTOR * STEP_FACTOR;
+            }
+        }
+    }
+    content
+}
+
 impl Simulation {
     /// The companion that continues from this content.
     ///
@@ -76,7 +90,7 @@ impl Simulation {
     pub(crate) fn accompany(&mut self) {
         let is_needed = self.core.settings.tier == Tier::Accurate && self.core.accounts.has_crowded();
         if matches!(self.companion, Companion::None) && is_needed {
-            let begun = self.companion_from(&self.content());
+            let begun = self.companion_from(&with_longer_steps(self.content()));
             self.companion = begun.unwrap_or_else(|error| Companion::Lost(error.to_string()));
         }
         // It is brought up seldom: each time costs the evaluation of its steps.

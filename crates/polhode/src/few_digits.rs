@@ -1,16 +1,21 @@
-//! Lengths as messages say them.
+//! Numbers and lengths as messages say them.
 
 /// Digits after the first one: messages give a length to find a place by, not to compute with.
 const DIGITS: usize = 2;
 
-/// Lengths that are written without a power of ten, m.
-const PLAIN_M: std::ops::Range<f64> = 1e-3..1e6;
+/// Numbers that are written without a power of ten.
+const PLAIN: std::ops::Range<f64> = 1e-3..1e6;
+
+/// A number in at most three digits.
+pub(crate) fn number(number: f64) -> String {
+    let rounded: f64 = format!("{number:.DIGITS$e}").parse().unwrap_or(number);
+    let is_plain = rounded == 0.0 || PLAIN.contains(&rounded.abs());
+    if is_plain { format!("{rounded}") } else { format!("{rounded:e}") }
+}
 
 /// A length (m) in at most three digits, with its unit.
 pub(crate) fn length(length_m: f64) -> String {
-    let rounded: f64 = format!("{length_m:.DIGITS$e}").parse().unwrap_or(length_m);
-    let is_plain = rounded == 0.0 || PLAIN_M.contains(&rounded.abs());
-    if is_plain { format!("{rounded} m") } else { format!("{rounded:e} m") }
+    format!("{} m", number(length_m))
 }
 
 #[cfg(test)]

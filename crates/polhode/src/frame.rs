@@ -46,7 +46,8 @@ pub struct ContactView {
     /// the tiers of fixed steps it is the mean force of the last step; in the tier `thesis` it is zero before the first
     /// step.
     pub normal_force_n: f64,
-    /// Force of friction on A, in the tangent plane, world, N. Zero without friction and in the tiers of fixed steps.
+    /// Force of friction on A, in the tangent plane, world, N. Zero without friction and in the tier `thesis`; in the tier
+    /// `stepped` the mean of the last step, without impacts.
     pub friction_n: DVec3,
 }
 
@@ -118,7 +119,8 @@ impl World {
         };
         let Some(aside) = self.mirrored(states, id) else { return views.push(view) };
         for point_m in [view.point_m - aside, view.point_m + aside] {
-            views.push(ContactView { point_m, normal_force_n: 0.5 * force_n, ..view });
+            let (normal_force_n, friction_n) = (0.5 * force_n, friction_n * 0.5);
+            views.push(ContactView { point_m, normal_force_n, friction_n, ..view });
         }
     }
 }

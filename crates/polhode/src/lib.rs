@@ -153,6 +153,7 @@ mod core;
 mod effects;
 mod energy;
 pub mod error;
+mod error_estimate;
 pub mod event;
 mod few_digits;
 pub mod frame;
@@ -201,7 +202,7 @@ pub use momentum_ledger::{Momentum, MomentumLedger, MomentumSum};
 pub use observer::{Flow, Observer, Recorder, Unobserved};
 pub use plan::{Decision, Effect, EffectDecision, Plan};
 pub use report::{Certificate, CrowdedStretch, CrowdingError, Outcome, PairAt, PlanChange, RunReport, Tolerated};
-pub use scene::{Body, Geometry, Scene, SceneBuilder, SceneError};
+pub use scene::{ApproximateParts, Body, Geometry, Scene, SceneBuilder, SceneError};
 pub use simulation::{Simulation, StepEnd, StepOutcome};
 pub use snapshot::{Snapshot, SnapshotError};
 

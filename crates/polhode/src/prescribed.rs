@@ -187,7 +187,9 @@ mod tests {
     use crate::interaction::groups::Group;
     use crate::interaction::impact::strike;
     use crate::pivot_form::PivotRows;
-    use crate::scene::{Body, Geometry, ImpactLaw, MotionTable, PrescribedMotion, SampledOrientations, Scene};
+    use crate::scene::{
+        Body, Geometry, ImpactLaw, Interpolation, MotionTable, PrescribedMotion, SampledOrientations, Scene,
+    };
     use polhode_contact::Shape;
     use polhode_dynamics::Flight;
     use polhode_response::ComplementaritySolver;
@@ -208,6 +210,7 @@ mod tests {
             times_s: vec![-0.4, 0.1, 0.7, 1.2],
             positions_m: Some(vec![DVec3::ZERO, DVec3::X * 0.2, DVec3::new(0.1, -0.3, 0.4), DVec3::Z]),
             orientations: Some(SampledOrientations::RotationVectors(turns.to_vec())),
+            interpolation: Interpolation::Spline,
         };
         Ok([
             PrescribedMotion::constant_velocity(screw)?,

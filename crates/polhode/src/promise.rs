@@ -9,19 +9,25 @@
 //!
 //! s: size of the smaller body of the pair, m; ulp: unit in the last place of the largest coordinate of the two, m;
 //! tolerance: that of the method; drift: the tolerance, at least ten times its default; E: the largest energy of the
-//! run, at least that of lifting all bodies by their size, J. The time of an impact is known to four units in its last
+//! run, at least that of lifting all bodies by their size, J. In every tier the integrator may lose or gain at most a
+//! hundredth of the largest energy (`crate::accounting::numerical_loss`). The time of an impact is known to four units in its last
 //! place, and the distance by which the bodies approach in that time is added to the limit of penetration. A run that
-//! exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is a run of any tier with a
-//! problem that was not solved to its tolerance, or with forces of friction that violate Coulomb's law by more than
+//! exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is a run of any tier in which ending
+//! bounces took more than 1e-9 of E beyond the energy of the bounces themselves, or with a problem that was not solved to
+//! its tolerance, or with forces of friction that violate Coulomb's law by more than
 //! [`CONE_LIMIT`](crate::interaction::cone_violation::CONE_LIMIT) relative to the largest force of their problem.
 
 use crate::accounting::books::Balance;
 use crate::accounting::measures::{Limits, Measure};
+use crate::accounting::numerical_loss::FixedStep;
+use crate::collision::contact_set::Touch;
 use crate::core::Core;
 use crate::interaction::cone_violation::ConeViolation;
 use crate::interaction::constraint::ConstraintId;
 use crate::interaction::projection::Projection;
-use crate::world::{World, WorldBody};
+use crate::scene::Tier;
+use crate::time_stepping::TimeStepReport;
+use crate::world::World;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::{BodyState, RigidBody};
 
@@ -32,6 +38,13 @@ const MOVED_BY_ROUNDING: f64 = 5.0;
 /// Allowed delay of an impact, in units in the last place of its time.
 const TIME_ULPS: f64 = 4.0;
 
+/// Order in the step of time steps between changes of contact.
+const ORDER_OF_TIME_STEPS: u32 = 2;
+
+/// Energy that ended bounces may take beyond their own, relative to the largest energy of the run (no unit, 1e-12 to
+/// 1e-8): a run that loses more does not have the motion of its scene.
+const ENDED_BOUNCES_RELATIVE: f64 = 1e-9;
+
 /// Most bodies that a warning names.
 const MOST_NAMES: usize = 4;
 
@@ -39,13 +52,16 @@ impl Core {
     /// The limits of the whole run.
     pub(crate) fn limits(&self) -> Limits {
         let drift = self.settings.promised_drift();
-        let lift_j = |body: &WorldBody| {
-            let mass = body.rigid.as_ref().map_or(0.0, RigidBody::mass);
-            mass * self.world.gravity().length() * body.size
-        };
+        let settings = &self.settings;
+        let order = if settings.tier == Tier::Stepped { ORDER_OF_TIME_STEPS } else { settings.integrator.order() };
+        let is_fixed = settings.tier != Tier::Accurate || !settings.integrator.controls_error();
+        let duration_s = self.world.scene.duration_s();
+        let step = is_fixed.then_some(FixedStep { step_s: settings.step_s, order, duration_s });
         Limits {
             projection_energy_relative: drift.unwrap_or(f64::INFINITY),
-            smallest_energy_j: self.world.bodies.iter().map(lift_j).sum(),
+            ended_bounces_relative: ENDED_BOUNCES_RELATIVE,
+            smallest_energy_j: self.world.lifting_energy_j(),
+            step,
         }
     }
 
@@ -80,6 +96,37 @@ impl Core {
             let late_approach = TIME_ULPS * f64::EPSILON * t.abs() * rate.abs();
             relative * self.world.pair_size(a, b) + self.world.penetration_rounding(states, a, b) + late_approach
         })
+    }
+
+    /// Records the penetration that a time step up to `t` (s) has left and removed. Its tier promises no limit.
+    pub(crate) fn note_overlap_of_step(&mut self, t: f64, report: &TimeStepReport) {
+        let Some(pair) = report.deepest.map(|id| (id.a, id.b)) else { return };
+        let measure = |value: f64| Measure { t, pair, value, allowed: f64::INFINITY };
+        let measures = &mut self.accounts.measures;
+        measures.penetration.note(measure(report.max_penetration_m));
+        measures.projection.note(measure(report.max_projection_m));
+        measures.projection_energy.note(measure(report.books.ledger.projection.value().abs()));
+    }
+
+    /// Books the end of bounces of some bodies at `t` (s), and records in the certificate what was taken beyond the
+    /// energy of the bounces. That energy is at most the one that all the bodies have at the speed of the fastest bounce.
+    pub(crate) fn book_ended_bounces(
+        &mut self,
+        t: f64,
+        bodies: &[usize],
+        fastest: &Touch,
+        (before, after): (Balance, Balance),
+        work_j: f64,
+    ) {
+        let taken = self.accounts.books.rest(before, after, work_j);
+        let mass = |&body: &usize| self.world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
+        let speed = fastest.kinematics.separation_rate;
+        let of_bounces = 0.5 * bodies.iter().map(mass).sum::<f64>() * speed * speed;
+        let beyond = (taken.abs() - of_bounces).max(0.0);
+        let pair = (fastest.id.a, fastest.id.b);
+        let measure = Measure { t, pair, value: beyond, allowed: f64::INFINITY };
+        self.accounts.measures.ended_bounces.note(measure);
+        self.accounts.measures.ended_bounces_sum.add(beyond);
     }
 
     /// Records in the certificate how far forces or impulses at `t` (s) are from Coulomb's law, and how far they may be.

@@ -37,6 +37,13 @@ pub struct Certificate {
     pub max_projection_relative: f64,
     /// The pair and the time of that projection.
     pub max_projection_j_at: Option<PairAt>,
+    /// Largest energy that the end of bounces at one instant took beyond that of the bounces themselves, J: of motion
+    /// along a surface, for example. Bounces too small to resolve are ended by a projection of the velocities.
+    pub max_ended_bounces_j: f64,
+    /// The pair and the time of that.
+    pub max_ended_bounces_at: Option<PairAt>,
+    /// The same energy of all instants, J: above 1e-9 of the largest energy of the run it is degraded.
+    pub ended_bounces_j: f64,
     /// Largest violation of Coulomb's law by forces or impulses of contacts with friction: what a tangential force exceeds
     /// `mu` times the normal one by, or what pulls, relative to the largest force of the problem; or the acceleration of a
     /// slip that is held although friction does not hold it, relative to the largest without contact forces. Judged at every
@@ -47,11 +54,19 @@ pub struct Certificate {
     /// The pair and the time of that violation.
     pub max_friction_violation_at: Option<PairAt>,
     /// Largest bound `sqrt(f.w)` on the error of the accelerations from a solve for contact forces, in the norm of
-    /// mass, N^(1/2) (m/s^2)^(1/2); zero to rounding for exact solves.
-    pub max_acceleration_error_bound: f64,
+    /// mass, N^(1/2) (m/s^2)^(1/2); zero to rounding for exact solves. None where no contact force was solved for: in the
+    /// tier `stepped`, which solves for impulses, and in runs without contact.
+    pub max_acceleration_error_bound: Option<f64>,
     /// Largest estimated local error of a step under error control, of free or constrained motion, relative to its
-    /// tolerance.
-    pub max_step_error: f64,
+    /// tolerance. None where no step was under error control.
+    pub max_step_error: Option<f64>,
+    /// Estimated error of a run by fixed steps of the tiers `stepped` and `thesis`: the largest sum of the errors of
+    /// position of a body, relative to its size, each by comparison with two steps of half the length; in the tier
+    /// `thesis` with the deepest overlap. It does not contain what an unstable motion adds. None in the tier `accurate`.
+    pub estimated_error: Option<f64>,
+    /// The largest energy that the integrator had lost or gained at any time, relative to the largest energy of the run
+    /// until then: above 0.01 the run is degraded.
+    pub max_numerical_relative: f64,
     /// Number of fallbacks: a fallback solver answered, an event was postponed (backoff), a contact was not projected.
     /// [`RunReport::tolerated`] names them.
     pub fallbacks: u64,
@@ -100,8 +115,8 @@ pub enum Outcome {
     /// The observer stopped it.
     Stopped,
     /// The run ended, or the observer stopped it, but it did not keep the promise of its tier: a penetration, the
-    /// displacement of a projection or the energy of projections exceeded its limit, or a problem was not solved to its
-    /// tolerance. The first warnings say which bodies, when, and by how much.
+    /// displacement of a projection, the energy of projections or what the integrator lost or gained exceeded its limit,
+    /// or a problem was not solved to its tolerance. The first warnings say which bodies, when, and by how much.
     Degraded,
 }
 

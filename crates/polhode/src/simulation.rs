@@ -104,7 +104,7 @@ impl Simulation {
         if let Some(error) = singular_force::not_finite(&world, 0.0, &states) {
             return Err(error);
         }
-        let separated = start_overlap::separate(&world, &settings, &mut states)?;
+        let separated = start_overlap::judge(&world, &settings, &mut states)?;
         let choice = free_method::choose(&world, &states, &settings);
         settings.integrator = choice.integrator;
         let planar = match effects {
@@ -114,15 +114,11 @@ impl Simulation {
         world.confine_to_plane(planar.plane, &mut states);
         let accounts = Accounts::open(&world, &states);
         let mut core = Core { world, settings, effects, t: 0.0, accounts, solver: ComplementaritySolver::default() };
-        if let Some(what) = separated {
+        for what in separated.into_iter().chain(scene.warnings()) {
             core.accounts.warn(0.0, what);
         }
         let tier: Box<dyn Tier> = match settings.tier {
-            TierName::Accurate => {
-                let engine = Engine::new(&mut core, states.clone());
-                let all = |error| start_overlap::with_all_pairs(error, &core.world, &settings, &states);
-                Box::new(engine.map_err(all)?)
-            }
+            TierName::Accurate => Box::new(Engine::new(&mut core, states)?),
             TierName::Stepped => Box::new(SteppedEngine::new(&core, states)?),
             TierName::Thesis => Box::new(ThesisEngine::new(&core, states)?),
         };
@@ -149,6 +145,11 @@ impl Simulation {
     /// Time reached, s.
     pub fn time(&self) -> f64 {
         self.core.t
+    }
+
+    /// Whether the end of the scene's duration has been reached.
+    pub fn has_ended(&self) -> bool {
+        self.ended
     }
 
     /// Makes one step, which ends at the first event in it. A step ends exactly at the end of the scene's duration;
@@ -335,7 +336,7 @@ impl Simulation {
 
     /// Restores a snapshot of a simulation of the same scene, with the same effects and the same bodies added and
     /// removed. The motion, samples, events and report that follow have the same bits as those that followed the
-    /// snapshot.
+    /// snapshot. The scene may have another duration: a run that has ended goes on to a longer one.
     ///
     /// # Errors
     /// When the snapshot is of another scene or other effects, or contradicts itself; the simulation is then as it was.
@@ -361,6 +362,8 @@ impl Simulation {
         let solver = ComplementaritySolver::default();
         let mut core = Core { world, settings, effects: self.core.effects, t: content.t, accounts, solver };
         let tier = restored_tier(&mut core, &content.tier)?;
+        // A scene with a longer duration goes on.
+        let ended = content.ended && core.t >= self.scene.duration_s();
         let change = |change: &content::PlanChange| PlanChange {
             t_s: change.t_s,
             action: change.action.clone(),
@@ -374,7 +377,7 @@ impl Simulation {
             plan_changes: content.plan_changes.iter().map(change).collect(),
             plan_at_start: self.plan_at_start.clone(),
             plane_at_start: self.plane_at_start,
-            ended: content.ended,
+            ended,
             companion: Companion::Itself,
         })
     }

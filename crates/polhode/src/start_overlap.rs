@@ -1,4 +1,5 @@
-//! Bodies that overlap at the start: all of them named in one error, or moved apart when the scene allows it.
+//! Bodies that overlap at the start: all of them named in one error, or moved apart when the scene allows it. Starts of
+//! all tiers are judged here, and by `polhode check` with them.
 //!
 //! A scene that another program has exported in few digits has bodies that overlap by its rounding, far more than counts
 //! as touch. With `Scene::start_separation_m` > 0 overlaps up to that depth are removed before anything else, by the
@@ -16,20 +17,17 @@ use polhode_dynamics::BodyState;
 use polhode_response::{ComplementaritySolver, Delassus};
 use polhode_spatial::Still;
 
-/// Moves bodies apart that overlap by more than counts as touch and by at most the scene's `start_separation_m`; what to
-/// report of it, if any were moved.
+/// Refuses a start at which bodies overlap by more than counts as touch. Those that overlap by at most the scene's
+/// `start_separation_m` are moved apart; what to report of it, if any were moved.
 ///
 /// # Errors
 /// When bodies overlap by more, or cannot be separated by as little.
-pub(crate) fn separate(
+pub(crate) fn judge(
     world: &World,
     settings: &Settings,
     states: &mut [BodyState],
 ) -> Result<Option<String>, SimulationError> {
     let limit_m = world.scene.start_separation_m;
-    if limit_m == 0.0 {
-        return Ok(None);
-    }
     let found = overlaps(world, settings, states)?;
     let Some(deepest) = found.iter().max_by(|x, y| x.depth_m.total_cmp(&y.depth_m)) else { return Ok(None) };
     if deepest.depth_m > limit_m {
@@ -52,22 +50,6 @@ pub(crate) fn separate(
         length(moved_m)
     );
     Ok(Some(what))
-}
-
-/// The error itself, or, for two bodies that overlap at the start, the one that names all pairs which do.
-pub(crate) fn with_all_pairs(
-    error: SimulationError,
-    world: &World,
-    settings: &Settings,
-    states: &[BodyState],
-) -> SimulationError {
-    if !matches!(error, SimulationError::Scene(SceneError::InitialOverlap(_))) {
-        return error;
-    }
-    match overlaps(world, settings, states) {
-        Ok(found) if !found.is_empty() => SceneError::InitialOverlap(found).into(),
-        _ => error,
-    }
 }
 
 /// Pairs that overlap by more than counts as touch, in the order of the scene.

@@ -2,13 +2,13 @@
 
 use super::case::Case;
 use super::{
-    arches, convergence, convex_pairs, curved_bodies, decomposition, diamonds, effects, exact_drift, falling_shapes,
-    free_rotation, friction_effects, friction_invariances, friction_scenes, frictional_impacts, frictional_statics,
-    heavy_tops, impact_chains, impacts, invariances, ledger, long_runs, mass_properties, numerical_loss,
-    one_dependency, peers, pi_machine, polhode_times, published_rotations, random_solids, reductions, resting_contact,
-    rigid_ipc, rocking_and_toppling, rolling_disc, sliding, sliding_and_spinning, slipping_and_rolling, slopes,
-    snapshots, speed, spinning_scenes, stackings, stacks, stacks_on_slopes, structures, table_edge, thesis_tier,
-    tunnelling, valleys, videos, walls,
+    arches, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds, effects, exact_drift,
+    falling_shapes, free_rotation, friction_effects, friction_invariances, friction_scenes, frictional_impacts,
+    frictional_statics, heavy_tops, impact_chains, impacts, invariances, ledger, long_runs, mass_properties,
+    numerical_loss, one_dependency, peers, pi_machine, polhode_times, published_rotations, random_scenes,
+    random_solids, reductions, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, seams, sliding,
+    sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed, spinning_scenes, stackings, stacks,
+    stacks_on_slopes, structures, table_edge, thesis_tier, tunnelling, valleys, videos, walls,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -109,6 +109,9 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "RC-08", rows: resting_contact::rc_08 },
     Case { name: "RC-09", rows: resting_contact::rc_09 },
     Case { name: "RC-10", rows: table_edge::rc_10 },
+    Case { name: "seams", rows: seams::tiles },
+    Case { name: "seams of other surfaces", rows: seams::surfaces },
+    Case { name: "seams with friction", rows: seams::friction },
     Case { name: "FC-01", rows: slopes::fc_01 },
     Case { name: "FC-02", rows: slopes::fc_02 },
     Case { name: "FC-03", rows: sliding::fc_03 },
@@ -166,6 +169,11 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "Rigid IPC incline", rows: rigid_ipc::incline },
     Case { name: "Rigid IPC suite", rows: rigid_ipc::suite },
     Case { name: "effects", rows: effects::planned_equals_all },
+    Case { name: "crowds: output intervals", rows: crowds::intervals },
+    Case { name: "crowds: samples", rows: crowds::samples },
+    Case { name: "crowds: estimated error", rows: crowds::estimates },
+    Case { name: "crowds: friction far away", rows: crowds::far_friction },
+    Case { name: "random scenes", rows: random_scenes::scenes },
     Case { name: "snapshots", rows: snapshots::continued_runs },
     Case { name: "speed", rows: speed::diamond_4 },
     Case { name: "memory", rows: speed::peak_memory },

@@ -8,7 +8,7 @@ use crate::random::Random;
 use crate::row::{Row, Tolerance};
 use glam::DVec3;
 use polhode::contact::Shape;
-use polhode::scene::{Force, Frame, MotionTable, PrescribedMotion, Signal};
+use polhode::scene::{Force, Frame, Interpolation, MotionTable, PrescribedMotion, Signal};
 use polhode::spatial::{Pose, UnitVector, Velocity};
 use polhode::{Body, BodySample, Effects, Scene};
 use std::error::Error;
@@ -159,7 +159,8 @@ fn moving_plate(duration_s: f64) -> Result<Scene, Box<dyn Error>> {
     let count = ((duration_s + 2.0 * BEFORE) / SPACING).ceil() as usize;
     let times_s: Vec<f64> = (0..=count).map(|k| k as f64 * SPACING - BEFORE).collect();
     let positions_m = Some(times_s.iter().map(|&t| on_circle(t, 0)).collect());
-    let motion = PrescribedMotion::table(&MotionTable { times_s, positions_m, orientations: None })?;
+    let interpolation = Interpolation::Spline;
+    let motion = PrescribedMotion::table(&MotionTable { times_s, positions_m, orientations: None, interpolation })?;
     let plate = Body::kinematic("plate", motion).geometry(Shape::half_space(UnitVector::Z).into());
     let plate = plate.pose(Pose::from_translation(on_circle(0.0, 0)));
     let friction = CIRCLE.2;

@@ -13,7 +13,8 @@ const LONGEST_FUNCTION: usize = 70;
 const LONG_BECAUSE: &str = "// Long because: ";
 
 /// Folders of oracles.
-const ORACLES: [&str; 3] = ["xtask/src/exact/", "xtask/src/interpenetration/", "xtask/src/statics/"];
+const ORACLES: [&str; 4] =
+    ["xtask/src/exact/", "xtask/src/interpenetration/", "xtask/src/judge/", "xtask/src/statics/"];
 /// What oracles judge, as code names it; a mesh of triangles is data and may go in.
 const JUDGED: [&str; 6] =
     ["polhode_contact", "polhode::contact", "polhode_mesh", "polhode::mesh", "polhode_response", "polhode::response"];

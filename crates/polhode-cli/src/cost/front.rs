@@ -19,6 +19,12 @@ impl Point {
         Self { cost, error: worst(error, floor) }
     }
 
+    /// Its cost.
+    #[cfg(test)]
+    pub(crate) fn cost(self) -> f64 {
+        self.cost
+    }
+
     /// Whether it has a cost and an error, and the error leaves something of the answer.
     fn counts(self) -> bool {
         self.cost.is_finite() && self.error <= NO_ANSWER

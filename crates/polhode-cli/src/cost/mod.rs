@@ -40,8 +40,10 @@ mod timing;
 pub(crate) use error::energy_error;
 pub(crate) use instructions::probe;
 
+use crate::abandoned;
 use crate::args::{ChangeArgs, CostArgs};
 use crate::failure::{self, Failure};
+use crate::interrupt::Interrupt;
 use crate::scene::SceneText;
 use crate::{inputs, stdout};
 use broad_phases::BroadPhaseStudy;
@@ -64,11 +66,11 @@ const SEARCH_S: f64 = 10.0;
 const SEARCH_SAMPLES: u32 = 100;
 
 /// Runs the study and tells it in every way asked for; exit code 1 when no candidate runs or a target is not reached.
-pub(crate) fn cost(args: &CostArgs) -> Result<(), Failure> {
+pub(crate) fn cost(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure> {
     positive("--target", args.target)?;
     positive("--budget", Some(args.budget))?;
     if args.broad_phase {
-        return broad_phases(args);
+        return broad_phases(args, interrupt);
     }
     let axes: Vec<Axis> =
         args.vary.iter().map(|text| Axis::parse(text)).collect::<Result<_, _>>().map_err(|fault| usage(&fault))?;
@@ -85,6 +87,7 @@ pub(crate) fn cost(args: &CostArgs) -> Result<(), Failure> {
     // A folder that does not exist is found before the work, not after it.
     let [csv, svg, html] = [&args.csv, &args.svg, &args.html].map(|path| open(path.as_ref()));
     let (csv, svg, html) = (csv?, svg?, html?);
+    interrupt.remove(temporary([&csv, &svg, &html]));
     let options = Options { samples: args.samples, effort: effort(args), budget_s: args.budget, counting };
     let study = Study::run(&source, &axes, &options)?;
     let drawn = if svg.is_some() || html.is_some() { figure::svg(&study, args.target) } else { String::new() };
@@ -106,12 +109,13 @@ pub(crate) fn cost(args: &CostArgs) -> Result<(), Failure> {
 }
 
 /// Times the broad phases and tells it in every way asked for.
-fn broad_phases(args: &CostArgs) -> Result<(), Failure> {
+fn broad_phases(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure> {
     let text = SceneText::of(&args.scene.scene)?;
     let source = Source::new(&text, &args.scene.changes)?;
     check_outputs(args, &source)?;
     let [csv, html] = [&args.csv, &args.html].map(|path| open(path.as_ref()));
     let (csv, html) = (csv?, html?);
+    interrupt.remove(temporary([&csv, &html]));
     let study = BroadPhaseStudy::run(&source, args.samples, effort(args))?;
     for (file, text) in [(csv, study.csv()), (html, study.html())] {
         if let Some(file) = file {
@@ -119,6 +123,11 @@ fn broad_phases(args: &CostArgs) -> Result<(), Failure> {
         }
     }
     if args.json { stdout::json(&study.json()) } else { stdout::text(&study.page()) }
+}
+
+/// The temporary names of files.
+fn temporary<const N: usize>(files: [&Option<AtomicFile>; N]) -> Vec<PathBuf> {
+    files.into_iter().flatten().filter_map(|file| file.temporary().map(Path::to_owned)).collect()
 }
 
 /// That no output replaces what the study is made from.
@@ -154,11 +163,15 @@ pub(crate) fn settings_for(
         return Err(Failure::Check(text::not_reached(&study, accuracy)));
     };
     failure::remark(&format!("note: {}", text::reached(&study, entry, accuracy)));
-    Ok(entry.candidate.changes.clone())
+    let chosen = |change: &Override| Override::new("command line (--accuracy)", &change.key, &change.value);
+    Ok(entry.candidate.changes.iter().map(chosen).collect())
 }
 
 fn open(path: Option<&PathBuf>) -> Result<Option<AtomicFile>, Failure> {
-    path.map(|path| AtomicFile::create(path).map_err(|error| cannot_write(path, &error))).transpose()
+    let Some(path) = path else { return Ok(None) };
+    let file = AtomicFile::create(path).map_err(|error| cannot_write(path, &error))?;
+    abandoned::note(file.left_behind());
+    Ok(Some(file))
 }
 
 fn cannot_write(path: &Path, error: &io::Error) -> Failure {

@@ -108,17 +108,19 @@ impl Study {
 
     /// The cheapest candidate whose error is known to be at most `target`.
     pub(crate) fn cheapest(&self, target: f64) -> Option<&Entry> {
-        let points: Vec<_> = self.entries.iter().map(|entry| point(entry, &self.references)).collect();
+        let points = points(&self.entries, &self.references);
         front::cheapest(&points, target).and_then(|number| self.entries.get(number))
     }
 
-    /// The others that reach `target`, and whose cost cannot be told from that of the cheapest.
+    /// The others that reach `target`, and whose cost cannot be told from that of the cheapest: within the noise of timing,
+    /// or because they made the same run.
     pub(crate) fn ties(&self, target: f64) -> Vec<&Entry> {
         let Some(cheapest) = self.cheapest(target) else { return Vec::new() };
         let Ok(least) = &cheapest.outcome else { return Vec::new() };
         let is_tie = |entry: &&Entry| {
             let reaches = self.known_error(entry).is_some_and(|error| error <= target);
-            let costs = entry.outcome.as_ref().is_ok_and(|other| front::is_tie(other.spread(), least.spread()));
+            let costs = is_same_run(entry, cheapest)
+                || entry.outcome.as_ref().is_ok_and(|other| front::is_tie(other.spread(), least.spread()));
             reaches && costs && !std::ptr::eq(*entry, cheapest)
         };
         self.entries.iter().filter(is_tie).collect()
@@ -236,7 +238,7 @@ fn judged(
         });
         entries.push(Entry { candidate: entry.candidate, reference: entry.reference, outcome });
     }
-    let points: Vec<_> = entries.iter().map(|entry| point(entry, references)).collect();
+    let points = points(&entries, references);
     for (entry, is_on) in entries.iter_mut().zip(front::front(&points, resolution)) {
         if let Ok(measured) = &mut entry.outcome {
             measured.on_front = is_on;
@@ -245,13 +247,32 @@ fn judged(
     entries
 }
 
-/// Cost and error of an entry; not a number for one that failed.
-fn point(entry: &Entry, references: &[Reference]) -> Point {
-    let floor = references.get(entry.reference).map_or(f64::NAN, |reference| reference.error);
-    match &entry.outcome {
-        Ok(measured) => Point::new(measured.cost(), measured.errors.headline(), floor),
-        Err(_) => Point::new(f64::NAN, f64::NAN, f64::NAN),
-    }
+/// Cost and error of the entries; not a number for one that failed. Entries that made the same run cost the same: what
+/// timing makes of them differs by noise alone, and the smallest is nearest to the truth.
+fn points(entries: &[Entry], references: &[Reference]) -> Vec<Point> {
+    let cost = |entry: &Entry| entry.outcome.as_ref().map_or(f64::NAN, Measured::cost);
+    let of = |entry: &Entry| {
+        let Ok(measured) = &entry.outcome else { return Point::new(f64::NAN, f64::NAN, f64::NAN) };
+        let floor = references.get(entry.reference).map_or(f64::NAN, |reference| reference.error);
+        let same = entries.iter().filter(|other| is_same_run(other, entry));
+        Point::new(same.map(cost).fold(measured.cost(), f64::min), measured.errors.headline(), floor)
+    };
+    entries.iter().map(of).collect()
+}
+
+/// Whether two settings of one method made the same run: a tolerance that nothing needs changes neither the steps nor a bit
+/// of the errors.
+fn is_same_run(a: &Entry, b: &Entry) -> bool {
+    let (Ok(one), Ok(other)) = (&a.outcome, &b.outcome) else { return false };
+    let run = |measured: &Measured| {
+        let Errors { position, attitude, final_position, final_attitude, final_velocity } = measured.errors;
+        [position, attitude, final_position, final_attitude, final_velocity, measured.energy_error].map(f64::to_bits)
+    };
+    a.candidate.series == b.candidate.series
+        && a.reference == b.reference
+        && one.solver == other.solver
+        && one.steps == other.steps
+        && run(one) == run(other)
 }
 
 #[cfg(test)]
@@ -265,6 +286,43 @@ mod tests {
         let difference = Difference { errors: Errors::default(), energy_error: 0.0, steps: 1, solver };
         let outcome = if runs { Ok(difference) } else { Err(String::new()) };
         Compared { candidate, reference: 0, outcome }
+    }
+
+    /// Four tolerances that made one run are ties, whatever their times; the first of them is named, and no other method is a
+    /// tie for that. (Before, the one whose time happened to be least was named alone.)
+    #[test]
+    fn the_same_run_is_a_tie_whatever_its_time() {
+        let entry = |series: &str, rung: &str, ratio: f64, steps: u64| {
+            let timing = Timing { ratio, spread: [ratio, ratio], seconds: ratio, rounds: 3 };
+            let solver = Solver { integrator: Integrator::Rk4, closed_form: false };
+            let (errors, energy_error) = (Errors { position: 1e-9, ..Errors::default() }, 0.0);
+            let measured =
+                Measured { errors, energy_error, steps, solver, timing, instructions: None, on_front: false };
+            let (series, rung, changes) = (series.to_owned(), rung.to_owned(), Vec::new());
+            let candidate = Candidate { series, rung, changes, growth: None };
+            Entry { candidate, reference: 0, outcome: Ok(measured) }
+        };
+        let entries = vec![
+            entry("accurate", "1e-6", 1.3, 100),
+            entry("accurate", "1e-8", 1.0, 100),
+            entry("accurate", "1e-10", 1.2, 101),
+            entry("stepped", "0.1", 1.5, 100),
+        ];
+        let study = Study {
+            scene: String::new(),
+            duration_s: 1.0,
+            references: Vec::new(),
+            entries,
+            base: Some(1),
+            counting: Counting::Time,
+            samples: 1,
+        };
+        let names = |found: Vec<&Entry>| found.iter().map(|entry| entry.candidate.rung.clone()).collect::<Vec<_>>();
+        let same: Vec<&Entry> = study.entries.iter().filter(|entry| is_same_run(entry, &study.entries[0])).collect();
+        assert_eq!(names(same), ["1e-6", "1e-8"]);
+        let points = points(&study.entries, &[]);
+        assert_eq!(points[0].cost(), 1.0);
+        assert_eq!(points.iter().map(|point| point.cost()).collect::<Vec<_>>(), [1.0, 1.0, 1.2, 1.5]);
     }
 
     #[test]

@@ -88,6 +88,8 @@ pub(super) fn notes(study: &Study) -> String {
         );
         lines.row(["error", &meaning]);
     }
+    lines.row(["velocity", VELOCITY]);
+    lines.row(["energy", ENERGY]);
     let time = format!("relative to {}: median of interleaved rounds, without preparing the scene", study.base_name());
     lines.row(["time", &time]);
     lines.row(["noise", "half of the range that holds the middle half of the rounds, of the time"]);
@@ -97,6 +99,13 @@ pub(super) fn notes(study: &Study) -> String {
     }
     lines.print()
 }
+
+/// What the column `velocity` is.
+pub(super) const VELOCITY: &str =
+    "largest error of a velocity at the end, of the largest speed of the run: 0 where all have come to rest";
+
+/// What the column `energy` is.
+pub(super) const ENERGY: &str = "what integration lost or made of the energy, of the largest energy of the run";
 
 /// Whether a run in another way that differs by this error agrees with the reference.
 pub(super) fn confirms(error: f64) -> bool {
@@ -196,7 +205,11 @@ pub(super) fn reached(study: &Study, entry: &Entry, target: f64) -> String {
     if !ties.is_empty() {
         let names: Vec<String> = ties.iter().take(MOST_TIES).map(|entry| entry.candidate.name()).collect();
         let more = if ties.len() > MOST_TIES { format!(" and {} more", ties.len() - MOST_TIES) } else { String::new() };
-        let _ = write!(text, "\nties with it, as cheap within the noise of timing: {}{more}", names.join(", "));
+        let _ = write!(
+            text,
+            "\nties with it, as cheap within the noise of timing or the same run: {}{more}",
+            names.join(", ")
+        );
     }
     text
 }

@@ -11,14 +11,16 @@ mod parts;
 mod studies;
 
 use crate::args::{MeshArgs, MeshRepairArgs};
-use crate::failure::Failure;
+use crate::failure::{self, Failure};
 use crate::progress::Progress;
 use crate::{inputs, stdout, text};
 use output::MeshOutput;
 use parts::Parts;
-use polhode::mesh::{Amount, RepairOptions, RepairReport, TriangleMesh, in_principal_axes, recentered, repair};
+use polhode::mesh::{
+    Amount, MeshError, RepairOptions, RepairReport, TriangleMesh, in_principal_axes, recentered, repair,
+};
 use polhode::spatial::{Density, Mass};
-use polhode_scene::{Filling, MeshReport, read_mesh};
+use polhode_scene::{Filling, MeshReport, read_mesh, weld_tolerance};
 use serde_json::{Value, json};
 use studies::Studies;
 
@@ -71,13 +73,26 @@ pub(crate) fn mesh(args: &MeshArgs) -> Result<(), Failure> {
         }
         stdout::json(&value)?;
     } else {
+        if let (None, Some(unit)) = (args.frame.scale, text::unit(&report)) {
+            failure::remark(&format!("note: {}: {unit}", args.file.display()));
+        }
         let repairs = repairs.as_ref().map(text::repairs).unwrap_or_default();
         let parts = parts.as_ref().map(Parts::text).unwrap_or_default();
         stdout::text(&format!("{}{repairs}{}{parts}", text::mesh(&args.file, &report), studies.text(args)))?;
     }
     match report.mass_properties {
         Ok(_) => Ok(()),
-        Err(error) => Err(Failure::Check(format!("error: {}: {error}", args.file.display()))),
+        Err(error) => {
+            let file = args.file.display();
+            let cure = match &error {
+                MeshError::Seams { distance_m, .. } => {
+                    let within = weld_tolerance(*distance_m);
+                    format!("\nhelp: to merge them: `polhode mesh {file} --repair{within} -o MENDED.obj`")
+                }
+                _ => String::new(),
+            };
+            Err(Failure::Check(format!("error: {file}: {error}{cure}")))
+        }
     }
 }
 

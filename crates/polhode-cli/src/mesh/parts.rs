@@ -27,7 +27,8 @@ impl Parts {
             let settings = ApproximateSettings::default();
             let approximate = approximate_decomposition(&solid, settings).map_err(|error| failed(&error))?;
             // Parts that fill the solid are better than as many or more that do not; more are not looked for.
-            let settings = DecompositionSettings { max_parts: approximate.parts.len().max(1) };
+            let max_parts = approximate.parts.len().max(1);
+            let settings = DecompositionSettings { max_parts, ..DecompositionSettings::default() };
             match convex_decomposition(&solid, settings) {
                 Ok(exact) if exact.unresolved == 0 && exact.parts.len() <= approximate.parts.len() => {
                     Self::Exact(exact)

@@ -6,6 +6,10 @@ use polhode_scene::compare::Mismatch;
 
 /// The largest difference of every column.
 pub(crate) fn comparison(comparison: &Comparison) -> String {
+    if let (0, Some(mismatch)) = (comparison.rows, &comparison.mismatch) {
+        // Nothing has been compared: a table would hold nothing but zeros.
+        return format!("{}no row was compared\n", self::mismatch(mismatch));
+    }
     let mut table = Table::default();
     table.row(["column", "largest difference", "rows beyond tolerance", "at t", "body", "first", "second"]);
     for column in &comparison.columns {

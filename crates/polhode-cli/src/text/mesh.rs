@@ -11,6 +11,7 @@ pub(crate) fn mesh(file: &Path, report: &MeshReport) -> String {
     let mut table = Table::default();
     table.row(["vertices", &report.vertices.to_string()]);
     table.row(["triangles", &report.triangles.to_string()]);
+    table.row(["size", &format!("{} m", vector(report.size_m))]);
     table.row(["area", &format!("{} m^2", number(report.area_m2))]);
     if let Some(volume) = report.volume_m3 {
         table.row(["volume", &format!("{} m^3", number(volume))]);
@@ -40,6 +41,26 @@ pub(crate) fn mesh(file: &Path, report: &MeshReport) -> String {
         let _ = writeln!(page, "  {defect} ({harm}{offer})");
     }
     page
+}
+
+/// Size from which on a part is taken for one in millimetres, m: mesh files bear no unit, CAD programs mostly write
+/// millimetres, and of the bodies that are simulated few are larger than this.
+const LARGE_PART_M: f64 = 10.0;
+
+/// What is to be said of a mesh whose unit looks like millimetres, read without a factor.
+pub(crate) fn unit(report: &MeshReport) -> Option<String> {
+    let size_m = report.size_m.max_element();
+    (size_m >= LARGE_PART_M).then(|| {
+        let mass = report
+            .mass_properties
+            .as_ref()
+            .map_or_else(|_| String::new(), |properties| format!(" and has {} kg", number(properties.mass())));
+        format!(
+            "the part is {} m large{mass}: is the file in millimetres? a mesh file has no unit, and is read as metres; \
+             --scale 0.001 reads it as millimetres, in a scene `scale = 0.001` beside `file`",
+            number(size_m)
+        )
+    })
 }
 
 /// What a repair did.

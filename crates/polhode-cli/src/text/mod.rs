@@ -14,7 +14,7 @@ mod report;
 mod table;
 
 pub(crate) use comparison::comparison;
-pub(crate) use mesh::{mesh, repairs};
+pub(crate) use mesh::{mesh, repairs, unit};
 pub(crate) use mesh_studies::{monte_carlo, reference_points};
-pub(crate) use report::{accelerations, plan, run};
+pub(crate) use report::{accelerations, approximations, plan, run};
 pub(crate) use table::{Table, number};

@@ -2,7 +2,7 @@
 
 use super::table::{Table, number, vector};
 use crate::heading::Heading;
-use polhode::{Acceleration, BodyId, Certificate, Ledger, MomentumLedger, PairAt, Plan, RunReport, Scene};
+use polhode::{Acceleration, Body, BodyId, Certificate, Ledger, MomentumLedger, PairAt, Plan, RunReport, Scene};
 use polhode_scene::{LoadedScene, names};
 
 /// Most bodies listed: more are for a file to hold.
@@ -24,7 +24,20 @@ pub(crate) fn plan(loaded: &LoadedScene, plan: &Plan) -> String {
 /// Name, title and description of the scene.
 fn heading(loaded: &LoadedScene) -> String {
     let name = loaded.scene.name();
-    format!("scene {name}\n{}\n", Heading::of(std::iter::once(loaded)).lines(name))
+    let lines = Heading::of(std::iter::once(loaded)).lines(name);
+    format!("scene {name}\n{lines}{}\n", approximations(&loaded.scene))
+}
+
+/// How well convex parts fill the meshes that they stand for; one line for each such body.
+pub(crate) fn approximations(scene: &Scene) -> String {
+    let of_body = |body: &Body| {
+        let found = body.approximation()?;
+        let (name, parts, error) = (body.name(), found.parts, number(found.volume_error));
+        Some(format!(
+            "body {name}: {parts} convex parts stand for its mesh; error of their volume, relative: {error}\n"
+        ))
+    };
+    scene.bodies().iter().filter_map(of_body).collect()
 }
 
 fn methods_and_effects(plan: &Plan) -> String {
@@ -130,6 +143,9 @@ fn certificate(report: &RunReport) -> String {
     table.row(["taken by projection", &energy(ledger.projection.value())]);
     let at = at(report, certificate.max_projection_j_at);
     table.row(["largest projection, energy", &format!("{}{at}", energy(max_projection_j))]);
+    let at = self::at(report, certificate.max_ended_bounces_at);
+    table.row(["taken by ended bounces, beyond their energy", &energy(certificate.ended_bounces_j)]);
+    table.row(["largest of these", &format!("{}{at}", energy(certificate.max_ended_bounces_j))]);
     table.row([
         "largest projection, distance",
         &with_limit(report, max_projection_m, certificate.max_projection_of_limit, certificate.max_projection_at),
@@ -154,8 +170,9 @@ fn certificate(report: &RunReport) -> String {
     let at = self::at(report, certificate.max_friction_violation_at);
     table.row(["largest violation of friction's law", &format!("{violation} of the largest force{of_limit}{at}")]);
     table.row(["largest residual of a contact problem", &number(certificate.max_residual)]);
-    table.row(["bound on the error of an acceleration", &number(certificate.max_acceleration_error_bound)]);
-    table.row(["largest error of a step, of its tolerance", &number(certificate.max_step_error)]);
+    table.row(["bound on the error of an acceleration", &measured(certificate.max_acceleration_error_bound)]);
+    table.row(["largest error of a step, of its tolerance", &measured(certificate.max_step_error)]);
+    table.row(["estimated error of the run, of a body's size", &measured(certificate.estimated_error)]);
     table.row(["fallbacks", &certificate.fallbacks.to_string()]);
     table.print()
 }
@@ -168,6 +185,11 @@ fn with_limit(report: &RunReport, length_m: f64, of_limit: f64, pair: Option<Pai
 /// How much of a limit something is.
 fn of_its_limit(of_limit: f64) -> String {
     if of_limit > 0.0 { format!(", {} of its limit", number(of_limit)) } else { String::new() }
+}
+
+/// A value, or that there is none.
+fn measured(value: Option<f64>) -> String {
+    value.map_or_else(|| "not measured".to_owned(), number)
 }
 
 /// Which bodies, and when.

@@ -250,7 +250,7 @@ const COMMANDS: &[Case] = &[
     (2, &["run", "scene.toml", "--checkpoint", "kept.csv"], "is no checkpoint: give another file"),
     (2, &["run", "scene.toml", "--plot", "heat", "-o", "a.svg"], "invalid value 'heat'"),
     (2, &["resume", "kept.csv", "-o", "kept.csv"], "is no checkpoint"),
-    (2, &["resume", "scene.toml", "--duration", "3"], "unexpected argument '--duration'"),
+    (2, &["resume", "scene.toml", "--tier", "thesis"], "unexpected argument '--tier'"),
     (2, &["cost", "scene.toml", "--budget", "nan"], "a positive number"),
     (2, &["cost", "scene.toml", "--target", "nan"], "a positive number"),
     (2, &["cost", "scene.toml", "--samples", "4294967295"], "--samples"),

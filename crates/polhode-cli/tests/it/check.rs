@@ -130,3 +130,17 @@ fn garbage() {
     let run = place.expect(2, &["check", "line.toml"]);
     assert!(run.stderr.len() < 2000, "{}", run.stderr.len());
 }
+
+/// Many pairs that overlap are told in a line each, ten at the most.
+#[test]
+fn overlaps_are_told_in_a_line_each() {
+    let body = |k: usize| {
+        format!("[[bodies]]\nname = \"b{k}\"\nshape.box.size = [1, 1, 1]\nmass = 1\nposition = [0.0{k}, 0, 0]\n")
+    };
+    let place = Place::with_scene(&("format = 1\n".to_owned() + &(1..=6).map(body).collect::<String>()));
+    let said = place.expect(2, &["check", "scene.toml"]).stderr;
+    assert!(said.starts_with("error: 15 pairs of bodies overlap at the start\n"), "{said}");
+    let lines = said.lines().filter(|line| line.contains("overlap by")).count();
+    assert_eq!(lines, 10, "{said}");
+    assert!(said.contains("and 5 more pairs") && said.lines().all(|line| line.len() < 160), "{said}");
+}

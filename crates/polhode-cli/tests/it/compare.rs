@@ -22,3 +22,15 @@ fn trajectories() {
     place.expect(2, &["compare", "a.csv", "b.csv", "--atol", "-1"]);
     place.expect(3, &["compare", "a.csv", "missing.csv"]);
 }
+
+/// Trajectories of which no row is about the same sample are told so, without a table of zeros.
+#[test]
+fn unrelated_trajectories_have_no_table() {
+    let place = Place::with_scene(FLIGHT);
+    place.expect(0, &["run", "scene.toml", "-o", "a.csv"]);
+    place.write("other.toml", &FLIGHT.replace("stone", "pebble"));
+    place.expect(0, &["run", "other.toml", "-o", "b.csv"]);
+    let told = place.expect(1, &["compare", "a.csv", "b.csv"]).stdout;
+    assert!(told.contains("not about the same samples") && told.contains("no row was compared"), "{told}");
+    assert!(told.contains("stone") && told.contains("pebble") && !told.contains("largest difference"), "{told}");
+}

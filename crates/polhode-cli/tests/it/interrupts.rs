@@ -90,7 +90,76 @@ fn drawing_that_is_asked_to_end_leaves_nothing() {
         signal(&child, name);
         let run: crate::Run = child.wait_with_output().unwrap().into();
         assert_eq!(run.code, Some(code), "{}", run.stderr);
-        assert!(run.stderr.contains("a.gif: drawing was stopped after"), "{}", run.stderr);
+        // A frame that takes long is not waited for.
+        let words = ["a.gif: drawing was stopped after", "interrupted"];
+        assert!(words.iter().any(|said| run.stderr.contains(said)), "{}", run.stderr);
         assert_eq!(place.list(), ["scene.toml"]);
     }
+}
+
+/// A program that is killed leaves a hidden file behind. The next run of the same output finds it, says so, and makes a
+/// readable file of it; one of a picture is removed. Before that `view` shows it as it is.
+#[test]
+fn what_a_killed_program_left_behind_is_found() {
+    let place = long_flight();
+    let mut child = start(&place, &["run", "scene.toml", "-o", "a.csv", "-o", "a.npy", "-o", "a.glb"]);
+    for name in ["a.csv", "a.npy"] {
+        wait_for(&place, name);
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let hidden: Vec<String> = place.list().into_iter().filter(|name| name.starts_with('.')).collect();
+    assert_eq!(hidden.len(), 3, "{hidden:?}");
+    for name in hidden.iter().filter(|name| !name.starts_with(".a.glb")) {
+        let run = place.expect(0, &["view", "scene.toml", name, "-o", "page.html"]);
+        // A file of lines may end with a whole one by chance.
+        assert!(name.starts_with(".a.csv") || run.stderr.contains("cut off"), "{}", run.stderr);
+    }
+    let args = ["run", "scene.toml", "--duration", "0.01", "-o", "a.csv", "-o", "a.npy", "-o", "a.glb"];
+    let said = place.expect(0, &args).stderr;
+    for name in &hidden {
+        assert!(said.contains(name.as_str()), "{name}: {said}");
+    }
+    assert!(said.contains("is now a.csv.partial") && said.contains("of no use"), "{said}");
+    let files = ["a.csv", "a.csv.partial", "a.glb", "a.npy", "a.npy.partial", "page.html", "scene.toml"];
+    assert_eq!(place.list(), files);
+    let run = place.expect(0, &["view", "scene.toml", "a.csv.partial", "-o", "page.html"]);
+    assert!(!run.stderr.contains("cut off"), "{}", run.stderr);
+    place.expect(0, &["view", "scene.toml", "a.npy.partial", "-o", "page.html"]);
+}
+
+/// A study that is asked to end does, and leaves no temporary file behind; so does a page in the middle of a run's step.
+#[test]
+fn a_study_that_is_asked_to_end_leaves_nothing() {
+    for (name, code) in [("INT", 130), ("TERM", 143)] {
+        let place = long_flight();
+        let args = ["cost", "scene.toml", "--csv", "a.csv", "--svg", "a.svg", "--html", "a.html"];
+        let child = start(&place, &args);
+        while place.list().len() < 4 {
+            std::thread::yield_now();
+        }
+        signal(&child, name);
+        let run: crate::Run = child.wait_with_output().unwrap().into();
+        assert_eq!(run.code, Some(code), "{}", run.stderr);
+        assert!(run.stderr.contains("interrupted"), "{}", run.stderr);
+        assert_eq!(place.list(), ["scene.toml"]);
+    }
+}
+
+/// A step that does not end holds nothing up: asked once, the program ends, and keeps what has reached the disk.
+#[test]
+fn a_step_that_does_not_end_is_not_waited_for() {
+    let place = long_flight();
+    // Nobody reads stdout: the run waits for room in the pipe, within its step.
+    let mut child = start(&place, &["run", "scene.toml", "-o", "a.csv", "-o", "page.html", "-o", "-"]);
+    // The pipe and the buffers before it hold 64 and 9 KiB of the same rows: the run is held up when the file has as many.
+    let held_up = |name: &String| {
+        name.starts_with(".a.csv.") && std::fs::metadata(place.path(name)).is_ok_and(|file| file.len() > 70_000)
+    };
+    while !place.list().iter().any(held_up) {
+        std::thread::yield_now();
+    }
+    signal(&child, "TERM");
+    assert_eq!(child.wait().unwrap().code(), Some(143));
+    assert_eq!(place.list(), ["a.csv.partial", "scene.toml"]);
 }

@@ -175,3 +175,57 @@ fn convex_parts() {
     place.expect(2, &["mesh", &file, "--decompose", "--approximate"]);
     place.expect(2, &["mesh", &file, "--decompose", "--hollow"]);
 }
+
+/// A cube whose faces share no vertices, as textured files have it: `split` (m) puts the faces apart, `size` (m) is its edge.
+fn cube_with_seams(split: f64, size: f64) -> String {
+    let corner = |k: usize| [k & 1, k >> 1 & 1, k >> 2 & 1].map(|bit| size * (bit as f64 - 0.5));
+    let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6]];
+    let mut text = String::new();
+    for (face, corners) in faces.iter().enumerate() {
+        for &k in corners {
+            let [x, y, z] = corner(k).map(|coordinate| coordinate * (1.0 + split * face as f64 / size));
+            text += &format!("v {x:?} {y:?} {z:?}\n");
+        }
+        let first = 4 * face + 1;
+        text += &format!("f {first} {} {} {}\n", first + 1, first + 2, first + 3);
+    }
+    text
+}
+
+/// Vertices that are doubled at seams are told as such, with the command that merges them; it does, and so does it for
+/// vertices that are nearly equal. A hole is no seam.
+#[test]
+fn seams_are_told_with_their_repair() {
+    let place = Place::new();
+    for (split, within) in [(0.0, ""), (1e-9, " --weld-tolerance 1e-8"), (1e-6, " --weld-tolerance 1e-5")] {
+        place.write("part.obj", &cube_with_seams(split, 1.0));
+        let command = format!("polhode mesh part.obj --repair{within} -o MENDED.obj");
+        let said = place.expect(1, &["mesh", "part.obj"]).stderr;
+        assert!(said.contains("doubled at seams") && said.contains(&command), "{split}: {said}");
+        let scene = "format = 1\n[[bodies]]\nname = \"part\"\nshape.mesh.file = \"part.obj\"\ndensity = 1000\n";
+        place.write("scene.toml", scene);
+        let said = place.expect(2, &["check", "scene.toml"]).stderr;
+        assert!(said.contains("doubled at seams") && said.contains(&format!("--repair{within} -o")), "{split}: {said}");
+        let args: Vec<&str> = command.split(' ').skip(1).collect();
+        place.expect(0, &args);
+        place.expect(0, &["mesh", "MENDED.obj"]);
+    }
+    let open: String = cube_with_seams(0.0, 1.0).lines().take(25).map(|line| format!("{line}\n")).collect();
+    place.write("open.obj", &open);
+    assert!(!place.expect(1, &["mesh", "open.obj"]).stderr.contains("seams"));
+}
+
+/// A part of 60 m and 1.7e8 kg was drawn in millimetres: it is said, with the factor, where none is given.
+#[test]
+fn a_part_in_millimetres_is_told() {
+    let place = Place::new();
+    let file = fixture("meshes/l-shape.obj");
+    let large = place.expect(0, &["mesh", &file, "--scale", "20", "--density", "7800", "-o", "large.obj"]);
+    assert!(!large.stderr.contains("millimetres"), "{}", large.stderr);
+    let run = place.expect(0, &["mesh", "large.obj", "--density", "7800"]);
+    for part in ["is the file in millimetres?", "--scale 0.001", "`scale = 0.001`", " kg", "m large"] {
+        assert!(run.stderr.contains(part), "{part}: {}", run.stderr);
+    }
+    assert!(run.stdout.contains("size"), "{}", run.stdout);
+    assert!(!place.expect(0, &["mesh", &file]).stderr.contains("millimetres"));
+}

@@ -33,7 +33,7 @@ fn integrators() {
         let set = format!("method.integrator={integrator}");
         let plan = place.expect(0, &["plan", "scene.toml", "--json", "--set", &set]).json();
         assert_eq!(plan["integrator"], integrator.name());
-        assert_eq!(plan["integrator_reason"], "the scene names it");
+        assert_eq!(plan["integrator_reason"], "set by --set");
     }
     let plan = place.expect(0, &["plan", "scene.toml", "--json"]).json();
     assert_eq!(plan["integrator"], "exact");

@@ -131,3 +131,17 @@ fn two_trajectories() {
     place.expect(3, &with(&["-o", "missing/x.svg"]));
     assert!(!place.path("x.svg").exists());
 }
+
+/// What is shown of the penetration now is never above the largest so far.
+#[test]
+fn the_largest_penetration_is_not_below_that_of_now() {
+    let place = Place::new();
+    let args = ["run", "example:tippe-top", "--duration", "0.4", "--plot", "penetration", "-o", "a.svg"];
+    place.expect(0, &args);
+    let svg = place.read("a.svg");
+    let number = |name: &str| -> f64 {
+        let text = svg.split(&format!(">{name} ")).nth(1).unwrap().split(['<', ' ']).next().unwrap();
+        text.replace('\u{2212}', "-").parse().unwrap_or_else(|error| panic!("{text}: {error}"))
+    };
+    assert!(number("now") <= number("largest so far"), "{} {}", number("now"), number("largest so far"));
+}

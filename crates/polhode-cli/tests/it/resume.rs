@@ -172,3 +172,44 @@ fn ctrl_c_keeps_what_was_computed_and_a_checkpoint() {
     let (_, simulation) = checkpoint.load(&path).unwrap();
     assert!(simulation.time() >= 50.0);
 }
+
+/// A run at rest makes one step: it ends before a checkpoint is due, has one at its end, and says so.
+#[test]
+fn a_run_at_rest_has_a_checkpoint_and_is_extended() {
+    let block = "name = \"block\"\nshape.box.size = [1, 1, 1]\nmass = 1.0\nposition = [0, 0, 0.5]";
+    let place = Place::with_scene(&on_a_floor("name = \"rest\"\nduration = 5", 0.0, block));
+    let run = place.expect(0, &["run", "scene.toml", "--checkpoint-every", "1"]);
+    assert!(run.stderr.contains("note: checkpoint of t = 5 s in scene.checkpoint"), "{}", run.stderr);
+    let longer = place.expect(0, &["resume", "scene.checkpoint", "--duration", "7", "--json"]).json();
+    assert_eq!((longer["simulated_s"].as_f64(), longer["duration_s"].as_f64()), (Some(7.0), Some(7.0)));
+    let ended = place.expect(0, &["resume", "scene.checkpoint"]).stderr;
+    assert!(ended.contains("has ended at t = 5 s") && ended.contains("--duration"), "{ended}");
+    let refused = place.expect(2, &["resume", "scene.checkpoint", "--duration", "4"]).stderr;
+    assert!(refused.contains("is of t = 5 s already"), "{refused}");
+}
+
+/// A run that is extended has the motion of one that was as long from the start: to the bit where it was saved before its
+/// end, at which its last step ends, and else to the error of a step.
+#[test]
+fn an_extended_run_is_one_that_was_longer() {
+    let place = Place::with_scene(&fall());
+    place.expect(0, &["run", "scene.toml", "--duration", "2", "-o", "whole.csv"]);
+    place.expect(0, &["run", "scene.toml", "--checkpoint", "ended"]);
+    place.expect(0, &["run", "scene.toml", "--checkpoint-every", "0.6", "--checkpoint", "before"]);
+    let whole = place.read("whole.csv");
+    place.expect(0, &["resume", "before", "--duration", "2", "-o", "rest.csv"]);
+    let rest = place.read("rest.csv");
+    let rest = rest.split_once('\n').unwrap().1;
+    assert!(!rest.is_empty() && whole.ends_with(rest), "{rest}");
+    place.expect(0, &["resume", "ended", "--duration", "2", "-o", "rest.csv"]);
+    let rest = place.read("rest.csv");
+    let (header, whole) = whole.split_once('\n').unwrap();
+    let after: String = whole
+        .lines()
+        .filter(|row| row.split(',').next().unwrap().parse::<f64>().unwrap() > 1.5)
+        .map(|row| format!("{row}\n"))
+        .collect();
+    place.write("after.csv", &format!("{header}\n{after}"));
+    assert_eq!(rest.lines().count(), after.lines().count() + 1);
+    place.expect(0, &["compare", "rest.csv", "after.csv", "--atol", "1e-9"]);
+}

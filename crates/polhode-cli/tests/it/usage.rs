@@ -58,3 +58,26 @@ fn full_stdout() {
     let output = Place::new().command(&["schema"]).stdout(full).output().unwrap();
     assert_eq!(output.status.code(), Some(3));
 }
+
+/// A command with two letters exchanged is recognised, and what is like no command is not.
+#[test]
+fn mistyped_commands_are_recognised() {
+    for (typed, meant) in [("rnu", "'run'"), ("veiw", "'view'"), ("resme", "'resume'"), ("compar", "'compare'")] {
+        let said = Place::new().expect(2, &[typed, "scene.toml"]).stderr;
+        assert!(said.contains("similar subcommand") && said.contains(meant), "{said}");
+    }
+    let said = Place::new().expect(2, &["frobnicate"]).stderr;
+    assert!(!said.contains("similar"), "{said}");
+}
+
+/// Quiet is quiet: no report, no notes; what is asked for as JSON and errors are told all the same.
+#[test]
+fn quiet_runs_say_nothing() {
+    let place = Place::with_scene(FLIGHT);
+    let quiet = place.expect(0, &["run", "scene.toml", "-q", "-o", "a.csv", "--checkpoint", "kept"]);
+    assert_eq!((quiet.stdout.as_str(), quiet.stderr.as_str()), ("", ""));
+    let resumed = place.expect(0, &["resume", "kept", "-q"]);
+    assert_eq!((resumed.stdout.as_str(), resumed.stderr.as_str()), ("", ""));
+    assert_eq!(place.expect(0, &["run", "scene.toml", "-q", "--json"]).json()["outcome"], "completed");
+    assert!(place.expect(3, &["run", "-q", "missing.toml"]).stderr.starts_with("error: "));
+}

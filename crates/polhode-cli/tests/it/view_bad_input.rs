@@ -32,6 +32,19 @@ fn refused(place: &Place, name: &str, content: &[u8], words: &[&str]) {
     std::fs::remove_file(place.path(name)).unwrap();
 }
 
+/// Shows a trajectory of this content, which is cut off: its whole samples are shown, and these words say where it ends.
+#[track_caller]
+fn shown(place: &Place, name: &str, content: &[u8], words: &[&str]) {
+    std::fs::write(place.path(name), content).unwrap();
+    let run = place.expect(0, &["view", "scene.toml", name, "-o", "cut.html"]);
+    for word in words.iter().chain(&["what stands before is shown"]) {
+        assert!(run.stderr.contains(word), "{word}: {}", run.stderr);
+    }
+    std::fs::remove_file(place.path(name)).unwrap();
+    std::fs::remove_file(place.path("cut.html")).unwrap();
+}
+
+/// A file of a program that was killed ends anywhere.
 #[test]
 fn csv_that_is_cut_off() {
     let place = place();
@@ -39,12 +52,16 @@ fn csv_that_is_cut_off() {
     let lines: Vec<&str> = text.lines().collect();
     let without_last = lines[..lines.len() - 1].join("\n") + "\n";
     let words = ["bad.csv:102:", "cut off", "t = 0.5 s has 1 of 2 bodies; `ball` is missing"];
-    refused(&place, "bad.csv", without_last.as_bytes(), &words);
-    let words = ["bad.csv:103:", "columns, 15 are needed", "cut off in this line"];
-    refused(&place, "bad.csv", &text.as_bytes()[..text.len() - 20], &words);
+    shown(&place, "bad.csv", without_last.as_bytes(), &words);
+    let words = ["bad.csv:103:", "columns, 15 are needed", "the file is cut off"];
+    shown(&place, "bad.csv", &text.as_bytes()[..text.len() - 20], &words);
     // Within the digits of the last number.
     let digits = text.trim_end().len() - 1;
-    refused(&place, "bad.csv", &text.as_bytes()[..digits], &["bad.csv:103:", "may lack digits", "write it again"]);
+    shown(&place, "bad.csv", &text.as_bytes()[..digits], &["bad.csv:103:", "may lack digits", "write it again"]);
+    // Anywhere, also under the name of the temporary file of a killed program.
+    for length in (lines[0].len() + 300..text.len()).step_by(997) {
+        shown(&place, ".bad.csv.x1Y2z3.tmp", &text.as_bytes()[..length], &["cut off"]);
+    }
     refused(&place, "bad.csv", lines[0].as_bytes(), &["bad.csv:1:", "it has no samples, only a first line"]);
     refused(&place, "bad.csv", (lines[0].to_owned() + "\n").as_bytes(), &["it has no samples"]);
     refused(&place, "bad.csv", b"", &["bad.csv:1:", "the file is empty", "the first line must be t,body,px"]);
@@ -96,11 +113,11 @@ fn trajectories_of_another_scene() {
 fn json_that_is_bad() {
     let place = place();
     let text = place.read("a.json");
-    let cases: [(String, &[&str]); 10] = [
+    shown(&place, "bad.json", &text.as_bytes()[..text.len() / 2], &["bad.json:", "the file is cut off"]);
+    shown(&place, "bad.json", text.trim_end().trim_end_matches('}').as_bytes(), &["the file is cut off"]);
+    let cases: [(String, &[&str]); 8] = [
         (String::new(), &["bad.json:1:1:", "cut off"]),
         ("[]".to_owned(), &["bad.json:1:1:", "`[` where `{` must stand"]),
-        (text[..text.len() / 2].to_owned(), &["bad.json:", "the file is cut off"]),
-        (text.trim_end().trim_end_matches('}').to_owned(), &["the file is cut off"]),
         (text[..text.find("\n{").unwrap()].to_owned() + "]}", &["it has no samples"]),
         (text.replace("\"ball\"", "\"bell\""), &["bad.json:4:", "has no body `bell`"]),
         (text.replace(",\"ball\"", ""), &["body `ball` of the scene is missing in `bodies`"]),
@@ -126,10 +143,19 @@ fn npy_that_is_bad() {
     nan[data + 8..data + 16].copy_from_slice(&f64::NAN.to_le_bytes());
     let mut time = bytes.clone();
     time[data..data + 8].copy_from_slice(&9.0_f64.to_le_bytes());
-    let cases: [(Vec<u8>, &[&str]); 9] = [
+    let words = ["51 samples of 2 bodies take 11424 bytes, and 11423 follow", "cut off"];
+    shown(&place, "bad.npy", &bytes[..bytes.len() - 1], &words);
+    // The header of a killed program does not count the samples yet.
+    let never_ended = changed(b"(51, 2, 14)", b"(0, 2, 14) ");
+    shown(
+        &place,
+        ".bad.npy.x1Y2z3.tmp",
+        &never_ended[..never_ended.len() - 100],
+        &["how many samples follow", "cut off"],
+    );
+    let cases: [(Vec<u8>, &[&str]); 8] = [
         (Vec::new(), &["bad.npy, byte 0", "cut off"]),
         (bytes[..100].to_vec(), &["bad.npy, byte", "cut off"]),
-        (bytes[..bytes.len() - 1].to_vec(), &["51 samples of 2 bodies take 11424 bytes, and 11423 follow", "cut off"]),
         ([&bytes[..], b"x"].concat(), &["11425 follow the header"]),
         (b"not numpy at all".to_vec(), &["an NPY file begins with"]),
         (changed(b"<f8", b"<f4"), &["doubles, little-endian"]),

@@ -99,6 +99,16 @@ impl<'a> Sweep<'a> {
         Aabb::new(low + spread_low - rounding, high + spread_high + rounding)
     }
 
+    /// A box that contains a box fixed in the body throughout; for the boxes of a tree of parts.
+    pub(crate) fn of_box(&self, fixed: Aabb) -> Aabb {
+        let stray = fixed.min.abs().max(fixed.max.abs()).length() * self.turn;
+        let (rotation, _) = self.rotation();
+        let around = turned(fixed, &Pose { rotation: *rotation, translation: DVec3::ZERO }).widened(stray);
+        let largest = self.low.abs().max(self.high.abs()) + around.min.abs().max(around.max.abs());
+        let rounding = ROUNDING_ULPS * f64::EPSILON * largest;
+        Aabb { min: self.low + around.min - rounding, max: self.high + around.max + rounding }
+    }
+
     /// Bounds of the shape's points relative to the centre of mass, along the world's axes.
     fn turning_extent(&self, shape: &Shape) -> (DVec3, DVec3) {
         // A ball about the centre of mass does not change under rotation.

@@ -16,6 +16,7 @@
 
 use crate::bounding::aabb::Aabb;
 use crate::bounding::around_shape::Sweep;
+use crate::bounding::floor::Floor;
 use crate::clearance::touch_tolerance;
 use crate::impact::impact_error::ImpactError;
 use crate::impact::impact_report::ImpactReport;
@@ -134,17 +135,36 @@ impl Pair<'_> {
                 });
             }
         } else {
-            let boxes = |at: usize| -> Result<Vec<Aabb>, ImpactError> {
-                self.shapes[at].parts().iter().map(|part| swept(at, part)).collect()
+            let boxes = |at: usize| -> Result<Vec<(u32, Aabb)>, ImpactError> {
+                let reach = Reach { touch: 2.0 * self.touch, floor: self.still_floor(1 - at, start, end) };
+                let other = || match self.shapes[1 - at] {
+                    Shape::Compound(compound) => Ok(sweeps[1 - at].of_box(compound.tree.bounds()).widened(reach.touch)),
+                    shape => swept(1 - at, shape),
+                };
+                let near = reach.parts_near(self.shapes[at], &sweeps[at], other)?;
+                let boxed = near.into_iter().map(|i| {
+                    let part = self.shapes[at].parts().get(i as usize).unwrap_or(self.shapes[at]);
+                    swept(at, part).map(|bounds| (i, bounds))
+                });
+                let above = |bounds: &Aabb| reach.floor.is_none_or(|floor| floor.height(bounds) <= 0.0);
+                boxed.filter(|part| part.as_ref().map_or(true, |(_, bounds)| above(bounds))).collect()
             };
             let (boxes_a, boxes_b) = (boxes(0)?, boxes(1)?);
-            for (i, box_a) in (0..).zip(&boxes_a) {
-                let meeting = (0..).zip(&boxes_b).filter(|(_, box_b)| box_a.overlaps(box_b));
-                found.extend(meeting.map(|(j, _)| [i, j]));
+            for (i, box_a) in &boxes_a {
+                let meeting = boxes_b.iter().filter(|(_, box_b)| box_a.overlaps(box_b));
+                found.extend(meeting.map(|(j, _)| [*i, *j]));
             }
         }
         found.sort_unstable();
         Ok(())
+    }
+
+    /// The half-space that body `at` is, in the world, if it does not move in a window of time (s).
+    fn still_floor(&self, at: usize, start: f64, end: f64) -> Option<Floor> {
+        let motion = self.motions[at];
+        let floor = Floor::of(self.shapes[at], &motion.pose(start))?;
+        let bounds = motion.bounds(start, end);
+        (bounds.speed == 0.0 && bounds.angular_speed == 0.0).then_some(floor)
     }
 
     /// A box that contains a given world box in the frame of the mesh (body `at`) at all times of a window.
@@ -239,6 +259,36 @@ impl Pair<'_> {
             let scale = speed(&poses[0], va) + speed(&poses[1], vb);
             found.is_none_or(|k| k.separation_rate < -APPROACHING * scale)
         })
+    }
+}
+
+/// What a part must come near.
+struct Reach {
+    /// Distance by which the boxes of parts are widened, m.
+    touch: f64,
+    /// The other body when it is a half-space that does not move, in the world.
+    floor: Option<Floor>,
+}
+
+impl Reach {
+    /// The parts of a body whose swept boxes may meet the other body, ascending: those far from it are excluded by the
+    /// tree of the parts' boxes. `other` gives the swept box of the other body.
+    fn parts_near(
+        &self,
+        shape: &Shape,
+        sweep: &Sweep<'_>,
+        other: impl FnOnce() -> Result<Aabb, ImpactError>,
+    ) -> Result<Vec<u32>, ImpactError> {
+        let Shape::Compound(compound) = shape else { return Ok(vec![0]) };
+        let whole = other()?;
+        let may_meet = |fixed: &Aabb| {
+            let swept = sweep.of_box(*fixed).widened(self.touch);
+            self.floor.map_or_else(|| swept.overlaps(&whole), |floor| floor.height(&swept) <= 0.0)
+        };
+        let mut parts = Vec::new();
+        compound.tree.passing(&may_meet, &mut |part| parts.push(part));
+        parts.sort_unstable();
+        Ok(parts)
     }
 }
 

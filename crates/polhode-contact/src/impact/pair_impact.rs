@@ -47,6 +47,8 @@ pub(crate) fn find_in_parts(
         gap: None,
         evaluations: 0,
         cuts: Cuts::new(),
+        began_in_touch: false,
+        departing_step: None,
     };
     let start = search.moment_at(t0)?;
     let (time, separation) = search.from(start, t1)?;
@@ -84,6 +86,10 @@ struct Search<'a> {
     gap: Option<Gap>,
     evaluations: u32,
     cuts: Cuts,
+    /// Whether the pair touched at the start, or has since.
+    began_in_touch: bool,
+    /// The first safe step of a pair that has just departed, s.
+    departing_step: Option<f64>,
 }
 
 /// The window is narrowed to this many times the first safe step when that was much shorter than the window: bounds
@@ -103,6 +109,18 @@ const NOTICED: f64 = 1.0 / 16.0;
 /// At the end of an interval, and before the pair separates again, a smaller decrease counts as an impact: this part of
 /// the touch tolerance, a quarter of [`NOTICED`].
 const CLOSED: f64 = 1.0 / 64.0;
+
+/// A pair that begins in touch has departed when the rigorous search can advance by at least this part of the time since
+/// the start. A smaller step would mean a great many evaluations: the separation grows as slowly as the bounds allow, as
+/// where a contact force has decreased to zero smoothly (the separation then grows as the cube of time).
+const LEAST_PROGRESS: f64 = 1.0 / 64.0;
+
+/// A pair has departed anyway at this many touch tolerances: a touch cannot go on at such a separation.
+const APART: f64 = 4096.0;
+
+/// So many evaluations within the touch tolerance that neither bring the separation to rounding nor increase it beyond
+/// the tolerance show a touch that goes on. A pair that approaches needs about ten.
+const MOST_IN_TOUCH: u32 = 64;
 
 /// A bound for a ball and a torus holds as long as the ball's distance from the torus's axis is at least this fraction
 /// of the present one.
@@ -194,9 +212,11 @@ impl Search<'_> {
         }
     }
 
-    /// From a time at which the pair is clear to its next touch.
+    /// From a time at which the pair is clear to its next touch. A pair that stays within the touch tolerance without
+    /// coming closer touches: what the contact does then is not a question of geometry.
     fn advance(&mut self, start: Moment, t1: f64) -> Result<Ended, ImpactError> {
         let mut now = start;
+        let mut in_touch = 0;
         loop {
             if now.separation == f64::INFINITY {
                 return Ok(Ended::At(None, now.separation));
@@ -207,7 +227,15 @@ impl Search<'_> {
             if now.t >= t1 {
                 return Ok(Ended::At(None, now.separation));
             }
-            let next = (now.t + self.safe_step(&now, t1 - now.t)?).min(t1);
+            in_touch = if now.separation <= self.touch(&now) { in_touch + 1 } else { 0 };
+            if in_touch > MOST_IN_TOUCH {
+                return Ok(self.passed(now, start.t));
+            }
+            let step = match self.departing_step.take() {
+                Some(step) => step,
+                None => self.safe_step(&now, t1 - now.t)?,
+            };
+            let next = (now.t + step).min(t1);
             // The gap closes before the next larger floating point number.
             if next <= now.t {
                 return Ok(self.passed(now, start.t));
@@ -385,40 +413,69 @@ impl Search<'_> {
         step.max(hull_clear_of_plane(now, window, of, &hull, plane))
     }
 
-    /// How long a ball and a torus stay clear; 0 for other pairs. At a distance `rho` from the torus's axis the
-    /// distance from its centre circle has a second derivative of at least `-1/rho` along any unit vector; at a speed
-    /// of `speed` (m/s) this is an acceleration of `speed^2/rho`.
-    fn center_clear_of_ring(&self, now: &Moment, window: &mut Window<'_>, speed: f64) -> f64 {
-        let (of, this, other, torus, ball) = match self.shapes {
-            [Shape::Torus(torus), Shape::Sphere(ball)] => (Side::B, 1, 0, torus, ball),
-            [Shape::Sphere(ball), Shape::Torus(torus)] => (Side::A, 0, 1, torus, ball),
+    /// How long a ball, or each point of a cloud, and a torus stay clear; 0 for other pairs. At a distance `rho` from
+    /// the torus's axis the distance from its centre circle has a second derivative of at least `-1/rho` along any unit
+    /// vector; at a speed of `speed` (m/s) this is an acceleration of `speed^2/rho`.
+    fn centers_clear_of_ring(&self, now: &Moment, window: &mut Window<'_>, speed: f64) -> f64 {
+        let (of, this, other, torus) = match self.shapes {
+            [Shape::Torus(torus), Shape::Sphere(_) | Shape::Points(_)] => (Side::B, 1, 0, torus),
+            [Shape::Sphere(_) | Shape::Points(_), Shape::Torus(torus)] => (Side::A, 0, 1, torus),
             _ => return 0.0,
         };
         let Some(ring) = circles(self.shapes[other]).first().copied() else { return 0.0 };
-        let y = now.poses[other].relative(&now.poses[this]).transform_point(ball.center);
-        let away = y - ring.nearest(y);
-        let (distance, rho) = (away.length(), ring.axis.cross(y - ring.center).length());
-        let least = rho - speed * window.length();
-        if least < LEAST_AXIS_DISTANCE * rho || distance == 0.0 {
-            return 0.0;
+        let x = now.poses[other].relative(&now.poses[this]);
+        let (centers, radius) = self.shapes[this].centers();
+        let mut step = f64::INFINITY;
+        for center in centers {
+            let y = x.transform_point(*center);
+            let away = y - ring.nearest(y);
+            let (distance, rho) = (away.length(), ring.axis.cross(y - ring.center).length());
+            let gap = distance - torus.minor - radius;
+            let least = rho - speed * window.length();
+            // Near the axis the distance over the speed is all that is known.
+            let clear = if least < LEAST_AXIS_DISTANCE * rho || rho == 0.0 || distance == 0.0 {
+                (gap / speed).min(window.length())
+            } else {
+                let only = (std::slice::from_ref(center), radius);
+                window.above_surfaces(of, only, speed * speed / least, |_| (away / distance, gap))
+            };
+            step = step.min(clear);
         }
-        let gap = distance - torus.minor - ball.radius;
-        let points = self.shapes[this].centers();
-        window.above_surfaces(of, points, speed * speed / least, |_| (away / distance, gap))
+        step
     }
 
     /// How long the bodies stay clear along the normal of the gap when it rotates so as to stay perpendicular to the
     /// straight ones of the two closest elements; 0 without such elements.
     fn clear_beside_lines(&self, now: &Moment, window: &mut Window<'_>, gap: &Gap) -> f64 {
         let [a, b] = self.shapes;
-        let along = |shape: &Shape, feature: SurfaceFeature, pose: &Pose| {
-            let line = Element::of(shape, feature, pose)?.straight_direction(gap.normal)?;
+        let features = [(a, gap.a, &now.poses[0]), (b, gap.b, &now.poses[1])];
+        let elements = features.map(|(shape, feature, pose)| Element::of(shape, feature, pose));
+        let along = |element: &Option<Element<'_>>| {
+            let element = element.as_ref()?;
+            let line = element.straight_direction(gap.normal).or_else(|| self.tangent(element, gap.normal))?;
             line.cross(gap.normal).try_normalize()
         };
-        let lines = [along(a, gap.a, &now.poses[0]), along(b, gap.b, &now.poses[1])];
+        let mut lines = [along(&elements[0]), along(&elements[1])];
+        // Beside a line the normal of a disc turns about it as the disc does.
+        for (of, beside) in [(0, 1), (1, 0)] {
+            let is_plane = elements[of].as_ref().is_some_and(|element| matches!(element.locus, Locus::Plane(..)));
+            if let (None, Some(across), true) = (lines[of], lines[beside], is_plane && self.began_in_touch) {
+                lines[of] = across.cross(gap.normal).try_normalize();
+            }
+        }
         match window.turn_with(lines) {
             Some(turn) => window.along_turning(gap.normal, turn, &Hull::of(a), &Hull::of(b)),
             None => 0.0,
+        }
+    }
+
+    /// The tangent of a rim where it is closest, for a search that began in touch: a rim that stays near an edge turns
+    /// about it, and along a normal that does not turn with the tangent its gap would seem to close at the speed of the
+    /// rim. Pairs that begin apart approach so fast that this does not matter.
+    fn tangent(&self, element: &Element<'_>, normal: DVec3) -> Option<DVec3> {
+        match element.locus {
+            Locus::Circle(circle) if self.began_in_touch => circle.axis.cross(normal).try_normalize(),
+            _ => None,
         }
     }
 
@@ -431,7 +488,7 @@ impl Search<'_> {
         let apart = (now.poses[0].translation - now.poses[1].translation).length();
         let speed = window.largest_speed(a.radius().min(b.radius() + apart), b.radius());
         // The speed is a bound within the window only.
-        let step = (now.separation / speed).min(window.length()).max(self.center_clear_of_ring(now, window, speed));
+        let step = (now.separation / speed).min(window.length()).max(self.centers_clear_of_ring(now, window, speed));
         let step = step.max(window.along_direction(gap.normal, &Hull::of(a), &Hull::of(b)));
         let step = step.max(self.clear_beside_lines(now, window, &gap));
         if step >= window.length() {
@@ -445,6 +502,7 @@ impl Search<'_> {
 
     /// The search from a time at which the pair is in contact: see the description in `time_of_impact.rs`.
     fn depart(&mut self, start: Moment, t1: f64) -> Result<Ended, ImpactError> {
+        self.began_in_touch = true;
         let rounding = self.resolution(&start);
         // Below this the separation has measurably decreased. Bodies in contact at rest stay above it.
         let noticed = (NOTICED * self.touch(&start)).max(MEASURABLE * rounding);
@@ -475,8 +533,12 @@ impl Search<'_> {
                 let above = if above.separation >= closed { above } else { start };
                 return self.locate_closing(above, overlap, closed, rounding);
             }
-            if last.separation > touch {
-                return Ok(Ended::GoesOn(last));
+            if last.separation > touch && last.t < t1 {
+                let step = self.safe_step(&last, t1 - last.t)?;
+                if step >= LEAST_PROGRESS * (last.t - start.t) || last.separation > APART * touch {
+                    self.departing_step = Some(step);
+                    return Ok(Ended::GoesOn(last));
+                }
             }
             if last.separation >= level {
                 (above, below) = (last, None);

@@ -32,8 +32,11 @@ impl Compound {
         }
         let first = numbered(&flat)?;
         let boxes: Vec<Aabb> = flat.iter().map(|part| part.bounds_at(&Pose::IDENTITY)).collect();
+        // Searches ask for these lengths at every evaluation: they are computed once.
         let size = size_of(&flat);
-        Ok(Self { parts: flat, first, tree: BoxTree::new(&boxes), size })
+        let radius = flat.iter().map(Shape::radius).fold(0.0, f64::max);
+        let least_part_size = flat.iter().map(Shape::size).filter(|s| *s > 0.0).fold(f64::INFINITY, f64::min);
+        Ok(Self { parts: flat, first, tree: BoxTree::new(&boxes), size, radius, least_part_size })
     }
 
     /// The parts, in the body's frame.

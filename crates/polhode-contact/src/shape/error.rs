@@ -135,6 +135,24 @@ pub enum ShapeError {
     /// A solid that is not convex could not be decomposed.
     #[error(transparent)]
     Decomposition(#[from] DecompositionError),
+    /// A convex part of a solid has no polyhedron.
+    #[error(
+        "convex part {part} of {parts}, {size:e} m large at ({}, {}, {}) m, is refused: {reason}. Weld or repair the mesh \
+         there, or let its parts be approximate",
+        .at.x, .at.y, .at.z
+    )]
+    Part {
+        /// The part, counted from 1.
+        part: usize,
+        /// How many there are.
+        parts: usize,
+        /// The centre of its bounding box, m.
+        at: DVec3,
+        /// The diagonal of its bounding box, m.
+        size: f64,
+        /// Why it has none.
+        reason: Box<Self>,
+    },
     /// The faces do not close a simple surface.
     #[error(
         "the faces do not close a surface like a sphere's: {reason} ({vertices} vertices, {edges} edges, {faces} faces)"

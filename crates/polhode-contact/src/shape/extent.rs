@@ -29,7 +29,7 @@ impl Shape {
             Self::Cylinder(c) => c.center.length() + 0.5 * c.size(),
             Self::Cone(c) => (c.base.length() + c.radius).max(c.apex().length()),
             Self::Torus(t) => t.center.length() + 0.5 * t.size(),
-            Self::Compound(c) => c.parts.iter().map(Self::radius).fold(0.0, f64::max),
+            Self::Compound(c) => c.radius,
             Self::TriangleMesh(m) => m.radius(),
             _ => {
                 let (centers, ball) = self.centers();

@@ -40,6 +40,19 @@ pub(crate) fn from_points(points: &[DVec3]) -> Result<ConvexPolyhedron, ShapeErr
     from_triangles(mesh.vertices(), mesh.triangles())
 }
 
+/// The exact hull of some points with its faces as they are, none merged, for points that are known within `rounding`
+/// (m). Slivers whose faces differ by less than the tolerance for plane faces have no other.
+///
+/// # Errors
+/// [`ShapeError::Flat`] for a hull that is thinner than the tolerances, and when it fails its checks.
+pub(crate) fn exact(points: &[DVec3], rounding: f64) -> Result<ConvexPolyhedron, ShapeError> {
+    let Ok(hull) = ConvexHull::of(points) else {
+        let limit = (THICKNESS_LIMIT * largest_distance(points)).max(rounding);
+        return Err(ShapeError::Flat { thickness: 0.0, limit });
+    };
+    topology::build_within(hull.solid().mesh().vertices().to_vec(), hull.faces().to_vec(), rounding)
+}
+
 /// The least extent of a hull across one of its triangles, m.
 fn thickness(vertices: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
     let across = |corners: &[u32; 3]| {
@@ -87,13 +100,15 @@ pub(crate) fn from_triangles(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Resu
         }
     }
     let (region, regions) = grow_regions(vertices, triangles, &owner);
+    let mut members = vec![Vec::new(); regions];
+    for (triangle, &region) in triangles.iter().zip(&region) {
+        members[region].push(*triangle);
+    }
     let mut loops = Vec::with_capacity(regions);
-    for index in 0..regions {
-        let border: BTreeMap<u32, u32> = triangles
-            .iter()
-            .zip(&region)
-            .filter(|(_, r)| **r == index)
-            .flat_map(|(t, _)| directed_edges(*t))
+    for (index, members) in members.into_iter().enumerate() {
+        let border: BTreeMap<u32, u32> = members
+            .into_iter()
+            .flat_map(directed_edges)
             .filter(|&(a, b)| owner.get(&(b, a)).is_none_or(|&other| region[other] != index))
             .collect();
         match chain(&border) {

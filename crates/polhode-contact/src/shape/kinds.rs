@@ -74,6 +74,10 @@ pub struct Compound {
     pub(crate) first: Vec<FirstElements>,
     pub(crate) tree: BoxTree,
     pub(super) size: f64,
+    /// Largest distance of a point of a part from the frame's origin, m.
+    pub(super) radius: f64,
+    /// Size of the smallest part that has one, m; infinite when none has.
+    pub(crate) least_part_size: f64,
 }
 
 /// Numbers of the first vertex (or centre), edge and face of a part among all of the compound.

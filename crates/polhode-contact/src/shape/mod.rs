@@ -14,6 +14,7 @@
 //! | `sphere`, `half_space`, `capsule`, `cylinder`, `cone`, `torus` | the shape of that name |
 //! | `circle`, [`round`], `support`, `extent` | circles, shapes made of them, support points, extents of shapes |
 //! | `lists` | lists of unequal length in one array |
+//! | `needle` | normals of very narrow faces |
 //! | `nearer_point` | which of two points is nearer, also when the distances are equal to rounding |
 //! | [`mirror`] | whether a shape is its own mirror image |
 //! | [`mod@approximate_decomposition`] | approximate convex parts of a solid |
@@ -34,6 +35,7 @@ mod kinds;
 pub(crate) mod lists;
 pub mod mirror;
 pub(crate) mod nearer_point;
+mod needle;
 mod point_cloud;
 pub mod polyhedron;
 mod polyhedron_construction;

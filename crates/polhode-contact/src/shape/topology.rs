@@ -3,8 +3,11 @@
 //! A list of faces is accepted when every directed edge occurs once and its opposite once, Euler's formula
 //! `V - E + F = 2` holds, every vertex has at least three faces, every face is plane and no vertex is outside a face.
 
+use crate::bounding::BoxTree;
+use crate::bounding::aabb::Aabb;
 use crate::shape::error::{ShapeError, check_length, check_point};
 use crate::shape::lists::Lists;
+use crate::shape::needle::needle_normal;
 use crate::shape::point_cloud::largest_distance;
 use crate::shape::polyhedron::{ConvexPolyhedron, Edge, FaceRecord};
 use crate::shape::support::middle_coordinate;
@@ -20,6 +23,15 @@ pub(crate) const THICKNESS_LIMIT: f64 = 1e-9;
 
 /// Builds a polyhedron from vertices and anticlockwise loops.
 pub(crate) fn build(vertices: Vec<DVec3>, loops: Vec<Vec<u32>>) -> Result<ConvexPolyhedron, ShapeError> {
+    build_within(vertices, loops, 0.0)
+}
+
+/// As [`build`], for vertices that are known within a tolerance, m: a vertex may be that far from the planes of faces.
+pub(crate) fn build_within(
+    vertices: Vec<DVec3>,
+    loops: Vec<Vec<u32>>,
+    tolerance: f64,
+) -> Result<ConvexPolyhedron, ShapeError> {
     if vertices.len() < 4 {
         return Err(ShapeError::TooFewPoints { count: vertices.len(), limit: 4 });
     }
@@ -42,7 +54,7 @@ pub(crate) fn build(vertices: Vec<DVec3>, loops: Vec<Vec<u32>>) -> Result<Convex
         size,
     };
     polyhedron.edges.iter().try_for_each(|edge| check_length("edge length", edge.length))?;
-    check_geometry(&polyhedron)?;
+    check_geometry(&polyhedron, tolerance)?;
     set_sides(&mut polyhedron);
     complete_edges(&mut polyhedron);
     Ok(polyhedron)
@@ -178,6 +190,10 @@ fn edges_of(vertices: &[DVec3], endpoints: &[[u32; 2]], faces: &[[u32; 2]]) -> V
     endpoints.iter().zip(faces).map(edge).collect()
 }
 
+/// A face is a needle when its area is less than this part of the square of its length: rounding of the
+/// products, 1e-16 of that square, would then turn its normal by more than 1e-10.
+const NEEDLE: f64 = 1e-6;
+
 /// Normals by Newell's formula, `sum (v_i - c) x (v_i+1 - c)`, which weights every vertex of a face equally. The offset
 /// of a plane is the middle of the smallest and the largest offset of its vertices.
 fn faces_of(vertices: &[DVec3], loops: &[Vec<u32>]) -> Vec<FaceRecord> {
@@ -187,7 +203,12 @@ fn faces_of(vertices: &[DVec3], loops: &[Vec<u32>]) -> Vec<FaceRecord> {
         let at = |i: usize| vertices[corners[i % corners.len()] as usize];
         let center = (0..corners.len()).map(at).sum::<DVec3>() / corners.len() as f64;
         let area: DVec3 = (0..corners.len()).map(|i| (at(i) - center).cross(at(i + 1) - center)).sum();
-        let normal = area / area.length();
+        let longest = (0..corners.len()).map(|i| at(i).distance_squared(center)).fold(0.0, f64::max);
+        let normal = if area.length() < NEEDLE * longest {
+            needle_normal(corners.iter().map(|&v| vertices[v as usize]))
+        } else {
+            area / area.length()
+        };
         let offset = middle_coordinate((0..corners.len()).map(at), normal);
         faces.push(FaceRecord { first, count: corners.len(), normal, offset });
         first += corners.len();
@@ -213,10 +234,14 @@ fn at_vertices<'a>(loops: impl Iterator<Item = &'a [u32]> + Clone) -> impl Itera
     (0..).zip(loops).flat_map(|(index, corners)| corners.iter().map(move |&vertex| (vertex, index)))
 }
 
-/// Checks that faces are plane, and the polyhedron convex and thick enough.
-fn check_geometry(polyhedron: &ConvexPolyhedron) -> Result<(), ShapeError> {
-    let limit = PLANE_TOLERANCE * polyhedron.size;
-    let thinnest = THICKNESS_LIMIT * polyhedron.size;
+/// Checks that faces are plane, and the polyhedron convex and thick enough, for vertices that are known within a
+/// tolerance (m). The vertices farthest in front of a plane and behind it are found in a tree of boxes, so that the time
+/// grows as n^1.5 with their number.
+fn check_geometry(polyhedron: &ConvexPolyhedron, tolerance: f64) -> Result<(), ShapeError> {
+    let limit = (PLANE_TOLERANCE * polyhedron.size).max(tolerance);
+    let thinnest = (THICKNESS_LIMIT * polyhedron.size).max(tolerance);
+    let boxes: Vec<Aabb> = polyhedron.vertices.iter().map(|&vertex| Aabb::of_point(vertex)).collect();
+    let tree = BoxTree::new(&boxes);
     for (index, record) in polyhedron.faces.iter().enumerate() {
         let height = |v: usize| record.normal.dot(polyhedron.vertices[v]) - record.offset;
         for &vertex in &polyhedron.corner_vertices[record.first..record.first + record.count] {
@@ -226,16 +251,22 @@ fn check_geometry(polyhedron: &ConvexPolyhedron) -> Result<(), ShapeError> {
                 return Err(ShapeError::FaceNotPlane { face: index, vertex: vertex as usize, distance, limit });
             }
         }
-        let mut deepest: f64 = 0.0;
-        for vertex in 0..polyhedron.vertices.len() {
-            let height = height(vertex);
-            if height > limit {
-                return Err(ShapeError::NotConvex { vertex, face: index, height, limit });
-            }
-            deepest = deepest.max(-height);
+        // The least of the heights times a sign; what rounding may add to the bound of a box is far below the limits.
+        let least = |sign: f64| {
+            let bound = |of: &Aabb| {
+                let normal = sign * record.normal;
+                (normal * of.min).min(normal * of.max).element_sum() - sign * record.offset - limit
+            };
+            tree.least(f64::INFINITY, f64::NEG_INFINITY, &bound, &mut |vertex, _| sign * height(vertex as usize))
+        };
+        if -least(-1.0) > limit {
+            let first = (0..polyhedron.vertices.len()).find(|&vertex| height(vertex) > limit);
+            let vertex = first.unwrap_or_default();
+            return Err(ShapeError::NotConvex { vertex, face: index, height: height(vertex), limit });
         }
+        let deepest = -least(1.0);
         if deepest < thinnest {
-            return Err(ShapeError::Flat { thickness: deepest, limit: thinnest });
+            return Err(ShapeError::Flat { thickness: deepest.max(0.0), limit: thinnest });
         }
     }
     Ok(())

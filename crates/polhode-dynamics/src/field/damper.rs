@@ -4,7 +4,8 @@
 
 use super::error::not_negative;
 use super::link::Link;
-use super::{Account, Anchor, Dependence, Field, FieldError, Wrench};
+use super::response::outer;
+use super::{Account, Anchor, Dependence, Field, FieldError, ForceResponse, Wrench};
 use crate::{BodyState, RigidBody};
 
 /// A damper.
@@ -46,6 +47,13 @@ impl Field for Damper {
         let Some((extent, rate)) = self.link.extent(bodies, states) else { return };
         let direction = extent.normalize_or_zero();
         self.link.pull(direction * (self.damping * rate.dot(direction)), bodies, states, wrenches);
+    }
+
+    fn responses(&self, bodies: &[RigidBody], states: &[BodyState]) -> Option<Vec<ForceResponse>> {
+        let Some((extent, _)) = self.link.extent(bodies, states) else { return Some(Vec::new()) };
+        let direction = extent.normalize_or_zero();
+        let damping = outer(direction, direction) * self.damping;
+        Some(vec![ForceResponse { damping, ..self.link.response(states) }])
     }
 
     fn potential_energy(&self, _bodies: &[RigidBody], _states: &[BodyState]) -> f64 {

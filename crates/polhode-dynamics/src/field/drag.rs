@@ -11,9 +11,10 @@
 //! one all of the work is booked as external.
 
 use super::error::{finite_vector, not_negative};
-use super::{Account, Dependence, Field, FieldError, Wrench};
+use super::response::outer;
+use super::{Account, Decay, Dependence, Field, FieldError, ForceResponse, ResponseEnd, Wrench};
 use crate::{BodyState, RigidBody};
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 /// How drag grows with speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,6 +56,17 @@ impl Drag {
         Ok(self)
     }
 
+    /// The derivative of [`Drag::oppose`] with the velocity, with the other sign.
+    fn slope(&self, coefficient: f64, velocity: DVec3) -> DMat3 {
+        match self.law {
+            DragLaw::Linear => DMat3::IDENTITY * coefficient,
+            DragLaw::Quadratic => {
+                let direction = velocity.normalize_or_zero();
+                (DMat3::IDENTITY + outer(direction, direction)) * (coefficient * velocity.length())
+            }
+        }
+    }
+
     /// What opposes a velocity.
     fn oppose(&self, coefficient: f64, velocity: DVec3) -> DVec3 {
         match self.law {
@@ -91,6 +103,22 @@ impl Field for Drag {
         let velocity = body.center_of_mass_velocity(state);
         wrench.force += self.oppose(self.translational, velocity.linear - self.medium);
         wrench.torque += self.oppose(self.rotational, velocity.angular);
+    }
+
+    fn responses(&self, bodies: &[RigidBody], states: &[BodyState]) -> Option<Vec<ForceResponse>> {
+        let (Some(body), Some(state)) = (bodies.get(self.body), states.get(self.body)) else { return Some(Vec::new()) };
+        let velocity = body.center_of_mass_velocity(state);
+        let arm = state.pose.rotation.rotate(body.arm());
+        let end = ResponseEnd { body: self.body, arm };
+        Some(vec![ForceResponse {
+            damping: self.slope(self.translational, velocity.linear - self.medium),
+            rotational_damping: self.slope(self.rotational, velocity.angular),
+            decay: match self.law {
+                DragLaw::Linear => Decay::Exponential,
+                DragLaw::Quadratic => Decay::Hyperbolic,
+            },
+            ..ForceResponse::none([Some(end), None])
+        }])
     }
 
     fn potential_energy(&self, _bodies: &[RigidBody], _states: &[BodyState]) -> f64 {

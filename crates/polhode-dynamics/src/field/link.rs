@@ -1,7 +1,7 @@
 //! The line between two points, one of them on a body: what springs and dampers act along.
 
 use super::error::finite_vector;
-use super::{FieldError, Wrench};
+use super::{FieldError, ForceResponse, ResponseEnd, Wrench};
 use crate::{BodyState, RigidBody};
 use glam::DVec3;
 
@@ -37,6 +37,13 @@ impl Anchor {
                 Some((state.pose.translation + lever, body.velocity(state).at(lever)))
             }
         }
+    }
+
+    /// The point as the end of a force; none in the world.
+    fn end(&self, states: &[BodyState]) -> Option<ResponseEnd> {
+        let Self::Body { body, point } = self else { return None };
+        let arm = states.get(*body)?.pose.rotation.rotate(*point);
+        Some(ResponseEnd { body: *body, arm })
     }
 
     /// Adds a force at the point.
@@ -81,6 +88,11 @@ impl Link {
     pub(super) fn extent(&self, bodies: &[RigidBody], states: &[BodyState]) -> Option<(DVec3, DVec3)> {
         let (a, b) = (self.a.motion(bodies, states)?, self.b.motion(bodies, states)?);
         Some((b.0 - a.0, b.1 - a.1))
+    }
+
+    /// A force at both ends that does not respond yet.
+    pub(super) fn response(&self, states: &[BodyState]) -> ForceResponse {
+        ForceResponse::none([self.a.end(states), self.b.end(states)])
     }
 
     /// Adds `force` at a and its opposite at b.

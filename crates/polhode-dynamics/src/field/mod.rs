@@ -59,6 +59,7 @@ mod error;
 mod link;
 pub mod mutual_gravity;
 pub mod point_gravity;
+pub mod response;
 pub mod signal;
 pub mod spring;
 
@@ -69,6 +70,7 @@ pub use error::FieldError;
 pub use link::Anchor;
 pub use mutual_gravity::MutualGravity;
 pub use point_gravity::PointGravity;
+pub use response::{Decay, ForceResponse, ResponseEnd};
 pub use signal::Signal;
 pub use spring::Spring;
 
@@ -166,6 +168,13 @@ pub trait Field: Debug + Send + Sync {
     /// in one order. Positions and velocities are those of [`RigidBody::center_of_mass_position`] and its siblings,
     /// pivoted bodies included.
     fn add_wrenches(&self, t: f64, bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]);
+
+    /// How the forces of the field change with small motions of its bodies ([`ForceResponse`]): with it a step may be
+    /// longer than the time in which the field moves a body. Nothing when the field does not say; then a step that is
+    /// too long for it may gain energy.
+    fn responses(&self, _bodies: &[RigidBody], _states: &[BodyState]) -> Option<Vec<ForceResponse>> {
+        None
+    }
 
     /// Potential energy, J; zero for a field that is not conservative.
     fn potential_energy(&self, bodies: &[RigidBody], states: &[BodyState]) -> f64;

@@ -10,9 +10,11 @@ use super::{Account, Dependence, Field, FieldError, Wrench};
 use crate::{BodyState, RigidBody};
 
 /// Attraction of every pair of bodies.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct MutualGravity {
     gravitation: f64,
+    /// Bodies that neither attract nor are attracted, ascending.
+    without: Vec<usize>,
 }
 
 impl MutualGravity {
@@ -21,12 +23,23 @@ impl MutualGravity {
     /// # Errors
     /// When it is negative or not finite.
     pub fn new(gravitation: f64) -> Result<Self, FieldError> {
-        Ok(Self { gravitation: not_negative("the constant of gravitation", gravitation)? })
+        Ok(Self { gravitation: not_negative("the constant of gravitation", gravitation)?, without: Vec::new() })
     }
 
     /// With nature's: [`GRAVITATION`].
     pub const fn newtonian() -> Self {
-        Self { gravitation: GRAVITATION }
+        Self { gravitation: GRAVITATION, without: Vec::new() }
+    }
+
+    /// The same without the bodies of these indices, ascending: they neither attract nor are attracted.
+    #[must_use]
+    pub fn without(self, bodies: Vec<usize>) -> Self {
+        Self { without: bodies, ..self }
+    }
+
+    /// Whether it acts on the body of this index.
+    fn takes(&self, body: usize) -> bool {
+        self.without.binary_search(&body).is_err()
     }
 }
 
@@ -39,14 +52,19 @@ impl Field for MutualGravity {
         Account::Potential
     }
 
+    fn acts_on(&self, body: usize) -> bool {
+        self.takes(body)
+    }
+
     fn turns(&self, _body: usize) -> bool {
         false
     }
 
     fn add_wrenches(&self, _t: f64, bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]) {
-        for (i, (body, state)) in bodies.iter().zip(states).enumerate() {
+        let there = || bodies.iter().zip(states).enumerate().filter(|(index, _)| self.takes(*index));
+        for (i, (body, state)) in there() {
             let position = body.center_of_mass_position(state);
-            for (j, (other, other_state)) in bodies.iter().zip(states).enumerate().skip(i + 1) {
+            for (j, (other, other_state)) in there().filter(|(j, _)| *j > i) {
                 let arm = other.center_of_mass_position(other_state) - position;
                 let force = attraction(arm, self.gravitation * body.mass() * other.mass());
                 if let Some(wrench) = wrenches.get_mut(i) {
@@ -61,9 +79,10 @@ impl Field for MutualGravity {
 
     fn potential_energy(&self, bodies: &[RigidBody], states: &[BodyState]) -> f64 {
         let mut energy = 0.0;
-        for (i, (body, state)) in bodies.iter().zip(states).enumerate() {
+        let there = || bodies.iter().zip(states).enumerate().filter(|(index, _)| self.takes(*index));
+        for (i, (body, state)) in there() {
             let position = body.center_of_mass_position(state);
-            for (other, other_state) in bodies.iter().zip(states).skip(i + 1) {
+            for (_, (other, other_state)) in there().filter(|(j, _)| *j > i) {
                 let distance = (other.center_of_mass_position(other_state) - position).length();
                 energy -= self.gravitation * body.mass() * other.mass() / distance;
             }

@@ -14,10 +14,12 @@ use polhode_spatial::Mass;
 pub const GRAVITATION: f64 = 6.67430e-11;
 
 /// An attracting point; every body is attracted.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct PointGravity {
     mu: f64,
     position: DVec3,
+    /// Bodies that it does not attract, ascending.
+    without: Vec<usize>,
 }
 
 impl PointGravity {
@@ -27,7 +29,13 @@ impl PointGravity {
     /// When `mu` is negative or a number is not finite.
     pub fn new(mu: f64, position: DVec3) -> Result<Self, FieldError> {
         let mu = not_negative("the gravitational parameter", mu)?;
-        Ok(Self { mu, position: finite_vector("the position", position)? })
+        Ok(Self { mu, position: finite_vector("the position", position)?, without: Vec::new() })
+    }
+
+    /// The same without the bodies of these indices, ascending: they are not attracted.
+    #[must_use]
+    pub fn without(self, bodies: Vec<usize>) -> Self {
+        Self { without: bodies, ..self }
     }
 
     /// Of an attracting mass at `position` (m, world).
@@ -48,6 +56,10 @@ impl Field for PointGravity {
         Account::Potential
     }
 
+    fn acts_on(&self, body: usize) -> bool {
+        self.without.binary_search(&body).is_err()
+    }
+
     fn couples(&self) -> bool {
         false
     }
@@ -57,7 +69,8 @@ impl Field for PointGravity {
     }
 
     fn add_wrenches(&self, _t: f64, bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]) {
-        for ((body, state), wrench) in bodies.iter().zip(states).zip(wrenches) {
+        let there = bodies.iter().zip(states).zip(wrenches).enumerate().filter(|(index, _)| self.acts_on(*index));
+        for (_, ((body, state), wrench)) in there {
             let arm = self.position - body.center_of_mass_position(state);
             wrench.force += attraction(arm, self.mu * body.mass());
         }
@@ -67,7 +80,8 @@ impl Field for PointGravity {
         let of_body = |(body, state): (&RigidBody, &BodyState)| {
             -self.mu * body.mass() / (body.center_of_mass_position(state) - self.position).length()
         };
-        bodies.iter().zip(states).map(of_body).sum()
+        let there = bodies.iter().zip(states).enumerate().filter(|(index, _)| self.acts_on(*index));
+        there.map(|(_, placed)| of_body(placed)).sum()
     }
 }
 

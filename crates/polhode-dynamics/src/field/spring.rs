@@ -6,8 +6,10 @@
 
 use super::error::not_negative;
 use super::link::Link;
-use super::{Account, Anchor, Dependence, Field, FieldError, Wrench};
+use super::response::outer;
+use super::{Account, Anchor, Dependence, Field, FieldError, ForceResponse, Wrench};
 use crate::{BodyState, RigidBody};
+use glam::DMat3;
 
 /// A spring.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,6 +60,17 @@ impl Field for Spring {
             self.stiffness * ((distance - self.rest_length) / distance)
         };
         self.link.pull(extent * per_length, bodies, states, wrenches);
+    }
+
+    fn responses(&self, bodies: &[RigidBody], states: &[BodyState]) -> Option<Vec<ForceResponse>> {
+        let Some((extent, _)) = self.link.extent(bodies, states) else { return Some(Vec::new()) };
+        let distance = extent.length();
+        // Across the line the force turns with it: `k (d - d0)/d`. A spring that is compressed pushes aside.
+        let across =
+            if distance > self.rest_length { self.stiffness * (1.0 - self.rest_length / distance) } else { 0.0 };
+        let direction = extent.normalize_or_zero();
+        let along = outer(direction, direction) * (self.stiffness - across);
+        Some(vec![ForceResponse { stiffness: DMat3::IDENTITY * across + along, ..self.link.response(states) }])
     }
 
     fn potential_energy(&self, bodies: &[RigidBody], states: &[BodyState]) -> f64 {

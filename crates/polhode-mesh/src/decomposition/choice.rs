@@ -84,7 +84,12 @@ struct Candidate {
 }
 
 /// The best plane with the sides of the vertices; none for a piece without reflex edges, or when no candidate parts it.
-pub(super) fn plane_through_reflex_edge(space: &mut Space, group: &Group) -> Option<(u32, Sides)> {
+/// `comparisons` counts the vertices and edges that planes are compared with.
+pub(super) fn plane_through_reflex_edge(
+    space: &mut Space,
+    group: &Group,
+    comparisons: &mut u64,
+) -> Option<(u32, Sides)> {
     if group.reflex.is_empty() {
         return None;
     }
@@ -95,6 +100,7 @@ pub(super) fn plane_through_reflex_edge(space: &mut Space, group: &Group) -> Opt
     for step in [step, 1] {
         for reflex in (0..piece.reflex.len()).step_by(step) {
             for candidate in candidates(space, &group.faces, group.reflex[reflex]) {
+                *comparisons += (piece.vertices.len() + piece.edges.len()) as u64;
                 let distances = piece.distances(space, &candidate, &piece.reflex[reflex]);
                 best.consider(&piece, candidate, distances);
             }

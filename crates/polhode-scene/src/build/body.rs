@@ -51,6 +51,9 @@ pub(super) fn build(
         body = body.material(materials.get(material, &path.key("material"))?);
     }
     if let Some(form) = form {
+        if let Some(approximation) = form.approximation {
+            body = body.approximated(approximation);
+        }
         body = body.geometry(form.geometry);
     }
     Ok(body)

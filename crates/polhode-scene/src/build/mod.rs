@@ -5,6 +5,7 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | `approximate` | few convex parts that nearly fill a mesh |
 //! | `bodies` | bodies by name, for what refers to them |
 //! | `body` | a body: its pose, motion, shape and mass |
 //! | `fault` | what is refused and at which key; checks of numbers |
@@ -21,6 +22,7 @@
 //! | `signal` | signals, which forces are multiplied by |
 //! | `spring` | springs |
 
+mod approximate;
 mod bodies;
 mod body;
 mod fault;

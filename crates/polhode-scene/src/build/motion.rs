@@ -3,10 +3,12 @@
 use super::fault::{Fault, finite, vector};
 use crate::document::KeyPath;
 use crate::error::Refusal;
-use crate::format::{BodyEntry, ConstantMotionEntry, MotionEntry, SineMotionEntry, TableMotionEntry, Vector};
+use crate::format::{
+    BodyEntry, ConstantMotionEntry, InterpolationEntry, MotionEntry, SineMotionEntry, TableMotionEntry, Vector,
+};
 use glam::DVec3;
 use polhode::Body;
-use polhode::scene::{MotionError, MotionTable, PrescribedMotion, SampledOrientations};
+use polhode::scene::{Interpolation, MotionError, MotionTable, PrescribedMotion, SampledOrientations};
 use polhode::spatial::{Pose, Rotation, UnitVector, Velocity};
 
 /// For what keys of other bodies have no meaning.
@@ -113,7 +115,14 @@ fn table(entry: &TableMotionEntry, path: &KeyPath) -> Result<PrescribedMotion, F
         }
         (None, None) => None,
     };
-    let table = MotionTable { times_s: entry.times.clone(), positions_m: positions.transpose()?, orientations };
+    let interpolation = match entry.interpolation {
+        None => Interpolation::default(),
+        Some(InterpolationEntry::Monotone) => Interpolation::Monotone,
+        Some(InterpolationEntry::Spline) => Interpolation::Spline,
+        Some(InterpolationEntry::Linear) => Interpolation::Linear,
+    };
+    let (times_s, positions_m) = (entry.times.clone(), positions.transpose()?);
+    let table = MotionTable { times_s, positions_m, orientations, interpolation };
     PrescribedMotion::table(&table).map_err(|error| {
         let turned = if entry.rotation_vectors.is_some() { "rotation_vectors" } else { "orientations" };
         let path = match &error {

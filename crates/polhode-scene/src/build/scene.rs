@@ -8,6 +8,7 @@ use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{self, NoContactEntry, SceneFile};
 use crate::mesh_file::MeshFolder;
+use polhode::contact::ShapeError;
 use polhode::{Scene, SceneBuilder, SceneError};
 
 /// The scene that a file describes; `name` is used when the file gives none.
@@ -87,6 +88,9 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
             KeyPath::of(if is_long { &["duration"] } else { &["output", "interval"] })
         }
         SceneError::TooManySteps { .. } => KeyPath::of(&["method", "step"]),
+        SceneError::Shape { body: name, source: ShapeError::Part { .. } | ShapeError::Decomposition(_) } => {
+            body(name).key("shape").key("mesh").key("file")
+        }
         SceneError::NotFinite { body: name, .. }
         | SceneError::DuplicateName(name)
         | SceneError::FixedBodyMoves(name)
@@ -94,6 +98,7 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
         | SceneError::Shape { body: name, .. }
         | SceneError::MovingHalfSpace(name)
         | SceneError::Motion { body: name, .. } => body(name),
+        SceneError::MotionJumps { body: name, .. } => body(name).key("motion").key("table").key("interpolation"),
         SceneError::FixedBodyPivots(name) | SceneError::KinematicBodyPivots(name) => body(name).key("pivot"),
         SceneError::PivotMoves { body: name, .. } | SceneError::KinematicBodyHasVelocity(name) => {
             body(name).key("velocity")

@@ -1,16 +1,17 @@
 //! Shapes, and the meshes they are read from.
 
+use super::approximate;
 use super::fault::{Fault, positive, vector};
 use super::matter::Matter;
 use super::placement;
 use crate::document::KeyPath;
 use crate::error::Refusal;
-use crate::format::{CompoundEntry, FileEntry, PartEntry, RadiusHeightEntry, ShapeEntry};
+use crate::format::{CompoundEntry, MeshEntry, PartEntry, RadiusHeightEntry, ShapeEntry};
 use crate::mesh_file::MeshFolder;
-use polhode::Geometry;
 use polhode::contact::{ConvexPolyhedron, Shape};
 use polhode::mesh::{Capsule, Cone, Cuboid, Cylinder, Primitive, SolidMesh, Sphere, Torus, TriangleMesh, convexity};
 use polhode::spatial::UnitVector;
+use polhode::{ApproximateParts, Geometry};
 
 /// A shape, with what its mass properties need.
 pub(super) struct Form {
@@ -18,6 +19,8 @@ pub(super) struct Form {
     pub(super) geometry: Geometry,
     /// What has mass.
     pub(super) matter: Matter,
+    /// How well convex parts fill a mesh, where they only do so approximately.
+    pub(super) approximation: Option<ApproximateParts>,
 }
 
 /// Whether the body of a shape moves.
@@ -74,7 +77,7 @@ pub(super) fn build(
         ShapeEntry::HalfSpace(entry) => {
             let path = path.key("half_space").key("normal");
             let normal = UnitVector::new(vector(&entry.normal, &path)?).map_err(|error| (path, error.into()))?;
-            Ok(Form { geometry: Shape::half_space(normal).into(), matter: Matter::HalfSpace })
+            Ok(Form { geometry: Shape::half_space(normal).into(), matter: Matter::HalfSpace, approximation: None })
         }
         ShapeEntry::Points(entry) => {
             let path = path.key("points").key("positions");
@@ -83,14 +86,14 @@ pub(super) fn build(
                 points.push(vector(position, &path.index(index))?);
             }
             let shape = Shape::points(points).map_err(|error| (path, error.into()))?;
-            Ok(Form { geometry: shape.into(), matter: Matter::WithoutVolume })
+            Ok(Form { geometry: shape.into(), matter: Matter::WithoutVolume, approximation: None })
         }
         ShapeEntry::Compound(entry) => compound(entry, folder, &path.key("compound").key("parts")),
         ShapeEntry::Convex(entry) => {
             let path = path.key("convex");
-            let mesh = solid(read(entry, folder, &path)?, &path.key("file"))?;
+            let mesh = solid(read((&entry.file, entry.scale), folder, &path)?, &path.key("file"))?;
             let polyhedron = ConvexPolyhedron::from_mesh(&mesh).map_err(|error| (path.key("file"), error.into()))?;
-            Ok(Form { geometry: Shape::convex(polyhedron).into(), matter: Matter::Mesh(mesh) })
+            Ok(Form { geometry: Shape::convex(polyhedron).into(), matter: Matter::Mesh(mesh), approximation: None })
         }
         ShapeEntry::Mesh(entry) => mesh(entry, mobility, folder, &path.key("mesh")),
     }
@@ -104,7 +107,7 @@ fn form(
 ) -> Result<Form, Fault> {
     let shape = shape.map_err(|error| (path.clone(), error.into()))?;
     let primitive = primitive.map_err(|error| (path.clone(), error.into()))?;
-    Ok(Form { geometry: shape.into(), matter: Matter::Primitive(primitive) })
+    Ok(Form { geometry: shape.into(), matter: Matter::Primitive(primitive), approximation: None })
 }
 
 fn radius_and_height(entry: &RadiusHeightEntry, path: &KeyPath) -> Result<(f64, f64), Fault> {
@@ -112,26 +115,30 @@ fn radius_and_height(entry: &RadiusHeightEntry, path: &KeyPath) -> Result<(f64, 
 }
 
 /// A mesh file as ground, convex solid or solid of any form.
-fn mesh(entry: &FileEntry, mobility: Mobility, folder: &MeshFolder, path: &KeyPath) -> Result<Form, Fault> {
-    let surface = read(entry, folder, path)?;
+fn mesh(entry: &MeshEntry, mobility: Mobility, folder: &MeshFolder, path: &KeyPath) -> Result<Form, Fault> {
+    let surface = read((&entry.file, entry.scale), folder, path)?;
     let mesh = match (SolidMesh::new(surface.clone()), mobility) {
         (Ok(mesh), _) => mesh,
         (Err(_), Mobility::Fixed) => {
             let shape = Shape::triangle_mesh(surface.vertices().to_vec(), surface.triangles().to_vec());
             let shape = shape.map_err(|error| (path.key("file"), error.into()))?;
-            return Ok(Form { geometry: shape.into(), matter: Matter::WithoutVolume });
+            return Ok(Form { geometry: shape.into(), matter: Matter::WithoutVolume, approximation: None });
         }
         (Err(error), Mobility::Moves) => return Err((path.key("file"), Refusal::Mesh(error))),
     };
+    if let Some(entry) = &entry.approximate {
+        let (shape, approximation) = approximate::parts(&mesh, entry, &path.key("approximate"))?;
+        return Ok(Form { geometry: shape.into(), matter: Matter::Mesh(mesh), approximation: Some(approximation) });
+    }
     let polyhedron = if convexity(&mesh).is_convex() { ConvexPolyhedron::from_mesh(&mesh).ok() } else { None };
     let geometry = polyhedron.map_or_else(|| Geometry::Mesh(mesh.clone()), |p| Shape::convex(p).into());
-    Ok(Form { geometry, matter: Matter::Mesh(mesh) })
+    Ok(Form { geometry, matter: Matter::Mesh(mesh), approximation: None })
 }
 
-/// The mesh in a file, in metres.
-fn read(entry: &FileEntry, folder: &MeshFolder, path: &KeyPath) -> Result<TriangleMesh, Fault> {
-    let mesh = folder.read(&entry.file).map_err(|error| (path.key("file"), Refusal::MeshFile(error)))?;
-    let Some(scale) = entry.scale else { return Ok(mesh) };
+/// The mesh in a file, in metres: its name, and what its coordinates are multiplied by.
+fn read((file, scale): (&str, Option<f64>), folder: &MeshFolder, path: &KeyPath) -> Result<TriangleMesh, Fault> {
+    let mesh = folder.read(file).map_err(|error| (path.key("file"), Refusal::MeshFile(error)))?;
+    let Some(scale) = scale else { return Ok(mesh) };
     let scale = positive(scale, &path.key("scale"))?;
     mesh.scaled(scale).map_err(|error| (path.key("scale"), Refusal::Mesh(error)))
 }
@@ -151,7 +158,7 @@ fn compound(entry: &CompoundEntry, folder: &MeshFolder, path: &KeyPath) -> Resul
         matters.push(matter);
     }
     let shape = Shape::compound(shapes).map_err(|error| (path.clone(), error.into()))?;
-    Ok(Form { geometry: shape.into(), matter: Matter::Parts(matters) })
+    Ok(Form { geometry: shape.into(), matter: Matter::Parts(matters), approximation: None })
 }
 
 fn part(

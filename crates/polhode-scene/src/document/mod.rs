@@ -36,6 +36,8 @@ use toml::de::DeTable;
 #[derive(Debug, Clone)]
 pub(crate) struct Document {
     sources: Sources,
+    /// Keys that are set from outside, with what sets them.
+    set: Vec<(String, String)>,
 }
 
 impl Document {
@@ -45,7 +47,13 @@ impl Document {
         for change in overrides {
             sources.push(&change.origin, change.text());
         }
-        Self { sources }
+        let set = overrides.iter().map(|change| (change.key.clone(), change.origin.clone())).collect();
+        Self { sources, set }
+    }
+
+    /// What has set a key from outside last.
+    pub(crate) fn set_by(&self, key: &str) -> Option<&str> {
+        self.set.iter().rev().find(|(set, _)| set == key).map(|(_, origin)| origin.as_str())
     }
 
     /// The document in the types of the format, and then what `check` makes of it. When something is refused, all that

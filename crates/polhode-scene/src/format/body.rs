@@ -76,14 +76,15 @@ pub enum ShapeEntry {
     /// A convex solid from a mesh file.
     Convex(FileEntry),
     /// A mesh file: of a closed solid of any form, or, for a fixed or kinematic body, of a surface too.
-    Mesh(FileEntry),
+    Mesh(MeshEntry),
 }
 
 impl ShapeEntry {
     /// Adds the names of its mesh files.
     pub(crate) fn add_files<'a>(&'a self, files: &mut Vec<&'a str>) {
         match self {
-            Self::Convex(entry) | Self::Mesh(entry) => files.push(&entry.file),
+            Self::Convex(entry) => files.push(&entry.file),
+            Self::Mesh(entry) => files.push(&entry.file),
             Self::Compound(entry) => entry.parts.iter().for_each(|part| part.shape.add_files(files)),
             _ => {}
         }
@@ -180,6 +181,31 @@ pub struct FileEntry {
     /// What the coordinates of the file are multiplied by to give metres; 1 when absent.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub scale: Option<f64>,
+}
+
+/// A mesh of a solid or a surface in a file.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MeshEntry {
+    /// OBJ, STL, OFF or PLY file, relative to the scene file; lengths in m.
+    pub file: String,
+    /// What the coordinates of the file are multiplied by to give metres; 1 when absent.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub scale: Option<f64>,
+    /// Few convex parts that nearly fill the solid, for collisions; exact parts when absent.
+    pub approximate: Option<ApproximateEntry>,
+}
+
+/// What approximate convex parts of a mesh may cost.
+#[derive(Debug, Clone, PartialEq, Default, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ApproximateEntry {
+    /// Most convex parts, 1 to 4096; 256 when absent. They are found by halving, so that there may be up to twice as many.
+    #[schemars(range(min = 1, max = 4096))]
+    pub parts: Option<u32>,
+    /// Largest difference of the volume of the parts from that of the solid, relative to it; not limited when absent.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub error: Option<f64>,
 }
 
 /// Inertia about the centre of mass, in the body's own axes.

@@ -30,8 +30,8 @@ mod scene;
 mod signal;
 
 pub use body::{
-    BodyEntry, BoxEntry, CompoundEntry, FileEntry, HalfSpaceEntry, InertiaEntry, PartEntry, PointsEntry,
-    RadiusHeightEntry, ShapeEntry, SphereEntry, TorusEntry,
+    ApproximateEntry, BodyEntry, BoxEntry, CompoundEntry, FileEntry, HalfSpaceEntry, InertiaEntry, MeshEntry,
+    PartEntry, PointsEntry, RadiusHeightEntry, ShapeEntry, SphereEntry, TorusEntry,
 };
 pub use broad_phase::BroadPhaseName;
 pub use exactly::{Exactly, Vector};
@@ -45,7 +45,7 @@ pub use method::{
     ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,
     RotationRateName, TierName,
 };
-pub use motion::{ConstantMotionEntry, MotionEntry, SineMotionEntry, TableMotionEntry};
+pub use motion::{ConstantMotionEntry, InterpolationEntry, MotionEntry, SineMotionEntry, TableMotionEntry};
 pub use scene::{MaterialEntry, NoContactEntry, OutputEntry, PairEntry, SceneFile, StartEntry};
 pub use signal::{SignalEntry, SinusoidEntry};
 

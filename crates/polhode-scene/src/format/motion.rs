@@ -12,7 +12,7 @@ pub enum MotionEntry {
     Constant(ConstantMotionEntry),
     /// An oscillation about the body's position and orientation.
     Sine(SineMotionEntry),
-    /// Samples joined by a smooth curve.
+    /// Samples joined by a curve.
     Table(TableMotionEntry),
 }
 
@@ -61,4 +61,18 @@ pub struct TableMotionEntry {
     /// Orientations as axis times angle, rad, that change by less than half a turn from sample to sample; or orientations.
     #[schemars(length(min = 2))]
     pub rotation_vectors: Option<Vec<Vector>>,
+    /// What is between the samples; monotone when absent.
+    pub interpolation: Option<InterpolationEntry>,
+}
+
+/// What is between the samples of a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum InterpolationEntry {
+    /// A smooth curve of which every coordinate stays between two neighbouring samples.
+    Monotone,
+    /// The cubic spline, which is more accurate for samples of a smooth motion, and overshoots where samples turn or stop.
+    Spline,
+    /// Constant velocity from sample to sample; it jumps at the samples, so that the body may not touch others that move.
+    Linear,
 }

@@ -1,7 +1,9 @@
 //! A file that appears under its name when it is complete, and not before.
 //!
 //! While it grows it is locked. A temporary file of the same target that nobody has locked was left behind by a program
-//! that was killed; it is removed when the target is written again, so that such files never pile up.
+//! that was killed. When the target is written again, such a file is kept under the name with `.partial` at its end if a
+//! readable file can be made of it, and removed otherwise, so that such files never pile up; [`AtomicFile::left_behind`]
+//! says what was found.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
@@ -14,6 +16,16 @@ use tempfile::{Builder, TempPath};
 pub struct AtomicFile {
     target: PathBuf,
     open: Option<Open>,
+    left_behind: Vec<LeftBehind>,
+}
+
+/// A temporary file that a program which was killed has left behind, and what has become of it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LeftBehind {
+    /// Where it was found.
+    pub temporary: PathBuf,
+    /// Where it is now; none when it was of no use and is removed.
+    pub kept: Option<PathBuf>,
 }
 
 /// What makes a complete file of one that ends anywhere.
@@ -59,6 +71,16 @@ impl AtomicFile {
     /// # Errors
     /// When the target is a folder or names no file, or its folder cannot be written to.
     pub fn create(target: &Path) -> io::Result<Self> {
+        // What is cut off anywhere is of no use.
+        Self::create_mending(target, |_| Err(io::ErrorKind::InvalidData.into()))
+    }
+
+    /// As [`AtomicFile::create`]; `mend` makes a readable file of one of this kind that ends anywhere, or fails where there
+    /// is nothing to keep.
+    ///
+    /// # Errors
+    /// As [`AtomicFile::create`].
+    pub fn create_mending(target: &Path, mend: impl FnMut(&mut File) -> io::Result<()>) -> io::Result<Self> {
         // A link stays a link: what it points to is replaced.
         let pointed = |_| fs::read_link(target).map(|to| target.parent().unwrap_or(Path::new("")).join(to));
         let target = fs::canonicalize(target).or_else(pointed).unwrap_or_else(|_| target.to_owned());
@@ -78,11 +100,16 @@ impl AtomicFile {
         if !fs::metadata(folder)?.is_dir() {
             return Err(io::Error::new(io::ErrorKind::NotADirectory, format!("{} is no folder", folder.display())));
         }
-        remove_stale(folder, &prefix.to_string_lossy());
+        let left_behind = found_left_behind(folder, &prefix.to_string_lossy(), &partial_of(&target), mend);
         let (file, path) = builder.tempfile_in(folder)?.into_parts();
         // Where a file system has no locks nothing is lost but the mark.
         let _ = file.try_lock();
-        Ok(Self { target, open: Some(Open { writer: BufWriter::new(file), path }) })
+        Ok(Self { target, open: Some(Open { writer: BufWriter::new(file), path }), left_behind })
+    }
+
+    /// What programs that were killed while they wrote the same file had left behind.
+    pub fn left_behind(&self) -> &[LeftBehind] {
+        &self.left_behind
     }
 
     /// The name under which the file will appear.
@@ -137,9 +164,7 @@ impl AtomicFile {
 
     /// The name with `.partial` at its end.
     fn partial(&self) -> PathBuf {
-        let mut partial = self.target.clone().into_os_string();
-        partial.push(".partial");
-        PathBuf::from(partial)
+        partial_of(&self.target)
     }
 
     fn move_to(&mut self, name: &Path) -> io::Result<()> {
@@ -178,16 +203,43 @@ impl Seek for AtomicFile {
     }
 }
 
-/// Removes temporary files of a target that nobody writes to any more.
-fn remove_stale(folder: &Path, prefix: &str) {
-    let Ok(entries) = fs::read_dir(folder) else { return };
-    for path in entries.filter_map(|entry| Some(entry.ok()?.path())) {
+/// A name with `.partial` at its end.
+fn partial_of(target: &Path) -> PathBuf {
+    let mut partial = target.as_os_str().to_owned();
+    partial.push(".partial");
+    PathBuf::from(partial)
+}
+
+/// Keeps or removes the temporary files of a target that nobody writes to any more.
+fn found_left_behind(
+    folder: &Path,
+    prefix: &str,
+    partial: &Path,
+    mut mend: impl FnMut(&mut File) -> io::Result<()>,
+) -> Vec<LeftBehind> {
+    let mut found = Vec::new();
+    let Ok(entries) = fs::read_dir(folder) else { return found };
+    let mut paths: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
+    // The newest first.
+    paths.sort_by_key(|path| std::cmp::Reverse(fs::metadata(path).and_then(|file| file.modified()).ok()));
+    for path in paths {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let is_temporary = name.starts_with(prefix) && name.ends_with(SUFFIX);
-        if is_temporary && File::open(&path).is_ok_and(|file| file.try_lock().is_ok()) {
+        if !(name.starts_with(prefix) && name.ends_with(SUFFIX)) {
+            continue;
+        }
+        let Ok(mut file) = File::options().read(true).write(true).open(&path) else { continue };
+        if file.try_lock().is_err() {
+            continue;
+        }
+        // Of several the newest is kept, in the place of an older one, as what an interrupted run has computed is.
+        let is_first = found.iter().all(|other: &LeftBehind| other.kept.is_none());
+        let is_kept = is_first && mend(&mut file).is_ok() && fs::rename(&path, partial).is_ok();
+        if !is_kept {
             let _ = fs::remove_file(&path);
         }
+        found.push(LeftBehind { temporary: path, kept: is_kept.then(|| partial.to_owned()) });
     }
+    found
 }
 
 /// Ending of the names of temporary files.

@@ -21,7 +21,7 @@ mod json;
 mod npy;
 mod outputs;
 
-pub use atomic_file::{AtomicFile, Unfinished};
+pub use atomic_file::{AtomicFile, LeftBehind, Unfinished};
 pub use csv::COLUMNS;
 pub use csv_stream::CsvStream;
 pub use events::EVENT_COLUMNS;

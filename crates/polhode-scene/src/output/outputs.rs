@@ -1,12 +1,13 @@
 //! The observer that writes files.
 
-use super::atomic_file::{AtomicFile, Unfinished};
+use super::atomic_file::{AtomicFile, LeftBehind, Unfinished};
 use super::csv::Csv;
 use super::json::Json;
 use super::npy::Npy;
 use super::{TrajectoryFormat, cut_to_line, events};
 use polhode::{BodySample, Event, Flow, Observer, Scene};
-use std::io;
+use std::fs::File;
+use std::io::{self, Cursor};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -47,6 +48,23 @@ pub enum OutputError {
         /// The files.
         kept: Vec<PathBuf>,
     },
+}
+
+/// Makes a readable file of one that a killed program has left behind; one without samples has the length `empty`.
+///
+/// # Errors
+/// When the file cannot be mended, or there is nothing in it.
+fn mended(file: &mut File, empty: u64, mend: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
+    mend(file)?;
+    if file.metadata()?.len() > empty { Ok(()) } else { Err(io::ErrorKind::UnexpectedEof.into()) }
+}
+
+/// The length of a file of this kind without samples, bytes.
+fn length_without_samples(format: &mut dyn TrajectoryFormat) -> io::Result<u64> {
+    let mut empty = Cursor::new(Vec::new());
+    format.begin(&mut empty)?;
+    format.end(&mut empty)?;
+    Ok(empty.get_ref().len() as u64)
 }
 
 /// Whether the ending of a name fits events: `.csv`, or none.
@@ -98,12 +116,22 @@ impl Outputs {
         }
         let mut outputs = Self { bodies, trajectories: Vec::new(), events: None, fault: None };
         for (path, mut format) in trajectories.iter().zip(formats) {
-            let mut file = AtomicFile::create(path).map_err(|source| fault(path, source))?;
+            let mut mender = format.mender();
+            let file = AtomicFile::create_mending(path, |open| {
+                let empty = length_without_samples(mender.as_mut())?;
+                mended(open, empty, |open| mender.mend(open))
+            });
+            let mut file = file.map_err(|source| fault(path, source))?;
             format.begin(&mut file).map_err(|source| fault(path, source))?;
             outputs.trajectories.push((file, format));
         }
         if let Some(path) = events {
-            let mut file = AtomicFile::create(path).map_err(|source| fault(path, source))?;
+            let file = AtomicFile::create_mending(path, |open| {
+                let mut empty = Cursor::new(Vec::new());
+                events::begin(&mut empty)?;
+                mended(open, empty.position(), cut_to_line)
+            });
+            let mut file = file.map_err(|source| fault(path, source))?;
             events::begin(&mut file).map_err(|source| fault(path, source))?;
             outputs.events = Some(file);
         }
@@ -139,6 +167,12 @@ impl Outputs {
         }
         kept.extend(self.events.as_mut().and_then(|file| file.salvage(cut_to_line).ok()));
         if kept.is_empty() { fault } else { OutputError::Kept { fault: Box::new(fault), kept } }
+    }
+
+    /// What programs that were killed while they wrote the same files had left behind.
+    pub fn left_behind(&self) -> Vec<LeftBehind> {
+        let files = self.trajectories.iter().map(|(file, _)| file).chain(&self.events);
+        files.flat_map(|file| file.left_behind().to_vec()).collect()
     }
 
     /// Where the files grow, for a program that must end at once.

@@ -11,19 +11,21 @@ pub(super) struct CsvSamples {
     rows: Rows,
     /// The row that begins the next sample.
     next: Option<Row>,
+    /// Why no row follows the last whole sample.
+    fault: Option<TrajectoryError>,
 }
 
 impl CsvSamples {
     pub(super) fn open(path: &Path) -> Result<Self, TrajectoryError> {
         let mut rows = Rows::open(path)?;
         match rows.next()? {
-            Some(next) => Ok(Self { rows, next: Some(next) }),
+            Some(next) => Ok(Self { rows, next: Some(next), fault: None }),
             None => Err(rows.content("it has no samples, only a first line".to_owned()).into()),
         }
     }
 
     pub(super) fn next(&mut self, expected: &mut Expected) -> Result<Option<Sample>, TrajectoryError> {
-        let Some(first) = self.next.take() else { return Ok(None) };
+        let Some(first) = self.next.take() else { return self.fault.take().map_or(Ok(None), Err) };
         let time = first.key[0].clone();
         let t: f64 = time.parse().map_err(|_| self.wrong(format!("`{time}` in column t is not a number")))?;
         let t = expected.time(t).map_err(|reason| self.wrong(reason))?;
@@ -41,9 +43,16 @@ impl CsvSamples {
             }
             bodies[number] = Some(expected.state(number, present.numbers).map_err(|reason| self.wrong(reason))?);
             found += 1;
-            row = self.rows.next()?;
+            row = match self.rows.next() {
+                // The sample is whole: what is wrong comes after it.
+                Err(fault) if found == expected.count() => {
+                    self.fault = Some(fault.into());
+                    None
+                }
+                row => row?,
+            };
         }
-        let at_end = self.next.is_none();
+        let at_end = self.next.is_none() && self.fault.is_none();
         if let Some(missing) = bodies.iter().position(Option::is_none) {
             let (name, needed) = (expected.name(missing), expected.count());
             let reason = format!("t = {time} s has {found} of {needed} bodies; `{name}` is missing");

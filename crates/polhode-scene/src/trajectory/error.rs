@@ -1,5 +1,6 @@
 //! Why a trajectory could not be read, and where in the file.
 
+use super::expected::CUT_OFF;
 use crate::trajectory_rows::RowError;
 use std::fmt;
 use std::path::PathBuf;
@@ -35,6 +36,13 @@ pub enum TrajectoryError {
         /// What is wrong.
         reason: String,
     },
+}
+
+impl TrajectoryError {
+    /// Whether the file is right as far as it goes, and ends too early.
+    pub(super) fn is_cut_off(&self) -> bool {
+        matches!(self, Self::Content { reason, .. } if reason.ends_with(CUT_OFF))
+    }
 }
 
 /// A place in a file.

@@ -27,6 +27,8 @@ pub(super) struct NpySamples {
     byte: u64,
     /// Samples that are left.
     left: u64,
+    /// That the file has fewer than its header says, where it has.
+    cut_off: Option<String>,
 }
 
 impl NpySamples {
@@ -34,7 +36,7 @@ impl NpySamples {
         let cannot_read = |source| TrajectoryError::Read { path: path.to_owned(), source };
         let file = File::open(path).map_err(cannot_read)?;
         let length = file.metadata().map_err(cannot_read)?.len();
-        let mut samples = Self { path: path.to_owned(), input: BufReader::new(file), byte: 0, left: 0 };
+        let mut samples = Self { path: path.to_owned(), input: BufReader::new(file), byte: 0, left: 0, cut_off: None };
         let header = samples.header()?;
         let [count, bodies, width] = shape(&header).map_err(|reason| samples.wrong(reason))?;
         if bodies != expected.count() as u64 || width != NPY_WIDTH as u64 {
@@ -42,16 +44,29 @@ impl NpySamples {
             let what = format!("its shape is ({count}, {bodies}, {width}), and the scene's is {needed}");
             return Err(samples.wrong(format!("{what}: is it another scene's?")));
         }
+        let has = length - samples.byte.min(length);
+        let sample = bodies * width * DOUBLE;
+        if count == 0 && has >= sample {
+            // The number of samples is written at the end, to which the run did not come.
+            samples.left = has / sample;
+            samples.cut_off = Some(format!("its header does not say how many samples follow: {CUT_OFF}"));
+            return Ok(samples);
+        }
         if count == 0 {
             return Err(samples.wrong("it has no samples".to_owned()));
         }
         let data = [bodies, width, DOUBLE].iter().try_fold(count, |product: u64, &factor| product.checked_mul(factor));
-        let has = length - samples.byte.min(length);
         if data != Some(has) {
             let needed = data.map_or("more than any file has".to_owned(), |data| data.to_string());
             let what = format!("{count} samples of {bodies} bodies take {needed} bytes, and {has} follow the header");
-            let cut_off = if data.is_none_or(|data| data > has) { format!(": {CUT_OFF}") } else { String::new() };
-            return Err(samples.wrong(format!("{what}{cut_off}")));
+            if data.is_none_or(|data| data <= has) {
+                return Err(samples.wrong(what));
+            }
+            // The samples that are there are read, up to where one is not whole.
+            samples.cut_off = Some(format!("{what}: {CUT_OFF}"));
+            if has < sample {
+                return Err(samples.wrong(format!("{what}: {CUT_OFF}")));
+            }
         }
         samples.left = count;
         Ok(samples)
@@ -79,7 +94,7 @@ impl NpySamples {
 
     pub(super) fn next(&mut self, expected: &mut Expected) -> Result<Option<Sample>, TrajectoryError> {
         if self.left == 0 {
-            return Ok(None);
+            return self.cut_off.take().map_or(Ok(None), |reason| Err(self.wrong(reason)));
         }
         self.left -= 1;
         let mut time = None;
@@ -111,7 +126,7 @@ impl NpySamples {
 
     fn fill(&mut self, bytes: &mut [u8]) -> Result<(), TrajectoryError> {
         self.input.read_exact(bytes).map_err(|source| match source.kind() {
-            io::ErrorKind::UnexpectedEof => self.wrong(CUT_OFF.to_owned()),
+            io::ErrorKind::UnexpectedEof => self.wrong(self.cut_off.clone().unwrap_or_else(|| CUT_OFF.to_owned())),
             _ => TrajectoryError::Read { path: self.path.clone(), source },
         })?;
         self.byte += bytes.len() as u64;

@@ -17,10 +17,13 @@ enum Kind {
 }
 
 impl Kind {
-    /// The kind that a name says; what an interrupted run has kept ends in `.partial` besides.
+    /// The kind that a name says; what an interrupted run has kept ends in `.partial` besides, and what a killed program
+    /// has left behind in a random word and `.tmp`, with a dot before the name.
     fn of(path: &Path) -> Option<Self> {
         let name = path.file_name()?.to_string_lossy().to_ascii_lowercase();
-        let (_, ending) = name.strip_suffix(".partial").unwrap_or(&name).rsplit_once('.')?;
+        let temporary = name.strip_prefix('.').and_then(|name| name.strip_suffix(".tmp")?.rsplit_once('.'));
+        let name = temporary.map_or(name.as_str(), |(name, _)| name);
+        let (_, ending) = name.strip_suffix(".partial").unwrap_or(name).rsplit_once('.')?;
         match ending {
             "csv" => Some(Self::Csv),
             "json" => Some(Self::Json),
@@ -48,6 +51,9 @@ enum Samples {
 pub struct TrajectoryReader {
     samples: Samples,
     expected: Expected,
+    /// Whether a sample has been read.
+    has_begun: bool,
+    cut_off: Option<TrajectoryError>,
 }
 
 impl TrajectoryReader {
@@ -62,18 +68,37 @@ impl TrajectoryReader {
             Kind::Json => Samples::Json(JsonSamples::open(path, &expected)?),
             Kind::Npy => Samples::Npy(NpySamples::open(path, &expected)?),
         };
-        Ok(Self { samples, expected })
+        Ok(Self { samples, expected, has_begun: false, cut_off: None })
     }
 
-    /// The next sample: its time (s) and all bodies in the order of the scene; nothing at the end.
+    /// The next sample: its time (s) and all bodies in the order of the scene; nothing at the end. A file that is cut off,
+    /// as one of a program that was killed, ends with its last whole sample ([`TrajectoryReader::cut_off`] says so).
     ///
     /// # Errors
-    /// When the file cannot be read or does not go on as a trajectory of the scene.
+    /// When the file cannot be read or does not go on as a trajectory of the scene, or has no whole sample.
     pub fn next_sample(&mut self) -> Result<Option<(f64, Vec<BodySample>)>, TrajectoryError> {
-        match &mut self.samples {
+        if self.cut_off.is_some() {
+            return Ok(None);
+        }
+        let next = match &mut self.samples {
             Samples::Csv(samples) => samples.next(&mut self.expected),
             Samples::Json(samples) => samples.next(&mut self.expected),
             Samples::Npy(samples) => samples.next(&mut self.expected),
+        };
+        match next {
+            Err(error) if self.has_begun && error.is_cut_off() => {
+                self.cut_off = Some(error);
+                Ok(None)
+            }
+            next => {
+                self.has_begun = true;
+                next
+            }
         }
+    }
+
+    /// Where and how the file is cut off, once its last whole sample has been read.
+    pub fn cut_off(&self) -> Option<&TrajectoryError> {
+        self.cut_off.as_ref()
     }
 }

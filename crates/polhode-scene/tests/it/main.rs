@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
+mod approximate_parts;
 mod comparison;
 mod documentation;
 mod fixtures;

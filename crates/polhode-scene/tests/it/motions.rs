@@ -206,3 +206,43 @@ fn poses_that_contradict_the_table() {
         check(&with(&format!("{line}\n{table}")), &format!("bodies.mover.{key}"), line, message);
     }
 }
+
+/// A hold of two equal samples stands still unless a spline is asked for, which is warned of; what is between the samples
+/// can be named.
+#[test]
+fn interpolations() {
+    let table = |more: &str| {
+        format!("motion.table = {{ times = [0, 5, 5.05], positions = [[0, 0, 3], [0, 0, 3], [0, 0, 1]]{more} }}")
+    };
+    let highest = |more: &str| {
+        let moving = trajectory(&table(more));
+        (0..=505).map(|k| position(&moving, 0.01 * f64::from(k))[2]).fold(0.0, f64::max)
+    };
+    for more in ["", ", interpolation = \"monotone\"", ", interpolation = \"linear\""] {
+        assert_eq!(highest(more), 3.0, "{more}");
+        assert_eq!(scene(&with(&table(more))).warnings(), [""; 0], "{more}");
+    }
+    let spline = ", interpolation = \"spline\"";
+    assert!(highest(spline) > 42.0);
+    let warnings = scene(&with(&table(spline))).warnings();
+    let [warning] = &warnings[..] else { panic!("one warning") };
+    for part in ["mover", "z = 42.8 m", "between sample 0 and sample 1", "39.8 m beyond", "\"monotone\""] {
+        assert!(warning.contains(part), "{part}: {warning}");
+    }
+    let unknown = table(", interpolation = \"cubic\"");
+    check(&with(&unknown), "bodies.mover.motion.table.interpolation", "\"cubic\"", "cubic");
+}
+
+/// A linear table of a body that others may touch is refused with the reason, and accepted where nothing can touch it or
+/// where it does not jump during the run.
+#[test]
+fn jumps_of_bodies_that_may_be_touched_are_refused() {
+    let lift = |times: &str, name: &str| {
+        with(&format!(
+            "shape.box.size = [1, 1, 1]\nmotion.table = {{ times = {times}, positions = [[9, 0, 0], [9, 0, 1], [9, 0, 1]], interpolation = \"linear\" }}"
+        )) + &format!("\n[[bodies]]\nname = \"{name}\"\nshape.sphere.radius = 0.1\nmass = 1\nposition = [20, 0, 20]\n")
+    };
+    let error = refused(&lift("[0, 0.5, 2]", "free"));
+    assert!(error.cause.to_string().contains("its velocity jumps at t = 0.5 s"), "{}", error.cause);
+    scene(&lift("[0, 50, 60]", "free"));
+}

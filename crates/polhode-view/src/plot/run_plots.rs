@@ -8,6 +8,7 @@ use super::event_times::EventTimes;
 use super::ink::Ink;
 use super::time_chart::{AxisKind, Course, Line, Panel, Stop, TimeChart};
 use super::trace::Trace;
+use crate::penetration::{Depths, Penetration};
 use polhode::{BodySample, Event, Frame, MotionKind, Observer, Scene};
 
 /// What can be plotted of a run.
@@ -73,6 +74,7 @@ pub struct RunPlots {
     /// Steps made, and the time that the last of them reached, s.
     made: u64,
     reached_s: Option<f64>,
+    penetration: Penetration,
     events: EventTimes,
 }
 
@@ -86,6 +88,7 @@ impl RunPlots {
             steps: Trace::default(),
             made: 0,
             reached_s: Some(from_s),
+            penetration: Penetration::default(),
             events: EventTimes::new(scene.duration_s()),
         }
     }
@@ -163,7 +166,8 @@ impl Observer for RunPlots {
     }
 
     fn frame(&mut self, frame: &Frame) {
-        for (trace, value) in self.traces.iter_mut().zip(values(frame)) {
+        let depths = self.penetration.of(frame);
+        for (trace, value) in self.traces.iter_mut().zip(values(frame, depths)) {
             trace.push(frame.t_s, value);
         }
     }
@@ -180,9 +184,8 @@ impl Observer for RunPlots {
     }
 }
 
-fn values(frame: &Frame) -> [f64; QUANTITIES.len()] {
+fn values(frame: &Frame, depths: Depths) -> [f64; QUANTITIES.len()] {
     let (energy, ledger) = (&frame.energy, &frame.ledger);
-    let depth = frame.contacts.iter().map(|contact| -contact.separation_m).fold(0.0, f64::max);
     let bearing = frame.contacts.iter().filter(|contact| contact.normal_force_n > 0.0).count();
     let at_rest = frame.motions.iter().filter(|motion| **motion == MotionKind::Rest).count();
     [
@@ -196,8 +199,8 @@ fn values(frame: &Frame) -> [f64; QUANTITIES.len()] {
         ledger.external.value(),
         ledger.projection.value(),
         ledger.numerical.value(),
-        frame.certificate.max_penetration_m,
-        depth,
+        depths.largest_m,
+        depths.now_m,
         frame.contacts.len() as f64,
         bearing as f64,
         at_rest as f64,

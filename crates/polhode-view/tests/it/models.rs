@@ -22,8 +22,13 @@ fn model() -> (Value, Vec<u8>, usize) {
         .body(brick("spinning", DVec3::new(3.0, 0.0, 20.0)).velocity(spin))
         .build()
         .unwrap();
-    let mut recording = Recording::new(&scene, 0.0).unwrap();
-    Simulation::new(&scene, Effects::Planned).unwrap().run(&mut recording).unwrap();
+    written(&scene)
+}
+
+/// The model of a run: its description, its numbers, and the number of frames.
+fn written(scene: &Scene) -> (Value, Vec<u8>, usize) {
+    let mut recording = Recording::new(scene, 0.0).unwrap();
+    Simulation::new(scene, Effects::Planned).unwrap().run(&mut recording).unwrap();
     recording.end().unwrap();
     let mut bytes = Vec::new();
     write_glb(&recording, &mut bytes).unwrap();
@@ -112,4 +117,36 @@ fn surfaces_are_shared() {
     assert_eq!(meshes.len(), 3, "floor and two colours");
     assert_eq!(positions(1), positions(2));
     assert_eq!(json["asset"]["version"], "2.0");
+}
+
+/// A body that turns by more than half a turn from frame to frame turns forwards in a player, which takes the shortest way
+/// from one orientation to the next: the turns between them add up to all that it has turned. (Before, a player turned it
+/// backwards.)
+#[test]
+fn fast_bodies_turn_forwards() {
+    let (spin, duration_s) = (250.0, 0.5);
+    let brick = Body::movable("bar", solid_box(DVec3::new(1.0, 0.2, 0.1), Mass::new(1.0).unwrap()).unwrap())
+        .geometry(Shape::cuboid(DVec3::new(1.0, 0.2, 0.1)).unwrap().into())
+        .velocity(Velocity { linear: DVec3::ZERO, angular: DVec3::Z * spin });
+    let scene = Scene::builder("fast").duration_s(duration_s).output_interval_s(1.0 / 60.0).gravity(DVec3::ZERO);
+    let (json, binary, frames) = written(&scene.body(brick).build().unwrap());
+    let channel = json["animations"][0]["channels"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|channel| channel["target"]["path"] == "rotation");
+    let sampler = &json["animations"][0]["samplers"][channel.unwrap()["sampler"].as_u64().unwrap() as usize];
+    let [times, turns] = ["input", "output"].map(|key| rows(&json, &binary, sampler[key].as_u64().unwrap() as usize));
+    assert!(times.len() == turns.len() && turns.len() > 2 * frames, "{} {frames}", turns.len());
+    assert!(times.windows(2).all(|pair| pair[0][0] < pair[1][0]));
+    let mut turned = 0.0;
+    for pair in turns.windows(2) {
+        let [[x0, y0, z0, w0], [x1, y1, z1, w1]] =
+            [&pair[0], &pair[1]].map(|q| [q[0], q[1], q[2], q[3]].map(f64::from));
+        let cosine = x0 * x1 + y0 * y1 + z0 * z1 + w0 * w1;
+        // Of the shortest way; its sense is that of the z component of q1 q0^-1.
+        let sine = w0 * z1 - z0 * w1 + x0 * y1 - y0 * x1;
+        turned += 2.0 * libm::atan2(sine * cosine.signum(), cosine.abs());
+    }
+    assert!((turned - spin * duration_s).abs() < 1e-3, "{turned}");
 }

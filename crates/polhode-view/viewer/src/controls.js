@@ -6,6 +6,9 @@ import { seconds } from './numbers.js';
 import { OVERLAYS } from './overlays/index.js';
 import { SPEEDS } from './playback.js';
 
+/** Angular speed in rad/s of the clock of which a screen of 60 pictures a second shows the sense: half a turn a picture. */
+const FASTEST_SEEN = 60 * Math.PI;
+
 export const byId = (id) => document.getElementById(id);
 
 /** A button with words, a title and what it does. */
@@ -35,14 +38,16 @@ export function playControls(playback, changed) {
     playback.speed = Number(speed.value);
     changed();
   });
-  return (frame, count) => {
+  return (frame, count, spin) => {
     byId('play').classList.toggle('playing', playback.playing);
     byId('play').setAttribute('aria-label', playback.playing ? 'Pause' : 'Play');
     byId('loop').setAttribute('aria-pressed', String(playback.loop));
     byId('smooth').setAttribute('aria-pressed', String(playback.interpolate));
     if (speed.value !== String(playback.speed)) speed.value = String(playback.speed);
     byId('time').textContent = seconds(playback.time, playback.duration);
-    byId('frame').textContent = count > 0 ? `frame ${frame + 1} of ${count}` : 'no frames';
+    const blurred = playback.playing && spin * playback.speed > FASTEST_SEEN;
+    const said = blurred ? '; it turns faster than this speed shows: slow down' : '';
+    byId('frame').textContent = count > 0 ? `frame ${frame + 1} of ${count}${said}` : 'no frames';
   };
 }
 

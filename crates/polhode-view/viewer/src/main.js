@@ -2,8 +2,8 @@
 
 import { byId, reportLink } from './controls.js';
 import { wordsOf } from './errors.js';
-import { notice, showFailure, tellOutcome } from './notices.js';
-import { readShow, reportText } from './show.js';
+import { notice, showFailure, tellCrowded, tellOutcome } from './notices.js';
+import { readShow, reports, reportText } from './show.js';
 import { Viewer } from './viewer.js';
 
 /** The page's interface for tests and for the browser's console. */
@@ -38,6 +38,7 @@ function start() {
   byId('description').textContent = show.description;
   byId('description').hidden = show.description === '';
   show.runs.forEach(tellOutcome);
+  reports(report).forEach(tellCrowded);
   if (show.runs.every((run) => run.bodies.length === 0)) notices.push('The scene has no bodies.');
   for (const words of notices) notice(words, false);
   const viewer = new Viewer(show);

@@ -45,3 +45,19 @@ export function tellOutcome(run) {
       : `What was computed is shown: the last frame is at t = ${short(last, 6)} s of ${short(run.duration, 6)} s.`;
   notice(`“${run.name}” failed: ${message}. ${computed}`, true);
 }
+
+/** Tells which part of a run went by time steps, and what error that has caused; `report` is the JSON report of one run. */
+export function tellCrowded(report) {
+  const { crowded } = report;
+  if (!crowded) return;
+  const { error } = crowded;
+  const caused = error
+    ? `at the end their error is estimated at ${short(error.position_m)} m, ${short(error.velocity_m_s)} m/s ` +
+      `and ${short(error.angular_velocity_rad_s)} rad/s`
+    : 'their error is not known';
+  notice(
+    `${crowded.stretches} stretches of crowded events, ${short(crowded.length_s)} s in all, went by time steps: ${caused}. ` +
+      `The largest residual in them is ${short(crowded.max_residual)}.`,
+    false,
+  );
+}

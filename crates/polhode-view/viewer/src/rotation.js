@@ -1,21 +1,43 @@
 // Rotations by unit quaternions [w, x, y, z], body to world, in plain arrays.
 
-/** Below this angle in rad the sine of slerp loses digits, and straight interpolation agrees with it to 1e-7. */
-const SMALL_ANGLE = 1e-3;
+/** out = a b, quaternions [w, x, y, z]. */
+function product(a, b) {
+  return [
+    a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
+    a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+    a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
+    a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0],
+  ];
+}
 
-/** Spherical interpolation (Shoemake 1985): a sin((1-s) angle)/sin(angle) + b sin(s angle)/sin(angle), made unit. */
-export function slerp(out, at, a, a_at, b, b_at, s) {
-  let cosine = 0;
-  for (let k = 0; k < 4; k += 1) cosine += a[a_at + k] * b[b_at + k];
-  const sign = cosine < 0 ? -1 : 1;
-  const angle = Math.acos(Math.min(1, Math.abs(cosine)));
-  let wa = 1 - s;
-  let wb = s;
-  if (angle > SMALL_ANGLE) {
-    wa = Math.sin((1 - s) * angle) / Math.sin(angle);
-    wb = Math.sin(s * angle) / Math.sin(angle);
-  }
-  for (let k = 0; k < 4; k += 1) out[at + k] = wa * a[a_at + k] + sign * wb * b[b_at + k];
+/** The quaternion of a rotation vector in rad, times s. */
+function exponential(vector, s) {
+  const angle = Math.hypot(vector[0], vector[1], vector[2]);
+  if (!(angle > 0)) return [1, 0, 0, 0];
+  const scale = Math.sin(0.5 * s * angle) / angle;
+  return [Math.cos(0.5 * s * angle), scale * vector[0], scale * vector[1], scale * vector[2]];
+}
+
+/** The rotation vector, of at most half a turn, of a quaternion of length one. */
+function logarithm(q) {
+  const sign = q[0] < 0 ? -1 : 1;
+  const sine = Math.hypot(q[1], q[2], q[3]);
+  if (!(sine > 0)) return [0, 0, 0];
+  const scale = (sign * 2 * Math.atan2(sine, sign * q[0])) / sine;
+  return [scale * q[1], scale * q[2], scale * q[3]];
+}
+
+/**
+ * The orientation at the fraction s of a time h between two frames, whose orientations are a and b and whose angular
+ * velocities have the mean w (rad/s): out = exp(s rho) exp(s h w) a with rho = log(b (exp(h w) a)^-1). Two orientations alone
+ * do not say how often and which way a body has turned; the shortest way is wrong from half a turn on.
+ */
+export function turnBetween(out, at, a, b, w, h, s) {
+  const turned = w.map((value) => value * h);
+  const reached = product(exponential(turned, 1), a);
+  const rest = logarithm(product(b, [reached[0], -reached[1], -reached[2], -reached[3]]));
+  const q = product(exponential(rest, s), product(exponential(turned, s), a));
+  for (let k = 0; k < 4; k += 1) out[at + k] = q[k];
   normalise(out, at);
 }
 

@@ -51,6 +51,15 @@ export function reportText() {
   return !text || text === 'null' ? null : text;
 }
 
+/** The reports in this text: one of each run, or none where one cannot be read. */
+export function reports(text) {
+  try {
+    return [JSON.parse(text ?? '[]')].flat().filter((report) => report !== null && typeof report === 'object');
+  } catch {
+    return [];
+  }
+}
+
 function readMesh(mesh, index) {
   const what = `Mesh ${index}`;
   const positions = numbersOfBase64(mesh.positions, Float32Array, `${what}: its vertices`);

@@ -1,10 +1,10 @@
 // The state of a run at one time: poses, velocities, motion kinds, islands and contacts.
 //
-// Between the frames before and after the time, positions and velocities are interpolated straight and orientations by
-// slerp. Kinds, islands and contacts are those of the frame before: nothing is known of them in between.
+// Between the frames before and after the time, positions and velocities are interpolated straight, and orientations by the
+// angular velocities of both, so that a body that turns fast turns forwards. Kinds, islands and contacts are those of the frame before: nothing is known of them in between.
 
 import { CHANNELS, CONTACT_WORDS, NO_ISLAND } from './decode.js';
-import { matrixOf, normalise, slerp, turn } from './rotation.js';
+import { matrixOf, normalise, turn, turnBetween } from './rotation.js';
 
 const turned = new Float64Array(9);
 
@@ -55,7 +55,7 @@ export class Snapshot {
     const span = (times[frame + 1] ?? 0) - times[frame];
     const fraction = interpolate && span > 0 ? Math.min(1, Math.max(0, (t - times[frame]) / span)) : 0;
     const next = fraction > 0 ? this.frameCell(frame + 1) : null;
-    this.run.moving.forEach((body, place) => this.moveBody(body, place, next, fraction));
+    this.run.moving.forEach((body, place) => this.moveBody(body, place, next, fraction, span));
     return fraction === 0 || next !== null || this.frames.broken.has(this.frames.chunkOf(frame + 1));
   }
 
@@ -66,12 +66,13 @@ export class Snapshot {
     return chunk ? { chunk, at: frame - this.run.chunks[index].first } : null;
   }
 
-  moveBody(body, place, next, fraction) {
+  moveBody(body, place, next, fraction, span) {
     const { before, after, poses, rates } = this;
     this.readState(this.chunk, this.chunk_frame, place, before);
     if (next) {
       this.readState(next.chunk, next.at, place, after);
-      slerp(before, 3, before.slice(3, 7), 0, after, 3, fraction);
+      const mean = [10, 11, 12].map((k) => 0.5 * (before[k] + after[k]));
+      turnBetween(before, 3, before.slice(3, 7), after.slice(3, 7), mean, span, fraction);
       for (let k = 0; k < CHANNELS; k += 1) {
         if (k < 3 || k > 6) before[k] += fraction * (after[k] - before[k]);
       }
@@ -87,6 +88,15 @@ export class Snapshot {
       out[k] = chunk.values[(k * bodies + place) * chunk.frames + frame] * this.units[k];
     }
     normalise(out, 3);
+  }
+
+  /** The largest angular speed of a body, rad/s. */
+  fastestSpin() {
+    let largest = 0;
+    for (let at = 0; at < this.rates.length; at += 6) {
+      largest = Math.max(largest, Math.hypot(this.rates[at + 3], this.rates[at + 4], this.rates[at + 5]));
+    }
+    return largest;
   }
 
   /** The place of a body's centre of mass in the world, m. */

@@ -214,7 +214,8 @@ export class Viewer {
       this.camera.target,
     );
     this.frames_drawn += 1;
-    this.showPlaying(views[0].snapshot.frame, views[0].run.times.length);
+    const spin = Math.max(...views.map((view) => view.snapshot.fastestSpin()));
+    this.showPlaying(views[0].snapshot.frame, views[0].run.times.length, spin);
     this.timeline.draw();
     for (const plot of this.plots) plot.draw();
     this.events.update(playback.time, playback.playing);

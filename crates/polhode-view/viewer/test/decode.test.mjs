@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { gzipSync } from 'node:zlib';
 import { decodeChunk, gunzip, readRow } from '../src/decode.js';
-import { slerp } from '../src/rotation.js';
+import { turnBetween } from '../src/rotation.js';
 import { chunkBytes, encodeChannels } from './encode.mjs';
 import { pile } from './scenes.mjs';
 
@@ -49,20 +49,26 @@ test('a cut gzip is an error in words', async () => {
   await assert.rejects(gunzip(packed.subarray(0, 100), 'It'), /It cannot be unpacked/);
 });
 
-test('slerp halves the angle, also between opposite signs of one orientation', () => {
+test('without spin half of the shortest way is turned, also between opposite signs of one orientation', () => {
   const out = new Float64Array(4);
   const quarter = [Math.SQRT1_2, 0, 0, Math.SQRT1_2];
   for (const sign of [1, -1]) {
-    slerp(
-      out,
-      0,
-      [1, 0, 0, 0],
-      0,
-      quarter.map((value) => sign * value),
-      0,
-      0.5,
-    );
-    assert.ok(Math.abs(out[0] - Math.cos(Math.PI / 8)) < 1e-12);
+    const end = quarter.map((value) => sign * value);
+    turnBetween(out, 0, [1, 0, 0, 0], end, [0, 0, 0], 1, 0.5);
+    assert.ok(Math.abs(Math.abs(out[0]) - Math.cos(Math.PI / 8)) < 1e-12);
     assert.ok(Math.abs(Math.abs(out[3]) - Math.sin(Math.PI / 8)) < 1e-12);
+  }
+});
+
+test('a body that turns by more than half a turn a frame turns forwards', () => {
+  const out = new Float64Array(4);
+  for (const spin of [250, -250, 1000]) {
+    const span = 1 / 60;
+    const at = (t) => [Math.cos(0.5 * spin * t), 0, 0, Math.sin(0.5 * spin * t)];
+    for (const s of [0, 0.25, 0.5, 1]) {
+      turnBetween(out, 0, at(0), at(span), [0, 0, spin], span, s);
+      const cosine = at(s * span).reduce((sum, value, k) => sum + value * out[k], 0);
+      assert.ok(Math.abs(Math.abs(cosine) - 1) < 1e-12, `${spin} ${s}`);
+    }
   }
 });

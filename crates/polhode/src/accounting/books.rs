@@ -47,7 +47,8 @@ impl std::ops::AddAssign for Received {
 #[derive(Debug, Clone)]
 pub(crate) struct Books {
     pub(crate) ledger: Ledger,
-    /// Potential energy at the start, J, zero at the world's origin. Reported energies contain it, the ledger does not.
+    /// Potential energy at the start of the run, J, zero at the world's origin. The reported energy of the start contains
+    /// it, the ledger does not.
     pub(super) initial_potential_j: f64,
 }
 
@@ -60,9 +61,9 @@ impl Books {
         let initial_j = kinetic + potential;
         let mut books = Self {
             ledger: Ledger { initial_j, current_j: initial_j, ..Ledger::default() },
-            initial_potential_j: world.initial_potential(),
+            initial_potential_j: world.start_potential(),
         };
-        books.note_scale(kinetic, potential);
+        books.note_scale(world, kinetic, potential);
         books.ledger.momentum.about = about;
         books.ledger.momentum.initial = totals.momentum.value();
         books.note_momentum(&totals);
@@ -128,11 +129,14 @@ impl Books {
         taken
     }
 
-    /// Books the end of bounces and velocities that were set to zero, in which prescribed motions did work (J).
-    pub(crate) fn rest(&mut self, before: Balance, after: Balance, work_j: f64) {
+    /// Books the end of bounces and velocities that were set to zero, in which prescribed motions did work (J). Returns
+    /// the energy that was taken, J.
+    pub(crate) fn rest(&mut self, before: Balance, after: Balance, work_j: f64) -> f64 {
+        let taken = before.energy_j - after.energy_j + work_j;
         self.ledger.external.add(work_j);
-        self.ledger.rest.add(before.energy_j - after.energy_j + work_j);
+        self.ledger.rest.add(taken);
         self.ledger.momentum.rest.add(before.momentum - after.momentum);
+        taken
     }
 
     /// Books the changes that a program made to bodies: external work and impulse.
@@ -147,7 +151,12 @@ impl Books {
         let own = self.balance_of(world, states, body);
         self.ledger.external.add(own.energy_j);
         self.ledger.momentum.program.add(own.momentum);
-        self.initial_potential_j += world.start_potential(body);
+    }
+
+    /// Books a change of the potential energy of the force fields (J), when a program adds or removes a body on which
+    /// they act.
+    pub(crate) fn fields_changed(&mut self, before_j: f64, after_j: f64) {
+        self.ledger.external.add(after_j - before_j);
     }
 
     /// Books a body that a program removes, with its energy and momentum.
@@ -198,17 +207,17 @@ impl Books {
         let totals = Totals::of(world, states, self.ledger.momentum.about);
         let (kinetic_j, potential) = (totals.kinetic.value(), totals.potential.value());
         self.ledger.current_j = kinetic_j + potential;
-        self.note_scale(kinetic_j, potential);
+        self.note_scale(world, kinetic_j, potential);
         self.note_momentum(&totals);
-        let potential_j = self.initial_potential_j + potential;
+        let potential_j = world.start_potential() + potential;
         let initial_j = self.initial_potential_j + self.ledger.initial_j;
         Energy { initial_j, final_j: kinetic_j + potential_j, kinetic_j, potential_j }
     }
 
-    fn note_scale(&mut self, kinetic: f64, potential: f64) {
+    fn note_scale(&mut self, world: &World, kinetic: f64, potential: f64) {
         let scale = kinetic + potential.abs();
         // In a scene at rest this scale is zero; its potential energy is used instead.
-        let scale = if scale == 0.0 { self.initial_potential_j.abs() } else { scale };
+        let scale = if scale == 0.0 { world.start_potential().abs() } else { scale };
         self.ledger.scale_j = self.ledger.scale_j.max(scale);
     }
 

@@ -1,5 +1,7 @@
 //! Measured values that are compared with the promised limits: the worst over the run, with bodies and time.
 
+use super::long_steps::LongSteps;
+use super::numerical_loss::{FixedStep, NumericalLoss};
 use super::occurrences::Occurrences;
 use crate::interaction::cone_violation::ConeViolation;
 use crate::snapshot::{SnapshotError, content};
@@ -12,8 +14,12 @@ use polhode_spatial::CompensatedSum;
 pub(crate) struct Limits {
     /// Energy that projections may remove or add, relative to the energy of the scene.
     pub(crate) projection_energy_relative: f64,
+    /// Energy that ended bounces may take beyond their own, relative to the energy of the scene.
+    pub(crate) ended_bounces_relative: f64,
     /// Lower bound for the energy scale of the scene, J, for runs with hardly any energy.
     pub(crate) smallest_energy_j: f64,
+    /// The fixed step of the method; none under error control.
+    pub(crate) step: Option<FixedStep>,
 }
 
 /// A value measured for a pair of bodies.
@@ -105,8 +111,16 @@ pub(crate) struct Measures {
     pub(crate) friction: Worst,
     /// Energy removed by all projections except those of overlaps at the start, J.
     pub(crate) drift_energy: CompensatedSum,
+    /// Energy that the end of bounces at one instant took beyond that of the bounces, J.
+    pub(crate) ended_bounces: Worst,
+    /// The same of all instants, J.
+    pub(crate) ended_bounces_sum: CompensatedSum,
     /// Problems that were not solved to their tolerance.
     pub(crate) unsolved: Occurrences,
+    /// What the integrator lost or gained.
+    pub(crate) numerical: NumericalLoss,
+    /// Fixed steps that were too long.
+    pub(crate) long_steps: LongSteps,
 }
 
 impl Measures {
@@ -132,7 +146,11 @@ impl Measures {
             projection_energy: self.projection_energy.save(),
             friction: self.friction.save(),
             drift_energy: self.drift_energy.parts(),
+            ended_bounces: self.ended_bounces.save(),
+            ended_bounces_sum: self.ended_bounces_sum.parts(),
             unsolved: self.unsolved.save(),
+            numerical: self.numerical.save(),
+            long_steps: self.long_steps.save(),
         }
     }
 
@@ -148,12 +166,18 @@ impl Measures {
             projection_energy: Worst::restored(&saved.projection_energy, bodies)?,
             friction: Worst::restored(&saved.friction, bodies)?,
             drift_energy: CompensatedSum::from_parts(saved.drift_energy),
+            ended_bounces: Worst::restored(&saved.ended_bounces, bodies)?,
+            ended_bounces_sum: CompensatedSum::from_parts(saved.ended_bounces_sum),
             unsolved: Occurrences::restored(&saved.unsolved),
+            numerical: NumericalLoss::restored(&saved.numerical),
+            long_steps: LongSteps::restored(&saved.long_steps, bodies)
+                .ok_or(SnapshotError::Invalid("a step is of a body that the scene does not have"))?,
         })
     }
 
     /// Writes what was measured into the certificate.
     pub(crate) fn fill(&self, ledger: &Ledger, certificate: &mut Certificate) {
+        certificate.max_numerical_relative = self.numerical.relative();
         certificate.max_penetration_m = self.penetration.largest;
         certificate.max_penetration_of_limit = self.penetration.of_limit();
         certificate.max_penetration_at = self.penetration.at();
@@ -166,6 +190,9 @@ impl Measures {
         certificate.max_projection_j = self.projection_energy.largest;
         certificate.max_projection_relative = relative(self.projection_energy.largest, ledger);
         certificate.max_projection_j_at = self.projection_energy.at();
+        certificate.max_ended_bounces_j = self.ended_bounces.largest;
+        certificate.max_ended_bounces_at = self.ended_bounces.at();
+        certificate.ended_bounces_j = self.ended_bounces_sum.value();
         certificate.max_friction_violation = self.friction.largest;
         certificate.max_friction_violation_of_limit = self.friction.of_limit();
         certificate.max_friction_violation_at = self.friction.at();
@@ -197,6 +224,16 @@ impl Measures {
             exceeded.push(format!(
                 "t = {t} s: degraded: projections took {sum:e} J in all, the largest, of {names}, changed {value:e} J; \
                  the promised limit is {allowed:e} J"
+            ));
+        }
+        exceeded.extend(self.numerical.exceeded(limits.step));
+        let sum = self.ended_bounces_sum.value();
+        let allowed = limits.ended_bounces_relative * ledger.scale_j.max(limits.smallest_energy_j);
+        if let Some(worst) = self.ended_bounces.worst.filter(|_| sum > allowed) {
+            let (t, value, names) = (worst.t, worst.value, names(&worst));
+            exceeded.push(format!(
+                "t = {t} s: degraded: ending bounces took {sum:e} J beyond the energy of the bounces, most of it from \
+                 {names}, {value:e} J; the limit is {allowed:e} J"
             ));
         }
         if let Some(worst) = self.friction.exceeded() {

@@ -4,7 +4,9 @@
 //! pass through it to the observer, in order of time.
 
 pub(crate) mod books;
+pub(crate) mod long_steps;
 pub(crate) mod measures;
+pub(crate) mod numerical_loss;
 mod occurrences;
 mod saved;
 mod stretches;
@@ -87,7 +89,8 @@ impl Accounts {
     pub(crate) fn note_solve(&mut self, t: f64, report: &SolverReport) -> Result<(), SimulationError> {
         let certificate = &mut self.certificate;
         certificate.max_residual = certificate.max_residual.max(report.residual);
-        certificate.max_acceleration_error_bound = certificate.max_acceleration_error_bound.max(report.bound);
+        certificate.max_acceleration_error_bound =
+            Some(certificate.max_acceleration_error_bound.unwrap_or(0.0).max(report.bound));
         if report.method.is_fallback() {
             self.tolerate(t, "contact forces were found by a fallback, not by the first method tried");
         }
@@ -203,6 +206,7 @@ impl Accounts {
     pub(crate) fn observe(&mut self, world: &World, states: &[BodyState], t: f64) -> Result<Energy, SimulationError> {
         check_finite(world, states, t)?;
         let energy = self.books.observe(world, states);
+        self.measures.numerical.note(world, states, t, &self.books.ledger);
         if energy.final_j.is_finite() { Ok(energy) } else { Err(SimulationError::EnergyOverflow { t }) }
     }
 
@@ -284,12 +288,14 @@ impl Accounts {
     pub(crate) fn fill(&mut self, world: &World, states: &[BodyState], limits: &Limits, report: &mut RunReport) {
         report.energy = self.books.observe(world, states);
         report.ledger = self.books.ledger;
+        self.measures.numerical.note(world, states, report.simulated_s, &report.ledger);
         report.certificate = self.certificate_now(&report.ledger);
         report.tolerated = self.tolerated.list().to_vec();
         report.warnings = self.measures.exceeded(world, &report.ledger, limits);
         if !report.warnings.is_empty() {
             report.outcome = Outcome::Degraded;
         }
+        report.warnings.extend(self.measures.long_steps.warning(world));
         report.warnings.extend(self.warnings.texts());
         report.steps = self.steps;
         report.events = self.event_count;

@@ -160,9 +160,22 @@ fn restored_momentum(saved: &content::MomentumLedger) -> MomentumLedger {
 fn save_certificate(certificate: Certificate) -> content::Certificate {
     // The other fields are computed when a report is filled, from the measures and from what was tolerated.
     let Certificate {
-        max_residual, max_penetration_m, max_acceleration_error_bound, max_step_error, fallbacks, ..
+        max_residual,
+        max_penetration_m,
+        max_acceleration_error_bound,
+        max_step_error,
+        estimated_error,
+        fallbacks,
+        ..
     } = certificate;
-    content::Certificate { max_residual, max_penetration_m, max_acceleration_error_bound, max_step_error, fallbacks }
+    content::Certificate {
+        max_residual,
+        max_penetration_m,
+        max_acceleration_error_bound,
+        max_step_error,
+        estimated_error,
+        fallbacks,
+    }
 }
 
 fn restored_certificate(saved: &content::Certificate) -> Certificate {
@@ -171,6 +184,7 @@ fn restored_certificate(saved: &content::Certificate) -> Certificate {
         max_penetration_m: saved.max_penetration_m,
         max_acceleration_error_bound: saved.max_acceleration_error_bound,
         max_step_error: saved.max_step_error,
+        estimated_error: saved.estimated_error,
         fallbacks: saved.fallbacks,
         ..Certificate::default()
     }

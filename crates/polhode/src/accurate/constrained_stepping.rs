@@ -149,7 +149,10 @@ impl Engine {
         ((step, dense), error): ((MethodStep, DenseStep), f64),
     ) -> ConstrainedStep {
         let worst = &mut core.accounts.certificate.max_step_error;
-        *worst = worst.max(error);
+        // A method without error control has no error to compare.
+        if step.embedded().is_some() {
+            *worst = Some(worst.unwrap_or(0.0).max(error));
+        }
         let rigid = |body: usize| core.world.bodies[body].rigid.as_ref();
         let motion = |(index, &body): (usize, &usize)| dense.body_motion(index * WIDTH, rigid(body)?);
         let motions = bodies.iter().enumerate().map(motion).collect();

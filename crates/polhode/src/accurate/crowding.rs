@@ -14,6 +14,10 @@
 //! With friction, stretches are common. Bodies of a crowd that cannot touch each other within a step then make steps of
 //! their own (`crowd_parts.rs`), and a part without any body whose events crowded leaves the stretch.
 //!
+//! Where the error of a step does not fall with its length, as where rounding decides which of two contacts gives way,
+//! shorter steps add up to a larger error. If no step down to the shortest one is exact enough, the one of those tried
+//! with the least error per time is made.
+//!
 //! Limit: at the shortest step a stretch continues whatever its error, which the reported estimate contains.
 
 use super::crowd_parts::{CrowdPart, SWEEP_FACTOR, may_touch_within};
@@ -129,6 +133,23 @@ struct Made {
     error: f64,
     /// The stretch with the length of the next step.
     next: Crowd,
+}
+
+/// A time step that was tried and has too large an error.
+struct Refused {
+    /// Its length, s.
+    h: f64,
+    end: f64,
+    report: TimeStepReport,
+    error: f64,
+    states: Vec<BodyState>,
+}
+
+impl Refused {
+    /// Its error per time, 1/s: a stretch of such steps adds it up.
+    fn rate(&self) -> f64 {
+        self.error / self.h
+    }
 }
 
 /// The time stepper of a crowd.
@@ -467,7 +488,7 @@ impl Engine {
 }
 
 /// A time step of a part of a crowd from the states `start` at `t` that ends by `limit` (s): the longest whose error is
-/// allowed. Where a step has to be shorter, the part may fall into smaller ones. `states` are those at its end, or at its
+/// allowed, or if there is none, that with the least error per time. Where a step has to be shorter, the part may fall into smaller ones. `states` are those at its end, or at its
 /// start where none is made.
 ///
 /// # Errors
@@ -485,6 +506,7 @@ fn attempt(
     let shortest = SHORTEST_STEP * longest * core.settings.crowd_step_factor;
     let (before, control) = (stepper(core), StepControl::of(&core.world, pairs));
     let mut h = crowd.step_s.min(limit - t);
+    let mut least: Option<Refused> = None;
     loop {
         set_states(states, bodies, start);
         let mut stepper = before.clone();
@@ -495,11 +517,21 @@ fn attempt(
         let even = control.even_share() * core.settings.crowd_error_allowed() * h / longest;
         let allowed = even.max(SHARE_OF_SPARE * crowd.spare_error);
         let ratio = if error > 0.0 { SAFETY * (allowed / error).sqrt() } else { f64::INFINITY };
+        let rate = error / h;
+        let better = least.take_if(|least| error > allowed && h <= shortest && least.rate() < rate);
+        if let Some(Refused { h, end, report, error, states: ends }) = better {
+            set_states(states, bodies, &ends);
+            let next = Crowd { step_s: h, spare_error: 0.0, ..*crowd };
+            return Ok(Attempted::Made(Box::new(Made { end, report, error, next })));
+        }
         if error <= allowed || h <= shortest {
             let spare_error = (crowd.spare_error - (error - even).max(0.0)).max(0.0);
             let step_s = control.next(h, ratio, crowd.step_s).max(shortest);
             let next = Crowd { step_s, spare_error, ..*crowd };
             return Ok(Attempted::Made(Box::new(Made { end, report, error, next })));
+        }
+        if least.as_ref().is_none_or(|least| rate < least.rate()) {
+            least = Some(Refused { h, end, report, error, states: states_of(states, bodies) });
         }
         refused += 1;
         h = control.shorter(h, ratio, refused).max(shortest);

@@ -287,7 +287,12 @@ impl Engine {
         let moving: Vec<usize> = moving.collect();
         let mut pace = self.pace_of(core, &moving);
         let end = match found_for {
-            &[a, b] if core.world.scene.pair_material(a, b).restitution() >= 1.0 => StepEnd::AtElasticImpact,
+            &[a, b]
+                if core.world.scene.pair_material(a, b).restitution() >= 1.0
+                    && !self.ends_unseen_bounce(core, (a, b), instant.t - pace.started_at()) =>
+            {
+                StepEnd::AtElasticImpact
+            }
             _ => StepEnd::AtEvent,
         };
         let advance = pace.note_end(instant.t, end, longest);
@@ -304,6 +309,16 @@ impl Engine {
             return Err(SimulationError::TooManyEvents { limit, t: instant.t });
         }
         Ok(advance.err())
+    }
+
+    /// Whether an impact of two bodies ends a bounce of this length (s) that never left the touch distance. Its height is
+    /// `w T / 4`, w the speed of approach and T the length. Where a body rocks on its edge such bounces follow each other
+    /// without an end, whatever the restitution.
+    fn ends_unseen_bounce(&self, core: &Core, (a, b): (usize, usize), length_s: f64) -> bool {
+        let touch = core.world.touch_distance(&self.states, a, b);
+        let touches = core.world.contacts_of_pair(&self.states, a, b, touch);
+        let approach = touches.iter().map(|touch| -touch.kinematics.separation_rate).fold(0.0, f64::max);
+        0.25 * approach * length_s <= touch
     }
 
     /// Continues the motion of the bodies of a resolved instant.

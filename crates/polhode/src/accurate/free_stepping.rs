@@ -182,8 +182,10 @@ impl FreeStep {
             MUCH_DIVIDED.. => (0.5 * h).max(core.settings.step_s),
             _ => h,
         };
-        let error = &mut core.accounts.certificate.max_step_error;
-        *error = error.max(self.integrator.step_error().unwrap_or(0.0));
+        if let Some(error) = self.integrator.step_error() {
+            let worst = &mut core.accounts.certificate.max_step_error;
+            *worst = Some(worst.unwrap_or(0.0).max(error));
+        }
         self.motions = self.polynomials(core)?;
         Ok(())
     }

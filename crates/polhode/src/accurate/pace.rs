@@ -91,6 +91,11 @@ impl Pace {
         Self { has_crowded: true, ..Self::starting_at(t) }
     }
 
+    /// Time of the last event or end of a step, s.
+    pub(super) fn started_at(&self) -> f64 {
+        self.since
+    }
+
     /// Whether the present instant has been resolved so often that remaining violations are tolerated until
     /// [`Self::retry_time`].
     pub(super) fn is_backing_off(&self) -> bool {
@@ -212,7 +217,7 @@ impl Pace {
 pub(super) enum StepEnd {
     /// At an event.
     AtEvent,
-    /// At an impact without loss of energy: such impacts do not accumulate.
+    /// At an impact without loss of energy, of bodies that had parted: such impacts do not accumulate.
     AtElasticImpact,
     /// At its planned end.
     AsPlanned,

@@ -95,6 +95,8 @@ impl Engine {
     fn detect(&mut self, core: &mut Core, instant: &mut Instant) {
         let still = |body: usize| matches!(self.tracks[body].mode, Mode::Rest | Mode::Fixed);
         let mut found = Vec::with_capacity(instant.touches.len());
+        // Pairs of which a contact lies deeper than the pair overlaps, with their separations.
+        let mut passing = Vec::new();
         for &(a, b) in &instant.pairs {
             if still(a) && still(b) {
                 found.extend(instant.touches.iter().filter(|touch| (touch.id.a, touch.id.b) == (a, b)).copied());
@@ -105,6 +107,11 @@ impl Engine {
             // The overlap of two bodies may be larger than the penetration of each contact.
             let rate = contacts.iter().fold(0.0, |rate, contact| contact.kinematics.separation_rate.min(rate));
             core.note_separation(instant.t, &self.states, (a, b), (separation, rate));
+            if contacts.iter().any(|contact| {
+                contact.kinematics.geometry.separation < separation.min(0.0) - core.world.rounding(&self.states, a, b)
+            }) {
+                passing.push((a, b));
+            }
             found.extend(contacts.into_iter().map(|contact| {
                 let FoundContact { id, kinematics } = contact;
                 match instant.touches.binary_search_by(|known| known.id.cmp(&id)) {
@@ -114,9 +121,14 @@ impl Engine {
             }));
         }
         found.sort_by_key(|touch| touch.id);
+        core.world.remove_covered_crossings(&self.states, &mut found);
         instant.touches = found;
-        // A contact point outside its features measures no penetration.
-        for touch in instant.touches.iter().filter(|touch| touch.kinematics.geometry.margin >= 0.0) {
+        // A contact point outside its features measures no penetration, nor does one with the plane of a face that the
+        // bodies are about to pass onto.
+        let measures = |touch: &&Touch| {
+            touch.kinematics.geometry.margin >= 0.0 && passing.binary_search(&(touch.id.a, touch.id.b)).is_err()
+        };
+        for touch in instant.touches.iter().filter(measures) {
             core.note_contact(instant.t, &self.states, (touch.id.a, touch.id.b), &touch.kinematics);
         }
     }
@@ -406,6 +418,9 @@ impl Engine {
     ) -> Result<(), SimulationError> {
         self.end_flights(core, instant.t, group);
         let ids: Vec<_> = candidates.iter().map(|&i| instant.touches[i].id).collect();
+        let speed = |touch: &Touch| touch.kinematics.separation_rate.abs();
+        let bounces = candidates.iter().map(|&i| instant.touches[i]);
+        let fastest = bounces.max_by(|x, y| speed(x).total_cmp(&speed(y)));
         let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
         let slowed = projection::project_velocities(
             &core.world,
@@ -416,7 +431,9 @@ impl Engine {
         )
         .map_err(|source| Core::response_error(instant.t, source))?;
         let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-        core.accounts.books.rest(before, after, slowed.work_j);
+        if let Some(fastest) = fastest {
+            core.book_ended_bounces(instant.t, &group.bodies, &fastest, (before, after), slowed.work_j);
+        }
         self.refresh_kinematics(core, instant);
         Ok(())
     }

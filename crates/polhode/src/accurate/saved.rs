@@ -78,6 +78,13 @@ impl Engine {
             engine.insert_island(island);
         }
         engine.rebuild_agenda(core);
+        // A run that had ended goes on to a longer duration: the islands that begin no step at its end begin one. Those that
+        // wait for time steps on the way are unsolved.
+        let waits_for_end = |island: &Island| matches!(island.step, Step::Waiting(_)) && !island.is_unsolved;
+        if core.t < core.world.scene.duration_s() && !engine.goes_on && engine.islands.values().any(waits_for_end) {
+            engine.continue_after_end_of_run(core)?;
+            engine.goes_on = false;
+        }
         Ok(engine)
     }
 

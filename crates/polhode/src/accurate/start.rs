@@ -1,17 +1,15 @@
-//! The first instant: finds touching contacts and checks that no bodies overlap.
+//! The first instant: finds touching contacts. That no bodies overlap by more has been checked (`crate::start_overlap`).
 
 use super::contact_change::ContactChange;
 use super::engine::{Engine, Mode};
 use super::instant::Instant;
 use crate::SimulationError;
 use crate::collision::boxes::Boxes;
-use crate::collision::contact_set::{FoundContact, Hold, Touch};
+use crate::collision::contact_set::{Hold, Touch};
 use crate::core::Core;
 use crate::few_digits::length;
 use crate::interaction::groups::{coupled_groups, groups};
 use crate::interaction::projection;
-use crate::scene::{OverlapAtStart, SceneError};
-use crate::world::INITIAL_OVERLAP_RELATIVE;
 use polhode_spatial::Still;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -19,7 +17,7 @@ impl Engine {
     /// Finds the touching contacts at the start and removes overlaps within the touch distance.
     ///
     /// # Errors
-    /// When two bodies overlap by more than counts as touch.
+    /// When contacts within the touch distance cannot be projected.
     pub(super) fn find_initial_contacts(&mut self, core: &mut Core) -> Result<(), SimulationError> {
         for body in 0..self.tracks.len() {
             self.begin_free_motion(core, body, core.t);
@@ -30,7 +28,6 @@ impl Engine {
         for (a, b) in self.initial_pairs(core)? {
             let touch_distance = core.world.touch_distance(&self.states, a, b);
             let of_pair = core.world.contacts_of_pair(&self.states, a, b, touch_distance);
-            check_overlap(core, &self.states, (a, b), &of_pair)?;
             contacts.extend(of_pair.into_iter().map(Touch::from));
         }
         contacts.sort_by_key(|touch| touch.id);
@@ -141,22 +138,4 @@ impl Engine {
         });
         Ok(())
     }
-}
-
-/// Checks that two bodies overlap by no more than counts as touch.
-fn check_overlap(
-    core: &Core,
-    states: &[polhode_dynamics::BodyState],
-    (a, b): (usize, usize),
-    contacts: &[FoundContact],
-) -> Result<(), SimulationError> {
-    let Some(separation) = core.world.separation_without_memory(states, a, b) else { return Ok(()) };
-    let deepest = contacts.iter().fold(separation, |s, touch| s.min(touch.kinematics.geometry.separation));
-    let allowed_m = INITIAL_OVERLAP_RELATIVE * core.world.pair_size(a, b) + core.world.rounding(states, a, b);
-    if separation < -allowed_m {
-        let [body_a, body_b] = [a, b].map(|body| core.world.bodies[body].name.clone());
-        let pair = OverlapAtStart { body_a, body_b, depth_m: -deepest.min(separation), allowed_m };
-        return Err(SceneError::InitialOverlap(vec![pair]).into());
-    }
-    Ok(())
 }

@@ -7,7 +7,7 @@
 
 use super::contact_set::{ContactId, FoundContact};
 use crate::world::World;
-use polhode_contact::{ContactFeature, Moving, passing_contacts};
+use polhode_contact::{ContactFeature, ContactKinematics, Moving, passing_contacts};
 use polhode_dynamics::BodyState;
 
 /// Contacts that approach by less than this part of the speeds of their bodies do not collide: a thousand rounding
@@ -24,21 +24,17 @@ impl World {
         (a, b): (usize, usize),
         contacts: &mut Vec<FoundContact>,
     ) -> Vec<ContactFeature> {
-        let speed = self.point_speed(states, a) + self.point_speed(states, b);
-        let approaches = |contact: &FoundContact| contact.kinematics.separation_rate < -SUSTAINED_RELATIVE * speed;
-        if !contacts.iter().any(approaches) {
-            return Vec::new();
-        }
-        let Some((shape_a, shape_b)) = self.shapes(a, b) else { return Vec::new() };
-        let velocities = [a, b].map(|body| self.velocity(body, &states[body]));
-        let moving = [(shape_a, a, &velocities[0]), (shape_b, b, &velocities[1])]
-            .map(|(shape, body, velocity)| Moving { shape, pose: &states[body].pose, velocity });
         let mut passing = Vec::new();
-        let mut passes = |contact: &FoundContact| {
-            let taken = approaches(contact).then(|| passing_contacts(contact.id.feature, moving[0], moving[1]));
-            taken.flatten().map(|features| passing.extend(features)).is_some()
-        };
-        contacts.retain(|contact| !passes(contact));
+        contacts.retain(|contact| match self.passing_contacts(states, contact.id, &contact.kinematics) {
+            Some(features) => {
+                passing.extend(features);
+                false
+            }
+            None => true,
+        });
+        if passing.is_empty() {
+            return passing;
+        }
         passing.sort_unstable();
         passing.dedup();
         passing.retain(|&feature| contacts.iter().all(|contact| contact.id.feature != feature));
@@ -48,6 +44,29 @@ impl World {
         }));
         contacts.sort_by_key(|contact| contact.id);
         passing
+    }
+
+    /// The contacts that take the place of one that approaches; none where it stands.
+    fn passing_contacts(
+        &self,
+        states: &[BodyState],
+        ContactId { a, b, feature }: ContactId,
+        kinematics: &ContactKinematics,
+    ) -> Option<Vec<ContactFeature>> {
+        let speed = self.point_speed(states, a) + self.point_speed(states, b);
+        if kinematics.separation_rate >= -SUSTAINED_RELATIVE * speed {
+            return None;
+        }
+        let (shape_a, shape_b) = self.shapes(a, b)?;
+        let velocities = [a, b].map(|body| self.velocity(body, &states[body]));
+        let first = Moving { shape: shape_a, pose: &states[a].pose, velocity: &velocities[0] };
+        let second = Moving { shape: shape_b, pose: &states[b].pose, velocity: &velocities[1] };
+        passing_contacts(feature, first, second)
+    }
+
+    /// Whether the bodies of a contact pass each other along a face, so that they do not collide there.
+    pub(crate) fn pass_each_other(&self, states: &[BodyState], id: ContactId, kinematics: &ContactKinematics) -> bool {
+        self.passing_contacts(states, id, kinematics).is_some()
     }
 
     /// Whether a contact beyond the border of its face holds, because its bodies pass each other along that face.

@@ -1,6 +1,6 @@
 //! Bodies of a scene.
 
-use super::{Geometry, Material, PrescribedMotion, SceneError, Trajectory};
+use super::{ApproximateParts, Geometry, Material, PrescribedMotion, SceneError, Trajectory};
 use polhode_contact::Shape;
 use polhode_spatial::{DVec3, MassProperties, Pose, Velocity};
 
@@ -34,6 +34,7 @@ pub struct Body {
     pub(crate) material: Material,
     pub(crate) pivot: Option<DVec3>,
     pub(crate) surface_velocity: DVec3,
+    pub(crate) approximation: Option<ApproximateParts>,
 }
 
 impl Body {
@@ -66,6 +67,7 @@ impl Body {
             material: Material::default(),
             pivot: None,
             surface_velocity: DVec3::ZERO,
+            approximation: None,
         }
     }
 
@@ -105,6 +107,17 @@ impl Body {
     pub fn surface_velocity(mut self, velocity: DVec3) -> Self {
         self.surface_velocity = velocity;
         self
+    }
+
+    /// With a shape that only approximates the solid that its mass fills.
+    pub fn approximated(mut self, approximation: ApproximateParts) -> Self {
+        self.approximation = Some(approximation);
+        self
+    }
+
+    /// How well its shape fills the solid that its mass fills, where it does so approximately.
+    pub fn approximation(&self) -> Option<&ApproximateParts> {
+        self.approximation.as_ref()
     }
 
     /// The velocity of its surface over its shape, m/s, in the frame of the body.

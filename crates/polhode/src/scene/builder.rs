@@ -135,6 +135,7 @@ impl SceneBuilder {
         }
         force::check_integrator(scene.method.integrator, &scene.forces)?;
         scene.check_grains()?;
+        scene.check_motions()?;
         if scene.method.tier == Some(Tier::Thesis) && scene.colliding().have_friction() {
             return Err(SceneError::ThesisFriction);
         }

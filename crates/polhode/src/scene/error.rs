@@ -66,6 +66,21 @@ pub enum SceneError {
         /// The vector found.
         direction: [f64; 3],
     },
+    /// The velocity of a kinematic body jumps during the run, and it may touch a body that forces move.
+    #[error(
+        "the motion of body {body} has interpolation = \"linear\", so that its velocity jumps at t = {t_s} s: where it \
+         touches body {other}, that is an impulse of which the table does not say how it passes (as a bounce, a push, or \
+         a slip); use interpolation = \"monotone\" with samples close before and after the turn, or name both bodies in \
+         a [[no_contact]] group"
+    )]
+    MotionJumps {
+        /// The kinematic body.
+        body: String,
+        /// The first body that it may touch.
+        other: String,
+        /// When its velocity jumps first, s.
+        t_s: f64,
+    },
     /// Static friction along and across a grain for a material without one.
     #[error(
         "static friction of material {material} is given along and across a grain, but its friction has none: give \
@@ -260,9 +275,9 @@ pub struct OverlapAtStart {
 }
 
 /// Most pairs that a message names: more do not help.
-const MOST_PAIRS: usize = 20;
+const MOST_PAIRS: usize = 10;
 
-/// That bodies overlap, in a sentence for each pair.
+/// That bodies overlap, in a line for each pair.
 fn overlapping(pairs: &[OverlapAtStart]) -> String {
     let sentence = |pair: &OverlapAtStart| {
         let OverlapAtStart { body_a, body_b, depth_m, allowed_m } = pair;
@@ -272,11 +287,17 @@ fn overlapping(pairs: &[OverlapAtStart]) -> String {
             length(*allowed_m)
         )
     };
-    let mut sentences: Vec<_> = pairs.iter().take(MOST_PAIRS).map(sentence).collect();
-    if pairs.len() > MOST_PAIRS {
-        sentences.push(format!("and {} more pairs overlap", pairs.len() - MOST_PAIRS));
+    if let [pair] = pairs {
+        return sentence(pair);
     }
-    sentences.join("; ")
+    let mut lines = vec![format!("{} pairs of bodies overlap at the start", pairs.len())];
+    lines.extend(pairs.iter().take(MOST_PAIRS).map(sentence));
+    match pairs.len().saturating_sub(MOST_PAIRS) {
+        0 => {}
+        1 => lines.push("and one more pair".to_owned()),
+        more => lines.push(format!("and {more} more pairs")),
+    }
+    lines.join("\n  ")
 }
 
 /// `value` when it is positive and finite.

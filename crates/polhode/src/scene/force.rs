@@ -6,8 +6,8 @@
 
 use super::{Body, Integrator, SceneError};
 use polhode_dynamics::field::{
-    Account, Anchor, AppliedForce, AppliedTorque, Damper, Dependence, Drag, DragLaw, Field, FieldError, Frame,
-    MutualGravity, PointGravity, Signal, Spring, Wrench,
+    Account, Anchor, AppliedForce, AppliedTorque, Damper, Dependence, Drag, DragLaw, Field, FieldError, ForceResponse,
+    Frame, MutualGravity, PointGravity, Signal, Spring, Wrench,
 };
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::DVec3;
@@ -91,6 +91,10 @@ pub enum Force {
 pub(crate) trait MovingFrames {
     /// Slot of a body: its place among the movable ones; none for a fixed or kinematic body.
     fn movable(&self, body: usize) -> Option<usize>;
+    /// Whether a body has not been removed.
+    fn is_there(&self, body: usize) -> bool;
+    /// Slots of the bodies that have been removed, ascending.
+    fn removed(&self) -> Vec<usize>;
     /// A point given in a body's own frame, in its moving frame (origin at the centre of mass or the pivot).
     fn in_moving_frame(&self, body: usize, point: DVec3) -> DVec3;
     /// A point given in a fixed body's own frame, in the world.
@@ -98,15 +102,22 @@ pub(crate) trait MovingFrames {
 }
 
 impl Force {
-    /// The fields that make up the force.
+    /// The fields that make up the force; none when a body that it names has been removed.
     ///
     /// # Errors
     /// When a number is out of range.
     pub(crate) fn fields(&self, frames: &impl MovingFrames) -> Result<Vec<Box<dyn Field>>, FieldError> {
         let mut fields: Vec<Box<dyn Field>> = Vec::new();
+        if self.bodies().into_iter().any(|body| !frames.is_there(body)) {
+            return Ok(fields);
+        }
         match self {
-            Self::PointGravity { center, mu } => fields.push(Box::new(PointGravity::new(*mu, *center)?)),
-            Self::MutualGravity { constant } => fields.push(Box::new(MutualGravity::new(*constant)?)),
+            Self::PointGravity { center, mu } => {
+                fields.push(Box::new(PointGravity::new(*mu, *center)?.without(frames.removed())));
+            }
+            Self::MutualGravity { constant } => {
+                fields.push(Box::new(MutualGravity::new(*constant)?.without(frames.removed())));
+            }
             Self::Applied { body, force, torque, frame, point, signal } => {
                 let Some(index) = frames.movable(*body) else { return Ok(fields) };
                 let mut push = AppliedForce::new(index, *force, *frame)?.following(signal.clone());
@@ -227,6 +238,14 @@ impl MovingFrames for OwnFrames {
         Some(body)
     }
 
+    fn is_there(&self, _body: usize) -> bool {
+        true
+    }
+
+    fn removed(&self) -> Vec<usize> {
+        Vec::new()
+    }
+
     fn in_moving_frame(&self, _body: usize, point: DVec3) -> DVec3 {
         point
     }
@@ -271,6 +290,10 @@ impl Field for Shared {
 
     fn add_wrenches(&self, t: f64, bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]) {
         self.0.add_wrenches(t, bodies, states, wrenches);
+    }
+
+    fn responses(&self, bodies: &[RigidBody], states: &[BodyState]) -> Option<Vec<ForceResponse>> {
+        self.0.responses(bodies, states)
     }
 
     fn potential_energy(&self, bodies: &[RigidBody], states: &[BodyState]) -> f64 {

@@ -14,6 +14,15 @@ pub enum Geometry {
     Mesh(SolidMesh),
 }
 
+/// How well convex parts fill a mesh that they stand for in collisions. Mass is that of the mesh itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ApproximateParts {
+    /// How many parts there are.
+    pub parts: usize,
+    /// Difference of their volume from that of the solid, relative to it.
+    pub volume_error: f64,
+}
+
 impl From<Shape> for Geometry {
     fn from(shape: Shape) -> Self {
         Self::Shape(shape)

@@ -7,7 +7,7 @@
 //! |---|---|
 //! | `builder` | [`SceneBuilder`]: collects the parts of a scene and checks them together |
 //! | `body` | [`Body`]: fixed, kinematic or moved by forces |
-//! | `geometry` | [`Geometry`]: the shape of a body |
+//! | `geometry` | [`Geometry`]: the shape of a body; [`ApproximateParts`]: how well it fills a mesh |
 //! | `material` | [`Material`], [`PairRule`]: friction and restitution |
 //! | `grain` | [`FrictionEllipse`]: friction along and across a grain |
 //! | `force` | [`Force`]: forces besides uniform gravity and contact |
@@ -32,14 +32,16 @@ pub use builder::SceneBuilder;
 pub use error::{OverlapAtStart, SceneError};
 pub(crate) use force::MovingFrames;
 pub use force::{Attachment, Force};
-pub use geometry::Geometry;
+pub use geometry::{ApproximateParts, Geometry};
 pub use grain::FrictionEllipse;
 pub(crate) use grain::GrainOf;
 pub use material::{Material, PairRule};
 pub use method::{
     BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, Response, RotationRate, Tier,
 };
-pub use motion::{MotionError, MotionTable, PrescribedMotion, SampledOrientations, Trajectory};
+pub use motion::{
+    Excursion, Interpolation, MotionError, MotionTable, PrescribedMotion, SampledOrientations, Trajectory,
+};
 pub use polhode_dynamics::field::{DragLaw, Frame, Signal};
 pub use polhode_response::RestitutionLaw;
 
@@ -122,12 +124,13 @@ impl Scene {
         Ok(self)
     }
 
-    /// Checks the method, and that the numbers of samples and steps are bounded.
+    /// Checks the method, the motions, and that the numbers of samples and steps are bounded.
     ///
     /// # Errors
     /// As [`SceneBuilder::build`].
     pub(crate) fn check_times(&self) -> Result<(), SceneError> {
         self.method.validate()?;
+        self.check_motions()?;
         self.check_counts()
     }
 
@@ -173,6 +176,37 @@ impl Scene {
             rule.apply(ma, mb, &mut combined);
         }
         combined
+    }
+
+    /// Checks that no kinematic body whose velocity jumps during the run may touch a body that forces move: contacts would
+    /// need an impulse, of which the table of a motion does not say how it passes.
+    ///
+    /// # Errors
+    /// With the first such body.
+    pub(crate) fn check_motions(&self) -> Result<(), SceneError> {
+        for (index, body) in self.bodies.iter().enumerate() {
+            let Some(t_s) = body.motion().and_then(|motion| motion.jump_between(0.0, self.duration_s)) else {
+                continue;
+            };
+            let moved = |other: &usize| !self.bodies[*other].is_fixed() && self.may_collide(index, *other);
+            if let Some(other) = (0..self.bodies.len()).find(moved) {
+                let [body, other] = [index, other].map(|body| self.bodies[body].name.clone());
+                return Err(SceneError::MotionJumps { body, other, t_s });
+            }
+        }
+        Ok(())
+    }
+
+    /// What is good to know about the scene before it runs: tables of motions that leave the range of their samples.
+    pub fn warnings(&self) -> Vec<String> {
+        let excursion = |body: &Body| {
+            let found = body.motion()?.excursion()?;
+            Some(format!(
+                "the motion of body {} is a spline: {found}; interpolation = \"monotone\" stays between the samples",
+                body.name
+            ))
+        };
+        self.bodies.iter().filter_map(excursion).collect()
     }
 
     /// Whether the surface of any body moves.

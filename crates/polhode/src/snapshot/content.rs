@@ -123,8 +123,9 @@ pub(crate) struct MomentumLedger {
 pub(crate) struct Certificate {
     pub(crate) max_residual: f64,
     pub(crate) max_penetration_m: f64,
-    pub(crate) max_acceleration_error_bound: f64,
-    pub(crate) max_step_error: f64,
+    pub(crate) max_acceleration_error_bound: Option<f64>,
+    pub(crate) max_step_error: Option<f64>,
+    pub(crate) estimated_error: Option<f64>,
     pub(crate) fallbacks: u64,
 }
 
@@ -137,7 +138,47 @@ pub(crate) struct Measures {
     pub(crate) projection_energy: Worst,
     pub(crate) friction: Worst,
     pub(crate) drift_energy: Sum,
+    pub(crate) ended_bounces: Worst,
+    pub(crate) ended_bounces_sum: Sum,
     pub(crate) unsolved: Vec<Warning>,
+    pub(crate) numerical: NumericalLoss,
+    pub(crate) long_steps: LongSteps,
+}
+
+/// What the integrator lost or gained.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct NumericalLoss {
+    pub(crate) energy_j: f64,
+    pub(crate) relative: f64,
+    /// When it first exceeded its limit.
+    pub(crate) first: Option<FirstLoss>,
+}
+
+/// What the integrator lost when it first exceeded its limit.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct FirstLoss {
+    pub(crate) t: f64,
+    /// The fastest rates then, 1/s.
+    pub(crate) oscillation: f64,
+    pub(crate) decay: f64,
+}
+
+/// Fixed steps that were too long.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct LongSteps {
+    pub(crate) count: u64,
+    pub(crate) first_s: f64,
+    pub(crate) worst: Option<Movement>,
+}
+
+/// How far a body moved in one step.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Movement {
+    pub(crate) body: usize,
+    pub(crate) t: f64,
+    pub(crate) step_s: f64,
+    pub(crate) travel: f64,
+    pub(crate) turn: f64,
 }
 
 /// The largest values of one quantity.
@@ -390,6 +431,10 @@ pub(crate) struct Stepped {
     pub(crate) touching: Vec<(usize, usize)>,
     pub(crate) forces: Vec<(Contact, f64)>,
     pub(crate) islands: Vec<Vec<usize>>,
+    /// Estimated errors of the bodies: of position (m) and velocity (m/s), and their deepest overlap (m).
+    pub(crate) errors: Vec<[f64; 3]>,
+    /// Friction of the contacts of `forces`, N.
+    pub(crate) friction: Vec<[f64; 3]>,
     pub(crate) grid: u64,
     pub(crate) begun: bool,
 }
@@ -398,6 +443,8 @@ pub(crate) struct Stepped {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Thesis {
     pub(crate) states: Vec<State>,
+    /// As those of the tier `stepped`.
+    pub(crate) errors: Vec<[f64; 3]>,
     pub(crate) resting: Vec<(Contact, f64)>,
     pub(crate) touching_pairs: usize,
     /// The variables from which the integrator continues.

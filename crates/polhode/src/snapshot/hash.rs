@@ -37,10 +37,11 @@ impl Write for Fnv1a {
     }
 }
 
-/// Hash of a whole scene: of its debug text, which has every number with all its digits. A field that the program
-/// defines is hashed by its own debug text.
+/// Hash of a whole scene but for its duration: of its debug text, which has every number with all its digits. A field that
+/// the program defines is hashed by its own debug text. How long a run is changes nothing before its end.
 pub(super) fn of_scene(scene: &Scene) -> u64 {
     let mut hash = Fnv1a::default();
+    let scene = Scene { duration_s: 0.0, ..scene.clone() };
     // Adding bytes to the hash cannot fail.
     let _ = write!(hash, "{scene:?}");
     hash.value()

@@ -1,12 +1,14 @@
 //! A run by fixed time steps: one step, and queries at the present.
 
 use super::islands::{Island, IslandSearch, islands};
+use super::present_forces::{BodyAcceleration, PresentForces};
 use crate::accounting::books::Received;
+use crate::accounting::long_steps::Movement;
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::core::Core;
+use crate::error_estimate::{EVERY, ErrorEstimate};
 use crate::event::{Event, EventKind};
 use crate::frame::{ContactView, IslandView, MotionKind};
-use crate::interaction::acceleration_problem::AccelerationProblem;
 use crate::interaction::assembly::free_acceleration;
 use crate::interaction::groups::groups;
 use crate::observer::Observer;
@@ -14,12 +16,12 @@ use crate::sampling::emit_samples_before;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::parts::{restored_flight, restored_forces, restored_id, save_contact, save_flight};
 use crate::snapshot::{SnapshotError, content};
+use crate::states_of::states_of;
 use crate::tier::{Reached, Tier};
 use crate::time_stepping::{TimeStepReport, TimeStepper, given_by_gravity};
 use crate::world::World;
 use crate::{Acceleration, BodyId, SimulationError};
 use polhode_dynamics::{BodyState, Flight};
-use polhode_response::{ComplementaritySolver, ResponseError, WarmStart};
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -36,6 +38,15 @@ const RESTING_STEPS: f64 = 2.0;
 /// touch. More gives a warning.
 const LEFT_RELATIVE: f64 = 1e-11;
 
+/// The mean force of a contact over a step, on body A.
+#[derive(Debug, Clone, Copy, Default)]
+struct MeanForce {
+    /// Along the normal, N.
+    normal: f64,
+    /// Of friction, world, N.
+    friction: DVec3,
+}
+
 /// A run in progress.
 #[derive(Debug)]
 pub(crate) struct SteppedEngine {
@@ -48,7 +59,9 @@ pub(crate) struct SteppedEngine {
     /// Pairs in contact after the last step.
     touching: BTreeSet<(usize, usize)>,
     /// Mean forces of the contacts over the last step, N.
-    forces: BTreeMap<ContactId, f64>,
+    forces: BTreeMap<ContactId, MeanForce>,
+    /// Estimated errors of the bodies.
+    errors: ErrorEstimate,
     /// Bodies of each island of the last step.
     islands: Vec<Vec<usize>>,
     /// Index of the last step that ended on the grid of multiples of the step, and whether any step has been made.
@@ -69,9 +82,12 @@ impl SteppedEngine {
         let touches = engine.resting_touches(core, &pairs);
         engine.touching = touches.iter().map(|touch| (touch.id.a, touch.id.b)).collect();
         for (bodies, contacts) in joined(world, &touches) {
-            let forces = engine.constrained(core, &bodies, &contacts).map(|(forces, _)| forces);
-            let forces = forces.unwrap_or_else(|_| vec![f64::NAN; contacts.len()]);
-            engine.forces.extend(contacts.iter().map(|touch| touch.id).zip(forces));
+            let found = PresentForces::solve(core, &engine.states, &bodies, &contacts).unwrap_or_default();
+            for (index, touch) in contacts.iter().enumerate() {
+                let normal = found.normal.get(index).copied().unwrap_or(f64::NAN);
+                let friction = found.friction.get(index).copied().unwrap_or_default();
+                engine.forces.insert(touch.id, MeanForce { normal, friction });
+            }
         }
         Ok(engine)
     }
@@ -80,6 +96,7 @@ impl SteppedEngine {
     fn unbegun(core: &Core, states: Vec<BodyState>) -> Self {
         let about = core.accounts.books.ledger.momentum.about;
         Self {
+            errors: ErrorEstimate::new(states.len()),
             flights: vec![None; states.len()],
             states,
             stepper: TimeStepper::new(core.settings.impact, about, MOST_SPLITS),
@@ -115,7 +132,15 @@ impl SteppedEngine {
         let carried = saved.carried.iter().map(|id| restored_id(world, id)).collect::<Result<Vec<_>, _>>()?;
         engine.stepper.carry(carried);
         engine.touching = saved.touching.iter().copied().collect();
-        engine.forces = restored_forces(world, &saved.forces)?.into_iter().collect();
+        let normal = restored_forces(world, &saved.forces)?;
+        if saved.friction.len() != normal.len() {
+            return Err(SnapshotError::Invalid("it does not say the friction of each contact"));
+        }
+        let force = |((id, normal), friction): ((ContactId, f64), &[f64; 3])| {
+            (id, MeanForce { normal, friction: DVec3::from_array(*friction) })
+        };
+        engine.forces = normal.into_iter().zip(&saved.friction).map(force).collect();
+        engine.errors = ErrorEstimate::restored(&saved.errors, bodies)?;
         engine.islands.clone_from(&saved.islands);
         (engine.grid, engine.begun) = (saved.grid, saved.begun);
         Ok(engine)
@@ -134,10 +159,17 @@ impl SteppedEngine {
         self.fly(core, &islands, t_next);
         let mut touching = BTreeSet::new();
         self.forces.clear();
+        let compares = core.accounts.steps().is_multiple_of(EVERY);
+        let halves = if compares { Some(self.in_two_halves(core, &islands, interval)?) } else { None };
         for island in &islands {
+            let start: Vec<BodyState> = states_of(&self.states, &island.bodies);
             let report = self.stepper.advance(&core.world, &mut self.states, &island.bodies, &island.pairs, interval);
             let report = report.map_err(|source| Core::response_error(core.t, source))?;
             self.note(core, &report, h);
+            self.note_movement(core, island, &start, h);
+            for (&body, halves) in island.bodies.iter().filter_map(|body| Some((body, halves.as_ref()?))) {
+                self.errors.compare(&core.world, body, &self.states[body], &halves[body]);
+            }
             if let Some(&first) = island.bodies.first()
                 && report.left_penetration_m > LEFT_RELATIVE * core.world.bodies[first].size
             {
@@ -151,6 +183,8 @@ impl SteppedEngine {
         self.islands = islands.into_iter().map(|island| island.bodies).collect();
         core.world.prescribe(t_next, &mut self.states);
         core.t = t_next;
+        self.errors.go_on(&core.world, &self.states, h);
+        core.accounts.certificate.estimated_error = Some(self.errors.largest(&core.world));
         core.accounts.count_step();
         self.report_pairs(core, touching);
         core.accounts.emit_events(core.t, observer);
@@ -195,8 +229,40 @@ impl SteppedEngine {
     /// Records the forces and problems of an island's step of length `h` (s).
     fn note(&mut self, core: &mut Core, report: &TimeStepReport, h: f64) {
         core.accounts.note_time_step(&core.world, core.t, &self.states, report);
+        core.note_overlap_of_step(core.t + h, report);
         for given in &report.impulses {
-            *self.forces.entry(given.id).or_insert(0.0) += given.impulse / h;
+            let force = self.forces.entry(given.id).or_default();
+            force.normal += given.impulse / h;
+            force.friction += given.friction / h;
+        }
+    }
+
+    /// States of all bodies, those of these islands after two steps of half the length.
+    fn in_two_halves(
+        &self,
+        core: &Core,
+        islands: &[Island],
+        (t, h): (f64, f64),
+    ) -> Result<Vec<BodyState>, SimulationError> {
+        let (mut states, mut stepper) = (self.states.clone(), self.stepper.clone());
+        for island in islands {
+            for part in [(t, 0.5 * h), (t + 0.5 * h, 0.5 * h)] {
+                stepper
+                    .advance(&core.world, &mut states, &island.bodies, &island.pairs, part)
+                    .map_err(|source| Core::response_error(core.t, source))?;
+            }
+        }
+        Ok(states)
+    }
+
+    /// Records how far the bodies of an island moved in a step of `h` (s), if they may touch another one.
+    fn note_movement(&self, core: &mut Core, island: &Island, start: &[BodyState], h: f64) {
+        if island.pairs.is_empty() {
+            return;
+        }
+        for (&body, start) in island.bodies.iter().zip(start) {
+            let movement = Movement::between(&core.world, body, (start, &self.states[body]), (core.t, h));
+            core.accounts.measures.long_steps.note(movement);
         }
     }
 
@@ -277,22 +343,7 @@ impl SteppedEngine {
         let touches = pairs.iter().flat_map(of_pair);
         touches.filter(|touch| touch.kinematics.separation_rate.abs() <= slow).map(Touch::from).collect()
     }
-
-    /// The forces of contacts (N), and the accelerations that they give to their bodies.
-    fn constrained(&self, core: &Core, bodies: &[usize], contacts: &[Touch]) -> Result<Constrained, ResponseError> {
-        let loads = core.world.loads(core.t, &self.states);
-        let problem = AccelerationProblem::new(&core.world, core.t, &self.states, bodies, contacts, &loads)?;
-        let AccelerationProblem { assembly, constants: b, .. } = problem;
-        let mut solver = ComplementaritySolver::default();
-        let delassus = assembly.problem.delassus();
-        let solution = solver.solve(&assembly.problem, &delassus, &b, Some(&WarmStart::default()))?;
-        let added = assembly.split(&assembly.problem.response(&solution.forces)?).collect();
-        Ok((solution.forces.clone(), added))
-    }
 }
-
-/// Forces of contacts, and the linear and angular accelerations that they give to bodies, by index.
-type Constrained = (Vec<f64>, Vec<(usize, DVec3, DVec3)>);
 
 /// Groups of bodies that these contacts connect, with their contacts.
 fn joined(world: &World, touches: &[Touch]) -> Vec<(Vec<usize>, Vec<Touch>)> {
@@ -350,9 +401,9 @@ impl Tier for SteppedEngine {
         };
         let mut found: Vec<(DVec3, DVec3)> = (0..self.states.len()).map(own_acceleration).collect();
         for (bodies, contacts) in joined(world, &touches) {
-            for (body, linear, angular) in self.constrained(core, &bodies, &contacts).map_err(failed)?.1 {
-                found[body].0 += linear;
-                found[body].1 += angular;
+            let forces = PresentForces::solve(core, &self.states, &bodies, &contacts).map_err(failed)?;
+            for BodyAcceleration { body, linear, angular } in forces.accelerations {
+                found[body] = (linear, angular);
             }
         }
         let report = |(body, &(linear, angular)): (usize, &(DVec3, DVec3))| {
@@ -366,8 +417,8 @@ impl Tier for SteppedEngine {
         for &(a, b) in &self.touching {
             for touch in core.world.contacts_of_pair(states, a, b, core.world.touch_distance(states, a, b)) {
                 let id = touch.id;
-                let force = self.forces.get(&id).copied().unwrap_or(0.0);
-                core.world.view_contact(states, &Touch::from(touch), (force, DVec3::ZERO), &mut views);
+                let MeanForce { normal, friction } = self.forces.get(&id).copied().unwrap_or_default();
+                core.world.view_contact(states, &Touch::from(touch), (normal, friction), &mut views);
             }
         }
         views
@@ -406,6 +457,7 @@ impl Tier for SteppedEngine {
     fn add_body(&mut self, core: &Core, state: BodyState) {
         self.states.push(state);
         self.flights.push(None);
+        self.errors.add_body();
         self.search = IslandSearch::new(&core.world, core.settings.broad_phase.build());
     }
 
@@ -425,7 +477,9 @@ impl Tier for SteppedEngine {
             flights: self.flights.iter().map(|flight| flight.as_deref().map(save_flight)).collect(),
             carried: self.stepper.carried().map(save_contact).collect(),
             touching: self.touching.iter().copied().collect(),
-            forces: self.forces.iter().map(|(&id, &force)| (save_contact(id), force)).collect(),
+            forces: self.forces.iter().map(|(&id, force)| (save_contact(id), force.normal)).collect(),
+            friction: self.forces.values().map(|force| force.friction.to_array()).collect(),
+            errors: self.errors.save(),
             islands: self.islands.clone(),
             grid: self.grid,
             begun: self.begun,

@@ -11,8 +11,10 @@
 //! |---|---|
 //! | `engine` | a run, one step of it, and queries at the present |
 //! | `islands` | the islands of a step |
+//! | `present_forces` | forces and accelerations at one instant, for queries |
 
 mod engine;
 mod islands;
+mod present_forces;
 
 pub(crate) use engine::SteppedEngine;

@@ -3,9 +3,11 @@
 use super::impulse_models::{move_apart, strike_unconditionally};
 use super::system::LoadedBodies;
 use crate::accounting::books::Received;
+use crate::accounting::long_steps::Movement;
 use crate::collision::boxes::Boxes;
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::core::Core;
+use crate::error_estimate::{EVERY, ErrorEstimate};
 use crate::event::EventKind;
 use crate::frame::{ContactView, IslandView, MotionKind};
 use crate::free_stage::{self, Ends};
@@ -63,6 +65,8 @@ pub(crate) struct ThesisEngine {
     resting: Vec<(ContactId, f64)>,
     /// Which bodies forces move.
     moves: Vec<bool>,
+    /// Estimated errors of the bodies.
+    errors: ErrorEstimate,
 }
 
 impl ThesisEngine {
@@ -78,6 +82,7 @@ impl ThesisEngine {
             touching_pairs: 0,
             resting: Vec::new(),
             moves: core.world.bodies.iter().map(WorldBody::moves).collect(),
+            errors: ErrorEstimate::new(states.len()),
             states,
         };
         engine.detect(core)?;
@@ -101,6 +106,7 @@ impl ThesisEngine {
             touching_pairs: saved.touching_pairs,
             resting: crate::snapshot::parts::restored_forces(&core.world, &saved.resting)?,
             moves: core.world.bodies.iter().map(WorldBody::moves).collect(),
+            errors: ErrorEstimate::restored(&saved.errors, bodies)?,
         })
     }
 
@@ -112,12 +118,15 @@ impl ThesisEngine {
         let loads = loads(core, &self.states, &resting);
         self.resting = resting.touches.iter().map(|touch| touch.id).zip(resting.forces.iter().copied()).collect();
 
+        let compares = core.accounts.steps().is_multiple_of(EVERY);
+        let halves = if compares { Some(self.in_two_halves(core, &loads, t_next - core.t)?) } else { None };
         self.integrate(core, loads.clone(), t_next - core.t)?;
         self.emit_samples_within(core, t_next, observer)?;
         let movable = core.world.movable.clone();
         let before = core.accounts.books.balance(&core.world, &self.states, &movable);
         let ends = all_states(core, &self.states, self.integrator.states(), t_next);
         let received = self.received(core, &resting, &loads, &ends, t_next);
+        self.note_errors(core, &ends, halves.as_deref(), t_next - core.t);
         self.states = ends;
         let after = core.accounts.books.balance(&core.world, &self.states, &movable);
         core.accounts.books.smooth_stage(before, after, received);
@@ -126,12 +135,42 @@ impl ThesisEngine {
         core.accounts.observe(&core.world, &self.states, core.t)?;
         let touches = self.detect(core)?;
         for touch in &touches {
+            self.errors.overlap((touch.id.a, touch.id.b), -touch.kinematics.geometry.separation);
             core.note_contact(core.t, &self.states, (touch.id.a, touch.id.b), &touch.kinematics);
         }
+        core.accounts.certificate.estimated_error = Some(self.errors.largest(&core.world));
         if core.settings.response == Response::ImpulseProjection {
             move_apart(core, &mut self.states, &touches);
         }
         Ok(())
+    }
+
+    /// States of all bodies after two steps of half the length `h` (s) under the same loads.
+    fn in_two_halves(&self, core: &Core, loads: &[Wrench], h: f64) -> Result<Vec<BodyState>, SimulationError> {
+        let loaded = LoadedBodies::new(core.world.shared_fields(), loads.to_vec());
+        let motion = loaded.motion(core.world.free_motion().bodies(), core.world.gravity());
+        let mut integrator = core.settings.build_integrator();
+        integrator.start(&motion, core.t, &core.world.movable_states(&self.states));
+        for _ in 0..2 {
+            let step = integrator.step(&motion, 0.5 * h);
+            step.map_err(|source| SimulationError::Integration { t: core.t, source })?;
+        }
+        Ok(all_states(core, &self.states, integrator.states(), core.t + h))
+    }
+
+    /// Records how far the bodies move in a step of `h` (s) to `ends`, and its estimated error.
+    fn note_errors(&mut self, core: &mut Core, ends: &[BodyState], halves: Option<&[BodyState]>, h: f64) {
+        let world = &core.world;
+        for &body in world.movable.iter().filter(|&&body| world.bodies[body].moves()) {
+            if let Some(halves) = halves {
+                self.errors.compare(world, body, &ends[body], &halves[body]);
+            }
+            if world.bodies[body].shape.is_some() {
+                let movement = Movement::between(world, body, (&self.states[body], &ends[body]), (core.t, h));
+                core.accounts.measures.long_steps.note(movement);
+            }
+        }
+        self.errors.go_on(world, ends, h);
     }
 
     /// Detects penetrations: every contact point of every pair that touches or overlaps.
@@ -358,6 +397,7 @@ impl Tier for ThesisEngine {
     }
 
     fn add_body(&mut self, core: &Core, state: BodyState) {
+        self.errors.add_body();
         self.moves.push(core.world.bodies[self.states.len()].moves());
         self.states.push(state);
         self.boxes.make_room();
@@ -375,6 +415,7 @@ impl Tier for ThesisEngine {
     fn save(&self) -> content::Tier {
         content::Tier::Thesis(content::Thesis {
             states: write_states(&self.states),
+            errors: self.errors.save(),
             resting: self.resting.iter().map(|&(id, force)| (save_contact(id), force)).collect(),
             touching_pairs: self.touching_pairs,
             integrator: self.integrator.save(),
@@ -425,7 +466,7 @@ fn group_forces(
         ContactMethod::ActiveSet => exact_forces(core, &assembly, &delassus, &b)?,
     };
     let worst = &mut core.accounts.certificate.max_acceleration_error_bound;
-    *worst = worst.max(bound);
+    *worst = Some(worst.unwrap_or(0.0).max(bound));
     Ok(forces)
 }
 

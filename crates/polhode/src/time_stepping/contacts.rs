@@ -170,7 +170,10 @@ pub(super) fn near_contacts(
     for id in ahead {
         let Some(kinematics) = kinematics_at_point(world, states, id) else { continue };
         // Features that already penetrate are not those at which the bodies will meet.
-        if kinematics.geometry.separation >= -world.touch_distance(states, id.a, id.b) {
+        // Nor are those at a border that the bodies pass.
+        if kinematics.geometry.separation >= -world.touch_distance(states, id.a, id.b)
+            && !world.pass_each_other(states, id, &kinematics)
+        {
             near.push(near_contact(world, states, &free, id, kinematics, span));
         }
     }

@@ -19,6 +19,7 @@ use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
+use polhode_spatial::DVec3;
 
 /// Most rounds of impacts in one step: one for each body of a chain with gaps, or for each bounce of a body between two
 /// others. Contacts that still close afterwards are stopped without restitution.
@@ -110,6 +111,7 @@ fn note(world: &World, states: &[BodyState], touches: &[Touch], struck: &Struck,
         id: touches[application.row].id,
         geometry: touches[application.row].kinematics.geometry,
         impulse: application.impulse,
+        friction: DVec3::ZERO,
         kind: ImpulseKind::Impact { energy_change_j: application.energy_change },
     }));
 }

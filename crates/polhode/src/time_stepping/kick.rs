@@ -1,10 +1,12 @@
 //! Force fields as one kick: the wrenches in the middle of the step, over its whole length.
 //!
-//! Fields that depend on velocities are evaluated twice, at the velocity before the kick and at that with half the
-//! kick, so that the kick is of order 2. Its energy is exact: at one pose the kinetic energy is quadratic in the
+//! Springs that are stiff in the step, and drag and dampers, act by `implicit_kick.rs`. Other fields that depend on
+//! velocities are evaluated twice, at the velocity before the kick and at that with half the kick, so that the kick is of
+//! order 2. Its energy is exact: at one pose the kinetic energy is quadratic in the
 //! momenta, so that a wrench (F, T) over h does the work `h (F.v + T.w)` at the mean of the velocities before and
 //! after.
 
+use super::implicit_kick::{Difference, ImplicitKick, Twist, change_velocities};
 use crate::accounting::books::{Books, Received};
 use crate::states_of::{set_states, states_of};
 use crate::world::{Loads, World};
@@ -27,6 +29,20 @@ pub(super) fn kick(
         return Received::default();
     }
     let before = states_of(states, bodies);
+    let responses = world.responses_on(states, bodies);
+    if responses.are_known
+        && let Some(kick) = ImplicitKick::new(world, states, bodies, responses.of_fields, h)
+    {
+        let loads = world.loads_on(t, states, bodies);
+        let accounts = wrenches(world, t, states, bodies);
+        let forces = |&body: &usize| Twist { linear: loads.of(body).force * h, angular: loads.of(body).torque * h };
+        let changes = kick.solve(&bodies.iter().map(forces).collect::<Vec<_>>());
+        let differences = kick.differences(&changes);
+        change_velocities(world, states, bodies, &changes);
+        let mut given = received(world, states, bodies, &before, &accounts, h, books);
+        add_differences(world, (states, bodies, &before), &differences, books, &mut given);
+        return given;
+    }
     let mut accounts = None;
     if world.free_motion().dependence() == Dependence::Velocities {
         push(world, states, bodies, t, 0.5 * h);
@@ -59,6 +75,35 @@ fn apply(world: &World, states: &mut [BodyState], bodies: &[usize], loads: &Load
             state.angular_momentum += load.torque * h;
         }
     }
+}
+
+/// Adds momentum and work of the impulses by which an implicit kick differs from that of constant forces.
+fn add_differences(
+    world: &World,
+    (states, bodies, before): (&[BodyState], &[usize], &[BodyState]),
+    differences: &[Difference],
+    books: &Books,
+    received: &mut Received,
+) {
+    let mut fields = MomentumSum::default();
+    for Difference { account, body, impulse } in differences {
+        let (Some(rigid), Ok(place)) = (&world.bodies[*body].rigid, bodies.binary_search(body)) else { continue };
+        let (start, end) = (&before[place], &states[*body]);
+        let mean = |a: polhode_spatial::DVec3, b: polhode_spatial::DVec3| (a + b) * 0.5;
+        let (from, to) = (rigid.velocity(start), rigid.velocity(end));
+        let work =
+            impulse.linear.dot(mean(from.linear, to.linear)) + impulse.angular.dot(mean(from.angular, to.angular));
+        match account {
+            Account::Potential => {}
+            Account::Damping => received.damping_j -= work,
+            Account::External => received.external_j += work,
+        }
+        if world.carries_momentum(*body) {
+            let arm = start.pose.translation - books.ledger.momentum.about;
+            fields.add(Momentum { linear: impulse.linear, angular: impulse.angular + arm.cross(impulse.linear) });
+        }
+    }
+    received.fields = received.fields + fields.value();
 }
 
 /// Momentum and work of the wrenches of each account (torques about the centres of mass) over `h`.

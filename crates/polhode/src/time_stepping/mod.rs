@@ -6,7 +6,8 @@
 //! 1. At its start, the contacts that may close within the step are detected (`contacts.rs`).
 //! 2. Contacts that approach fast enough to count as impacts and close within the step are resolved at the present
 //!    positions by the scene's impact law, together with all contacts connected to them (`impacts.rs`).
-//! 3. The bodies move in free flight for h/2 ([`drift`], exact). Force fields act as one kick of length h (`kick.rs`).
+//! 3. The bodies move in free flight for h/2 ([`drift`], exact). Force fields act as one kick of length h (`kick.rs`), stiff ones and
+//!    drag implicitly (`implicit_kick.rs`).
 //!    One complementarity problem over all contacts that press or would close gives the contact impulses `p` over the
 //!    whole step (`sustained.rs`): `0 <= p _|_ u+ + r >= 0`.
 //! 4. The bodies move in free flight for the other h/2.
@@ -26,6 +27,7 @@
 mod contacts;
 mod halving;
 mod impacts;
+mod implicit_kick;
 mod kick;
 mod projection;
 mod report;

@@ -22,7 +22,9 @@ impl TimeStepper {
         report: &mut TimeStepReport,
     ) -> Result<(), ResponseError> {
         let overlaps = Overlaps::find(world, states, pairs);
-        report.max_penetration_m = report.max_penetration_m.max(overlaps.deepest_m);
+        if overlaps.deepest_m > report.max_penetration_m {
+            (report.max_penetration_m, report.deepest) = (overlaps.deepest_m, overlaps.deepest);
+        }
         report.left_penetration_m = overlaps.deepest_m;
         if overlaps.is_excess {
             let before = report.books.balance(world, states, bodies);

@@ -28,6 +28,8 @@ pub(crate) struct ContactImpulse {
     pub(crate) geometry: ContactGeometry,
     /// On A along the normal, N s.
     pub(crate) impulse: f64,
+    /// On A in the tangent plane, world, N s: of friction in a sustained contact.
+    pub(crate) friction: DVec3,
     pub(crate) kind: ImpulseKind,
 }
 
@@ -42,6 +44,8 @@ pub(crate) struct TimeStepReport {
     pub(crate) touching: Vec<(usize, usize)>,
     /// Largest penetration before its removal, m.
     pub(crate) max_penetration_m: f64,
+    /// The contact of that penetration; none when none penetrated.
+    pub(crate) deepest: Option<ContactId>,
     /// Largest penetration after its removal, m.
     pub(crate) left_penetration_m: f64,
     /// Largest displacement of a body by the removal of penetration, m.
@@ -60,6 +64,16 @@ pub(crate) struct TimeStepReport {
     pub(crate) steps: u64,
     /// Whether every body is exactly at its initial pose, at zero velocity.
     pub(crate) at_rest: bool,
+    /// Contacts whose slip passes through zero within the step, so that it must be made in two parts.
+    pub(super) stops: Vec<Stop>,
+}
+
+/// A contact that comes to rest within a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Stop {
+    pub(super) id: ContactId,
+    /// When, as a part of the step (0 to 1).
+    pub(super) part: f64,
 }
 
 impl TimeStepReport {
@@ -70,6 +84,8 @@ impl TimeStepReport {
             books: Books::blank(about),
             touching: Vec::new(),
             max_penetration_m: 0.0,
+            deepest: None,
+            stops: Vec::new(),
             left_penetration_m: 0.0,
             max_projection_m: 0.0,
             residual: 0.0,
@@ -88,7 +104,9 @@ impl TimeStepReport {
         self.impulses.extend(later.impulses);
         self.books.enter(&later.books);
         self.touching = later.touching;
-        self.max_penetration_m = self.max_penetration_m.max(later.max_penetration_m);
+        if later.max_penetration_m > self.max_penetration_m {
+            (self.max_penetration_m, self.deepest) = (later.max_penetration_m, later.deepest);
+        }
         self.left_penetration_m = later.left_penetration_m;
         self.max_projection_m = self.max_projection_m.max(later.max_projection_m);
         self.residual = self.residual.max(later.residual);

@@ -4,7 +4,8 @@ use super::NO_WORK_J;
 use super::contacts::{NearContact, Span, may_change_features, near_contacts, slips_at_start};
 use super::drift;
 use super::kick::kick;
-use super::report::TimeStepReport;
+use super::report::{Stop, TimeStepReport};
+use super::sustained::{Middle, Stops};
 use crate::Momentum;
 use crate::MomentumSum;
 use crate::accounting::books::Received;
@@ -21,6 +22,10 @@ use std::collections::BTreeMap;
 /// Impacts closer to each other than this fraction of a step belong to one instant. It is far too short for their order
 /// to matter, and above the error of predicted times (of order h^2).
 const SAME_INSTANT: f64 = 1e-4;
+
+/// Most slips at whose ends a step is split, besides its impacts: those of further ones end with the last part of the
+/// step.
+const MOST_STOPS: u32 = 4;
 
 /// Bodies are at rest if their speeds at the start and end of a step are below this fraction of the sum of velocity
 /// changes by gravity and by each impulse of the step: some thousand rounding units.
@@ -120,27 +125,28 @@ impl TimeStepper {
     ) -> Result<TimeStepReport, ResponseError> {
         let mut report = TimeStepReport::new(self.about);
         let (mut done, instant) = (0.0, SAME_INSTANT * h);
-        for split in 0..=self.splits {
+        let (mut splits, mut stops) = (self.splits, MOST_STOPS);
+        while done < h {
             let left = h - done;
-            if left <= 0.0 {
-                break;
+            let span = Span { h: left, unseen_bounce: self.unseen_bounce };
+            let near = near_contacts(world, states, bodies, pairs, t + done, span);
+            let first = if splits > 0 { first_impact(&near, instant, left) } else { None };
+            let interval = Substep { t: t + done, h: first.unwrap_or(left), instant };
+            let made = self.step_by(world, states, bodies, (near, pairs), (interval, Stops::Sought))?;
+            if made.stops.is_empty() {
+                report.append(made);
+                splits = splits.saturating_sub(1);
+                if first.is_none() {
+                    break;
+                }
+                done += interval.h;
+                continue;
             }
-            let near = near_contacts(
-                world,
-                states,
-                bodies,
-                pairs,
-                t + done,
-                Span { h: left, unseen_bounce: self.unseen_bounce },
-            );
-            let first = if split < self.splits { first_impact(&near, instant, left) } else { None };
-            let part = first.unwrap_or(left);
-            let interval = Substep { t: t + done, h: part, instant };
-            report.append(self.step_by(world, states, bodies, (near, pairs), interval)?);
-            if first.is_none() {
-                break;
-            }
-            done += part;
+            let (interval, ending) = up_to_stop(interval, &made.stops, stops);
+            stops = stops.saturating_sub(1);
+            let near = near_contacts(world, states, bodies, pairs, t + done, span);
+            report.append(self.step_by(world, states, bodies, (near, pairs), (interval, Stops::At(&ending)))?);
+            done = if interval.h < left { done + interval.h } else { h };
         }
         Ok(report)
     }
@@ -151,10 +157,15 @@ impl TimeStepper {
         states: &mut [BodyState],
         bodies: &[usize],
         contacts: (Vec<NearContact>, &[(usize, usize)]),
-        interval: Substep,
+        (interval, stops): (Substep, Stops<'_>),
     ) -> Result<TimeStepReport, ResponseError> {
         let start = states_of(states, bodies);
-        let made = self.make_step(world, states, bodies, contacts, interval);
+        let pairs = contacts.1;
+        let made = self.make_step(world, states, bodies, contacts, (interval, stops));
+        if made.as_ref().is_ok_and(|report| !report.stops.is_empty()) {
+            set_states(states, bodies, &start);
+            world.prescribe_members(pairs, interval.t, states);
+        }
         if made.is_err() {
             set_states(states, bodies, &start);
         }
@@ -167,7 +178,7 @@ impl TimeStepper {
         states: &mut [BodyState],
         bodies: &[usize],
         (mut near, pairs): (Vec<NearContact>, &[(usize, usize)]),
-        part: Substep,
+        (part, stops): (Substep, Stops<'_>),
     ) -> Result<TimeStepReport, ResponseError> {
         let Substep { t, h, .. } = part;
         let mut report = TimeStepReport::new(self.about);
@@ -184,7 +195,11 @@ impl TimeStepper {
         let middle = report.books.balance(world, states, bodies);
         report.books.smooth_stage(before, middle, received);
 
-        let carrying = self.sustain(world, states, bodies, (&near, &slips), (t + 0.5 * h, h), &mut report)?;
+        let middle = Middle { t: t + 0.5 * h, h, stops };
+        let carrying = self.sustain(world, states, bodies, (&near, &slips), middle, &mut report)?;
+        if !report.stops.is_empty() {
+            return Ok(report);
+        }
         let before = report.books.balance(world, states, bodies);
         let received = self.fly(world, states, bodies, 0.5 * h);
         world.prescribe_members(pairs, t + h, states);
@@ -253,6 +268,18 @@ fn rest_exactly(
         let after = report.books.balance(world, states, bodies);
         report.books.rest(before, after, NO_WORK_J);
     }
+}
+
+/// The part of a step up to the first of these stops, with the contacts that come to rest there; the whole of it where
+/// the first is at its start or its end, or where no more parts may be made.
+fn up_to_stop(interval: Substep, stops: &[Stop], parts: u32) -> (Substep, Vec<ContactId>) {
+    let Substep { h, instant, .. } = interval;
+    let first = stops.iter().fold(f64::INFINITY, |first: f64, stop| first.min(stop.part * h));
+    if parts == 0 || first <= instant || h - first <= instant {
+        return (interval, stops.iter().map(|stop| stop.id).collect());
+    }
+    let together = stops.iter().filter(|stop| stop.part * h - first <= instant);
+    (Substep { h: first, ..interval }, together.map(|stop| stop.id).collect())
 }
 
 /// Time to the first impact after this instant, s, within the rest of a step.

@@ -51,6 +51,25 @@ const SEPARATION_ROUNDING: f64 = 0.25;
 /// Normals whose components differ by less count as equal (no unit, 1e-14 to 1e-9): the rounding of attitudes.
 const SAME_NORMAL: f64 = 1e-12;
 
+/// What is done about slips that end within a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Stops<'a> {
+    /// They are looked for. When one is found, the report names it and the step has to be made again in two parts.
+    Sought,
+    /// Those of these contacts end with the step.
+    At(&'a [ContactId]),
+}
+
+/// The middle of a step, where impulses act.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Middle<'a> {
+    /// When, s.
+    pub(super) t: f64,
+    /// Length of the step, s.
+    pub(super) h: f64,
+    pub(super) stops: Stops<'a>,
+}
+
 /// A contact in the middle of the step.
 #[derive(Debug, Clone, Copy)]
 struct Row {
@@ -82,7 +101,8 @@ impl Row {
 }
 
 impl TimeStepper {
-    /// Finds and applies the impulses of a step of `h` (s) in its middle `t`, after the first half of the free flight.
+    /// Finds and applies the impulses of a step in its middle, after the first half of the free flight. The report names
+    /// slips that end within the step; then nothing has been booked.
     /// `slips` are the speeds of slip of `near` at the start of the step
     /// ([`slips_at_start`](super::contacts::slips_at_start)). Returns the contacts (by index) that carry an impulse.
     ///
@@ -94,10 +114,15 @@ impl TimeStepper {
         states: &mut [BodyState],
         bodies: &[usize],
         (near, slips): (&[NearContact], &[f64]),
-        (t, h): (f64, f64),
+        Middle { t, h, stops }: Middle<'_>,
         report: &mut TimeStepReport,
     ) -> Result<Vec<usize>, ResponseError> {
-        let rows = rows(world, states, bodies, (near, slips), (t, h))?;
+        let mut rows = rows(world, states, bodies, (near, slips), (t, h))?;
+        if let Stops::At(ids) = stops {
+            for row in rows.iter_mut().filter(|row| ids.contains(&near[row.contact].id)) {
+                row.friction = row.friction.map(TangentialRow::coming_to_rest);
+            }
+        }
         let mut taken: Vec<bool> =
             rows.iter().map(|row| row.is_first_choice(world, states, &near[row.contact], h)).collect();
         let before = states_of(states, bodies);
@@ -109,6 +134,7 @@ impl TimeStepper {
                 return Ok(Vec::new());
             }
             let mut solved = Vec::new();
+            report.stops.clear();
             for group in groups(world, members.iter().copied()) {
                 solved.push(self.solve_group(world, states, group, &rows, near, report)?);
             }
@@ -121,7 +147,11 @@ impl TimeStepper {
                 *taken = now.is_some_and(|now| row.closes(now.separation_rate));
                 added |= *taken;
             }
+            if !added && stops == Stops::Sought && !report.stops.is_empty() {
+                return Ok(Vec::new());
+            }
             if !added {
+                report.stops.clear();
                 report.contacts = report.contacts.max(members.len());
                 return Ok(note(world, states, near, &rows, &solved, (t, h), report));
             }
@@ -147,6 +177,7 @@ impl TimeStepper {
             let found = sustained_friction::solve(assembly, states, constants, &friction)?;
             report.residual = report.residual.max(found.report.residual);
             report.fallbacks += u64::from(found.report.status != SolverStatus::Solved);
+            report.stops.extend(found.stops.iter().copied());
             report.cone_violation = ConeViolation::larger(report.cone_violation, found.cone_violation());
             let sustained_friction::FrictionalImpulses { normal: impulses, tangential, moments, .. } = found;
             return Ok(SolvedGroup { group, impulses, tangential, moments });
@@ -281,7 +312,9 @@ fn note(
                 ImpulseKind::Sustained
             };
             let geometry = row.kinematics.geometry;
-            report.impulses.push(ContactImpulse { t, id: contact.id, geometry, impulse, kind });
+            let own = group.tangential.iter().filter(|tangential| tangential.id() == contact.id);
+            let friction = own.map(TangentialImpulse::on_a).sum();
+            report.impulses.push(ContactImpulse { t, id: contact.id, geometry, impulse, friction, kind });
             carrying.push(row.contact);
         }
     }

@@ -10,12 +10,17 @@
 //! the length of `u-` where it is longer.
 //!
 //! A contact without slip at the start of the step bears up to its static coefficient. If it slides nevertheless, the
-//! problem is solved again with its kinetic one. A contact that slips at the start has the kinetic coefficient, and
-//! sticks from the next step on.
+//! problem is solved again with its kinetic one. A contact that slips at the start has the kinetic coefficient. Where
+//! the static one is larger, a slip that passes through zero within the step would be turned round by a load that
+//! static friction bears. Under the constant forces of a step the slip is linear in time, `u(s) = u0 + s (u1 - u0)`, and
+//! vanishes at the part `s = -u0.(u1 - u0)/|u1 - u0|^2` of the step: the step is made in two parts there
+//! ([`Stop`]). The impulse that ends the first part without slip is within the static cone, and the second part begins
+//! without slip.
 //!
 //! Friction of rolling and of spinning holds the relative rotation of the bodies after the impulses at zero, or
 //! resists it by a moment of its largest size (`crate::interaction::rotational_friction`).
 
+use super::report::Stop;
 use crate::collision::contact_set::ContactId;
 use crate::collision::friction_mode::FrictionCoefficients;
 use crate::collision::turn::Turn;
@@ -51,8 +56,12 @@ const LAST_SWEEPS: u32 = 100;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TangentialRow {
     coefficients: FrictionCoefficients,
-    /// Whether it has no slip at the start of the step.
+    /// Whether it has no slip at the start of the step, or comes to rest at its end.
     sticks: bool,
+    /// The whole change of the slip in half a step without contact forces along the tangents, m/s.
+    whole_change: [f64; 2],
+    /// What a step may change a slip by, m/s.
+    given: f64,
     /// Rows along both tangents.
     along: [TangentRow; 2],
     /// `u-` along the tangents, m/s.
@@ -90,6 +99,8 @@ impl TangentialRow {
         Some(Self {
             coefficients,
             sticks: false,
+            whole_change: [0.0; 2],
+            given: 0.0,
             along,
             slip,
             half_change,
@@ -111,9 +122,32 @@ impl TangentialRow {
         let change = rates.map(|rate| 0.5 * h * rate);
         let given = libm::hypot(change[0], change[1]) + self.coefficients.at_rest.largest() * half_fall.abs();
         let sticks = at_start <= STICKING_RELATIVE * given;
-        let whole = Self { half_change: change, sticks, ..self };
+        let whole = Self { half_change: change, whole_change: change, given, sticks, ..self };
         let share = whole.share();
         Self { half_change: change.map(|change| share * change), ..whole }
+    }
+
+    /// The same contact, which comes to rest at the end of the step.
+    pub(super) fn coming_to_rest(self) -> Self {
+        Self { sticks: true, ..self }
+    }
+
+    /// At which part of the step (0 to 1) the slip passes through zero, with this velocity of its rows (m/s, with the
+    /// constants of the problem) after the impulses; none when it does not, or when rest would change nothing.
+    fn stops_at(&self, velocity: [f64; 2]) -> Option<f64> {
+        if self.sticks || !self.coefficients.sliding.is_below(self.coefficients.at_rest) {
+            return None;
+        }
+        let change = |axis: usize| {
+            let start = self.slip[axis] - self.whole_change[axis];
+            let end = velocity[axis] + self.whole_change[axis] - self.half_change[axis];
+            (start, end - start)
+        };
+        let [(x, dx), (y, dy)] = [change(0), change(1)];
+        let part = -(x * dx + y * dy) / (dx * dx + dy * dy);
+        let nearest = libm::hypot(x + part * dx, y + part * dy);
+        // NaN, of a slip that does not change, gives none.
+        (part > 0.0 && part < 1.0 && nearest <= STICKING_RELATIVE * self.given).then_some(part)
     }
 
     /// `r` as a vector, m/s.
@@ -179,6 +213,11 @@ impl TangentialImpulse {
         self.row.along.iter().zip(self.impulse).map(|(row, impulse)| (row.id, &row.along, impulse))
     }
 
+    /// The impulse on A, N s, world.
+    pub(super) fn on_a(&self) -> DVec3 {
+        self.row.along.iter().zip(self.impulse).map(|(row, impulse)| row.along.normal * impulse).sum()
+    }
+
     /// Energy lost to friction, J: `-p.(u- + u+)/2` with the slip after all impulses, m/s.
     pub(super) fn lost_j(&self, slip: DVec3) -> f64 {
         let along = self.row.along.iter().zip(self.row.slip).zip(self.impulse);
@@ -221,6 +260,8 @@ pub(super) struct FrictionalImpulses {
     pub(super) tangential: Vec<TangentialImpulse>,
     /// Of friction of rolling and spinning, N m s, world, on A.
     pub(super) moments: Vec<SustainedMoment>,
+    /// Contacts that come to rest within the step, and whose static coefficient exceeds the kinetic one.
+    pub(super) stops: Vec<Stop>,
     pub(super) report: SolverReport,
 }
 
@@ -272,6 +313,7 @@ pub(super) fn solve(
             break solved;
         }
     };
+    let stops = stops(&friction, &rows, &solved);
     let (normal, along) = solved.reactions.split_at(friction.len().min(solved.reactions.len()));
     let rubbing = friction.iter().enumerate().filter_map(|(contact, row)| Some((contact, (*row)?)));
     let pairs = rubbing.zip(along.as_chunks::<2>().0);
@@ -282,7 +324,17 @@ pub(super) fn solve(
         SustainedMoment { id: row.id, moment: row.axis * moment, rotation_before }
     });
     let moments = moments.collect();
-    Ok(FrictionalImpulses { normal: normal.to_vec(), tangential, moments, report: solved.report })
+    Ok(FrictionalImpulses { normal: normal.to_vec(), tangential, moments, stops, report: solved.report })
+}
+
+/// The contacts whose slips pass through zero within the step.
+fn stops(friction: &[Option<TangentialRow>], rows: &[Range<usize>], solved: &RowSolution) -> Vec<Stop> {
+    let stop = |(friction, rows): (&Option<TangentialRow>, &Range<usize>)| {
+        let friction = friction.as_ref()?;
+        let velocity = solved.velocities.get(rows.clone())?.try_into().ok()?;
+        Some(Stop { id: friction.along[0].id, part: friction.stops_at(velocity)? })
+    };
+    friction.iter().zip(rows).filter_map(stop).collect()
 }
 
 /// Adds the rows of rotations that friction resists.

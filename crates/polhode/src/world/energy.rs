@@ -19,7 +19,7 @@ impl World {
     }
 
     /// Potential energy of the conservative fields, J.
-    pub(super) fn field_potential(&self, states: &[BodyState]) -> f64 {
+    pub(crate) fn field_potential(&self, states: &[BodyState]) -> f64 {
         if self.fields.is_empty() {
             return 0.0;
         }
@@ -32,18 +32,19 @@ impl World {
         self.field_potential(states) - self.initial_field_potential
     }
 
-    /// Potential energy of a body in gravity at the start, J, zero at the world's origin.
-    pub(crate) fn start_potential(&self, body: usize) -> f64 {
-        let body = &self.bodies[body];
-        body.rigid.as_ref().map_or(0.0, |rigid| potential_energy(rigid.mass(), self.gravity(), body.start))
-    }
-
-    /// Potential energy of the scene at the start, J: gravity, zero at the world's origin, and fields.
-    pub(crate) fn initial_potential(&self) -> f64 {
-        let bodies = self.bodies.iter();
+    /// Potential energy of the bodies that are there where each began, J: gravity, zero at the world's origin, and that
+    /// of the fields at the start of the run. Reported potential energies are counted from it. It is computed from the
+    /// bodies anew, so that no order of adding and removing leaves anything behind.
+    pub(super) fn sum_start_potentials(&self) -> f64 {
+        let bodies = self.bodies.iter().filter(|body| !body.removed);
         let potentials =
             bodies.filter_map(|body| Some(potential_energy(body.rigid.as_ref()?.mass(), self.gravity(), body.start)));
         potentials.collect::<CompensatedSum>().value() + self.initial_field_potential
+    }
+
+    /// [`World::sum_start_potentials`] of the bodies that are there now, J.
+    pub(crate) fn start_potential(&self) -> f64 {
+        self.start_potential_j
     }
 
     /// Centre of mass of the movable bodies at the start, m; the origin when there are none.

@@ -7,7 +7,9 @@ use super::field_index::{FieldIndex, acted_on};
 use super::model::World;
 use crate::scene::SceneError;
 use crate::snapshot::SnapshotError;
-use polhode_dynamics::field::{Account, AppliedForce, AppliedTorque, Field, FieldError, Frame, Wrench};
+use polhode_dynamics::field::{
+    Account, AppliedForce, AppliedTorque, Dependence, Field, FieldError, ForceResponse, Frame, Wrench,
+};
 use polhode_dynamics::{BodyState, FreeMotion, RigidBody};
 use polhode_spatial::{DVec3, Pose};
 use std::collections::BTreeSet;
@@ -190,6 +192,42 @@ impl World {
         Some(Loads::Of(slots.into_iter().map(load).collect()))
     }
 
+    /// How the fields that act on these bodies respond to their motion, by account; `are_known` is false when a field
+    /// depends on velocities and does not say how.
+    pub(crate) fn responses_on(&self, states: &[BodyState], bodies: &[usize]) -> Responses {
+        let slots: Vec<usize> = bodies.iter().filter_map(|&body| self.slot(body)).collect();
+        let (fields, read) = self.field_index.acting_on(&slots).unwrap_or_else(|| {
+            let acts = |&number: &usize| slots.iter().any(|&slot| self.fields[number].acts_on(slot));
+            ((0..self.fields.len()).filter(acts).collect(), (0..self.movable.len()).collect())
+        });
+        let mut found = Responses { are_known: true, of_fields: Vec::new() };
+        if fields.is_empty() {
+            return found;
+        }
+        let (mut buffers, mut none) = (self.field_buffers.0.try_borrow_mut(), Default::default());
+        let (own, _) = buffers.as_deref_mut().unwrap_or(&mut none);
+        own.resize(self.movable.len(), BodyState::at_rest(Pose::IDENTITY));
+        for slot in read {
+            own[slot] = states[self.movable[slot]];
+        }
+        for field in fields.iter().map(|&number| &self.fields[number]) {
+            let Some(responses) = field.responses(&self.rigid, own) else {
+                found.are_known &= field.dependence() != Dependence::Velocities;
+                continue;
+            };
+            let in_scene = |mut response: ForceResponse| {
+                // A field may name a body that is not there.
+                response.ends = response.ends.map(|end| end.filter(|end| end.body < self.movable.len()));
+                for end in response.ends.iter_mut().flatten() {
+                    end.body = self.movable[end.body];
+                }
+                (field.account(), response)
+            };
+            found.of_fields.extend(responses.into_iter().map(in_scene));
+        }
+        found
+    }
+
     /// Whether a field couples the motion of a body to that of other bodies.
     pub(crate) fn is_coupled(&self, body: usize) -> bool {
         self.couplings_of(body).next().is_some()
@@ -248,6 +286,14 @@ fn applied_fields(slot: Option<usize>, wrench: &Wrench) -> Result<Vec<Box<dyn Fi
         fields.push(Box::new(torque));
     }
     Ok(fields)
+}
+
+/// How some fields respond to the motion of their bodies, given by their indices.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Responses {
+    pub(crate) of_fields: Vec<(Account, ForceResponse)>,
+    /// Whether every field that depends on velocities says how.
+    pub(crate) are_known: bool,
 }
 
 /// Wrenches of the fields on all bodies at one instant; torques about the origins of the moving frames.

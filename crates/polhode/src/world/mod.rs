@@ -7,6 +7,7 @@
 //! | `forces` | force fields, and the forces that a program applies |
 //! | `field_index` | which fields act on which bodies |
 //! | `energy` | energies, and the centre of mass at the start |
+//! | `rates` | how fast fields and rotations change the motion |
 //! | `tolerances` | the distances that count as touch, overlap and rounding |
 //! | `reported` | bodies as samples and reports show them |
 
@@ -15,10 +16,12 @@ mod energy;
 mod field_index;
 mod forces;
 mod model;
+mod rates;
 mod reported;
 mod tolerances;
 
 pub(crate) use body::WorldBody;
 pub(crate) use forces::Loads;
 pub(crate) use model::World;
+pub(crate) use rates::{Rates, largest_eigenvalue};
 pub(crate) use tolerances::{INITIAL_OVERLAP_RELATIVE, TOUCH_RELATIVE};

@@ -90,6 +90,8 @@ pub(crate) struct World {
     pub(super) applied: BTreeMap<usize, Wrench>,
     /// Potential energy of the fields at the start, J.
     pub(super) initial_field_potential: f64,
+    /// [`World::sum_start_potentials`], J.
+    pub(super) start_potential_j: f64,
     /// The plane of the motion, when the motion is planar.
     pub(crate) plane: Option<PlaneOfMotion>,
 }
@@ -152,10 +154,12 @@ impl World {
             surfaces: SurfaceEffects::of(scene),
             applied: BTreeMap::new(),
             initial_field_potential: 0.0,
+            start_potential_j: 0.0,
             plane: None,
         };
         world.make_fields()?;
         world.initial_field_potential = world.field_potential(&states);
+        world.start_potential_j = world.sum_start_potentials();
         Ok((world, states))
     }
 
@@ -192,6 +196,7 @@ impl World {
         self.collides = self.scene.any_may_collide();
         self.friction = FrictionKinds::of(&self.scene);
         self.surfaces = SurfaceEffects::of(&self.scene);
+        self.start_potential_j = self.sum_start_potentials();
         self.make_fields()?;
         Ok((number, state))
     }
@@ -210,6 +215,7 @@ impl World {
         self.prescribed.retain(|&other| other != body);
         self.scene.bodies[body].geometry = None;
         self.applied.remove(&body);
+        self.start_potential_j = self.sum_start_potentials();
         self.make_fields()
     }
 
@@ -264,6 +270,14 @@ impl World {
 impl MovingFrames for World {
     fn movable(&self, body: usize) -> Option<usize> {
         self.slot(body)
+    }
+
+    fn is_there(&self, body: usize) -> bool {
+        self.bodies.get(body).is_some_and(|body| !body.removed)
+    }
+
+    fn removed(&self) -> Vec<usize> {
+        (0..self.movable.len()).filter(|&slot| self.bodies[self.movable[slot]].removed).collect()
     }
 
     fn in_moving_frame(&self, body: usize, point: DVec3) -> DVec3 {

@@ -243,7 +243,7 @@ fn plan_chooses_by_the_forces() {
         let scene = force.into_iter().fold(tumbling(), SceneBuilder::force).build().unwrap();
         let simulation = polhode::Simulation::new(&scene, Effects::Planned).unwrap();
         let plan = (simulation.plan().integrator, simulation.plan().integrator_reason.clone());
-        (plan, run(&scene, Effects::Planned).0.certificate.max_step_error)
+        (plan, run(&scene, Effects::Planned).0.certificate.max_step_error.unwrap_or(0.0))
     };
     let spring = |stiffness| Force::Spring {
         a: Attachment::Body { body: 0, point: DVec3::ZERO },

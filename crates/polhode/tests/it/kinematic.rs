@@ -3,7 +3,7 @@
 use crate::checks::{assert_closes, heavy_brick, max_position_error, root};
 use crate::support::{accurate, ball, brick, elastic, floor, run};
 use polhode::contact::Shape;
-use polhode::scene::{Method, MotionTable, PrescribedMotion, SampledOrientations, Tier};
+use polhode::scene::{Interpolation, Method, MotionTable, PrescribedMotion, SampledOrientations, Tier};
 use polhode::spatial::{DVec3, Motion, Pose, Rotation, UnitVector, Velocity};
 use polhode::{
     Body, Effects, EventKind, Geometry, Recorder, Scene, SceneBuilder, Simulation, SimulationError, Unobserved,
@@ -29,7 +29,8 @@ fn shaken(amplitude: f64, frequency: f64, phase: f64) -> Body {
 /// A slab that passes through these heights of its top.
 fn lifted(times: &[f64], heights: &[f64]) -> Body {
     let positions = heights.iter().map(|&height| DVec3::Z * (height - 0.1)).collect();
-    let table = MotionTable { times_s: times.to_vec(), positions_m: Some(positions), orientations: None };
+    let (times_s, positions_m) = (times.to_vec(), Some(positions));
+    let table = MotionTable { times_s, positions_m, interpolation: Interpolation::Spline, ..MotionTable::default() };
     slab(PrescribedMotion::table(&table).unwrap())
 }
 
@@ -427,7 +428,8 @@ fn pusher_that_touches_from_the_start() {
     let table = MotionTable {
         times_s: vec![0.5, 1.0, 1.5],
         positions_m: Some(vec![DVec3::new(-0.5, 0.0, 0.5), DVec3::new(-0.4, 0.0, 0.5), DVec3::new(-0.3, 0.0, 0.5)]),
-        orientations: None,
+        interpolation: Interpolation::Spline,
+        ..MotionTable::default()
     };
     let pusher = Body::kinematic("pusher", PrescribedMotion::table(&table).unwrap())
         .geometry(Geometry::Shape(Shape::cuboid(DVec3::new(1.0, 1.0, 0.6)).unwrap()));
@@ -494,6 +496,8 @@ fn random_slab(seed: u32, random: impl Fn(u32) -> f64) -> Body {
                 DVec3::X * random(8),
                 DVec3::ZERO,
             ])),
+            interpolation: Interpolation::Spline,
+            ..MotionTable::default()
         })
         .unwrap(),
     };

@@ -3,7 +3,9 @@
 use crate::support::{ball, floor};
 use polhode::contact::Shape;
 use polhode::scene::motion::{LARGEST, LARGEST_TURN};
-use polhode::scene::{Attachment, Force, MotionError, MotionTable, PrescribedMotion, SampledOrientations, Trajectory};
+use polhode::scene::{
+    Attachment, Force, Interpolation, MotionError, MotionTable, PrescribedMotion, SampledOrientations, Trajectory,
+};
 use polhode::spatial::{DVec3, Motion, Pose, Rotation, UnitVector, Velocity};
 use polhode::{Body, Geometry, Scene, SceneError};
 use proptest::prelude::*;
@@ -35,6 +37,7 @@ fn table() -> MotionTable {
             turned(-0.6, 2.0, 1.2),
             turned(1.5, 0.5, 0.0),
         ])),
+        interpolation: Interpolation::Spline,
     }
 }
 
@@ -98,6 +101,7 @@ fn two_samples() {
         times_s: vec![1.0, 3.0],
         positions_m: Some(vec![DVec3::ZERO, DVec3::new(4.0, 0.0, 0.0)]),
         orientations: Some(SampledOrientations::RotationVectors(vec![DVec3::ZERO, DVec3::new(0.0, 0.0, 3.0)])),
+        ..MotionTable::default()
     };
     let trajectory = PrescribedMotion::table(&table).unwrap().from_pose(&Pose::IDENTITY);
     for x in [0.0, 0.1, 0.25, 0.5, 0.7, 0.99, 1.0_f64] {
@@ -199,6 +203,7 @@ fn turns_about_one_axis_are_those_of_the_angle() {
         times_s,
         positions_m: Some(vectors.clone()),
         orientations: Some(SampledOrientations::RotationVectors(vectors)),
+        ..MotionTable::default()
     };
     let trajectory = PrescribedMotion::table(&table).unwrap().from_pose(&Pose::IDENTITY);
     for step in 0..=300 {
@@ -211,7 +216,7 @@ fn turns_about_one_axis_are_those_of_the_angle() {
     assert!((trajectory.pose(3.0).translation.length() - 12.5).abs() < 1e-14);
 }
 
-/// A table of samples of a smooth motion from rest to rest, about changing axes, approximates it to fourth order.
+/// A spline of samples of a smooth motion from rest to rest, about changing axes, approximates it to fourth order.
 #[test]
 fn order_of_tables() {
     let way = |t: f64| t * t * t * (10.0 - 15.0 * t + 6.0 * t * t);
@@ -226,6 +231,7 @@ fn order_of_tables() {
             positions_m: Some(times_s.iter().map(|&t| pose(t).translation).collect()),
             orientations: Some(SampledOrientations::Rotations(times_s.iter().map(|&t| pose(t).rotation).collect())),
             times_s,
+            interpolation: Interpolation::Spline,
         };
         let trajectory = PrescribedMotion::table(&table).unwrap().from_pose(&Pose::IDENTITY);
         (0..=1000).map(|k| f64::from(k) / 1000.0).fold((0.0, 0.0), |(place, angle): (f64, f64), t| {
@@ -240,7 +246,7 @@ fn order_of_tables() {
     assert!(orders.0 > 3.8 && orders.1 > 3.8, "{coarse:?} {fine:?} {orders:?}");
 }
 
-/// The interpolation of orientations depends neither on the axes of the world nor on those of the body.
+/// The spline of orientations depends neither on the axes of the world nor on those of the body.
 #[test]
 fn tables_do_not_depend_on_frames() {
     let (world, body) = (turned(0.4, 1.0, -2.0), turned(-1.0, 0.3, 0.8));
@@ -315,12 +321,13 @@ fn vector(size: f64) -> impl Strategy<Value = DVec3> {
     prop::array::uniform3(-size..size).prop_map(DVec3::from_array)
 }
 
-/// Tables of three to seven samples with spacings between 0.01 and 1 s and turns of up to 3 rad.
+/// Smooth tables of three to seven samples with spacings between 0.01 and 1 s and turns of up to 3 rad.
 fn tables() -> impl Strategy<Value = MotionTable> {
     let sample = (0.01..1.0f64, vector(1.0), vector(1.7));
-    prop::collection::vec(sample, 3..8).prop_map(|samples| {
+    let kind = prop_oneof![Just(Interpolation::Monotone), Just(Interpolation::Spline)];
+    (prop::collection::vec(sample, 3..8), kind).prop_map(|(samples, interpolation)| {
         let (mut t, mut rotation) = (-0.3, Rotation::IDENTITY);
-        let mut table = MotionTable { times_s: Vec::new(), positions_m: None, orientations: None };
+        let mut table = MotionTable { interpolation, ..MotionTable::default() };
         let (mut positions, mut rotations) = (Vec::new(), Vec::new());
         for (spacing, position, turn) in samples {
             t += spacing;
@@ -365,6 +372,21 @@ proptest! {
             prop_assert!(velocity.angular.length() <= bounds.angular_speed);
             prop_assert!(acceleration.linear.length() <= bounds.acceleration);
             prop_assert!(acceleration.angular.length() <= bounds.angular_acceleration);
+        }
+    }
+
+    /// A monotone table stays between its samples, in every coordinate, at all times.
+    #[test]
+    fn monotone_tables_stay_between_their_samples(table in tables(), parts in prop::collection::vec(0.0..=1.0f64, 12)) {
+        let motion = PrescribedMotion::table(&MotionTable { interpolation: Interpolation::Monotone, ..table.clone() });
+        let trajectory = motion.unwrap().from_pose(&Pose::IDENTITY);
+        let positions = table.positions_m.as_ref().unwrap();
+        for (times, ends) in table.times_s.windows(2).zip(positions.windows(2)) {
+            for part in &parts {
+                let place = trajectory.pose(times[0] + part * (times[1] - times[0])).translation;
+                let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+                prop_assert!((place - place.clamp(low, high)).length() < 1e-14, "{place} {low} {high}");
+            }
         }
     }
 
@@ -431,7 +453,8 @@ fn bad_numbers() {
         places.positions_m.as_mut().unwrap()[3].y = value;
         assert!(refused(PrescribedMotion::table(&places)).contains("a position"));
         let vectors = SampledOrientations::RotationVectors(vec![DVec3::ZERO, DVec3::X * value]);
-        let turns = MotionTable { times_s: vec![0.0, 1.0], positions_m: None, orientations: Some(vectors) };
+        let (times_s, orientations) = (vec![0.0, 1.0], Some(vectors));
+        let turns = MotionTable { times_s, orientations, ..MotionTable::default() };
         assert!(refused(PrescribedMotion::table(&turns)).contains("a rotation vector"));
     }
     for frequency in [0.0, -0.0, -2.0] {
@@ -447,7 +470,7 @@ fn bad_numbers() {
 fn bad_tables() {
     let refused = |table: MotionTable| PrescribedMotion::table(&table).unwrap_err();
     assert_eq!(refused(MotionTable::default()), MotionError::TooFewSamples(0));
-    let one = MotionTable { times_s: vec![0.0], positions_m: Some(vec![DVec3::X]), orientations: None };
+    let one = MotionTable { times_s: vec![0.0], positions_m: Some(vec![DVec3::X]), ..MotionTable::default() };
     assert_eq!(refused(one), MotionError::TooFewSamples(1));
     assert_eq!(refused(MotionTable { positions_m: None, orientations: None, ..table() }), MotionError::EmptyTable);
     for time in [0.2, 0.1] {
@@ -458,8 +481,10 @@ fn bad_tables() {
     let mut short = table();
     short.positions_m.as_mut().unwrap().pop();
     assert_eq!(refused(short), MotionError::Count { quantity: "positions", found: 5, times: 6 });
-    let two =
-        |orientations| MotionTable { times_s: vec![0.0, 1.0], positions_m: None, orientations: Some(orientations) };
+    let two = |orientations| {
+        let (times_s, orientations) = (vec![0.0, 1.0], Some(orientations));
+        MotionTable { times_s, orientations, ..MotionTable::default() }
+    };
     let half = two(SampledOrientations::Rotations(vec![Rotation::IDENTITY, turned(0.0, PI, 0.0)]));
     assert!(matches!(refused(half), MotionError::Turn { index: 1, angle } if (angle - PI).abs() < 1e-12));
     // A turn of more than 2 pi: from the orientations alone it would look like a small one.
@@ -470,9 +495,79 @@ fn bad_tables() {
     let near = MotionTable {
         times_s: vec![0.0, f64::MIN_POSITIVE],
         positions_m: Some(vec![DVec3::ZERO, DVec3::X]),
-        orientations: None,
+        ..MotionTable::default()
     };
     assert!(matches!(refused(near), MotionError::TooFast { .. }));
+}
+
+/// A table of heights.
+fn heights(times: &[f64], heights: &[f64], interpolation: Interpolation) -> PrescribedMotion {
+    let positions_m = Some(heights.iter().map(|&height| DVec3::Z * height).collect());
+    PrescribedMotion::table(&MotionTable { times_s: times.to_vec(), positions_m, interpolation, orientations: None })
+        .unwrap()
+}
+
+/// Two equal samples are a hold: the body stands still between them, whatever follows. (A spline rises to 42.8 m between
+/// two samples at 3 m before a fast drop.) The spline's overshoot is found, and monotone and linear tables have none.
+#[test]
+fn a_hold_before_a_fast_drop_stands_still() {
+    let (times, samples) = ([0.0, 5.0, 5.05], [3.0, 3.0, 1.0]);
+    for kind in [Interpolation::Monotone, Interpolation::Linear] {
+        let motion = heights(&times, &samples, kind);
+        let trajectory = motion.from_pose(&Pose::IDENTITY);
+        for step in 0..=500 {
+            assert_eq!(trajectory.pose(f64::from(step) * 0.01).translation, DVec3::Z * 3.0, "{kind:?}");
+        }
+        assert_eq!(motion.excursion(), None);
+    }
+    let found = heights(&times, &samples, Interpolation::Spline).excursion().unwrap();
+    assert_eq!((found.coordinate, found.unit, found.sample), ("z", "m", 0));
+    assert!((found.value - 42.8).abs() < 0.05 && (found.beyond - 39.8).abs() < 0.05, "{found}");
+    let trajectory = heights(&times, &samples, Interpolation::Spline).from_pose(&Pose::IDENTITY);
+    assert!((trajectory.pose(found.t_s).translation.z - found.value).abs() < 1e-12);
+}
+
+/// A lift that waits above stays at its height; about one axis the angle does the same.
+#[test]
+fn a_lift_does_not_pass_its_floor() {
+    let times = [0.0, 2.0, 3.0, 5.0];
+    let trajectory = heights(&times, &[0.0, 2.0, 2.0, 0.0], Interpolation::Monotone).from_pose(&Pose::IDENTITY);
+    let highest = (0..=500).map(|k| trajectory.pose(f64::from(k) * 0.01).translation.z).fold(0.0, f64::max);
+    assert_eq!(highest, 2.0);
+    let turns = [0.0, 2.0, 2.0, 0.0].map(|angle| DVec3::Y * angle).to_vec();
+    let orientations = Some(SampledOrientations::RotationVectors(turns));
+    let table = MotionTable { times_s: times.to_vec(), orientations, ..MotionTable::default() };
+    let turned = PrescribedMotion::table(&table).unwrap();
+    assert_eq!(turned.excursion(), None);
+    let spline = MotionTable { interpolation: Interpolation::Spline, ..table };
+    assert_eq!(PrescribedMotion::table(&spline).unwrap().excursion().map(|found| found.unit), Some("rad"));
+}
+
+/// Samples of a smooth rise from rest to rest are approximated to fourth order by monotone interpolation too: where the
+/// spline is monotone, it is the spline, bit for bit.
+#[test]
+fn a_monotone_table_of_a_smooth_rise_is_its_spline() {
+    let times: Vec<f64> = (0..=20).map(|k| f64::from(k) * 0.05).collect();
+    let rise: Vec<f64> = times.iter().map(|t| t * t * t * (10.0 - 15.0 * t + 6.0 * t * t)).collect();
+    let [monotone, spline] = [Interpolation::Monotone, Interpolation::Spline]
+        .map(|kind| heights(&times, &rise, kind).from_pose(&Pose::IDENTITY));
+    for step in 0..=1000 {
+        let t = f64::from(step) * 1e-3;
+        assert_eq!((monotone.pose(t), monotone.velocity(t)), (spline.pose(t), spline.velocity(t)), "{t}");
+    }
+}
+
+/// A linear table jumps in velocity at its samples, but not where neighbouring slopes are the same in decimals.
+#[test]
+fn jumps_of_linear_tables_are_found() {
+    let straight = heights(&[0.0, 0.1, 0.2, 0.3], &[1.0, 1.1, 1.2, 1.3], Interpolation::Linear);
+    assert_eq!((straight.jump_between(0.0, 0.3), straight.jump_between(-1.0, 1.0)), (None, Some(0.0)));
+    assert_eq!(straight.jump_between(0.0, 1.0), Some(0.3));
+    let bent = heights(&[0.0, 0.1, 0.2, 0.3], &[1.0, 1.1, 1.2, 1.31], Interpolation::Linear);
+    assert_eq!(bent.jump_between(0.0, 0.3), Some(0.2));
+    assert_eq!(heights(&[0.0, 0.1, 0.2], &[0.0, 1.0, 5.0], Interpolation::Spline).jump_between(-1.0, 1.0), None);
+    let (at, after) = (bent.from_pose(&Pose::IDENTITY), 0.25);
+    assert!((at.velocity(after).linear.z - 1.1).abs() < 1e-12 && at.acceleration(after).linear == DVec3::ZERO);
 }
 
 /// A table of any numbers that is accepted gives finite poses, velocities and accelerations.
@@ -484,7 +579,8 @@ fn extreme_tables_stay_finite() {
         (vec![1e15, 1e15 + 1.0, 2e15], vec![DVec3::splat(1e99); 3]),
     ];
     for (times_s, positions) in tables {
-        let table = MotionTable { times_s: times_s.clone(), positions_m: Some(positions), orientations: None };
+        let positions_m = Some(positions);
+        let table = MotionTable { times_s: times_s.clone(), positions_m, ..MotionTable::default() };
         let trajectory = PrescribedMotion::table(&table).unwrap().from_pose(&Pose::IDENTITY);
         for pair in times_s.windows(2) {
             let t = 0.5 * (pair[0] + pair[1]);

@@ -4,7 +4,7 @@
 use crate::pivot_rows::seesaw;
 use crate::support::{accurate, ball, brick, elastic, floor};
 use polhode::contact::Shape;
-use polhode::scene::{Attachment, Force, Material, Method, MotionTable, PrescribedMotion, Tier};
+use polhode::scene::{Attachment, Force, Interpolation, Material, Method, MotionTable, PrescribedMotion, Tier};
 use polhode::spatial::{DVec3, Pose, Rotation, SplitMix64, UnitVector, Velocity};
 use polhode::{
     Body, BodyId, Effects, Geometry, MotionKind, Recorder, RunReport, Scene, SceneBuilder, Simulation, Snapshot,
@@ -76,8 +76,8 @@ fn valley() -> SceneBuilder {
 fn scenes(tier: Tier) -> Vec<Scene> {
     let steady = |linear, angular| PrescribedMotion::constant_velocity(Velocity::new(linear, angular)).unwrap();
     let heights = [0.0, 0.0, 0.1, 0.05].map(|height| DVec3::Z * (height - 0.1));
-    let table =
-        MotionTable { times_s: vec![0.0, 0.1, 0.4, 0.6], positions_m: Some(heights.to_vec()), orientations: None };
+    let (times_s, positions_m) = (vec![0.0, 0.1, 0.4, 0.6], Some(heights.to_vec()));
+    let table = MotionTable { times_s, positions_m, interpolation: Interpolation::Spline, ..MotionTable::default() };
     let scenes = [
         on_slab("conveyor", steady(DVec3::X * 0.3, DVec3::ZERO)),
         on_slab("turntable", steady(DVec3::ZERO, DVec3::Z * 0.7)),

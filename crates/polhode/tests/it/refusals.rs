@@ -185,7 +185,8 @@ fn kinematic_motions_that_are_not_finite() {
             (vec![0.0, 1.0], Some(vec![DVec3::ZERO, vector]), None),
             (vec![0.0, 1.0], None, Some(turned)),
         ] {
-            assert!(PrescribedMotion::table(&MotionTable { times_s, positions_m, orientations }).is_err());
+            let table = MotionTable { times_s, positions_m, orientations, ..MotionTable::default() };
+            assert!(PrescribedMotion::table(&table).is_err());
         }
     }
     for tier in TIERS {
@@ -199,7 +200,7 @@ fn kinematic_motions_that_are_not_finite() {
         let places = MotionTable {
             times_s: vec![0.0, 1.0],
             positions_m: Some(vec![DVec3::splat(20.0), DVec3::splat(21.0)]),
-            orientations: None,
+            ..MotionTable::default()
         };
         let elsewhere = Body::kinematic("wall", PrescribedMotion::table(&places).unwrap()).geometry(shape());
         let turned = Pose::new(Rotation::from_rotation_vector(DVec3::X), DVec3::splat(30.0));

@@ -5,7 +5,9 @@ use crate::support::{Sides, accurate, ball, brick, diamond, elastic, floor};
 use polhode::contact::Shape;
 use polhode::dynamics::integrator::Method as Integrator;
 use polhode::mesh::solid_box;
-use polhode::scene::{Attachment, DragLaw, Force, Frame, Method, MotionTable, PrescribedMotion, Signal, Tier};
+use polhode::scene::{
+    Attachment, DragLaw, Force, Frame, Interpolation, Method, MotionTable, PrescribedMotion, Signal, Tier,
+};
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation, SplitMix64, Velocity};
 use polhode::{
     Body, Effects, Geometry, Recorder, Scene, SceneBuilder, Simulation, SimulationError, Snapshot, SnapshotError,
@@ -243,7 +245,8 @@ fn planar_pushed_and_resting_bodies_go_on_with_the_same_bits() {
 #[test]
 fn a_slab_that_begins_to_move_later_moves_after_a_restore_too() {
     let positions = [0.0, -0.1, -0.3].map(|height| DVec3::Z * height).to_vec();
-    let table = MotionTable { times_s: vec![0.5, 0.8, 1.0], positions_m: Some(positions), orientations: None };
+    let (times_s, positions_m) = (vec![0.5, 0.8, 1.0], Some(positions));
+    let table = MotionTable { times_s, positions_m, interpolation: Interpolation::Spline, ..MotionTable::default() };
     let shape = Shape::cuboid(DVec3::new(4.0, 4.0, 0.2)).unwrap();
     let slab = Body::kinematic("slab", PrescribedMotion::table(&table).unwrap()).geometry(shape.into());
     let brick = heavy_brick("brick", 2.0, DVec3::new(0.5, 0.4, 0.2), DVec3::Z * 0.2);

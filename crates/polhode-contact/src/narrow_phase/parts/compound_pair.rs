@@ -15,6 +15,7 @@
 //! geometry of the final contacts is that of [`crate::evaluate()`] at the given poses.
 
 use crate::bounding::aabb::Aabb;
+use crate::bounding::floor::Floor;
 use crate::clearance::place_tolerance;
 use crate::narrow_phase::feature::part_feature::globalized;
 use crate::narrow_phase::feature::placed::Placed;
@@ -66,9 +67,10 @@ pub(crate) fn separation_of_parts(buffers: &mut MeshBuffers, shapes: [&Shape; 2]
         });
     };
     let other = 1 - at;
-    let bounds = shapes[other].bounds_at(&poses[at].relative(poses[other]));
-    let unbounded = shapes[other].is_half_space();
-    let near = |of: &Aabb| if unbounded { f64::NEG_INFINITY } else { of.distance(&bounds) };
+    let seen = poses[at].relative(poses[other]);
+    let bounds = shapes[other].bounds_at(&seen);
+    let floor = Floor::of(shapes[other], &seen);
+    let near = |of: &Aabb| floor.map_or_else(|| of.distance(&bounds), |floor| floor.height(of));
     let mut measure = |part: u32, _: f64| {
         let mut pair = shapes;
         pair[at] = &compound.parts[part as usize];
@@ -203,7 +205,7 @@ fn axis_of_whole(axis: SeparatingAxis, shapes: [&Shape; 2], parts: [usize; 2]) -
 /// The size of a body's smallest part. It decides how far apart two distinct features must be.
 fn least_part_size(shape: &Shape) -> f64 {
     match shape {
-        Shape::Compound(c) => c.parts.iter().map(Shape::size).filter(|s| *s > 0.0).fold(f64::INFINITY, f64::min),
+        Shape::Compound(c) => c.least_part_size,
         other => other.size(),
     }
 }
@@ -214,6 +216,18 @@ fn part_of(shape: &Shape, part: usize) -> &Shape {
 
 /// The pairs of parts whose boxes come within `reach` (m) of each other, sorted.
 fn pairs_within(shapes: [&Shape; 2], poses: [&Pose; 2], reach: f64, pairs: &mut Vec<[usize; 2]>) {
+    for (at, other) in [(0, 1), (1, 0)] {
+        if let (Shape::Compound(compound), Some(floor)) =
+            (shapes[at], Floor::of(shapes[other], &poses[at].relative(poses[other])))
+        {
+            let near = |of: &Aabb| floor.height(of) <= reach;
+            compound.tree.passing(&near, &mut |part| {
+                let part = part as usize;
+                pairs.push(if at == 0 { [part, 0] } else { [0, part] });
+            });
+            return pairs.sort_unstable();
+        }
+    }
     let x_ba = poses[1].relative(poses[0]);
     let whole = shapes[1].bounds_at(&Pose::IDENTITY).widened(reach);
     let mut add = |i: usize, part: &Shape| {
@@ -226,11 +240,10 @@ fn pairs_within(shapes: [&Shape; 2], poses: [&Pose; 2], reach: f64, pairs: &mut 
             _ => {}
         }
     };
-    let everywhere = shapes[1].is_half_space();
     match shapes[0] {
         Shape::Compound(a) => {
             // An exact box needs all vertices of a part: the tree first excludes parts that are too far away.
-            let near = |of: &Aabb| everywhere || turned(*of, &x_ba).widened(reach).overlaps(&whole);
+            let near = |of: &Aabb| turned(*of, &x_ba).widened(reach).overlaps(&whole);
             a.tree.passing(&near, &mut |i| add(i as usize, part_of(shapes[0], i as usize)));
         }
         other => add(0, other),

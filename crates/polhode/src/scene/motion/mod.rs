@@ -8,7 +8,7 @@
 //! |---|---|
 //! | constant velocity v, w | `p = p0 + v t`, `R = exp(w t) R0`: w is constant in the world |
 //! | sine | `p = p0 + A s`, `R = exp(B s) R0` with `s = sin(2 pi f t + phase)` |
-//! | table | a curve through samples, with continuous velocity and acceleration ([`MotionTable`]) |
+//! | table | a curve through samples, as its [`Interpolation`] says ([`MotionTable`]) |
 //!
 //! The initial pose of a sine is the centre of the oscillation; the pose at t = 0 differs from it by `s = sin(phase)`.
 //! Before the first and after the last sample of a table the body stands still.
@@ -20,6 +20,9 @@
 //! |---|---|
 //! | `displacement` | displacement by a motion, with its time derivatives |
 //! | `error` | limits of the numbers, and [`MotionError`] |
+//! | `excursion` | [`Excursion`]: where a table leaves the range of its samples |
+//! | `interpolation` | [`Interpolation`]: what is between the samples of a table |
+//! | `monotone` | rates at the samples of a table with which it stays between them |
 //! | `polynomial` | polynomials of degree five, their bounds, and the clamped cubic spline |
 //! | `sine` | oscillation |
 //! | `table` | [`MotionTable`]: motion through samples |
@@ -30,19 +33,24 @@
 
 mod displacement;
 mod error;
+mod excursion;
+mod interpolation;
+mod monotone;
 mod polynomial;
 mod sine;
 mod table;
 mod turning;
 
 pub use error::{LARGEST, LARGEST_TURN, MotionError};
+pub use excursion::Excursion;
+pub use interpolation::Interpolation;
 pub use table::{MotionTable, SampledOrientations};
 
 use crate::acceleration::Acceleration;
 use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Rotation, Velocity};
 use sine::Sine;
 use std::sync::Arc;
-use table::Spline;
+use table::SampledCurve;
 
 /// Largest difference between a given initial pose and that of a table at t = 0: in rad for the orientation, relative
 /// to the largest coordinate for the position. It allows for digits that a file has lost.
@@ -60,7 +68,7 @@ pub struct PrescribedMotion(Kind);
 enum Kind {
     Constant(Velocity),
     Sine(Sine),
-    Table(Arc<Spline>),
+    Table(Arc<SampledCurve>),
 }
 
 impl PrescribedMotion {
@@ -92,7 +100,7 @@ impl PrescribedMotion {
     /// the times do not increase, the body turns by more than [`LARGEST_TURN`] from one sample to the next, or a
     /// number, a speed or an acceleration is not finite or exceeds [`LARGEST`].
     pub fn table(table: &MotionTable) -> Result<Self, MotionError> {
-        Spline::new(table).map(|spline| Self(Kind::Table(Arc::new(spline))))
+        SampledCurve::new(table).map(|curve| Self(Kind::Table(Arc::new(curve))))
     }
 
     /// The motion of a body with this initial pose. Positions and orientations of a table do not depend on it.
@@ -101,11 +109,29 @@ impl PrescribedMotion {
     }
 
     /// The first time on the way from `from` to `to` (s, in either order), strictly between them, at which the motion
-    /// is not smooth: a sample of a table, where the third derivatives jump. The other motions are smooth.
+    /// is not smooth: a sample of a table, where the third derivatives jump, or the velocities with linear interpolation.
+    /// The other motions are smooth.
     pub fn corner_between(&self, from: f64, to: f64) -> Option<f64> {
         match &self.0 {
             Kind::Constant(_) | Kind::Sine(_) => None,
-            Kind::Table(spline) => spline.corner_between(from, to),
+            Kind::Table(curve) => curve.corner_between(from, to),
+        }
+    }
+
+    /// The first time strictly between `from` and `to` (s, `from < to`) at which the velocity jumps: an inner, first or
+    /// last sample of a table with linear interpolation.
+    pub fn jump_between(&self, from: f64, to: f64) -> Option<f64> {
+        match &self.0 {
+            Kind::Constant(_) | Kind::Sine(_) => None,
+            Kind::Table(curve) => curve.jump_between(from, to),
+        }
+    }
+
+    /// Where a table leaves the range of two neighbouring samples the farthest; only a spline does.
+    pub fn excursion(&self) -> Option<Excursion> {
+        match &self.0 {
+            Kind::Constant(_) | Kind::Sine(_) => None,
+            Kind::Table(curve) => curve.excursion(),
         }
     }
 
@@ -157,7 +183,7 @@ impl Trajectory {
         match &self.motion.0 {
             Kind::Constant(_) => Acceleration { linear: DVec3::ZERO, angular: DVec3::ZERO },
             Kind::Sine(sine) => sine.at(t).acceleration(),
-            Kind::Table(spline) => spline.at(t).acceleration(),
+            Kind::Table(curve) => curve.at(t).acceleration(),
         }
     }
 
@@ -182,9 +208,9 @@ impl Motion for Trajectory {
                 let at = sine.at(t);
                 self.moved(at.translation, at.rotation)
             }
-            Kind::Table(spline) => {
-                let at = spline.at(t);
-                let (positions, orientations) = spline.gives();
+            Kind::Table(curve) => {
+                let at = curve.at(t);
+                let (positions, orientations) = curve.gives();
                 Pose {
                     translation: if positions { at.translation } else { self.initial.translation },
                     rotation: if orientations { at.rotation } else { self.initial.rotation },
@@ -197,7 +223,7 @@ impl Motion for Trajectory {
         match &self.motion.0 {
             Kind::Constant(velocity) => *velocity,
             Kind::Sine(sine) => sine.at(t).rate(),
-            Kind::Table(spline) => spline.at(t).rate(),
+            Kind::Table(curve) => curve.at(t).rate(),
         }
     }
 
@@ -209,7 +235,7 @@ impl Motion for Trajectory {
                 ..MotionBounds::default()
             },
             Kind::Sine(sine) => sine.bounds(t0, t1),
-            Kind::Table(spline) => spline.bounds(t0, t1),
+            Kind::Table(curve) => curve.bounds(t0, t1),
         }
     }
 }

@@ -52,6 +52,27 @@ impl Quintic {
         ])
     }
 
+    /// The straight line from zero to `end` at x = 1.
+    pub(super) fn line(end: DVec3) -> Self {
+        let mut coefficients = [DVec3::ZERO; COEFFICIENTS];
+        coefficients[1] = end;
+        Self(coefficients)
+    }
+
+    /// The places from 0 to 1, ends included, at which a coordinate (0 to 2) may be largest or smallest.
+    pub(super) fn extremes(&self, axis: usize) -> Vec<f64> {
+        let derivative: Vec<f64> = (1..COEFFICIENTS).map(|k| k as f64 * self.0[k][axis]).collect();
+        let mut places = vec![0.0];
+        places.extend(sign_changes(&derivative));
+        places.push(1.0);
+        places
+    }
+
+    /// Bound of the rounding error of a value.
+    pub(super) fn rounding(&self) -> f64 {
+        ROUNDING * self.0.iter().map(|c| c.length()).sum::<f64>()
+    }
+
     /// Value and derivatives at `x`.
     pub(super) fn at(&self, x: f64) -> Jet {
         let mut jet = Jet { value: DVec3::ZERO, first: DVec3::ZERO, second: DVec3::ZERO };
@@ -93,6 +114,34 @@ impl Quintic {
             }
         }
         c
+    }
+}
+
+/// Where the polynomial `sum c_k x^k` changes its sign between 0 and 1, ascending. Between the places where its
+/// derivative does, it changes its sign at most once, and bisection finds where.
+fn sign_changes(c: &[f64]) -> Vec<f64> {
+    if c.len() < 2 {
+        return Vec::new();
+    }
+    let derivative: Vec<f64> = c.iter().enumerate().skip(1).map(|(k, c)| k as f64 * c).collect();
+    let value = |x: f64| c.iter().rev().fold(0.0, |sum, c| sum * x + c);
+    let mut places = vec![0.0];
+    places.extend(sign_changes(&derivative));
+    places.push(1.0);
+    let crosses = |pair: &&[f64]| (value(pair[0]) < 0.0) != (value(pair[1]) < 0.0);
+    places.windows(2).filter(crosses).map(|pair| bisected(&value, pair[0], pair[1])).collect()
+}
+
+/// Where a function changes its sign between `low` and `high`.
+fn bisected(value: &impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+    let is_negative = value(low) < 0.0;
+    loop {
+        let middle = 0.5 * (low + high);
+        // Neighbouring numbers have no middle of their own.
+        if middle <= low || middle >= high {
+            return middle;
+        }
+        if (value(middle) < 0.0) == is_negative { low = middle } else { high = middle }
     }
 }
 

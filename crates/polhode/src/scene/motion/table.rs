@@ -1,30 +1,41 @@
-//! Motion through samples: a spline of positions and orientations.
+//! Motion through samples: a curve of positions and orientations.
 //!
 //! **Position.** Between two samples the position is a polynomial of degree five, determined by position, velocity and
-//! acceleration at both ends. At inner samples velocity and acceleration are those of the clamped cubic spline
-//! (velocity zero at both ends), so that away from the ends the path is that spline. At the first and the last sample
-//! both are zero.
+//! acceleration at both ends. At the first and the last sample both are zero. At inner samples they depend on the
+//! interpolation ([`Interpolation`]):
+//!
+//! | interpolation | velocity and acceleration at an inner sample | continuous | order for smooth samples |
+//! |---|---|---|---|
+//! | spline | those of the clamped cubic spline (velocity zero at both ends): away from the ends the path is that spline | pose, velocity, acceleration | 4 |
+//! | monotone | the same, limited where a coordinate would leave the range of two neighbouring samples (`monotone`) | pose, velocity, acceleration | 4; 2 next to where a coordinate turns |
+//! | linear | none: the velocity is constant between samples | pose | 2 |
 //!
 //! **Orientation.** The same for rotation vectors: between samples k and k + 1 `R(t) = exp(theta(t)) R_k`, theta of
 //! degree five from zero to the rotation vector `phi_k` of `R_(k+1) R_k^-1`, with the angular velocity and acceleration
 //! of both ends ([`super::turning`]). Those come from the clamped cubic spline whose steps are
 //! `phi_k + h_k^2 (w_k x w_(k+1))/12`, the integral of the angular velocity but for terms of order h^5 (the commutator
 //! of Magnus' expansion), with w from a first spline through the `phi_k` themselves. About one axis this is the spline
-//! of the angle, over any number of turns. The interpolation does not depend on the frames of world and body.
+//! of the angle, over any number of turns. Monotone interpolation limits the rates as it does those of positions, with
+//! the steps `phi_k`: about one axis the angle is monotone where its samples are, and equal samples are a hold. Linear
+//! interpolation turns with constant angular velocity from sample to sample.
 //!
-//! Pose, velocity and acceleration are continuous at all times. Before the first and after the last sample the body
-//! stands still. At samples the third derivatives jump. For samples of a smooth motion that starts and ends with zero
-//! velocity and acceleration the error of the pose is of order h^4.
+//! Before the first and after the last sample the body stands still. At samples the third derivatives jump, with linear
+//! interpolation the velocities. Orders of the error are those of samples of a smooth motion that starts and ends with
+//! zero velocity and acceleration. Spline and linear interpolation do not depend on the frames of world and body;
+//! monotone interpolation depends on the axes of the world, since it treats each coordinate alone.
 //!
 //! **Limits.** From one sample to the next the body may turn by less than half a turn: quaternions do not determine
-//! more, and rotation vectors must not change by more. Like every cubic spline it overshoots where samples that are
-//! close in time and far in position follow others that are not.
+//! more, and rotation vectors must not change by more. Like every cubic spline the spline overshoots where samples that
+//! are close in time and far in position follow others that are not ([`SampledCurve::excursion`] says how far).
 //!
 //! Sources: docs/REFERENCES.md, de Boor 1978; Park and Ravani 1997 for splines of rotations in rotation vectors from
 //! sample to sample.
 
 use super::displacement::Displacement;
 use super::error::{LARGEST_TURN, MotionError, number, vector, within_reach};
+use super::excursion::Excursion;
+use super::interpolation::Interpolation;
+use super::monotone;
 use super::polynomial::{Jet, Quintic, knot_rates};
 use super::turning;
 use polhode_spatial::{DVec3, MotionBounds, Rotation};
@@ -84,6 +95,8 @@ pub struct MotionTable {
     pub positions_m: Option<Vec<DVec3>>,
     /// Orientations; one for each time.
     pub orientations: Option<SampledOrientations>,
+    /// What is between the samples.
+    pub interpolation: Interpolation,
 }
 
 /// Positions and the polynomials between them.
@@ -102,11 +115,16 @@ struct Turns {
 
 /// A motion through samples.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Spline {
+pub(super) struct SampledCurve {
+    interpolation: Interpolation,
     times: Vec<f64>,
     path: Option<Path>,
     turns: Option<Turns>,
 }
+
+/// Relative accuracy of the numbers of a table: rounding of times, positions and their differences. Velocities on both
+/// sides of a sample that differ by less are the same.
+const SAMPLE_DIGITS: f64 = 8.0 * f64::EPSILON;
 
 /// The place of a time among the samples.
 enum Place {
@@ -116,7 +134,7 @@ enum Place {
     Between(usize, f64),
 }
 
-impl Spline {
+impl SampledCurve {
     pub(super) fn new(table: &MotionTable) -> Result<Self, MotionError> {
         let times = checked_times(&table.times_s)?;
         let count = |quantity, found: Option<usize>| match found {
@@ -129,11 +147,12 @@ impl Spline {
             return Err(MotionError::EmptyTable);
         }
         let spacings: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        let path = table.positions_m.as_ref().map(|positions| Path::new(&spacings, positions)).transpose()?;
-        let turns = table.orientations.as_ref().map(|orientations| Turns::new(&spacings, orientations)).transpose()?;
-        let spline = Self { times, path, turns };
-        within_reach(&spline.bounds(f64::NEG_INFINITY, f64::INFINITY))?;
-        Ok(spline)
+        let kind = table.interpolation;
+        let path = table.positions_m.as_ref().map(|positions| Path::new(&spacings, positions, kind)).transpose()?;
+        let turns = table.orientations.as_ref().map(|turns| Turns::new(&spacings, turns, kind)).transpose()?;
+        let curve = Self { interpolation: kind, times, path, turns };
+        within_reach(&curve.bounds(f64::NEG_INFINITY, f64::INFINITY))?;
+        Ok(curve)
     }
 
     /// Whether the table has positions, and whether it has orientations.
@@ -226,6 +245,70 @@ impl Spline {
         bounds
     }
 
+    /// The farthest that the curve comes from the range of two neighbouring samples, in the largest of its coordinates of
+    /// one unit; positions before orientations. None where it stays within, but for rounding.
+    pub(super) fn excursion(&self) -> Option<Excursion> {
+        const POSITION: [&str; 3] = ["x", "y", "z"];
+        const TURN: [&str; 3] = ["the rotation vector's x", "the rotation vector's y", "the rotation vector's z"];
+        let none: &[Quintic] = &[];
+        let path = self.path.as_ref().map_or(none, |path| &path.between);
+        let turns = self.turns.as_ref().map_or(none, |turns| &turns.between);
+        let start = |k: usize| self.path.as_ref().map_or(DVec3::ZERO, |path| path.knots[k]);
+        let farthest = self.farthest(path, POSITION, "m").map(|found| {
+            let axis = POSITION.iter().position(|name| *name == found.coordinate).unwrap_or_default();
+            Excursion { value: found.value + start(found.sample)[axis], ..found }
+        });
+        farthest.or_else(|| self.farthest(turns, TURN, "rad"))
+    }
+
+    /// The farthest that polynomials, each from zero to a step, come from the range of both; values relative to their
+    /// starts.
+    fn farthest(&self, polynomials: &[Quintic], names: [&'static str; 3], unit: &'static str) -> Option<Excursion> {
+        let mut farthest: Option<Excursion> = None;
+        for (sample, polynomial) in polynomials.iter().enumerate() {
+            let end = polynomial.at(1.0).value;
+            for (axis, coordinate) in names.into_iter().enumerate() {
+                for x in polynomial.extremes(axis) {
+                    let value = polynomial.at(x).value[axis];
+                    let beyond = (value - end[axis].max(0.0)).max(end[axis].min(0.0) - value);
+                    let least = farthest.map_or(0.0, |found| found.beyond);
+                    if beyond > polynomial.rounding() && beyond > least {
+                        let t_s = self.times[sample] + x * self.spacing(sample);
+                        farthest = Some(Excursion { coordinate, unit, value, beyond, t_s, sample });
+                    }
+                }
+            }
+        }
+        farthest
+    }
+
+    /// The first sample strictly between the times `from` and `to` (s, `from < to`) at which the velocity jumps, by more
+    /// than the digits of the samples leave open: its time, s. Only linear interpolation has any.
+    pub(super) fn jump_between(&self, from: f64, to: f64) -> Option<f64> {
+        if self.interpolation != Interpolation::Linear {
+            return None;
+        }
+        let samples = self.times.iter().enumerate().filter(|&(_, &t)| from < t && t < to);
+        samples.filter(|&(k, _)| self.jumps_at(k)).map(|(_, &t)| t).next()
+    }
+
+    fn jumps_at(&self, k: usize) -> bool {
+        let path = self.path.as_ref().map(|path| {
+            let size = path.knots[k].length();
+            (&path.between, size)
+        });
+        let turns = self.turns.as_ref().map(|turns| (&turns.between, LARGEST_TURN));
+        path.into_iter().chain(turns).any(|(between, size)| {
+            let velocity = |k: usize| (between[k].at(0.0).first / self.spacing(k), self.spacing(k));
+            let still = (DVec3::ZERO, f64::INFINITY);
+            let (before, h_before) = k.checked_sub(1).map_or(still, velocity);
+            let (after, h_after) = if k < between.len() { velocity(k) } else { still };
+            let digits = SAMPLE_DIGITS * (size + before.length().max(after.length()) * self.times[k].abs());
+            let steps = SAMPLE_DIGITS * (before.length() + after.length());
+            (after - before).length() > digits * (1.0 / h_before + 1.0 / h_after) + steps
+        })
+    }
+
     pub(super) fn corner_between(&self, from: f64, to: f64) -> Option<f64> {
         let times = &self.times;
         let corner = if from < to {
@@ -238,12 +321,16 @@ impl Spline {
 }
 
 impl Path {
-    fn new(spacings: &[f64], positions: &[DVec3]) -> Result<Self, MotionError> {
+    fn new(spacings: &[f64], positions: &[DVec3], kind: Interpolation) -> Result<Self, MotionError> {
         for &position in positions {
             vector("a position", position)?;
         }
         let steps: Vec<DVec3> = positions.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        let rates = knot_rates(spacings, &steps);
+        if kind == Interpolation::Linear {
+            let between = steps.into_iter().map(Quintic::line).collect();
+            return Ok(Self { knots: positions.to_vec(), between });
+        }
+        let rates = rates_of(kind, spacings, &steps, &steps);
         let between = spacings.iter().zip(&steps).zip(rates.windows(2)).map(|((&h, &value), rates)| {
             let (start, end) = (rates[0], rates[1]);
             let end = Jet { value, first: end.0 * h, second: end.1 * h * h };
@@ -254,10 +341,14 @@ impl Path {
 }
 
 impl Turns {
-    fn new(spacings: &[f64], orientations: &SampledOrientations) -> Result<Self, MotionError> {
+    fn new(spacings: &[f64], orientations: &SampledOrientations, kind: Interpolation) -> Result<Self, MotionError> {
         let knots = orientations.checked()?;
         let steps: Vec<DVec3> =
             knots.windows(2).map(|pair| (pair[1] * pair[0].inverse()).to_rotation_vector()).collect();
+        if kind == Interpolation::Linear {
+            let between = steps.into_iter().map(Quintic::line).collect();
+            return Ok(Self { knots, between });
+        }
         let rough = knot_rates(spacings, &steps);
         let integrals: Vec<DVec3> = spacings
             .iter()
@@ -265,13 +356,23 @@ impl Turns {
             .zip(rough.windows(2))
             .map(|((&h, &step), rates)| step + (rates[0].0 * h).cross(rates[1].0 * h) / 12.0)
             .collect();
-        let rates = knot_rates(spacings, &integrals);
+        let rates = rates_of(kind, spacings, &integrals, &steps);
         let between = spacings.iter().zip(&steps).zip(rates.windows(2)).map(|((&h, &step), rates)| {
             let (start, end) = (rates[0], rates[1]);
             Quintic::between(start.0 * h, start.1 * h * h, &turning::jet(step, end.0 * h, end.1 * h * h))
         });
         let between = between.collect();
         Ok(Self { knots, between })
+    }
+}
+
+/// Rates at the samples: those of the spline through `splined` steps, limited where `kind` is monotone so that the
+/// `steps` of the samples are not overshot.
+fn rates_of(kind: Interpolation, spacings: &[f64], splined: &[DVec3], steps: &[DVec3]) -> Vec<(DVec3, DVec3)> {
+    let rates = knot_rates(spacings, splined);
+    match kind {
+        Interpolation::Monotone => monotone::limited(spacings, steps, &rates),
+        Interpolation::Spline | Interpolation::Linear => rates,
     }
 }
 

@@ -1,0 +1,97 @@
+//! The forces of contacts at one instant, and the accelerations that they give, by the law that the steps obey: with the
+//! friction of contacts that stick or slide. They are queries; no step uses them.
+
+use crate::collision::contact_set::Touch;
+use crate::collision::friction_mode::{FrictionMode, Slide};
+use crate::collision::turn::{RotationModes, Turn};
+use crate::core::Core;
+use crate::interaction::acceleration_problem::AccelerationProblem;
+use crate::interaction::frictional_accelerations::FrictionalAccelerations;
+use polhode_dynamics::BodyState;
+use polhode_response::{ComplementaritySolver, ResponseError, WarmStart};
+use polhode_spatial::DVec3;
+
+/// A slip below this part of the speed that gravity gives in a step is none (no unit, 1e-6 to 1e-4): steps leave contacts
+/// that stick with the residual of their problem, at most 1e-6 of it.
+const STICKING_RELATIVE: f64 = 1e-5;
+
+/// Forces on body A of some contacts, in their order, and accelerations of their bodies.
+#[derive(Debug, Clone, Default)]
+pub(super) struct PresentForces {
+    /// Along the normals, N.
+    pub(super) normal: Vec<f64>,
+    /// Of friction, world, N.
+    pub(super) friction: Vec<DVec3>,
+    /// Of bodies: linear, m/s^2, and angular, rad/s^2.
+    pub(super) accelerations: Vec<BodyAcceleration>,
+}
+
+/// Acceleration of one body, of the origin of its moving frame.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct BodyAcceleration {
+    pub(super) body: usize,
+    /// m/s^2.
+    pub(super) linear: DVec3,
+    /// rad/s^2.
+    pub(super) angular: DVec3,
+}
+
+impl PresentForces {
+    /// Those of these contacts between `bodies` (movable, ascending).
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    pub(super) fn solve(
+        core: &Core,
+        states: &[BodyState],
+        bodies: &[usize],
+        contacts: &[Touch],
+    ) -> Result<Self, ResponseError> {
+        let world = &core.world;
+        let loads = world.loads_on(core.t, states, bodies);
+        let body = |(body, linear, angular): (usize, DVec3, DVec3)| BodyAcceleration { body, linear, angular };
+        if contacts.iter().any(|touch| world.friction_of(touch.id.a, touch.id.b).is_some()) {
+            let contacts: Vec<Touch> = contacts.iter().map(|touch| with_modes(core, states, *touch)).collect();
+            let found = FrictionalAccelerations::solve(world, (core.t, states), bodies, &contacts, &loads)?;
+            return Ok(Self {
+                normal: found.solution.forces.iter().take(contacts.len()).copied().collect(),
+                friction: found.contacts.iter().map(|tangent| tangent.map_or(DVec3::ZERO, |t| t.force)).collect(),
+                accelerations: found.assembly.split(&found.accelerations).map(body).collect(),
+            });
+        }
+        let problem = AccelerationProblem::new(world, core.t, states, bodies, contacts, &loads)?;
+        let AccelerationProblem { assembly, free, constants } = problem;
+        let delassus = assembly.problem.delassus();
+        let mut solver = ComplementaritySolver::default();
+        let solution = solver.solve(&assembly.problem, &delassus, &constants, Some(&WarmStart::default()))?;
+        let mut accelerations = assembly.problem.response(&solution.forces)?;
+        for (acceleration, free) in accelerations.iter_mut().zip(&free) {
+            *acceleration += free;
+        }
+        Ok(Self {
+            normal: solution.forces.clone(),
+            friction: vec![DVec3::ZERO; contacts.len()],
+            accelerations: assembly.split(&accelerations).map(body).collect(),
+        })
+    }
+}
+
+/// The contact with its modes: it slides or turns where its velocity is more than a step leaves of one that is held.
+fn with_modes(core: &Core, states: &[BodyState], touch: Touch) -> Touch {
+    let world = &core.world;
+    let none = STICKING_RELATIVE * world.gravity().length() * core.settings.step_s;
+    let noise = world.velocity_rounding(states, &[touch.id.a, touch.id.b]);
+    let mode = |velocity: DVec3, size: f64| {
+        let speed = velocity.length();
+        let slide = Slide { direction: velocity / speed, speed, noise: noise / size };
+        (speed > none.max(noise) / size).then_some(FrictionMode::Sliding(slide))
+    };
+    let slip = world.tangential_kinematics(states, touch.id).map_or(DVec3::ZERO, |terms| terms.slip_velocity);
+    let rotation = world.relative_rotation(states, touch.id);
+    let size = world.pair_size(touch.id.a, touch.id.b);
+    let turn = |turn: Turn| {
+        turn.friction(world, (touch.id.a, touch.id.b))?;
+        mode(turn.part(rotation, touch.kinematics.geometry.normal), size)
+    };
+    Touch { friction: mode(slip, 1.0), rotation: RotationModes::of(turn), ..touch }
+}

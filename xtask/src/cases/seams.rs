@@ -1,0 +1,233 @@
+//! Bodies that slide over the seams of flush surfaces.
+//!
+//! Nothing stands out of the plane in which fixed boxes lie side by side, so that a body that slides over them without
+//! friction keeps its velocity, whatever its shape, its speed and the direction in which it crosses the seams. The same
+//! holds where the boxes are parts of one body, where one of them is let into a half-space, and where they may move. With
+//! friction the body moves as on one large plate. Gaps of 1e-9 m and steps of 1e-12 m do not matter to a body of a
+//! tenth of a metre; a step of a hundredth of its size trips it.
+
+use super::{Amount, CaseResult, Context};
+use crate::row::Row;
+use glam::DVec3;
+use polhode::contact::{ConvexPolyhedron, Shape};
+use polhode::scene::Material;
+use polhode::spatial::{Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
+use polhode::{Body, Effects, Outcome, Scene, Simulation, Unobserved};
+use std::error::Error;
+use std::f64::consts::FRAC_PI_2;
+
+const CASE: &str = "seams";
+
+/// Relative change of the velocity that is accepted.
+const KEPT: f64 = 1e-12;
+
+/// Difference from the motion on one plate that is accepted with friction, m and m/s: the error of the steps.
+const AS_ON_PLATE: f64 = 1e-9;
+
+/// Length, width and thickness of a tile, m.
+const TILE: DVec3 = DVec3::new(0.2, 16.0, 0.1);
+
+/// Directions in which seams are crossed, rad from their normal.
+const ANGLES: [f64; 6] = [0.0, 0.1, 0.3, 0.5, 0.8, 1.0];
+
+/// A body that slides.
+struct Slider {
+    name: &'static str,
+    shape: Shape,
+    turn: DVec3,
+    /// Of its centre of mass above the plane, m.
+    height: f64,
+}
+
+fn sliders() -> Result<Vec<Slider>, Box<dyn Error>> {
+    let corners = (0..6).map(|k| f64::from(k) * std::f64::consts::FRAC_PI_3);
+    let points: Vec<DVec3> = corners
+        .flat_map(|angle| [-0.03, 0.03].map(|z| DVec3::new(0.05 * libm::cos(angle), 0.05 * libm::sin(angle), z)))
+        .collect();
+    let flat = |name, shape, height| Slider { name, shape, turn: DVec3::ZERO, height };
+    let on_side = |name, shape, height| Slider { name, shape, turn: DVec3::X * FRAC_PI_2, height };
+    Ok(vec![
+        flat("ball", Shape::sphere(0.05)?, 0.05),
+        flat("small ball", Shape::sphere(0.001)?, 0.001),
+        flat("box", Shape::cuboid(DVec3::splat(0.1))?, 0.05),
+        flat("prism", Shape::convex(ConvexPolyhedron::from_points(&points)?), 0.03),
+        flat("puck", Shape::cylinder(0.05, 0.05)?, 0.025),
+        flat("cone", Shape::cone(0.05, 0.08)?, 0.02),
+        flat("ring", Shape::torus(0.04, 0.01)?, 0.01),
+        on_side("roller", Shape::cylinder(0.05, 0.1)?, 0.05),
+        on_side("capsule", Shape::capsule(0.03, 0.1)?, 0.03),
+        on_side("wheel", Shape::torus(0.04, 0.01)?, 0.05),
+    ])
+}
+
+impl Slider {
+    /// Sliding from a place on the plane at a velocity.
+    fn body(&self, place: DVec3, velocity: DVec3) -> Result<Body, Box<dyn Error>> {
+        let inertia = Inertia::from_diagonal(DVec3::splat(0.4 * self.height * self.height))?;
+        let pose = Pose::new(Rotation::from_rotation_vector(self.turn), place + DVec3::Z * self.height);
+        Ok(Body::movable("slider", MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, inertia))
+            .geometry(self.shape.clone().into())
+            .pose(pose)
+            .velocity(Velocity::new(velocity, DVec3::ZERO)))
+    }
+}
+
+/// A row of tiles along x, the first one at the origin.
+#[derive(Clone, Copy)]
+struct Tiles {
+    tiles: u32,
+    gap: f64,
+    step: f64,
+}
+
+impl Tiles {
+    fn center(&self, k: u32) -> DVec3 {
+        let k = f64::from(k);
+        DVec3::new((k + 0.5) * TILE.x + k * self.gap, 0.0, k * self.step - 0.5 * TILE.z)
+    }
+
+    fn bodies(&self) -> Result<Vec<Body>, Box<dyn Error>> {
+        let tile = |k: u32| -> Result<Body, Box<dyn Error>> {
+            let shape = Shape::cuboid(TILE)?;
+            let pose = Pose::from_translation(self.center(k));
+            Ok(Body::fixed(format!("tile {k}")).geometry(shape.into()).pose(pose))
+        };
+        (0..self.tiles).map(tile).collect()
+    }
+
+    /// From the middle of the first tile to the middle of the last one, m.
+    fn way(&self) -> f64 {
+        f64::from(self.tiles - 1) * TILE.x
+    }
+}
+
+/// The relative change of the velocity of a slider over some bodies; infinite where the run is degraded.
+fn change(under: Vec<Body>, slider: &Slider, velocity: DVec3, way: f64) -> Result<f64, Box<dyn Error>> {
+    let across = 0.5 * way * velocity.y / velocity.x;
+    let start = DVec3::new(0.5 * TILE.x, -across, 0.0);
+    let mut scene = Scene::builder("seams").duration_s(way / velocity.x);
+    for body in under {
+        scene = scene.body(body);
+    }
+    let scene = scene.body(slider.body(start, velocity)?).build()?;
+    let report = Simulation::new(&scene, Effects::Planned)?.run(&mut Unobserved)?;
+    let end = report.bodies.last().ok_or("no body")?.1.velocity.linear;
+    let is_kept = report.outcome == Outcome::Completed;
+    Ok(if is_kept { (end - velocity).length() / velocity.length() } else { f64::INFINITY })
+}
+
+/// The largest change over some directions of the crossing.
+fn largest(laid: Tiles, slider: &Slider, speed: f64, angles: &[f64]) -> Result<f64, Box<dyn Error>> {
+    let mut most: f64 = 0.0;
+    for &angle in angles {
+        let velocity = DVec3::new(libm::cos(angle), libm::sin(angle), 0.0) * speed;
+        most = most.max(change(laid.bodies()?, slider, velocity, laid.way())?);
+    }
+    Ok(most)
+}
+
+/// Fixed tiles, with gaps and steps.
+pub(super) fn tiles(context: &Context) -> CaseResult {
+    let mut rows = Vec::new();
+    let is_full = context.amount == Amount::Full;
+    let tiles = if is_full { 20 } else { 3 };
+    let (speeds, angles): (&[f64], &[f64]) =
+        if is_full { (&[0.1, 1.0, 10.0], &ANGLES) } else { (&[1.0], &ANGLES[2..3]) };
+    for slider in sliders()? {
+        for &speed in speeds {
+            // A wheel on its rim falls over in the ten seconds and more that a slow one takes.
+            if slider.name == "wheel" && speed < 1.0 {
+                continue;
+            }
+            for (gap, step) in [(0.0, 0.0), (1e-12, 0.0), (1e-9, 0.0), (0.0, 1e-12), (1e-9, 1e-12)] {
+                if !is_full && gap > 0.0 && step > 0.0 {
+                    continue;
+                }
+                let change = largest(Tiles { tiles, gap, step }, &slider, speed, angles);
+                let quantity = format!("{}, step {step:e} m, gap {gap:e} m, {speed} m/s", slider.name);
+                rows.push(match change {
+                    Ok(change) => Row::at_most(CASE, &quantity, KEPT, change),
+                    Err(error) => Row::broken(CASE, &quantity, error.to_string()),
+                });
+            }
+        }
+        let high = Tiles { tiles: 2, gap: 0.0, step: 0.02 * slider.height };
+        let trips = change(high.bodies()?, &slider, DVec3::X, high.way())? > 1e-3;
+        rows.push(Row::exact(CASE, &format!("{} trips over a real step", slider.name), "yes", word(trips)));
+    }
+    Ok(rows)
+}
+
+const fn word(is_so: bool) -> &'static str {
+    if is_so { "yes" } else { "no" }
+}
+
+/// Other surfaces: a box let into a half-space, parts of one body, boxes that may move.
+pub(super) fn surfaces(_: &Context) -> CaseResult {
+    let mut rows = Vec::new();
+    let laid = Tiles { tiles: 3, gap: 0.0, step: 0.0 };
+    let tile = Shape::cuboid(TILE)?;
+    let placed = |k: u32| tile.placed(&Pose::from_translation(laid.center(k)));
+    let parts: Vec<Shape> = (0..laid.tiles).map(placed).collect::<Result<_, _>>()?;
+    let floor = || Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
+    let below = || floor().pose(Pose::from_translation(DVec3::Z * -TILE.z));
+    let brick = |k: u32| -> Result<Body, Box<dyn Error>> {
+        let inertia = Inertia::from_diagonal(DVec3::new(22.0, 1.0, 22.0))?;
+        Ok(Body::movable(format!("brick {k}"), MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, inertia))
+            .geometry(tile.clone().into())
+            .pose(Pose::from_translation(laid.center(k))))
+    };
+    let velocity = DVec3::new(1.0, 0.3, 0.0);
+    for slider in sliders()? {
+        let mut add = |what: &str, under: Vec<Body>| {
+            let quantity = format!("{} over {what}", slider.name);
+            rows.push(match change(under, &slider, velocity, laid.way()) {
+                Ok(change) => Row::at_most(CASE, &quantity, KEPT, change),
+                Err(error) => Row::broken(CASE, &quantity, error.to_string()),
+            });
+        };
+        let mut inlaid = laid.bodies()?;
+        inlaid.remove(0);
+        inlaid.pop();
+        inlaid.push(floor());
+        add("a box in a half-space", inlaid);
+        add("parts of a body", vec![Body::fixed("parts").geometry(Shape::compound(parts.clone())?.into())]);
+        add("bricks that may move", vec![below(), brick(0)?, brick(1)?, brick(2)?]);
+    }
+    Ok(rows)
+}
+
+/// With friction: the motion is that on one plate.
+pub(super) fn friction(_: &Context) -> CaseResult {
+    let mut rows = Vec::new();
+    let laid = Tiles { tiles: 4, gap: 0.0, step: 0.0 };
+    let rough = Material::new("rough", 0.1, 0.0)?;
+    let size = DVec3::new(f64::from(laid.tiles) * TILE.x, TILE.y, TILE.z);
+    let plate = Body::fixed("plate").geometry(Shape::cuboid(size)?.into()).pose(Pose::from_translation(DVec3::new(
+        0.5 * size.x,
+        0.0,
+        -0.5 * size.z,
+    )));
+    for slider in sliders()?.into_iter().filter(|slider| slider.name != "wheel") {
+        let end = |under: Vec<Body>| -> Result<[DVec3; 2], Box<dyn Error>> {
+            let start = DVec3::new(0.5 * TILE.x, 0.0, 0.0);
+            let body = slider.body(start, DVec3::new(1.0, 0.3, 0.0))?.material(rough.clone());
+            let mut scene = Scene::builder("rough seams").duration_s(0.5);
+            for body in under {
+                scene = scene.body(body.material(rough.clone()));
+            }
+            let report = Simulation::new(&scene.body(body).build()?, Effects::Planned)?.run(&mut Unobserved)?;
+            let last = report.bodies.last().ok_or("no body")?.1;
+            Ok([last.pose.translation, last.velocity.linear])
+        };
+        let quantity = format!("{} with friction, as on one plate", slider.name);
+        rows.push(match (end(laid.bodies()?), end(vec![plate.clone()])) {
+            (Ok(tiles), Ok(whole)) => {
+                let apart = (tiles[0] - whole[0]).length().max((tiles[1] - whole[1]).length());
+                Row::at_most(CASE, &quantity, AS_ON_PLATE, apart)
+            }
+            (Err(error), _) | (_, Err(error)) => Row::broken(CASE, &quantity, error.to_string()),
+        });
+    }
+    Ok(rows)
+}
