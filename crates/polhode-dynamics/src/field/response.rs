@@ -34,7 +34,10 @@ pub struct ForceResponse {
     pub stiffness: DMat3,
     /// D, N s/m, world.
     pub damping: DMat3,
-    /// The same of a torque on the first body with its angular velocity, N m s, world.
+    /// The torque about the origin of each body that turns with the body against it, N m/rad: of a force that pulls
+    /// outwards at an arm. A bound, the same in all directions.
+    pub rotational_stiffness: [f64; 2],
+    /// As D, of a torque on the first body with its angular velocity, N m s, world.
     pub rotational_damping: DMat3,
     /// How velocities decay under the damping.
     pub decay: Decay,
@@ -47,6 +50,7 @@ impl ForceResponse {
             ends,
             stiffness: DMat3::ZERO,
             damping: DMat3::ZERO,
+            rotational_stiffness: [0.0; 2],
             rotational_damping: DMat3::ZERO,
             decay: Decay::Exponential,
         }

@@ -7,9 +7,9 @@
 use super::error::not_negative;
 use super::link::Link;
 use super::response::outer;
-use super::{Account, Anchor, Dependence, Field, FieldError, ForceResponse, Wrench};
+use super::{Account, Anchor, Dependence, Field, FieldError, ForceResponse, ResponseEnd, Wrench};
 use crate::{BodyState, RigidBody};
-use glam::DMat3;
+use glam::{DMat3, DVec3};
 
 /// A spring.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,7 +70,13 @@ impl Field for Spring {
             if distance > self.rest_length { self.stiffness * (1.0 - self.rest_length / distance) } else { 0.0 };
         let direction = extent.normalize_or_zero();
         let along = outer(direction, direction) * (self.stiffness - across);
-        Some(vec![ForceResponse { stiffness: DMat3::IDENTITY * across + along, ..self.link.response(states) }])
+        let response = self.link.response(states);
+        let pull = direction * (self.stiffness * (distance - self.rest_length));
+        let turning = |end: Option<ResponseEnd>, force: DVec3| {
+            end.map_or(0.0, |end| 0.5 * (end.arm.length() * force.length() + end.arm.dot(force)))
+        };
+        let rotational_stiffness = [turning(response.ends[0], pull), turning(response.ends[1], -pull)];
+        Some(vec![ForceResponse { stiffness: DMat3::IDENTITY * across + along, rotational_stiffness, ..response }])
     }
 
     fn potential_energy(&self, bodies: &[RigidBody], states: &[BodyState]) -> f64 {

@@ -16,6 +16,8 @@
 //! Both parts leave the step of second order. The matrix is symmetric and positive definite; conjugate gradients with M
 //! as preconditioner solve for `dv` in as many rounds as there are independent stiff directions, or nearly.
 //!
+//! A spring that pulls outwards at an arm turns the body back; that stiffness is implicit in the same way, as a bound.
+//!
 //! Assumes that the direction of a spring does not turn by much in a step; where it does, energy may change, and the
 //! ledger shows it. The impulses of contacts come after the kick: a body that a stiff spring presses against another one
 //! bears `1/(1 + a h^2 K/M)` of the spring's force.
@@ -62,8 +64,10 @@ struct Element {
     places: [Option<usize>; 2],
     /// `h a h K + h s D`, kg.
     matrix: DMat3,
-    /// `h s D` of rotation, kg m^2.
+    /// `h s D` of rotation of the first body, kg m^2.
     rotational: DMat3,
+    /// `h a h K` of rotation of both bodies, kg m^2.
+    turning: [f64; 2],
     /// The part of the impulse that the gravity of the flight changes, N s, on the first end.
     given: DVec3,
 }
@@ -99,7 +103,7 @@ impl<'a> ImplicitKick<'a> {
         let stiffness = kick.stiffness_of_bodies(&responses, h);
         for (account, response) in responses {
             let element = kick.element(account, response, &stiffness, h);
-            if element.matrix != DMat3::ZERO || element.rotational != DMat3::ZERO {
+            if element.matrix != DMat3::ZERO || element.rotational != DMat3::ZERO || element.turning != [0.0; 2] {
                 kick.elements.push(element);
             }
         }
@@ -115,9 +119,12 @@ impl<'a> ImplicitKick<'a> {
     fn stiffness_of_bodies(&self, responses: &[(Account, ForceResponse)], h: f64) -> Vec<f64> {
         let mut sums = vec![0.0; self.bodies.len()];
         for (_, response) in responses {
-            for end in response.ends.iter().flatten() {
-                if let Some(place) = self.place(end) {
-                    sums[place] += h * h * largest(&response.stiffness) * self.world.lightness(end);
+            for (end, turning) in response.ends.iter().zip(response.rotational_stiffness) {
+                let Some(end) = end else { continue };
+                let rigid = self.world.bodies[end.body].rigid.as_ref();
+                if let (Some(place), Some(rigid)) = (self.place(end), rigid) {
+                    let stiffness = largest(&response.stiffness) * self.world.lightness(end);
+                    sums[place] += h * h * (stiffness + turning / rigid.moments().min_element());
                 }
             }
         }
@@ -140,6 +147,7 @@ impl<'a> ImplicitKick<'a> {
             places,
             matrix: response.stiffness * (h * along * h) + response.damping * (h * part),
             rotational: self.rotational(&response, h),
+            turning: response.rotational_stiffness.map(|stiffness| stiffness * (h * along * h)),
             given: response.stiffness * pull * (-0.5 * h * along * h) - response.damping * pull * (h * (part - 0.5)),
         }
     }
@@ -180,6 +188,11 @@ impl<'a> ImplicitKick<'a> {
             self.push(element, impulse, out);
             if let Some(place) = element.places[0] {
                 out[place].angular += element.rotational * changes[place].angular * factor;
+            }
+            for (place, turning) in element.places.iter().zip(element.turning) {
+                if let Some(place) = *place {
+                    out[place].angular += changes[place].angular * (turning * factor);
+                }
             }
         }
     }
@@ -270,7 +283,7 @@ impl<'a> ImplicitKick<'a> {
             let impulse = element.given - element.matrix * self.relative(element, changes);
             for (index, impulse) in [(0, impulse), (1, -impulse)] {
                 let (Some(place), Some(end)) = (element.places[index], element.response.ends[index]) else { continue };
-                let mut angular = end.arm.cross(impulse);
+                let mut angular = end.arm.cross(impulse) - changes[place].angular * element.turning[index];
                 if index == 0 {
                     angular -= element.rotational * changes[place].angular;
                 }

@@ -12,8 +12,8 @@
 //! A contact without slip at the start of the step bears up to its static coefficient. If it slides nevertheless, the
 //! problem is solved again with its kinetic one. A contact that slips at the start has the kinetic coefficient. Where
 //! the static one is larger, a slip that passes through zero within the step would be turned round by a load that
-//! static friction bears. Under the constant forces of a step the slip is linear in time, `u(s) = u0 + s (u1 - u0)`, and
-//! vanishes at the part `s = -u0.(u1 - u0)/|u1 - u0|^2` of the step: the step is made in two parts there
+//! static friction bears. Under the load and the kinetic friction against the slip `u0` at the start the slip is linear in
+//! time, `u(s) = u0 + s d`, and vanishes at the part `s = -u0.d/|d|^2` of the step: the step is made in two parts there
 //! ([`Stop`]). The impulse that ends the first part without slip is within the static cone, and the second part begins
 //! without slip.
 //!
@@ -132,21 +132,26 @@ impl TangentialRow {
         Self { sticks: true, ..self }
     }
 
-    /// At which part of the step (0 to 1) the slip passes through zero, with this velocity of its rows (m/s, with the
-    /// constants of the problem) after the impulses; none when it does not, or when rest would change nothing.
-    fn stops_at(&self, velocity: [f64; 2]) -> Option<f64> {
+    /// At which part of the step (0 to 1) its slip would pass through zero under kinetic friction against the slip at the
+    /// start, with these velocities of its rows and these impulses; none when it does not, or when rest would change
+    /// nothing. What one unit of friction changes the slip by follows from the impulse and the change that were found.
+    fn stops_at(&self, velocity: [f64; 2], impulse: TangentialPart) -> Option<f64> {
         if self.sticks || !self.coefficients.sliding.is_below(self.coefficients.at_rest) {
             return None;
         }
-        let change = |axis: usize| {
-            let start = self.slip[axis] - self.whole_change[axis];
-            let end = velocity[axis] + self.whole_change[axis] - self.half_change[axis];
-            (start, end - start)
-        };
-        let [(x, dx), (y, dy)] = [change(0), change(1)];
+        let TangentialPart { normal, along: [px, py] } = impulse;
+        let constants = self.constants();
+        let [cx, cy] = [velocity[0] - constants[0], velocity[1] - constants[1]];
+        let mobility = (cx * px + cy * py) / (px * px + py * py);
+        let [x, y] = [0, 1].map(|axis: usize| self.slip[axis] - self.whole_change[axis]);
+        let basis = self.along.map(|row| row.along.normal);
+        let start = (basis[0] * x + basis[1] * y).try_normalize()?;
+        let (against, coefficient) = self.coefficients.sliding.opposed(basis, start);
+        let braking = mobility * coefficient * normal;
+        let [dx, dy] = [0, 1].map(|axis: usize| 2.0 * self.whole_change[axis] - braking * basis[axis].dot(against));
         let part = -(x * dx + y * dy) / (dx * dx + dy * dy);
         let nearest = libm::hypot(x + part * dx, y + part * dy);
-        // NaN, of a slip that does not change, gives none.
+        // NaN, without an impulse or a change, gives none.
         (part > 0.0 && part < 1.0 && nearest <= STICKING_RELATIVE * self.given).then_some(part)
     }
 
@@ -196,6 +201,15 @@ impl TangentialRow {
     fn constants(&self) -> [f64; 2] {
         [self.slip[0] + self.half_change[0], self.slip[1] + self.half_change[1]]
     }
+}
+
+/// The impulse of one contact, N s.
+#[derive(Debug, Clone, Copy)]
+struct TangentialPart {
+    /// Along its normal.
+    normal: f64,
+    /// Along its tangents.
+    along: [f64; 2],
 }
 
 /// A contact with friction and its impulse along the tangents, N s.
@@ -329,12 +343,15 @@ pub(super) fn solve(
 
 /// The contacts whose slips pass through zero within the step.
 fn stops(friction: &[Option<TangentialRow>], rows: &[Range<usize>], solved: &RowSolution) -> Vec<Stop> {
-    let stop = |(friction, rows): (&Option<TangentialRow>, &Range<usize>)| {
+    let stop = |normal: f64, friction: &Option<TangentialRow>, rows: &Range<usize>| {
         let friction = friction.as_ref()?;
         let velocity = solved.velocities.get(rows.clone())?.try_into().ok()?;
-        Some(Stop { id: friction.along[0].id, part: friction.stops_at(velocity)? })
+        let along = solved.reactions.get(rows.clone())?.try_into().ok()?;
+        let part = friction.stops_at(velocity, TangentialPart { normal, along })?;
+        Some(Stop { id: friction.along[0].id, part })
     };
-    friction.iter().zip(rows).filter_map(stop).collect()
+    let contacts = solved.reactions.iter().zip(friction).zip(rows);
+    contacts.filter_map(|((&normal, friction), rows)| stop(normal, friction, rows)).collect()
 }
 
 /// Adds the rows of rotations that friction resists.
