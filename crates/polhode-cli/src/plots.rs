@@ -33,7 +33,9 @@ impl Plots {
         }
         let open = |path: &PathBuf| AtomicFile::create(path).map_err(|error| cannot_write(path, &error));
         let files: Vec<AtomicFile> = paths.iter().map(open).collect::<Result<_, _>>()?;
-        files.iter().for_each(|file| abandoned::note(file.left_behind()));
+        for file in &files {
+            abandoned::note(file.left_behind());
+        }
         let asked = if asked.is_empty() { RunPlot::ALL.to_vec() } else { asked.iter().copied().map(plot).collect() };
         Ok(Self { files, asked, drawn: None })
     }

@@ -113,7 +113,7 @@ pub enum CheckpointError {
         /// The checkpoint.
         path: PathBuf,
         /// Why.
-        source: SimulationError,
+        source: Box<SimulationError>,
     },
 }
 
@@ -184,7 +184,7 @@ impl Checkpoint {
     /// When the scene cannot be loaded, or has changed since.
     pub fn load(&self, path: &Path) -> Result<(LoadedScene, Simulation), CheckpointError> {
         let loaded = load_with(&self.scene, &self.overrides)?;
-        let fault = |source| CheckpointError::Simulation { path: path.to_owned(), source };
+        let fault = |source| CheckpointError::Simulation { path: path.to_owned(), source: Box::new(source) };
         let mut simulation = match Simulation::new(&loaded.scene, self.snapshot.effects()) {
             Ok(simulation) => simulation,
             Err(SimulationError::Scene(error)) => return Err(loaded.explain(error).into()),

@@ -75,7 +75,7 @@ impl Slider {
 /// A row of tiles along x, the first one at the origin.
 #[derive(Clone, Copy)]
 struct Tiles {
-    tiles: u32,
+    count: u32,
     gap: f64,
     step: f64,
 }
@@ -92,12 +92,12 @@ impl Tiles {
             let pose = Pose::from_translation(self.center(k));
             Ok(Body::fixed(format!("tile {k}")).geometry(shape.into()).pose(pose))
         };
-        (0..self.tiles).map(tile).collect()
+        (0..self.count).map(tile).collect()
     }
 
     /// From the middle of the first tile to the middle of the last one, m.
     fn way(&self) -> f64 {
-        f64::from(self.tiles - 1) * TILE.x
+        f64::from(self.count - 1) * TILE.x
     }
 }
 
@@ -149,7 +149,7 @@ pub(super) fn tiles(context: &Context) -> CaseResult {
                 if !is_full && gap > 0.0 && step > 0.0 {
                     continue;
                 }
-                let change = largest(Tiles { tiles, gap, step }, &slider, speed, angles);
+                let change = largest(Tiles { count: tiles, gap, step }, &slider, speed, angles);
                 let quantity = format!("{}, step {step:e} m, gap {gap:e} m, {speed} m/s", slider.name);
                 rows.push(match change {
                     Ok(change) => Row::at_most(CASE, &quantity, KEPT, change),
@@ -157,7 +157,7 @@ pub(super) fn tiles(context: &Context) -> CaseResult {
                 });
             }
         }
-        let high = Tiles { tiles: 2, gap: 0.0, step: 0.02 * slider.height };
+        let high = Tiles { count: 2, gap: 0.0, step: 0.02 * slider.height };
         let trips = change(high.bodies()?, &slider, DVec3::X, high.way())? > TRIPPED;
         rows.push(Row::exact(CASE, &format!("{} trips over a real step", slider.name), "yes", word(trips)));
     }
@@ -171,10 +171,10 @@ const fn word(is_so: bool) -> &'static str {
 /// Other surfaces: a box let into a half-space, parts of one body, boxes that may move.
 pub(super) fn surfaces(_: &Context) -> CaseResult {
     let mut rows = Vec::new();
-    let laid = Tiles { tiles: 3, gap: 0.0, step: 0.0 };
+    let laid = Tiles { count: 3, gap: 0.0, step: 0.0 };
     let tile = Shape::cuboid(TILE)?;
     let placed = |k: u32| tile.placed(&Pose::from_translation(laid.center(k)));
-    let parts: Vec<Shape> = (0..laid.tiles).map(placed).collect::<Result<_, _>>()?;
+    let parts: Vec<Shape> = (0..laid.count).map(placed).collect::<Result<_, _>>()?;
     let floor = || Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
     let below = || floor().pose(Pose::from_translation(DVec3::Z * -TILE.z));
     let brick = |k: u32| -> Result<Body, Box<dyn Error>> {
@@ -206,9 +206,9 @@ pub(super) fn surfaces(_: &Context) -> CaseResult {
 /// With friction: the motion is that on one plate.
 pub(super) fn friction(_: &Context) -> CaseResult {
     let mut rows = Vec::new();
-    let laid = Tiles { tiles: 4, gap: 0.0, step: 0.0 };
+    let laid = Tiles { count: 4, gap: 0.0, step: 0.0 };
     let rough = Material::new("rough", 0.1, 0.0)?;
-    let size = DVec3::new(f64::from(laid.tiles) * TILE.x, TILE.y, TILE.z);
+    let size = DVec3::new(f64::from(laid.count) * TILE.x, TILE.y, TILE.z);
     let plate = Body::fixed("plate").geometry(Shape::cuboid(size)?.into()).pose(Pose::from_translation(DVec3::new(
         0.5 * size.x,
         0.0,

@@ -74,7 +74,8 @@ mod tests {
     //! A fall in closed form breaks no law, and each way to be wrong breaks the law that is named after it.
     use super::*;
     use crate::random_scene::generate;
-    use crate::random_scene::model::Material;
+    use crate::random_scene::model::{Body, Material};
+    use glam::{DQuat, DVec3};
 
     const GRAVITY: DVec3 = DVec3::new(0.0, 0.0, -9.81);
     const HEIGHT: f64 = 2.0;

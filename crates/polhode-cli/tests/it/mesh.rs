@@ -1,6 +1,7 @@
 //! `polhode mesh`.
 
 use crate::{Place, fixture};
+use std::fmt::Write as _;
 
 /// The L-shape of the thesis's section 3.2 (case MP-04) at density 1 and by mass.
 #[test]
@@ -184,10 +185,10 @@ fn cube_with_seams(split: f64, size: f64) -> String {
     for (face, corners) in faces.iter().enumerate() {
         for &k in corners {
             let [x, y, z] = corner(k).map(|coordinate| coordinate * (1.0 + split * face as f64 / size));
-            text += &format!("v {x:?} {y:?} {z:?}\n");
+            writeln!(text, "v {x:?} {y:?} {z:?}").unwrap();
         }
         let first = 4 * face + 1;
-        text += &format!("f {first} {} {} {}\n", first + 1, first + 2, first + 3);
+        writeln!(text, "f {first} {} {} {}", first + 1, first + 2, first + 3).unwrap();
     }
     text
 }
@@ -210,7 +211,7 @@ fn seams_are_told_with_their_repair() {
         place.expect(0, &args);
         place.expect(0, &["mesh", "MENDED.obj"]);
     }
-    let open: String = cube_with_seams(0.0, 1.0).lines().take(25).map(|line| format!("{line}\n")).collect();
+    let open = cube_with_seams(0.0, 1.0).lines().take(25).collect::<Vec<_>>().join("\n");
     place.write("open.obj", &open);
     assert!(!place.expect(1, &["mesh", "open.obj"]).stderr.contains("seams"));
 }

@@ -204,11 +204,8 @@ fn an_extended_run_is_one_that_was_longer() {
     place.expect(0, &["resume", "ended", "--duration", "2", "-o", "rest.csv"]);
     let rest = place.read("rest.csv");
     let (header, whole) = whole.split_once('\n').unwrap();
-    let after: String = whole
-        .lines()
-        .filter(|row| row.split(',').next().unwrap().parse::<f64>().unwrap() > 1.5)
-        .map(|row| format!("{row}\n"))
-        .collect();
+    let is_after = |row: &&str| row.split(',').next().unwrap().parse::<f64>().unwrap() > 1.5;
+    let after = whole.lines().filter(is_after).collect::<Vec<_>>().join("\n") + "\n";
     place.write("after.csv", &format!("{header}\n{after}"));
     assert_eq!(rest.lines().count(), after.lines().count() + 1);
     place.expect(0, &["compare", "rest.csv", "after.csv", "--atol", "1e-9"]);

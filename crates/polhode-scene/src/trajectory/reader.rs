@@ -41,7 +41,7 @@ pub fn is_trajectory(path: &Path) -> bool {
 /// The samples of a file.
 #[derive(Debug)]
 enum Samples {
-    Csv(CsvSamples),
+    Csv(Box<CsvSamples>),
     Json(JsonSamples),
     Npy(NpySamples),
 }
@@ -64,7 +64,7 @@ impl TrajectoryReader {
     pub fn open(path: &Path, scene: &Scene) -> Result<Self, TrajectoryError> {
         let expected = Expected::new(scene);
         let samples = match Kind::of(path).ok_or_else(|| TrajectoryError::Ending { path: path.to_owned() })? {
-            Kind::Csv => Samples::Csv(CsvSamples::open(path)?),
+            Kind::Csv => Samples::Csv(Box::new(CsvSamples::open(path)?)),
             Kind::Json => Samples::Json(JsonSamples::open(path, &expected)?),
             Kind::Npy => Samples::Npy(NpySamples::open(path, &expected)?),
         };

@@ -497,7 +497,6 @@ fn random_slab(seed: u32, random: impl Fn(u32) -> f64) -> Body {
                 DVec3::ZERO,
             ])),
             interpolation: Interpolation::Spline,
-            ..MotionTable::default()
         })
         .unwrap(),
     };

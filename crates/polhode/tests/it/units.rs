@@ -51,7 +51,7 @@ fn assert_same_bits(tier: Tier, duration_s: f64, bodies: impl Fn(Units) -> Vec<B
             .method(Method { tier: Some(tier), step_s, ..accurate() })
             .duration_s(duration_s * units.time)
             .output_interval_s(duration_s * units.time);
-        let scene = bodies(units).into_iter().fold(builder, |builder, body| builder.body(body)).build().unwrap();
+        let scene = bodies(units).into_iter().fold(builder, polhode::SceneBuilder::body).build().unwrap();
         let (report, _) = run_even_degraded(&scene, Effects::Planned);
         let numbers = report.bodies.iter().flat_map(|(_, body)| {
             let place = body.pose.translation / units.length;
