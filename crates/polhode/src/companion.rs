@@ -14,7 +14,7 @@
 use crate::interaction::overlap::displacement;
 use crate::report::CrowdingError;
 use crate::scene::Tier;
-use crate::simulation::Simulation;
+use crate::simulation::{Companion, Simulation};
 use crate::snapshot::content::{self, Content};
 use crate::{BodyId, SimulationError, Unobserved};
 
@@ -24,19 +24,6 @@ const STEP_FACTOR: f64 = 2.0;
 /// The estimate in distances of the two runs (no unit, 1 to 3): where errors fall more slowly than with the length of
 /// the steps, the distance is less than the error.
 const SAFETY: f64 = 2.0;
-
-/// The companion of a run.
-#[derive(Debug)]
-pub(crate) enum Companion {
-    /// No stretch of crowded events has begun.
-    None,
-    /// It runs beside the run, at most a longest step behind it.
-    Beside(Box<Simulation>),
-    /// It has ended, for this reason.
-    Lost(String),
-    /// The simulation is itself a companion.
-    Itself,
-}
 
 impl Companion {
     /// The companion as plain data.

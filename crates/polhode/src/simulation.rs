@@ -4,7 +4,6 @@ use crate::acceleration::Acceleration;
 use crate::accounting::Accounts;
 use crate::accurate::Engine;
 use crate::body_queries::BodyQueries;
-use crate::companion::Companion;
 use crate::core::Core;
 use crate::frame::{ContactView, Frame, IslandView, PivotView};
 use crate::free_method;
@@ -54,6 +53,19 @@ impl StepOutcome {
     pub fn is_event(&self) -> bool {
         self.end == StepEnd::Event
     }
+}
+
+/// The companion of a run (`companion.rs`).
+#[derive(Debug)]
+pub(crate) enum Companion {
+    /// No stretch of crowded events has begun.
+    None,
+    /// It runs beside the run, at most a longest step behind it.
+    Beside(Box<Simulation>),
+    /// It has ended, for this reason.
+    Lost(String),
+    /// The simulation is itself a companion.
+    Itself,
 }
 
 /// A scene that is advanced in time.
