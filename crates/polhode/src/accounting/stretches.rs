@@ -43,7 +43,9 @@ mod tests {
 
     /// A report of this many steps with this residual.
     fn report(steps: u64, residual: f64) -> TimeStepReport {
-        TimeStepReport { steps, residual, ..TimeStepReport::new(DVec3::ZERO) }
+        let mut report = TimeStepReport::new(DVec3::ZERO);
+        (report.steps, report.residual) = (steps, residual);
+        report
     }
 
     /// The steps of two islands are recorded in separate stretches at the same time; a stretch that continues where it
