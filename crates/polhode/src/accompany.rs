@@ -67,10 +67,7 @@ impl Simulation {
     ///
     /// # Errors
     /// When its content contradicts itself.
-    pub(crate) fn restored_companion(
-        &self,
-        saved: &content::Companion,
-    ) -> Result<Companion<Self>, SimulationError> {
+    pub(crate) fn restored_companion(&self, saved: &content::Companion) -> Result<Companion<Self>, SimulationError> {
         match saved {
             content::Companion::None => Ok(Companion::None),
             content::Companion::Beside(content) => self.companion_from(content),
