@@ -53,7 +53,12 @@ impl Core {
     pub(crate) fn limits(&self) -> Limits {
         let drift = self.settings.promised_drift();
         let settings = &self.settings;
-        let order = if settings.tier == Tier::Stepped { ORDER_OF_TIME_STEPS } else { settings.integrator.order() };
+        let order = match settings.tier {
+            Tier::Stepped => ORDER_OF_TIME_STEPS,
+            // Its contact forces are constant over a step.
+            Tier::Thesis if self.world.may_collide_at_all() => 1,
+            Tier::Thesis | Tier::Accurate => settings.integrator.order(),
+        };
         let is_fixed = settings.tier != Tier::Accurate || !settings.integrator.controls_error();
         let duration_s = self.world.scene.duration_s();
         let step = is_fixed.then_some(FixedStep { step_s: settings.step_s, order, duration_s });

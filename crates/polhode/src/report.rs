@@ -116,7 +116,8 @@ pub enum Outcome {
     Stopped,
     /// The run ended, or the observer stopped it, but it did not keep the promise of its tier: a penetration, the
     /// displacement of a projection, the energy of projections or what the integrator lost or gained exceeded its limit,
-    /// or a problem was not solved to its tolerance. The first warnings say which bodies, when, and by how much.
+    /// a problem was not solved to its tolerance, or fixed steps were too long and the estimated error exceeds the size of
+    /// a body. The first warnings say which bodies, when, and by how much.
     Degraded,
 }
 

@@ -11,6 +11,10 @@ use polhode_dynamics::BodyState;
 /// The angle by which a body may turn in one step, rad: within it the chord is the arc to a twentieth.
 const LARGEST_TURN: f64 = 1.0;
 
+/// The estimated error, relative to the size of a body, beyond which a run with steps that are too long is no answer (no
+/// unit): the body is not where it is said to be.
+const LARGEST_ERROR: f64 = 1.0;
+
 /// How far a body moved in one step.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Movement {
@@ -23,6 +27,8 @@ pub(crate) struct Movement {
     pub(crate) travel: f64,
     /// rad.
     pub(crate) turn: f64,
+    /// A step in which the body stays within the limits, s: by its motion in this step, and from rest under gravity.
+    pub(crate) enough_s: f64,
 }
 
 impl Movement {
@@ -35,8 +41,11 @@ impl Movement {
     ) -> Self {
         let way = (end.pose.translation - start.pose.translation).length();
         let rates = [start, end].map(|state| world.velocity(body, state).angular.length());
-        let travel = way / world.bodies[body].size;
-        Self { body, t: t + h, step_s: h, travel, turn: h * rates[0].max(rates[1]) }
+        let size = world.bodies[body].size;
+        let (travel, turn) = (way / size, h * rates[0].max(rates[1]));
+        let falls = (2.0 * size / world.gravity().length()).sqrt();
+        let enough_s = falls.min(h / travel.max(turn / LARGEST_TURN));
+        Self { body, t: t + h, step_s: h, travel, turn, enough_s }
     }
 
     /// How many times the step is too long.
@@ -70,17 +79,23 @@ impl LongSteps {
         }
     }
 
+    /// Whether a step was too long and the estimated error of the run, relative to the size of a body, says that it
+    /// mattered: the run is degraded then.
+    pub(crate) fn degrade(&self, estimated_error: Option<f64>) -> bool {
+        self.count > 0 && estimated_error.is_some_and(|error| error > LARGEST_ERROR)
+    }
+
     /// The warning, if a step was too long.
     pub(crate) fn warning(&self, world: &World) -> Option<String> {
         let worst = self.worst?;
-        let Movement { body, t, step_s, travel, turn } = worst;
+        let Movement { body, t, step_s, travel, turn, enough_s } = worst;
         let name = &world.bodies[body].name;
         let moved = if travel >= turn / LARGEST_TURN {
             format!("{name} moved by {travel:.3} times its size")
         } else {
             format!("{name} turned by {turn:.3} rad")
         };
-        let enough = step_s / worst.excess() * 0.95;
+        let enough = 0.95 * enough_s;
         let times = if self.count == 1 {
             "once".to_owned()
         } else {
@@ -94,19 +109,27 @@ impl LongSteps {
 
     /// As plain data.
     pub(super) fn save(&self) -> content::LongSteps {
-        let worst = self.worst.map(|Movement { body, t, step_s, travel, turn }| content::Movement {
+        let worst = self.worst.map(|Movement { body, t, step_s, travel, turn, enough_s }| content::Movement {
             body,
             t,
             step_s,
             travel,
             turn,
+            enough_s,
         });
         content::LongSteps { count: self.count, first_s: self.first_s, worst }
     }
 
     /// From such data of a scene with this many bodies; none when it names a body that does not exist.
     pub(super) fn restored(saved: &content::LongSteps, bodies: usize) -> Option<Self> {
-        let movement = |content::Movement { body, t, step_s, travel, turn }| Movement { body, t, step_s, travel, turn };
+        let movement = |content::Movement { body, t, step_s, travel, turn, enough_s }| Movement {
+            body,
+            t,
+            step_s,
+            travel,
+            turn,
+            enough_s,
+        };
         let worst = saved.worst.map(movement);
         worst.is_none_or(|worst| worst.body < bodies).then_some(Self {
             count: saved.count,

@@ -292,7 +292,7 @@ impl Accounts {
         report.certificate = self.certificate_now(&report.ledger);
         report.tolerated = self.tolerated.list().to_vec();
         report.warnings = self.measures.exceeded(world, &report.ledger, limits);
-        if !report.warnings.is_empty() {
+        if self.measures.long_steps.degrade(report.certificate.estimated_error) || !report.warnings.is_empty() {
             report.outcome = Outcome::Degraded;
         }
         report.warnings.extend(self.measures.long_steps.warning(world));

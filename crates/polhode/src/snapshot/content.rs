@@ -179,6 +179,7 @@ pub(crate) struct Movement {
     pub(crate) step_s: f64,
     pub(crate) travel: f64,
     pub(crate) turn: f64,
+    pub(crate) enough_s: f64,
 }
 
 /// The largest values of one quantity.

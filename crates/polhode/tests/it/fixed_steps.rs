@@ -242,6 +242,7 @@ fn a_step_that_is_too_long_is_told() {
     let report = run(&scene, stepped(5.0));
     let warned = report.warnings.iter().any(|said| said.contains("box") && said.contains("would do"));
     assert!(warned, "{:?}", report.warnings);
+    assert_eq!(report.outcome, Outcome::Degraded, "{:?}", report.certificate);
     assert!(report.certificate.estimated_error.unwrap() > 1e-3, "{:?}", report.certificate);
     let certificate = report.certificate;
     if report.ledger.projection.value() != 0.0 {
