@@ -26,6 +26,13 @@ const TWO_LEVELS: &str = "the body keeps its velocity, but while it lies on both
 const TORUS_ON_PARTS: &str = "the run is degraded: contacts of a torus with the edges between parts of a compound are not \
                               yet left out of its set of contacts";
 
+/// Why a ball of 1 mm does not pass over a step of 1e-12 m as if it were not there.
+const SMALL_ON_A_STEP: &str = "the step is 5e-10 of the ball, half of what counts as flush, and the run is degraded: why has not been \
+                               found yet";
+
+/// Why lines with friction do not pass over seams as over one plate.
+const LINES_WITH_FRICTION: &str = "the velocity is 3e-4 off that on one plate: why has not been found yet";
+
 /// All of them.
 const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure {
@@ -49,6 +56,10 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure { case: "seams", quantity: "prism, step 1e-12 m", reason: TWO_LEVELS },
     KnownFailure { case: "seams", quantity: "puck, step 1e-12 m", reason: TWO_LEVELS },
     KnownFailure { case: "seams", quantity: "cone, step 1e-12 m", reason: TWO_LEVELS },
+    KnownFailure { case: "seams", quantity: "small ball, step 1e-12 m", reason: SMALL_ON_A_STEP },
+    KnownFailure { case: "seams", quantity: "wheel, step 1e-12 m", reason: TWO_LEVELS },
+    KnownFailure { case: "seams", quantity: "roller with friction, as on one plate", reason: LINES_WITH_FRICTION },
+    KnownFailure { case: "seams", quantity: "capsule with friction, as on one plate", reason: LINES_WITH_FRICTION },
     KnownFailure {
         case: "random scenes",
         quantity: "seeds that end well and break a law",
@@ -63,9 +74,9 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure {
         case: "random scenes",
         quantity: "share that is degraded or fails",
-        reason: "10 of 100: impacts with friction of rolling and spinning whose moments do not settle (18, 61, 70, 81), or that leave a \
-                 body on a pivot no freedom (14, 43, 67); ends of bounces beyond 1e-9 of the energy (22, 58); Coulomb's law in a \
-                 crowded stretch (25)",
+        reason: "11 of 100: impacts with friction of rolling and spinning whose moments do not settle (18, 61, 70, 81), or that leave a \
+                 body on a pivot no freedom (14, 43, 67); ends of bounces beyond 1e-9 of the energy (22, 58); overlaps beyond the \
+                 limit (2, 25)",
     },
     KnownFailure {
         case: "friction elsewhere",

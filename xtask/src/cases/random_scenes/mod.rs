@@ -74,7 +74,7 @@ pub(super) fn scenes(context: &Context) -> CaseResult {
     let share = |is_meant: &dyn Fn(&Verdict) -> bool| {
         verdicts.iter().filter(|verdict| is_meant(verdict)).count() as f64 / count as f64
     };
-    let named = |what: &str| format!("{count} scenes: {what}");
+    let named = |what: &str| format!("{what}, of {count} scenes");
     for verdict in verdicts.iter().filter(|verdict| !verdict.is_right()) {
         eprintln!("{CASE}: {verdict}");
     }
