@@ -316,7 +316,7 @@ pub(super) fn change_velocities(world: &World, states: &mut [BodyState], bodies:
 fn part_of_change(decay: Decay, z: f64) -> f64 {
     match decay {
         Decay::Hyperbolic => 0.5,
-        Decay::Exponential if z < SMALL_DECAY => 0.5 + z / 12.0,
+        Decay::Exponential if z < SMALL_DECAY => 0.5 + z / 12.0 - z * z * z / 720.0,
         Decay::Exponential => -1.0 / libm::expm1(-z) - 1.0 / z,
     }
 }

@@ -1,7 +1,7 @@
 //! The integrators that a scene can ask for, through the facade.
 
 use crate::checks::{assert_closes, by, heavy_brick, particle, try_run};
-use crate::support::{elastic, floor, run};
+use crate::support::{elastic, floor, run, run_even_degraded};
 use polhode::dynamics::integrator::Method as Integrator;
 use polhode::scene::{Attachment, DragLaw, Force, Method, Orientation, RotationRate, Tier};
 use polhode::spatial::{DVec3, Pose, Rotation, Velocity};
@@ -32,7 +32,8 @@ fn heavy_top() -> SceneBuilder {
 }
 
 fn end(scene: SceneBuilder, method: Method) -> BodySample {
-    let (report, _) = run(&scene.method(method).build().unwrap(), Effects::Planned);
+    // The longest steps of the lowest orders lose more energy than a run may.
+    let (report, _) = run_even_degraded(&scene.method(method).build().unwrap(), Effects::Planned);
     assert_closes(&report);
     report.bodies[1].1
 }
