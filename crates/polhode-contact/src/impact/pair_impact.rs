@@ -22,7 +22,7 @@ use crate::narrow_phase::feature::closest_feature::nearest_feature;
 use crate::narrow_phase::feature::element::{Element, Locus};
 use crate::narrow_phase::feature::placed::Placed;
 use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
-use crate::narrow_phase::terms::open_face::{Moving, open_faces};
+use crate::narrow_phase::terms::open_face::{Moving, OpenFace, open_faces};
 use crate::shape::round::{Hull, circles, is_round};
 use crate::{Shape, Side, SurfaceFeature};
 use glam::DVec3;
@@ -244,12 +244,14 @@ impl Search<'_> {
         }
     }
 
-    /// Whether a touch is an impact. It is none while the bodies pass each other along an open face.
+    /// Whether a touch is an impact. It is none while the bodies pass each other along an open face. Where one is
+    /// noticeably below that face, the search ends too: contacts are found anew and lift it.
     fn passed(&self, touch: Moment, start: f64) -> Ended {
         let velocities = self.motions.map(|motion| motion.velocity(touch.t));
         let moving = |k: usize| Moving { shape: self.shapes[k], pose: &touch.poses[k], velocity: &velocities[k] };
         let goes_on = touch.t > start && touch.separation <= self.touch(&touch);
-        if goes_on && !open_faces(moving(0), moving(1)).is_empty() {
+        let is_flush = |face: &OpenFace| face.separation >= -NOTICED * self.touch(&touch);
+        if goes_on && open_faces(moving(0), moving(1), self.touch(&touch)).iter().any(is_flush) {
             return Ended::GoesOn(touch);
         }
         Ended::At(Some(touch.t), touch.separation)

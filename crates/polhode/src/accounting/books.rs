@@ -52,6 +52,13 @@ pub(crate) struct Books {
     pub(super) initial_potential_j: f64,
 }
 
+impl Balance {
+    /// Energy that is lost until a later balance, in between which prescribed motions do work (J), J.
+    pub(crate) fn lost_until(self, later: Self, work_j: f64) -> f64 {
+        self.energy_j - later.energy_j + work_j
+    }
+}
+
 impl Books {
     /// Opens the books at the state given.
     pub(crate) fn open(world: &World, states: &[BodyState]) -> Self {
@@ -132,7 +139,7 @@ impl Books {
     /// Books the end of bounces and velocities that were set to zero, in which prescribed motions did work (J). Returns
     /// the energy that was taken, J.
     pub(crate) fn rest(&mut self, before: Balance, after: Balance, work_j: f64) -> f64 {
-        let taken = before.energy_j - after.energy_j + work_j;
+        let taken = before.lost_until(after, work_j);
         self.ledger.external.add(work_j);
         self.ledger.rest.add(taken);
         self.ledger.momentum.rest.add(before.momentum - after.momentum);

@@ -40,6 +40,7 @@ mod contacts;
 mod crowd_parts;
 mod crowd_step;
 mod crowding;
+mod ending_bounces;
 mod ending_slips;
 mod engine;
 mod events;

@@ -17,7 +17,7 @@ use crate::interaction::frictional_impact::Restitution;
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{Struck, impulse_event, pivot_support, raised_energy, strike};
 use crate::interaction::overlap::is_excess;
-use crate::interaction::projection::{self, Projected, Removal};
+use crate::interaction::projection::{self, Projected};
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
@@ -33,10 +33,6 @@ const SUSTAINED_SCENE_RELATIVE: f64 = 1e-14;
 /// Bodies in equilibrium slower than this fraction of the largest speed that the bodies of the instant have had are at
 /// rest: rounding and the projection of velocities leave such speeds after the last impact.
 const STOPPED_RELATIVE: f64 = 1e-13;
-
-/// Bounces up to this many times the touch distance in height are not resolved one by one: during such a bounce the
-/// bodies cannot be distinguished from touching ones.
-const NEGLIGIBLE_HEIGHT: f64 = 64.0;
 
 /// Rounding error of a slip as a fraction of the largest speed that the bodies of the instant have had (1e-14 to 1e-11):
 /// that of velocities that cancelled, over some thousand steps.
@@ -267,16 +263,21 @@ impl Engine {
             forces = self.forces(core, instant, group, &candidates)?;
         }
         let mut has_ended_bounces = false;
+        let mut going_on = BTreeSet::new();
         // A contact may close again only because the one below it holds. The contacts found so far are therefore held
         // before the others are tested.
         loop {
-            let bounces = self.negligible_bounces(core, instant, group, &candidates, &forces);
+            let bounces = self.negligible_bounces(core, instant, group, (&candidates, &forces), &going_on);
             if bounces.is_empty() {
                 break;
             }
-            candidates.extend(bounces);
+            let ended = self.end_bounces(core, instant, group, (&candidates, &bounces))?;
+            going_on.extend(bounces.iter().map(|bounce| bounce.contact).filter(|i| !ended.contains(i)));
+            if ended.is_empty() {
+                break;
+            }
+            candidates.extend(ended);
             candidates.sort_unstable();
-            self.end_bounces(core, instant, group, &candidates)?;
             has_ended_bounces = true;
             forces = self.forces(core, instant, group, &candidates)?;
         }
@@ -371,71 +372,6 @@ impl Engine {
             core.accounts.add_contact_event(&core.world, &self.states, event, touch.id);
         }
         instant.touches[i].friction = mode;
-    }
-
-    /// Contacts that separate so slowly that they would close again without exceeding the touch distance. Their
-    /// infinite sequence of bounces is replaced by its end. A contact with restitution 1 never stops bouncing and is
-    /// not included.
-    fn negligible_bounces(
-        &self,
-        core: &Core,
-        instant: &mut Instant,
-        group: &Group,
-        candidates: &[usize],
-        forces: &Forces,
-    ) -> Vec<usize> {
-        let mut bounces = Vec::new();
-        for &i in group.contacts.iter().filter(|i| candidates.binary_search(i).is_err()) {
-            let touch = instant.touches[i];
-            let restitution = core.world.scene.pair_material(touch.id.a, touch.id.b).restitution();
-            let speed = touch.kinematics.separation_rate;
-            let acceleration = forces.relative_acceleration(&core.world, &self.states, &touch);
-            if restitution >= 1.0 || speed <= 0.0 || acceleration >= 0.0 {
-                continue;
-            }
-            let height = speed * speed / (-2.0 * acceleration);
-            let touch_distance = core.world.touch_distance(&self.states, touch.id.a, touch.id.b);
-            if height <= NEGLIGIBLE_HEIGHT * touch_distance {
-                // The remaining bounces take 2w/a (1 + e + e^2 + ...) in total (thesis 3.3).
-                let rest = instant.t + 2.0 * speed / (-acceleration * (1.0 - restitution));
-                for body in [touch.id.a, touch.id.b] {
-                    let known = instant.rest_times.entry(body).or_insert(rest);
-                    *known = known.max(rest);
-                }
-                bounces.push(i);
-            }
-        }
-        bounces
-    }
-
-    /// Ends the bounces: sets the relative velocity of all candidates to zero.
-    fn end_bounces(
-        &mut self,
-        core: &mut Core,
-        instant: &mut Instant,
-        group: &Group,
-        candidates: &[usize],
-    ) -> Result<(), SimulationError> {
-        self.end_flights(core, instant.t, group);
-        let ids: Vec<_> = candidates.iter().map(|&i| instant.touches[i].id).collect();
-        let speed = |touch: &Touch| touch.kinematics.separation_rate.abs();
-        let bounces = candidates.iter().map(|&i| instant.touches[i]);
-        let fastest = bounces.max_by(|x, y| speed(x).total_cmp(&speed(y)));
-        let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-        let slowed = projection::project_velocities(
-            &core.world,
-            &mut self.states,
-            &group.bodies,
-            (&ids, &[], &[]),
-            Removal::Complete,
-        )
-        .map_err(|source| Core::response_error(instant.t, source))?;
-        let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-        if let Some(fastest) = fastest {
-            core.book_ended_bounces(instant.t, &group.bodies, &fastest, (before, after), slowed.work_j);
-        }
-        self.refresh_kinematics(core, instant);
-        Ok(())
     }
 
     /// Projects held contacts onto zero separation and sets the mode of their bodies: at rest or constrained motion.

@@ -6,8 +6,9 @@
 //! the rim is parallel to the edge, the direction of the common normal is uncertain.
 //!
 //! A crossing is covered when the bodies that the disc touches cover the contact plane all around it: each of some
-//! points in the plane, at a distance of `PROBE` times the size of the smaller body, is inside one of them or not
-//! farther from its surface than `FLUSH` times that size. Only bodies that touch the disc count.
+//! points in the plane, at a distance of `PROBE` times the size of the smaller body, is inside one of them or within the
+//! touch distance of its surface. Only bodies that touch the disc count. A body that covers the plane there alone has no
+//! edge there: its crossing is a contact of two smooth surfaces, and remains.
 
 use super::contact_set::Touch;
 use crate::world::World;
@@ -17,10 +18,6 @@ use polhode_dynamics::BodyState;
 /// Distance of the points that are probed, relative to the size of the smaller body (no unit, 1e-7 to 1e-5): gaps
 /// between bodies below it are closed, as within compounds.
 const PROBE: f64 = 1e-6;
-
-/// How far a probed point may be above the surface of a body, relative to the size of the smaller body (no unit, 1e-10
-/// to 1e-8): the step that bodies pass over (`passing.rs`).
-const FLUSH: f64 = 1e-9;
 
 /// Number of points that are probed around a place.
 const PROBES: u32 = 16;
@@ -37,7 +34,10 @@ impl World {
                 let mut others = bodies_on(touches, round);
                 others.sort_unstable();
                 others.dedup();
-                others.len() > 1 && self.is_covered(states, touch, &others)
+                let crossed = if round == touch.id.a { touch.id.b } else { touch.id.a };
+                others.len() > 1
+                    && !self.is_covered(states, touch, &[crossed])
+                    && self.is_covered(states, touch, &others)
             })
             .map(|(touch, _)| touch.id)
             .collect();
@@ -50,7 +50,7 @@ impl World {
     fn is_covered(&self, states: &[BodyState], touch: &Touch, bodies: &[usize]) -> bool {
         let geometry = &touch.kinematics.geometry;
         let size = self.pair_size(touch.id.a, touch.id.b);
-        let allowed = FLUSH * size + self.touch_distance(states, touch.id.a, touch.id.b);
+        let allowed = self.touch_distance(states, touch.id.a, touch.id.b);
         let (u, w) = geometry.normal.any_orthonormal_pair();
         let covers = |body: usize, place: DVec3| {
             let near = self.bodies[body].shape.as_ref().map(|shape| closest_point(shape, &states[body].pose, place));

@@ -61,7 +61,7 @@ impl World {
         let velocities = [a, b].map(|body| self.velocity(body, &states[body]));
         let first = Moving { shape: shape_a, pose: &states[a].pose, velocity: &velocities[0] };
         let second = Moving { shape: shape_b, pose: &states[b].pose, velocity: &velocities[1] };
-        passing_contacts(feature, first, second)
+        passing_contacts(feature, first, second, self.touch_distance(states, a, b))
     }
 
     /// Whether the bodies of a contact pass each other along a face, so that they do not collide there.

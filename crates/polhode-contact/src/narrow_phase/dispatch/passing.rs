@@ -4,23 +4,23 @@
 //! border: the contacts are those of the other body with the plane of the face, as far as they lie on the face or
 //! beyond its border by no more than `BEYOND` times the joint size. They have the normal of the face.
 
-use crate::clearance::{joint_size, touch_tolerance};
+use crate::clearance::joint_size;
 use crate::narrow_phase::dispatch::workspace::Workspace;
 use crate::narrow_phase::feature::part_feature::{Kind, Local, globalized, localized};
 use crate::narrow_phase::feature::placed::Placed;
 use crate::narrow_phase::pair::pair_manifold::pair_manifold;
 use crate::narrow_phase::terms::evaluate::evaluate;
-use crate::narrow_phase::terms::open_face::{FLUSH, Moving, OpenFace, open_faces};
+use crate::narrow_phase::terms::open_face::{Moving, OpenFace, open_faces};
 use crate::shape::HalfSpace;
 use crate::{ContactFeature, Manifold, Shape, Side};
 
-/// How far beyond the border of a face a contact of its plane may lie, relative to the joint size (no unit, 6e-5 to
-/// 1e-3): a ball whose lowest point is `FLUSH` times its diameter below the plane meets the border at 6e-5 of its radius
-/// beside that point.
+/// How far beyond the border of a face a contact of its plane may lie, relative to the joint size (no unit, 1e-5 to
+/// 1e-3): a ball whose lowest point is 1e-11 of its diameter (a usual touch distance) below the plane meets the border at
+/// 6e-6 of its radius beside that point.
 const BEYOND: f64 = 1e-4;
 
 /// The contacts that take the place of one at which two bodies touch while they pass each other along an open face of
-/// the parts that the contact names; none when there is no such face.
+/// the parts that the contact names; none when there is no such face. `touch` is the touch distance of the bodies, m.
 ///
 /// A ball slides on a plane, flush with the top of a box, and reaches the edge of the box. The contact is with the top.
 /// ```
@@ -31,25 +31,30 @@ const BEYOND: f64 = 1e-4;
 /// let ball = Moving { shape: &ball, pose: &before_edge, velocity: &slides };
 /// let tile = Moving { shape: &tile, pose: &Pose::IDENTITY, velocity: &Velocity::ZERO };
 /// let edge = ContactFeature::Smooth { center_of: Side::A, center: 0, against: SurfaceFeature::Edge(0) };
-/// let contacts = passing_contacts(edge, ball, tile).unwrap_or_default();
+/// let contacts = passing_contacts(edge, ball, tile, 1e-11).unwrap_or_default();
 /// assert!(matches!(contacts[..], [ContactFeature::Smooth { against: SurfaceFeature::Face(_), .. }]));
 /// # Ok::<(), polhode_contact::ShapeError>(())
 /// ```
-pub fn passing_contacts(feature: ContactFeature, a: Moving<'_>, b: Moving<'_>) -> Option<Vec<ContactFeature>> {
+pub fn passing_contacts(
+    feature: ContactFeature,
+    a: Moving<'_>,
+    b: Moving<'_>,
+    touch: f64,
+) -> Option<Vec<ContactFeature>> {
     let Local { shapes, parts, .. } = localized(feature, a.shape, b.shape)?;
     let (a_part, b_part) = (Moving { shape: shapes[0], ..a }, Moving { shape: shapes[1], ..b });
-    let open = open_faces(a_part, b_part);
+    let open = open_faces(a_part, b_part, touch);
     if open.is_empty() {
         return None;
     }
-    let found = open.iter().flat_map(|face| on_plane(face, a_part, b_part));
+    let found = open.iter().flat_map(|face| on_plane(face, a_part, b_part, touch));
     Some(found.map(|contact| globalized(contact, [a.shape, b.shape], parts)).collect())
 }
 
 /// The contacts of one body with the plane of a face of the other one, near that face.
-fn on_plane(open: &OpenFace, a: Moving<'_>, b: Moving<'_>) -> Vec<ContactFeature> {
+fn on_plane(open: &OpenFace, a: Moving<'_>, b: Moving<'_>, touch: f64) -> Vec<ContactFeature> {
     let size = joint_size(a.shape, b.shape);
-    let reach = open.separation.max(0.0) + touch_tolerance(a.shape, a.pose, b.shape, b.pose, FLUSH);
+    let reach = open.separation.max(0.0) + touch;
     let plane = Shape::HalfSpace(HalfSpace { normal: open.normal, offset: open.offset });
     let (shape_a, shape_b) = match open.of {
         Side::A => (&plane, b.shape),

@@ -11,25 +11,20 @@
 //!
 //! `chi = min_y n.(y - x)`, `chi' = min n.(v_Y - v_X + (w_Y - w_X) x r_y)` over the points `y` of the first minimum,
 //!
-//! with velocities at these points, and the normal fixed to X. The face is **open** when `chi >= -FLUSH s`, with the
-//! joint size `s` of the pair, and `chi' >= -NOT_APPROACHING v`, with the sum `v` of the speeds of both bodies there. Nothing
+//! with velocities at these points, and the normal fixed to X. The face is **open** when `chi >= -d`, with the touch
+//! distance `d` of the pair, and `chi' >= -NOT_APPROACHING v`, with the sum `v` of the speeds of both bodies there. Nothing
 //! but the two bodies and their motion decides.
 //!
-//! For the surface of several bodies this means: a step up to `FLUSH` times the size of the smaller body is passed, a
-//! higher one trips, and a gap does not matter to a body that has not sunk into it.
+//! For the surface of several bodies this means: a step up to the touch distance is passed, a higher one trips, and a gap
+//! does not matter to a body that has not sunk into it.
 //!
 //! Limits: a half-space has no border and a mesh no inside, so that neither has an open face.
 
-use crate::clearance::touch_tolerance;
 use crate::shape::circle::Circle;
 use crate::shape::round::{circles, hull_points};
 use crate::{Shape, Side};
 use glam::DVec3;
 use polhode_spatial::{Pose, Velocity};
-
-/// A step up to this height is flush, relative to the size of the smaller body (no unit, 1e-11 to 1e-8): above the
-/// touch distance (1e-11), and as much as bodies may overlap where a scene places them (1e-9).
-pub const FLUSH: f64 = 1e-9;
 
 /// Bodies whose separation shrinks by less than this part of their speeds do not approach (no unit, 1e-12 to 1e-7):
 /// above the error of velocities within a step. A separation that goes on to shrink is found as an impact later.
@@ -68,17 +63,17 @@ pub(crate) struct OpenFace {
     pub(crate) separation: f64,
 }
 
-/// The open faces of two shapes without parts, A's before B's; none when they approach along all faces.
-pub(crate) fn open_faces(a: Moving<'_>, b: Moving<'_>) -> Vec<OpenFace> {
+/// The open faces of two shapes without parts, A's before B's, with the touch distance of their bodies (m); none when
+/// they approach along all faces.
+pub(crate) fn open_faces(a: Moving<'_>, b: Moving<'_>, touch: f64) -> Vec<OpenFace> {
     let mut open = Vec::new();
     if [a, b].iter().any(|body| is_without_open_face(body.shape)) {
         return open;
     }
-    let flush = touch_tolerance(a.shape, a.pose, b.shape, b.pose, FLUSH);
     for (of, own, other) in [(Side::A, a, b), (Side::B, b, a)] {
         each_face(own.shape, |face, normal, offset| {
             let found = OpenFace { of, face, normal, offset, separation: 0.0 };
-            open.extend(above(&found, own, other, flush).map(|separation| OpenFace { separation, ..found }));
+            open.extend(above(&found, own, other, touch).map(|separation| OpenFace { separation, ..found }));
         });
     }
     open
@@ -105,8 +100,8 @@ fn each_face(shape: &Shape, mut visit: impl FnMut(u32, DVec3, f64)) {
     }
 }
 
-/// How far a body is above a face of another one (m), if it does not approach it and is below it by at most `flush`.
-fn above(face: &OpenFace, own: Moving<'_>, other: Moving<'_>, flush: f64) -> Option<f64> {
+/// How far a body is above a face of another one (m), if it does not approach it and is below it by at most `touch`.
+fn above(face: &OpenFace, own: Moving<'_>, other: Moving<'_>, touch: f64) -> Option<f64> {
     let normal = own.pose.rotation.rotate(face.normal);
     let level = normal.dot(own.pose.translation) + face.offset;
     let local = other.pose.rotation.inverse_rotate(normal);
@@ -116,14 +111,14 @@ fn above(face: &OpenFace, own: Moving<'_>, other: Moving<'_>, flush: f64) -> Opt
     let of_points = points.iter().map(|p| local.dot(*p)).fold(f64::INFINITY, f64::min);
     let lowest = rims.iter().map(|rim| -rim.support(-local)).fold(of_points, f64::min);
     let separation = lowest - ball + origin;
-    if separation.is_nan() || separation < -flush {
+    if separation.is_nan() || separation < -touch {
         return None;
     }
     let stays = |place: DVec3, falls: f64| {
         let (v, w) = (other.at(place), own.at(place));
         normal.dot(v - w) - falls >= -NOT_APPROACHING * (v.length() + w.length())
     };
-    let low = lowest + flush;
+    let low = lowest + touch;
     let turning = normal.cross(other.velocity.angular - own.velocity.angular).length();
     let points_stay = points
         .iter()
@@ -134,7 +129,7 @@ fn above(face: &OpenFace, own: Moving<'_>, other: Moving<'_>, flush: f64) -> Opt
             return true;
         }
         // All points of a rim that is parallel to the face are equally low.
-        let is_flat = rim.radius * rim.axis.cross(local).length() <= flush;
+        let is_flat = rim.radius * rim.axis.cross(local).length() <= touch;
         let (place, falls) = if is_flat { (rim.center, rim.radius * turning) } else { (rim.farthest(-local), 0.0) };
         stays(other.pose.transform_point(place) - normal * ball, falls)
     };
