@@ -18,17 +18,9 @@ struct KnownFailure {
 const FEW_FEET: &str = "a disc of 108 feet stands for one that presses evenly: its sums are those of the feet to rounding, \
                         and integrals over the disc only as the number of feet grows (720 feet: 2e-3 of eps0)";
 
-/// Why flat bodies do not pass over a step of 1e-12 m as if it were not there.
-const TWO_LEVELS: &str = "the body keeps its velocity, but while it lies on both levels not all of its contacts can have zero \
-                          separation; projection leaves one of 1e-12 m, above the promised 3e-13 m, and the run is degraded";
-
 /// Why a torus does not pass over the seams of a compound.
 const TORUS_ON_PARTS: &str = "the run is degraded: contacts of a torus with the edges between parts of a compound are not \
                               yet left out of its set of contacts";
-
-/// Why a ball of 1 mm does not pass over a step of 1e-12 m as if it were not there.
-const SMALL_ON_A_STEP: &str = "the step is 5e-10 of the ball, half of what counts as flush, and the run is degraded: why has not been \
-                               found yet";
 
 /// Why lines with friction do not pass over seams as over one plate.
 const LINES_WITH_FRICTION: &str = "the velocity is 3e-4 off that on one plate: why has not been found yet";
@@ -52,12 +44,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure { case: "FC-05", quantity: "stop time", reason: FEW_FEET },
     KnownFailure { case: "seams", quantity: "ring over parts of a body", reason: TORUS_ON_PARTS },
     KnownFailure { case: "seams", quantity: "wheel over parts of a body", reason: TORUS_ON_PARTS },
-    KnownFailure { case: "seams", quantity: "box, step 1e-12 m", reason: TWO_LEVELS },
-    KnownFailure { case: "seams", quantity: "prism, step 1e-12 m", reason: TWO_LEVELS },
-    KnownFailure { case: "seams", quantity: "puck, step 1e-12 m", reason: TWO_LEVELS },
-    KnownFailure { case: "seams", quantity: "cone, step 1e-12 m", reason: TWO_LEVELS },
-    KnownFailure { case: "seams", quantity: "small ball, step 1e-12 m", reason: SMALL_ON_A_STEP },
-    KnownFailure { case: "seams", quantity: "wheel, step 1e-12 m", reason: TWO_LEVELS },
     KnownFailure { case: "seams", quantity: "roller with friction, as on one plate", reason: LINES_WITH_FRICTION },
     KnownFailure { case: "seams", quantity: "capsule with friction, as on one plate", reason: LINES_WITH_FRICTION },
     KnownFailure {

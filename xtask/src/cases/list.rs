@@ -110,6 +110,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "RC-09", rows: resting_contact::rc_09 },
     Case { name: "RC-10", rows: table_edge::rc_10 },
     Case { name: "seams", rows: seams::tiles },
+    Case { name: "seams: steps", rows: seams::steps },
     Case { name: "seams of other surfaces", rows: seams::surfaces },
     Case { name: "seams with friction", rows: seams::friction },
     Case { name: "FC-01", rows: slopes::fc_01 },

@@ -245,7 +245,7 @@ impl Search<'_> {
     }
 
     /// Whether a touch is an impact. It is none while the bodies pass each other along an open face. Where one is
-    /// noticeably below that face, the search ends too: contacts are found anew and lift it.
+    /// noticeably below that face, the search ends too: it is to be lifted.
     fn passed(&self, touch: Moment, start: f64) -> Ended {
         let velocities = self.motions.map(|motion| motion.velocity(touch.t));
         let moving = |k: usize| Moving { shape: self.shapes[k], pose: &touch.poses[k], velocity: &velocities[k] };

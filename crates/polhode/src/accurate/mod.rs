@@ -20,6 +20,7 @@
 //! | `near_pairs`, `impact_search` | pairs that may meet, and their impacts |
 //! | `instant`, `events` | an event, the affected bodies, and their motion afterwards |
 //! | `resolve`, `hold` | resolution of an instant, and the active contacts |
+//! | `lifting`, `ending_bounces`, `ending_slips` | bodies that pass onto a higher face; ends of bounces and slips that are too small to resolve |
 //! | `jam`, `turning` | impacts without a collision; rotations that friction of rolling and spinning holds |
 //! | `contact_change` | what changes at the contacts of an island at the end of its active set |
 //! | `contacts` | the touching contacts at their last evaluation |
@@ -51,6 +52,7 @@ mod impact_search;
 mod instant;
 mod island;
 mod jam;
+mod lifting;
 mod locate;
 mod near_pairs;
 mod pace;

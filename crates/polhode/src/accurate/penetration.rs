@@ -10,7 +10,7 @@
 
 use super::constrained_step::ConstrainedStep;
 use super::engine::Engine;
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_set::{ContactId, Pair};
 use crate::core::Core;
 use crate::interaction::locator::{Side, close_in};
 use polhode_dynamics::BodyState;
@@ -118,7 +118,8 @@ impl Engine {
     ) -> Penetration {
         let depth = PENETRATION_RELATIVE * core.world.pair_size(a, b) + core.world.rounding(states, a, b);
         // The same reach as in the resolution of the event, so that both find the same contacts.
-        let (separation, contacts) = core.world.pair(states, a, b, core.world.touch_distance(states, a, b));
+        let reach = core.world.touch_distance(states, a, b);
+        let Pair { separation, contacts, .. } = core.world.pair(states, a, b, reach);
         // A separating contact is left open, because it ends the penetration by itself, unless the penetration began
         // within the step.
         let began_in_step = || separation < -depth && !self.overlapped(core, (a, b), depth);
@@ -165,7 +166,8 @@ impl Engine {
         for (a, b) in step.held_pairs() {
             let travel =
                 (core.world.point_speed(&self.states, a) + core.world.point_speed(&self.states, b)) * (end - start);
-            let (_, contacts) = core.world.pair(states, a, b, travel + core.world.touch_distance(states, a, b));
+            let reach = travel + core.world.touch_distance(states, a, b);
+            let contacts = core.world.contacts_of_pair(states, a, b, reach);
             let open = contacts.iter().filter(|touch| step.active.held.binary_search(&touch.id).is_err());
             let wait = open.filter_map(|touch| {
                 let (gap, rate) = (touch.kinematics.geometry.separation, touch.kinematics.separation_rate);

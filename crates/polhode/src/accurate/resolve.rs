@@ -8,7 +8,7 @@ use super::engine::{Engine, Mode};
 use super::hold::{Forces, FoundMode};
 use super::instant::Instant;
 use crate::SimulationError;
-use crate::collision::contact_set::{ContactId, FoundContact, Hold, Touch};
+use crate::collision::contact_set::{ContactId, FoundContact, Hold, Pair, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::core::Core;
 use crate::event::{Event, EventKind};
@@ -75,7 +75,8 @@ impl Engine {
     /// When an impact or the contact forces cannot be solved.
     pub(super) fn resolve(&mut self, core: &mut Core, instant: &mut Instant) -> Result<(), SimulationError> {
         let held_before = instant.held_pairs();
-        self.detect(core, instant);
+        let passing = self.detect(core, instant);
+        self.lift_onto_faces(core, instant, &passing);
         self.strike_approaching(core, instant)?;
         for group in self.groups_in_motion(core, instant) {
             self.decide_holds(core, instant, &group)?;
@@ -88,10 +89,10 @@ impl Engine {
     }
 
     /// Finds the contacts of all pairs that touched or are near each other, except between bodies that have not moved.
-    fn detect(&mut self, core: &mut Core, instant: &mut Instant) {
+    /// Returns the pairs that pass each other along a face, ascending.
+    fn detect(&mut self, core: &mut Core, instant: &mut Instant) -> Vec<(usize, usize)> {
         let still = |body: usize| matches!(self.tracks[body].mode, Mode::Rest | Mode::Fixed);
         let mut found = Vec::with_capacity(instant.touches.len());
-        // Pairs of which a contact lies deeper than the pair overlaps, with their separations.
         let mut passing = Vec::new();
         for &(a, b) in &instant.pairs {
             if still(a) && still(b) {
@@ -99,13 +100,11 @@ impl Engine {
                 continue;
             }
             let reach = core.world.touch_distance(&self.states, a, b);
-            let (separation, contacts) = core.world.pair(&self.states, a, b, reach);
+            let Pair { separation, contacts, is_passing } = core.world.pair(&self.states, a, b, reach);
             // The overlap of two bodies may be larger than the penetration of each contact.
             let rate = contacts.iter().fold(0.0, |rate, contact| contact.kinematics.separation_rate.min(rate));
             core.note_separation(instant.t, &self.states, (a, b), (separation, rate));
-            if contacts.iter().any(|contact| {
-                contact.kinematics.geometry.separation < separation.min(0.0) - core.world.rounding(&self.states, a, b)
-            }) {
+            if is_passing {
                 passing.push((a, b));
             }
             found.extend(contacts.into_iter().map(|contact| {
@@ -127,6 +126,7 @@ impl Engine {
         for touch in instant.touches.iter().filter(measures) {
             core.note_contact(instant.t, &self.states, (touch.id.a, touch.id.b), &touch.kinematics);
         }
+        passing
     }
 
     /// Applies the impact law to every group in which a contact approaches.
@@ -427,9 +427,11 @@ impl Engine {
                 continue;
             }
             self.end_flights(core, instant.t, &group);
-            let ids: Vec<_> = touches.iter().map(|touch| touch.id).collect();
+            let mut pairs: Vec<_> = touches.iter().map(|touch| (touch.id.a, touch.id.b)).collect();
+            pairs.dedup();
             let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-            let done = projection::remove_overlap(&core.world, &mut self.states, &group.bodies, &ids, &mut core.solver)
+            let (bodies, solver) = (&group.bodies, &mut core.solver);
+            let done = projection::remove_overlap(&core.world, &mut self.states, bodies, &pairs, solver)
                 .map_err(|source| Core::response_error(instant.t, source))?;
             let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
             core.book_projection(instant.t, &self.states, &done, (before, after));

@@ -48,6 +48,24 @@ pub(crate) struct FoundContact {
     pub(crate) kinematics: ContactKinematics,
 }
 
+/// A pair of bodies that are near each other.
+#[derive(Debug)]
+pub(crate) struct Pair {
+    /// m; infinite when it exceeds the reach. It may be more negative than that of any contact.
+    pub(crate) separation: f64,
+    /// Sorted by feature.
+    pub(crate) contacts: Vec<FoundContact>,
+    /// Whether contacts with the plane of a face took the place of some at which the bodies would collide.
+    pub(crate) is_passing: bool,
+}
+
+impl Pair {
+    /// Bodies beyond the reach.
+    const fn far() -> Self {
+        Self { separation: f64::INFINITY, contacts: Vec::new(), is_passing: false }
+    }
+}
+
 /// A touching contact.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Touch {
@@ -254,20 +272,42 @@ impl World {
 
     /// Contacts of one pair with a separation of at most `reach` (m), sorted by feature.
     pub(crate) fn contacts_of_pair(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> Vec<FoundContact> {
-        self.pair(states, a, b, reach).1
+        self.pair(states, a, b, reach).contacts
     }
 
-    /// The separation of one pair, m, and its contacts as [`Self::contacts_of_pair`] gives them. The separation is
-    /// infinite when it exceeds `reach`; it may be more negative than that of any contact.
-    pub(crate) fn pair(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> (f64, Vec<FoundContact>) {
-        let Some((shape_a, shape_b)) = self.shapes(a, b) else { return (f64::INFINITY, Vec::new()) };
+    /// The separation of one pair, m, and its contacts as [`Self::contacts_of_pair`] gives them.
+    pub(crate) fn pair(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> Pair {
+        let Some((separation, mut contacts)) = self.manifold_with_counterparts(states, (a, b), reach) else {
+            return Pair::far();
+        };
+        let passing = self.take_place_of_collisions(states, (a, b), &mut contacts);
+        let is_passing = !passing.is_empty();
+        let contacts = self.within((a, b), reach, contacts, &passing);
+        Pair { separation, contacts, is_passing }
+    }
+
+    /// The separation of one pair, m, and its contacts with a separation of at most `reach` (m) by the poses of its
+    /// bodies alone: also those at which the bodies pass each other.
+    pub(crate) fn pair_at_poses(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> Pair {
+        let Some((separation, contacts)) = self.manifold_with_counterparts(states, (a, b), reach) else {
+            return Pair::far();
+        };
+        Pair { separation, contacts: self.within((a, b), reach, contacts, &[]), is_passing: false }
+    }
+
+    /// Separation (m) and contacts of one pair, sorted by feature; none when its separation exceeds `reach` (m).
+    fn manifold_with_counterparts(
+        &self,
+        states: &[BodyState],
+        (a, b): (usize, usize),
+        reach: f64,
+    ) -> Option<(f64, Vec<FoundContact>)> {
+        let (shape_a, shape_b) = self.shapes(a, b)?;
         let (pose_a, pose_b) = (&states[a].pose, &states[b].pose);
         let read = |found: &Manifold| {
             (found.separation, found.contacts.iter().map(|contact| contact.feature).collect::<Vec<_>>())
         };
-        let Some((separation, mut features)) = self.manifold_of(states, (a, b), reach, read) else {
-            return (f64::INFINITY, Vec::new());
-        };
+        let (separation, mut features) = self.manifold_of(states, (a, b), reach, read)?;
         let distance = COUNTERPART_FRACTION * TOUCH_RELATIVE * self.pair_size(a, b);
         for i in 0..features.len() {
             features.extend(counterpart(features[i], shape_a, pose_a, shape_b, pose_b, distance));
@@ -278,22 +318,33 @@ impl World {
             let id = ContactId { a, b, feature };
             Some(FoundContact { id, kinematics: self.kinematics_in_space(states, id)? })
         });
+        Some((separation, found.collect()))
+    }
+
+    /// Those of the contacts of one pair that are within `reach` (m) and on their features, or among `passing`
+    /// (ascending); in planar motion, those that are counted.
+    fn within(
+        &self,
+        (a, b): (usize, usize),
+        reach: f64,
+        found: Vec<FoundContact>,
+        passing: &[ContactFeature],
+    ) -> Vec<FoundContact> {
         // A contact that has left its features is dropped, even if collision detection keeps it as the last one of its
         // pair.
         let border = -TOUCH_RELATIVE * self.pair_size(a, b);
-        let mut found: Vec<FoundContact> = found.collect();
-        let passing = self.take_place_of_collisions(states, (a, b), &mut found);
         let within = |contact: &FoundContact| {
             let geometry = &contact.kinematics.geometry;
             geometry.separation <= reach
                 && (geometry.margin >= border || passing.binary_search(&contact.id.feature).is_ok())
         };
-        let Some(plane) = &self.plane else { return (separation, found.into_iter().filter(within).collect()) };
+        let Some(plane) = &self.plane else { return found.into_iter().filter(within).collect() };
+        let distance = COUNTERPART_FRACTION * TOUCH_RELATIVE * self.pair_size(a, b);
         let is_counted =
             |contact: &&FoundContact| is_counted(plane, contact.kinematics.geometry.point, &found, distance);
         let in_motion =
             |contact: &FoundContact| FoundContact { kinematics: self.in_plane(contact.kinematics), ..*contact };
-        (separation, found.iter().filter(is_counted).map(in_motion).filter(within).collect())
+        found.iter().filter(is_counted).map(in_motion).filter(within).collect()
     }
 }
 

@@ -98,7 +98,7 @@ impl Overlaps {
         let mut found = Self::default();
         for &(a, b) in pairs {
             let reach = world.touch_distance(states, a, b) + beyond;
-            for touch in world.contacts_of_pair(states, a, b, reach) {
+            for touch in world.pair_at_poses(states, a, b, reach).contacts {
                 let overlap = Overlap { id: touch.id, geometry: touch.kinematics.geometry };
                 if lies_on_features(world, states, touch.id, &overlap.geometry)
                     && -overlap.geometry.separation > found.deepest_m

@@ -12,6 +12,7 @@ use crate::interaction::overlap::Overlaps;
 use crate::interaction::rotation_row::RotationRow;
 use crate::interaction::rotational_friction::{apply_moments, moment_work};
 use crate::pivots::PivotKinematics;
+use crate::states_of::{set_states, states_of};
 use crate::world::World;
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
@@ -115,9 +116,20 @@ pub(crate) fn project(
     Projected { touching, held, sticking, turns }: Projected<'_>,
     (tolerance, solver): (f64, &mut ComplementaritySolver),
 ) -> Result<Projection, ResponseError> {
+    let start = states_of(states, bodies);
     let mut done = project_positions(world, states, bodies, touching)?;
     if done.exceeds_tolerance || done.is_partial || !(done.jumped.is_empty() && done.unconverged.is_empty()) {
-        done.moved_m += remove_overlap(world, states, bodies, touching, solver)?.moved_m;
+        let is_contact = |constraint: &ConstraintId| constraint.contact().is_some();
+        if done.jumped.is_empty() && done.unconverged.iter().any(is_contact) {
+            // Contacts that cannot all have zero separation: the body stands on two levels. Only penetration is removed.
+            set_states(states, bodies, &start);
+            done.moved_m = 0.0;
+            done.unconverged.retain(|constraint| !is_contact(constraint));
+        }
+        let mut pairs: Vec<_> = touching.iter().map(|id| (id.a, id.b)).collect();
+        pairs.sort_unstable();
+        pairs.dedup();
+        done.moved_m += remove_overlap(world, states, bodies, &pairs, solver)?.moved_m;
     }
     let (jumped, drifting): (Vec<_>, Vec<_>) = held.iter().copied().partition(|&id| {
         let kinematics = world.kinematics(states, id);
@@ -144,7 +156,7 @@ pub(crate) fn rate_exceeds_drift(
     kinematics.separation_rate.abs() > limit
 }
 
-/// Removes the penetration of the pairs of some contacts, without projecting the contacts onto zero separation.
+/// Removes the penetration of some pairs, without projecting their contacts onto zero separation.
 ///
 /// # Errors
 /// When the state is not finite.
@@ -152,15 +164,12 @@ pub(crate) fn remove_overlap(
     world: &World,
     states: &mut [BodyState],
     bodies: &[usize],
-    contacts: &[ContactId],
+    pairs: &[(usize, usize)],
     solver: &mut ComplementaritySolver,
 ) -> Result<Projection, ResponseError> {
-    let mut pairs: Vec<_> = contacts.iter().map(|id| (id.a, id.b)).collect();
-    pairs.sort_unstable();
-    pairs.dedup();
-    let overlaps = Overlaps::find(world, states, &pairs);
+    let overlaps = Overlaps::find(world, states, pairs);
     let farthest = overlaps.deepest.map(ConstraintId::Contact);
-    let removed = overlaps.remove(world, states, (bodies, &pairs), (solver, &mut Delassus::default()))?;
+    let removed = overlaps.remove(world, states, (bodies, pairs), (solver, &mut Delassus::default()))?;
     Ok(Projection { moved_m: removed.moved_m, farthest, ..Projection::default() })
 }
 

@@ -2,7 +2,8 @@
 //!
 //! Where such bodies touch beside the face, at its border or beyond it, they do not collide. The face stands for its
 //! border: the contacts are those of the other body with the plane of the face, as far as they lie on the face or
-//! beyond its border by no more than `BEYOND` times the joint size. They have the normal of the face.
+//! beyond its border by no more than `BEYOND` times the joint size. They have the normal of the face. A contact
+//! that has this normal itself, as where the flat side of a polyhedron lies on the border, stays.
 
 use crate::clearance::joint_size;
 use crate::narrow_phase::dispatch::workspace::Workspace;
@@ -18,6 +19,11 @@ use crate::{ContactFeature, Manifold, Shape, Side};
 /// 1e-3): a ball whose lowest point is 1e-11 of its diameter (a usual touch distance) below the plane meets the border at
 /// 6e-6 of its radius beside that point.
 const BEYOND: f64 = 1e-4;
+
+/// A contact of two polyhedra whose normal is parallel to that of the open face by this sine touches the face, and stays
+/// (no unit, 1e-11 to 1e-7): what it takes from the motion along the face is the square of it. The normals of round bodies
+/// turn as they pass.
+const ALIGNED: f64 = 1e-9;
 
 /// The contacts that take the place of one at which two bodies touch while they pass each other along an open face of
 /// the parts that the contact names; none when there is no such face. `touch` is the touch distance of the bodies, m.
@@ -44,7 +50,13 @@ pub fn passing_contacts(
     let Local { shapes, parts, .. } = localized(feature, a.shape, b.shape)?;
     let (a_part, b_part) = (Moving { shape: shapes[0], ..a }, Moving { shape: shapes[1], ..b });
     let open = open_faces(a_part, b_part, touch);
-    if open.is_empty() {
+    let geometry = evaluate(feature, a.shape, a.pose, b.shape, b.pose)?;
+    let is_of_face = |face: &OpenFace| {
+        let outward = face.of_pose(a, b).rotation.rotate(face.normal);
+        outward.cross(geometry.normal).length() <= ALIGNED
+    };
+    let is_of_polyhedra = matches!(feature, ContactFeature::VertexFace { .. } | ContactFeature::EdgeEdge { .. });
+    if open.is_empty() || is_of_polyhedra && open.iter().any(is_of_face) {
         return None;
     }
     let found = open.iter().flat_map(|face| on_plane(face, a_part, b_part, touch));

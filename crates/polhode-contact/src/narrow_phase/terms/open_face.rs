@@ -63,6 +63,16 @@ pub(crate) struct OpenFace {
     pub(crate) separation: f64,
 }
 
+impl OpenFace {
+    /// The pose of the body that it belongs to.
+    pub(crate) const fn of_pose<'a>(&self, a: Moving<'a>, b: Moving<'a>) -> &'a Pose {
+        match self.of {
+            Side::A => a.pose,
+            Side::B => b.pose,
+        }
+    }
+}
+
 /// The open faces of two shapes without parts, A's before B's, with the touch distance of their bodies (m); none when
 /// they approach along all faces.
 pub(crate) fn open_faces(a: Moving<'_>, b: Moving<'_>, touch: f64) -> Vec<OpenFace> {

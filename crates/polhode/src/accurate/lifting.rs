@@ -1,0 +1,55 @@
+//! Bodies that pass onto a higher face are lifted onto it.
+//!
+//! A body that slides from one face to the next passes over a step of at most the touch distance
+//! (`crate::collision::passing`). It is lifted by the height of the step, along the normal of the higher face and without
+//! a rotation, so that a flat body remains parallel to both faces: tilted by the step over its length, it would sink into
+//! the border of the higher face as it moves on. Two movable bodies share the height in the inverse ratio of their masses.
+//! The energy is booked as that of a projection.
+//!
+//! Bodies on a pivot are not lifted: the projection of held contacts moves them.
+
+use super::engine::{Engine, Mode};
+use super::instant::Instant;
+use crate::collision::contact_set::Touch;
+use crate::core::Core;
+use crate::interaction::constraint::ConstraintId;
+use crate::interaction::projection::Projection;
+use polhode_dynamics::RigidBody;
+
+impl Engine {
+    /// Lifts the bodies of pairs that pass each other (ascending) onto the faces along which they pass.
+    pub(super) fn lift_onto_faces(&mut self, core: &mut Core, instant: &mut Instant, passing: &[(usize, usize)]) {
+        for &(a, b) in passing {
+            let of_pair = |touch: &&Touch| (touch.id.a, touch.id.b) == (a, b);
+            let separation = |touch: &Touch| touch.kinematics.geometry.separation;
+            let touches = instant.touches.iter().filter(of_pair);
+            let Some(&deepest) = touches.min_by(|x, y| separation(x).total_cmp(&separation(y))) else { continue };
+            let depth = -separation(&deepest);
+            let inverse_mass = |body: usize| match &core.world.bodies[body].rigid {
+                Some(rigid) if core.world.bodies[body].moves() => RigidBody::mass(rigid).recip(),
+                _ => 0.0,
+            };
+            let (of_a, of_b) = (inverse_mass(a), inverse_mass(b));
+            let bodies: Vec<usize> = [(a, of_a), (b, of_b)].iter().filter(|(_, m)| *m > 0.0).map(|(i, _)| *i).collect();
+            let has_pivot = core.world.pivots(&self.states, &bodies).next().is_some();
+            if depth <= core.world.rounding(&self.states, a, b) || bodies.is_empty() || has_pivot {
+                continue;
+            }
+            for &body in &bodies {
+                self.book_flight(core, body, instant.t);
+                if matches!(self.tracks[body].mode, Mode::Flight(_) | Mode::Stepped) {
+                    self.tracks[body].mode = Mode::Constrained;
+                }
+            }
+            let before = core.accounts.books.balance(&core.world, &self.states, &bodies);
+            let rise = deepest.kinematics.geometry.normal * (depth / (of_a + of_b));
+            self.states[a].pose.translation += rise * of_a;
+            self.states[b].pose.translation -= rise * of_b;
+            let after = core.accounts.books.balance(&core.world, &self.states, &bodies);
+            let farthest = Some(ConstraintId::Contact(deepest.id));
+            let done = Projection { moved_m: depth, farthest, ..Projection::default() };
+            core.book_projection(instant.t, &self.states, &done, (before, after));
+            self.refresh_kinematics(core, instant);
+        }
+    }
+}
