@@ -116,7 +116,7 @@ impl Engine {
             }));
         }
         found.sort_by_key(|touch| touch.id);
-        core.world.remove_covered_crossings(&self.states, &mut found);
+        core.world.remove_covered_borders(&self.states, &mut found);
         instant.touches = found;
         // A contact point outside its features measures no penetration, nor does one with the plane of a face that the
         // bodies are about to pass onto.

@@ -5,7 +5,7 @@
 //! | `boxes` | swept boxes of moving bodies, and the pairs whose boxes overlap |
 //! | `narrow_phase` | contacts and separation of a pair of shapes, computed with the memory of the pair |
 //! | `contact_set` | the contacts of a pair with identity, geometry and time derivatives |
-//! | `covered_crossings` | crossings of a rim with an edge that other bodies continue |
+//! | `covered_borders` | contacts at a border that other bodies continue |
 //! | `passing` | bodies that pass over the border of another one without a collision |
 //! | `friction_mode` | whether an active contact with friction sticks or slides, and in which direction |
 //! | `friction_ellipse` | Coulomb's law along and across a grain |
@@ -16,7 +16,7 @@
 pub(crate) mod active_contacts;
 pub(crate) mod boxes;
 pub(crate) mod contact_set;
-mod covered_crossings;
+mod covered_borders;
 mod friction_ellipse;
 pub(crate) mod friction_mode;
 mod moving_surfaces;
