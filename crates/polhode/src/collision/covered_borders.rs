@@ -6,21 +6,24 @@
 //!
 //! - The crossings of the rim of a disc or ring with an edge. Near the place where the rim is parallel to the edge, the
 //!   direction of the common normal is uncertain.
-//! - Contacts at one place with two immovable bodies, as where the line of a lying cylinder crosses a seam. They lie
-//!   between other contacts. With friction, the motion would depend on what share of the load they take, which mechanics
-//!   of rigid bodies leaves open; on one plate there are none. Movable bodies need the support at their borders.
+//! - Contacts of an edge, a line or a face at one place with two immovable bodies, as where the line of a lying cylinder
+//!   crosses a seam. They lie between other contacts. With friction, the motion would depend on what share of the load
+//!   they take, which mechanics of rigid bodies leaves open; on one plate there are none. Movable bodies need the support
+//!   at their borders.
 //!
 //! A border is covered when the bodies that the lying body touches cover the contact plane all around the contact: each of
 //! some points in the plane, at a distance of `PROBE` times the size of the smaller body, is inside one of them or within
-//! the touch distance of its surface. A body that covers the plane there alone has no border there.
+//! the touch distance of its surface. A compound may cover the edge of one of its parts alone. Where a body covers the
+//! plane alone and is touched by an edge or a face, it has no border there.
 
 use super::contact_set::{ContactId, Touch};
 use crate::world::World;
-use polhode_contact::{ContactFeature, DVec3, SurfaceFeature, closest_point};
+use polhode_contact::{ContactFeature, DVec3, Side, SurfaceFeature, closest_point};
 use polhode_dynamics::BodyState;
 
 /// Distance of the points that are probed, relative to the size of the smaller body (no unit, 1e-7 to 1e-5): gaps
-/// between bodies below it are closed, as within compounds. Contacts nearer to each other are at one place.
+/// between bodies below it are closed, as within compounds. Contacts nearer to each other are at one place, and normals
+/// within this sine are parallel.
 const PROBE: f64 = 1e-6;
 
 /// Number of points that are probed around a place.
@@ -33,6 +36,8 @@ const TURNED: f64 = 0.3;
 #[derive(Debug, Clone, Copy)]
 struct Lying<'a> {
     touch: &'a Touch,
+    /// Which of the two bodies of the contact it is.
+    side: Side,
     body: usize,
     on: usize,
 }
@@ -40,37 +45,42 @@ struct Lying<'a> {
 impl World {
     /// Removes the contacts at borders that other touching bodies cover.
     pub(crate) fn remove_covered_borders(&self, states: &[BodyState], touches: &mut Vec<Touch>) {
-        let is_seam = |lying: &Lying<'_>| self.is_on_seam(lying, touches);
-        let lying = touches.iter().flat_map(|touch| {
-            let of_rim = body_of_rim(touch).map(|body| lying_on(touch, body));
-            let [on_a, on_b] = [touch.id.b, touch.id.a].map(|body| lying_on(touch, body));
-            of_rim.into_iter().chain([on_a, on_b].into_iter().filter(is_seam))
-        });
-        let is_covered = |Lying { touch, body, on }: &Lying<'_>| {
-            let mut others = bodies_on(touches, *body);
+        let others = |body: usize| {
+            let mut others = bodies_on(touches, body);
             others.sort_unstable();
             others.dedup();
-            others.len() > 1 && !self.cover(states, touch, &[*on]) && self.cover(states, touch, &others)
+            others
         };
-        let mut covered: Vec<ContactId> = lying.filter(is_covered).map(|lying| lying.touch.id).collect();
-        covered.dedup();
+        let crossings = touches.iter().filter_map(crossed_edge);
+        let crossings = crossings.filter(|lying| self.cover(states, lying.touch, &others(lying.body)));
+        let both_ways = |touch| [lying_on(touch, Side::A), lying_on(touch, Side::B)];
+        let seams = touches.iter().flat_map(both_ways).filter(|lying| self.is_on_seam(lying, touches));
+        let seams = seams.filter(|Lying { touch, body, on, .. }| {
+            !self.cover(states, touch, &[*on]) && self.cover(states, touch, &others(*body))
+        });
+        let lying = crossings.chain(seams);
+        let mut covered: Vec<ContactId> = lying.map(|lying| lying.touch.id).collect();
+        covered.sort_unstable();
         if !covered.is_empty() {
             touches.retain(|touch| covered.binary_search(&touch.id).is_err());
         }
     }
 
-    /// Whether a body that may move touches a second immovable body at the place of a contact with an immovable one.
-    fn is_on_seam(&self, &Lying { touch, body, on }: &Lying<'_>, touches: &[Touch]) -> bool {
+    /// Whether an edge, a line or a face of a body that may move touches a second immovable body at the place of its
+    /// contact with an immovable one.
+    fn is_on_seam(&self, &Lying { touch, side, body, on }: &Lying<'_>, touches: &[Touch]) -> bool {
         let moves = |body: usize| self.bodies[body].moves();
-        if !moves(body) || moves(on) {
+        if !moves(body) || moves(on) || is_extreme(touch.id.feature, side) {
             return false;
         }
         let near = PROBE * self.pair_size(touch.id.a, touch.id.b);
-        let point = touch.kinematics.geometry.point;
+        let here = &touch.kinematics.geometry;
         touches.iter().any(|other| {
             let partner = partner(other, body);
+            let there = &other.kinematics.geometry;
             partner.is_some_and(|partner| partner != on && !moves(partner))
-                && other.kinematics.geometry.point.distance(point) <= near
+                && there.point.distance(here.point) <= near
+                && there.normal.cross(here.normal).length() <= PROBE
         })
     }
 
@@ -92,17 +102,35 @@ impl World {
     }
 }
 
-const fn lying_on(touch: &Touch, body: usize) -> Lying<'_> {
-    Lying { touch, body, on: if body == touch.id.a { touch.id.b } else { touch.id.a } }
+const fn lying_on(touch: &Touch, side: Side) -> Lying<'_> {
+    let ContactId { a, b, .. } = touch.id;
+    match side {
+        Side::A => Lying { touch, side, body: a, on: b },
+        Side::B => Lying { touch, side, body: b, on: a },
+    }
 }
 
-/// The body whose rim crosses an edge or another rim at a contact; none for another contact.
-fn body_of_rim(touch: &Touch) -> Option<usize> {
-    use SurfaceFeature::{RimEntry, RimExit};
+/// The body whose rim crosses an edge at a contact, on the body of that edge; none for another contact.
+fn crossed_edge(touch: &Touch) -> Option<Lying<'_>> {
+    use SurfaceFeature::{Edge, RimEntry, RimExit};
     match touch.id.feature {
-        ContactFeature::Elements { a: RimExit(_) | RimEntry(_), .. } => Some(touch.id.a),
-        ContactFeature::Elements { b: RimExit(_) | RimEntry(_), .. } => Some(touch.id.b),
+        ContactFeature::Elements { a: RimExit(_) | RimEntry(_), b: Edge(_) } => Some(lying_on(touch, Side::A)),
+        ContactFeature::Elements { a: Edge(_), b: RimExit(_) | RimEntry(_) } => Some(lying_on(touch, Side::B)),
         _ => None,
+    }
+}
+
+/// Whether a body touches by a point that moves with it: a vertex, a sphere or a point of a rim. The load that it takes is
+/// taken by no other contact.
+const fn is_extreme(feature: ContactFeature, side: Side) -> bool {
+    use SurfaceFeature::{Edge, Face, Side as Lateral};
+    match (feature, side) {
+        (ContactFeature::EdgeEdge { .. }, _)
+        | (ContactFeature::Elements { a: Edge(_) | Face(_) | Lateral(_), .. }, Side::A)
+        | (ContactFeature::Elements { b: Edge(_) | Face(_) | Lateral(_), .. }, Side::B)
+        | (ContactFeature::VertexFace { vertex_of: Side::A, .. }, Side::B)
+        | (ContactFeature::VertexFace { vertex_of: Side::B, .. }, Side::A) => false,
+        _ => true,
     }
 }
 
