@@ -22,9 +22,6 @@ const FEW_FEET: &str = "a disc of 108 feet stands for one that presses evenly: i
 const TORUS_ON_PARTS: &str = "the run is degraded: contacts of a torus with the edges between parts of a compound are not \
                               yet left out of its set of contacts";
 
-/// Why lines with friction do not pass over seams as over one plate.
-const LINES_WITH_FRICTION: &str = "the velocity is 3e-4 off that on one plate: why has not been found yet";
-
 /// All of them.
 const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure {
@@ -44,8 +41,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure { case: "FC-05", quantity: "stop time", reason: FEW_FEET },
     KnownFailure { case: "seams", quantity: "ring over parts of a body", reason: TORUS_ON_PARTS },
     KnownFailure { case: "seams", quantity: "wheel over parts of a body", reason: TORUS_ON_PARTS },
-    KnownFailure { case: "seams", quantity: "roller with friction, as on one plate", reason: LINES_WITH_FRICTION },
-    KnownFailure { case: "seams", quantity: "capsule with friction, as on one plate", reason: LINES_WITH_FRICTION },
     KnownFailure {
         case: "random scenes",
         quantity: "seeds that end well and break a law",

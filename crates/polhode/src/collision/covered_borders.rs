@@ -12,8 +12,8 @@
 //!   at their borders.
 //!
 //! A border is covered when the bodies that the lying body touches cover the contact plane all around the contact: each of
-//! some points in the plane, at a distance of `PROBE` times the size of the smaller body, is inside one of them or within
-//! the touch distance of its surface. A compound may cover the edge of one of its parts alone. Where a body covers the
+//! some points in the plane, at a distance of `PROBE` times the size of the smaller body, is inside one of them or at its
+//! surface, within the touch distance for crossings and within rounding for seams. A compound may cover the edge of one of its parts alone. Where a body covers the
 //! plane alone and is touched by an edge or a face, it has no border there.
 
 use super::contact_set::{ContactId, Touch};
@@ -52,11 +52,15 @@ impl World {
             others
         };
         let crossings = touches.iter().filter_map(crossed_edge);
-        let crossings = crossings.filter(|lying| self.cover(states, lying.touch, &others(lying.body)));
+        let crossings = crossings.filter(|Lying { touch, body, .. }| {
+            self.cover(states, touch, &others(*body), self.touch_distance(states, touch.id.a, touch.id.b))
+        });
         let both_ways = |touch| [lying_on(touch, Side::A), lying_on(touch, Side::B)];
         let seams = touches.iter().flat_map(both_ways).filter(|lying| self.is_on_seam(lying, touches));
         let seams = seams.filter(|Lying { touch, body, on, .. }| {
-            !self.cover(states, touch, &[*on]) && self.cover(states, touch, &others(*body))
+            // The border of the higher one of two levels bears a load.
+            let level = self.rounding(states, touch.id.a, touch.id.b);
+            !self.cover(states, touch, &[*on], level) && self.cover(states, touch, &others(*body), level)
         });
         let lying = crossings.chain(seams);
         let mut covered: Vec<ContactId> = lying.map(|lying| lying.touch.id).collect();
@@ -84,11 +88,10 @@ impl World {
         })
     }
 
-    /// Whether some bodies cover the contact plane all around a contact.
-    fn cover(&self, states: &[BodyState], touch: &Touch, bodies: &[usize]) -> bool {
+    /// Whether some bodies cover the contact plane all around a contact, within `allowed` (m) of their surfaces.
+    fn cover(&self, states: &[BodyState], touch: &Touch, bodies: &[usize], allowed: f64) -> bool {
         let geometry = &touch.kinematics.geometry;
         let size = self.pair_size(touch.id.a, touch.id.b);
-        let allowed = self.touch_distance(states, touch.id.a, touch.id.b);
         let (u, w) = geometry.normal.any_orthonormal_pair();
         let covers = |body: usize, place: DVec3| {
             let near = self.bodies[body].shape.as_ref().map(|shape| closest_point(shape, &states[body].pose, place));
