@@ -4,6 +4,8 @@
 //! drains away, and the motion is another one. The ledger has that energy as `D_numerical`. A run in which it exceeds
 //! [`LIMIT_RELATIVE`] of the largest energy is degraded, from the time on at which it first does.
 //!
+//! A method under error control promises less than that: what its tolerance allows in each step (`crate::promise`).
+//!
 //! The step that would do follows from the order p of the method: `D` grows as `h^p`. Where the energy has grown beyond
 //! what the order describes, the fastest rates of the forces give it: an oscillation of rate w over the time T loses
 //! about `w T (w h)^p`, a decay of rate c about `(c h)^p`.
@@ -94,6 +96,20 @@ impl NumericalLoss {
              run; the limit is {} %: {cure}",
             100.0 * LIMIT_RELATIVE
         ))
+    }
+
+    /// What is wrong, where the loss is larger than a method under error control promises, relative to the energy of the
+    /// run.
+    pub(crate) fn broken(&self, promised: f64) -> Option<String> {
+        (self.relative > promised).then(|| {
+            let (done, size) = if self.energy_j < 0.0 { ("gained", -self.energy_j) } else { ("lost", self.energy_j) };
+            let relative = self.relative;
+            format!(
+                "degraded: the integrator {done} {size:.3e} J in all, {relative:.3e} of the largest energy of the run; the \
+                 promised limit is {promised:.3e}: a smaller method.tolerance, or method.crowding_tolerance where events \
+                 crowd, would do"
+            )
+        })
     }
 
     /// A step (s) whose loss stays below the limit, to the order of the method.

@@ -222,7 +222,7 @@ impl Engine {
             Step::Crowd(step) => {
                 let (states, report) = self.crowd_end(core, step, &island.bodies, t)?;
                 set_states(&mut self.states, &island.bodies, &states);
-                core.accounts.note_time_step(&core.world, t, &self.states, &report);
+                core.note_crowd_step(t, &self.states, &report);
                 return Ok(None);
             }
             Step::Waiting(_) => return Ok(None),
