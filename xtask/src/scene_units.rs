@@ -1,7 +1,7 @@
 //! A scene file in other units: lengths, times and masses multiplied by powers of two.
 //!
 //! With lengths larger by `4^k` and times by `2^k` accelerations are the same numbers, and every number of the scene is
-//! scaled without rounding. The table says the unit of every key of the format that has one; keys without one (names,
+//! scaled without rounding; square roots too, so masses grow by powers of 4 as lengths do. The table says the unit of every key of the format that has one; keys without one (names,
 //! coefficients, attitudes, choices) stay.
 
 use std::error::Error;
@@ -16,9 +16,9 @@ pub(crate) struct Units {
 }
 
 impl Units {
-    /// Lengths larger by `4^power`, times by `2^power`, masses by `2^mass_power`.
+    /// Lengths larger by `4^power`, times by `2^power`, masses by `4^mass_power`.
     pub(crate) fn of_powers(power: i32, mass_power: i32) -> Self {
-        Self { length: 4.0_f64.powi(power), time: 2.0_f64.powi(power), mass: 2.0_f64.powi(mass_power) }
+        Self { length: 4.0_f64.powi(power), time: 2.0_f64.powi(power), mass: 4.0_f64.powi(mass_power) }
     }
 
     /// The factor of the numbers of a key, in the table `beside` it; none for a key without a unit.
@@ -27,8 +27,8 @@ impl Units {
         let speed = length / time;
         let is_quadratic = beside.get("law").and_then(Value::as_str) == Some("quadratic");
         Some(match key {
-            "position" | "positions" | "size" | "radius" | "height" | "major" | "minor" | "pivot" | "anchor" | "point"
-            | "points" | "center" | "center_of_mass" | "rest_length" | "amplitude" | "rolling_friction"
+            "position" | "positions" | "size" | "radius" | "height" | "major" | "minor" | "pivot" | "anchor"
+            | "point" | "points" | "center" | "center_of_mass" | "rest_length" | "amplitude" | "rolling_friction"
             | "spinning_friction" | "scale" | "separate" => length,
             "duration" | "step" | "interval" | "times" => time,
             "gravity" => length / (time * time),
@@ -130,7 +130,7 @@ mod tests {
         let scene = "duration = 3\n[[bodies]]\nshape.sphere.radius = 0.5\nposition = [1, 2.0, 3]\nmass = 3\n\
                      orientation = [1, 0, 0, 0]\nshape.mesh.file = \"a.obj\"\n[[forces]]\ntype.torque.torque = [1, 0, 0]\n\
                      type.torque.signal.table = [[1, 5]]";
-        let text = Units::of_powers(1, 3).text(scene, 2.0).unwrap();
+        let text = Units::of_powers(1, 1).text(scene, 2.0).unwrap();
         let scaled: Table = toml::from_str(&text).unwrap();
         assert_eq!(scaled["duration"].as_float(), Some(4.0));
         assert_eq!(scaled["gravity"][2].as_float(), Some(-9.81));
@@ -139,10 +139,10 @@ mod tests {
         assert_eq!(body["shape"]["sphere"]["radius"].as_float(), Some(2.0));
         assert_eq!(body["shape"]["mesh"]["scale"].as_float(), Some(4.0));
         assert_eq!(body["position"][1].as_float(), Some(8.0));
-        assert_eq!(body["mass"].as_float(), Some(24.0));
+        assert_eq!(body["mass"].as_float(), Some(12.0));
         assert_eq!(body["orientation"][0].as_integer(), Some(1));
         let torque = &scaled["forces"][0]["type"]["torque"];
-        assert_eq!(torque["torque"][0].as_float(), Some(32.0));
+        assert_eq!(torque["torque"][0].as_float(), Some(16.0));
         assert_eq!(torque["signal"]["table"][0][0].as_float(), Some(2.0));
         assert_eq!(torque["signal"]["table"][0][1].as_integer(), Some(5));
     }

@@ -69,9 +69,7 @@ impl Core {
             projection_energy_relative: drift.unwrap_or(f64::INFINITY),
             crowd_projection_relative: self.crowding_allowed(),
             numerical_relative: match drift {
-                Some(drift) if !is_fixed => {
-                    drift * (duration_s / settings.step_s).max(1.0) + self.crowding_allowed()
-                }
+                Some(drift) if !is_fixed => drift * (duration_s / settings.step_s).max(1.0) + self.crowding_allowed(),
                 _ => f64::INFINITY,
             },
             ended_bounces_relative: ENDED_BOUNCES_RELATIVE,

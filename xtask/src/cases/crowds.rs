@@ -55,6 +55,16 @@ const INTERVALS_S: [f64; 3] = [0.0013, 0.01, 0.37];
 /// Duration of a random scene, s.
 const DURATION_S: f64 = 1.2;
 
+/// Smooth cylinders that crowd in a plain run, and the most that fall until as many have.
+const SMOOTH_CROWDS: usize = 2;
+const MOST_SMOOTH: u64 = 4000;
+
+/// Duration of a smooth scene, s.
+const SMOOTH_DURATION_S: f64 = 0.9;
+
+/// How far beside the axis of its ring a ball falls, m.
+const BALL_OFFSETS_M: [f64; 2] = [0.02, 0.05];
+
 /// Dimensions of a body, about its own origin.
 #[derive(Debug, Clone, Copy)]
 enum Solid {
@@ -111,14 +121,8 @@ struct Thrown {
 impl Thrown {
     /// The scene of this number, with friction.
     fn new(number: u64) -> Result<Self, Box<dyn Error>> {
-        Self::with_far_bodies(number, true, Vec::new())
-    }
-
-    /// The scene of this number, rough or smooth, with some more bodies.
-    fn with_far_bodies(number: u64, is_rough: bool, far: Vec<Body>) -> Result<Self, Box<dyn Error>> {
         let mut random = Random(number);
         let friction = random.between(0.1, 1.0);
-        let friction = if is_rough { friction } else { 0.0 };
         let material = Material::new("rubber", friction, random.one_of(&[0.0, 0.0, 0.3, 0.6]))?;
         let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into()).material(material.clone());
         let mut scene = Scene::builder("thrown").gravity(-DVec3::Z * GRAVITY).duration_s(DURATION_S).body(floor);
@@ -131,9 +135,6 @@ impl Thrown {
             scene = scene
                 .body(thrown.pose(Pose::new(random.rotation(), place)).velocity(velocity).material(material.clone()));
             solids.push(solid);
-        }
-        for body in far {
-            scene = scene.body(body);
         }
         Ok(Self { scene: scene.build()?, solids })
     }
@@ -188,21 +189,62 @@ pub(super) fn intervals(context: &Context) -> CaseResult {
     Ok(rows)
 }
 
-/// Smooth scenes with and without a rough box that stands a kilometre away: the bits of the others are the same.
+/// Smooth scenes with and without a rough box that stands a kilometre away: the bits of the others are the same. Cylinders
+/// fall until some of them have crowded: the bounces of a cylinder accumulate all along its rim. A ball that falls into a
+/// ring moves in a plane.
 pub(super) fn far_friction(context: &Context) -> CaseResult {
-    let count = context.amount.of(SCENES).max(2 * FEWEST);
-    let (mut crowded, mut others) = (0_u64, 0_u64);
-    for number in 0..count as u64 {
-        let alone = run(&Thrown::with_far_bodies(number, false, Vec::new())?.scene, &mut polhode::Unobserved)?;
-        let beside = run(&Thrown::with_far_bodies(number, false, far_pair()?)?.scene, &mut polhode::Unobserved)?;
+    let wanted = context.amount.of(SCENES).max(SMOOTH_CROWDS) as u64;
+    let (mut crowded, mut count, mut others) = (0_u64, 0_u64, 0_u64);
+    while crowded < wanted && count < MOST_SMOOTH {
+        let alone = run(&smooth_cylinder(count, Vec::new())?, &mut polhode::Unobserved)?;
+        let beside = run(&smooth_cylinder(count, far_pair()?)?, &mut polhode::Unobserved)?;
         crowded += u64::from(!alone.crowded.is_empty());
-        others += u64::from(format!("{:?}", alone.bodies) != format!("{:?}", &beside.bodies[..alone.bodies.len()]));
+        others += u64::from(are_others(&alone, &beside));
+        count += 1;
+    }
+    let mut others_in_a_plane = 0_u64;
+    for offset in BALL_OFFSETS_M {
+        let alone = run(&ball_into_ring(offset, Vec::new())?, &mut polhode::Unobserved)?;
+        let beside = run(&ball_into_ring(offset, far_pair()?)?, &mut polhode::Unobserved)?;
+        others_in_a_plane += u64::from(are_others(&alone, &beside));
     }
     let case = "crowds: friction far away";
+    let of_all = format!("cylinders that crowd, of {count}");
     Ok(vec![
-        Row::exact(case, "smooth scenes that end with other bits beside a rough box a kilometre away", 0, others),
-        Row::info(case, "smooth scenes that crowd, of all", count as u64, crowded),
+        Row::exact(case, "cylinders that end with other bits beside a rough box a kilometre away", 0, others),
+        Row::exact(case, &of_all, wanted, crowded),
+        Row::exact(case, "motions in a plane that end with other bits beside it", 0, others_in_a_plane),
     ])
+}
+
+/// Whether the bodies of a run end with other bits than the same bodies of another one with more bodies.
+fn are_others(alone: &RunReport, beside: &RunReport) -> bool {
+    format!("{:?}", alone.bodies) != format!("{:?}", &beside.bodies[..alone.bodies.len()])
+}
+
+/// The smooth cylinder of this number, which falls on a floor, with some more bodies.
+fn smooth_cylinder(number: u64, far: Vec<Body>) -> Result<Scene, Box<dyn Error>> {
+    let mut random = Random(number);
+    let material = Material::new("ice", 0.0, random.between(0.2, 0.4))?;
+    let solid = Solid::Cylinder(random.between(0.08, 0.12), random.between(0.12, 0.2));
+    let pose = Pose::new(random.rotation(), DVec3::Z * 0.3);
+    let velocity = Velocity::new(random.vector(-1.0, 1.0), DVec3::ZERO);
+    let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into()).material(material.clone());
+    let cylinder = solid.body("cylinder".to_owned(), Mass::new(1.0)?)?.pose(pose).velocity(velocity);
+    let scene = Scene::builder("cylinder").gravity(-DVec3::Z * GRAVITY).duration_s(SMOOTH_DURATION_S);
+    let bodies = [floor, cylinder.material(material)].into_iter().chain(far);
+    Ok(bodies.fold(scene, |scene, body| scene.body(body)).build()?)
+}
+
+/// A smooth ball that falls into a ring, beside its axis by `offset` (m), with some more bodies.
+fn ball_into_ring(offset: f64, far: Vec<Body>) -> Result<Scene, Box<dyn Error>> {
+    let material = Material::new("ice", 0.0, 0.5)?;
+    let ring = Body::fixed("ring").geometry(Shape::torus(0.5, 0.1)?.into()).material(material.clone());
+    let ball = Body::movable("ball", polhode::mesh::solid_sphere(0.5, Mass::new(1.0)?)?);
+    let ball = ball.geometry(Shape::sphere(0.5)?.into()).pose(Pose::from_translation(DVec3::new(offset, 0.0, 1.0)));
+    let scene = Scene::builder("ring").gravity(-DVec3::Z * GRAVITY).duration_s(SMOOTH_DURATION_S);
+    let bodies = [ring, ball.material(material)].into_iter().chain(far);
+    Ok(bodies.fold(scene, |scene, body| scene.body(body)).build()?)
 }
 
 /// A rough slab and a box on it, a kilometre away from the origin. They may touch nothing else.

@@ -250,7 +250,8 @@ impl Measures {
                  method.crowding_tolerance may do"
             ));
         }
-        exceeded.extend(self.numerical.exceeded(limits.step).or_else(|| self.numerical.broken(limits.numerical_relative)));
+        exceeded
+            .extend(self.numerical.exceeded(limits.step).or_else(|| self.numerical.broken(limits.numerical_relative)));
         let sum = self.ended_bounces_sum.value();
         let allowed = limits.ended_bounces_relative * ledger.scale_j.max(limits.smallest_energy_j);
         if let Some(worst) = self.ended_bounces.worst.filter(|_| sum > allowed) {

@@ -145,3 +145,18 @@ impl NumericalLoss {
         Self { energy_j: saved.energy_j, relative: saved.relative, first }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    //! A loss within the promise is not told; one beyond it is, with both.
+    use super::NumericalLoss;
+
+    #[test]
+    fn a_loss_beyond_what_the_tolerance_promises_is_told() {
+        let loss = NumericalLoss { energy_j: -8e-5, relative: 3.5e-6, first: None };
+        assert_eq!(loss.broken(4e-6), None);
+        assert_eq!(loss.broken(f64::INFINITY), None);
+        let told = loss.broken(1e-6).unwrap_or_default();
+        assert!(told.contains("gained 8.000e-5 J") && told.contains("1.000e-6"), "{told}");
+    }
+}

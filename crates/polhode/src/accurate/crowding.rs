@@ -554,20 +554,16 @@ fn attempt(
 /// The energy that projections and the integrator took in a time step of these bodies from these states, relative to their
 /// kinetic energy and that of lifting them by their size; zero where it is within what is allowed (no unit). No energy of
 /// the whole run: bodies elsewhere, and samples, change no step.
-fn taken_beyond(
-    core: &Core,
-    (bodies, start): (&[usize], &[BodyState]),
-    report: &TimeStepReport,
-    allowed: f64,
-) -> f64 {
+fn taken_beyond(core: &Core, (bodies, start): (&[usize], &[BodyState]), report: &TimeStepReport, allowed: f64) -> f64 {
     let taken = &report.books.ledger;
     let taken_j = taken.projection.value().abs() + taken.numerical.value().abs();
     let gravity = core.world.gravity().length();
     let energy = |(&body, state): (&usize, &BodyState)| {
         let size = core.world.bodies[body].size;
-        core.world.bodies[body].rigid.as_ref().map_or(0.0, |rigid| {
-            rigid.kinetic_energy(state) + rigid.mass() * gravity * size
-        })
+        core.world.bodies[body]
+            .rigid
+            .as_ref()
+            .map_or(0.0, |rigid| rigid.kinetic_energy(state) + rigid.mass() * gravity * size)
     };
     let scale_j: f64 = bodies.iter().zip(start).map(energy).sum();
     let is_large = taken_j > allowed * scale_j;

@@ -25,14 +25,7 @@ pub(super) struct Kick {
 }
 
 /// Kicks `bodies` by the fields at `t`, the middle of a step of `h` (s).
-pub(super) fn kick(
-    world: &World,
-    states: &mut [BodyState],
-    bodies: &[usize],
-    t: f64,
-    h: f64,
-    books: &Books,
-) -> Kick {
+pub(super) fn kick(world: &World, states: &mut [BodyState], bodies: &[usize], t: f64, h: f64, books: &Books) -> Kick {
     if !bodies.iter().any(|&body| world.is_loaded(body)) {
         return Kick::default();
     }
