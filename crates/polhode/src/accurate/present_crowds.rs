@@ -5,8 +5,8 @@
 //! all at once does. The cache is no part of the simulation state.
 
 use polhode_dynamics::BodyState;
+use std::cell::RefCell;
 use std::collections::BTreeSet;
-use std::sync::{Mutex, PoisonError};
 
 /// A time step of a crowd: its first body, and the bits of its start and of its end (s).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -35,7 +35,7 @@ struct Made {
 
 /// States of crowded bodies at one time.
 #[derive(Debug, Default)]
-pub(super) struct PresentCrowds(Mutex<Made>);
+pub(super) struct PresentCrowds(RefCell<Made>);
 
 impl PresentCrowds {
     /// The state of a body of the crowd `step` at `t` (s). Where it has not been made yet, `advance` writes the states of
@@ -47,7 +47,7 @@ impl PresentCrowds {
         all: &[BodyState],
         advance: impl FnOnce(&mut [BodyState]),
     ) -> Option<BodyState> {
-        let mut made = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut made = self.0.borrow_mut();
         if made.states.len() != all.len() {
             *made = Made { t, states: all.to_vec(), steps: BTreeSet::new() };
         }
