@@ -47,7 +47,9 @@ impl PresentCrowds {
         all: &[BodyState],
         advance: impl FnOnce(&mut [BodyState]),
     ) -> Option<BodyState> {
-        let mut made = self.0.borrow_mut();
+        // It is not asked while it makes a step; if it were, the answer would be made without the buffer.
+        let (mut kept, mut none) = (self.0.try_borrow_mut(), Made::default());
+        let made = kept.as_deref_mut().unwrap_or(&mut none);
         if made.states.len() != all.len() {
             *made = Made { t, states: all.to_vec(), steps: BTreeSet::new() };
         }
