@@ -47,6 +47,7 @@ mod random_scene;
 mod reference;
 mod rigid_ipc;
 mod row;
+mod scene_units;
 mod schedule;
 mod statics;
 mod table;

@@ -10,7 +10,10 @@
 //! s: size of the smaller body of the pair, m; ulp: unit in the last place of the largest coordinate of the two, m;
 //! tolerance: that of the method; drift: the tolerance, at least ten times its default; E: the largest energy of the
 //! run, at least that of lifting all bodies by their size, J. In every tier the integrator may lose or gain at most a
-//! hundredth of the largest energy (`crate::accounting::numerical_loss`). The time of an impact is known to four units in its last
+//! hundredth of the largest energy (`crate::accounting::numerical_loss`); in tier `accurate` under error control at most
+//! what its tolerances allow: `drift E` for each longest step of the run and the tolerance of crowding times E for each
+//! longest step in stretches of crowded events (at least one of each). Projections in such stretches may take as much as
+//! the second. The time of an impact is known to four units in its last
 //! place, and the distance by which the bodies approach in that time is added to the limit of penetration. A run that
 //! exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is a run of any tier in which ending
 //! bounces took more than 1e-9 of E beyond the energy of the bounces themselves, or with a problem that was not solved to
@@ -64,10 +67,39 @@ impl Core {
         let step = is_fixed.then_some(FixedStep { step_s: settings.step_s, order, duration_s });
         Limits {
             projection_energy_relative: drift.unwrap_or(f64::INFINITY),
+            crowd_projection_relative: self.crowding_allowed(),
+            numerical_relative: match drift {
+                Some(drift) if !is_fixed => drift * (duration_s / settings.step_s).max(1.0) + self.crowding_allowed(),
+                _ => f64::INFINITY,
+            },
             ended_bounces_relative: ENDED_BOUNCES_RELATIVE,
             smallest_energy_j: self.world.lifting_energy_j(),
             step,
         }
+    }
+
+    /// The part of the largest energy that the stretches of crowded events so far may take: their tolerance for each longest
+    /// step, as of the error of a position.
+    fn crowding_allowed(&self) -> f64 {
+        let longest = self.settings.step_s;
+        self.settings.crowding_tolerance * (self.accounts.crowded.length_s() / longest).max(1.0)
+    }
+
+    /// Books a time step of a stretch of crowded events that ends at `t` (s) in these states, and records what its
+    /// projections took.
+    pub(crate) fn note_crowd_step(&mut self, t: f64, states: &[BodyState], report: &TimeStepReport) {
+        self.accounts.note_time_step(&self.world, t, states, report);
+        let taken_j = report.books.ledger.projection.value();
+        if let Some(id) = report.deepest {
+            self.note_crowd_projection(t, (id.a, id.b), taken_j);
+        }
+    }
+
+    /// Records that projections of a pair took this energy (J) in a stretch of crowded events, at `t` (s).
+    pub(crate) fn note_crowd_projection(&mut self, t: f64, pair: (usize, usize), taken_j: f64) {
+        let measure = Measure { t, pair, value: taken_j.abs(), allowed: f64::INFINITY };
+        self.accounts.measures.crowd_projection.note(measure);
+        self.accounts.measures.crowd_projection_sum.add(taken_j);
     }
 
     /// Records the penetration of a contact of a pair at `t` (s) in the certificate.

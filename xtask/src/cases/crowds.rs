@@ -14,7 +14,7 @@ use glam::DVec3;
 use polhode::contact::Shape;
 use polhode::mesh::{Cone, Cylinder, Primitive, solid_box};
 use polhode::scene::{Material, Method};
-use polhode::spatial::{Mass, Pose, UnitVector, Velocity};
+use polhode::spatial::{Mass, Pose, Rotation, UnitVector, Velocity};
 use polhode::{Body, BodySample, CrowdingError, Effects, Observer, Outcome, RunReport, Scene, Simulation};
 use std::error::Error;
 
@@ -54,6 +54,45 @@ const INTERVALS_S: [f64; 3] = [0.0013, 0.01, 0.37];
 
 /// Duration of a random scene, s.
 const DURATION_S: f64 = 1.2;
+
+/// A smooth cylinder that falls on a floor.
+#[derive(Debug, Clone, Copy)]
+struct SmoothCylinder {
+    radius_m: f64,
+    height_m: f64,
+    restitution: f64,
+    place_m: DVec3,
+    /// Rotation vector, rad.
+    turn: DVec3,
+    /// m/s
+    velocity: DVec3,
+}
+
+/// Two whose bounces accumulate all along their rims, so that they crowd.
+const SMOOTH_CYLINDERS: [SmoothCylinder; 2] = [
+    SmoothCylinder {
+        radius_m: 0.12,
+        height_m: 0.137,
+        restitution: 0.4,
+        place_m: DVec3::new(0.0, 0.0, 0.3),
+        turn: DVec3::new(0.41, -0.83, -0.51),
+        velocity: DVec3::new(-0.55, 0.92, -0.75),
+    },
+    SmoothCylinder {
+        radius_m: 0.0973933,
+        height_m: 0.178965,
+        restitution: 0.3,
+        place_m: DVec3::new(0.0082788, 0.0409704, 0.4),
+        turn: DVec3::new(-0.9034271527463753, 0.6425485839826166, -0.8117399161206349),
+        velocity: DVec3::new(-0.5706036383286766, -0.8281055326216566, -0.16365569725848106),
+    },
+];
+
+/// Duration of a smooth scene, s.
+const SMOOTH_DURATION_S: f64 = 0.9;
+
+/// How far beside the axis of its ring a ball falls, m.
+const BALL_OFFSETS_M: [f64; 2] = [0.02, 0.05];
 
 /// Dimensions of a body, about its own origin.
 #[derive(Debug, Clone, Copy)]
@@ -111,14 +150,8 @@ struct Thrown {
 impl Thrown {
     /// The scene of this number, with friction.
     fn new(number: u64) -> Result<Self, Box<dyn Error>> {
-        Self::with_far_bodies(number, true, Vec::new())
-    }
-
-    /// The scene of this number, rough or smooth, with some more bodies.
-    fn with_far_bodies(number: u64, is_rough: bool, far: Vec<Body>) -> Result<Self, Box<dyn Error>> {
         let mut random = Random(number);
         let friction = random.between(0.1, 1.0);
-        let friction = if is_rough { friction } else { 0.0 };
         let material = Material::new("rubber", friction, random.one_of(&[0.0, 0.0, 0.3, 0.6]))?;
         let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into()).material(material.clone());
         let mut scene = Scene::builder("thrown").gravity(-DVec3::Z * GRAVITY).duration_s(DURATION_S).body(floor);
@@ -131,9 +164,6 @@ impl Thrown {
             scene = scene
                 .body(thrown.pose(Pose::new(random.rotation(), place)).velocity(velocity).material(material.clone()));
             solids.push(solid);
-        }
-        for body in far {
-            scene = scene.body(body);
         }
         Ok(Self { scene: scene.build()?, solids })
     }
@@ -188,21 +218,58 @@ pub(super) fn intervals(context: &Context) -> CaseResult {
     Ok(rows)
 }
 
-/// Smooth scenes with and without a rough box that stands a kilometre away: the bits of the others are the same.
-pub(super) fn far_friction(context: &Context) -> CaseResult {
-    let count = context.amount.of(SCENES).max(2 * FEWEST);
+/// Smooth scenes with and without a rough box that stands a kilometre away: the bits of the others are the same. The
+/// cylinders crowd; a ball that falls into a ring moves in a plane.
+pub(super) fn far_friction(_context: &Context) -> CaseResult {
     let (mut crowded, mut others) = (0_u64, 0_u64);
-    for number in 0..count as u64 {
-        let alone = run(&Thrown::with_far_bodies(number, false, Vec::new())?.scene, &mut polhode::Unobserved)?;
-        let beside = run(&Thrown::with_far_bodies(number, false, far_pair()?)?.scene, &mut polhode::Unobserved)?;
+    for cylinder in SMOOTH_CYLINDERS {
+        let alone = run(&cylinder.scene(Vec::new())?, &mut polhode::Unobserved)?;
+        let beside = run(&cylinder.scene(far_pair()?)?, &mut polhode::Unobserved)?;
         crowded += u64::from(!alone.crowded.is_empty());
-        others += u64::from(format!("{:?}", alone.bodies) != format!("{:?}", &beside.bodies[..alone.bodies.len()]));
+        others += u64::from(are_others(&alone, &beside));
+    }
+    let mut others_in_a_plane = 0_u64;
+    for offset in BALL_OFFSETS_M {
+        let alone = run(&ball_into_ring(offset, Vec::new())?, &mut polhode::Unobserved)?;
+        let beside = run(&ball_into_ring(offset, far_pair()?)?, &mut polhode::Unobserved)?;
+        others_in_a_plane += u64::from(are_others(&alone, &beside));
     }
     let case = "crowds: friction far away";
     Ok(vec![
-        Row::exact(case, "smooth scenes that end with other bits beside a rough box a kilometre away", 0, others),
-        Row::info(case, "smooth scenes that crowd, of all", count as u64, crowded),
+        Row::exact(case, "cylinders that end with other bits beside a rough box a kilometre away", 0, others),
+        Row::exact(case, "cylinders that crowd", SMOOTH_CYLINDERS.len() as u64, crowded),
+        Row::exact(case, "motions in a plane that end with other bits beside it", 0, others_in_a_plane),
     ])
+}
+
+/// Whether the bodies of a run end with other bits than the same bodies of another one with more bodies.
+fn are_others(alone: &RunReport, beside: &RunReport) -> bool {
+    format!("{:?}", alone.bodies) != format!("{:?}", &beside.bodies[..alone.bodies.len()])
+}
+
+impl SmoothCylinder {
+    /// It and its floor, with some more bodies.
+    fn scene(self, far: Vec<Body>) -> Result<Scene, Box<dyn Error>> {
+        let material = Material::new("ice", 0.0, self.restitution)?;
+        let pose = Pose::new(Rotation::from_rotation_vector(self.turn), self.place_m);
+        let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into()).material(material.clone());
+        let cylinder = Solid::Cylinder(self.radius_m, self.height_m).body("cylinder".to_owned(), Mass::new(1.0)?)?;
+        let cylinder = cylinder.pose(pose).velocity(Velocity::new(self.velocity, DVec3::ZERO)).material(material);
+        let scene = Scene::builder("cylinder").gravity(-DVec3::Z * GRAVITY).duration_s(SMOOTH_DURATION_S);
+        let bodies = [floor, cylinder].into_iter().chain(far);
+        Ok(bodies.fold(scene, |scene, body| scene.body(body)).build()?)
+    }
+}
+
+/// A smooth ball that falls into a ring, beside its axis by `offset` (m), with some more bodies.
+fn ball_into_ring(offset: f64, far: Vec<Body>) -> Result<Scene, Box<dyn Error>> {
+    let material = Material::new("ice", 0.0, 0.5)?;
+    let ring = Body::fixed("ring").geometry(Shape::torus(0.5, 0.1)?.into()).material(material.clone());
+    let ball = Body::movable("ball", polhode::mesh::solid_sphere(0.5, Mass::new(1.0)?)?);
+    let ball = ball.geometry(Shape::sphere(0.5)?.into()).pose(Pose::from_translation(DVec3::new(offset, 0.0, 1.0)));
+    let scene = Scene::builder("ring").gravity(-DVec3::Z * GRAVITY).duration_s(SMOOTH_DURATION_S);
+    let bodies = [ring, ball.material(material)].into_iter().chain(far);
+    Ok(bodies.fold(scene, |scene, body| scene.body(body)).build()?)
 }
 
 /// A rough slab and a box on it, a kilometre away from the origin. They may touch nothing else.

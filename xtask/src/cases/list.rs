@@ -8,7 +8,7 @@ use super::{
     numerical_loss, one_dependency, peers, pi_machine, polhode_times, published_rotations, random_scenes,
     random_solids, reductions, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, seams, sliding,
     sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed, spinning_scenes, stackings, stacks,
-    stacks_on_slopes, structures, table_edge, thesis_tier, tunnelling, valleys, videos, walls,
+    stacks_on_slopes, structures, table_edge, thesis_tier, tunnelling, units, valleys, videos, walls,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -170,6 +170,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "Rigid IPC incline", rows: rigid_ipc::incline },
     Case { name: "Rigid IPC suite", rows: rigid_ipc::suite },
     Case { name: "effects", rows: effects::planned_equals_all },
+    Case { name: "other units", rows: units::shipped },
     Case { name: "crowds: output intervals", rows: crowds::intervals },
     Case { name: "crowds: samples", rows: crowds::samples },
     Case { name: "crowds: estimated error", rows: crowds::estimates },

@@ -86,6 +86,7 @@ mod structures;
 mod table_edge;
 mod thesis_tier;
 mod tunnelling;
+mod units;
 mod valleys;
 mod videos;
 mod walls;

@@ -1,7 +1,8 @@
 //! The same scene set differently in the world: mirrored, turned, moved, in other units, or started a little elsewhere.
 //!
 //! In other units lengths are larger by `4^k` and times by `2^k`, so that accelerations are the same numbers, and masses
-//! by a power of two: every number of the scene is then scaled without rounding.
+//! by a power of 4: every number of the scene is then scaled without rounding, and so are the square roots of masses that a
+//! Cholesky factor of inverse masses takes, as those of lengths.
 
 use super::model::{Body, Force, Form, Material, Model, Motion, Part, Role, Triangles};
 use glam::{DQuat, DVec3};
@@ -19,7 +20,7 @@ pub(crate) enum SceneCopy {
     Scaled {
         /// Lengths are larger by 4 to this power, times by 2 to it.
         power: i32,
-        /// Masses are larger by 2 to this power.
+        /// Masses are larger by 4 to this power.
         mass_power: i32,
     },
     /// Velocities at the start differ by this part of themselves.
@@ -49,7 +50,7 @@ impl SceneCopy {
     fn units(self) -> Units {
         match self {
             Self::Scaled { power, mass_power } => {
-                Units { length: 4.0_f64.powi(power), time: 2.0_f64.powi(power), mass: 2.0_f64.powi(mass_power) }
+                Units { length: 4.0_f64.powi(power), time: 2.0_f64.powi(power), mass: 4.0_f64.powi(mass_power) }
             }
             _ => Units { length: 1.0, time: 1.0, mass: 1.0 },
         }

@@ -14,6 +14,10 @@ use polhode_spatial::CompensatedSum;
 pub(crate) struct Limits {
     /// Energy that projections may remove or add, relative to the energy of the scene.
     pub(crate) projection_energy_relative: f64,
+    /// Energy that projections in stretches of crowded events may remove or add, relative to the energy of the scene.
+    pub(crate) crowd_projection_relative: f64,
+    /// Energy that the integrator may lose or gain, relative to the energy of the scene; infinite without a promise.
+    pub(crate) numerical_relative: f64,
     /// Energy that ended bounces may take beyond their own, relative to the energy of the scene.
     pub(crate) ended_bounces_relative: f64,
     /// Lower bound for the energy scale of the scene, J, for runs with hardly any energy.
@@ -111,6 +115,10 @@ pub(crate) struct Measures {
     pub(crate) friction: Worst,
     /// Energy removed by all projections except those of overlaps at the start, J.
     pub(crate) drift_energy: CompensatedSum,
+    /// Change of energy by the projections of one time step of a stretch of crowded events, J.
+    pub(crate) crowd_projection: Worst,
+    /// Energy removed by all of these, J.
+    pub(crate) crowd_projection_sum: CompensatedSum,
     /// Energy that the end of bounces at one instant took beyond that of the bounces, J.
     pub(crate) ended_bounces: Worst,
     /// The same of all instants, J.
@@ -146,6 +154,8 @@ impl Measures {
             projection_energy: self.projection_energy.save(),
             friction: self.friction.save(),
             drift_energy: self.drift_energy.parts(),
+            crowd_projection: self.crowd_projection.save(),
+            crowd_projection_sum: self.crowd_projection_sum.parts(),
             ended_bounces: self.ended_bounces.save(),
             ended_bounces_sum: self.ended_bounces_sum.parts(),
             unsolved: self.unsolved.save(),
@@ -166,6 +176,8 @@ impl Measures {
             projection_energy: Worst::restored(&saved.projection_energy, bodies)?,
             friction: Worst::restored(&saved.friction, bodies)?,
             drift_energy: CompensatedSum::from_parts(saved.drift_energy),
+            crowd_projection: Worst::restored(&saved.crowd_projection, bodies)?,
+            crowd_projection_sum: CompensatedSum::from_parts(saved.crowd_projection_sum),
             ended_bounces: Worst::restored(&saved.ended_bounces, bodies)?,
             ended_bounces_sum: CompensatedSum::from_parts(saved.ended_bounces_sum),
             unsolved: Occurrences::restored(&saved.unsolved),
@@ -187,9 +199,11 @@ impl Measures {
         certificate.max_projection_m = self.projection.largest;
         certificate.max_projection_of_limit = self.projection.of_limit();
         certificate.max_projection_at = self.projection.at();
-        certificate.max_projection_j = self.projection_energy.largest;
-        certificate.max_projection_relative = relative(self.projection_energy.largest, ledger);
-        certificate.max_projection_j_at = self.projection_energy.at();
+        let [located, crowded] = [&self.projection_energy, &self.crowd_projection];
+        let larger = if crowded.largest > located.largest { crowded } else { located };
+        certificate.max_projection_j = larger.largest;
+        certificate.max_projection_relative = relative(larger.largest, ledger);
+        certificate.max_projection_j_at = larger.at();
         certificate.max_ended_bounces_j = self.ended_bounces.largest;
         certificate.max_ended_bounces_at = self.ended_bounces.at();
         certificate.ended_bounces_j = self.ended_bounces_sum.value();
@@ -226,7 +240,18 @@ impl Measures {
                  the promised limit is {allowed:e} J"
             ));
         }
-        exceeded.extend(self.numerical.exceeded(limits.step));
+        let sum = self.crowd_projection_sum.value();
+        let allowed = limits.crowd_projection_relative * ledger.scale_j.max(limits.smallest_energy_j);
+        if let Some(worst) = self.crowd_projection.worst.filter(|_| sum.abs() > allowed) {
+            let (t, value, names) = (worst.t, worst.value, names(&worst));
+            exceeded.push(format!(
+                "t = {t} s: degraded: projections in stretches of crowded events took {sum:e} J in all, those of one time \
+                 step, the largest of {names}, {value:e} J; the promised limit is {allowed:e} J: a smaller \
+                 method.crowding_tolerance may do"
+            ));
+        }
+        exceeded
+            .extend(self.numerical.exceeded(limits.step).or_else(|| self.numerical.broken(limits.numerical_relative)));
         let sum = self.ended_bounces_sum.value();
         let allowed = limits.ended_bounces_relative * ledger.scale_j.max(limits.smallest_energy_j);
         if let Some(worst) = self.ended_bounces.worst.filter(|_| sum > allowed) {

@@ -4,6 +4,8 @@
 //! drains away, and the motion is another one. The ledger has that energy as `D_numerical`. A run in which it exceeds
 //! [`LIMIT_RELATIVE`] of the largest energy is degraded, from the time on at which it first does.
 //!
+//! A method under error control promises less than that: what its tolerance allows in each step (`crate::promise`).
+//!
 //! The step that would do follows from the order p of the method: `D` grows as `h^p`. Where the energy has grown beyond
 //! what the order describes, the fastest rates of the forces give it: an oscillation of rate w over the time T loses
 //! about `w T (w h)^p`, a decay of rate c about `(c h)^p`.
@@ -96,6 +98,20 @@ impl NumericalLoss {
         ))
     }
 
+    /// What is wrong, where the loss is larger than a method under error control promises, relative to the energy of the
+    /// run.
+    pub(crate) fn broken(&self, promised: f64) -> Option<String> {
+        (self.relative > promised).then(|| {
+            let (done, size) = if self.energy_j < 0.0 { ("gained", -self.energy_j) } else { ("lost", self.energy_j) };
+            let relative = self.relative;
+            format!(
+                "degraded: the integrator {done} {size:.3e} J in all, {relative:.3e} of the largest energy of the run; the \
+                 promised limit is {promised:.3e}: a smaller method.tolerance, or method.crowding_tolerance where events \
+                 crowd, would do"
+            )
+        })
+    }
+
     /// A step (s) whose loss stays below the limit, to the order of the method.
     fn sufficient(&self, FixedStep { step_s, order, duration_s }: FixedStep, rates: Rates) -> f64 {
         let root = |x: f64| libm::pow(x, 1.0 / f64::from(order.max(1)));
@@ -127,5 +143,20 @@ impl NumericalLoss {
         let first = |content::FirstLoss { t, oscillation, decay }| First { t, rates: Rates { oscillation, decay } };
         let first = saved.first.map(first);
         Self { energy_j: saved.energy_j, relative: saved.relative, first }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    //! A loss within the promise is not told; one beyond it is, with both.
+    use super::NumericalLoss;
+
+    #[test]
+    fn a_loss_beyond_what_the_tolerance_promises_is_told() {
+        let loss = NumericalLoss { energy_j: -8e-5, relative: 3.5e-6, first: None };
+        assert_eq!(loss.broken(4e-6), None);
+        assert_eq!(loss.broken(f64::INFINITY), None);
+        let told = loss.broken(1e-6).unwrap_or_default();
+        assert!(told.contains("gained 8.000e-5 J") && told.contains("1.000e-6"), "{told}");
     }
 }

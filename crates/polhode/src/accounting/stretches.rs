@@ -19,6 +19,11 @@ impl Stretches {
         self.0.len() - 1
     }
 
+    /// The length of all stretches, s; where two overlap in time both count.
+    pub(crate) fn length_s(&self) -> f64 {
+        self.0.iter().map(|stretch| stretch.to_s - stretch.from_s).sum()
+    }
+
     /// The sum of the estimated errors of all time steps, relative to the size of a body.
     pub(crate) fn errors(&self) -> f64 {
         self.0.iter().map(|stretch| stretch.error).sum()

@@ -7,7 +7,8 @@
 //! [`LONGEST_STRETCH`].
 //!
 //! A stretch has its own error control: each time step is compared with two of half its length, and the tolerance of
-//! crowding determines its length. The sum of the estimates is reported with the stretch. The bodies of a stretch are
+//! crowding determines its length; so does the energy that its projections and the integrator take, relative to that
+//! of its bodies. The sum of the estimates is reported with the stretch. The bodies of a stretch are
 //! called its crowd. A body of another island that may touch the crowd within a time step joins it. For the impact
 //! search of other islands, a body moves within one time step along a straight line at constant angular velocity.
 //!
@@ -439,11 +440,15 @@ impl Engine {
         if !overlaps.is_excess {
             return Ok(());
         }
+        let deepest = overlaps.deepest;
         let before = core.accounts.books.balance(&core.world, &self.states, &instant.bodies);
         let (of, problem) = ((&instant.bodies[..], &instant.pairs[..]), (&mut core.solver, &mut Delassus::default()));
         overlaps.remove(&core.world, &mut self.states, of, problem).map_err(failed)?;
         let after = core.accounts.books.balance(&core.world, &self.states, &instant.bodies);
-        core.accounts.books.projection(before, after, 0.0);
+        let taken_j = core.accounts.books.projection(before, after, 0.0);
+        if let Some(id) = deepest {
+            core.note_crowd_projection(instant.t, (id.a, id.b), taken_j);
+        }
         Ok(())
     }
 
@@ -516,6 +521,7 @@ fn attempt(
         let (report, error) = made.map_err(|source| Core::response_error(t, source))?;
         let even = control.even_share() * core.settings.crowd_error_allowed() * h / longest;
         let allowed = even.max(SHARE_OF_SPARE * crowd.spare_error);
+        let error = error.max(taken_beyond(core, (bodies, start), &report, allowed));
         let ratio = if error > 0.0 { SAFETY * (allowed / error).sqrt() } else { f64::INFINITY };
         let rate = error / h;
         let better = least.take_if(|least| error > allowed && h <= shortest && least.rate() < rate);
@@ -543,6 +549,25 @@ fn attempt(
             return Ok(Attempted::Divided(parts));
         }
     }
+}
+
+/// The energy that projections and the integrator took in a time step of these bodies from these states, relative to their
+/// kinetic energy and that of lifting them by their size; zero where it is within what is allowed (no unit). No energy of
+/// the whole run: bodies elsewhere, and samples, change no step.
+fn taken_beyond(core: &Core, (bodies, start): (&[usize], &[BodyState]), report: &TimeStepReport, allowed: f64) -> f64 {
+    let taken = &report.books.ledger;
+    let taken_j = taken.projection.value().abs() + taken.numerical.value().abs();
+    let gravity = core.world.gravity().length();
+    let energy = |(&body, state): (&usize, &BodyState)| {
+        let size = core.world.bodies[body].size;
+        core.world.bodies[body]
+            .rigid
+            .as_ref()
+            .map_or(0.0, |rigid| rigid.kinetic_energy(state) + rigid.mass() * gravity * size)
+    };
+    let scale_j: f64 = bodies.iter().zip(start).map(energy).sum();
+    let is_large = taken_j > allowed * scale_j;
+    if is_large && scale_j > 0.0 { taken_j / scale_j } else { 0.0 }
 }
 
 /// How far a body in these states may travel within `h` (s), m.

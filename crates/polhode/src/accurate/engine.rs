@@ -8,6 +8,7 @@ use super::instant::Instant;
 use super::island::{Island, Step};
 use super::near_pairs::NearPairs;
 use super::pace::Pace;
+use super::present_crowds::PresentCrowds;
 use super::state_cache::StateCache;
 use crate::SimulationError;
 use crate::accounting::books::{Books, Received, gravity_at};
@@ -106,6 +107,7 @@ pub(crate) struct Engine {
     /// Time of the last observation of energies and momenta, s.
     pub(super) observed_s: f64,
     pub(super) state_cache: StateCache,
+    pub(super) present_crowds: PresentCrowds,
 }
 
 impl Engine {
@@ -130,6 +132,7 @@ impl Engine {
             goes_on: false,
             observed_s: core.t,
             state_cache: StateCache::default(),
+            present_crowds: PresentCrowds::default(),
         };
         engine.find_initial_contacts(core)?;
         engine.scratch.clone_from(&engine.states);

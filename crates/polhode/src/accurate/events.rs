@@ -16,12 +16,14 @@ use super::pace::{NoAdvance, Pace, StepEnd};
 use crate::SimulationError;
 use crate::accounting::books::Balance;
 use crate::collision::active_contacts::ActiveContacts;
-use crate::collision::contact_set::{ContactId, Hold, Touch};
+use crate::collision::contact_set::{ContactId, FoundContact, Hold, Touch};
 use crate::core::Core;
+use crate::interaction::assembly::free_acceleration;
 use crate::interaction::groups::coupled_groups;
 use crate::interaction::projection::Projected;
 use crate::states_of::set_states;
 use polhode_contact::aabb_of;
+use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The tolerated problem that is counted when time steps replace the location of events.
@@ -222,7 +224,7 @@ impl Engine {
             Step::Crowd(step) => {
                 let (states, report) = self.crowd_end(core, step, &island.bodies, t)?;
                 set_states(&mut self.states, &island.bodies, &states);
-                core.accounts.note_time_step(&core.world, t, &self.states, &report);
+                core.note_crowd_step(t, &self.states, &report);
                 return Ok(None);
             }
             Step::Waiting(_) => return Ok(None),
@@ -289,7 +291,7 @@ impl Engine {
         let end = match found_for {
             &[a, b]
                 if core.world.scene.pair_material(a, b).restitution() >= 1.0
-                    && !self.ends_unseen_bounce(core, (a, b), instant.t - pace.started_at()) =>
+                    && !self.ends_unseen_bounce(core, (a, b), (instant.t, instant.t - pace.started_at())) =>
             {
                 StepEnd::AtElasticImpact
             }
@@ -311,14 +313,40 @@ impl Engine {
         Ok(advance.err())
     }
 
-    /// Whether an impact of two bodies ends a bounce of this length (s) that never left the touch distance. Its height is
-    /// `w T / 4`, w the speed of approach and T the length. Where a body rocks on its edge such bounces follow each other
-    /// without an end, whatever the restitution.
-    fn ends_unseen_bounce(&self, core: &Core, (a, b): (usize, usize), length_s: f64) -> bool {
-        let touch = core.world.touch_distance(&self.states, a, b);
-        let touches = core.world.contacts_of_pair(&self.states, a, b, touch);
-        let approach = touches.iter().map(|touch| -touch.kinematics.separation_rate).fold(0.0, f64::max);
-        0.25 * approach * length_s <= touch
+    /// Whether an impact of two bodies at `t` (s) ends a bounce of this length (s) that is too low to be seen. Its height is
+    /// `w T / 4`, w the speed of approach and T the length. Where a body rocks on its edge, or spins on it, such bounces
+    /// follow each other without an end, whatever the restitution. One that never left the touch distance is not seen; nor
+    /// is one below the error of a stretch of crowded events if forces have turned it round, `a T >= w` with the
+    /// acceleration `a` towards each other. Bodies that go to and fro between others fly without one.
+    fn ends_unseen_bounce(&self, core: &Core, (a, b): (usize, usize), (t, length_s): (f64, f64)) -> bool {
+        let (world, states) = (&core.world, &self.states);
+        let touch = world.touch_distance(states, a, b);
+        let touches = world.contacts_of_pair(states, a, b, touch);
+        let approach = |touch: &FoundContact| -touch.kinematics.separation_rate;
+        let Some(fastest) = touches.iter().max_by(|x, y| approach(x).total_cmp(&approach(y))) else { return true };
+        let height = 0.25 * approach(fastest) * length_s;
+        if height <= touch {
+            return true;
+        }
+        let is_turned = || -self.free_separation_rate_change(core, t, fastest) * length_s >= approach(fastest);
+        height <= core.settings.crowding_tolerance * world.pair_size(a, b) && is_turned()
+    }
+
+    /// `chi''` of a contact at `t` (s) without contact forces, m/s^2.
+    fn free_separation_rate_change(&self, core: &Core, t: f64, contact: &FoundContact) -> f64 {
+        let (world, states, id) = (&core.world, &self.states, contact.id);
+        let movable: Vec<usize> = [id.a, id.b].into_iter().filter(|&body| world.bodies[body].moves()).collect();
+        let loads = world.loads_on(t, states, &movable);
+        let geometry = &contact.kinematics.geometry;
+        let [a, b] = [id.a, id.b].map(|body| {
+            if !movable.contains(&body) {
+                return DVec3::ZERO;
+            }
+            let (linear, angular) = free_acceleration(world, states, &loads, body);
+            linear + angular.cross(geometry.point - states[body].pose.translation)
+        });
+        let driven = world.prescribed_acceleration_of(t, states, id, geometry);
+        geometry.normal.dot(a - b) + contact.kinematics.acceleration_bias + driven
     }
 
     /// Continues the motion of the bodies of a resolved instant.

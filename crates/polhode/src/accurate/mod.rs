@@ -17,6 +17,7 @@
 //! | `free_stepping` | a step by the integrator of free motion: that of the scene or of the plan |
 //! | `locate`, `penetration` | location of contact changes: how long the active set is valid |
 //! | `state_cache` | the states of all bodies at the last observation |
+//! | `present_crowds` | states of crowded bodies that a program reads one by one |
 //! | `near_pairs`, `impact_search` | pairs that may meet, and their impacts |
 //! | `instant`, `events` | an event, the affected bodies, and their motion afterwards |
 //! | `resolve`, `hold` | resolution of an instant, and the active contacts |
@@ -59,6 +60,7 @@ mod pace;
 mod penetration;
 mod pivot_views;
 mod present;
+mod present_crowds;
 mod program;
 mod projection;
 mod resolve;

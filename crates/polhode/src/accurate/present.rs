@@ -3,6 +3,7 @@
 use super::engine::{Engine, Mode, Track};
 use super::hold::Forces;
 use super::island::Step;
+use super::present_crowds::StepKey;
 use crate::collision::contact_set::{Hold, Touch};
 use crate::core::Core;
 use crate::frame::MotionKind;
@@ -31,10 +32,11 @@ impl Engine {
             Step::Constrained(step) => step.state_at(body, t),
             Step::Free(step) => step.present().get(place).copied(),
             Step::Crowd(step) => {
-                let mut states = self.states.clone();
-                // As in `Engine::states`.
-                let _ = step.advance_to(&core.world, &island.bodies, t, &mut states);
-                states.get(body).copied()
+                let key = StepKey::new(island.first().unwrap_or(body), step.t, step.end);
+                self.present_crowds.state((body, key), t, &self.states, |states| {
+                    // As in `Engine::states`.
+                    let _ = step.advance_to(&core.world, &island.bodies, t, states);
+                })
             }
             Step::Waiting(_) => None,
         };

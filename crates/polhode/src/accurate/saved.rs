@@ -12,6 +12,7 @@ use super::engine::{Engine, Mode, Track};
 use super::free_stepping::FreeStep;
 use super::island::{Island, Step};
 use super::near_pairs::NearPairs;
+use super::present_crowds::PresentCrowds;
 use super::state_cache::StateCache;
 use crate::SimulationError;
 use crate::collision::active_contacts::ActiveContacts;
@@ -71,6 +72,7 @@ impl Engine {
             goes_on: saved.goes_on,
             observed_s: saved.observed_s,
             state_cache: StateCache::default(),
+            present_crowds: PresentCrowds::default(),
             interrupted: None,
         };
         for island in &saved.islands {

@@ -234,16 +234,19 @@ impl Tier for Engine {
 
     fn interrupt(&mut self, core: &mut Core, bodies: &[usize]) -> Result<(), SimulationError> {
         self.state_cache.invalidate();
+        self.present_crowds.invalidate();
         self.interrupt_bodies(core, bodies)
     }
 
     fn states_mut(&mut self) -> &mut [BodyState] {
         self.state_cache.invalidate();
+        self.present_crowds.invalidate();
         &mut self.states
     }
 
     fn resume(&mut self, core: &mut Core, moved: &[usize]) -> Result<(), SimulationError> {
         self.state_cache.invalidate();
+        self.present_crowds.invalidate();
         self.resume_bodies(core, moved)
     }
 

@@ -15,18 +15,19 @@ use polhode_dynamics::BodyState;
 use polhode_dynamics::field::{Account, Dependence};
 use polhode_spatial::Velocity;
 
-/// Kicks `bodies` by the fields at `t`, the middle of a step of `h` (s), and returns the momentum and energy from the
-/// fields, moments about the point of the books.
-pub(super) fn kick(
-    world: &World,
-    states: &mut [BodyState],
-    bodies: &[usize],
-    t: f64,
-    h: f64,
-    books: &Books,
-) -> Received {
+/// A kick that was given.
+#[derive(Debug, Default)]
+pub(super) struct Kick {
+    /// Momentum and energy from the fields, moments about the point of the books.
+    pub(super) received: Received,
+    /// How the forces with a potential have changed the velocities of the bodies; empty where no field acts.
+    pub(super) stored: Vec<Twist>,
+}
+
+/// Kicks `bodies` by the fields at `t`, the middle of a step of `h` (s).
+pub(super) fn kick(world: &World, states: &mut [BodyState], bodies: &[usize], t: f64, h: f64, books: &Books) -> Kick {
     if !bodies.iter().any(|&body| world.is_loaded(body)) {
-        return Received::default();
+        return Kick::default();
     }
     let before = states_of(states, bodies);
     let responses = world.responses_on(states, bodies);
@@ -41,7 +42,7 @@ pub(super) fn kick(
         change_velocities(world, states, bodies, &changes);
         let mut given = received(world, states, bodies, &before, &accounts, h, books);
         add_differences(world, (states, bodies, &before), &differences, books, &mut given);
-        return given;
+        return Kick { received: given, stored: stored(world, states, bodies, &accounts, &differences, h) };
     }
     let mut accounts = None;
     if world.free_motion().dependence() == Dependence::Velocities {
@@ -54,7 +55,35 @@ pub(super) fn kick(
         push(world, states, bodies, t, h);
     }
     let accounts = accounts.unwrap_or_else(|| wrenches(world, t, states, bodies));
-    received(world, states, bodies, &before, &accounts, h, books)
+    let stored = stored(world, states, bodies, &accounts, &[], h);
+    Kick { received: received(world, states, bodies, &before, &accounts, h, books), stored }
+}
+
+/// How the forces with a potential change the velocities of bodies over `h`, with the impulses by which an implicit kick
+/// differs from that of constant forces.
+fn stored(
+    world: &World,
+    states: &[BodyState],
+    bodies: &[usize],
+    accounts: &[(Account, Loads)],
+    differences: &[Difference],
+    h: f64,
+) -> Vec<Twist> {
+    let change = |&body: &usize| {
+        let mut impulse = Twist::default();
+        for (_, wrenches) in accounts.iter().filter(|(account, _)| *account == Account::Potential) {
+            impulse.linear += wrenches.of(body).force * h;
+            impulse.angular += wrenches.of(body).torque * h;
+        }
+        for own in differences.iter().filter(|own| own.account == Account::Potential && own.body == body) {
+            impulse.linear += own.impulse.linear;
+            impulse.angular += own.impulse.angular;
+        }
+        let Some(rigid) = &world.bodies[body].rigid else { return Twist::default() };
+        let inverse_inertia = rigid.inverse_inertia_world(states[body].pose.rotation);
+        Twist { linear: impulse.linear * rigid.inverse_mass(), angular: inverse_inertia * impulse.angular }
+    };
+    bodies.iter().map(change).collect()
 }
 
 fn wrenches(world: &World, t: f64, states: &[BodyState], bodies: &[usize]) -> [(Account, Loads); 3] {

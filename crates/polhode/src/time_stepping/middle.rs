@@ -1,5 +1,6 @@
 //! The middle of a time step, where its impulses act, and what is done about slips that end within the step.
 
+use super::kick::Kick;
 use crate::collision::contact_set::ContactId;
 
 /// What is done about slips that end within a step.
@@ -19,4 +20,6 @@ pub(super) struct Middle<'a> {
     /// Length of the step, s.
     pub(super) h: f64,
     pub(super) stops: Stops<'a>,
+    /// What the fields have just given.
+    pub(super) kick: &'a Kick,
 }

@@ -33,6 +33,7 @@ mod middle;
 mod projection;
 mod report;
 mod rigid_terms;
+mod shared_work;
 mod step;
 mod sustained;
 mod sustained_friction;

@@ -27,6 +27,7 @@ use super::contacts::{NearContact, kinematics_at_point};
 use super::middle::{Middle, Stops};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::rigid_terms::{Term, make_rigid};
+use super::shared_work::{ContactWork, Kicked};
 use super::step::TimeStepper;
 use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
 use crate::collision::contact_set::ContactId;
@@ -96,7 +97,7 @@ impl TimeStepper {
         states: &mut [BodyState],
         bodies: &[usize],
         (near, slips): (&[NearContact], &[f64]),
-        Middle { t, h, stops }: Middle<'_>,
+        Middle { t, h, stops, kick }: Middle<'_>,
         report: &mut TimeStepReport,
     ) -> Result<Vec<usize>, ResponseError> {
         let mut rows = rows(world, states, bodies, (near, slips), (t, h))?;
@@ -135,7 +136,8 @@ impl TimeStepper {
             if !added {
                 report.stops.clear();
                 report.contacts = report.contacts.max(members.len());
-                return Ok(note(world, states, near, &rows, &solved, (t, h), report));
+                let kicked = Kicked { states, bodies, kick };
+                return Ok(note(world, kicked, near, &rows, &solved, (t, h), report));
             }
             set_states(states, bodies, &before);
         }
@@ -261,13 +263,14 @@ fn remove_contradictions(of_pair: &mut [Row]) {
 /// Books and records the impulses. Returns the contacts that carry one.
 fn note(
     world: &World,
-    states: &[BodyState],
+    kicked: Kicked<'_>,
     near: &[NearContact],
     rows: &[Row],
     solved: &[SolvedGroup],
     (t, h): (f64, f64),
     report: &mut TimeStepReport,
 ) -> Vec<usize> {
+    let states = kicked.states;
     let mut carrying = Vec::new();
     for group in solved {
         let moments = || group.moments.iter().map(SustainedMoment::on_a);
@@ -276,9 +279,16 @@ fn note(
         let work = world.prescribed_work(states, group.impulses_of(rows, near))
             + moment_work(world, states, moments())
             + group.work_of_surfaces(world, states);
-        let lost_j = group.lost_to_friction_j(world, states) + group.lost_to_moments_j(world, states);
-        let changes = (group.energy_change(world, states, rows, near), lost_j);
-        report.books.impact(changes, given, work);
+        let friction_j = group.lost_to_friction_j(world, states) + group.lost_to_moments_j(world, states);
+        let acting = ContactWork { normal_j: group.energy_change(world, states, rows, near), friction_j };
+        let rubbing = || group.tangential.iter().flat_map(TangentialImpulse::parts);
+        let shared = ContactWork {
+            normal_j: kicked.shared_j(group.normal_impulses(rows, near)),
+            friction_j: kicked.shared_j(rubbing()) + kicked.shared_by_moments_j(moments()),
+        };
+        let (work_j, of_integrator_j) = acting.in_symmetric_order(shared);
+        report.books.impact((work_j.normal_j, work_j.friction_j), given, work);
+        report.books.ledger.numerical.add(of_integrator_j);
         for (&index, &impulse) in group.group.contacts.iter().zip(&group.impulses) {
             if impulse <= 0.0 {
                 continue;
@@ -334,11 +344,18 @@ impl SolvedGroup {
         rows: &'a [Row],
         near: &'a [NearContact],
     ) -> impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone {
-        let normal = self.group.contacts.iter().zip(&self.impulses).map(move |(&index, &p)| {
+        self.normal_impulses(rows, near).chain(self.tangential.iter().flat_map(TangentialImpulse::parts))
+    }
+
+    fn normal_impulses<'a>(
+        &'a self,
+        rows: &'a [Row],
+        near: &'a [NearContact],
+    ) -> impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone {
+        self.group.contacts.iter().zip(&self.impulses).map(move |(&index, &p)| {
             let row = &rows[index];
             (near[row.contact].id, &row.kinematics.geometry, p)
-        });
-        normal.chain(self.tangential.iter().flat_map(TangentialImpulse::parts))
+        })
     }
 
     /// Energy lost to friction, J, with the present slips of the bodies.

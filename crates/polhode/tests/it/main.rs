@@ -6,6 +6,7 @@ mod bad_numbers;
 mod broad_phases;
 mod checks;
 mod constrained_methods;
+mod crowd_energy;
 mod dependence;
 mod diamonds;
 mod energy_after_actions;

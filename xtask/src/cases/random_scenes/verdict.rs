@@ -74,7 +74,7 @@ impl Verdict {
         let mut random = Random(model.seed);
         let turned = SceneCopy::Turned(random.between(0.1, 3.0));
         let power = random.one_of(&[-3, -1, 2, 5]);
-        let scaled = SceneCopy::Scaled { power, mass_power: random.one_of(&[-4, 0, 3]) };
+        let scaled = SceneCopy::Scaled { power, mass_power: random.one_of(&[-2, 0, 3]) };
         let moved = SceneCopy::Moved(DVec3::new(0.25, -0.5, 0.0));
         let kind = model.seed % 6;
         let is_run = |number: u64| copies == Copies::All || kind == number;
