@@ -12,6 +12,7 @@ use super::law::RestitutionLaw;
 use super::multiple_outcome::MultipleImpactStatus;
 use super::outcome::FrictionalImpactStatus;
 use super::part::{Part, Struck};
+use super::simultaneous::strike_together;
 use super::single::SingleFrictionalImpact;
 use crate::dense::kernels::largest;
 use crate::error::ResponseError;
@@ -47,6 +48,10 @@ pub(super) fn strike_in_order(
             part.status = part.status.and(MultipleImpactStatus::StoppedAtThreshold);
             break;
         }
+        if part.contacts.blocks()[block].resists_rotation() {
+            strike_with_moments(part, struck, block)?;
+            continue;
+        }
         let reaction = match reactions[block].take() {
             Some(reaction) => reaction,
             None => reaction_at(part, block)?,
@@ -69,9 +74,34 @@ pub(super) fn strike_alone(
     apply(part, struck, block, &reaction, law)
 }
 
+/// Strikes a contact that resists rotations, with the joints: by the cone problem.
+fn strike_with_moments(part: &mut Part, struck: &mut Struck, block: usize) -> Result<(), ResponseError> {
+    let mut chosen = vec![block];
+    chosen.extend(part.joints());
+    let rows: Vec<usize> = chosen.iter().flat_map(|&block| part.contacts.range(block)).collect();
+    let velocities: Vec<f64> = rows.iter().map(|&row| struck.velocities[row]).collect();
+    let mut alone = Part::of(&part.contacts, &part.restitution, &chosen, part.settings)?;
+    alone.tolerance = part.tolerance;
+    let mut outcome = Struck::nothing(&alone, &velocities);
+    struck.applications += 1;
+    if !strike_together(&mut alone, &mut outcome)? {
+        part.not_solved();
+        return Ok(());
+    }
+    part.solves += alone.solves;
+    part.residual = part.residual.max(alone.residual);
+    let mut impulses = vec![0.0; part.contacts.rows()];
+    rows.iter().zip(&outcome.impulses).for_each(|(&row, &impulse)| impulses[row] = impulse);
+    let mut after = part.after(&struck.velocities, &impulses);
+    rows.iter().zip(&outcome.velocities).for_each(|(&row, &velocity)| after[row] = velocity);
+    part.hold_joints(&mut after);
+    struck.add(part, &impulses, after);
+    Ok(())
+}
+
 /// What an impulse at `block` does, with all joints held.
 fn reaction_at(part: &mut Part, block: usize) -> Result<Reaction, ResponseError> {
-    let (range, joints) = (part.contacts.range(block), part.joints());
+    let (range, joints) = (part.contact_rows(block), part.joints());
     let zero = vec![0.0; part.contacts.rows()];
     let (mut impulses, mut changes) = (Vec::new(), Vec::new());
     for row in range.clone() {
@@ -107,7 +137,7 @@ fn apply(
     reaction: &Reaction,
     law: RestitutionLaw,
 ) -> Result<(), ResponseError> {
-    let range = part.contacts.range(block);
+    let range = part.contact_rows(block);
     let mut velocity_before = [0.0; 3];
     velocity_before[..range.len()].copy_from_slice(&struck.velocities[range.clone()]);
     let impact = SingleFrictionalImpact {
