@@ -118,13 +118,21 @@ pub(crate) fn solve(
     };
     let reactions = blocks.reactions_in_rows(&struck.impulses);
     let velocities_after = blocks.velocities_in_rows(&struck.velocities_after);
-    let friction_work_j = struck.friction_work.iter().sum();
+    let by_friction: f64 = struck.friction_work.iter().sum();
     // Contacts of the cone problem are at zero to its residual: the energy is that of what the impulses really do.
     let given = delassus.times(&reactions)?;
     let works = reactions.iter().zip(&given).zip(&before).map(|((p, given), before)| p * (before + 0.5 * given));
     let energy_change = works.collect::<CompensatedSum>().value();
+    let friction_work_j = share_of_friction(by_friction, energy_change);
     let rows = StruckRows { reactions, velocities_after, energy_change, friction_work_j };
     Ok(impact_of(assembly, contacts.len(), &struck, rows))
+}
+
+/// What friction took of the change of energy of an impact, J; negative when energy is lost. Works of impulses that act together
+/// are those along the straight way from the velocities before to those after. Where one of the two would give energy along
+/// that way, although both together take some, what was lost is the other's.
+const fn share_of_friction(by_friction: f64, energy_change: f64) -> f64 {
+    if energy_change < 0.0 { by_friction.clamp(energy_change, 0.0) } else { by_friction }
 }
 
 /// Settings of an impact with these velocities before (m/s), whose errors by rounding are known (m/s): where contacts

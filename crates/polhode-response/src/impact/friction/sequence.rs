@@ -23,6 +23,14 @@ const ENOUGH: f64 = 0.1;
 /// The largest residual of the last cone problem that is accepted (no unit).
 const LARGEST_RESIDUAL: f64 = 0.01;
 
+/// The part of its inverse mass along the normal that joints must leave a contact for its collision matrix to be formed (no
+/// unit, 1e-8 to 1e-4): that has an error of some rounding units of the whole inverse mass.
+const LEAST_FREEDOM: f64 = 1e-6;
+
+/// An approach below this part of the largest velocity is rounding where joints leave a contact no freedom (no unit, 1e-14 to
+/// 1e-10): some hundred rounding units.
+const APPROACH_ROUNDING: f64 = 1e-12;
+
 /// What an impulse at one contact does.
 #[derive(Debug, Clone)]
 struct Reaction {
@@ -48,16 +56,13 @@ pub(super) fn strike_in_order(
             part.status = part.status.and(MultipleImpactStatus::StoppedAtThreshold);
             break;
         }
-        if part.contacts.blocks()[block].resists_rotation() {
-            strike_with_moments(part, struck, block)?;
-            continue;
+        if reactions[block].is_none() && !part.contacts.blocks()[block].resists_rotation() {
+            reactions[block] = reaction_at(part, block)?;
         }
-        let reaction = match reactions[block].take() {
-            Some(reaction) => reaction,
-            None => reaction_at(part, block)?,
-        };
-        apply(part, struck, block, &reaction, law)?;
-        reactions[block] = Some(reaction);
+        match &reactions[block] {
+            Some(reaction) => apply(part, struck, block, reaction, law)?,
+            None => strike_with_joints(part, struck, block)?,
+        }
     }
     let approaches = |block: usize| !part.is_joint(block) && struck.velocities[part.normal_row(block)] < 0.0;
     if (0..blocks).any(approaches) { finish(part, struck) } else { Ok(()) }
@@ -70,12 +75,15 @@ pub(super) fn strike_alone(
     block: usize,
     law: RestitutionLaw,
 ) -> Result<(), ResponseError> {
-    let reaction = reaction_at(part, block)?;
-    apply(part, struck, block, &reaction, law)
+    match reaction_at(part, block)? {
+        Some(reaction) => apply(part, struck, block, &reaction, law),
+        None => strike_with_joints(part, struck, block),
+    }
 }
 
-/// Strikes a contact that resists rotations, with the joints: by the cone problem.
-fn strike_with_moments(part: &mut Part, struck: &mut Struck, block: usize) -> Result<(), ResponseError> {
+/// Strikes a contact that resists rotations, or that joints leave hardly any freedom, by the cone problem of its rows and those
+/// of the joints. An approach of a contact without freedom is rounding, and is taken for none.
+fn strike_with_joints(part: &mut Part, struck: &mut Struck, block: usize) -> Result<(), ResponseError> {
     let mut chosen = vec![block];
     chosen.extend(part.joints());
     let rows: Vec<usize> = chosen.iter().flat_map(|&block| part.contacts.range(block)).collect();
@@ -85,7 +93,12 @@ fn strike_with_moments(part: &mut Part, struck: &mut Struck, block: usize) -> Re
     let mut outcome = Struck::nothing(&alone, &velocities);
     struck.applications += 1;
     if !strike_together(&mut alone, &mut outcome)? {
-        part.not_solved();
+        let normal = part.normal_row(block);
+        if -struck.velocities[normal] <= APPROACH_ROUNDING * largest(part.contacts.constant()) {
+            struck.velocities[normal] = 0.0;
+        } else {
+            part.not_solved();
+        }
         return Ok(());
     }
     part.solves += alone.solves;
@@ -99,8 +112,9 @@ fn strike_with_moments(part: &mut Part, struck: &mut Struck, block: usize) -> Re
     Ok(())
 }
 
-/// What an impulse at `block` does, with all joints held.
-fn reaction_at(part: &mut Part, block: usize) -> Result<Reaction, ResponseError> {
+/// What an impulse at `block` does, with all joints held. None where these leave it hardly any freedom along the normal: of its
+/// collision matrix most digits are lost then.
+fn reaction_at(part: &mut Part, block: usize) -> Result<Option<Reaction>, ResponseError> {
     let (range, joints) = (part.contact_rows(block), part.joints());
     let zero = vec![0.0; part.contacts.rows()];
     let (mut impulses, mut changes) = (Vec::new(), Vec::new());
@@ -120,13 +134,17 @@ fn reaction_at(part: &mut Part, block: usize) -> Result<Reaction, ResponseError>
         changes.push(change);
     }
     let entry = |i: usize, j: usize| 0.5 * changes[j][range.start + i] + 0.5 * changes[i][range.start + j];
+    let alone = part.contacts.matrix().diagonal_entry(block, 0);
+    if !joints.is_empty() && entry(0, 0) < LEAST_FREEDOM * alone {
+        return Ok(None);
+    }
     let collision = match range.len() {
         1 => CollisionMatrix::planar(entry(0, 0), 0.0, entry(0, 0))?,
         2 => CollisionMatrix::planar(entry(0, 0), entry(0, 1), entry(1, 1))?,
         _ => CollisionMatrix::new([0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j))))?,
     };
     let friction = if range.len() == 1 { 0.0 } else { part.contacts.blocks()[block].friction().unwrap_or_default() };
-    Ok(Reaction { collision, friction, impulses, changes })
+    Ok(Some(Reaction { collision, friction, impulses, changes }))
 }
 
 /// One impulse at one contact.
