@@ -5,7 +5,7 @@
 //! that their ellipse of friction becomes a circle (`crate::collision::friction_ellipse`), and their solutions scaled
 //! back.
 
-use super::rotational_friction::ResistedRotation;
+use super::resisted_rotation::ResistedRotation;
 use crate::collision::turn::Turn;
 use crate::scene::FrictionEllipse;
 use polhode_response::friction::{
@@ -39,6 +39,33 @@ pub(crate) struct RowSolution {
     /// And its slip, rolling and spinning by themselves.
     pub(crate) parts: Vec<[ContactStatus; 3]>,
     pub(crate) report: SolverReport,
+}
+
+impl RowSolution {
+    /// The direction, in the rows of a rotation, in which the bodies turn, or begin to turn; none while friction holds them. A
+    /// moment opposes it; where nothing presses there is no moment, and the rotation follows its acceleration.
+    pub(crate) fn direction_of(&self, rotation: &ResistedRotation) -> Option<Vec<f64>> {
+        if rotation.turns {
+            return Some(vec![1.0; rotation.rows.len()]);
+        }
+        let part = self.parts.get(rotation.normal).map(|[_, rolls, spins]| match rotation.turn {
+            Turn::Rolling => *rolls,
+            Turn::Spinning => *spins,
+        });
+        if part == Some(ContactStatus::Stick) {
+            return None;
+        }
+        let own = |of: &[f64], sign: f64| {
+            rotation.rows.clone().filter_map(|row| of.get(row)).map(|part| sign * part).collect::<Vec<f64>>()
+        };
+        unit(&own(&self.reactions, -1.0)).or_else(|| unit(&own(&self.velocities, 1.0)))
+    }
+}
+
+/// A vector over its length; none of one that is zero.
+fn unit(parts: &[f64]) -> Option<Vec<f64>> {
+    let size = parts.iter().fold(0.0, |sum: f64, part| libm::hypot(sum, *part));
+    (size > 0.0).then(|| parts.iter().map(|part| part / size).collect())
 }
 
 impl FrictionBlocks {

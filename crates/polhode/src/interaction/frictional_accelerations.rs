@@ -10,8 +10,8 @@ use super::cone_violation::RubbingForce;
 use super::friction_blocks::{FrictionBlocks, RowSolution};
 use super::frictional_contact::{Frictional, Sliding};
 use super::least_sliding_forces::{RowFriction, least_sliding_forces};
+use super::resisted_rotation::ResistedRotation;
 use super::rotation_row::RotationRow;
-use super::rotational_friction::ResistedRotation;
 use super::sticking_forces::{SLIDING_ROUNDING, STICKING_RELATIVE, of_no_slip, rounding_of};
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
@@ -331,7 +331,7 @@ fn rotations_of(
 /// The direction in which a rotation turns; none while it is held.
 fn turning(assembly: &Assembly, law: &ResistedRotation, solved: &RowSolution) -> Option<DVec3> {
     let mut of_rows = vec![0.0; assembly.problem.len()];
-    for (row, part) in law.rows.clone().zip(law.direction(solved)?) {
+    for (row, part) in law.rows.clone().zip(solved.direction_of(law)?) {
         of_rows[row] = part;
     }
     assembly.of_rotations(&of_rows).map(|(row, part)| row.axis * part).sum::<DVec3>().try_normalize()

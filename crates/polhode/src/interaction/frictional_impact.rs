@@ -11,8 +11,8 @@
 
 use super::assembly::{Assembly, TangentRow};
 use super::friction_blocks::FrictionBlocks;
+use super::resisted_rotation::ResistedRotation;
 use super::rotation_row::RotationRow;
-use super::rotational_friction::ResistedRotation;
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::collision::turn::Turn;
 use crate::scene::{FrictionEllipse, ImpactLaw};

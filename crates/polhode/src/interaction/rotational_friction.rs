@@ -11,58 +11,15 @@
 //! the impulse of a moment at an impact is bounded by the same length times the normal impulse.
 //!
 //! Method: rotations are rows `l w` of the block of their contact, with a length `l` of the pair: their reactions `M / l` are
-//! forces, and their friction is the number `c / l` (`interaction/rotation_row.rs`). The solver finds slip, rolling and
+//! forces, and their friction is the number `c / l` (`interaction/rotation_row.rs`, `interaction/resisted_rotation.rs`). The solver finds slip, rolling and
 //! spinning together ([`polhode_response::friction::FrictionBlock::Resisted`]). A rotation that turns already has one row, along
 //! its direction.
 
-use super::friction_blocks::RowSolution;
 use crate::collision::contact_set::ContactId;
-use crate::collision::turn::Turn;
 use crate::world::World;
 use crate::{Momentum, MomentumSum};
 use polhode_dynamics::BodyState;
-use polhode_response::friction::ContactStatus;
 use polhode_spatial::DVec3;
-use std::ops::Range;
-
-/// A rotation that friction resists, among the rows of a problem.
-#[derive(Debug, Clone)]
-pub(crate) struct ResistedRotation {
-    /// The normal row of its contact, which is the place of its block too.
-    pub(crate) normal: usize,
-    /// Which rotation it is.
-    pub(crate) turn: Turn,
-    /// Its own rows.
-    pub(crate) rows: Range<usize>,
-    /// The length of its friction over that of its rows (no unit).
-    pub(crate) friction: f64,
-    /// Whether the bodies turn already, along its one row.
-    pub(crate) turns: bool,
-}
-
-impl ResistedRotation {
-    /// The direction in its rows in which the bodies turn, or begin to turn; none while friction holds them. A moment opposes
-    /// it; where nothing presses there is no moment, and the rotation follows its acceleration.
-    pub(crate) fn direction(&self, solved: &RowSolution) -> Option<Vec<f64>> {
-        if self.turns {
-            return Some(vec![1.0; self.rows.len()]);
-        }
-        let part = solved.parts.get(self.normal).map(|[_, rolls, spins]| match self.turn {
-            Turn::Rolling => *rolls,
-            Turn::Spinning => *spins,
-        });
-        if part == Some(ContactStatus::Stick) {
-            return None;
-        }
-        let unit = |parts: Vec<f64>| {
-            let size = parts.iter().fold(0.0, |sum: f64, part| libm::hypot(sum, *part));
-            (size > 0.0).then(|| parts.iter().map(|part| part / size).collect())
-        };
-        let own =
-            |of: &[f64], sign: f64| self.rows.clone().filter_map(|row| of.get(row)).map(|part| sign * part).collect();
-        unit(own(&solved.reactions, -1.0)).or_else(|| unit(own(&solved.velocities, 1.0)))
-    }
-}
 
 /// Applies impulses of moments on A (N m s, world) to the momenta of the bodies of their contacts.
 pub(crate) fn apply_moments(
