@@ -138,13 +138,26 @@ fn reaction_at(part: &mut Part, block: usize) -> Result<Option<Reaction>, Respon
     if !joints.is_empty() && entry(0, 0) < LEAST_FREEDOM * alone {
         return Ok(None);
     }
+    let full = [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i.max(j) < range.len() { entry(i, j) } else { 0.0 }));
+    let held = if joints.is_empty() { full } else { without_rounding(full) };
     let collision = match range.len() {
-        1 => CollisionMatrix::planar(entry(0, 0), 0.0, entry(0, 0))?,
-        2 => CollisionMatrix::planar(entry(0, 0), entry(0, 1), entry(1, 1))?,
-        _ => CollisionMatrix::new([0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j))))?,
+        1 => CollisionMatrix::planar(held[0][0], 0.0, held[0][0])?,
+        2 => CollisionMatrix::planar(held[0][0], held[0][1], held[1][1])?,
+        _ => CollisionMatrix::new(held)?,
     };
     let friction = if range.len() == 1 { 0.0 } else { part.contacts.blocks()[block].friction().unwrap_or_default() };
     Ok(Some(Reaction { collision, friction, impulses, changes }))
+}
+
+/// A collision matrix with joints held, positive semidefinite: what the joints take from it leaves rounding, by which the
+/// tangential part may fall below what its coupling with the normal asks for. The normal entry is above zero.
+fn without_rounding(matrix: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    let [[n, k1, k2], [_, t11, t12], [.., t22]] = matrix;
+    let own = [k1 * (k1 / n), k1 * (k2 / n), k2 * (k2 / n)];
+    let (first, second) = ((t11 - own[0]).max(0.0), (t22 - own[2]).max(0.0));
+    let most = (first * second).sqrt();
+    let both = (t12 - own[1]).clamp(-most, most) + own[1];
+    [[n, k1, k2], [k1, first + own[0], both], [k2, both, second + own[2]]]
 }
 
 /// One impulse at one contact.
