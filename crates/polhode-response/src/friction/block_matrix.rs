@@ -6,7 +6,7 @@
 
 use crate::dense::kernels::axpy;
 use crate::error::{ResponseError, check_finite, check_length};
-use crate::friction::block::MOST_ROWS;
+use crate::friction::block::{CONTACT_ROWS, MOST_ROWS};
 
 /// Largest asymmetry `|G_ij - G_ji| / sqrt(G_ii G_jj)` of a matrix that counts as symmetric (no unit). Delassus matrices of other
 /// programs reach 0.005, from orientations that are not quite orthogonal; they are solved as they are.
@@ -201,11 +201,11 @@ impl BlockMatrix {
     /// Adds `G_row x` to the rows of one block row.
     pub(crate) fn add_row_product(&self, row: usize, x: &[f64], sum: &mut [f64]) {
         let blocks = self.first[row]..self.first[row + 1];
-        if self.size(row) == MOST_ROWS {
+        if self.size(row) == CONTACT_ROWS {
             let mut parts = [sum[0], sum[1], sum[2]];
             for k in blocks {
                 let (values, start) = (self.block_values(k), self.offsets[self.columns[k]]);
-                if let (&[a, b, c, d, e, f, g, h, i], Some(&[x, y, z])) = (values, x.get(start..start + MOST_ROWS)) {
+                if let (&[a, b, c, d, e, f, g, h, i], Some(&[x, y, z])) = (values, x.get(start..start + CONTACT_ROWS)) {
                     parts[0] += a * x + b * y + c * z;
                     parts[1] += d * x + e * y + f * z;
                     parts[2] += g * x + h * y + i * z;

@@ -35,10 +35,12 @@ pub(crate) struct LiftedForm<'a> {
 }
 
 impl<'a> LiftedForm<'a> {
-    /// The lifted form of a problem; nothing for one that is too large.
+    /// The lifted form of a problem; nothing for one that is too large or in which
+    /// contacts resist rotations, whose cones are others.
     pub(crate) fn of(problem: &'a FrictionProblem) -> Option<Self> {
         let (matrix, size) = (problem.matrix(), problem.rows());
-        if size > MOST_ROWS || size == 0 {
+        let resist_rotations = problem.blocks().iter().any(|block| block.resists_rotation());
+        if size > MOST_ROWS || size == 0 || resist_rotations {
             return None;
         }
         let mut scales = vec![0.0; size];
@@ -77,7 +79,9 @@ impl<'a> LiftedForm<'a> {
                     (rows, ConeRows::SecondOrder(rows), friction)
                 }
                 // A contact that slides already starts without the effect of its friction.
-                FrictionBlock::Contact { .. } | FrictionBlock::Sliding { .. } => (1, ConeRows::Nonnegative(1), 1.0),
+                FrictionBlock::Contact { .. } | FrictionBlock::Sliding { .. } | FrictionBlock::Resisted { .. } => {
+                    (1, ConeRows::Nonnegative(1), 1.0)
+                }
             };
             cones.push(cone);
             for row in range.clone().take(rows) {
@@ -119,7 +123,9 @@ impl<'a> LiftedForm<'a> {
         for (block, kind) in problem.blocks().iter().enumerate() {
             let (count, cone) = match *kind {
                 FrictionBlock::Bilateral { rows } => (rows, ConeRows::Zero(rows)),
-                FrictionBlock::Contact { .. } | FrictionBlock::Sliding { .. } => (1, ConeRows::Nonnegative(1)),
+                FrictionBlock::Contact { .. } | FrictionBlock::Sliding { .. } | FrictionBlock::Resisted { .. } => {
+                    (1, ConeRows::Nonnegative(1))
+                }
             };
             cones.push(cone);
             for row in problem.range(block).take(count) {

@@ -45,7 +45,8 @@ pub struct BlocksOfRows<'a> {
 
 /// The least forces (N) of all rows of `problem` within the cones that add up to the same on every body as `holding`, to the
 /// tolerance of the interior point (1e-12 to 1e-8 of the forces on the body). `reserve` is the part of the friction that they
-/// leave unused (no unit). Contacts that bear nothing have zero. None where there are none, or a contact slides already.
+/// leave unused (no unit). Contacts that bear nothing have zero. None where there are none, or a contact slides already
+/// or resists rotations.
 ///
 /// ```
 /// use polhode_response::ContactProblem;
@@ -159,11 +160,12 @@ impl Programme {
         self.cones.push(ConeRows::Zero(self.constant.len()));
     }
 
-    /// Asks a block, whose rows begin at `first`, to keep to its cone. Whether it can: what slides has none.
+    /// Asks a block, whose rows begin at `first`, to keep to its cone. Whether it can: what slides has none, and that of
+    /// what resists rotations is another one.
     fn push_cone(&mut self, block: FrictionBlock, first: usize, reserve: f64) -> bool {
         let weight = match block {
             FrictionBlock::Bilateral { .. } => return true,
-            FrictionBlock::Sliding { .. } => return false,
+            FrictionBlock::Sliding { .. } | FrictionBlock::Resisted { .. } => return false,
             FrictionBlock::Contact { rows, friction } if rows > 1 && friction > 0.0 => {
                 self.cones.push(ConeRows::SecondOrder(rows));
                 friction * (1.0 - reserve)

@@ -6,7 +6,7 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `block` | [`FrictionBlock`]: contact or held rows |
+//! | `block` | [`FrictionBlock`]: contact, with what it resists, or held rows |
 //! | `block_matrix` | [`BlockMatrix`]: the Delassus operator in blocks |
 //! | `problem` | [`FrictionProblem`], and the one residual of all methods |
 //! | `coulomb_cone` | projection, De Saxce's correction, natural map |
@@ -24,7 +24,7 @@
 pub(crate) mod block;
 pub(crate) mod block_matrix;
 mod cone_programme;
-mod coulomb_cone;
+pub(crate) mod coulomb_cone;
 mod elimination_order;
 mod equilibrium;
 mod gauss_seidel;
@@ -39,7 +39,7 @@ mod single_contact;
 mod solution;
 mod solver;
 
-pub use block::FrictionBlock;
+pub use block::{FrictionBlock, Resistance};
 pub use block_matrix::BlockMatrix;
 pub use equilibrium::{BlocksOfRows, balancing_forces};
 pub use gauss_seidel::gauss_seidel;

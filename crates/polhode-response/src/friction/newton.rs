@@ -13,15 +13,16 @@
 
 use crate::dense::householder::PivotedQr;
 use crate::dense::kernels::largest;
-use crate::friction::block::{FrictionBlock, MOST_ROWS};
+use crate::friction::block::{FrictionBlock, MOST_ROWS, PARTS};
 use crate::friction::block_matrix::{Block, BlockMatrix};
-use crate::friction::coulomb_cone::{Rows, rows_of};
+use crate::friction::coulomb_cone::{BlockRows, filled_up};
 use crate::friction::elimination_order::EliminationOrder;
-use crate::friction::linearisation::{ContactStatus, Linearised, linearise};
+use crate::friction::linearisation::{ContactStatus, InverseMasses, Linearised, linearise};
 use crate::friction::multifrontal::Multifrontal;
 use crate::friction::node_laws::{LawsOfBlocks, NodeLaws, StepSystem};
 use crate::friction::node_matrix::NodeMatrix;
 use crate::friction::problem::FrictionProblem;
+use std::ops::Range;
 
 /// Least share of the diagonal of `G` that is added to it (no unit): between the rounding unit and the smallest share of a
 /// direction that moves something. Rounding of velocities, divided by it, lets reactions wander that move nothing, and what
@@ -136,8 +137,8 @@ pub(crate) struct Newton<'a> {
     problem: &'a FrictionProblem,
     /// Rows of each block.
     sizes: Vec<usize>,
-    /// `1 / rho` along normal and tangents of each block.
-    inverse_masses: Vec<[f64; 2]>,
+    /// `1 / rho` along the normal and of the other parts of each block.
+    inverse_masses: Vec<InverseMasses>,
     laws: Vec<Linearised>,
     /// Formed when the first damped step needs it.
     elimination: Option<Elimination>,
@@ -175,8 +176,16 @@ impl<'a> Newton<'a> {
         let matrix = problem.matrix();
         let inverse_masses = |block| {
             let normal = problem.inverse_mass(block);
-            let tangential = (1..matrix.size(block)).map(|row| matrix.diagonal_entry(block, row)).fold(0.0, f64::max);
-            [normal, if tangential > 0.0 { tangential } else { normal }]
+            let of = |rows: Range<usize>| {
+                let most = rows.map(|row| matrix.diagonal_entry(block, row)).fold(0.0, f64::max);
+                if most > 0.0 { most } else { normal }
+            };
+            if !problem.blocks()[block].resists_rotation() {
+                let tangential = of(1..matrix.size(block));
+                return [normal, tangential, tangential, tangential];
+            }
+            let [slip, roll, spin] = problem.blocks()[block].parts().map(|(rows, _)| of(rows));
+            [normal, slip, roll, spin]
         };
         Self {
             problem,
@@ -253,13 +262,18 @@ impl<'a> Newton<'a> {
         self.laws.iter().map(|law| law.status).collect()
     }
 
+    /// That of each part of every block: slip, rolling, spinning.
+    pub(crate) fn parts(&self) -> Vec<[ContactStatus; PARTS]> {
+        self.laws.iter().map(|law| law.parts).collect()
+    }
+
     /// Linearises all blocks; returns the square of the function.
     pub(crate) fn linearise(&mut self, reactions: &[f64], velocities: &[f64]) -> f64 {
         self.laws.clear();
         let mut sum = 0.0;
         for (block, &kind) in self.problem.blocks().iter().enumerate() {
             let range = self.problem.matrix().range(block);
-            let (r, u) = (rows_of(&reactions[range.clone()]), rows_of(&velocities[range]));
+            let (r, u) = (filled_up(&reactions[range.clone()]), filled_up(&velocities[range]));
             let law = linearise(kind, self.inverse_masses[block], r, u);
             sum += law.square;
             self.laws.push(law);
@@ -269,10 +283,10 @@ impl<'a> Newton<'a> {
 
     /// The step `dr` of the linearised law with this share of the diagonal added.
     fn damped_step(&mut self, damping: f64) {
-        let Self { problem, sizes, inverse_masses, laws, change, .. } = self;
+        let Self { problem, sizes, laws, change, .. } = self;
         let elimination = self.elimination.get_or_insert_with(|| Elimination::of(problem.matrix()));
         let Elimination { order, nodes, system, factors, unknowns } = elimination;
-        let of = LawsOfBlocks { matrix: nodes, order, laws, sizes, inverse_masses, damping };
+        let of = LawsOfBlocks { matrix: nodes, order, laws, sizes, damping };
         system.fill(of);
         factors.factor(order, nodes, &mut StepSystem { laws: system, matrix: nodes });
         system.right_sides(nodes, unknowns);
@@ -284,9 +298,9 @@ impl<'a> Newton<'a> {
     pub(crate) fn holding(&mut self, damping: f64) -> &[f64] {
         self.laws.clear();
         for (block, &rows) in self.sizes.iter().enumerate() {
-            let free = rows_of(&self.problem.constant()[self.problem.range(block)]);
+            let free = filled_up(&self.problem.constant()[self.problem.range(block)]);
             let hold = FrictionBlock::Bilateral { rows };
-            self.laws.push(linearise(hold, self.inverse_masses[block], Rows::default(), free));
+            self.laws.push(linearise(hold, self.inverse_masses[block], BlockRows::default(), free));
         }
         self.damped_step(damping);
         &self.change
@@ -315,7 +329,7 @@ impl<'a> Newton<'a> {
                 let place = places[block.column];
                 self.write(row, block, size, &mut dense[at * size + place..]);
             }
-            let shifted = rows_of(&known[matrix.range(row)]);
+            let shifted: BlockRows = filled_up(&known[matrix.range(row)]);
             for k in 0..law.unknowns {
                 dense[(at + k) * size + at + k] += law.diagonal[k];
                 right[at + k] = law.right[k] - inner(law.rows[k], shifted);
@@ -345,6 +359,6 @@ impl<'a> Newton<'a> {
     }
 }
 
-fn inner(a: [f64; MOST_ROWS], b: [f64; MOST_ROWS]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+fn inner(a: BlockRows, b: BlockRows) -> f64 {
+    a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + a * b)
 }

@@ -20,7 +20,6 @@
 
 use crate::dense::kernels::{axpy, short_dot};
 use crate::dense::small::solve_small;
-use crate::friction::block::MOST_ROWS;
 use crate::friction::elimination_order::EliminationOrder;
 use crate::friction::linearisation::{ContactStatus, Linearised};
 use crate::friction::multifrontal::NodeSystem;
@@ -103,8 +102,6 @@ pub(crate) struct LawsOfBlocks<'a> {
     pub(crate) laws: &'a [Linearised],
     /// Rows of each block.
     pub(crate) sizes: &'a [usize],
-    /// `1 / rho` along normal and tangents of each block.
-    pub(crate) inverse_masses: &'a [[f64; 2]],
     /// Share of the diagonal that is added.
     pub(crate) damping: f64,
 }
@@ -150,7 +147,7 @@ impl NodeLaws {
                     self.right.extend_from_slice(&law.columns[k][..size]);
                     size
                 };
-                let inverse_mass = of.inverse_masses[block][usize::from(k > 0)];
+                let inverse_mass = law.inverse_masses[k];
                 let diagonal = law.diagonal[k] + of.damping * inverse_mass;
                 let within = law.diagonal[k] + of.damping.max(LEAST_NODE_DAMPING) * inverse_mass;
                 let first = if rows.is_some() { 0 } else { first };
@@ -264,13 +261,12 @@ impl NodeLaws {
             let mut next = own.iter();
             for &block in blocks {
                 let law = &of.laws[block];
-                let mut change = law.shift;
+                let (mut change, size) = (law.shift, of.sizes[block]);
                 for (column, y) in law.columns[..law.unknowns].iter().zip(&mut next) {
-                    for row in 0..MOST_ROWS {
-                        change[row] += column[row] * y;
+                    for (change, value) in change.iter_mut().zip(&column[..size]) {
+                        *change += value * y;
                     }
                 }
-                let size = of.sizes[block];
                 dr[first(block)..first(block) + size].copy_from_slice(&change[..size]);
             }
         }

@@ -9,7 +9,7 @@ use crate::dense::kernels::largest;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::block::{FrictionBlock, MOST_ROWS};
 use crate::friction::block_matrix::BlockMatrix;
-use crate::friction::coulomb_cone::{natural_map, rows_of};
+use crate::friction::coulomb_cone::natural_map;
 
 /// A contact that no reaction moves is measured by this fraction of the largest inverse mass (no unit): with it a reaction
 /// there shows in the residual, however small.
@@ -56,7 +56,7 @@ impl FrictionProblem {
     /// A problem with a `G` in blocks, one block row for each of `blocks`.
     ///
     /// # Errors
-    /// When a coefficient of friction is negative or not finite, a block has not 1 to 3 rows, lengths differ, or a number is not
+    /// When a coefficient of friction is negative or not finite, a block has too few or too many rows, lengths differ, or a number is not
     /// finite.
     pub fn new(blocks: Vec<FrictionBlock>, matrix: BlockMatrix, constant: Vec<f64>) -> Result<Self, ResponseError> {
         check_blocks(&blocks)?;
@@ -179,7 +179,7 @@ impl FrictionProblem {
     /// The natural map of one block, in units of velocity.
     pub(crate) fn block_residual(&self, block: usize, reactions: &[f64], velocities: &[f64]) -> f64 {
         let range = self.matrix.range(block);
-        let (r, u) = (rows_of(&reactions[range.clone()]), rows_of(&velocities[range]));
+        let (r, u) = (&reactions[range.clone()], &velocities[range]);
         natural_map(self.blocks[block], self.inverse_masses[block], r, u)
     }
 

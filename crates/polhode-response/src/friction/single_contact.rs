@@ -11,7 +11,7 @@
 //! Source: Bonnefon and Daviet 2011 solve the same equation as a quartic polynomial. Where several roots exist (strong coupling
 //! of normal and tangent) one is taken.
 
-use crate::friction::block::{FrictionBlock, MOST_ROWS};
+use crate::friction::block::{CONTACT_ROWS, FrictionBlock};
 use crate::friction::coulomb_cone::{Rows, project, tangential_length};
 
 /// Pivots below this fraction of the diagonal count as zero (no unit): a hundred rounding units.
@@ -24,7 +24,7 @@ const MOST_STEPS: usize = 100;
 const ROOT_ROUNDING: f64 = 1e-15;
 
 /// A block of `G` with the rows that are missing filled up by the identity.
-pub(crate) type Square = [[f64; MOST_ROWS]; MOST_ROWS];
+pub(crate) type Square = [[f64; CONTACT_ROWS]; CONTACT_ROWS];
 
 /// A row-major block of `size` rows, as a full square; diagonal entries of missing rows are 1.
 pub(crate) fn square(values: &[f64], size: usize) -> Square {
@@ -40,9 +40,12 @@ pub(crate) fn solve(block: FrictionBlock, a: &Square, b: Rows) -> Rows {
         FrictionBlock::Contact { rows, friction } => (rows, friction),
         FrictionBlock::Sliding { friction } => return already_sliding(a, b, friction),
         FrictionBlock::Bilateral { .. } => return hold(a, b),
+        // Its rotations are solved beside it (`gauss_seidel`).
+        FrictionBlock::Resisted { parts: [slip, ..] } if slip.slides => return already_sliding(a, b, slip.friction),
+        FrictionBlock::Resisted { parts: [slip, ..] } => (1 + slip.rows, slip.friction),
     };
     if b[0] >= 0.0 || a[0][0] <= 0.0 {
-        return [0.0; MOST_ROWS];
+        return [0.0; CONTACT_ROWS];
     }
     if rows == 1 || friction == 0.0 {
         return [-b[0] / a[0][0], 0.0, 0.0];
@@ -58,7 +61,7 @@ pub(crate) fn solve(block: FrictionBlock, a: &Square, b: Rows) -> Rows {
 /// them apart (Painleve), there is no reaction that is the answer, and the one without friction is taken.
 fn already_sliding(a: &Square, b: Rows, friction: f64) -> Rows {
     if b[0] >= 0.0 || a[0][0] <= 0.0 {
-        return [0.0; MOST_ROWS];
+        return [0.0; CONTACT_ROWS];
     }
     let pushed = a[0][0] - friction * a[0][1];
     let normal = -b[0] / if pushed > PIVOT_ROUNDING * a[0][0] { pushed } else { a[0][0] };
@@ -66,13 +69,13 @@ fn already_sliding(a: &Square, b: Rows, friction: f64) -> Rows {
 }
 
 /// `-A^-1 b` by elimination; where a pivot vanishes its reaction is zero.
-fn hold(a: &Square, b: Rows) -> Rows {
+pub(crate) fn hold(a: &Square, b: Rows) -> Rows {
     let (mut a, mut b) = (*a, b);
-    for k in 0..MOST_ROWS {
-        for i in k + 1..MOST_ROWS {
+    for k in 0..CONTACT_ROWS {
+        for i in k + 1..CONTACT_ROWS {
             let factor = if a[k][k] > 0.0 { a[i][k] / a[k][k] } else { 0.0 };
             let whole = a[i][i];
-            for j in k..MOST_ROWS {
+            for j in k..CONTACT_ROWS {
                 a[i][j] -= factor * a[k][j];
             }
             b[i] -= factor * b[k];
@@ -81,9 +84,9 @@ fn hold(a: &Square, b: Rows) -> Rows {
             }
         }
     }
-    let mut r = [0.0; MOST_ROWS];
-    for k in (0..MOST_ROWS).rev() {
-        let known: f64 = (k + 1..MOST_ROWS).map(|j| a[k][j] * r[j]).sum();
+    let mut r = [0.0; CONTACT_ROWS];
+    for k in (0..CONTACT_ROWS).rev() {
+        let known: f64 = (k + 1..CONTACT_ROWS).map(|j| a[k][j] * r[j]).sum();
         r[k] = if a[k][k] > 0.0 { -(b[k] + known) / a[k][k] } else { 0.0 };
     }
     r

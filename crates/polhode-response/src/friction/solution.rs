@@ -76,6 +76,8 @@ pub struct FrictionSolution {
     pub velocities: Vec<f64>,
     /// What each contact does.
     pub statuses: Vec<ContactStatus>,
+    /// What each contact does in its slip, its rolling and its spinning; open for what it does not resist.
+    pub parts: Vec<[ContactStatus; 3]>,
     /// When the problem is [infeasible](SolverStatus::Infeasible): normal reactions `z >= 0`, the largest 1, that move nothing,
     /// `G z = 0`, and with `q.z < 0`. Since `z.u = z.(G r + q) = q.z` for all `r` (`G` symmetric), no reactions make all normal
     /// velocities `u_n >= 0`: the contacts of its positive entries squeeze bodies between them. Otherwise empty.

@@ -7,7 +7,7 @@
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::block::FrictionBlock;
 use crate::friction::cone_programme::LiftedForm;
-use crate::friction::coulomb_cone::{project, rows_of};
+use crate::friction::coulomb_cone::{project, put_parts_into_discs, rows_of};
 use crate::friction::gauss_seidel::GaussSeidel;
 use crate::friction::newton::{Damping, Iterate, Newton, NewtonLimits, NewtonSteps};
 use crate::friction::problem::FrictionProblem;
@@ -236,14 +236,19 @@ impl Solver<'_> {
     fn move_into_cones(&self, reactions: &mut [f64]) {
         for (block, kind) in self.problem.blocks().iter().enumerate() {
             let range = self.problem.range(block);
-            let own = rows_of(&reactions[range.clone()]);
+            let own = &mut reactions[range];
+            let first = rows_of(own);
             let within = match *kind {
-                FrictionBlock::Contact { friction, .. } => project(friction, own),
-                FrictionBlock::Sliding { friction } => [own[0].max(0.0), -friction * own[0].max(0.0), 0.0],
-                FrictionBlock::Bilateral { .. } => own,
+                FrictionBlock::Contact { friction, .. } => project(friction, first),
+                FrictionBlock::Sliding { friction } => [first[0].max(0.0), -friction * first[0].max(0.0), 0.0],
+                FrictionBlock::Bilateral { .. } => first,
+                FrictionBlock::Resisted { .. } => {
+                    put_parts_into_discs(*kind, own);
+                    continue;
+                }
             };
-            let size = range.len();
-            reactions[range].copy_from_slice(&within[..size]);
+            let size = own.len();
+            own.copy_from_slice(&within[..size]);
         }
     }
 
@@ -258,6 +263,7 @@ impl Solver<'_> {
         };
         FrictionSolution {
             statuses: self.newton.statuses(),
+            parts: self.newton.parts(),
             reactions: self.best.reactions,
             velocities: self.best.velocities,
             squeeze: self.squeeze,

@@ -39,6 +39,7 @@ fn violation(problem: &FrictionProblem, reactions: &[f64]) -> f64 {
         let (r, u) = (&reactions[problem.range(block)], &u[problem.range(block)]);
         worst = worst.max(match *kind {
             FrictionBlock::Bilateral { .. } => length(u),
+            FrictionBlock::Resisted { .. } => unreachable!("`resisted_rotations` judges these"),
             FrictionBlock::Sliding { friction } => {
                 assert!((r[1] + friction * r[0]).abs() <= 1e-12 * size, "{r:?}");
                 if r[0] == 0.0 { (-u[0]).max(0.0) } else { u[0].abs() }

@@ -19,5 +19,6 @@ mod mass_ratios;
 mod multiple_frictional_impacts;
 mod oracle;
 mod problem;
+mod resisted_rotations;
 mod row_blocks;
 mod scenes;

@@ -5,15 +5,17 @@
 //! that their ellipse of friction becomes a circle (`crate::collision::friction_ellipse`), and their solutions scaled
 //! back.
 
+use super::resisted_rotation::ResistedRotation;
+use crate::collision::turn::Turn;
 use crate::scene::FrictionEllipse;
 use polhode_response::friction::{
     BlockMatrix, BlocksOfRows, ContactStatus, FrictionBlock, FrictionMethod, FrictionProblem, FrictionSettings,
-    solve_friction,
+    Resistance, solve_friction,
 };
 use polhode_response::{Delassus, Method, ResponseError, SolverReport};
 use std::ops::Range;
 
-/// Most rows of one block.
+/// Most rows of one block that is held.
 const MOST_ROWS: usize = 3;
 
 /// Blocks of rows.
@@ -34,7 +36,36 @@ pub(crate) struct RowSolution {
     pub(crate) velocities: Vec<f64>,
     /// What the block of each contact does.
     pub(crate) statuses: Vec<ContactStatus>,
+    /// And its slip, rolling and spinning by themselves.
+    pub(crate) parts: Vec<[ContactStatus; 3]>,
     pub(crate) report: SolverReport,
+}
+
+impl RowSolution {
+    /// The direction, in the rows of a rotation, in which the bodies turn, or begin to turn; none while friction holds them. A
+    /// moment opposes it; where nothing presses there is no moment, and the rotation follows its acceleration.
+    pub(crate) fn direction_of(&self, rotation: &ResistedRotation) -> Option<Vec<f64>> {
+        if rotation.turns {
+            return Some(vec![1.0; rotation.rows.len()]);
+        }
+        let part = self.parts.get(rotation.normal).map(|[_, rolls, spins]| match rotation.turn {
+            Turn::Rolling => *rolls,
+            Turn::Spinning => *spins,
+        });
+        if part == Some(ContactStatus::Stick) {
+            return None;
+        }
+        let own = |of: &[f64], sign: f64| {
+            rotation.rows.clone().filter_map(|row| of.get(row)).map(|part| sign * part).collect::<Vec<f64>>()
+        };
+        unit(&own(&self.reactions, -1.0)).or_else(|| unit(&own(&self.velocities, 1.0)))
+    }
+}
+
+/// A vector over its length; none of one that is zero.
+fn unit(parts: &[f64]) -> Option<Vec<f64>> {
+    let size = parts.iter().fold(0.0, |sum: f64, part| libm::hypot(sum, *part));
+    (size > 0.0).then(|| parts.iter().map(|part| part / size).collect())
 }
 
 impl FrictionBlocks {
@@ -56,6 +87,55 @@ impl FrictionBlocks {
         self.scales.resize(self.rows.len() + 1, 1.0);
         self.scales.extend(ellipse.scales().iter().take(tangents.len()));
         self.push(block, std::iter::once(normal).chain(tangents));
+    }
+
+    /// The same blocks with rotations that contacts resist, each in the block of its contact.
+    pub(crate) fn with_rotations(self, rotations: &[ResistedRotation]) -> Self {
+        if rotations.is_empty() {
+            return self;
+        }
+        let mut whole = Self::default();
+        let mut first = 0;
+        for (place, &block) in self.blocks.iter().enumerate() {
+            let rows = first..first + block.rows();
+            first = rows.end;
+            let own = rotations.iter().filter(|rotation| rotation.normal == place);
+            whole.push(block, self.rows[rows.clone()].iter().copied());
+            if !self.scales.is_empty() {
+                whole.scales.resize(whole.rows.len(), 1.0);
+                let start = whole.rows.len() - rows.len();
+                whole.scales[start..].copy_from_slice(&self.scales[rows]);
+            }
+            for rotation in own {
+                whole.resist(place, rotation);
+            }
+        }
+        whole
+    }
+
+    /// Adds a rotation to the last block, which is that of its contact.
+    fn resist(&mut self, block: usize, rotation: &ResistedRotation) {
+        let slip = match self.blocks[block] {
+            FrictionBlock::Contact { rows, friction } => Resistance { rows: rows - 1, friction, slides: false },
+            FrictionBlock::Sliding { friction } => Resistance { rows: 1, friction, slides: true },
+            FrictionBlock::Resisted { parts: [slip, ..] } => slip,
+            FrictionBlock::Bilateral { .. } => return,
+        };
+        let mut parts = match self.blocks[block] {
+            FrictionBlock::Resisted { parts } => parts,
+            _ => [slip, Resistance::default(), Resistance::default()],
+        };
+        let place = match rotation.turn {
+            Turn::Rolling => 1,
+            Turn::Spinning => 2,
+        };
+        let ResistedRotation { friction, turns: slides, .. } = *rotation;
+        parts[place] = Resistance { rows: rotation.rows.len(), friction, slides };
+        self.blocks[block] = FrictionBlock::Resisted { parts };
+        self.rows.extend(rotation.rows.clone());
+        if !self.scales.is_empty() {
+            self.scales.resize(self.rows.len(), 1.0);
+        }
     }
 
     /// How many blocks.
@@ -150,6 +230,7 @@ impl FrictionBlocks {
             reactions: self.reactions_in_rows(&solved.reactions),
             velocities: self.velocities_in_rows(&solved.velocities),
             statuses: solved.statuses,
+            parts: solved.parts,
             report,
         })
     }

@@ -10,8 +10,8 @@ use super::cone_violation::RubbingForce;
 use super::friction_blocks::{FrictionBlocks, RowSolution};
 use super::frictional_contact::{Frictional, Sliding};
 use super::least_sliding_forces::{RowFriction, least_sliding_forces};
+use super::resisted_rotation::ResistedRotation;
 use super::rotation_row::RotationRow;
-use super::rotational_friction::{ResistedRotation, solve_with_rotations};
 use super::sticking_forces::{SLIDING_ROUNDING, STICKING_RELATIVE, of_no_slip, rounding_of};
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
@@ -147,8 +147,7 @@ impl FrictionalAccelerations {
         let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
         let mut assembly = Assembly::new(world, states, bodies, rows)?;
         let blocks = blocks_of(&mut assembly, states, (contacts, frictional))?;
-        let ResistedRotations { turns, laws: mut rotations } =
-            rotations_of(&mut assembly, world, contacts, frictional)?;
+        let ResistedRotations { turns, laws: rotations } = rotations_of(&mut assembly, world, contacts, frictional)?;
         let free = assembly.free_accelerations(world, states, loads);
         let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
         let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
@@ -156,7 +155,9 @@ impl FrictionalAccelerations {
         let any_slides = frictional.iter().flatten().any(|friction| friction.sliding.is_some());
         let mut exact = None;
         let solved = if !rotations.is_empty() {
-            solve_with_rotations(&blocks, &mut rotations, &delassus, &constants)?
+            let turns = rotations.iter().any(|rotation| rotation.turns);
+            let settings = if any_slides || turns { sliding_settings() } else { FrictionSettings::default() };
+            blocks.with_rotations(&rotations).solve(&delassus, &constants, None, &settings)?
         } else if any_slides {
             let of = (world, states, contacts);
             let (solved, how) = of_slips(of, &assembly, (&blocks, &delassus, &constants), frictional)?;
@@ -183,7 +184,7 @@ impl FrictionalAccelerations {
         let mut tangential: Vec<Option<ContactTangent>> = tangential.collect();
         add_up_pairs(contacts, &mut tangential);
         complete_slips((world, t, states), (contacts, frictional), (&assembly, &accelerations), &mut tangential);
-        let turn = |law: &ResistedRotation| ContactTurn { turning: turning(&assembly, law) };
+        let turn = |law: &ResistedRotation| ContactTurn { turning: turning(&assembly, law, &solved) };
         let turns = turns.into_iter().zip(rotations.iter().map(turn)).collect();
         let solution = contact_solution(&solved, assembly.first_tangent());
         Ok(Self {
@@ -240,8 +241,11 @@ fn of_slips(
     if let Some((held, choice)) = all_hold(of, assembly, constants, frictional)? {
         return Ok((held, Some(choice)));
     }
-    let settings = FrictionSettings { acceptance: ACCEPTED_SLIDING, ..FrictionSettings::default() };
-    Ok((blocks.solve(delassus, constants, None, &settings)?, None))
+    Ok((blocks.solve(delassus, constants, None, &sliding_settings())?, None))
+}
+
+fn sliding_settings() -> FrictionSettings {
+    FrictionSettings { acceptance: ACCEPTED_SLIDING, ..FrictionSettings::default() }
 }
 
 /// The least forces with which every contact holds while some slide.
@@ -276,7 +280,8 @@ fn all_hold(
     let status = |friction| if slides(friction) { ContactStatus::Slide } else { ContactStatus::Stick };
     let statuses = frictional.iter().map(status).collect();
     let choice = if least.motion_depends_on_choice { Choice::DecidesMotion } else { Choice::Idle };
-    Ok(Some((RowSolution { reactions, velocities, statuses, report }, choice)))
+    let parts = Vec::new();
+    Ok(Some((RowSolution { reactions, velocities, statuses, parts, report }, choice)))
 }
 
 /// Rotations that friction resists.
@@ -304,28 +309,30 @@ fn rotations_of(
         for turn in Turn::ALL {
             let Some(friction) = turn.coefficient(world, (touch.id.a, touch.id.b)) else { continue };
             let axes = turn.axes(touch.kinematics.geometry.normal, frictional.terms.basis);
-            let rows = assembly.problem.len()..assembly.problem.len() + axes.len();
             let along = match touch.rotation.get(turn) {
                 Some(FrictionMode::Sliding(slide)) => {
                     let rotation = turn.part(frictional.rotation, touch.kinematics.geometry.normal);
                     let direction = slide.direction_of(rotation);
-                    Some(axes.iter().map(|axis| axis.dot(direction)).collect())
+                    Some(vec![direction])
                 }
                 Some(FrictionMode::Sticking) | None => None,
             };
+            let turns = along.is_some();
+            let axes = along.unwrap_or(axes);
+            let rows = assembly.problem.len()..assembly.problem.len() + axes.len();
             assembly.push_rotations(axes.into_iter().map(|axis| RotationRow::about(world, touch.id, axis)))?;
             found.turns.push((touch.id, turn));
-            found.laws.push(ResistedRotation { normal, rows, friction, turns: along });
+            found.laws.push(ResistedRotation { normal, turn, rows, friction, turns });
         }
     }
     Ok(found)
 }
 
 /// The direction in which a rotation turns; none while it is held.
-fn turning(assembly: &Assembly, law: &ResistedRotation) -> Option<DVec3> {
+fn turning(assembly: &Assembly, law: &ResistedRotation, solved: &RowSolution) -> Option<DVec3> {
     let mut of_rows = vec![0.0; assembly.problem.len()];
-    for (row, part) in law.rows.clone().zip(law.turns.as_ref()?) {
-        of_rows[row] = *part;
+    for (row, part) in law.rows.clone().zip(solved.direction_of(law)?) {
+        of_rows[row] = part;
     }
     assembly.of_rotations(&of_rows).map(|(row, part)| row.axis * part).sum::<DVec3>().try_normalize()
 }

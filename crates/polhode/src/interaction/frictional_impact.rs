@@ -4,15 +4,15 @@
 //! restitution along Routh's path of slip, stick and reversal; several together by the cone problem of their velocities
 //! after generalised reflection, or one after the other where the scene asks for propagation. The coefficient is that of
 //! kinetic friction. Friction of rolling and of spinning gives impulses of moments, bounded by its length times the normal
-//! impulse; an impact whose moments do not settle has the last ones found, and its status says so. A scene may name another law for one contact alone ([`polhode_response::RestitutionLaw`]).
+//! impulse: a contact with it is struck by the cone problem, also alone. A scene may name another law for one contact alone without it ([`polhode_response::RestitutionLaw`]).
 //!
 //! An impact without a collision has the same impulses, but no approach: contacts slide, and no finite forces satisfy
 //! Coulomb's law (Painleve).
 
 use super::assembly::{Assembly, TangentRow};
 use super::friction_blocks::FrictionBlocks;
+use super::resisted_rotation::ResistedRotation;
 use super::rotation_row::RotationRow;
-use super::rotational_friction::{ResistedRotation, SettledRotations, settle_rotations};
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::collision::turn::Turn;
 use crate::scene::{FrictionEllipse, ImpactLaw};
@@ -85,7 +85,7 @@ pub(crate) fn solve(
     let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let mut assembly = Assembly::new(world, states, bodies, rows)?;
     let (blocks, mut before) = blocks_of(&mut assembly, world, states, contacts)?;
-    let mut rotations = match cause {
+    let rotations = match cause {
         Cause::Collision => rotations_of(&mut assembly, world, states, contacts, &mut before)?,
         Cause::Jam(..) => Vec::new(),
     };
@@ -99,47 +99,40 @@ pub(crate) fn solve(
         }
     };
     let settings = settings_for(world.velocity_rounding(states, bodies), &before);
-    let strike = |blocks: &FrictionBlocks, before: &[f64], _: Option<&[f64]>| {
-        let mut restitution: Vec<f64> =
-            contacts.iter().map(|touch| world.scene.pair_material(touch.id.a, touch.id.b).restitution()).collect();
-        // Pivots and rotations have no restitution.
-        restitution.resize(blocks.len(), 0.0);
-        let in_order = law == ImpactLaw::Propagation;
-        let impact = MultipleFrictionalImpact {
-            contacts: &blocks.problem(&delassus, before)?,
-            restitution: &restitution,
-            law: if in_order { MultipleImpactLaw::Sequence } else { MultipleImpactLaw::Simultaneous },
-            single: world.scene.method().restitution_law.unwrap_or_default(),
-            settings: &settings,
-        };
-        let struck = match &accelerations {
-            None => impact.resolve()?,
-            Some(accelerations) => impact.without_collision(&blocks.of_rows(accelerations))?,
-        };
-        let reactions = blocks.reactions_in_rows(&struck.impulses);
-        Ok((struck, reactions))
+    let blocks = blocks.with_rotations(&rotations);
+    let mut restitution: Vec<f64> =
+        contacts.iter().map(|touch| world.scene.pair_material(touch.id.a, touch.id.b).restitution()).collect();
+    // Pivots have no restitution.
+    restitution.resize(blocks.len(), 0.0);
+    let in_order = law == ImpactLaw::Propagation;
+    let impact = MultipleFrictionalImpact {
+        contacts: &blocks.problem(&delassus, &before)?,
+        restitution: &restitution,
+        law: if in_order { MultipleImpactLaw::Sequence } else { MultipleImpactLaw::Simultaneous },
+        single: world.scene.method().restitution_law.unwrap_or_default(),
+        settings: &settings,
     };
-    if rotations.is_empty() {
-        let (struck, reactions) = strike(&blocks, &before, None)?;
-        let velocities_after = blocks.velocities_in_rows(&struck.velocities_after);
-        let friction_work_j = struck.friction_work.iter().sum();
-        // Contacts of the cone problem are at zero to its residual: the energy is that of what the impulses really do.
-        let given = delassus.times(&reactions)?;
-        let works = reactions.iter().zip(&given).zip(&before).map(|((p, given), before)| p * (before + 0.5 * given));
-        let energy_change = works.collect::<CompensatedSum>().value();
-        let rows = StruckRows { reactions, velocities_after, energy_change, friction_work_j, is_settled: true };
-        return Ok(impact_of(assembly, contacts.len(), &struck, rows));
-    }
-    let settled = settle_rotations(&blocks, &mut rotations, (&delassus, &before), strike)?;
-    let SettledRotations { found, reactions, is_settled } = settled;
+    let struck = match &accelerations {
+        None => impact.resolve()?,
+        Some(accelerations) => impact.without_collision(&blocks.of_rows(accelerations))?,
+    };
+    let reactions = blocks.reactions_in_rows(&struck.impulses);
+    let velocities_after = blocks.velocities_in_rows(&struck.velocities_after);
+    let by_friction: f64 = struck.friction_work.iter().sum();
+    // Contacts of the cone problem are at zero to its residual: the energy is that of what the impulses really do.
     let given = delassus.times(&reactions)?;
-    let velocities_after: Vec<f64> = given.iter().zip(&before).map(|(by, before)| by + before).collect();
-    let works = reactions.iter().zip(before.iter().zip(&velocities_after));
-    let works: Vec<f64> = works.map(|(p, (before, after))| 0.5 * p * (before + after)).collect();
-    let energy_change = works.iter().sum();
-    let friction_work_j = works[assembly.first_tangent()..].iter().sum();
-    let rows = StruckRows { reactions, velocities_after, energy_change, friction_work_j, is_settled };
-    Ok(impact_of(assembly, contacts.len(), &found, rows))
+    let works = reactions.iter().zip(&given).zip(&before).map(|((p, given), before)| p * (before + 0.5 * given));
+    let energy_change = works.collect::<CompensatedSum>().value();
+    let friction_work_j = share_of_friction(by_friction, energy_change);
+    let rows = StruckRows { reactions, velocities_after, energy_change, friction_work_j };
+    Ok(impact_of(assembly, contacts.len(), &struck, rows))
+}
+
+/// What friction took of the change of energy of an impact, J; negative when energy is lost. Works of impulses that act together
+/// are those along the straight way from the velocities before to those after. Where one of the two would give energy along
+/// that way, although both together take some, what was lost is the other's.
+const fn share_of_friction(by_friction: f64, energy_change: f64) -> f64 {
+    if energy_change < 0.0 { by_friction.clamp(energy_change, 0.0) } else { by_friction }
 }
 
 /// Settings of an impact with these velocities before (m/s), whose errors by rounding are known (m/s): where contacts
@@ -162,13 +155,11 @@ struct StruckRows {
     energy_change: f64,
     /// J.
     friction_work_j: f64,
-    /// Whether moments of friction were found.
-    is_settled: bool,
 }
 
 /// The impact of the first rows of an assembly, those of `contacts`, and of its tangents, pivots and rotations.
 fn impact_of(assembly: Assembly, contacts: usize, struck: &MultipleImpact, rows: StruckRows) -> FrictionalImpact {
-    let StruckRows { reactions, velocities_after, energy_change, friction_work_j, is_settled } = rows;
+    let StruckRows { reactions, velocities_after, energy_change, friction_work_j } = rows;
     let first = assembly.first_tangent();
     let tangential = assembly.of_tangents(&reactions).map(|(row, impulse)| (row.id, row.along, impulse)).collect();
     let moments = assembly.of_rotations(&reactions).map(|(row, moment)| (row.id, row.axis * moment)).collect();
@@ -178,12 +169,11 @@ fn impact_of(assembly: Assembly, contacts: usize, struck: &MultipleImpact, rows:
         energy_change: struck.normal_work[row] + struck.friction_work[row],
     });
     let applications = applications.collect();
-    let status = if is_settled { status_of(struck.status) } else { ImpactStatus::LimitReached };
     let outcome = ImpactOutcome {
         applications,
         finishing: Vec::new(),
         velocities_after: velocities_after.into_iter().take(first).collect(),
-        status,
+        status: status_of(struck.status),
         energy_change: energy_change - friction_work_j,
         solves: struck.solves,
         residual: struck.residual,
@@ -218,7 +208,8 @@ fn rotations_of(
             let axes: Vec<RotationRow> = axes.map(|axis| RotationRow::about(world, touch.id, axis)).collect();
             before.extend(axes.iter().map(|row| row.rate(world, states)));
             assembly.push_rotations(axes.into_iter())?;
-            found.push(ResistedRotation { normal, rows: first..assembly.problem.len(), friction, turns: None });
+            let rows = first..assembly.problem.len();
+            found.push(ResistedRotation { normal, turn, rows, friction, turns: false });
         }
     }
     Ok(found)

@@ -18,6 +18,7 @@ mod least_sliding_forces;
 pub(crate) mod locator;
 pub(crate) mod overlap;
 pub(crate) mod projection;
+pub(crate) mod resisted_rotation;
 pub(crate) mod rotation_row;
 pub(crate) mod rotational_friction;
 mod sticking_forces;

@@ -108,6 +108,7 @@ impl HoldingForces {
         self.is_balanced.then(|| RowSolution {
             velocities: vec![0.0; self.forces.len()],
             reactions: self.forces.clone(),
+            parts: Vec::new(),
             statuses: vec![ContactStatus::Stick; frictional.len()],
             report: SolverReport { method, residual: self.residual, ..SolverReport::default() },
         })

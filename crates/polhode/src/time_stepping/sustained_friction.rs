@@ -27,14 +27,14 @@ use crate::collision::turn::Turn;
 use crate::interaction::assembly::{Assembly, TangentRow};
 use crate::interaction::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use crate::interaction::friction_blocks::{FrictionBlocks, RowSolution};
+use crate::interaction::resisted_rotation::ResistedRotation;
 use crate::interaction::rotation_row::RotationRow;
-use crate::interaction::rotational_friction::{ResistedRotation, solve_with_rotations};
 use crate::scene::FrictionEllipse;
 use crate::world::World;
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::friction::{ContactStatus, FrictionSettings};
-use polhode_response::{Delassus, ResponseError, SolverReport};
+use polhode_response::{Delassus, ResponseError, SolverReport, SolverStatus};
 use polhode_spatial::DVec3;
 use std::ops::Range;
 
@@ -184,18 +184,18 @@ impl TangentialRow {
 
     /// The axes of its rows of rotation of each kind that friction resists, times their length (m), with that friction (no
     /// unit).
-    fn rotations(&self) -> impl Iterator<Item = (f64, Vec<DVec3>)> + '_ {
+    fn rotations(&self) -> impl Iterator<Item = (Turn, f64, Vec<DVec3>)> + '_ {
         let basis = self.along.map(|row| row.along.normal);
         let of = move |(turn, friction): (Turn, &Option<f64>)| {
             let axes = turn.axes(self.normal, basis).into_iter().map(|axis| axis * self.turning_length);
-            Some(((*friction)?, axes.collect()))
+            Some((turn, (*friction)?, axes.collect()))
         };
         Turn::ALL.into_iter().zip(&self.rotational).filter_map(of)
     }
 
     /// `w-` of these rows.
     fn rotation_constants(&self) -> Vec<f64> {
-        self.rotations().flat_map(|(_, axes)| axes).map(|axis| axis.dot(self.rotation)).collect()
+        self.rotations().flat_map(|(.., axes)| axes).map(|axis| axis.dot(self.rotation)).collect()
     }
 
     fn constants(&self) -> [f64; 2] {
@@ -310,18 +310,20 @@ pub(super) fn solve(
         let tangents = first..assembly.problem.len();
         rows.push(tangents);
     }
-    let mut rotations = resisted_rotations(&mut assembly, friction)?;
+    let rotations = resisted_rotations(&mut assembly, friction)?;
     constants.extend(friction.iter().flatten().flat_map(TangentialRow::rotation_constants));
     let delassus: Delassus = assembly.problem.delassus();
-    let settings =
-        FrictionSettings { acceptance: ACCEPTED_RESIDUAL, last_sweeps: LAST_SWEEPS, ..FrictionSettings::default() };
+    let exact = FrictionSettings { last_sweeps: LAST_SWEEPS, ..FrictionSettings::default() };
+    let settings = FrictionSettings { acceptance: ACCEPTED_RESIDUAL, ..exact };
     let mut friction: Vec<Option<TangentialRow>> = friction.to_vec();
     let solved = loop {
-        let blocks = blocks(&friction, &rows);
+        let blocks = blocks(&friction, &rows).with_rotations(&rotations);
         let solved = if rotations.is_empty() {
             blocks.solve(&delassus, &constants, None, &settings)?
         } else {
-            solve_with_rotations(&blocks, &mut rotations, &delassus, &constants)?
+            // A rate of turning that is much faster than the contacts hides what is left of their reactions in the residual.
+            let solved = blocks.solve(&delassus, &constants, None, &exact)?;
+            accepted(solved, &settings)
         };
         if !slide_under_static_friction(&mut friction, &rows, &solved, &constants) {
             break solved;
@@ -339,6 +341,14 @@ pub(super) fn solve(
     });
     let moments = moments.collect();
     Ok(FrictionalImpulses { normal: normal.to_vec(), tangential, moments, stops, report: solved.report })
+}
+
+/// The same solution, solved if its residual is accepted.
+fn accepted(mut solved: RowSolution, settings: &FrictionSettings) -> RowSolution {
+    if solved.report.residual <= settings.acceptance {
+        solved.report.status = SolverStatus::Solved;
+    }
+    solved
 }
 
 /// The contacts whose slips pass through zero within the step.
@@ -363,11 +373,11 @@ fn resisted_rotations(
     for (normal, friction) in friction.iter().enumerate() {
         let Some(friction) = friction else { continue };
         let id = friction.along[0].id;
-        for (coefficient, axes) in friction.rotations() {
+        for (turn, friction, axes) in friction.rotations() {
             let first = assembly.problem.len();
             assembly.push_rotations(axes.into_iter().map(|axis| RotationRow { id, axis }))?;
             let rows = first..assembly.problem.len();
-            resisted.push(ResistedRotation { normal, rows, friction: coefficient, turns: None });
+            resisted.push(ResistedRotation { normal, turn, rows, friction, turns: false });
         }
     }
     Ok(resisted)

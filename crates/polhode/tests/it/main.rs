@@ -41,6 +41,7 @@ mod public_interface;
 mod queries_of_all_tiers;
 mod refusals;
 mod rotational_friction;
+mod rotational_friction_impacts;
 mod round_bodies;
 mod seams;
 mod slip_reversal;

@@ -2,7 +2,8 @@
 //!
 //! The contacts are the blocks of a [`FrictionProblem`] whose constant terms are the velocities before. Contacts that do not
 //! move each other are struck on their own: one contact alone by the law of a single contact, whose path through slip,
-//! stick and reversal is exact; several by [`MultipleImpactLaw`].
+//! stick and reversal is exact; several by [`MultipleImpactLaw`]. A contact that resists rotations is struck by the cone problem
+//! of several contacts, also alone: its path has laws of slip for its rolling and its spinning as well.
 
 use super::law::{MultipleImpactLaw, RestitutionLaw};
 use super::multiple_outcome::{MultipleImpact, MultipleImpactStatus};
@@ -161,7 +162,9 @@ impl MultipleFrictionalImpact<'_> {
         }
         part.tolerance = self.settings.threshold * approach;
         part.status = part.status.and(MultipleImpactStatus::Separated);
-        let together = contacts.len() > 1 && self.law == MultipleImpactLaw::Simultaneous;
+        let resist_rotations = contacts.iter().any(|&block| part.contacts.blocks()[block].resists_rotation());
+        let in_order = self.law == MultipleImpactLaw::Sequence;
+        let together = !in_order && (contacts.len() > 1 || resist_rotations);
         if together && strike_together(part, struck)? {
             return Ok(());
         }

@@ -3,10 +3,12 @@
 use super::multiple_outcome::MultipleImpactStatus;
 use crate::dense::kernels::compensated_dot;
 use crate::error::ResponseError;
+use crate::friction::coulomb_cone::put_parts_into_discs;
 use crate::friction::{
     BlockMatrix, FrictionBlock, FrictionProblem, FrictionSettings, FrictionSolution, solve_friction,
 };
 use crate::report::SolverStatus;
+use std::ops::Range;
 
 /// A rise of energy above this fraction of `sum |p_i| (|u_i-| + |u_i+|) / 2` is real (no unit): cone problems are solved
 /// to some 1e-13 of the velocities.
@@ -59,6 +61,12 @@ impl Part {
     /// The normal row of a contact.
     pub(super) fn normal_row(&self, block: usize) -> usize {
         self.contacts.range(block).start
+    }
+
+    /// The rows of a contact without those of its rotations.
+    pub(super) fn contact_rows(&self, block: usize) -> Range<usize> {
+        let (range, [(slip, _), ..]) = (self.contacts.range(block), self.contacts.blocks()[block].parts());
+        range.start..range.start + slip.end
     }
 
     /// The contacts that approach.
@@ -115,15 +123,9 @@ impl Part {
 
     /// Takes what rounding has left outside of the cone of a contact out of its impulse.
     pub(super) fn put_into_cone(&self, block: usize, impulses: &mut [f64]) {
-        let Some(friction) = self.contacts.blocks()[block].friction() else { return };
-        let impulse = &mut impulses[self.contacts.range(block)];
-        let Some((normal, tangential)) = impulse.split_first_mut() else { return };
-        *normal = normal.max(0.0);
-        let (most, size) = (friction * *normal, tangential.iter().map(|p| p * p).sum::<f64>().sqrt());
-        if size > most {
-            for p in tangential {
-                *p *= most / size;
-            }
+        let block_of = self.contacts.blocks()[block];
+        if block_of.friction().is_some() {
+            put_parts_into_discs(block_of, &mut impulses[self.contacts.range(block)]);
         }
     }
 

@@ -12,6 +12,7 @@ use super::law::RestitutionLaw;
 use super::multiple_outcome::MultipleImpactStatus;
 use super::outcome::FrictionalImpactStatus;
 use super::part::{Part, Struck};
+use super::simultaneous::strike_together;
 use super::single::SingleFrictionalImpact;
 use crate::dense::kernels::largest;
 use crate::error::ResponseError;
@@ -21,6 +22,14 @@ const ENOUGH: f64 = 0.1;
 
 /// The largest residual of the last cone problem that is accepted (no unit).
 const LARGEST_RESIDUAL: f64 = 0.01;
+
+/// The part of its inverse mass along the normal that joints must leave a contact for its collision matrix to be formed (no
+/// unit, 1e-8 to 1e-4): that has an error of some rounding units of the whole inverse mass.
+const LEAST_FREEDOM: f64 = 1e-6;
+
+/// An approach below this part of the largest velocity is rounding where joints leave a contact no freedom (no unit, 1e-14 to
+/// 1e-10): some hundred rounding units.
+const APPROACH_ROUNDING: f64 = 1e-12;
 
 /// What an impulse at one contact does.
 #[derive(Debug, Clone)]
@@ -47,12 +56,13 @@ pub(super) fn strike_in_order(
             part.status = part.status.and(MultipleImpactStatus::StoppedAtThreshold);
             break;
         }
-        let reaction = match reactions[block].take() {
-            Some(reaction) => reaction,
-            None => reaction_at(part, block)?,
-        };
-        apply(part, struck, block, &reaction, law)?;
-        reactions[block] = Some(reaction);
+        if reactions[block].is_none() && !part.contacts.blocks()[block].resists_rotation() {
+            reactions[block] = reaction_at(part, block)?;
+        }
+        match &reactions[block] {
+            Some(reaction) => apply(part, struck, block, reaction, law)?,
+            None => strike_with_joints(part, struck, block)?,
+        }
     }
     let approaches = |block: usize| !part.is_joint(block) && struck.velocities[part.normal_row(block)] < 0.0;
     if (0..blocks).any(approaches) { finish(part, struck) } else { Ok(()) }
@@ -65,13 +75,47 @@ pub(super) fn strike_alone(
     block: usize,
     law: RestitutionLaw,
 ) -> Result<(), ResponseError> {
-    let reaction = reaction_at(part, block)?;
-    apply(part, struck, block, &reaction, law)
+    match reaction_at(part, block)? {
+        Some(reaction) => apply(part, struck, block, &reaction, law),
+        None => strike_with_joints(part, struck, block),
+    }
 }
 
-/// What an impulse at `block` does, with all joints held.
-fn reaction_at(part: &mut Part, block: usize) -> Result<Reaction, ResponseError> {
-    let (range, joints) = (part.contacts.range(block), part.joints());
+/// Strikes a contact that resists rotations, or that joints leave hardly any freedom, by the cone problem of its rows and those
+/// of the joints. An approach of a contact without freedom is rounding, and is taken for none.
+fn strike_with_joints(part: &mut Part, struck: &mut Struck, block: usize) -> Result<(), ResponseError> {
+    let mut chosen = vec![block];
+    chosen.extend(part.joints());
+    let rows: Vec<usize> = chosen.iter().flat_map(|&block| part.contacts.range(block)).collect();
+    let velocities: Vec<f64> = rows.iter().map(|&row| struck.velocities[row]).collect();
+    let mut alone = Part::of(&part.contacts, &part.restitution, &chosen, part.settings)?;
+    alone.tolerance = part.tolerance;
+    let mut outcome = Struck::nothing(&alone, &velocities);
+    struck.applications += 1;
+    if !strike_together(&mut alone, &mut outcome)? {
+        let normal = part.normal_row(block);
+        if -struck.velocities[normal] <= APPROACH_ROUNDING * largest(part.contacts.constant()) {
+            struck.velocities[normal] = 0.0;
+        } else {
+            part.not_solved();
+        }
+        return Ok(());
+    }
+    part.solves += alone.solves;
+    part.residual = part.residual.max(alone.residual);
+    let mut impulses = vec![0.0; part.contacts.rows()];
+    rows.iter().zip(&outcome.impulses).for_each(|(&row, &impulse)| impulses[row] = impulse);
+    let mut after = part.after(&struck.velocities, &impulses);
+    rows.iter().zip(&outcome.velocities).for_each(|(&row, &velocity)| after[row] = velocity);
+    part.hold_joints(&mut after);
+    struck.add(part, &impulses, after);
+    Ok(())
+}
+
+/// What an impulse at `block` does, with all joints held. None where these leave it hardly any freedom along the normal: of its
+/// collision matrix most digits are lost then.
+fn reaction_at(part: &mut Part, block: usize) -> Result<Option<Reaction>, ResponseError> {
+    let (range, joints) = (part.contact_rows(block), part.joints());
     let zero = vec![0.0; part.contacts.rows()];
     let (mut impulses, mut changes) = (Vec::new(), Vec::new());
     for row in range.clone() {
@@ -90,13 +134,30 @@ fn reaction_at(part: &mut Part, block: usize) -> Result<Reaction, ResponseError>
         changes.push(change);
     }
     let entry = |i: usize, j: usize| 0.5 * changes[j][range.start + i] + 0.5 * changes[i][range.start + j];
+    let alone = part.contacts.matrix().diagonal_entry(block, 0);
+    if !joints.is_empty() && entry(0, 0) < LEAST_FREEDOM * alone {
+        return Ok(None);
+    }
+    let full = [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i.max(j) < range.len() { entry(i, j) } else { 0.0 }));
+    let held = if joints.is_empty() { full } else { without_rounding(full) };
     let collision = match range.len() {
-        1 => CollisionMatrix::planar(entry(0, 0), 0.0, entry(0, 0))?,
-        2 => CollisionMatrix::planar(entry(0, 0), entry(0, 1), entry(1, 1))?,
-        _ => CollisionMatrix::new([0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j))))?,
+        1 => CollisionMatrix::planar(held[0][0], 0.0, held[0][0])?,
+        2 => CollisionMatrix::planar(held[0][0], held[0][1], held[1][1])?,
+        _ => CollisionMatrix::new(held)?,
     };
     let friction = if range.len() == 1 { 0.0 } else { part.contacts.blocks()[block].friction().unwrap_or_default() };
-    Ok(Reaction { collision, friction, impulses, changes })
+    Ok(Some(Reaction { collision, friction, impulses, changes }))
+}
+
+/// A collision matrix with joints held, positive semidefinite: what the joints take from it leaves rounding, by which the
+/// tangential part may fall below what its coupling with the normal asks for. The normal entry is above zero.
+fn without_rounding(matrix: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    let [[n, k1, k2], [_, t11, t12], [.., t22]] = matrix;
+    let own = [k1 * (k1 / n), k1 * (k2 / n), k2 * (k2 / n)];
+    let (first, second) = ((t11 - own[0]).max(0.0), (t22 - own[2]).max(0.0));
+    let most = (first * second).sqrt();
+    let both = (t12 - own[1]).clamp(-most, most) + own[1];
+    [[n, k1, k2], [k1, first + own[0], both], [k2, both, second + own[2]]]
 }
 
 /// One impulse at one contact.
@@ -107,7 +168,7 @@ fn apply(
     reaction: &Reaction,
     law: RestitutionLaw,
 ) -> Result<(), ResponseError> {
-    let range = part.contacts.range(block);
+    let range = part.contact_rows(block);
     let mut velocity_before = [0.0; 3];
     velocity_before[..range.len()].copy_from_slice(&struck.velocities[range.clone()]);
     let impact = SingleFrictionalImpact {

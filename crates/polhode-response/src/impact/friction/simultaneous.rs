@@ -234,8 +234,10 @@ fn settled(part: &Part, solution: &FrictionSolution, asked: &[f64]) -> Vec<f64> 
             velocities[normal] = asked[normal];
         }
         velocities[normal] = velocities[normal].max(asked[normal]);
-        if *status == ContactStatus::Stick {
-            velocities[normal + 1..range.end].fill(0.0);
+        for ((rows, _), part) in part.contacts.blocks()[block].parts().into_iter().zip(solution.parts[block]) {
+            if part == ContactStatus::Stick {
+                velocities[range.start + rows.start..range.start + rows.end].fill(0.0);
+            }
         }
     }
     velocities
