@@ -311,14 +311,15 @@ impl Engine {
         Ok(advance.err())
     }
 
-    /// Whether an impact of two bodies ends a bounce of this length (s) that never left the touch distance. Its height is
-    /// `w T / 4`, w the speed of approach and T the length. Where a body rocks on its edge such bounces follow each other
-    /// without an end, whatever the restitution.
+    /// Whether an impact of two bodies ends a bounce of this length (s) too low to be seen: its height, `w T / 4` (w the speed
+    /// of approach, T the length), is at most what a stretch of crowded events may be wrong by. Where a body rocks or rolls
+    /// on its edge such bounces follow each other without an end, whatever the restitution.
     fn ends_unseen_bounce(&self, core: &Core, (a, b): (usize, usize), length_s: f64) -> bool {
         let touch = core.world.touch_distance(&self.states, a, b);
         let touches = core.world.contacts_of_pair(&self.states, a, b, touch);
         let approach = touches.iter().map(|touch| -touch.kinematics.separation_rate).fold(0.0, f64::max);
-        0.25 * approach * length_s <= touch
+        let unseen = core.settings.crowd_error_allowed() * core.world.pair_size(a, b);
+        0.25 * approach * length_s <= unseen.max(touch)
     }
 
     /// Continues the motion of the bodies of a resolved instant.

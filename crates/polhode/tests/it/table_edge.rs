@@ -27,7 +27,7 @@ fn box_leaves_the_table_when_the_edge_force_is_zero() {
 /// A box with its centre in the origin, as a mesh of twelve triangles.
 fn plate_mesh(half: DVec3) -> Shape {
     let corner = |k: usize| {
-        let sign = |bit: usize| if k >> bit & 1 == 1 { 1.0 } else { -1.0 };
+        let sign = |bit: usize| if (k >> bit) & 1 == 1 { 1.0 } else { -1.0 };
         DVec3::new(sign(0), sign(1), sign(2)) * half
     };
     let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
@@ -41,7 +41,7 @@ fn plate_mesh(half: DVec3) -> Shape {
 /// and it does not turn. The edge may be one of a box, of a mesh, or of parts of a compound.
 #[test]
 fn a_body_that_lies_along_an_edge_holds_on_to_it_until_the_edge_would_have_to_pull() {
-    let (g, radius, speed) = (9.81, 0.03, 0.2);
+    let (g, radius, speed): (f64, f64, f64) = (9.81, 0.03, 0.2);
     let cosine = (speed * speed + 2.0 * g * radius) / (3.0 * g * radius);
     let leaves_with = (g * radius * cosine * cosine * cosine).sqrt();
     let part = |y: f64| Shape::cuboid(DVec3::new(2.0, 1.0, 0.2)).unwrap().translated(DVec3::Y * y).unwrap();
