@@ -51,8 +51,8 @@ pub struct DecompositionSettings {
     /// Most parts before it is given up, at least 1. The default of 100,000 is reached by smooth surfaces of some ten
     /// thousand triangles.
     pub max_parts: usize,
-    /// Most comparisons of a vertex or an edge with a plane that may be cut along before it is given up; a few million
-    /// of them take a second or less. There is no limit by default.
+    /// Most comparisons of a vertex or an edge with a plane that may be cut along before it is given up; with all that
+    /// goes with them some 70 million take a second. There is no limit by default.
     pub max_comparisons: u64,
 }
 

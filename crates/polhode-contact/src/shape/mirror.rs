@@ -37,13 +37,64 @@ pub fn mirror_defect(shape: &Shape, normal: UnitVector, offset: f64) -> f64 {
         return circles_defect(shape, &own, n, image);
     }
     // The image of each part must be one of the parts; curved parts are compared by the balls whose hull contains them.
-    let mut balls: Vec<(DVec3, f64)> = Vec::new();
-    shape.for_each_ball(&mut |center, radius| balls.push((center, radius)));
-    let distance = |x: DVec3, radius: f64| {
-        let apart = |&(p, r): &(DVec3, f64)| (p - x).length().max((r - radius).abs());
-        balls.iter().map(apart).fold(f64::INFINITY, f64::min)
-    };
-    balls.iter().map(|&(p, radius)| distance(image(p), radius)).fold(0.0, f64::max)
+    let mut balls: Vec<Ball> = Vec::new();
+    shape.for_each_ball(&mut |center, radius| balls.push(Ball { center, radius }));
+    let sorted = SortedBalls::new(balls);
+    let defects = sorted.balls.iter().map(|ball| sorted.least_distance(&Ball { center: image(ball.center), ..*ball }));
+    defects.fold(0.0, f64::max)
+}
+
+/// A ball of a shape, m.
+#[derive(Debug, Clone, Copy)]
+struct Ball {
+    center: DVec3,
+    radius: f64,
+}
+
+impl Ball {
+    /// How far another ball is from being this one, m: the larger of the distance of the centres and the difference of
+    /// the radii.
+    fn distance(&self, other: &Self) -> f64 {
+        (self.center - other.center).length().max((self.radius - other.radius).abs())
+    }
+}
+
+/// Balls, sorted along the axis in which their centres lie farthest apart: a ball that is farther away along the axis
+/// than the nearest one known cannot be nearer.
+struct SortedBalls {
+    balls: Vec<Ball>,
+    axis: usize,
+}
+
+impl SortedBalls {
+    fn new(mut balls: Vec<Ball>) -> Self {
+        let centers = || balls.iter().map(|ball| ball.center);
+        let least = centers().fold(DVec3::INFINITY, DVec3::min);
+        let most = centers().fold(DVec3::NEG_INFINITY, DVec3::max);
+        let axis = (most - least).max_position();
+        balls.sort_by(|p, q| p.center[axis].total_cmp(&q.center[axis]));
+        Self { balls, axis }
+    }
+
+    /// The least distance of any of the balls from one, m; infinite when there are none.
+    fn least_distance(&self, ball: &Ball) -> f64 {
+        let place = ball.center[self.axis];
+        let (below, above) = self.balls.split_at(self.balls.partition_point(|other| other.center[self.axis] < place));
+        let mut least = f64::INFINITY;
+        for other in above {
+            if other.center[self.axis] - place > least {
+                break;
+            }
+            least = least.min(other.distance(ball));
+        }
+        for other in below.iter().rev() {
+            if place - other.center[self.axis] > least {
+                break;
+            }
+            least = least.min(other.distance(ball));
+        }
+        least
+    }
 }
 
 /// The same for a shape with circles: the image of each must be a circle of the shape. The axis of a rim has a sign

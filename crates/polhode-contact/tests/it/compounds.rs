@@ -9,7 +9,7 @@ use polhode_contact::{
     near_manifold, separation, swept_aabb, time_of_further_impact, time_of_impact,
 };
 use polhode_mesh::{DecompositionSettings, convex_decomposition};
-use polhode_spatial::{DVec3, Motion, Pose, Still, UnitVector};
+use polhode_spatial::{DVec3, Motion, Pose, Rotation, Still, UnitVector};
 
 /// Rounding of a position or a separation of bodies of size one, m: some operations on coordinates near one.
 const ROUNDING: f64 = 1e-13;
@@ -273,4 +273,25 @@ fn invalid_compounds_are_refused() {
     assert_eq!(evaluate(lost, &parts, &Pose::IDENTITY, &cuboid(1.0, 1.0, 1.0), &at(0.0, 0.0, 1.0)), None);
     let nan = Pose::from_translation(DVec3::NAN);
     assert!(separation(&parts, &nan, &parts, &Pose::IDENTITY).is_nan());
+}
+
+/// A body rocks on an edge, one end of which is a corner of two of its parts. Whichever end is lower, by more than the
+/// rounding of places but less than the touch distance, both ends are contacts, as of the body without parts: a contact at
+/// the lower end alone would let the other end fall until the two change places, step by step.
+#[test]
+fn both_ends_of_an_edge_on_which_a_body_of_parts_rocks_are_contacts() {
+    let placed = |size: DVec3| cuboid(size.x, size.y, size.z).translated(0.5 * size).expect("a finite place");
+    let whole = placed(DVec3::new(2.0, 1.0, 1.0));
+    let parts = Shape::compound(vec![placed(DVec3::ONE), whole.clone()]).expect("two parts");
+    let on_edge = Rotation::from_rotation_vector(DVec3::X * 0.5);
+    for tilt in [-1e-9, -1e-11, -1e-12, 0.0, 1e-12, 1e-11, 1e-9] {
+        let turn =
+            Rotation::renormalized(Rotation::from_rotation_vector(DVec3::Y * tilt).quaternion() * on_edge.quaternion());
+        let pose = Pose::new(turn, DVec3::ZERO);
+        let below = Pose::IDENTITY;
+        let expected = manifold(&whole, &pose, &floor(), &below, 1e-8);
+        assert_eq!(expected.contacts.len(), 2, "tilt {tilt}");
+        let found = manifold(&parts, &pose, &floor(), &below, 1e-8);
+        assert_same(&found.contacts, &expected.contacts, 1e-12, &format!("tilt {tilt}"));
+    }
 }

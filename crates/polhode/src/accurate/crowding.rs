@@ -38,7 +38,7 @@ use crate::world::World;
 use polhode_contact::aabb_of;
 use polhode_dynamics::BodyState;
 use polhode_response::{Delassus, ResponseError};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// First time step that is tried, as a fraction of the longest step.
 const FIRST_STEP: f64 = 1e-2;
@@ -346,6 +346,8 @@ impl Engine {
         h: f64,
     ) -> Result<Vec<(usize, usize)>, SimulationError> {
         let t = instant.t;
+        // The states of bodies of other islands at `t`: within a time step each costs as much as the step.
+        let mut seen = BTreeMap::new();
         loop {
             for &body in &instant.bodies {
                 self.book_flight(core, body, t);
@@ -359,7 +361,7 @@ impl Engine {
             for &body in &instant.bodies {
                 for other in self.near_boxes(core, body) {
                     if core.world.bodies[other].moves() && instant.bodies.binary_search(&other).is_err() {
-                        if !self.may_join(core, (body, other), (t, h))? {
+                        if !self.may_join(core, (body, other), (t, h), &mut seen)? {
                             continue;
                         }
                         joins.insert(other);
@@ -385,7 +387,7 @@ impl Engine {
     }
 
     /// Whether another body, whose box overlaps that of a body of a crowd, may touch it within `h` seconds. Without
-    /// friction between the two the boxes decide: stretches are rare then.
+    /// friction between the two the boxes decide: stretches are rare then. `seen` keeps the states of other bodies at `t`.
     ///
     /// # Errors
     /// When the state of the other body cannot be evaluated.
@@ -394,11 +396,19 @@ impl Engine {
         core: &Core,
         (body, other): (usize, usize),
         (t, h): (f64, f64),
+        seen: &mut BTreeMap<usize, BodyState>,
     ) -> Result<bool, SimulationError> {
         if core.world.friction_of(body, other).is_none() {
             return Ok(true);
         }
-        let state = self.state_at(core, other, t)?;
+        let state = match seen.get(&other) {
+            Some(&state) => state,
+            None => {
+                let together = self.states_with(core, other, t)?;
+                seen.extend(together.iter().copied());
+                seen.get(&other).copied().unwrap_or(self.states[other])
+            }
+        };
         let mut states = std::mem::take(&mut self.scratch);
         (states[body], states[other]) = (self.states[body], state);
         let joins = may_touch_within(&core.world, &states, (body, other), h);

@@ -316,6 +316,30 @@ impl Engine {
         written.map(|()| state)
     }
 
+    /// The states at `t` of a body and of all others of its island, which one evaluation gives.
+    ///
+    /// # Errors
+    /// When an integrator cannot evaluate them.
+    pub(super) fn states_with(
+        &mut self,
+        core: &Core,
+        body: usize,
+        t: f64,
+    ) -> Result<Vec<(usize, BodyState)>, SimulationError> {
+        let island = self.tracks[body].island.filter(|_| !matches!(self.tracks[body].mode, Mode::Flight(_)));
+        let Some(mut island) = island.and_then(|first| self.islands.remove(&first)) else {
+            return Ok(vec![(body, self.state_at(core, body, t)?)]);
+        };
+        let mut states = std::mem::take(&mut self.scratch);
+        let written = write_states(core, &mut island, t, &mut states);
+        let together = island.bodies.iter().map(|&member| (member, states[member])).collect();
+        self.restore_scratch(core, states, &island.bodies);
+        if let Some(&first) = island.bodies.first() {
+            self.islands.insert(first, island);
+        }
+        written.map(|()| together)
+    }
+
     /// Writes the states of all bodies at a time within all present steps.
     ///
     /// # Errors

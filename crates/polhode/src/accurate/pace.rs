@@ -217,7 +217,7 @@ impl Pace {
 pub(super) enum StepEnd {
     /// At an event.
     AtEvent,
-    /// At an impact without loss of energy, of bodies that had parted: such impacts do not accumulate.
+    /// At an impact without loss of energy, after a bounce that can be seen: such impacts do not accumulate.
     AtElasticImpact,
     /// At its planned end.
     AsPlanned,

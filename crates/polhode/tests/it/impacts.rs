@@ -145,3 +145,27 @@ fn bounces_ended_at_one_instant_leave_no_contact_approaching() {
         assert!(report.warnings.is_empty(), "{:?}", report.warnings);
     }
 }
+
+/// An elastic ball bounces for ever. Where its bounces are lower than what a stretch of crowded events may be wrong by,
+/// they are not followed one by one: the run says that its events crowded, and the ball is where it was to that height.
+/// Bounces that can be seen are all followed, and keep their energy.
+#[test]
+fn elastic_bounces_too_low_to_be_seen_are_not_followed_one_by_one() {
+    let radius = 0.05;
+    let dropped_from = |height: f64| {
+        let ground = floor().material(elastic(1.0));
+        let falling = ball("ball", 1.0, radius, DVec3::Z * (radius + height), DVec3::ZERO).material(elastic(1.0));
+        let builder = Scene::builder("bounces").method(accurate()).duration_s(0.5);
+        run(&builder.body(ground).body(falling).build().unwrap(), Effects::Planned)
+    };
+    // Some 20,000 bounces of 2.9e-5 s.
+    let unseen = 1e-9;
+    let (report, recorder) = dropped_from(unseen);
+    assert!(recorder.events.len() < 1000, "{}", recorder.events.len());
+    assert!(!report.crowded.is_empty());
+    let height = report.bodies[1].1.pose.translation.z - radius;
+    assert!((-1e-15..=unseen).contains(&height), "{height}");
+    let (report, recorder) = dropped_from(1e-3);
+    assert!(recorder.events.len() > 15, "{}", recorder.events.len());
+    assert!((report.energy.final_j - report.energy.initial_j).abs() < 1e-12 * 9.81, "{:?}", report.energy);
+}

@@ -6,9 +6,11 @@
 //!
 //!  - A contact on a face is kept when the face is free somewhere beside `x`: not every probe has another part above
 //!    it.
-//!  - A contact at an edge or vertex is kept when no other part at `x` rises above the plane. The valid normals at an
-//!    edge or vertex of the whole body are those that are valid for all of its parts. It is also kept when it lies at
-//!    the end of a face with normal `v` that is free beside `x`: the face of the whole body ends there.
+//!  - A contact at an edge or vertex is kept when no other part at `x` rises above the plane by more than 0.01 rad. The
+//!    valid normals at an edge or vertex of the whole body are those that are valid for all of its parts; as for bodies
+//!    without parts, a normal may be outside them by that angle, so that both ends of an edge on which a body rocks stay
+//!    contacts. It is also kept when it lies at the end of a face with normal `v` that is free beside `x`: the face of
+//!    the whole body ends there.
 //!  - An edge or vertex between coplanar faces of several parts is not a feature of the whole body. Its edge crossings
 //!    are removed. Its vertex contact is replaced by a vertex of the other body when there is one, so that the contacts
 //!    are the vertices of the whole contact region.
@@ -16,6 +18,7 @@
 //! Limits: gaps and steps between parts that are shorter than the probe (`surface_probe.rs`) count as closed.
 
 use crate::bounding::aabb::Aabb;
+use crate::narrow_phase::feature::alike::ALIKE_SINE;
 use crate::narrow_phase::feature::face_border::{PlaceOnFace, face_margin, place_on_face};
 use crate::narrow_phase::parts::same_places::SAME_PLACE_OF_PARTS;
 use crate::narrow_phase::parts::surface_probe::probe_length;
@@ -191,9 +194,13 @@ impl PlaceOnPart<'_> {
         })
     }
 
-    /// Whether no other part at the place rises above the contact plane.
+    /// Whether no other part at the place rises above the contact plane by more than the angle within which normals
+    /// belong to one region of contact.
     fn is_supported(&self) -> bool {
-        let level = self.v.dot(self.x) + self.tolerance;
+        let rises = |point: DVec3, ball: f64| {
+            let from = point - self.x;
+            from.dot(self.v) + ball > self.tolerance + ALIKE_SINE * from.length()
+        };
         self.near.iter().all(|&part| {
             let shape = &self.compound.parts[part];
             let (centers, radius) = shape.centers();
@@ -202,7 +209,7 @@ impl PlaceOnPart<'_> {
                 Shape::Sphere(s) => (self.x - s.center()).length() <= s.radius() + self.tolerance,
                 _ => false,
             };
-            !here || centers.iter().all(|c| c.dot(self.v) + radius <= level)
+            !here || !centers.iter().any(|&center| rises(center, radius))
         })
     }
 

@@ -15,6 +15,9 @@
 //! | side of a cone | the apex and the lowest point of its rim | the line |
 //! | edge | its vertices | the edge |
 //!
+//! A line that lies along the border of a face, and has passed it, touches the edge all along, and no crossing of the two
+//! is defined. There the corners of the line are tried against that edge too.
+//!
 //! Every candidate is evaluated; those with a negative margin or a separation beyond the reach are dropped. Of two at
 //! one point the first in this order is kept: corners, crossings, the pair of elements with the largest separation
 //! itself.
@@ -22,6 +25,7 @@
 use crate::narrow_phase::axis::gap::Gap;
 use crate::narrow_phase::feature::alike::{ALIKE, ALIKE_SINE};
 use crate::narrow_phase::feature::contact_name::named;
+use crate::narrow_phase::feature::element::Element;
 use crate::narrow_phase::feature::placed::Placed;
 use crate::narrow_phase::region::same_place::SAME_PLACE;
 use crate::narrow_phase::terms::evaluate::evaluate;
@@ -265,5 +269,37 @@ impl Region<'_> {
                 }
             });
         });
+        self.collect_beyond_border([set_a, set_b], normal);
+    }
+
+    /// Lists the corners of a line that lies along an edge of a face and has passed it: the normal from the edge to the
+    /// corner leans out of the face.
+    fn collect_beyond_border(&mut self, sets: [SupportSet; 2], normal: DVec3) {
+        let (flat, round, face, line, upward) = match sets {
+            [SupportSet::Flat(face), SupportSet::Line(line)] => (self.a, self.b, face, line, -normal),
+            [SupportSet::Line(line), SupportSet::Flat(face)] => (self.b, self.a, face, line, normal),
+            _ => return,
+        };
+        let Shape::Convex(polyhedron) = flat.shape else { return };
+        let along = Element::of(round.shape, line, round.pose).and_then(|side| side.straight_direction(-upward));
+        let (Some(face), Some(along)) = (polyhedron.face(face as usize), along) else { return };
+        let along = flat.pose.rotation.inverse_rotate(along);
+        for (&edge, &side) in face.edges.iter().zip(face.sides) {
+            if polyhedron.edges[edge as usize].direction.cross(along).length() > ALIKE_SINE {
+                continue;
+            }
+            let outward = flat.pose.rotation.rotate(side);
+            each_corner(round.shape, SupportSet::Line(line), |corner| {
+                let edge = SurfaceFeature::Edge(edge);
+                let (feature, toward) = match sets[0] {
+                    SupportSet::Flat(_) => (named(edge, corner), -outward),
+                    _ => (named(corner, edge), outward),
+                };
+                let found = evaluate(feature, self.a.shape, self.a.pose, self.b.shape, self.b.pose);
+                if found.is_some_and(|geometry| geometry.normal.dot(toward) > 0.0) {
+                    self.features.push(feature);
+                }
+            });
+        }
     }
 }
