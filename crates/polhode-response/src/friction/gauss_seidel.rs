@@ -39,7 +39,12 @@ impl GaussSeidel {
             if kind.resists_rotation() {
                 let mut velocity: BlockRows = filled_up(&constant[range.clone()]);
                 matrix.add_row_product(block, reactions, &mut velocity[..size]);
-                solve_parts(*kind, matrix.diagonal(block), &velocity[..size], &mut reactions[range]);
+                let own = &mut reactions[range];
+                solve_parts(*kind, matrix.diagonal(block), &velocity[..size], own);
+                // Sweeps over contacts that jam diverge: they begin again.
+                if own.iter().any(|reaction| !reaction.is_finite()) {
+                    own.fill(0.0);
+                }
                 continue;
             }
             let mut velocity = rows_of(&constant[range.clone()]);
