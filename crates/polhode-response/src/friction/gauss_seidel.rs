@@ -90,9 +90,9 @@ struct Part {
 
 impl Part {
     fn diagonal(self, a: &[f64], size: usize) -> Square {
-        let entry = |i: usize, j: usize| match i < self.rows && j < self.rows {
-            true => a[(self.start + i) * size + self.start + j],
-            false => f64::from(u8::from(i == j)),
+        let entry = |i: usize, j: usize| {
+            let is_own = i < self.rows && j < self.rows;
+            if is_own { a[(self.start + i) * size + self.start + j] } else { f64::from(u8::from(i == j)) }
         };
         std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
     }
