@@ -39,7 +39,12 @@ impl GaussSeidel {
             if kind.resists_rotation() {
                 let mut velocity: BlockRows = filled_up(&constant[range.clone()]);
                 matrix.add_row_product(block, reactions, &mut velocity[..size]);
-                solve_parts(*kind, matrix.diagonal(block), &velocity[..size], &mut reactions[range]);
+                let own = &mut reactions[range];
+                solve_parts(*kind, matrix.diagonal(block), &velocity[..size], own);
+                // Sweeps over contacts that jam diverge: they begin again.
+                if own.iter().any(|reaction| !reaction.is_finite()) {
+                    own.fill(0.0);
+                }
                 continue;
             }
             let mut velocity = rows_of(&constant[range.clone()]);
@@ -85,9 +90,9 @@ struct Part {
 
 impl Part {
     fn diagonal(self, a: &[f64], size: usize) -> Square {
-        let entry = |i: usize, j: usize| match i < self.rows && j < self.rows {
-            true => a[(self.start + i) * size + self.start + j],
-            false => f64::from(u8::from(i == j)),
+        let entry = |i: usize, j: usize| {
+            let is_own = i < self.rows && j < self.rows;
+            if is_own { a[(self.start + i) * size + self.start + j] } else { f64::from(u8::from(i == j)) }
         };
         std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
     }

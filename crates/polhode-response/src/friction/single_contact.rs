@@ -122,7 +122,8 @@ fn slide(a: &Square, b: Rows, friction: f64) -> Rows {
     let coupling = friction * (a[0][1] * a[0][1] + a[0][2] * a[0][2]).sqrt() * over;
     let reach = (1.0 + coupling) * (c[0] * c[0] + c[1] * c[1]).sqrt() / (friction * -b[0] * over);
     let (mut low, mut high) = (0.0_f64, 2.0 * (reach + trace.abs()));
-    let mut x = (reach - 0.5 * trace).clamp(0.0, high);
+    // Where sweeps diverge nothing here is a number, which `clamp` would not take.
+    let mut x = (reach - 0.5 * trace).max(0.0).min(high);
     let mut t = at(x).0;
     for _ in 0..MOST_STEPS {
         let (tangent, below) = at(x);

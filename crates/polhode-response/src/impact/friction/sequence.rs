@@ -156,7 +156,7 @@ fn without_rounding(matrix: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
     let own = [k1 * (k1 / n), k1 * (k2 / n), k2 * (k2 / n)];
     let (first, second) = ((t11 - own[0]).max(0.0), (t22 - own[2]).max(0.0));
     let most = (first * second).sqrt();
-    let both = (t12 - own[1]).clamp(-most, most) + own[1];
+    let both = (t12 - own[1]).max(-most).min(most) + own[1];
     [[n, k1, k2], [k1, first + own[0], both], [k2, both, second + own[2]]]
 }
 
