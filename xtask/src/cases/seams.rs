@@ -132,6 +132,9 @@ fn largest(laid: Tiles, slider: &Slider, speed: f64, angles: &[f64]) -> Result<f
 /// Gaps and steps between tiles (m): none, far below the size at which a step trips, and at it.
 const GAPS_AND_STEPS: [(f64, f64); 5] = [(0.0, 0.0), (1e-12, 0.0), (1e-9, 0.0), (0.0, 1e-12), (1e-9, 1e-12)];
 
+/// Radii of balls, and steps above their touch distances, m.
+const HIGH_STEPS: [(f64, f64); 5] = [(0.02, 2e-12), (0.05, 2e-12), (0.05, 1e-10), (0.05, 1e-8), (0.05, 1e-6)];
+
 /// Relative change of the velocity that shows that a body has tripped (no unit, 1e-6 to 1e-1).
 const TRIPPED: f64 = 1e-3;
 
@@ -175,7 +178,7 @@ pub(super) fn tiles(context: &Context) -> CaseResult {
 /// along the normal of the contact, `v sin^2 = v (1 - (1 - h/r)^2)` with the height `h` of the step and the radius `r`.
 pub(super) fn steps(_: &Context) -> CaseResult {
     let mut rows = Vec::new();
-    for (radius, step) in [(0.02, 2e-12), (0.05, 2e-12), (0.05, 1e-10), (0.05, 1e-8), (0.05, 1e-6)] {
+    for (radius, step) in HIGH_STEPS {
         let ball = Slider { name: "ball", shape: Shape::sphere(radius)?, turn: DVec3::ZERO, height: radius };
         let laid = Tiles { count: 2, gap: 0.0, step };
         let cosine = 1.0 - step / radius;
