@@ -30,6 +30,7 @@ use super::pace::{NoAdvance, Pace};
 use crate::SimulationError;
 use crate::collision::active_contacts::ActiveContacts;
 use crate::core::Core;
+use crate::interaction::cone_violation::CONE_LIMIT;
 use crate::interaction::overlap::Overlaps;
 use crate::pivots::with_pivots_reduced;
 use crate::states_of::{set_states, states_of};
@@ -532,6 +533,7 @@ fn attempt(
         let even = control.even_share() * core.settings.crowd_error_allowed() * h / longest;
         let allowed = even.max(SHARE_OF_SPARE * crowd.spare_error);
         let error = error.max(taken_beyond(core, (bodies, start), &report, allowed));
+        let error = error.max(allowed * violation_of_limit(&report));
         let ratio = if error > 0.0 { SAFETY * (allowed / error).sqrt() } else { f64::INFINITY };
         let rate = error / h;
         let better = least.take_if(|least| error > allowed && h <= shortest && least.rate() < rate);
@@ -559,6 +561,13 @@ fn attempt(
             return Ok(Attempted::Divided(parts));
         }
     }
+}
+
+/// How far the forces of a time step are beyond what they may violate Coulomb's law by, in such limits; zero within it (no
+/// unit). Contact problems that a solver leaves unsolved are others in a shorter step.
+fn violation_of_limit(report: &TimeStepReport) -> f64 {
+    let of_limit = report.cone_violation.map_or(0.0, |violation| violation.value / CONE_LIMIT);
+    if of_limit > 1.0 { of_limit } else { 0.0 }
 }
 
 /// The energy that projections and the integrator took in a time step of these bodies from these states, relative to their
