@@ -44,14 +44,8 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure {
         case: "random scenes",
         quantity: "seeds that end well and break a law",
-        reason: "1 of 100: with friction of rolling the row of impacts is below zero (19: -3.7 % of the energy)",
-    },
-    KnownFailure {
-        case: "random scenes",
-        quantity: "share that is degraded or fails",
-        reason: "12 of 100: time steps whose moments of friction of rolling do not settle (53); impacts with friction of rolling and spinning whose moments do not settle (18, 61, 70, 81), or that leave a \
-                 body on a pivot no freedom (14, 43, 67); ends of bounces beyond 1e-9 of the energy (22, 58); overlaps beyond the \
-                 limit (2, 25)",
+        reason: "2 of 100: at an impact of two cones that touch along a line, 3e-7 of the energy has no cause in the ledger (81); a \
+                 plane rubs a body by 2.4e-5 of its speed more than its friction allows, 1.2 times what is accepted (79)",
     },
     KnownFailure {
         case: "crowds: friction far away",
