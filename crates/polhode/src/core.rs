@@ -1,6 +1,7 @@
 //! What all tiers work on: the world, the settings, the present time and the accounts.
 
 use crate::accounting::Accounts;
+use crate::sample_penetration::LastSample;
 use crate::settings::Settings;
 use crate::world::World;
 use crate::{Effects, SimulationError};
@@ -17,6 +18,8 @@ pub(crate) struct Core {
     pub(crate) accounts: Accounts,
     /// Solver of contact problems, with its buffers; its answers do not depend on what it solved before.
     pub(crate) solver: ComplementaritySolver,
+    /// The overlaps of the last sample, as a cache.
+    pub(crate) last_sample: LastSample,
 }
 
 impl Core {

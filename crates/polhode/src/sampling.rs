@@ -39,7 +39,7 @@ pub(crate) fn emit_sample(
     observer: &mut dyn Observer,
 ) -> Result<(), SimulationError> {
     if observer.wants_samples() || observer.wants_frames() {
-        for overlap in core.overlaps_of(t, states)? {
+        for overlap in core.overlaps_of(t, states)?.to_vec() {
             core.accounts.measures.note_sample(overlap);
         }
     }

@@ -14,6 +14,7 @@ use crate::plan::Findings;
 use crate::planar::{self, PlanarFinding};
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::report::{Energy, Outcome, PlanChange, RunReport};
+use crate::sample_penetration::LastSample;
 use crate::sampling::{emit_sample, frame};
 use crate::scene::{Integrator, Tier as TierName};
 use crate::settings::Settings;
@@ -113,7 +114,8 @@ impl Simulation {
         };
         world.confine_to_plane(planar.plane, &mut states);
         let accounts = Accounts::open(&world, &states);
-        let mut core = Core { world, settings, effects, t: 0.0, accounts, solver: ComplementaritySolver::default() };
+        let (solver, last_sample) = (ComplementaritySolver::default(), LastSample::default());
+        let mut core = Core { world, settings, effects, t: 0.0, accounts, solver, last_sample };
         for what in separated.into_iter().chain(scene.warnings()) {
             core.accounts.warn(0.0, what);
         }
@@ -360,7 +362,9 @@ impl Simulation {
         let plan = self.plan_at_start.restored(content.plan.as_ref(), settings.integrator)?;
         let accounts = Accounts::restored(&content.accounts, world.bodies.len())?;
         let solver = ComplementaritySolver::default();
-        let mut core = Core { world, settings, effects: self.core.effects, t: content.t, accounts, solver };
+        let last_sample = LastSample::default();
+        let mut core =
+            Core { world, settings, effects: self.core.effects, t: content.t, accounts, solver, last_sample };
         let tier = restored_tier(&mut core, &content.tier)?;
         // A scene with a longer duration goes on.
         let ended = content.ended && core.t >= self.scene.duration_s();

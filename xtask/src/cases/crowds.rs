@@ -257,7 +257,7 @@ impl SmoothCylinder {
         let cylinder = cylinder.pose(pose).velocity(Velocity::new(self.velocity, DVec3::ZERO)).material(material);
         let scene = Scene::builder("cylinder").gravity(-DVec3::Z * GRAVITY).duration_s(SMOOTH_DURATION_S);
         let bodies = [floor, cylinder].into_iter().chain(far);
-        Ok(bodies.fold(scene, |scene, body| scene.body(body)).build()?)
+        Ok(bodies.fold(scene, polhode::SceneBuilder::body).build()?)
     }
 }
 
@@ -269,7 +269,7 @@ fn ball_into_ring(offset: f64, far: Vec<Body>) -> Result<Scene, Box<dyn Error>> 
     let ball = ball.geometry(Shape::sphere(0.5)?.into()).pose(Pose::from_translation(DVec3::new(offset, 0.0, 1.0)));
     let scene = Scene::builder("ring").gravity(-DVec3::Z * GRAVITY).duration_s(SMOOTH_DURATION_S);
     let bodies = [ring, ball.material(material)].into_iter().chain(far);
-    Ok(bodies.fold(scene, |scene, body| scene.body(body)).build()?)
+    Ok(bodies.fold(scene, polhode::SceneBuilder::body).build()?)
 }
 
 /// A rough slab and a box on it, a kilometre away from the origin. They may touch nothing else.

@@ -402,14 +402,10 @@ impl Engine {
         if core.world.friction_of(body, other).is_none() {
             return Ok(true);
         }
-        let state = match seen.get(&other) {
-            Some(&state) => state,
-            None => {
-                let together = self.states_with(core, other, t)?;
-                seen.extend(together.iter().copied());
-                seen.get(&other).copied().unwrap_or(self.states[other])
-            }
-        };
+        if !seen.contains_key(&other) {
+            seen.extend(self.states_with(core, other, t)?);
+        }
+        let state = seen.get(&other).copied().unwrap_or(self.states[other]);
         let mut states = std::mem::take(&mut self.scratch);
         (states[body], states[other]) = (self.states[body], state);
         let joins = may_touch_within(&core.world, &states, (body, other), h);

@@ -125,14 +125,14 @@ fn crossed_edge(touch: &Touch) -> Option<Lying<'_>> {
 
 /// Whether a body touches by a point that moves with it: a vertex, a sphere or a point of a rim. The load that it takes is
 /// taken by no other contact.
-const fn is_extreme(feature: ContactFeature, side: Side) -> bool {
-    use SurfaceFeature::{Edge, Face, Side as Lateral};
-    match (feature, side) {
-        (ContactFeature::EdgeEdge { .. }, _)
-        | (ContactFeature::Elements { a: Edge(_) | Face(_) | Lateral(_), .. }, Side::A)
-        | (ContactFeature::Elements { b: Edge(_) | Face(_) | Lateral(_), .. }, Side::B)
-        | (ContactFeature::VertexFace { vertex_of: Side::A, .. }, Side::B)
-        | (ContactFeature::VertexFace { vertex_of: Side::B, .. }, Side::A) => false,
+fn is_extreme(feature: ContactFeature, side: Side) -> bool {
+    match feature {
+        ContactFeature::EdgeEdge { .. } => false,
+        ContactFeature::VertexFace { vertex_of, .. } => vertex_of == side,
+        ContactFeature::Elements { a, b } => {
+            let own = if side == Side::A { a } else { b };
+            !matches!(own, SurfaceFeature::Edge(_) | SurfaceFeature::Face(_) | SurfaceFeature::Side(_))
+        }
         _ => true,
     }
 }
