@@ -228,7 +228,7 @@ proptest! {
         let settings = MultipleImpactSettings::default();
         let restitution = &structure.restitutions[..];
         let impact = MultipleFrictionalImpact {
-            contacts: &contacts, restitution, law, single: Default::default(), settings: &settings,
+            contacts: &contacts, restitution, law, single: polhode_response::RestitutionLaw::default(), settings: &settings,
         };
         let outcome = impact.resolve().unwrap();
         prop_assert_ne!(outcome.status, MultipleImpactStatus::NotSolved);
@@ -278,7 +278,7 @@ proptest! {
             contacts: &contacts,
             restitution: &structure.restitutions,
             law: MultipleImpactLaw::Simultaneous,
-            single: Default::default(),
+            single: polhode_response::RestitutionLaw::default(),
             settings: &settings,
         };
         let outcome = impact.resolve().unwrap();

@@ -90,7 +90,7 @@ mod tests {
             for body in 0..BODIES {
                 let advance = |states: &mut [BodyState]| {
                     made.set(made.get() + 1);
-                    states.iter_mut().for_each(|state| *state = at(t));
+                    states.fill(at(t));
                 };
                 assert_eq!(present.state((body, key), t, &all, advance), Some(at(t)));
             }
