@@ -1,7 +1,7 @@
 //! What all tiers work on: the world, the settings, the present time and the accounts.
 
 use crate::accounting::Accounts;
-use crate::sample_penetration::LastSample;
+use crate::accounting::last_sample::LastSample;
 use crate::settings::Settings;
 use crate::world::World;
 use crate::{Effects, SimulationError};

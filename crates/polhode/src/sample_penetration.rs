@@ -5,20 +5,12 @@
 //! once: the last measure is kept with its states. It is a cache, and no part of the simulation state.
 
 use crate::SimulationError;
+use crate::accounting::last_sample::LastSample;
 use crate::accounting::measures::Measure;
 use crate::collision::boxes::Boxes;
 use crate::core::Core;
 use polhode_contact::aabb_of;
 use polhode_dynamics::BodyState;
-
-/// The overlaps of the last sample.
-#[derive(Debug, Default)]
-pub(crate) struct LastSample {
-    states: Vec<BodyState>,
-    /// How many of the bodies had been removed.
-    removed: usize,
-    overlaps: Vec<Measure>,
-}
 
 impl Core {
     /// The pairs that overlap in these states at `t` (s), each with the limit that the tier promises for it.

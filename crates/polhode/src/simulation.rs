@@ -2,6 +2,7 @@
 
 use crate::acceleration::Acceleration;
 use crate::accounting::Accounts;
+use crate::accounting::last_sample::LastSample;
 use crate::accurate::Engine;
 use crate::body_queries::BodyQueries;
 use crate::companion::Companion;
@@ -14,7 +15,6 @@ use crate::plan::Findings;
 use crate::planar::{self, PlanarFinding};
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::report::{Energy, Outcome, PlanChange, RunReport};
-use crate::sample_penetration::LastSample;
 use crate::sampling::{emit_sample, frame};
 use crate::scene::{Integrator, Tier as TierName};
 use crate::settings::Settings;

@@ -4,6 +4,7 @@
 //! pass through it to the observer, in order of time.
 
 pub(crate) mod books;
+pub(crate) mod last_sample;
 pub(crate) mod long_steps;
 pub(crate) mod measures;
 pub(crate) mod numerical_loss;
