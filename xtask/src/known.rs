@@ -44,8 +44,7 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure {
         case: "random scenes",
         quantity: "seeds that end well and break a law",
-        reason: "2 of 100: at an impact of two cones that touch along a line, 3e-7 of the energy has no cause in the ledger (81); a \
-                 plane rubs a body by 2.4e-5 of its speed more than its friction allows, 1.2 times what is accepted (79)",
+        reason: "1 of 100: a plane rubs a body by 2.4e-5 of its speed more than its friction allows, 1.2 times what is accepted (79)",
     },
     KnownFailure {
         case: "crowds: friction far away",
