@@ -17,8 +17,8 @@ use std::path::{Path, PathBuf};
 pub(crate) fn compare(args: &CompareArgs, interrupt: &Interrupt) -> Result<(), Failure> {
     let tolerance = Tolerance { absolute: args.atol, relative: args.rtol };
     let progress = Progress::new("comparing the trajectories");
-    let mut plots = Plots::create(args)?;
-    interrupt.remove(plots.iter().filter_map(|plots| plots.file.temporary().map(Path::to_owned)));
+    let temporary = |plots: &Plots| plots.file.temporary().map(Path::to_owned);
+    let mut plots = interrupt.remove(|| Plots::create(args), |plots| plots.iter().filter_map(temporary).collect())?;
     let comparison = compare_rows(&args.a, &args.b, tolerance, |row| {
         if let (Some(plots), Some([a, b])) = (&mut plots, &row.samples) {
             plots.drawn.push(row.t_s, row.body, [a, b]);

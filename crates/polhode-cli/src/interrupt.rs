@@ -58,14 +58,36 @@ impl Interrupt {
         Ok(Self { asked })
     }
 
-    /// Files that a program which ends at once keeps under their partial names.
-    pub(crate) fn keep(&self, files: Vec<Unfinished>) {
-        self.asked.files().unfinished = files;
+    /// Creates files that a program which ends at once keeps under their partial names: those that `unfinished` names. It
+    /// does not end between their creation and this note of them.
+    ///
+    /// # Errors
+    /// Those of `create`.
+    pub(crate) fn keep<T, E>(
+        &self,
+        create: impl FnOnce() -> Result<T, E>,
+        unfinished: impl FnOnce(&T) -> Vec<Unfinished>,
+    ) -> Result<T, E> {
+        let mut files = self.asked.files();
+        let created = create()?;
+        files.unfinished = unfinished(&created);
+        Ok(created)
     }
 
-    /// Temporary files that a program which ends at once removes: nobody could open them.
-    pub(crate) fn remove(&self, files: impl IntoIterator<Item = PathBuf>) {
-        self.asked.files().temporary.extend(files);
+    /// Creates files that a program which ends at once removes, since nobody could open them: those that `temporary` names. It
+    /// does not end between their creation and this note of them.
+    ///
+    /// # Errors
+    /// Those of `create`.
+    pub(crate) fn remove<T, E>(
+        &self,
+        create: impl FnOnce() -> Result<T, E>,
+        temporary: impl FnOnce(&T) -> Vec<PathBuf>,
+    ) -> Result<T, E> {
+        let mut files = self.asked.files();
+        let created = create()?;
+        files.temporary.extend(temporary(&created));
+        Ok(created)
     }
 
     /// From now on the work looks after every step or frame whether it is to end.

@@ -51,16 +51,15 @@ impl RunFiles {
         let plotted: Vec<PathBuf> = output.iter().filter(|path| is_plot(path)).cloned().collect();
         let is_trajectory = |path: &&PathBuf| !is_picture(path) && !is_plot(path);
         let trajectories: Vec<PathBuf> = output.iter().filter(is_trajectory).cloned().collect();
-        let plots = Plots::create(&plotted, &asked.plot)?;
-        interrupt.remove(plots.temporary());
-        let mut pictures = Pictures::create(&shown, &Heading::of(std::iter::once(loaded)), Options::default())?;
-        interrupt.remove(pictures.temporary().to_vec());
-        let outputs = Outputs::create(&loaded.scene, &trajectories, asked.events.as_deref());
-        let outputs = outputs.map_err(|error| match error {
+        let plots = interrupt.remove(|| Plots::create(&plotted, &asked.plot), Plots::temporary)?;
+        let heading = Heading::of(std::iter::once(loaded));
+        let create = || Pictures::create(&shown, &heading, Options::default());
+        let mut pictures = interrupt.remove(create, |pictures| pictures.temporary().to_vec())?;
+        let create = || Outputs::create(&loaded.scene, &trajectories, asked.events.as_deref());
+        let outputs = interrupt.keep(create, Outputs::unfinished).map_err(|error| match error {
             OutputError::Ending { .. } => Failure::Usage(format!("error: {error}, {ENDINGS}, .svg, or - for stdout")),
             error => error.into(),
         })?;
-        interrupt.keep(outputs.unfinished());
         abandoned::note(&outputs.left_behind());
         pictures.begin_run(&loaded.scene, loaded.scene.name(), FrameSource::Simulation)?;
         let begin = |_| CsvStream::begin(&loaded.scene, BufWriter::new(io::stdout()));

@@ -52,8 +52,8 @@ pub(crate) fn view(args: &ViewArgs, interrupt: &Interrupt) -> Result<(), Failure
         size: size(args.size.as_deref())?,
         viewpoint: viewpoint(args, &paths)?,
     };
-    let mut pictures = Pictures::create(&paths, &heading, options)?;
-    interrupt.remove(pictures.temporary().to_vec());
+    let create = || Pictures::create(&paths, &heading, options);
+    let mut pictures = interrupt.remove(create, |pictures| pictures.temporary().to_vec())?;
     if let (Some(text), [run]) = (&args.still, &runs[..]) {
         let progress = Progress::new("simulating to the picture");
         pictures.take(at_instant(run, args, still_time(text, run)?)?);

@@ -85,9 +85,8 @@ pub(crate) fn cost(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure
     let source = Source::new(&text, &args.scene.changes)?;
     check_outputs(args, &source)?;
     // A folder that does not exist is found before the work, not after it.
-    let [csv, svg, html] = [&args.csv, &args.svg, &args.html].map(|path| open(path.as_ref()));
-    let (csv, svg, html) = (csv?, svg?, html?);
-    interrupt.remove(temporary([&csv, &svg, &html]));
+    let paths = [&args.csv, &args.svg, &args.html];
+    let [csv, svg, html] = interrupt.remove(|| open_all(paths), temporary)?;
     let options = Options { samples: args.samples, effort: effort(args), budget_s: args.budget, counting };
     let study = Study::run(&source, &axes, &options)?;
     let drawn = if svg.is_some() || html.is_some() { figure::svg(&study, args.target) } else { String::new() };
@@ -113,9 +112,7 @@ fn broad_phases(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure> {
     let text = SceneText::of(&args.scene.scene)?;
     let source = Source::new(&text, &args.scene.changes)?;
     check_outputs(args, &source)?;
-    let [csv, html] = [&args.csv, &args.html].map(|path| open(path.as_ref()));
-    let (csv, html) = (csv?, html?);
-    interrupt.remove(temporary([&csv, &html]));
+    let [csv, html] = interrupt.remove(|| open_all([&args.csv, &args.html]), temporary)?;
     let study = BroadPhaseStudy::run(&source, args.samples, effort(args))?;
     for (file, text) in [(csv, study.csv()), (html, study.html())] {
         if let Some(file) = file {
@@ -125,9 +122,18 @@ fn broad_phases(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure> {
     if args.json { stdout::json(&study.json()) } else { stdout::text(&study.page()) }
 }
 
+/// Opens those files that are asked for.
+fn open_all<const N: usize>(paths: [&Option<PathBuf>; N]) -> Result<[Option<AtomicFile>; N], Failure> {
+    let mut files = [const { None }; N];
+    for (file, path) in files.iter_mut().zip(paths) {
+        *file = open(path.as_ref())?;
+    }
+    Ok(files)
+}
+
 /// The temporary names of files.
-fn temporary<const N: usize>(files: [&Option<AtomicFile>; N]) -> Vec<PathBuf> {
-    files.into_iter().flatten().filter_map(|file| file.temporary().map(Path::to_owned)).collect()
+fn temporary<const N: usize>(files: &[Option<AtomicFile>; N]) -> Vec<PathBuf> {
+    files.iter().flatten().filter_map(|file| file.temporary().map(Path::to_owned)).collect()
 }
 
 /// That no output replaces what the study is made from.

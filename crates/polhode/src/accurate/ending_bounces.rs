@@ -40,7 +40,7 @@ pub(super) struct SmallBounce {
     pub(super) contact: usize,
     /// The rate at which it separates, m/s.
     speed: f64,
-    /// The acceleration of lifting its bodies by the touch distance, as a square of a speed, m^2/s^2.
+    /// The energy of lifting its bodies by the touch distance, `a d`, for each kilogram, J/kg.
     lifting: f64,
     /// When its sequence would end, s.
     rest: f64,
@@ -86,7 +86,7 @@ impl Engine {
         group: &Group,
         (candidates, bounces): (&[usize], &[SmallBounce]),
     ) -> Result<Vec<usize>, SimulationError> {
-        self.end_flights(core, instant.t, group);
+        self.end_flights(core, instant.t, &group.bodies);
         if self.end_together(core, instant, group, (candidates, bounces))? {
             return Ok(bounces.iter().map(|bounce| bounce.contact).collect());
         }

@@ -127,7 +127,7 @@ impl Engine {
         }
         sticking.extend(&ended);
         let ids: Vec<_> = members.iter().map(|touch| touch.id).collect();
-        self.end_flights(core, instant.t, group);
+        self.end_flights(core, instant.t, &group.bodies);
         let sliding: Vec<BodyState> = group.bodies.iter().map(|&body| self.states[body]).collect();
         let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
         let of = (&ids[..], &sticking[..], &[][..]);

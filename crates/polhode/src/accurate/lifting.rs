@@ -8,7 +8,7 @@
 //!
 //! Bodies on a pivot are not lifted: the projection of held contacts moves them.
 
-use super::engine::{Engine, Mode};
+use super::engine::Engine;
 use super::instant::Instant;
 use crate::collision::contact_set::Touch;
 use crate::core::Core;
@@ -35,12 +35,7 @@ impl Engine {
             if depth <= core.world.rounding(&self.states, a, b) || bodies.is_empty() || has_pivot {
                 continue;
             }
-            for &body in &bodies {
-                self.book_flight(core, body, instant.t);
-                if matches!(self.tracks[body].mode, Mode::Flight(_) | Mode::Stepped) {
-                    self.tracks[body].mode = Mode::Constrained;
-                }
-            }
+            self.end_flights(core, instant.t, &bodies);
             let before = core.accounts.books.balance(&core.world, &self.states, &bodies);
             let rise = deepest.kinematics.geometry.normal * (depth / (of_a + of_b));
             self.states[a].pose.translation += rise * of_a;

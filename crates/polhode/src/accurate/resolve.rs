@@ -388,7 +388,7 @@ impl Engine {
         let held = group.contacts.iter().filter(|&&i| instant.touches[i].hold == Hold::Held);
         let components = groups(&core.world, held.map(|&i| (i, instant.touches[i].id.a, instant.touches[i].id.b)));
         for component in components {
-            self.end_flights(core, instant.t, &component);
+            self.end_flights(core, instant.t, &component.bodies);
             let ids: Vec<_> = component.contacts.iter().map(|&i| instant.touches[i].id).collect();
             let touching = self.with_overlaps(core, instant, &ids, &component);
             let before = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
@@ -426,7 +426,7 @@ impl Engine {
             if !touches.iter().any(overlaps) {
                 continue;
             }
-            self.end_flights(core, instant.t, &group);
+            self.end_flights(core, instant.t, &group.bodies);
             let mut pairs: Vec<_> = touches.iter().map(|touch| (touch.id.a, touch.id.b)).collect();
             pairs.dedup();
             let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
@@ -453,9 +453,9 @@ impl Engine {
         held.iter().copied().chain(overlaps.map(|touch| touch.id)).collect()
     }
 
-    /// Ends the free flight of a group's bodies.
-    pub(super) fn end_flights(&mut self, core: &mut Core, t: f64, group: &Group) {
-        for &body in &group.bodies {
+    /// Ends the free flight of some bodies.
+    pub(super) fn end_flights(&mut self, core: &mut Core, t: f64, bodies: &[usize]) {
+        for &body in bodies {
             self.book_flight(core, body, t);
             if matches!(self.tracks[body].mode, Mode::Flight(_) | Mode::Stepped) {
                 self.tracks[body].mode = Mode::Constrained;

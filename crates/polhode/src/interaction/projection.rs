@@ -120,16 +120,20 @@ pub(crate) fn project(
     let mut done = project_positions(world, states, bodies, touching)?;
     if done.exceeds_tolerance || done.is_partial || !(done.jumped.is_empty() && done.unconverged.is_empty()) {
         let is_contact = |constraint: &ConstraintId| constraint.contact().is_some();
-        if done.jumped.is_empty() && done.unconverged.iter().any(is_contact) {
+        let contradict = done.jumped.is_empty() && done.unconverged.iter().any(is_contact);
+        if contradict {
             // Contacts that cannot all have zero separation: the body stands on two levels. Only penetration is removed.
             set_states(states, bodies, &start);
             done.moved_m = 0.0;
-            done.unconverged.retain(|constraint| !is_contact(constraint));
         }
         let mut pairs: Vec<_> = touching.iter().map(|id| (id.a, id.b)).collect();
         pairs.sort_unstable();
         pairs.dedup();
         done.moved_m += remove_overlap(world, states, bodies, &pairs, solver)?.moved_m;
+        if contradict {
+            // A gap may remain then, a penetration may not.
+            done.unconverged.retain(|constraint| constraint.contact().is_none_or(|id| penetrates(world, states, id)));
+        }
     }
     let (jumped, drifting): (Vec<_>, Vec<_>) = held.iter().copied().partition(|&id| {
         let kinematics = world.kinematics(states, id);
@@ -141,6 +145,12 @@ pub(crate) fn project(
     done.farthest = done.farthest.or(removed.fastest);
     done.work_j = removed.work_j;
     Ok(done)
+}
+
+/// Whether a contact penetrates by more than a projection may leave.
+fn penetrates(world: &World, states: &[BodyState], id: ContactId) -> bool {
+    let left = UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b) + world.rounding(states, id.a, id.b);
+    world.kinematics(states, id).is_some_and(|kinematics| kinematics.geometry.separation < -left)
 }
 
 /// Whether a held contact approaches or separates faster than the drift of a step within `tolerance`: its point has
