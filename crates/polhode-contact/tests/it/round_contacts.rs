@@ -181,11 +181,10 @@ fn stackings() {
 }
 
 /// A square whose edges are tangent to the disc under it: the points of tangency are no corners of the contact region,
-/// but separate crossings are. An arc lower than 1e-6 of the radius is grazed: the common perpendicular of two curves
-/// that are parallel to 1e-3 rad is too uncertain to be a normal.
+/// but separate crossings are.
 #[test]
 fn edges_that_graze_a_disc() {
-    for (size, crossings) in [(1.0, 0), (1.0 - 1e-9, 0), (1.0 - 1e-5, 8), (1.0 + 1e-9, 0)] {
+    for (size, crossings) in [(1.0, 0), (1.0 - 1e-9, 8), (1.0 + 1e-9, 0)] {
         let contacts =
             touching(&cuboid(size, size, 1.0), &Pose::new(yaw(0.1), DVec3::Z), &cylinder(0.5, 1.0), &Pose::IDENTITY);
         let of_points = contacts.iter().filter(|c| matches!(c.feature, ContactFeature::VertexFace { .. })).count();

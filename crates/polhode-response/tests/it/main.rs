@@ -8,6 +8,7 @@ mod degenerate;
 mod diamonds;
 mod exact;
 mod forces;
+mod free_bodies;
 mod friction;
 mod frictional_impacts;
 mod frictional_paths;

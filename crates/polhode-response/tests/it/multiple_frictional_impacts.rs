@@ -5,6 +5,7 @@
 //! of single contacts; a row of balls with friction still passes momentum on.
 
 use crate::cases::few;
+use crate::free_bodies::{Vector, cross, free_bodies, random_vector, tangents, unit};
 use crate::scenes::Noise;
 use polhode_response::friction::{FrictionBlock, FrictionProblem};
 use polhode_response::{
@@ -13,21 +14,6 @@ use polhode_response::{
     RestitutionLaw, SingleFrictionalImpact,
 };
 use proptest::prelude::*;
-
-type Vector = [f64; 3];
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn unit(v: Vector) -> Vector {
-    let size = v.iter().map(|x| x * x).sum::<f64>().sqrt();
-    v.map(|x| x / size)
-}
-
-fn random_vector(noise: &mut Noise) -> Vector {
-    [0, 1, 2].map(|_| noise.signed())
-}
 
 /// Bodies in contact, with velocities and coefficients.
 #[derive(Debug, Clone)]
@@ -41,14 +27,7 @@ struct Structure {
 impl Structure {
     /// Bodies with these masses and principal moments along the axes of the world.
     fn of(bodies: &[(f64, Vector)], velocities: Vec<f64>) -> Self {
-        let mut inverse = Vec::new();
-        for (mass, moments) in bodies {
-            for row in 0..6 {
-                let value = if row < 3 { *mass } else { moments[row - 3] };
-                inverse.extend((0..6).map(|column| if row == column { 1.0 / value } else { 0.0 }));
-            }
-        }
-        let problem = ContactProblem::new(6, inverse).unwrap();
+        let problem = free_bodies(bodies);
         Self { problem, velocities, frictions: Vec::new(), restitutions: Vec::new() }
     }
 
@@ -61,9 +40,8 @@ impl Structure {
         friction: f64,
         restitution: f64,
     ) {
-        let helper = if normal[0].abs() < 0.6 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
-        let first = unit(cross(normal, helper));
-        for axis in [normal, first, cross(normal, first)] {
+        let [first, second] = tangents(normal);
+        for axis in [normal, first, second] {
             let block =
                 |arm: Vector, sign: f64| [axis, cross(arm, axis)].concat().iter().map(|x| sign * x).collect::<Vec<_>>();
             let own = block(a.1, 1.0);

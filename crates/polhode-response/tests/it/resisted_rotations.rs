@@ -6,6 +6,7 @@
 //! are solved; of others one in some thousands is not, and says so.
 
 use crate::cases::few;
+use crate::free_bodies::{Vector, cross, free_bodies, random_vector, tangents, unit};
 use crate::scenes::Noise;
 use polhode_response::friction::{FrictionBlock, FrictionProblem, FrictionSettings, Resistance, solve_friction};
 use polhode_response::{
@@ -14,22 +15,8 @@ use polhode_response::{
 };
 use proptest::prelude::*;
 
-type Vector = [f64; 3];
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
 fn length(x: &[f64]) -> f64 {
     x.iter().map(|x| x * x).sum::<f64>().sqrt()
-}
-
-fn unit(v: Vector) -> Vector {
-    v.map(|x| x / length(&v))
-}
-
-fn random_vector(noise: &mut Noise) -> Vector {
-    [0, 1, 2].map(|_| noise.signed())
 }
 
 /// Bodies with contacts that resist slip, rolling and spinning by these coefficients; the first may be on a pivot.
@@ -70,14 +57,7 @@ impl Resists {
 
 impl Structure {
     fn of(bodies: &[(f64, Vector)], velocities: Vec<f64>) -> Self {
-        let mut inverse = Vec::new();
-        for (mass, moments) in bodies {
-            for row in 0..6 {
-                let value = if row < 3 { *mass } else { moments[row - 3] };
-                inverse.extend((0..6).map(|column| if row == column { 1.0 / value } else { 0.0 }));
-            }
-        }
-        let problem = ContactProblem::new(6, inverse).unwrap();
+        let problem = free_bodies(bodies);
         Self { problem, velocities, blocks: Vec::new(), restitutions: Vec::new() }
     }
 
@@ -91,9 +71,8 @@ impl Structure {
     }
 
     fn touch(&mut self, a: (usize, Vector), b: Option<(usize, Vector)>, normal: Vector, resists: Resists) {
-        let helper = if normal[0].abs() < 0.6 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
-        let first = unit(cross(normal, helper));
-        let axes = [normal, first, cross(normal, first)];
+        let [first, second] = tangents(normal);
+        let axes = [normal, first, second];
         let (zero, minus) = ([0.0; 3], |x: Vector| x.map(|x| -x));
         for axis in axes {
             let other = b.map(|(body, arm)| (body, [minus(axis), minus(cross(arm, axis))]));

@@ -121,13 +121,7 @@ fn level_points<'a>(shape_a: &'a Shape, shape_b: &'a Shape, gap: &'a Gap) -> imp
     })
 }
 
-/// A curve grazes a disc or ring when the arc beyond it is lower than this part of the radius (no unit, 1e-8 to 1e-5).
-/// At the two crossings the curve and the rim are parallel to 1.4e-3 rad then. The direction of their common
-/// perpendicular is uncertain by the machine's epsilon over this angle, and the acceleration that follows from it by
-/// epsilon over its cube.
-const GRAZING: f64 = 1e-6;
-
-/// Whether the two crossings of a rim nearly coincide, so that the other curve only grazes the disc.
+/// Whether the two crossings of a rim coincide, so that the other curve only grazes the disc, within the tolerance.
 fn grazes(contact: &Contact, placed_a: Placed<'_>, placed_b: Placed<'_>, gap: &Gap) -> bool {
     use SurfaceFeature::{RimEntry, RimExit};
     let ContactFeature::Elements { a, b } = contact.feature else { return false };
@@ -150,7 +144,7 @@ fn grazes(contact: &Contact, placed_a: Placed<'_>, placed_b: Placed<'_>, gap: &G
     let Some(twin) = twin else { return !(placed_a.shape.is_ring() || placed_b.shape.is_ring()) };
     // The height of an arc over its chord `c` is `c^2/(8 r)`.
     let chord = twin.point.distance_squared(contact.geometry.point);
-    chord <= 8.0 * least * (SAME_PLACE * gap.tolerance).max(GRAZING * least)
+    chord <= 8.0 * least * SAME_PLACE * gap.tolerance
 }
 
 /// The support set of a shape along an outward unit vector in the world.
