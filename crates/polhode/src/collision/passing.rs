@@ -25,7 +25,15 @@ impl World {
         contacts: &mut Vec<FoundContact>,
     ) -> Vec<ContactFeature> {
         let mut passing = Vec::new();
-        contacts.retain(|contact| match self.passing_contacts(states, contact.id, &contact.kinematics) {
+        if contacts.iter().all(|contact| contact.kinematics.separation_rate >= 0.0) {
+            return passing;
+        }
+        let sustained = self.sustained_rate(states, (a, b));
+        let in_place = |contact: &FoundContact| {
+            let collides = contact.kinematics.separation_rate < -sustained;
+            collides.then(|| self.contacts_in_place_of(states, contact.id)).flatten()
+        };
+        contacts.retain(|contact| match in_place(contact) {
             Some(features) => {
                 passing.extend(features);
                 false
@@ -46,17 +54,17 @@ impl World {
         passing
     }
 
+    /// The rate of approach up to which a contact of a pair does not collide, m/s.
+    fn sustained_rate(&self, states: &[BodyState], (a, b): (usize, usize)) -> f64 {
+        SUSTAINED_RELATIVE * (self.point_speed(states, a) + self.point_speed(states, b))
+    }
+
     /// The contacts that take the place of one that approaches; none where it stands.
-    fn passing_contacts(
+    fn contacts_in_place_of(
         &self,
         states: &[BodyState],
         ContactId { a, b, feature }: ContactId,
-        kinematics: &ContactKinematics,
     ) -> Option<Vec<ContactFeature>> {
-        let speed = self.point_speed(states, a) + self.point_speed(states, b);
-        if kinematics.separation_rate >= -SUSTAINED_RELATIVE * speed {
-            return None;
-        }
         let (shape_a, shape_b) = self.shapes(a, b)?;
         let velocities = [a, b].map(|body| self.velocity(body, &states[body]));
         let first = Moving { shape: shape_a, pose: &states[a].pose, velocity: &velocities[0] };
@@ -66,7 +74,8 @@ impl World {
 
     /// Whether the bodies of a contact pass each other along a face, so that they do not collide there.
     pub(crate) fn pass_each_other(&self, states: &[BodyState], id: ContactId, kinematics: &ContactKinematics) -> bool {
-        self.passing_contacts(states, id, kinematics).is_some()
+        let approaches = kinematics.separation_rate < -self.sustained_rate(states, (id.a, id.b));
+        approaches && self.contacts_in_place_of(states, id).is_some()
     }
 
     /// Whether a contact beyond the border of its face holds, because its bodies pass each other along that face.

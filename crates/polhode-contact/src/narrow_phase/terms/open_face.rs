@@ -117,6 +117,10 @@ fn above(face: &OpenFace, own: Moving<'_>, other: Moving<'_>, touch: f64) -> Opt
     let local = other.pose.rotation.inverse_rotate(normal);
     let origin = normal.dot(other.pose.translation) - level;
     let (points, ball) = hull_points(other.shape);
+    // Most faces of a body are on the far side of it, where any point of the other one shows that.
+    if points.iter().any(|point| local.dot(*point) - ball + origin < -touch) {
+        return None;
+    }
     let rims = circles(other.shape);
     let of_points = points.iter().map(|p| local.dot(*p)).fold(f64::INFINITY, f64::min);
     let lowest = rims.iter().map(|rim| -rim.support(-local)).fold(of_points, f64::min);
