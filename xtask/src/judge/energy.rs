@@ -9,11 +9,8 @@ const ROUNDING: f64 = 1e-11;
 /// Relative to the scale: what the energy may rise by between samples without a cause, and terms of the ledger may be
 /// below zero by.
 const RISE: f64 = 1e-8;
-/// Relative to the scale: what the integrator and projections may take or give in a run that ends well, and for each
-/// longest time step of its stretches of crowded events (the promise of `crowding_tolerance`).
+/// Relative to the scale: what the integrator and projections may take or give in a run that ends well.
 const NUMERICAL: f64 = 1e-6;
-/// The longest time step of such a stretch, s.
-const LONGEST_STEP: f64 = 0.01;
 
 /// Of bodies at rest the energy of a lift by this height is the scale, m.
 const LEAST_HEIGHT: f64 = 1e-2;
@@ -87,9 +84,9 @@ pub(super) fn hold(judged: &Judged<'_>, track: &Track, findings: &mut Findings) 
         };
         findings.hold("loss below zero", -loss, RISE * scale, || format!("{name}: {loss:.3e} J of {scale:.3e}"));
     }
-    let numerical = NUMERICAL * (account.crowded_s / LONGEST_STEP).max(1.0) * scale;
     for (name, taken) in [("numerical", account.numerical), ("projection", account.projection)] {
-        findings.hold("numerical loss", taken.abs(), numerical, || format!("{name}: {taken:.3e} J of {scale:.3e}"));
+        findings
+            .hold("numerical loss", taken.abs(), NUMERICAL * scale, || format!("{name}: {taken:.3e} J of {scale:.3e}"));
     }
     let losses =
         account.impact + account.friction + account.rest + account.damping + account.projection + account.numerical;

@@ -40,15 +40,8 @@ pub(crate) struct Account {
     /// Energy at the start and at the end.
     pub(crate) initial: f64,
     pub(crate) end: f64,
-    /// How long the stretches of crowded events are in all that time steps have passed, s.
-    pub(crate) crowded_s: f64,
-}
-
-impl Account {
     /// Whether time steps have passed a stretch of crowded events.
-    pub(crate) fn is_crowded(&self) -> bool {
-        self.crowded_s > 0.0
-    }
+    pub(crate) is_crowded: bool,
 }
 
 /// A law that a run has broken.

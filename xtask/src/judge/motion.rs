@@ -103,7 +103,7 @@ pub(super) fn momentum(judged: &Judged<'_>, track: &Track, findings: &mut Findin
         }
         (linear, angular, scale)
     };
-    let limit = if track.account.is_crowded() { CROWDED } else { MOTION };
+    let limit = if track.account.is_crowded { CROWDED } else { MOTION };
     let Some(first) = track.states.first().map(|states| sums(states)) else { return };
     for (&t, states) in track.times.iter().zip(&track.states) {
         let now = sums(states);
@@ -130,7 +130,7 @@ struct Interval<'a> {
 
 /// Flight and Coulomb's law between samples.
 pub(super) fn intervals(judged: &Judged<'_>, track: &Track, near: &Near, findings: &mut Findings) {
-    let limit = if track.account.is_crowded() { CROWDED } else { MOTION };
+    let limit = if track.account.is_crowded { CROWDED } else { MOTION };
     let model = judged.model;
     for number in 0..model.bodies.len() {
         let body = judged.body(number);

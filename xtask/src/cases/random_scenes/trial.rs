@@ -172,7 +172,7 @@ fn ending(report: &RunReport, observer: &mut Bounded) -> Ending {
         numerical: ledger.numerical.value(),
         initial: report.energy.initial_j,
         end: report.energy.final_j,
-        crowded_s: report.crowded.iter().map(|stretch| stretch.to_s - stretch.from_s).sum(),
+        is_crowded: !report.crowded.is_empty(),
     };
     if observer.is_stopped {
         let place = format!("at t = {} s of {} s", report.simulated_s, report.duration_s);

@@ -93,7 +93,7 @@ impl Verdict {
         let grown = compare::differences(model, disturbance, &trial.track, &disturbed.track);
         let mut hold = |name: &str, copy: SceneCopy, other: &Trial| {
             let found = compare::differences(model, copy, &trial.track, &other.track);
-            let is_crowded = trial.track.account.is_crowded() || other.track.account.is_crowded();
+            let is_crowded = trial.track.account.is_crowded || other.track.account.is_crowded;
             if let Some((sample, apart)) = compare::departure(&found, &grown, is_crowded) {
                 let (t, grown) = (trial.track.times[sample], grown[sample]);
                 self.copies.push(format!("{name}: {apart:.1e} at t = {t} s (disturbed {grown:.1e})"));
