@@ -121,7 +121,8 @@ pub(super) fn kinematics_at_point(world: &World, states: &[BodyState], id: Conta
     world.kinematics(states, id).map(|kinematics| with_rate_at_point(world, states, id, kinematics))
 }
 
-fn with_rate_at_point(
+/// A contact with the rate of separation at its point, m/s.
+pub(super) fn with_rate_at_point(
     world: &World,
     states: &[BodyState],
     id: ContactId,

@@ -20,10 +20,11 @@
 //!
 //! Friction adds the rows of `sustained_friction.rs`.
 //!
-//! Rows of the problem: contacts that would penetrate at the end, and touching contacts. Contacts that close because of
-//! the impulses are added until there are none.
+//! Rows of the problem: contacts that would penetrate at the end, and touching contacts; of pairs with many contacts only some of
+//! them (`first_choice.rs`). Contacts that close because of the impulses are added until there are none.
 
-use super::contacts::{NearContact, kinematics_at_point};
+use super::contacts::{NearContact, kinematics_at_point, with_rate_at_point};
+use super::first_choice::{MANY_CONTACTS, furthest_out};
 use super::middle::{Middle, Stops};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::rigid_terms::{Term, make_rigid};
@@ -106,8 +107,7 @@ impl TimeStepper {
                 row.friction = row.friction.map(TangentialRow::coming_to_rest);
             }
         }
-        let mut taken: Vec<bool> =
-            rows.iter().map(|row| row.is_first_choice(world, states, &near[row.contact], h)).collect();
+        let mut taken = first_choice(world, states, near, &rows, h);
         let before = states_of(states, bodies);
         loop {
             let members = || rows.iter().enumerate().filter(|(index, _)| taken[*index]);
@@ -124,12 +124,7 @@ impl TimeStepper {
             for group in &mut solved {
                 report.fallbacks += u64::from(!group.apply(world, states, &rows, near));
             }
-            let mut added = false;
-            for (row, taken) in rows.iter().zip(&mut taken).filter(|(_, taken)| !**taken) {
-                let now = kinematics_at_point(world, states, near[row.contact].id);
-                *taken = now.is_some_and(|now| row.closes(now.separation_rate));
-                added |= *taken;
-            }
+            let added = add_closing(world, states, near, &rows, &mut taken);
             if !added && stops == Stops::Sought && !report.stops.is_empty() {
                 return Ok(Vec::new());
             }
@@ -187,6 +182,64 @@ impl TimeStepper {
         }
         Ok(SolvedGroup { group, impulses, tangential: Vec::new(), moments: Vec::new() })
     }
+}
+
+/// Rows of the same two bodies, which stand beside each other.
+fn pairs<'a>(near: &'a [NearContact], rows: &'a [Row]) -> impl Iterator<Item = std::ops::Range<usize>> + 'a {
+    let pair = |row: &Row| (near[row.contact].id.a, near[row.contact].id.b);
+    rows.chunk_by(move |x, y| pair(x) == pair(y)).scan(0, |start, of_pair| {
+        let range = *start..*start + of_pair.len();
+        *start = range.end;
+        Some(range)
+    })
+}
+
+/// Which rows are in the problem of a step of `h` (s) from the beginning.
+fn first_choice(world: &World, states: &[BodyState], near: &[NearContact], rows: &[Row], h: f64) -> Vec<bool> {
+    let mut taken: Vec<bool> =
+        rows.iter().map(|row| row.is_first_choice(world, states, &near[row.contact], h)).collect();
+    for of_pair in pairs(near, rows) {
+        if of_pair.clone().filter(|&index| taken[index]).count() > MANY_CONTACTS {
+            let points = of_pair.clone().filter(|&index| taken[index]);
+            let outer = furthest_out(points.map(|index| (index, rows[index].kinematics.geometry.point)));
+            taken[of_pair].fill(false);
+            outer.into_iter().for_each(|index| taken[index] = true);
+        }
+    }
+    taken
+}
+
+/// Adds the rows that close with the present velocities; of pairs with many contacts the one that closes most. Returns whether
+/// there are any.
+fn add_closing(world: &World, states: &[BodyState], near: &[NearContact], rows: &[Row], taken: &mut [bool]) -> bool {
+    let mut added = false;
+    for of_pair in pairs(near, rows) {
+        let has_many = of_pair.len() > MANY_CONTACTS;
+        let mut worst: Option<(usize, f64)> = None;
+        for index in of_pair {
+            let row = &rows[index];
+            if taken[index] {
+                continue;
+            }
+            // Impulses have moved nothing: the contact is where it was.
+            let rate = with_rate_at_point(world, states, near[row.contact].id, row.kinematics).separation_rate;
+            if !row.closes(rate) {
+                continue;
+            }
+            let speed = rate + row.bound;
+            if !has_many {
+                taken[index] = true;
+                added = true;
+            } else if worst.is_none_or(|(_, most)| speed < most) {
+                worst = Some((index, speed));
+            }
+        }
+        if let Some((index, _)) = worst {
+            taken[index] = true;
+            added = true;
+        }
+    }
+    added
 }
 
 /// The contacts in the middle of the step; those whose features no longer define a contact are left out.

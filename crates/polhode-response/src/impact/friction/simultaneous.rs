@@ -32,10 +32,7 @@ use crate::settings::FallbackPolicy;
 /// Rounds of reflections after which bodies count as squeezed, where no rounds need ever end.
 const ROUNDS: usize = 64;
 
-/// Restitutions tried in a round of reflection that would raise the energy.
-const LOWERED: [f64; 5] = [1.0, 0.75, 0.5, 0.25, 0.0];
-
-/// Most steps to the largest `lambda`, and the width of its interval where they end (no unit).
+/// Most steps to the largest `lambda` or restitution, and the width of its interval where they end (no unit).
 const LAMBDA_STEPS: usize = 40;
 const LAMBDA_WIDTH: f64 = 1e-12;
 
@@ -56,7 +53,7 @@ struct Answer {
     velocities: Vec<f64>,
 }
 
-/// An answer for some `lambda`.
+/// An answer for some `lambda`, or for the restitution of a round.
 #[derive(Debug, Clone)]
 struct Attempt {
     answer: Answer,
@@ -75,8 +72,23 @@ impl Attempt {
         let normal: f64 = contacts.map(|block| work(part.normal_row(block))).sum();
         let (change, size) = energy(&answer.impulses, asked.before, &answer.velocities);
         let surplus_j = (normal - asked.work).max(change);
+        Self::with_surplus(answer, surplus_j, size)
+    }
+
+    /// An answer that does more work than it may by this (J), where the works of all impulses have this size (J).
+    fn with_surplus(answer: Answer, surplus_j: f64, size: f64) -> Self {
         let excess = if size > 0.0 { surplus_j / size } else { 0.0 };
         Self { answer, excess, surplus_j }
+    }
+
+    /// The cone problem was not solved.
+    const fn not_solved() -> Self {
+        let answer = Answer { impulses: Vec::new(), velocities: Vec::new() };
+        Self { answer, excess: f64::INFINITY, surplus_j: f64::INFINITY }
+    }
+
+    const fn is_solved(&self) -> bool {
+        self.excess < f64::INFINITY
     }
 }
 
@@ -132,39 +144,43 @@ fn answer(part: &mut Part, before: &[f64]) -> Result<Option<Answer>, ResponseErr
     }
     part.status = part.status.and(MultipleImpactStatus::RestitutionLowered);
     let inelastic = Attempt::new(part, &asked, inelastic);
-    Ok(Some(lower(part, &asked, inelastic, &full)?))
+    let best = largest(inelastic, &full, |lambda, start| attempt(part, &asked, lambda, start))?;
+    Ok(Some(best.answer))
 }
 
-/// The answer for `lambda w`; the inelastic one stands in where the cone problem is not solved.
+/// The answer for `lambda w`.
 fn attempt(part: &mut Part, asked: &Asked<'_>, lambda: f64, start: &[f64]) -> Result<Attempt, ResponseError> {
     let velocities: Vec<f64> = asked.velocities.iter().map(|velocity| lambda * velocity).collect();
-    let settings = part.settings;
-    // Where Newton's method from two starts and the convex programme find no answer, hundreds of sweeps seldom do: a
-    // smaller `lambda` has one.
-    part.settings.last_sweeps = 0;
-    if lambda < 1.0 {
-        part.settings.fallback = FallbackPolicy::Refuse;
-    }
-    let found = solved(part, asked.before, &velocities, Some(start))?;
-    part.settings = settings;
-    Ok(match found {
-        Some(answer) => Attempt::new(part, asked, answer),
-        None => Attempt {
-            excess: f64::INFINITY,
-            surplus_j: f64::INFINITY,
-            answer: Answer { impulses: Vec::new(), velocities: Vec::new() },
-        },
-    })
+    let found = quickly_where(lambda < 1.0, part, |part| solved(part, asked.before, &velocities, Some(start)))?;
+    Ok(found.map_or_else(Attempt::not_solved, |answer| Attempt::new(part, asked, answer)))
 }
 
-/// The answer for the largest `lambda` without excess. Work is quadratic in `lambda` as long as no contact begins to stick or
-/// slide: the next `lambda` is the zero of the parabola through the ends of the interval and the end before, where it lies
-/// inside and the interval shrinks, and the middle otherwise.
-fn lower(part: &mut Part, asked: &Asked<'_>, inelastic: Attempt, at_1: &Attempt) -> Result<Answer, ResponseError> {
-    let (mut low, mut high) = ((0.0, inelastic.surplus_j), (1.0, at_1.surplus_j));
+/// Solves a cone problem, and `where` there are others to try in its place, without the last resorts: where Newton's method
+/// from two starts and the convex programme find no answer, hundreds of sweeps seldom do.
+fn quickly_where<T>(there_are_others: bool, part: &mut Part, solve: impl FnOnce(&mut Part) -> T) -> T {
+    let settings = part.settings;
+    part.settings.last_sweeps = 0;
+    if there_are_others {
+        part.settings.fallback = FallbackPolicy::Refuse;
+    }
+    let answer = solve(part);
+    part.settings = settings;
+    answer
+}
+
+/// The answer for the largest number in `[0, 1]` (`lambda`, or the restitution of a round) without excess, from the answers
+/// at 0 and at 1, of which the latter has some. Work is quadratic in it as long as no contact begins to stick or slide: the next
+/// one is the zero of the parabola through the ends of the interval and the end before, where it lies inside and the interval
+/// shrinks, and the middle otherwise.
+fn largest(
+    at_0: Attempt,
+    at_1: &Attempt,
+    mut attempt: impl FnMut(f64, &[f64]) -> Result<Attempt, ResponseError>,
+) -> Result<Attempt, ResponseError> {
+    let (mut low, mut high) = ((0.0, at_0.surplus_j), (1.0, at_1.surplus_j));
     let mut before = None;
-    let mut best = inelastic.answer;
-    if inelastic.excess >= 0.0 {
+    let mut best = at_0;
+    if best.excess >= 0.0 {
         return Ok(best);
     }
     let mut slow = 0;
@@ -176,15 +192,15 @@ fn lower(part: &mut Part, asked: &Asked<'_>, inelastic: Attempt, at_1: &Attempt)
         let interpolated = if slow < SLOW_STEPS { zero_of_parabola(low, high, before) } else { None };
         slow = if interpolated.is_some() { slow } else { 0 };
         let lambda = interpolated.unwrap_or(0.5 * (low.0 + high.0));
-        let Attempt { answer, excess, surplus_j } = attempt(part, asked, lambda, &best.impulses)?;
-        if excess.abs() <= EXCESS_ROUNDING {
-            return Ok(answer);
+        let tried = attempt(lambda, &best.answer.impulses)?;
+        if tried.excess.abs() <= EXCESS_ROUNDING {
+            return Ok(tried);
         }
-        if excess < 0.0 {
-            before = Some(std::mem::replace(&mut low, (lambda, surplus_j)));
-            best = answer;
+        if tried.excess < 0.0 {
+            before = Some(std::mem::replace(&mut low, (lambda, tried.surplus_j)));
+            best = tried;
         } else {
-            before = Some(std::mem::replace(&mut high, (lambda, surplus_j)));
+            before = Some(std::mem::replace(&mut high, (lambda, tried.surplus_j)));
         }
         slow = if high.0 - low.0 > 0.5 * width { slow + 1 } else { 0 };
     }
@@ -243,7 +259,8 @@ fn settled(part: &Part, solution: &FrictionSolution, asked: &[f64]) -> Vec<f64> 
     velocities
 }
 
-/// The elastic rounds: contacts that approach leave as fast as they came, until none approaches.
+/// The elastic rounds: contacts that approach leave as fast as they came, until none approaches. Where friction would raise
+/// the energy of a round so, they leave with the largest restitution that does not.
 fn reflected(part: &mut Part, before: &[f64]) -> Result<Answer, ResponseError> {
     let mut total = Answer { impulses: vec![0.0; before.len()], velocities: before.to_vec() };
     let joints = part.joints();
@@ -253,27 +270,45 @@ fn reflected(part: &mut Part, before: &[f64]) -> Result<Answer, ResponseError> {
             break;
         }
         chosen.extend(&joints);
-        for restitution in LOWERED {
-            let mut constant = total.velocities.clone();
-            for &block in chosen.iter().filter(|&&block| !part.is_joint(block)) {
-                constant[part.normal_row(block)] *= 1.0 + restitution;
-            }
-            let ConeAnswer { impulses, is_solved, .. } = part.solve(&chosen, &constant, None)?;
-            if !is_solved && restitution == 0.0 {
+        let mut round = rebound(part, &chosen, &total.velocities, 1.0, None)?;
+        if round.excess > ENERGY_ROUNDING {
+            let inelastic = rebound(part, &chosen, &total.velocities, 0.0, None)?;
+            if !inelastic.is_solved() {
                 // What has been reached is what is asked for.
-                return Ok(total);
-            }
-            let after = part.after(&total.velocities, &impulses);
-            let (change, size) = energy(&impulses, &total.velocities, &after);
-            if is_solved && (change <= ENERGY_ROUNDING * size || restitution == 0.0) {
-                total.velocities = after;
-                total.impulses.iter_mut().zip(&impulses).for_each(|(total, impulse)| *total += impulse);
                 break;
             }
+            let velocities = &total.velocities;
+            round = largest(inelastic, &round, |restitution, start| {
+                quickly_where(true, part, |part| rebound(part, &chosen, velocities, restitution, Some(start)))
+            })?;
         }
+        total.velocities = round.answer.velocities;
+        total.impulses.iter_mut().zip(&round.answer.impulses).for_each(|(total, impulse)| *total += impulse);
         part.hold_joints(&mut total.velocities);
     }
     Ok(total)
+}
+
+/// One round: the `chosen` contacts leave with this restitution, from these velocities of all rows (m/s). Its surplus is by how
+/// much the energy rises.
+fn rebound(
+    part: &mut Part,
+    chosen: &[usize],
+    velocities: &[f64],
+    restitution: f64,
+    start: Option<&[f64]>,
+) -> Result<Attempt, ResponseError> {
+    let mut constant = velocities.to_vec();
+    for &block in chosen.iter().filter(|&&block| !part.is_joint(block)) {
+        constant[part.normal_row(block)] *= 1.0 + restitution;
+    }
+    let ConeAnswer { impulses, is_solved, .. } = part.solve(chosen, &constant, start)?;
+    if !is_solved {
+        return Ok(Attempt::not_solved());
+    }
+    let after = part.after(velocities, &impulses);
+    let (change, size) = energy(&impulses, velocities, &after);
+    Ok(Attempt::with_surplus(Answer { impulses, velocities: after }, change, size))
 }
 
 /// `w` of the normal rows, zero elsewhere.

@@ -1,0 +1,52 @@
+//! With which contacts of a pair the problem of a step begins.
+//!
+//! The rim of a dense mesh that lies on a plane has hundreds of contacts, and a problem of `n` contacts costs `n^2` to `n^3`
+//! operations, although two bodies move relative to each other in six ways. A pair of few contacts begins with all that touch or
+//! would penetrate. A pair of many begins with those of them that lie furthest out in 26 directions, and the contact that closes most is
+//! added until none does: what is left out carries no impulse and does not penetrate, which is an exact solution of the whole
+//! problem. The directions are fixed, so that two halves of a step begin with the contacts of the whole.
+//!
+//! Assumption: where forces are not unique, any of them will do. A load that could be shared by all contacts is then shared by those
+//! furthest out; the motion depends on that only where a body turns while it slides flat.
+
+use polhode_spatial::DVec3;
+
+/// A pair with more contacts than this has many (no unit, 26 to 64): more than the directions below, and than any two of the basic shapes
+/// have.
+pub(super) const MANY_CONTACTS: usize = 32;
+
+/// Of some contact points (m) those furthest out in the directions from the middle of a cube to its faces, edges and corners.
+pub(super) fn furthest_out(points: impl Iterator<Item = (usize, DVec3)> + Clone) -> Vec<usize> {
+    let signs = || [-1.0, 0.0, 1.0].into_iter();
+    let directions = signs().flat_map(|x| signs().flat_map(move |y| signs().map(move |z| DVec3::new(x, y, z))));
+    let mut found: Vec<usize> = directions
+        .filter(|direction| *direction != DVec3::ZERO)
+        .filter_map(|direction| {
+            let reach = points.clone().map(|(index, point)| (index, direction.dot(point)));
+            reach.reduce(|best, next| if next.1 > best.1 { next } else { best }).map(|(index, _)| index)
+        })
+        .collect();
+    found.sort_unstable();
+    found.dedup();
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    //! The points furthest out stand for a rim, and for a face whose inner points bear nothing.
+    use super::*;
+
+    /// Of a rim of 720 points 8 are left, one in each direction of its plane; of a square grid the corners and the first of each side.
+    #[test]
+    fn a_rim_is_left_with_a_point_in_each_direction_of_its_plane() {
+        let rim = (0..720).map(|k| {
+            let (y, x) = (f64::from(k) * std::f64::consts::PI / 360.0).sin_cos();
+            DVec3::new(x, y, 0.0)
+        });
+        let found = furthest_out(rim.enumerate());
+        assert_eq!(found, [0, 90, 180, 270, 360, 450, 540, 630]);
+        let grid = (0..11).flat_map(|x| (0..11).map(move |y| DVec3::new(f64::from(x), f64::from(y), 0.0)));
+        let found = furthest_out(grid.enumerate());
+        assert_eq!(found, [0, 10, 110, 120]);
+    }
+}
