@@ -123,7 +123,7 @@ pub(crate) fn solve(
     // along the rows. Where curves are nearly parallel, the rate of their separation is less exact than these.
     let given = delassus.times(&reactions)?;
     for (velocity, touch) in before.iter_mut().zip(contacts) {
-        *velocity = velocity_along(world, states, touch);
+        *velocity = rate_of_separation(world, states, touch);
     }
     let works = reactions.iter().zip(&given).zip(&before).map(|((p, given), before)| p * (before + 0.5 * given));
     let energy_change = works.collect::<CompensatedSum>().value();
@@ -132,8 +132,8 @@ pub(crate) fn solve(
     Ok(impact_of(assembly, contacts.len(), &struck, rows))
 }
 
-/// The relative velocity of two bodies along the normal at the point of a contact, m/s.
-fn velocity_along(world: &World, states: &[BodyState], touch: &Touch) -> f64 {
+/// Rate of separation of two bodies at the point of a contact, m/s.
+pub(crate) fn rate_of_separation(world: &World, states: &[BodyState], touch: &Touch) -> f64 {
     let geometry = &touch.kinematics.geometry;
     let [a, b] = [touch.id.a, touch.id.b].map(|body| {
         let velocity = world.velocity(body, &states[body]);

@@ -5,8 +5,9 @@ use crate::event::{Event, EventKind};
 use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulses};
 use crate::interaction::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use crate::interaction::constraint::ConstraintId;
-use crate::interaction::frictional_impact::{self, Cause, FrictionalImpact, Restitution};
+use crate::interaction::frictional_impact::{self, Cause, FrictionalImpact, Restitution, rate_of_separation};
 use crate::interaction::groups::Group;
+use crate::interaction::many_contacts::{MANY_CONTACTS, furthest_out};
 use crate::interaction::rotational_friction::{apply_moments, moment_support, moment_work};
 use crate::pivots::PivotKinematics;
 use crate::scene::ImpactLaw;
@@ -18,6 +19,7 @@ use polhode_dynamics::BodyState;
 use polhode_response::impact::{self, Application, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus};
 use polhode_response::{ComplementaritySolver, ResponseError, SolverSettings};
 use polhode_spatial::DVec3;
+use std::ops::Range;
 
 /// Momentum that impulses or forces `p` (N s, N) along the normals of contacts give to the bodies that move, angular
 /// about a point: only contacts with immovable bodies contribute, since impulses between movable bodies cancel.
@@ -136,6 +138,10 @@ fn largest_speed(world: &World, states: &[BodyState], bodies: &[usize]) -> f64 {
 /// momenta by many digits.
 const GAIN_ROUNDING: f64 = 1e-6;
 
+/// Contacts that approach by less than this part of the fastest one after an impact do not approach (no unit, 1e-13 to 1e-10): the
+/// residual of its problem.
+const LEFT_APPROACHING: f64 = 1e-10;
+
 /// Applies impulses of contacts, of pivots and of moments (N m s, world, on A) to some bodies. Returns whether the
 /// energy increased by no more than the work of prescribed motions and of surfaces that move (`by_surfaces`, J). Otherwise the states are unchanged.
 pub(crate) fn apply_without_gain<'a>(
@@ -233,8 +239,94 @@ pub(crate) fn strike(
     Ok(Struck { outcome, constraints, pivots, tangential, moments, friction_j: 0.0, restitution })
 }
 
-/// [`strike`] where contacts have friction; also where they jam.
+/// [`strike`] where contacts have friction; also where they jam. Of pairs with many contacts only some are struck
+/// (`many_contacts.rs`).
+///
+/// # Errors
+/// When the problem is not finite.
 pub(crate) fn strike_with_friction(
+    world: &World,
+    states: &mut [BodyState],
+    bodies: &[usize],
+    members: &[Touch],
+    law: (ImpactLaw, Cause<'_>),
+) -> Result<Struck, ResponseError> {
+    let mut taken = match law.1 {
+        Cause::Collision => outer_of_many(members),
+        Cause::Jam(..) => vec![true; members.len()],
+    };
+    let start = states_of(states, bodies);
+    let approach = members.iter().map(|touch| -touch.kinematics.separation_rate).fold(0.0, f64::max);
+    let slow = world.velocity_rounding(states, bodies) + LEFT_APPROACHING * approach;
+    loop {
+        let places: Vec<usize> = (0..members.len()).filter(|&place| taken[place]).collect();
+        let some: Vec<Touch> = places.iter().map(|&place| members[place]).collect();
+        let mut struck = strike_all_with_friction(world, states, bodies, &some, law)?;
+        if places.len() == members.len() {
+            return Ok(struck);
+        }
+        let rates: Vec<f64> = members.iter().map(|touch| rate_of_separation(world, states, touch)).collect();
+        if struck.outcome.status == ImpactStatus::NotSolved || !take_fastest(members, &rates, slow, &mut taken) {
+            among(&mut struck.outcome, &places, &rates);
+            return Ok(struck);
+        }
+        set_states(states, bodies, &start);
+    }
+}
+
+/// The outcome of an impact of the contacts at some places among all contacts, of which the others had no impulse and have these
+/// rates of separation (m/s).
+fn among(outcome: &mut ImpactOutcome, places: &[usize], rates: &[f64]) {
+    let spread = |of_some: &[f64], mut of_all: Vec<f64>| {
+        let (of_contacts, of_pivots) = of_some.split_at(places.len().min(of_some.len()));
+        places.iter().zip(of_contacts).for_each(|(&place, &value)| of_all[place] = value);
+        of_all.extend(of_pivots);
+        of_all
+    };
+    outcome.impulses = spread(&outcome.impulses, vec![0.0; rates.len()]);
+    outcome.velocities_after = spread(&outcome.velocities_after, rates.to_vec());
+    for application in &mut outcome.applications {
+        application.row = places[application.row];
+    }
+}
+
+/// Which contacts an impact begins with.
+fn outer_of_many(members: &[Touch]) -> Vec<bool> {
+    let mut taken = vec![true; members.len()];
+    for of_pair in pairs(members).filter(|of_pair| of_pair.len() > MANY_CONTACTS) {
+        let points = of_pair.clone().map(|place| (place, members[place].kinematics.geometry.point));
+        let outer = furthest_out(points);
+        taken[of_pair].fill(false);
+        outer.into_iter().for_each(|place| taken[place] = true);
+    }
+    taken
+}
+
+/// Takes of each pair the contact that still approaches fastest with these rates of separation, faster than `slow` (m/s). Returns
+/// whether there is any.
+fn take_fastest(members: &[Touch], rates: &[f64], slow: f64, taken: &mut [bool]) -> bool {
+    let mut any = false;
+    for of_pair in pairs(members) {
+        let left = of_pair.filter(|&place| !taken[place] && rates[place] < -slow);
+        if let Some(fastest) = left.reduce(|most, next| if rates[next] < rates[most] { next } else { most }) {
+            taken[fastest] = true;
+            any = true;
+        }
+    }
+    any
+}
+
+/// Contacts of the same two bodies, where they stand beside each other.
+fn pairs(members: &[Touch]) -> impl Iterator<Item = Range<usize>> + '_ {
+    members.chunk_by(|x, y| (x.id.a, x.id.b) == (y.id.a, y.id.b)).scan(0, |start, of_pair| {
+        let range = *start..*start + of_pair.len();
+        *start = range.end;
+        Some(range)
+    })
+}
+
+/// [`strike_with_friction`] of all these contacts.
+fn strike_all_with_friction(
     world: &World,
     states: &mut [BodyState],
     bodies: &[usize],

@@ -16,6 +16,7 @@ pub(crate) mod groups;
 pub(crate) mod impact;
 mod least_sliding_forces;
 pub(crate) mod locator;
+pub(crate) mod many_contacts;
 pub(crate) mod overlap;
 pub(crate) mod projection;
 pub(crate) mod resisted_rotation;

@@ -25,7 +25,6 @@
 //! is found one step late, as a penetration that is removed and reported.
 
 mod contacts;
-mod first_choice;
 mod halving;
 mod impacts;
 mod implicit_kick;

@@ -21,10 +21,9 @@
 //! Friction adds the rows of `sustained_friction.rs`.
 //!
 //! Rows of the problem: contacts that would penetrate at the end, and touching contacts; of pairs with many contacts only some of
-//! them (`first_choice.rs`). Contacts that close because of the impulses are added until there are none.
+//! them (`interaction/many_contacts.rs`). Contacts that close because of the impulses are added until there are none.
 
 use super::contacts::{NearContact, kinematics_at_point, with_rate_at_point};
-use super::first_choice::{MANY_CONTACTS, furthest_out};
 use super::middle::{Middle, Stops};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::rigid_terms::{Term, make_rigid};
@@ -36,6 +35,7 @@ use crate::interaction::assembly::Assembly;
 use crate::interaction::cone_violation::ConeViolation;
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{apply_without_gain, support};
+use crate::interaction::many_contacts::{MANY_CONTACTS, furthest_out};
 use crate::interaction::rotational_friction::{moment_support, moment_work};
 use crate::states_of::{set_states, states_of};
 use crate::world::{Loads, World};

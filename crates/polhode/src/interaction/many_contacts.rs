@@ -1,22 +1,24 @@
-//! With which contacts of a pair the problem of a step begins.
+//! Which contacts of a pair stand for many.
 //!
 //! The rim of a dense mesh that lies on a plane has hundreds of contacts, and a problem of `n` contacts costs `n^2` to `n^3`
-//! operations, although two bodies move relative to each other in six ways. A pair of few contacts begins with all that touch or
-//! would penetrate. A pair of many begins with those of them that lie furthest out in 26 directions, and the contact that closes most is
-//! added until none does: what is left out carries no impulse and does not penetrate, which is an exact solution of the whole
-//! problem. The directions are fixed, so that two halves of a step begin with the contacts of the whole.
+//! operations, although two bodies move relative to each other in six ways. Of a pair of few contacts all take part in a time
+//! step, or in an impact with friction, from the beginning. Of a pair of many those begin that lie furthest out in 26
+//! directions; then the contact that closes most is added until none does. What is left out carries no impulse and does not
+//! close: the impulses solve the whole problem of a step or of an impact without restitution. With restitution contacts
+//! that are left out separate, or stay together, at a speed that is not asked for. The directions are fixed, so that two halves of a step
+//! begin with the contacts of the whole.
 //!
-//! Assumption: where forces are not unique, any of them will do. A load that could be shared by all contacts is then shared by those
-//! furthest out; the motion depends on that only where a body turns while it slides flat.
+//! Assumption: where impulses are not unique, any of them will do. A load that all contacts could share is then shared by those
+//! furthest out. The motion depends on that only where a body turns while it slides flat.
 
 use polhode_spatial::DVec3;
 
 /// A pair with more contacts than this has many (no unit, 26 to 64): more than the directions below, and than any two of the basic shapes
 /// have.
-pub(super) const MANY_CONTACTS: usize = 32;
+pub(crate) const MANY_CONTACTS: usize = 32;
 
 /// Of some contact points (m) those furthest out in the directions from the middle of a cube to its faces, edges and corners.
-pub(super) fn furthest_out(points: impl Iterator<Item = (usize, DVec3)> + Clone) -> Vec<usize> {
+pub(crate) fn furthest_out(points: impl Iterator<Item = (usize, DVec3)> + Clone) -> Vec<usize> {
     let signs = || [-1.0, 0.0, 1.0].into_iter();
     let directions = signs().flat_map(|x| signs().flat_map(move |y| signs().map(move |z| DVec3::new(x, y, z))));
     let mut found: Vec<usize> = directions
