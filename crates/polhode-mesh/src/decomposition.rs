@@ -151,7 +151,7 @@ pub fn convex_decomposition(
         groups.reverse();
         for group in groups {
             let plane = choice::plane_through_reflex_edge(&mut space, &group, &mut comparisons);
-            let plane = plane.or_else(|| emit(&space, &group, &mut result));
+            let plane = plane.or_else(|| emit(&mut space, &group, &mut result));
             if let Some((plane, sides)) = plane {
                 let (front, back) = cut::cut(&mut space, &group.faces, plane, &sides);
                 result.cuts += 1;
@@ -178,7 +178,7 @@ pub fn convex_decomposition(
 
 /// Adds the hull of a piece's vertices to the parts; or returns the plane of a face to cut along, when the hull holds more
 /// than the piece although no edge is reflex: then the piece touches itself at a vertex to rounding.
-fn emit(space: &Space, group: &Group, result: &mut Decomposition) -> Option<(u32, Sides)> {
+fn emit(space: &mut Space, group: &Group, result: &mut Decomposition) -> Option<(u32, Sides)> {
     let points: Vec<DVec3> = chain::vertices(&group.faces).into_iter().map(|v| space.positions[v as usize]).collect();
     let Ok(hull) = ConvexHull::of(&points) else {
         result.flat_parts += 1;

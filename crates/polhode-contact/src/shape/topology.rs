@@ -235,8 +235,8 @@ fn at_vertices<'a>(loops: impl Iterator<Item = &'a [u32]> + Clone) -> impl Itera
 }
 
 /// Checks that faces are plane, and the polyhedron convex and thick enough, for vertices that are known within a
-/// tolerance (m). The vertices farthest in front of a plane and behind it are found in a tree of boxes, so that the time
-/// grows as n^1.5 with their number.
+/// tolerance (m). The vertex farthest in front of a plane is found in a tree of boxes, so that the time grows little faster than
+/// their number.
 fn check_geometry(polyhedron: &ConvexPolyhedron, tolerance: f64) -> Result<(), ShapeError> {
     let limit = (PLANE_TOLERANCE * polyhedron.size).max(tolerance);
     let thinnest = (THICKNESS_LIMIT * polyhedron.size).max(tolerance);
@@ -251,22 +251,22 @@ fn check_geometry(polyhedron: &ConvexPolyhedron, tolerance: f64) -> Result<(), S
                 return Err(ShapeError::FaceNotPlane { face: index, vertex: vertex as usize, distance, limit });
             }
         }
-        // The least of the heights times a sign; what rounding may add to the bound of a box is far below the limits.
-        let least = |sign: f64| {
-            let bound = |of: &Aabb| {
-                let normal = sign * record.normal;
-                (normal * of.min).min(normal * of.max).element_sum() - sign * record.offset - limit
-            };
-            tree.least(f64::INFINITY, f64::NEG_INFINITY, &bound, &mut |vertex, _| sign * height(vertex as usize))
+        // The highest vertex; what rounding may add to the bound of a box is far below the limits.
+        let bound = |of: &Aabb| {
+            let down = -record.normal;
+            (down * of.min).min(down * of.max).element_sum() + record.offset - limit
         };
-        if -least(-1.0) > limit {
+        let highest = -tree.least(f64::INFINITY, f64::NEG_INFINITY, &bound, &mut |vertex, _| -height(vertex as usize));
+        if highest > limit {
             let first = (0..polyhedron.vertices.len()).find(|&vertex| height(vertex) > limit);
             let vertex = first.unwrap_or_default();
             return Err(ShapeError::NotConvex { vertex, face: index, height: height(vertex), limit });
         }
-        let deepest = -least(1.0);
-        if deepest < thinnest {
-            return Err(ShapeError::Flat { thickness: deepest.max(0.0), limit: thinnest });
+        // Nearly every vertex is deep enough.
+        let depths = || (0..polyhedron.vertices.len()).map(|vertex| -height(vertex));
+        if !depths().any(|depth| depth >= thinnest) {
+            let deepest = depths().fold(0.0, f64::max);
+            return Err(ShapeError::Flat { thickness: deepest, limit: thinnest });
         }
     }
     Ok(())

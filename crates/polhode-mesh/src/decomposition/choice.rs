@@ -10,7 +10,7 @@ use super::cut::{self, Sides, Space};
 use super::grouping::Group;
 use super::plane::Plane;
 use std::cmp::Ordering;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Reflex edges that candidates are taken from, evenly spread over all of a piece. More make a few parts less and take
 /// longer.
@@ -37,9 +37,10 @@ struct Numbered {
 }
 
 impl Numbered {
-    fn of(group: &Group) -> Self {
+    fn of(space: &mut Space, group: &Group) -> Self {
         let vertices = chain::vertices(&group.faces);
-        let number = |vertex: u32| vertices.binary_search(&vertex).unwrap_or_default();
+        space.number(&vertices);
+        let number = |vertex: u32| space.number_of(vertex);
         let mut edges = Vec::new();
         let mut on_planes: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
         for face in &group.faces {
@@ -93,13 +94,18 @@ pub(super) fn plane_through_reflex_edge(
     if group.reflex.is_empty() {
         return None;
     }
-    let piece = Numbered::of(group);
+    let piece = Numbered::of(space, group);
     let mut best = Best::default();
     let step = piece.reflex.len().div_ceil(CANDIDATE_EDGES);
     // When none of the samples parts the piece, every reflex edge is tried.
     for step in [step, 1] {
+        let mut judged = BTreeSet::new();
         for reflex in (0..piece.reflex.len()).step_by(step) {
             for candidate in candidates(space, &group.faces, group.reflex[reflex]) {
+                // The plane of a face is the same at each of its edges.
+                if candidate.index.is_some_and(|index| !judged.insert(index)) {
+                    continue;
+                }
                 *comparisons += (piece.vertices.len() + piece.edges.len()) as u64;
                 let distances = piece.distances(space, &candidate, &piece.reflex[reflex]);
                 best.consider(&piece, candidate, distances);
@@ -114,13 +120,13 @@ pub(super) fn plane_through_reflex_edge(
         space.planes.push(plane);
         space.planes.len() as u32 - 1
     });
-    Some((index, Sides::new(piece.vertices, distances)))
+    Some((index, Sides::new(distances)))
 }
 
 /// The best plane among those of the faces that have vertices in front, for a piece that is not convex although it has no
 /// reflex edge.
-pub(super) fn plane_of_dented_face(space: &Space, group: &Group) -> Option<(u32, Sides)> {
-    let piece = Numbered::of(group);
+pub(super) fn plane_of_dented_face(space: &mut Space, group: &Group) -> Option<(u32, Sides)> {
+    let piece = Numbered::of(space, group);
     let mut best = Best::default();
     for &index in piece.on_planes.keys() {
         let candidate = Candidate { plane: space.planes[index as usize], index: Some(index) };
@@ -128,7 +134,7 @@ pub(super) fn plane_of_dented_face(space: &Space, group: &Group) -> Option<(u32,
         best.consider(&piece, candidate, distances);
     }
     let (_, Candidate { index, .. }, distances) = best.0?;
-    Some((index?, Sides::new(piece.vertices, distances)))
+    Some((index?, Sides::new(distances)))
 }
 
 /// The best plane so far, with its distances from the vertices.

@@ -15,9 +15,29 @@ pub(super) struct Space {
     pub(super) planes: Vec<Plane>,
     /// How close to a plane a vertex counts as on it, m.
     pub(super) tolerance: f64,
+    /// The places of the vertices of one piece among them ([`Space::number`]); those of other vertices mean nothing.
+    numbers: Vec<u32>,
 }
 
 impl Space {
+    /// Vertices, before anything is cut (m).
+    pub(super) const fn new(positions: Vec<DVec3>, planes: Vec<Plane>, tolerance: f64) -> Self {
+        Self { positions, planes, tolerance, numbers: Vec::new() }
+    }
+
+    /// Numbers the vertices of a piece from zero, until another piece is numbered.
+    pub(super) fn number(&mut self, vertices: &[u32]) {
+        self.numbers.resize(self.positions.len(), 0);
+        for (&vertex, number) in vertices.iter().zip(0..) {
+            self.numbers[vertex as usize] = number;
+        }
+    }
+
+    /// The number of a vertex of the piece that was numbered last.
+    pub(super) fn number_of(&self, vertex: u32) -> usize {
+        self.numbers[vertex as usize] as usize
+    }
+
     /// Outward normal of a face.
     pub(super) fn normal(&self, face: &Face) -> DVec3 {
         let normal = self.planes[face.plane as usize].normal;
@@ -25,28 +45,26 @@ impl Space {
     }
 }
 
-/// The side of a plane that each vertex of a piece lies on, with its distance (m, zero on the plane).
+/// The side of a plane that each vertex of the piece that was numbered last lies on, with its distance (m, zero on the plane).
 #[derive(Debug)]
 pub(super) struct Sides {
-    /// Ascending.
-    vertices: Vec<u32>,
     distances: Vec<f64>,
 }
 
 impl Sides {
-    /// Of vertices in ascending order, from as many distances.
-    pub(super) const fn new(vertices: Vec<u32>, distances: Vec<f64>) -> Self {
-        Self { vertices, distances }
+    /// From the distances of the vertices in the order of their numbers.
+    pub(super) const fn new(distances: Vec<f64>) -> Self {
+        Self { distances }
     }
 
     /// Distance of a vertex, m; zero on the plane.
-    fn distance(&self, vertex: u32) -> f64 {
-        self.vertices.binary_search(&vertex).map_or(0.0, |index| self.distances[index])
+    fn distance(&self, space: &Space, vertex: u32) -> f64 {
+        self.distances[space.number_of(vertex)]
     }
 
     /// In front (greater), behind (less) or on the plane.
-    fn side(&self, vertex: u32) -> Ordering {
-        side(self.distance(vertex))
+    fn side(&self, space: &Space, vertex: u32) -> Ordering {
+        side(self.distance(space, vertex))
     }
 }
 
@@ -100,7 +118,7 @@ impl Halves {
     fn of(space: &mut Space, face: &Face, sides: &Sides, crossings: &mut BTreeMap<Edge, u32>) -> Self {
         let mut result = Self::default();
         for &(from, to) in &face.edges {
-            let (side, side_to) = (sides.side(from), sides.side(to));
+            let (side, side_to) = (sides.side(space, from), sides.side(space, to));
             if side == Ordering::Equal {
                 result.on_plane.push(from);
             }
@@ -129,7 +147,7 @@ impl Halves {
 
 /// A new vertex where the edge from `low` to `high` passes through the plane.
 fn crossing(space: &mut Space, sides: &Sides, low: u32, high: u32) -> u32 {
-    let (before, after) = (sides.distance(low), sides.distance(high));
+    let (before, after) = (sides.distance(space, low), sides.distance(space, high));
     let (start, end) = (space.positions[low as usize], space.positions[high as usize]);
     space.positions.push(start + (end - start) * (before / (before - after)));
     space.positions.len() as u32 - 1

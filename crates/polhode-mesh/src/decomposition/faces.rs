@@ -14,7 +14,7 @@ impl Space {
     /// The space of a mesh that bounds a solid, and the faces of the solid.
     pub(super) fn of(mesh: &TriangleMesh) -> (Self, Vec<Face>) {
         let tolerance = PLANE_ROUNDINGS * COORDINATE_ROUNDING * mesh.bounds().largest_coordinate();
-        let mut space = Self { positions: mesh.vertices().to_vec(), planes: Vec::new(), tolerance };
+        let mut space = Self::new(mesh.vertices().to_vec(), Vec::new(), tolerance);
         let neighbors = neighbors(mesh);
         let areas: Vec<f64> = mesh.corner_positions().map(twice_area).collect();
         let mut seeds: Vec<u32> = (0..areas.len() as u32).collect();

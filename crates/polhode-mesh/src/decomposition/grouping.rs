@@ -25,38 +25,49 @@ struct Sheet {
 /// The bodies of a piece. Bodies without reflex edges are convex and come apart for certain; a void stays with every
 /// body whose bounding box holds it.
 pub(super) fn groups(space: &Space, faces: &[Face], adjacency: &Adjacency) -> Vec<Group> {
-    let sheets = sheets(space, faces);
-    let mut sets = DisjointSets::new(sheets.len());
+    let sheets = Sheets::of(space, faces);
+    let mut sets = DisjointSets::new(sheets.all.len());
     for &Joint { edge, faces: [first, second] } in &adjacency.joints {
         let (from, to) = edge;
-        if let (Some(p), Some(q)) = (sheet_of(&sheets, first, edge), sheet_of(&sheets, second, (to, from))) {
+        if let (Some(p), Some(q)) = (sheets.with(first, edge), sheets.with(second, (to, from))) {
             sets.join(p, q);
         }
     }
     if !adjacency.reflex.is_empty() {
-        join_holes(space, faces, &sheets, &mut sets);
-        join_voids(space, faces, &sheets, &mut sets);
+        join_holes(space, faces, &sheets.all, &mut sets);
+        join_voids(space, faces, &sheets.all, &mut sets);
     }
     split(faces, &sheets, &mut sets, &adjacency.reflex)
 }
 
-/// The sheet of a face that holds an edge. Nearly all faces have one sheet.
-fn sheet_of(sheets: &[Sheet], face: u32, edge: Edge) -> Option<usize> {
-    let first = sheets.partition_point(|sheet| sheet.face < face);
-    let count = sheets[first..].iter().take_while(|sheet| sheet.face == face).count();
-    match count {
-        0 | 1 => (count == 1).then_some(first),
-        _ => (first..first + count).find(|&index| sheets[index].edges.contains(&edge)),
-    }
+/// The loops of all faces of a piece, in the order of the faces.
+struct Sheets {
+    all: Vec<Sheet>,
+    /// The first sheet of each face; one more entry than faces.
+    first: Vec<usize>,
 }
 
-fn sheets(space: &Space, faces: &[Face]) -> Vec<Sheet> {
-    let mut result = Vec::new();
-    for (face, index) in faces.iter().zip(0u32..) {
-        let found = loops(&face.edges, &space.positions, space.normal(face));
-        result.extend(found.into_iter().map(|edges| Sheet { face: index, edges }));
+impl Sheets {
+    fn of(space: &Space, faces: &[Face]) -> Self {
+        let mut sheets = Self { all: Vec::with_capacity(faces.len()), first: Vec::with_capacity(faces.len() + 1) };
+        for (face, index) in faces.iter().zip(0u32..) {
+            sheets.first.push(sheets.all.len());
+            let found = loops(&face.edges, &space.positions, space.normal(face));
+            sheets.all.extend(found.into_iter().map(|edges| Sheet { face: index, edges }));
+        }
+        sheets.first.push(sheets.all.len());
+        sheets
     }
-    result
+
+    /// The sheet of a face that holds an edge. Nearly all faces have one sheet.
+    fn with(&self, face: u32, edge: Edge) -> Option<usize> {
+        let [first, end] = [0, 1].map(|k| self.first.get(face as usize + k).copied().unwrap_or_default());
+        match end.saturating_sub(first) {
+            0 => None,
+            1 => Some(first),
+            _ => (first..end).find(|&index| self.all[index].edges.contains(&edge)),
+        }
+    }
 }
 
 /// A hole belongs to one of the loops of its face; which one does not matter as long as they stay together.
@@ -117,11 +128,11 @@ fn cone(space: &Space, edges: &[Edge], normal: DVec3, apex: DVec3) -> f64 {
 }
 
 /// The groups with their faces, in the order of their first sheets.
-fn split(faces: &[Face], sheets: &[Sheet], sets: &mut DisjointSets, reflex: &[Joint]) -> Vec<Group> {
+fn split(faces: &[Face], sheets: &Sheets, sets: &mut DisjointSets, reflex: &[Joint]) -> Vec<Group> {
     let mut number: BTreeMap<usize, usize> = BTreeMap::new();
     // For each group its faces, and which faces of the piece they were, ascending because sheets are.
     let mut groups: Vec<(Group, Vec<u32>)> = Vec::new();
-    for (index, sheet) in sheets.iter().enumerate() {
+    for (index, sheet) in sheets.all.iter().enumerate() {
         let group = *number.entry(sets.smallest(index)).or_insert_with(|| {
             groups.push((Group { faces: Vec::new(), reflex: Vec::new() }, Vec::new()));
             groups.len() - 1
@@ -136,7 +147,7 @@ fn split(faces: &[Face], sheets: &[Sheet], sets: &mut DisjointSets, reflex: &[Jo
         }
     }
     for &joint in reflex {
-        let Some(sheet) = sheet_of(sheets, joint.faces[0], joint.edge) else { continue };
+        let Some(sheet) = sheets.with(joint.faces[0], joint.edge) else { continue };
         let Some(&group) = number.get(&sets.smallest(sheet)) else { continue };
         let (Group { reflex: own, .. }, origins) = &mut groups[group];
         if let [Ok(first), Ok(second)] = joint.faces.map(|face| origins.binary_search(&face)) {
