@@ -144,8 +144,8 @@ impl Accounts {
     }
 
     /// Begins a stretch of crowded events of this many bodies at `t` (s). Returns its number.
-    pub(crate) fn begin_crowding(&mut self, t: f64, bodies: usize) -> usize {
-        self.warn(t, "crowded events: the affected bodies advance by time steps for a while");
+    pub(crate) fn begin_crowding(&mut self, t: f64, bodies: usize, warning: &str) -> usize {
+        self.warn(t, warning);
         self.crowded.begin(t, bodies)
     }
 

@@ -177,6 +177,13 @@ fn time_step(
     with_pivots_reduced(world, states, bodies, h, work, |(report, _)| &mut report.books)
 }
 
+/// The warning of a stretch of crowded events.
+const SMOOTH_CROWD: &str = "crowded events: the affected bodies advance by time steps for a while";
+
+/// The same where bodies rub: friction jams what several motions, or none, are allowed.
+const ROUGH_CROWD: &str = "crowded events: the affected bodies advance by time steps for a while, in which the impulses of each step \
+                           obey Coulomb's law: they decide where it allows several motions, or no forces";
+
 impl Engine {
     /// Begins a stretch of time steps for the bodies of an instant with crowded events.
     ///
@@ -198,7 +205,9 @@ impl Engine {
         for &body in &instant.bodies {
             self.tracks[body].last_stretch_s = span;
         }
-        let number = core.accounts.begin_crowding(instant.t, instant.bodies.len());
+        let is_rough = core.world.have_friction(&instant.pairs);
+        let warning = if is_rough { ROUGH_CROWD } else { SMOOTH_CROWD };
+        let number = core.accounts.begin_crowding(instant.t, instant.bodies.len(), warning);
         // A crowd without friction has no use for it, but a rough body may join.
         let spare_error = (1.0 - EVEN_SHARE) * core.settings.crowd_error_allowed() * span / longest;
         let step_s = FIRST_STEP * longest * core.settings.crowd_step_factor;

@@ -27,6 +27,7 @@ mod invariance;
 mod kinematic;
 mod kinematic_steps;
 mod linked_rings;
+mod many_contacts;
 mod mass_ratios;
 mod momentum;
 mod moving_surfaces;
