@@ -24,12 +24,9 @@ fn a_rim_of_many_points_slides_as_far_as_one_of_few() {
     let after: f64 = speed - friction * fall;
     let distance = speed * fall / G + after * after / (2.0 * friction * G);
     let stepped = || Method { tier: Some(Tier::Stepped), step_s: Some(1e-3), ..Method::default() };
-    for (points, method, allowed) in [
-        (4, accurate(), 1e-9),
-        (40, accurate(), 1e-9),
-        (4, stepped(), 2e-3),
-        (400, stepped(), 2e-3),
-    ] {
+    for (points, method, allowed) in
+        [(4, accurate(), 1e-9), (40, accurate(), 1e-9), (4, stepped(), 2e-3), (400, stepped(), 2e-3)]
+    {
         let angle = |k: i32| TAU * (f64::from(k) + 0.3) / f64::from(points);
         let rim = (0..points).map(|k| DVec3::new(0.2 * angle(k).cos(), 0.2 * angle(k).sin(), -0.02)).collect();
         let inertia = Inertia::from_diagonal(DVec3::new(0.02, 0.02, 0.04)).unwrap();
