@@ -7,7 +7,6 @@
 
 use crate::failure::{self, Failure};
 use polhode_scene::Unfinished;
-use std::io;
 use std::path::PathBuf;
 use std::process;
 use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
@@ -90,6 +89,15 @@ impl Interrupt {
         Ok(created)
     }
 
+    /// Moves files to their names and tells them. The program does not end meanwhile, and afterwards leaves alone the files
+    /// that it was to keep: each is named once, by who has moved it.
+    pub(crate) fn move_kept<T>(&self, move_files: impl FnOnce() -> T) -> T {
+        let mut files = self.asked.files();
+        let moved = move_files();
+        files.unfinished.clear();
+        moved
+    }
+
     /// From now on the work looks after every step or frame whether it is to end.
     pub(crate) fn wait_for_steps(&self) {
         self.asked.looks.store(true, Ordering::SeqCst);
@@ -140,8 +148,6 @@ impl Asked {
         for file in files.unfinished.drain(..) {
             match file.keep() {
                 Ok(partial) => failure::note(&format!("note: what was computed is in {}", partial.display())),
-                // The run has just come to its end and moved the file to its own name.
-                Err(error) if error.kind() == io::ErrorKind::NotFound => {}
                 Err(error) => failure::note(&format!("error: cannot keep what was computed: {error}")),
             }
         }

@@ -90,7 +90,7 @@ impl RunFiles {
             self.keep(&report.plan, "stdout was closed", interrupt);
             return Err(failure);
         }
-        self.outputs.finish()?;
+        interrupt.move_kept(|| self.outputs.finish())?;
         let outcome = crate::pictures::outcome(report);
         show(self.pictures, &outcome, &crate::pictures::report_in_page(report), interrupt)?;
         self.plots.finish(report)
@@ -99,11 +99,12 @@ impl RunFiles {
     /// Keeps what has been written of a run that did not come to its end, says where, and lets pictures and plots say
     /// why. What goes wrong here is told, but is not why the run ended.
     pub(crate) fn keep(self, plan: &Plan, why: &str, interrupt: &Interrupt) {
-        let kept = self.outputs.keep_partial().map_err(Failure::from);
-        let told = kept.map(|paths| {
-            for path in paths {
-                failure::note(&format!("note: what was computed is in {}", path.display()));
-            }
+        let told = interrupt.move_kept(|| {
+            self.outputs.keep_partial().map_err(Failure::from).map(|paths| {
+                for path in paths {
+                    failure::note(&format!("note: what was computed is in {}", path.display()));
+                }
+            })
         });
         let shown = show(self.pictures, &crate::pictures::failed(why), &Value::Null, interrupt);
         let plotted = self.plots.finish_stopped(plan, why);

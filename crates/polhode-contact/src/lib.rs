@@ -111,7 +111,7 @@ pub use narrow_phase::evaluate::{evaluate, kinematics, kinematics_with_tangentia
 pub use narrow_phase::manifold::{manifold, manifold_into, near_manifold};
 pub use narrow_phase::open_face::Moving;
 pub use narrow_phase::pair_memory::{PairMemory, near_manifold_with};
-pub use narrow_phase::passing::passing_contacts;
+pub use narrow_phase::passing::Passing;
 pub use narrow_phase::separation::{separation, separation_with};
 pub use narrow_phase::tangential::tangent_basis;
 pub use narrow_phase::workspace::Workspace;

@@ -92,19 +92,19 @@ pub enum ResponseError {
         /// The value found.
         value: f64,
     },
-    /// A block has not the rows of its kind.
-    #[error("the rows of one constraint: expected {expected}, found {found}")]
+    /// A block has not the rows of its law.
+    #[error("the rows of one block: its law is of {expected}, found {found}")]
     BlockRows {
-        /// How many its kind has.
+        /// How many its law has.
         expected: usize,
         /// How many there are.
         found: usize,
     },
-    /// A cone with friction.
-    #[error("a cone with friction {friction} is not yet available: rows without friction are solved")]
-    FrictionNotAvailable {
-        /// Its coefficient.
-        friction: f64,
+    /// A solver without friction is given a block with friction.
+    #[error("the block of row {row} has friction: `solve` takes it, solvers without friction do not")]
+    HasFriction {
+        /// The first row of the block.
+        row: usize,
     },
     /// A block has no rows, or more than a contact has.
     #[error(
@@ -151,14 +151,6 @@ pub enum ResponseError {
         row: usize,
         /// The entry.
         value: f64,
-    },
-    /// Rows that were independent no longer are.
-    #[error("row {row} depends on the rows before it (relative pivot {pivot:e}); choose the independent rows afresh")]
-    LostRank {
-        /// The first dependent row.
-        row: usize,
-        /// Its Schur complement relative to its diagonal entry.
-        pivot: f64,
     },
 }
 

@@ -14,9 +14,8 @@
 use crate::certificate::{nan_max, power_bound, row_accelerations, row_residual, row_scales};
 use crate::delassus::Delassus;
 use crate::dense::householder::PivotedQr;
-use crate::dense::kernels::largest;
+use crate::dense::kernels::{dot, largest};
 use crate::error::{ResponseError, check_finite, check_length};
-use crate::held_rows::{HeldRows, RANK_CUT};
 use crate::interior_point::{LinearProgramme, least_sum};
 use crate::report::{Method, SolverReport, SolverStatus};
 use crate::settings::SolverSettings;
@@ -30,6 +29,10 @@ const ZERO_CUT: f64 = 1e-9;
 
 /// Rounding of forces and accelerations after they have been made exact (no unit).
 const EXACT: f64 = 1e-12;
+
+/// Rows whose relative pivot is below this depend on others (no unit). Pivots are quadratic in distances: contacts that
+/// are 1e-5 of the lever arm apart are taken as one; rounding of pivots is below 1e-14.
+const INDEPENDENT_PIVOT: f64 = 1e-10;
 
 /// Which step gave the answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -123,8 +126,7 @@ impl<'a> Programme<'a> {
             (rows.iter().flat_map(entry).collect(), rows.iter().map(|&row| -self.b[row] / size).collect())
         };
         // Equalities that depend on others are implied by them, and checked when the answer is made exact.
-        let independent = HeldRows::factor(self.delassus, equal, RANK_CUT).ok()?;
-        let ((e, e_right), (a, a_right)) = (lines(independent.independent_rows()), lines(at_least));
+        let ((e, e_right), (a, a_right)) = (lines(&independent_rows(self.delassus, equal)), lines(at_least));
         match least_sum(carrying.len(), (&e, &e_right), (&a, &a_right)) {
             LinearProgramme::Solved { x, iterations, tolerance } => {
                 self.iterations += iterations;
@@ -217,4 +219,33 @@ impl<'a> Programme<'a> {
         };
         LeastForceSolution { forces, residual_accelerations: w, least_sum, stage, report }
     }
+}
+
+/// Independent ones among `rows` (ascending), by a Cholesky factorisation with pivoting: the largest relative pivot comes
+/// first, the first row of equal ones. Source: Golub and Van Loan, section 4.2.
+fn independent_rows(delassus: &Delassus, rows: &[usize]) -> Vec<usize> {
+    let diagonal = |row: usize| delassus.get(row, row);
+    // Lines of the factor of every row, and what is left of its diagonal entry.
+    let mut lines: Vec<Vec<f64>> = vec![Vec::new(); rows.len()];
+    let mut left: Vec<f64> = rows.iter().map(|&row| diagonal(row)).collect();
+    let mut open: Vec<usize> = (0..rows.len()).filter(|&k| left[k] > 0.0).collect();
+    let mut independent = Vec::new();
+    loop {
+        let relative = |k: usize| left[k] / diagonal(rows[k]);
+        let larger = |best, k| if relative(open[k]) > relative(open[best]) { k } else { best };
+        let Some(position) = (0..open.len()).reduce(larger) else { break };
+        let next = open[position];
+        if relative(next) <= INDEPENDENT_PIVOT {
+            break;
+        }
+        open.remove(position);
+        let (line, pivot) = (std::mem::take(&mut lines[next]), left[next].sqrt());
+        for &k in &open {
+            let entry = (delassus.get(rows[k], rows[next]) - dot(&lines[k], &line)) / pivot;
+            lines[k].push(entry);
+            left[k] -= entry * entry;
+        }
+        independent.push(rows[next]);
+    }
+    independent
 }

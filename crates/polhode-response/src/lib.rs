@@ -7,11 +7,11 @@
 //! | module | holds |
 //! |---|---|
 //! | [`problem`] | [`ContactProblem`]: inverse masses and rows |
-//! | [`row_block`] | [`RowBlock`]: what the rows of one constraint ask for together |
+//! | [`law`] | [`Law`]: what the rows of one constraint ask for together |
+//! | [`mod@solve`] | [`solve()`]: the one entry, which chooses the solver |
 //! | [`delassus`] | [`Delassus`]: the matrix `G` |
 //! | [`complementarity`] | [`ComplementaritySolver`]: `0 <= f _\|_ G f + b >= 0`, exactly |
 //! | [`mod@minimum_norm`] | [`minimum_norm()`]: the least forces among those of the same motion |
-//! | [`held_rows`] | [`HeldRows`]: rows that are held, whatever the sign of their force |
 //! | [`least_norm_hold`] | [`least_norm_forces`]: rows that are held by the least forces, at any mass ratio |
 //! | [`sliding`] | [`least_norm_sliding_forces`]: rows that are held while contacts slide, and whether that choice matters |
 //! | [`friction`] | [`solve_friction`](friction::solve_friction): contacts with friction, exact Coulomb |
@@ -48,7 +48,7 @@
 //!
 //! | stage | what it does | where |
 //! |---|---|---|
-//! | problem | takes inverse masses and the rows of each constraint | `problem.rs`, `row_block.rs` |
+//! | problem | takes inverse masses and the rows of each constraint | `problem.rs`, `law.rs` |
 //! | Delassus matrix | computes `J M^-1 J^T` | `delassus.rs` |
 //! | active set | finds the rows with forces, from the last ones at first (warm start) | `complementarity/solver.rs`, `complementarity/active_set.rs` |
 //! | twice the precision | repeats that where rows nearly depend on each other | `precise.rs` |
@@ -81,23 +81,23 @@ pub mod delassus;
 mod dense;
 pub mod error;
 pub mod friction;
-pub mod held_rows;
 pub mod impact;
 mod interior_point;
+pub mod law;
 pub mod least_force;
 pub mod least_norm_hold;
 pub mod minimum_norm;
 mod precise;
 pub mod problem;
 pub mod report;
-pub mod row_block;
 pub mod settings;
 pub mod sliding;
+pub mod solve;
 
 pub use complementarity::{ComplementaritySolver, ContactSolution, WarmStart, solve_complementarity};
 pub use delassus::Delassus;
 pub use error::ResponseError;
-pub use held_rows::{HeldForces, HeldRows, HoldCheck};
+pub use friction::{Blocks, BlocksSolution, ResistedPart};
 pub use impact::friction::{
     CollisionMatrix, FrictionalImpact, FrictionalImpactStatus, ImpactPhase, MultipleFrictionalImpact, MultipleImpact,
     MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus, PhaseKind, RestitutionLaw, SingleFrictionalImpact,
@@ -106,14 +106,15 @@ pub use impact::friction::{
 pub use impact::{
     Application, ImpactLaw, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus, single_contact_impulse,
 };
+pub use law::{Law, Resistance};
 pub use least_force::{LeastForceSolution, LeastForceStage, least_force};
 pub use least_norm_hold::{LeastNormForces, LeastNormHold, least_norm_forces};
 pub use minimum_norm::{MinimumNormForces, minimum_norm};
-pub use problem::{ContactProblem, RowKind};
+pub use problem::{ContactProblem, RowEntries};
 pub use report::{Method, SolverReport, SolverStatus};
-pub use row_block::{RowBlock, RowEntries};
 pub use settings::{FallbackPolicy, SolverSettings};
 pub use sliding::{SlidingRow, least_norm_sliding_forces, motion_depends_on_choice};
+pub use solve::{Solution, SolveSettings, solve};
 
 pub use polhode_spatial as spatial;
 

@@ -7,14 +7,16 @@
 //! mass, `J_iA = (n, r_A x n)` and `J_iB = -(n, r_B x n)`; these are the coefficients of the thesis's equations
 //! (14), (15), (17) and (18). Immovable bodies have no entry: that is the thesis's `phi(i, j) = 0`.
 //!
-//! Rows are of a [`RowKind`]: contacts push (unilateral), joints hold with a force of either sign (bilateral). What one
-//! constraint brings together is a [`RowBlock`](crate::RowBlock).
+//! Rows push, as those along the normals of contacts, or hold with a force of either sign, as those of joints. What the rows of
+//! one constraint ask for together is its [`Law`].
 //!
 //! Source: thesis, sections 3.3 and 3.4. Assumption: the rows of one problem have one unit, so that their speeds can
 //! be compared. Failure: data that is not finite, not symmetric or out of range is refused with a [`ResponseError`].
 
 use crate::dense::kernels::{axpy, dot};
 use crate::error::{ResponseError, check_finite, check_length};
+use crate::law::Law;
+use std::ops::Range;
 
 /// Largest relative asymmetry and negative pivot of an inverse mass block that counts as rounding (no unit).
 const BLOCK_ROUNDING: f64 = 1e-12;
@@ -35,21 +37,24 @@ pub struct ContactProblem {
     bodies: usize,
     inverse_masses: Vec<f64>,
     rows: Vec<RowBodies>,
-    kinds: Vec<RowKind>,
+    /// Whether each row holds with a force of either sign.
+    holds: Vec<bool>,
+    /// First row and law of the blocks with friction.
+    frictional: Vec<(usize, Law)>,
     /// Two blocks of `width` numbers for each row; the second is unused when the row touches one body.
     jacobian: Vec<f64>,
     /// `M^-1 J^T` in the layout of `jacobian`.
     response: Vec<f64>,
 }
 
-/// What a row asks of its force and its acceleration.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum RowKind {
-    /// A contact: `0 <= f _|_ w >= 0`.
-    #[default]
-    Unilateral,
-    /// A joint: `w = 0`, the force of either sign.
-    Bilateral,
+/// One row: the bodies that it touches and their Jacobian blocks, as [`ContactProblem::push_row`] takes them.
+pub type RowEntries<'a> = [(usize, &'a [f64])];
+
+/// Which signs the force of a row may have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Sign {
+    Pushes,
+    Either,
 }
 
 /// The bodies that a row touches.
@@ -95,44 +100,88 @@ impl ContactProblem {
             bodies,
             inverse_masses,
             rows: Vec::new(),
-            kinds: Vec::new(),
+            holds: Vec::new(),
+            frictional: Vec::new(),
             jacobian: Vec::new(),
             response: Vec::new(),
         })
     }
 
-    /// Adds a [unilateral](RowKind::Unilateral) row that touches one or two bodies and returns its index. Each block has
-    /// `width` numbers.
+    /// Adds a row that pushes, `0 <= f _|_ w >= 0`, touches one or two bodies, and returns its index. Each block has `width`
+    /// numbers.
     ///
     /// # Errors
     /// When there are no or more than two bodies, a body is unknown or named twice, a block has the wrong length, or
     /// a number is not finite.
     pub fn push_row(&mut self, entries: &[(usize, &[f64])]) -> Result<usize, ResponseError> {
-        self.push_row_of_kind(RowKind::Unilateral, entries)
+        self.push(entries, Sign::Pushes)
     }
 
-    /// Adds a row of a joint: its acceleration (velocity) is zero, whatever the sign of its force. As
+    /// Adds a row of a joint or along a tangent: its acceleration (velocity) is zero, whatever the sign of its force. As
     /// [`push_row`](Self::push_row).
     ///
     /// # Errors
     /// Those of [`push_row`](Self::push_row).
-    pub fn push_bilateral_row(&mut self, entries: &[(usize, &[f64])]) -> Result<usize, ResponseError> {
-        self.push_row_of_kind(RowKind::Bilateral, entries)
+    pub fn push_held_row(&mut self, entries: &[(usize, &[f64])]) -> Result<usize, ResponseError> {
+        self.push(entries, Sign::Either)
     }
 
-    /// The kind of a row; none when it does not exist.
-    pub fn kind(&self, row: usize) -> Option<RowKind> {
-        self.kinds.get(row).copied()
+    /// Adds the rows of a constraint with this law; returns them.
+    ///
+    /// ```
+    /// use polhode_response::{ContactProblem, Law};
+    /// // A bead of 0.5 kg that a hole holds in the plane.
+    /// let mut problem = ContactProblem::new(2, vec![2.0, 0.0, 0.0, 2.0])?;
+    /// let rows = problem.push_block(Law::Hold { rows: 2 }, &[&[(0, &[1.0, 0.0])], &[(0, &[0.0, 1.0])]])?;
+    /// assert_eq!(rows, 0..2);
+    /// # Ok::<(), polhode_response::ResponseError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`push_row`](Self::push_row); when the law is of another number of rows; when its friction is negative or not
+    /// finite. No row is added then.
+    pub fn push_block(&mut self, law: Law, rows: &[&RowEntries<'_>]) -> Result<Range<usize>, ResponseError> {
+        if law.rows() != rows.len() {
+            return Err(ResponseError::BlockRows { expected: law.rows(), found: rows.len() });
+        }
+        let first = self.len();
+        if law.has_friction() {
+            law.check(self.frictional.len())?;
+            self.frictional.push((first, law));
+        }
+        for (place, row) in rows.iter().enumerate() {
+            let pushed = if place == 0 && law.pushes() { self.push_row(row) } else { self.push_held_row(row) };
+            pushed.inspect_err(|_| self.truncate_rows(first))?;
+        }
+        Ok(first..self.len())
+    }
+
+    /// Whether some block has friction.
+    pub fn has_friction(&self) -> bool {
+        !self.frictional.is_empty()
+    }
+
+    /// First row and law of the blocks with friction, ascending.
+    pub(crate) fn frictional(&self) -> &[(usize, Law)] {
+        &self.frictional
+    }
+
+    /// That no block has friction.
+    ///
+    /// # Errors
+    /// The first that does.
+    pub(crate) fn check_frictionless(&self) -> Result<(), ResponseError> {
+        self.frictional.first().map_or(Ok(()), |&(row, _)| Err(ResponseError::HasFriction { row }))
     }
 
     /// Whether a row is bilateral.
     pub(crate) fn is_bilateral(&self, row: usize) -> bool {
-        self.kinds[row] == RowKind::Bilateral
+        self.holds[row]
     }
 
     /// Which of `rows` (all when `None`) are bilateral; empty when none is.
     pub(crate) fn bilateral_rows(&self, rows: Option<&[usize]>) -> Vec<bool> {
-        if self.kinds.iter().all(|kind| *kind == RowKind::Unilateral) {
+        if !self.holds.contains(&true) {
             return Vec::new();
         }
         match rows {
@@ -141,7 +190,7 @@ impl ContactProblem {
         }
     }
 
-    fn push_row_of_kind(&mut self, kind: RowKind, entries: &[(usize, &[f64])]) -> Result<usize, ResponseError> {
+    fn push(&mut self, entries: &RowEntries<'_>, sign: Sign) -> Result<usize, ResponseError> {
         if entries.is_empty() || entries.len() > 2 {
             return Err(ResponseError::RowBodies(entries.len()));
         }
@@ -169,22 +218,24 @@ impl ContactProblem {
             }
         }
         self.rows.push(row);
-        self.kinds.push(kind);
+        self.holds.push(sign == Sign::Either);
         Ok(self.rows.len() - 1)
     }
 
     /// Removes all rows and keeps the bodies and the memory.
     pub fn clear_rows(&mut self) {
         self.rows.clear();
-        self.kinds.clear();
+        self.holds.clear();
+        self.frictional.clear();
         self.jacobian.clear();
         self.response.clear();
     }
 
     /// Removes the rows from `rows` on.
-    pub(crate) fn truncate_rows(&mut self, rows: usize) {
+    fn truncate_rows(&mut self, rows: usize) {
         self.rows.truncate(rows);
-        self.kinds.truncate(rows);
+        self.holds.truncate(rows);
+        self.frictional.retain(|(first, _)| *first < rows);
         self.jacobian.truncate(2 * rows * self.width);
         self.response.truncate(2 * rows * self.width);
     }

@@ -27,8 +27,8 @@ use crate::precise;
 use crate::problem::ContactProblem;
 use polhode_spatial::DoubleDouble;
 
-/// Columns below this fraction of the largest depend on the others (no unit): quadratic in distances, as
-/// [`RANK_CUT`](crate::held_rows::RANK_CUT).
+/// Columns below this fraction of the largest depend on the others (no unit): quadratic in distances, so
+/// that contacts that are 1e-5 of the lever arm apart are taken as one.
 const DEPENDENT: f64 = 1e-10;
 
 /// Forces that move bodies by less than this fraction of what they would one by one hold nothing (no unit, a square):
@@ -57,7 +57,7 @@ pub struct SlidingRow {
 /// // A block of 2 kg slides on a floor under gravity: rows along the normal and along the slip, in a plane.
 /// let mut problem = ContactProblem::new(2, vec![0.5, 0.0, 0.0, 0.5])?;
 /// problem.push_row(&[(0, &[0.0, 1.0])])?;
-/// problem.push_bilateral_row(&[(0, &[1.0, 0.0])])?;
+/// problem.push_held_row(&[(0, &[1.0, 0.0])])?;
 /// let sliding = [SlidingRow { normal: 0, tangent: 1, coefficient: 0.3 }];
 /// let forces = least_norm_sliding_forces(&problem, &problem.delassus(), &[-9.81], &sliding)?.forces;
 /// assert!((forces[0] - 19.62).abs() < 1e-13 && (forces[1] + 0.3 * 19.62).abs() < 1e-13);
@@ -246,7 +246,7 @@ mod tests {
                 problem.push_row(&[(0, &[0.0, 0.0, 1.0, y, -x, 0.0])]).unwrap();
             }
             for (([x, y], [dx, dy]), reach) in feet.into_iter().zip(directions).zip(reach) {
-                problem.push_bilateral_row(&[(0, &[dx, dy, 0.0, 0.0, 0.0, reach * (x * dy - y * dx)])]).unwrap();
+                problem.push_held_row(&[(0, &[dx, dy, 0.0, 0.0, 0.0, reach * (x * dy - y * dx)])]).unwrap();
             }
             let sliding = [0, 1, 2, 3].map(|k| SlidingRow { normal: k, tangent: 4 + k, coefficient: 0.3 });
             assert_eq!(motion_depends_on_choice(&problem.delassus(), 4, &sliding).unwrap(), depends);
@@ -263,7 +263,7 @@ mod tests {
             problem.push_row(&[(0, &[0.0, 1.0, x])]).unwrap();
         }
         for _ in feet {
-            problem.push_bilateral_row(&[(0, &[1.0, 0.0, 0.0])]).unwrap();
+            problem.push_held_row(&[(0, &[1.0, 0.0, 0.0])]).unwrap();
         }
         let sliding = [0, 1, 2, 3].map(|k| SlidingRow { normal: k, tangent: 4 + k, coefficient: 0.3 });
         let forces = least_norm_sliding_forces(&problem, &problem.delassus(), &[-9.81; 4], &sliding).unwrap().forces;

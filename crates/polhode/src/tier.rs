@@ -26,7 +26,7 @@ pub(crate) enum Reached {
 ///
 /// The default methods here are right for a tier that books every step when it makes it, and whose states are all those
 /// of the present between two steps.
-pub(crate) trait Tier: std::fmt::Debug {
+pub(crate) trait Tier: std::fmt::Debug + Send {
     /// Advances the present (`core.t`) to `limit_s`, or to the first event before it, and gives the observer the
     /// samples and events on the way.
     ///

@@ -2,7 +2,8 @@
 
 use crate::random::Random;
 use glam::DVec3;
-use polhode::response::friction::{FrictionBlock, FrictionProblem};
+use polhode::response::Law;
+use polhode::response::friction::FrictionProblem;
 use polhode::response::{
     ContactProblem, MultipleFrictionalImpact, MultipleImpact, MultipleImpactLaw, MultipleImpactSettings, RestitutionLaw,
 };
@@ -92,7 +93,7 @@ impl RandomImpact {
             self.bodies.iter().flat_map(|body| [body.linear.to_array(), body.angular.to_array()].concat()).collect();
         let (delassus, size) = (problem.delassus(), problem.len());
         let entries: Vec<f64> = (0..size).flat_map(|row| delassus.row(row).to_vec()).collect();
-        let contact = |touch: &Touch| FrictionBlock::Contact { rows: 3, friction: touch.friction };
+        let contact = |touch: &Touch| Law::Cone { rows: 3, friction: touch.friction };
         let blocks = self.touches.iter().map(contact).collect();
         let contacts = FrictionProblem::from_dense(blocks, &entries, problem.row_velocities(&before)?)?;
         let restitution: Vec<f64> = self.touches.iter().map(|touch| touch.restitution).collect();

@@ -9,8 +9,9 @@
 //! contact the normal component comes first.
 
 use super::error::{Fault, ProblemFileError};
+use polhode::response::Law;
 use polhode::response::ResponseError;
-use polhode::response::friction::{BlockMatrix, FrictionBlock, FrictionProblem};
+use polhode::response::friction::{BlockMatrix, FrictionProblem};
 use std::fs;
 use std::path::Path;
 
@@ -70,7 +71,7 @@ pub(crate) fn parse(text: &str) -> Result<ProblemFile, Refusal> {
         _ => (1, error.into()),
     };
     let matrix = BlockMatrix::from_blocks(&vec![dimension; contacts], entries.blocks.clone()).map_err(refused)?;
-    let contacts = friction.into_iter().map(|friction| FrictionBlock::Contact { rows: dimension, friction }).collect();
+    let contacts = friction.into_iter().map(|friction| Law::Cone { rows: dimension, friction }).collect();
     let problem = FrictionProblem::new(contacts, matrix, constant).map_err(refused)?;
     Ok(ProblemFile { dimension, problem })
 }
@@ -276,7 +277,7 @@ mod tests {
         // G (1, 0, 0, 0) + q is the first column and q.
         assert_eq!(file.problem.velocities(&[1.0, 0.0, 0.0, 0.0]).unwrap(), [0.0, 0.75, -1.5, 0.0]);
         assert_eq!(file.problem.velocities(&[0.0, 0.0, 0.0, 1.0]).unwrap(), [-1.0, 1.0, -2.0, 1.0]);
-        assert_eq!(file.problem.blocks()[1], FrictionBlock::Contact { rows: 2, friction: 0.75 });
+        assert_eq!(file.problem.blocks()[1], Law::Cone { rows: 2, friction: 0.75 });
     }
 
     #[test]

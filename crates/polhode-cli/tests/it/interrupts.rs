@@ -33,6 +33,17 @@ fn wait_for(place: &Place, output: &str) {
     }
 }
 
+/// Waits until a run that also writes to stdout, which nobody reads, is held up within a step: the pipe and the buffers
+/// before it hold 64 and 9 KiB of the same rows as the CSV file.
+fn wait_until_held_up(place: &Place) {
+    let held_up = |name: &String| {
+        name.starts_with(".a.csv.") && std::fs::metadata(place.path(name)).is_ok_and(|file| file.len() > 70_000)
+    };
+    while !place.list().iter().any(held_up) {
+        std::thread::yield_now();
+    }
+}
+
 /// Asked to end, a run ends its step and keeps what it has computed; the exit code says who asked.
 #[test]
 fn a_run_that_is_asked_to_end_keeps_its_results() {
@@ -58,9 +69,10 @@ fn a_program_that_ends_at_once_keeps_its_results() {
     for (name, code) in [("INT", 130), ("TERM", 143)] {
         let place = long_flight();
         let kinds = ["a.csv", "a.npy", "a.json"];
-        // Nobody reads stdout: the run waits for room in the pipe.
+        // Nobody reads stdout: the run waits for room in the pipe, within its step.
         let args = ["run", "scene.toml", "-o", kinds[0], "-o", kinds[1], "-o", kinds[2], "-o", "-"];
         let mut child = start(&place, &args);
+        wait_until_held_up(&place);
         for kind in kinds {
             wait_for(&place, kind);
         }
@@ -152,13 +164,7 @@ fn a_step_that_does_not_end_is_not_waited_for() {
     let place = long_flight();
     // Nobody reads stdout: the run waits for room in the pipe, within its step.
     let mut child = start(&place, &["run", "scene.toml", "-o", "a.csv", "-o", "page.html", "-o", "-"]);
-    // The pipe and the buffers before it hold 64 and 9 KiB of the same rows: the run is held up when the file has as many.
-    let held_up = |name: &String| {
-        name.starts_with(".a.csv.") && std::fs::metadata(place.path(name)).is_ok_and(|file| file.len() > 70_000)
-    };
-    while !place.list().iter().any(held_up) {
-        std::thread::yield_now();
-    }
+    wait_until_held_up(&place);
     signal(&child, "TERM");
     assert_eq!(child.wait().unwrap().code(), Some(143));
     assert_eq!(place.list(), ["a.csv.partial", "scene.toml"]);

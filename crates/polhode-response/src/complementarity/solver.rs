@@ -143,6 +143,7 @@ impl ComplementaritySolver {
         b: &[f64],
         warm_start: Option<&WarmStart>,
     ) -> Result<&ContactSolution, ResponseError> {
+        problem.check_frictionless()?;
         check_length("Delassus matrix", problem.len(), delassus.len())?;
         check_length("constant terms", problem.len(), b.len())?;
         check_finite("constant terms", b)?;

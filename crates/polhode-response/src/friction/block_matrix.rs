@@ -6,7 +6,7 @@
 
 use crate::dense::kernels::axpy;
 use crate::error::{ResponseError, check_finite, check_length};
-use crate::friction::block::{CONTACT_ROWS, MOST_ROWS};
+use crate::law::{CONTACT_ROWS, MOST_ROWS};
 
 /// Largest asymmetry `|G_ij - G_ji| / sqrt(G_ii G_jj)` of a matrix that counts as symmetric (no unit). Delassus matrices of other
 /// programs reach 0.005, from orientations that are not quite orthogonal; they are solved as they are.

@@ -9,9 +9,9 @@
 //! `B` is a Cholesky factor with pivoting, dense: a fallback for problems of some hundred contacts.
 
 use crate::dense::kernels::{axpy, dot, largest};
-use crate::friction::block::FrictionBlock;
 use crate::friction::problem::FrictionProblem;
 use crate::interior_point::{ConeProgramme, ConeRows, least_motion};
+use crate::law::Law;
 
 /// Pivots below this share of the largest diagonal entry count as zero (no unit): a hundred rounding units.
 const PIVOT_ROUNDING: f64 = 1e-14;
@@ -74,12 +74,12 @@ impl<'a> LiftedForm<'a> {
         for (block, kind) in problem.blocks().iter().enumerate() {
             let range = problem.range(block);
             let (rows, cone, friction) = match *kind {
-                FrictionBlock::Bilateral { rows } => (rows, ConeRows::Zero(rows), 1.0),
-                FrictionBlock::Contact { rows, friction } if rows > 1 && friction > 0.0 => {
+                Law::Hold { rows } => (rows, ConeRows::Zero(rows), 1.0),
+                Law::Cone { rows, friction } if rows > 1 && friction > 0.0 => {
                     (rows, ConeRows::SecondOrder(rows), friction)
                 }
                 // A contact that slides already starts without the effect of its friction.
-                FrictionBlock::Contact { .. } | FrictionBlock::Sliding { .. } | FrictionBlock::Resisted { .. } => {
+                Law::Push | Law::Cone { .. } | Law::Slide { .. } | Law::Resist { .. } => {
                     (1, ConeRows::Nonnegative(1), 1.0)
                 }
             };
@@ -108,7 +108,7 @@ impl<'a> LiftedForm<'a> {
             reactions[row] = weight * multiplier;
         }
         for (block, kind) in problem.blocks().iter().enumerate() {
-            if let FrictionBlock::Sliding { friction } = *kind {
+            if let Law::Slide { friction } = *kind {
                 let normal = problem.range(block).start;
                 reactions[normal + 1] = -friction * reactions[normal];
             }
@@ -122,10 +122,8 @@ impl<'a> LiftedForm<'a> {
         let (mut constant, mut entries, mut cones, mut rows) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for (block, kind) in problem.blocks().iter().enumerate() {
             let (count, cone) = match *kind {
-                FrictionBlock::Bilateral { rows } => (rows, ConeRows::Zero(rows)),
-                FrictionBlock::Contact { .. } | FrictionBlock::Sliding { .. } | FrictionBlock::Resisted { .. } => {
-                    (1, ConeRows::Nonnegative(1))
-                }
+                Law::Hold { rows } => (rows, ConeRows::Zero(rows)),
+                Law::Push | Law::Cone { .. } | Law::Slide { .. } | Law::Resist { .. } => (1, ConeRows::Nonnegative(1)),
             };
             cones.push(cone);
             for row in problem.range(block).take(count) {

@@ -8,7 +8,7 @@
 //! Sources: De Saxce and Feng 1998 (the correction), Acary, Bremond and Huber 2018 (the natural map for this problem).
 //! Symbols: `r` reaction (N, or N s), `u` velocity (m/s^2, or m/s), `mu` coefficient of friction, `rho` (kg).
 
-use crate::friction::block::{CONTACT_ROWS, FrictionBlock, MOST_ROWS, Resistance};
+use crate::law::{CONTACT_ROWS, Law, MOST_ROWS, Resistance};
 use std::ops::Range;
 
 /// Rows of a contact that resists its slip alone, filled up with zeros.
@@ -60,7 +60,7 @@ pub(crate) fn corrected_velocity(friction: f64, u: Rows) -> Rows {
 }
 
 /// Takes what is beyond the disc of each part out of the reaction of a contact.
-pub(crate) fn put_parts_into_discs(block: FrictionBlock, r: &mut [f64]) {
+pub(crate) fn put_parts_into_discs(block: Law, r: &mut [f64]) {
     let normal = r.first().map_or(0.0, |normal| normal.max(0.0));
     if let Some(first) = r.first_mut() {
         *first = normal;
@@ -82,15 +82,16 @@ pub(crate) fn put_parts_into_discs(block: FrictionBlock, r: &mut [f64]) {
 /// For a contact that slides already it is that of its normal, with `r_t + mu r_n` as the tangential part; rotations that are
 /// resisted add `|r_i - P(r_i - rho u_i)| / rho`, with `P` the projection onto the disc `|r_i| <= mu_i r_n`. `inverse_mass` is
 /// `1 / rho`; `r` and `u` are all rows of the block.
-pub(crate) fn natural_map(block: FrictionBlock, inverse_mass: f64, r: &[f64], u: &[f64]) -> f64 {
+pub(crate) fn natural_map(block: Law, inverse_mass: f64, r: &[f64], u: &[f64]) -> f64 {
     match block {
-        FrictionBlock::Contact { friction, .. } => map_of_slip(friction, inverse_mass, rows_of(r), rows_of(u)),
-        FrictionBlock::Sliding { friction } => map_of_sliding(friction, inverse_mass, rows_of(r), rows_of(u)),
-        FrictionBlock::Bilateral { .. } => {
+        Law::Push => map_of_slip(0.0, inverse_mass, rows_of(r), rows_of(u)),
+        Law::Cone { friction, .. } => map_of_slip(friction, inverse_mass, rows_of(r), rows_of(u)),
+        Law::Slide { friction } => map_of_sliding(friction, inverse_mass, rows_of(r), rows_of(u)),
+        Law::Hold { .. } => {
             let u = rows_of(u);
             (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]).sqrt()
         }
-        FrictionBlock::Resisted { .. } => {
+        Law::Resist { .. } => {
             let [(slip, resists), turns @ ..] = block.parts();
             let (own_r, own_u) = (rows_of(&r[..slip.end]), rows_of(&u[..slip.end]));
             let of_slip = if resists.slides {

@@ -17,8 +17,9 @@
 
 use crate::dense::kernels::largest;
 use crate::error::{ResponseError, check_finite, check_length};
-use crate::friction::block::FrictionBlock;
+use crate::friction::blocks::Blocks;
 use crate::interior_point::{ConeProgramme, ConeRows, least_motion};
+use crate::law::Law;
 use crate::precise;
 use crate::problem::ContactProblem;
 use polhode_spatial::DoubleDouble;
@@ -31,34 +32,22 @@ const UNLOADED: f64 = 1e-8;
 /// must not divide by zero.
 const LEAST_LOAD: f64 = 1e-12;
 
-/// Which rows of a problem Coulomb's law or a hold is stated for.
-#[derive(Debug, Clone, Copy)]
-pub struct BlocksOfRows<'a> {
-    /// What the rows of each block ask for together.
-    pub blocks: &'a [FrictionBlock],
-    /// The rows of the problem, in the order of the blocks.
-    pub rows: &'a [usize],
-    /// What the force along each is multiplied by in the blocks, so that an ellipse of friction becomes a circle (no unit); empty
-    /// where all are 1.
-    pub scales: &'a [f64],
-}
-
 /// The least forces (N) of all rows of `problem` within the cones that add up to the same on every body as `holding`, to the
 /// tolerance of the interior point (1e-12 to 1e-8 of the forces on the body). `reserve` is the part of the friction that they
 /// leave unused (no unit). Contacts that bear nothing have zero. None where there are none, or a contact slides already
 /// or resists rotations.
 ///
 /// ```
-/// use polhode_response::ContactProblem;
-/// use polhode_response::friction::{BlocksOfRows, FrictionBlock, balancing_forces};
+/// use polhode_response::friction::balancing_forces;
+/// use polhode_response::{Blocks, ContactProblem, Law};
 /// // A point of 2 kg on a slope of 3 in 4 under 10 m/s^2: friction of 0.76 holds it, with hardly any reserve.
 /// let mut problem = ContactProblem::new(2, vec![0.5, 0.0, 0.0, 0.5])?;
 /// problem.push_row(&[(0, &[1.0, 0.0])])?;
-/// problem.push_bilateral_row(&[(0, &[0.0, 1.0])])?;
-/// let blocks = [FrictionBlock::Contact { rows: 2, friction: 0.76 }];
-/// let of = BlocksOfRows { blocks: &blocks, rows: &[0, 1], scales: &[] };
-/// assert!(balancing_forces(&problem, &[16.0, -12.0], of, 0.01)?.is_some());
-/// assert!(balancing_forces(&problem, &[16.0, -12.0], of, 0.02)?.is_none());
+/// problem.push_held_row(&[(0, &[0.0, 1.0])])?;
+/// let mut blocks = Blocks::default();
+/// blocks.push(Law::Cone { rows: 2, friction: 0.76 }, [0, 1]);
+/// assert!(balancing_forces(&problem, &[16.0, -12.0], &blocks, 0.01)?.is_some());
+/// assert!(balancing_forces(&problem, &[16.0, -12.0], &blocks, 0.02)?.is_none());
 /// # Ok::<(), polhode_response::ResponseError>(())
 /// ```
 ///
@@ -67,7 +56,7 @@ pub struct BlocksOfRows<'a> {
 pub fn balancing_forces(
     problem: &ContactProblem,
     holding: &[f64],
-    of: BlocksOfRows<'_>,
+    blocks: &Blocks,
     reserve: f64,
 ) -> Result<Option<Vec<f64>>, ResponseError> {
     if !(0.0..1.0).contains(&reserve) {
@@ -75,44 +64,43 @@ pub fn balancing_forces(
     }
     check_length("forces", problem.len(), holding.len())?;
     check_finite("forces", holding)?;
-    let variables = of.blocks.iter().map(|block| block.rows()).sum();
-    check_length("rows of the blocks", variables, of.rows.len())?;
-    if let Some(&row) = of.rows.iter().find(|&&row| row >= problem.len()) {
+    let variables = blocks.laws().iter().map(|law| law.rows()).sum();
+    check_length("rows of the blocks", variables, blocks.rows().len())?;
+    if let Some(&row) = blocks.rows().iter().find(|&&row| row >= problem.len()) {
         return Err(ResponseError::UnknownRow { row, rows: problem.len() });
     }
-    let sizes = sizes_of_forces(problem, holding, of);
-    let scales = of.scales.iter().copied().chain(std::iter::repeat(1.0));
-    let units: Vec<f64> = sizes.iter().zip(scales).map(|(size, scale)| size * scale).collect();
+    let sizes = sizes_of_forces(problem, holding, blocks);
+    let units: Vec<f64> = sizes.iter().zip(blocks.scales()).map(|(size, scale)| size * scale).collect();
     let mut programme = Programme::default();
-    programme.push_balance(problem, holding, (of.rows, &units));
+    programme.push_balance(problem, holding, (blocks.rows(), &units));
     let mut first = 0;
-    for block in of.blocks {
-        if !programme.push_cone(*block, first, reserve) {
+    for law in blocks.laws() {
+        if !programme.push_cone(*law, first, reserve) {
             return Ok(None);
         }
-        first += block.rows();
+        first += law.rows();
     }
     let Programme { entries, constant, cones } = programme;
     let ConeProgramme::Solved { mut point, .. } = least_motion(variables, &entries, &constant, &cones) else {
         return Ok(None);
     };
     let mut first = 0;
-    for block in of.blocks {
-        let own = &mut point[first..first + block.rows()];
-        if matches!(block, FrictionBlock::Contact { .. }) && own[0] <= UNLOADED {
+    for law in blocks.laws() {
+        let own = &mut point[first..first + law.rows()];
+        if matches!(law, Law::Push | Law::Cone { .. }) && own[0] <= UNLOADED {
             own.fill(0.0);
         }
-        first += block.rows();
+        first += law.rows();
     }
     let mut forces = vec![0.0; problem.len()];
-    for ((&row, part), unit) in of.rows.iter().zip(&point).zip(&units) {
+    for ((&row, part), unit) in blocks.rows().iter().zip(&point).zip(&units) {
         forces[row] = part * unit;
     }
     Ok(Some(forces))
 }
 
 /// For each row of the blocks the sum of the forces on the lighter loaded of its bodies, N.
-fn sizes_of_forces(problem: &ContactProblem, holding: &[f64], of: BlocksOfRows<'_>) -> Vec<f64> {
+fn sizes_of_forces(problem: &ContactProblem, holding: &[f64], blocks: &Blocks) -> Vec<f64> {
     let mut loads = vec![0.0; problem.bodies()];
     for (row, force) in holding.iter().enumerate() {
         for entry in problem.entries(row) {
@@ -122,7 +110,7 @@ fn sizes_of_forces(problem: &ContactProblem, holding: &[f64], of: BlocksOfRows<'
     let most = largest(&loads);
     let least = if most > 0.0 { LEAST_LOAD * most } else { 1.0 };
     let on_lighter = |row: usize| problem.entries(row).map(|entry| loads[entry.body]).fold(f64::INFINITY, f64::min);
-    of.rows.iter().map(|&row| on_lighter(row).max(least)).collect()
+    blocks.rows().iter().map(|&row| on_lighter(row).max(least)).collect()
 }
 
 /// The rows of a cone programme.
@@ -162,23 +150,23 @@ impl Programme {
 
     /// Asks a block, whose rows begin at `first`, to keep to its cone. Whether it can: what slides has none, and that of
     /// what resists rotations is another one.
-    fn push_cone(&mut self, block: FrictionBlock, first: usize, reserve: f64) -> bool {
-        let weight = match block {
-            FrictionBlock::Bilateral { .. } => return true,
-            FrictionBlock::Sliding { .. } | FrictionBlock::Resisted { .. } => return false,
-            FrictionBlock::Contact { rows, friction } if rows > 1 && friction > 0.0 => {
+    fn push_cone(&mut self, law: Law, first: usize, reserve: f64) -> bool {
+        let weight = match law {
+            Law::Hold { .. } => return true,
+            Law::Slide { .. } | Law::Resist { .. } => return false,
+            Law::Cone { rows, friction } if rows > 1 && friction > 0.0 => {
                 self.cones.push(ConeRows::SecondOrder(rows));
                 friction * (1.0 - reserve)
             }
-            FrictionBlock::Contact { rows, .. } => {
+            Law::Push | Law::Cone { .. } => {
                 self.cones.push(ConeRows::Nonnegative(1));
-                if rows > 1 {
-                    self.cones.push(ConeRows::Zero(rows - 1));
+                if law.rows() > 1 {
+                    self.cones.push(ConeRows::Zero(law.rows() - 1));
                 }
                 1.0
             }
         };
-        for column in first..first + block.rows() {
+        for column in first..first + law.rows() {
             self.entries.push((self.constant.len(), column, if column == first { weight } else { 1.0 }));
             self.constant.push(0.0);
         }
@@ -203,14 +191,15 @@ mod tests {
         let mut problem = ContactProblem::new(width, inverse_mass.collect()).unwrap();
         for (index, row) in rows.iter().enumerate() {
             let entries = [(0, row.as_slice())];
-            if index % width == 0 { problem.push_row(&entries) } else { problem.push_bilateral_row(&entries) }.unwrap();
+            if index % width == 0 { problem.push_row(&entries) } else { problem.push_held_row(&entries) }.unwrap();
         }
         let b = problem.row_velocities(gravity).unwrap();
         let holding = least_norm_forces(&problem, &problem.delassus(), &b).unwrap().forces;
-        let blocks = vec![FrictionBlock::Contact { rows: width, friction }; rows.len() / width];
-        let order: Vec<usize> = (0..rows.len()).collect();
-        let of = BlocksOfRows { blocks: &blocks, rows: &order, scales: &[] };
-        balancing_forces(&problem, &holding, of, RESERVE).unwrap()
+        let mut blocks = Blocks::default();
+        for first in (0..rows.len()).step_by(width) {
+            blocks.push(Law::Cone { rows: width, friction }, first..first + width);
+        }
+        balancing_forces(&problem, &holding, &blocks, RESERVE).unwrap()
     }
 
     /// A point on a slope of 3 in 4: friction 0.76 holds it, 0.74 does not.
@@ -261,15 +250,16 @@ mod tests {
             for upper in 0..masses.len() {
                 for (axis, below) in axes.iter().zip(&below) {
                     let entries = [(upper, axis.as_slice()), (upper.saturating_sub(1), below.as_slice())];
-                    problem.push_bilateral_row(&entries[..if upper == 0 { 1 } else { 2 }]).unwrap();
+                    problem.push_held_row(&entries[..if upper == 0 { 1 } else { 2 }]).unwrap();
                 }
             }
             let b = problem.row_velocities(&[-8.0, 6.0].repeat(masses.len())).unwrap();
             let holding = least_norm_forces(&problem, &problem.delassus(), &b).unwrap().forces;
-            let blocks = vec![FrictionBlock::Contact { rows: 2, friction: 0.76 }; masses.len()];
-            let order: Vec<usize> = (0..problem.len()).collect();
-            let of = BlocksOfRows { blocks: &blocks, rows: &order, scales: &[] };
-            let forces = balancing_forces(&problem, &holding, of, RESERVE).unwrap().unwrap();
+            let mut blocks = Blocks::default();
+            for first in (0..problem.len()).step_by(2) {
+                blocks.push(Law::Cone { rows: 2, friction: 0.76 }, [first, first + 1]);
+            }
+            let forces = balancing_forces(&problem, &holding, &blocks, RESERVE).unwrap().unwrap();
             for upper in 0..masses.len() {
                 let weight: f64 = masses.iter().skip(upper).sum();
                 for (found, expected) in forces[2 * upper..].iter().zip([8.0 * weight, -6.0 * weight]) {

@@ -5,10 +5,10 @@
 //! blocks, so that the bits are those of the problem. Of a contact that resists rotations slip, rolling and spinning are solved
 //! in turns, which is a guess: what holds a rotation is cut down to its limit.
 
-use crate::friction::block::{CONTACT_ROWS, FrictionBlock};
 use crate::friction::coulomb_cone::{BlockRows, filled_up, put_parts_into_discs, rows_of};
 use crate::friction::problem::FrictionProblem;
 use crate::friction::single_contact::{self, Square, square};
+use crate::law::{CONTACT_ROWS, Law};
 
 /// Rounds over slip, rolling and spinning of one contact (2 to 8): moments hardly move normal forces.
 const ROUNDS_OF_PARTS: usize = 4;
@@ -24,7 +24,7 @@ impl GaussSeidel {
     pub(crate) fn new(problem: &FrictionProblem) -> Self {
         let matrix = problem.matrix();
         let of = |block: usize| match problem.blocks()[block] {
-            FrictionBlock::Resisted { .. } => Square::default(),
+            Law::Resist { .. } => Square::default(),
             _ => square(matrix.diagonal(block), matrix.size(block)),
         };
         Self { diagonal: (0..matrix.len()).map(of).collect() }
@@ -61,7 +61,7 @@ impl GaussSeidel {
 
 /// Solves the parts of a contact in turns: slip with the normal, rolling, spinning. `a` is its block of `G`, row-major, `u` its
 /// velocities with the reactions `r`.
-fn solve_parts(block: FrictionBlock, a: &[f64], u: &[f64], r: &mut [f64]) {
+fn solve_parts(block: Law, a: &[f64], u: &[f64], r: &mut [f64]) {
     let size = r.len();
     let old: BlockRows = filled_up(r);
     let velocity = |row: usize, r: &[f64]| u[row] + (0..size).map(|k| a[row * size + k] * (r[k] - old[k])).sum::<f64>();

@@ -14,8 +14,8 @@
 //! where `d = t/|t|`, `p` is across `d`, `k = mu w / |t|`, `c = (1 - k) / (k rho)`; along `d` the cone's boundary gives
 //! `dr_d = mu dr_n + (mu r_n - r_d)`. Source: Alart and Curnier 1991; the elimination of `dr_d` is exact.
 
-use crate::friction::block::{CONTACT_ROWS, FrictionBlock, MOST_ROWS, PARTS, Resistance};
 use crate::friction::coulomb_cone::{BlockRows, tangential_length};
+use crate::law::{CONTACT_ROWS, Law, MOST_ROWS, PARTS, Resistance};
 use std::ops::Range;
 
 /// What a contact does, as the last step of a method sees it.
@@ -69,12 +69,13 @@ const AXES: [BlockRows; MOST_ROWS] = [
 ];
 
 /// Linearises a block at reaction `r` and velocity `u`.
-pub(crate) fn linearise(block: FrictionBlock, inverse_masses: InverseMasses, r: BlockRows, u: BlockRows) -> Linearised {
+pub(crate) fn linearise(block: Law, inverse_masses: InverseMasses, r: BlockRows, u: BlockRows) -> Linearised {
     let (rows, friction) = match block {
-        FrictionBlock::Contact { rows, friction } => (rows, friction),
-        FrictionBlock::Sliding { friction } => return sliding(friction, inverse_masses, r, u),
-        FrictionBlock::Bilateral { rows } => return hold(rows, inverse_masses, u),
-        FrictionBlock::Resisted { .. } => return resisted(block, inverse_masses, r, u),
+        Law::Push => (1, 0.0),
+        Law::Cone { rows, friction } => (rows, friction),
+        Law::Slide { friction } => return sliding(friction, inverse_masses, r, u),
+        Law::Hold { rows } => return hold(rows, inverse_masses, u),
+        Law::Resist { .. } => return resisted(block, inverse_masses, r, u),
     };
     let [g_n, g_t, ..] = inverse_masses;
     let w = g_n * r[0] - u[0];
@@ -160,7 +161,7 @@ fn hold(rows: usize, [g_n, g_t, ..]: InverseMasses, u: BlockRows) -> Linearised 
 }
 
 /// A contact that resists rotations as well as slip.
-fn resisted(block: FrictionBlock, inverse_masses: InverseMasses, r: BlockRows, u: BlockRows) -> Linearised {
+fn resisted(block: Law, inverse_masses: InverseMasses, r: BlockRows, u: BlockRows) -> Linearised {
     let [g_n, of_parts @ ..] = inverse_masses;
     let w = g_n * r[0] - u[0];
     let parts = block.parts();

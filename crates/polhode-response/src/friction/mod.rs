@@ -6,7 +6,7 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `block` | [`FrictionBlock`]: contact, with what it resists, or held rows |
+//! | `blocks` | [`Blocks`]: for which rows of a problem each law is stated |
 //! | `block_matrix` | [`BlockMatrix`]: the Delassus operator in blocks |
 //! | `problem` | [`FrictionProblem`], and the one residual of all methods |
 //! | `coulomb_cone` | projection, De Saxce's correction, natural map |
@@ -21,8 +21,8 @@
 //! | `solver` | [`solve_friction`]: the chain of methods |
 //! | `settings`, `solution` | [`FrictionSettings`], [`Redundancy`], [`FrictionSolution`] |
 
-pub(crate) mod block;
 pub(crate) mod block_matrix;
+mod blocks;
 mod cone_programme;
 pub(crate) mod coulomb_cone;
 mod elimination_order;
@@ -39,9 +39,9 @@ mod single_contact;
 mod solution;
 mod solver;
 
-pub use block::{FrictionBlock, Resistance};
 pub use block_matrix::BlockMatrix;
-pub use equilibrium::{BlocksOfRows, balancing_forces};
+pub use blocks::{Blocks, BlocksSolution, ResistedPart};
+pub use equilibrium::balancing_forces;
 pub use gauss_seidel::gauss_seidel;
 pub use linearisation::ContactStatus;
 pub use problem::FrictionProblem;

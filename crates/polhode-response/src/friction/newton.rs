@@ -13,7 +13,6 @@
 
 use crate::dense::householder::PivotedQr;
 use crate::dense::kernels::largest;
-use crate::friction::block::{FrictionBlock, MOST_ROWS, PARTS};
 use crate::friction::block_matrix::{Block, BlockMatrix};
 use crate::friction::coulomb_cone::{BlockRows, filled_up};
 use crate::friction::elimination_order::EliminationOrder;
@@ -22,6 +21,7 @@ use crate::friction::multifrontal::Multifrontal;
 use crate::friction::node_laws::{LawsOfBlocks, NodeLaws, StepSystem};
 use crate::friction::node_matrix::NodeMatrix;
 use crate::friction::problem::FrictionProblem;
+use crate::law::{Law, MOST_ROWS, PARTS};
 use std::ops::Range;
 
 /// Least share of the diagonal of `G` that is added to it (no unit): between the rounding unit and the smallest share of a
@@ -299,7 +299,7 @@ impl<'a> Newton<'a> {
         self.laws.clear();
         for (block, &rows) in self.sizes.iter().enumerate() {
             let free = filled_up(&self.problem.constant()[self.problem.range(block)]);
-            let hold = FrictionBlock::Bilateral { rows };
+            let hold = Law::Hold { rows };
             self.laws.push(linearise(hold, self.inverse_masses[block], BlockRows::default(), free));
         }
         self.damped_step(damping);

@@ -7,9 +7,9 @@
 use crate::certificate::nan_max;
 use crate::dense::kernels::largest;
 use crate::error::{ResponseError, check_finite, check_length};
-use crate::friction::block::{FrictionBlock, MOST_ROWS};
 use crate::friction::block_matrix::BlockMatrix;
 use crate::friction::coulomb_cone::natural_map;
+use crate::law::{Law, MOST_ROWS};
 
 /// A contact that no reaction moves is measured by this fraction of the largest inverse mass (no unit): with it a reaction
 /// there shows in the residual, however small.
@@ -27,7 +27,7 @@ const LARGEST_ROUNDING: f64 = 1e-8;
 pub struct FrictionProblem {
     matrix: BlockMatrix,
     constant: Vec<f64>,
-    blocks: Vec<FrictionBlock>,
+    blocks: Vec<Law>,
     /// `1 / rho` of each block.
     inverse_masses: Vec<f64>,
 }
@@ -36,9 +36,10 @@ impl FrictionProblem {
     /// A problem with a dense `G`, row-major.
     ///
     /// ```
-    /// use polhode_response::friction::{FrictionBlock, FrictionProblem};
+    /// use polhode_response::Law;
+    /// use polhode_response::friction::FrictionProblem;
     /// // A point of 2 kg on a floor of friction 0.5, pushed down with 3 m/s and along with 1 m/s.
-    /// let contact = FrictionBlock::Contact { rows: 3, friction: 0.5 };
+    /// let contact = Law::Cone { rows: 3, friction: 0.5 };
     /// let matrix = [0.5, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.5];
     /// let problem = FrictionProblem::from_dense(vec![contact], &matrix, vec![-3.0, 1.0, 0.0])?;
     /// assert_eq!(problem.rows(), 3);
@@ -47,7 +48,7 @@ impl FrictionProblem {
     ///
     /// # Errors
     /// Those of [`new`](Self::new) and [`BlockMatrix::from_dense`].
-    pub fn from_dense(blocks: Vec<FrictionBlock>, matrix: &[f64], constant: Vec<f64>) -> Result<Self, ResponseError> {
+    pub fn from_dense(blocks: Vec<Law>, matrix: &[f64], constant: Vec<f64>) -> Result<Self, ResponseError> {
         check_blocks(&blocks)?;
         let sizes: Vec<usize> = blocks.iter().map(|block| block.rows()).collect();
         Self::new(blocks, BlockMatrix::from_dense(&sizes, matrix)?, constant)
@@ -58,7 +59,7 @@ impl FrictionProblem {
     /// # Errors
     /// When a coefficient of friction is negative or not finite, a block has too few or too many rows, lengths differ, or a number is not
     /// finite.
-    pub fn new(blocks: Vec<FrictionBlock>, matrix: BlockMatrix, constant: Vec<f64>) -> Result<Self, ResponseError> {
+    pub fn new(blocks: Vec<Law>, matrix: BlockMatrix, constant: Vec<f64>) -> Result<Self, ResponseError> {
         check_blocks(&blocks)?;
         check_length("blocks of the Delassus matrix", blocks.len(), matrix.len())?;
         for (index, block) in blocks.iter().enumerate() {
@@ -93,7 +94,7 @@ impl FrictionProblem {
     }
 
     /// The blocks.
-    pub fn blocks(&self) -> &[FrictionBlock] {
+    pub fn blocks(&self) -> &[Law] {
         &self.blocks
     }
 
@@ -189,6 +190,6 @@ impl FrictionProblem {
     }
 }
 
-fn check_blocks(blocks: &[FrictionBlock]) -> Result<(), ResponseError> {
+fn check_blocks(blocks: &[Law]) -> Result<(), ResponseError> {
     blocks.iter().enumerate().try_for_each(|(index, block)| block.check(index))
 }

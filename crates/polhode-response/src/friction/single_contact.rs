@@ -11,8 +11,8 @@
 //! Source: Bonnefon and Daviet 2011 solve the same equation as a quartic polynomial. Where several roots exist (strong coupling
 //! of normal and tangent) one is taken.
 
-use crate::friction::block::{CONTACT_ROWS, FrictionBlock};
 use crate::friction::coulomb_cone::{Rows, project, tangential_length};
+use crate::law::{CONTACT_ROWS, Law};
 
 /// Pivots below this fraction of the diagonal count as zero (no unit): a hundred rounding units.
 const PIVOT_ROUNDING: f64 = 1e-14;
@@ -35,14 +35,15 @@ pub(crate) fn square(values: &[f64], size: usize) -> Square {
 }
 
 /// The reaction of one contact where `b` is the velocity without it; `a` is its block of `G`.
-pub(crate) fn solve(block: FrictionBlock, a: &Square, b: Rows) -> Rows {
+pub(crate) fn solve(block: Law, a: &Square, b: Rows) -> Rows {
     let (rows, friction) = match block {
-        FrictionBlock::Contact { rows, friction } => (rows, friction),
-        FrictionBlock::Sliding { friction } => return already_sliding(a, b, friction),
-        FrictionBlock::Bilateral { .. } => return hold(a, b),
+        Law::Push => (1, 0.0),
+        Law::Cone { rows, friction } => (rows, friction),
+        Law::Slide { friction } => return already_sliding(a, b, friction),
+        Law::Hold { .. } => return hold(a, b),
         // Its rotations are solved beside it (`gauss_seidel`).
-        FrictionBlock::Resisted { parts: [slip, ..] } if slip.slides => return already_sliding(a, b, slip.friction),
-        FrictionBlock::Resisted { parts: [slip, ..] } => (1 + slip.rows, slip.friction),
+        Law::Resist { parts: [slip, ..] } if slip.slides => return already_sliding(a, b, slip.friction),
+        Law::Resist { parts: [slip, ..] } => (1 + slip.rows, slip.friction),
     };
     if b[0] >= 0.0 || a[0][0] <= 0.0 {
         return [0.0; CONTACT_ROWS];

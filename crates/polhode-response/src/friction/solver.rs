@@ -5,7 +5,6 @@
 //! What is best of all is returned, with its residual and what became of it.
 
 use crate::error::{ResponseError, check_finite, check_length};
-use crate::friction::block::FrictionBlock;
 use crate::friction::cone_programme::LiftedForm;
 use crate::friction::coulomb_cone::{project, put_parts_into_discs, rows_of};
 use crate::friction::gauss_seidel::GaussSeidel;
@@ -13,6 +12,7 @@ use crate::friction::newton::{Damping, Iterate, Newton, NewtonLimits, NewtonStep
 use crate::friction::problem::FrictionProblem;
 use crate::friction::settings::{FrictionSettings, Redundancy};
 use crate::friction::solution::{FrictionMethod, FrictionReport, FrictionSolution};
+use crate::law::Law;
 use crate::report::SolverStatus;
 use crate::settings::FallbackPolicy;
 
@@ -28,10 +28,10 @@ const SWEEPS_BETWEEN: u32 = 50;
 /// Solves a frictional contact problem. `start` are reactions of a similar problem, one for each row.
 ///
 /// ```
-/// use polhode_response::SolverStatus;
-/// use polhode_response::friction::{ContactStatus, FrictionBlock, FrictionProblem, FrictionSettings, solve_friction};
+/// use polhode_response::friction::{ContactStatus, FrictionProblem, FrictionSettings, solve_friction};
+/// use polhode_response::{Law, SolverStatus};
 /// // A point of 2 kg on a floor of friction 0.5 that comes down with 3 m/s and along with 4 m/s slides on with 2.5 m/s.
-/// let contact = FrictionBlock::Contact { rows: 3, friction: 0.5 };
+/// let contact = Law::Cone { rows: 3, friction: 0.5 };
 /// let matrix = [0.5, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.5];
 /// let problem = FrictionProblem::from_dense(vec![contact], &matrix, vec![-3.0, 4.0, 0.0])?;
 /// let solution = solve_friction(&problem, None, &FrictionSettings::default())?;
@@ -239,10 +239,11 @@ impl Solver<'_> {
             let own = &mut reactions[range];
             let first = rows_of(own);
             let within = match *kind {
-                FrictionBlock::Contact { friction, .. } => project(friction, first),
-                FrictionBlock::Sliding { friction } => [first[0].max(0.0), -friction * first[0].max(0.0), 0.0],
-                FrictionBlock::Bilateral { .. } => first,
-                FrictionBlock::Resisted { .. } => {
+                Law::Push => project(0.0, first),
+                Law::Cone { friction, .. } => project(friction, first),
+                Law::Slide { friction } => [first[0].max(0.0), -friction * first[0].max(0.0), 0.0],
+                Law::Hold { .. } => first,
+                Law::Resist { .. } => {
                     put_parts_into_discs(*kind, own);
                     continue;
                 }

@@ -28,6 +28,7 @@ impl ImpactProblem<'_> {
     pub(super) fn approach(&self) -> Result<f64, ResponseError> {
         let Self { contacts, delassus, u_before, restitution, settings } = *self;
         let rows = contacts.len();
+        contacts.check_frictionless()?;
         check_length("Delassus matrix", rows, delassus.len())?;
         check_length("row velocities", rows, u_before.len())?;
         check_length("restitution", rows, restitution.len())?;

@@ -1,9 +1,10 @@
 //! Contacts with friction: Coulomb's law holds to rounding whatever the problem, and a problem without a solution is said to have
 //! none. Judged by the law itself, written here afresh: open, stick or slide, each with its inequalities.
 
+use polhode_response::Law;
 use polhode_response::SolverStatus;
 use polhode_response::friction::{
-    BlockMatrix, ContactStatus, FrictionBlock, FrictionProblem, FrictionSettings, FrictionSolution, solve_friction,
+    BlockMatrix, ContactStatus, FrictionProblem, FrictionSettings, FrictionSolution, solve_friction,
 };
 use proptest::prelude::*;
 
@@ -21,8 +22,8 @@ impl Numbers {
     }
 }
 
-fn contact(rows: usize, friction: f64) -> FrictionBlock {
-    FrictionBlock::Contact { rows, friction }
+fn contact(rows: usize, friction: f64) -> Law {
+    Law::Cone { rows, friction }
 }
 
 fn solve(problem: &FrictionProblem) -> FrictionSolution {
@@ -38,13 +39,13 @@ fn violation(problem: &FrictionProblem, reactions: &[f64]) -> f64 {
     for (block, kind) in problem.blocks().iter().enumerate() {
         let (r, u) = (&reactions[problem.range(block)], &u[problem.range(block)]);
         worst = worst.max(match *kind {
-            FrictionBlock::Bilateral { .. } => length(u),
-            FrictionBlock::Resisted { .. } => unreachable!("`resisted_rotations` judges these"),
-            FrictionBlock::Sliding { friction } => {
+            Law::Hold { .. } => length(u),
+            Law::Slide { friction } => {
                 assert!((r[1] + friction * r[0]).abs() <= 1e-12 * size, "{r:?}");
                 if r[0] == 0.0 { (-u[0]).max(0.0) } else { u[0].abs() }
             }
-            FrictionBlock::Contact { friction, .. } => {
+            Law::Push | Law::Cone { .. } => {
+                let friction = kind.friction().unwrap_or(0.0);
                 assert!(length(&r[1..]) <= friction * r[0] * (1.0 + 1e-9) + 1e-12 * size, "{r:?}");
                 if length(r) == 0.0 {
                     (-u[0]).max(0.0)
@@ -56,6 +57,7 @@ fn violation(problem: &FrictionProblem, reactions: &[f64]) -> f64 {
                     u[0].abs().max(against.abs())
                 }
             }
+            _ => unreachable!("`resisted_rotations` judges these"),
         });
     }
     worst / size
@@ -127,7 +129,7 @@ fn random_problem(
             }
         }
     }
-    let kinds: Vec<FrictionBlock> =
+    let kinds: Vec<Law> =
         (0..rows.len()).map(|k| contact(dimension, friction * f64::from(u8::from(k % 5 != 4)))).collect();
     let matrix = BlockMatrix::from_blocks(&vec![dimension; rows.len()], blocks).unwrap();
     FrictionProblem::new(kinds, matrix, constant).unwrap()
@@ -232,12 +234,12 @@ fn sliding_does_not_lift() {
 fn held_rows_take_reactions_of_either_sign() {
     let matrix = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
     for side in [1.0, -1.0] {
-        let blocks = vec![contact(2, 0.5), FrictionBlock::Bilateral { rows: 1 }];
+        let blocks = vec![contact(2, 0.5), Law::Hold { rows: 1 }];
         let problem = FrictionProblem::from_dense(blocks, &matrix, vec![-1.0, 0.0, side]).unwrap();
         assert_eq!(solve(&problem).reactions, [1.0, 0.0, -side]);
     }
     // Tangents that stick beside a normal that only pushes.
-    let blocks = vec![contact(1, 0.0), FrictionBlock::Bilateral { rows: 2 }];
+    let blocks = vec![contact(1, 0.0), Law::Hold { rows: 2 }];
     let problem = FrictionProblem::from_dense(blocks, &matrix, vec![-1.0, 2.0, -3.0]).unwrap();
     assert_eq!(solve(&problem).reactions, [1.0, -2.0, 3.0]);
 }
@@ -270,7 +272,7 @@ fn a_solution_is_its_own_start() {
 
 #[test]
 fn wrong_problems_are_refused() {
-    let build = |kinds: Vec<FrictionBlock>, matrix: &[f64], q: &[f64]| {
+    let build = |kinds: Vec<Law>, matrix: &[f64], q: &[f64]| {
         FrictionProblem::from_dense(kinds, matrix, q.to_vec()).unwrap_err().to_string()
     };
     let one = |friction| vec![contact(1, friction)];

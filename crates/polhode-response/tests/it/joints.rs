@@ -3,12 +3,15 @@
 use crate::exact::{Long, dense_jacobian, inverse_masses, row_accelerations};
 use crate::scenes::{GRAVITY, Noise, Row, Scene, pile};
 use polhode_response::{
-    ComplementaritySolver, ContactProblem, ContactSolution, ImpactLaw, ImpactProblem, ImpactSettings, RowKind,
+    Blocks, ComplementaritySolver, ContactProblem, ContactSolution, ImpactLaw, ImpactProblem, ImpactSettings, Law,
     SolverSettings, SolverStatus, WarmStart, minimum_norm, solve_complementarity,
 };
 
-/// The problem of a scene whose rows have these kinds, each taken `times` (-1 for a bilateral row taken backwards).
-fn with_kinds(scene: &Scene, rows: &[(usize, RowKind, f64)]) -> (ContactProblem, Vec<f64>) {
+/// The law of one row of a joint.
+const HELD: Law = Law::Hold { rows: 1 };
+
+/// The problem of a scene whose rows have these laws, each taken `times` (-1 for a bilateral row taken backwards).
+fn with_kinds(scene: &Scene, rows: &[(usize, Law, f64)]) -> (ContactProblem, Vec<f64>) {
     let jacobian = dense_jacobian(scene);
     let (width, bodies) = (scene.problem.width(), scene.problem.bodies());
     let mut blocks = Vec::new();
@@ -29,11 +32,7 @@ fn with_kinds(scene: &Scene, rows: &[(usize, RowKind, f64)]) -> (ContactProblem,
             .filter(|(_, block)| block.iter().any(|value| *value != 0.0))
             .map(|(body, block)| (*body, &block[..]))
             .collect();
-        match kind {
-            RowKind::Unilateral => problem.push_row(&entries),
-            RowKind::Bilateral => problem.push_bilateral_row(&entries),
-        }
-        .unwrap();
+        problem.push_block(kind, &[&entries]).unwrap();
         b.push(times * scene.b[row]);
     }
     (problem, b)
@@ -59,8 +58,8 @@ fn pendulum_has_the_force_of_its_closed_form() {
         let mut problem = ContactProblem::new(2, vec![1.0 / mass, 0.0, 0.0, 1.0 / mass]).unwrap();
         // From the pivot to the bob, the direction in which the distance grows.
         let outward = [angle.sin(), -angle.cos()];
-        problem.push_bilateral_row(&[(0, &outward)]).unwrap();
-        assert_eq!((problem.kind(0), problem.kind(1)), (Some(RowKind::Bilateral), None));
+        problem.push_held_row(&[(0, &outward)]).unwrap();
+        assert_eq!(Blocks::of(&problem).laws(), [HELD]);
         let b = GRAVITY * angle.cos() + rate * rate * length;
         let solution = solved(&problem, &[b]);
         let pull = mass * (GRAVITY * angle.cos() + rate * rate * length);
@@ -77,22 +76,20 @@ fn a_bilateral_row_is_a_pair_of_opposite_contacts() {
     let (mut pulled, mut opened, mut certified) = (0, 0, 0);
     for round in 0..400 {
         let scene = pile(2 + noise.below(3), 2 + noise.below(4), 10.0_f64.powi(round % 4), &mut noise);
-        let kinds: Vec<RowKind> = (0..scene.b.len())
-            .map(|_| if noise.unit() < 0.3 { RowKind::Bilateral } else { RowKind::Unilateral })
-            .collect();
+        let kinds: Vec<Law> = (0..scene.b.len()).map(|_| if noise.unit() < 0.3 { HELD } else { Law::Push }).collect();
         let joined: Vec<_> = kinds.iter().enumerate().map(|(row, &kind)| (row, kind, 1.0)).collect();
         let pairs: Vec<_> = kinds
             .iter()
             .enumerate()
             .flat_map(|(row, kind)| {
-                let sides: &[f64] = if *kind == RowKind::Bilateral { &[1.0, -1.0] } else { &[1.0] };
-                sides.iter().map(move |&times| (row, RowKind::Unilateral, times))
+                let sides: &[f64] = if *kind == HELD { &[1.0, -1.0] } else { &[1.0] };
+                sides.iter().map(move |&times| (row, Law::Push, times))
             })
             .collect();
         let turned: Vec<_> = noise
             .permutation(joined.len())
             .into_iter()
-            .map(|k| (joined[k].0, joined[k].1, if joined[k].1 == RowKind::Bilateral { -3.0 } else { 0.5 }))
+            .map(|k| (joined[k].0, joined[k].1, if joined[k].1 == HELD { -3.0 } else { 0.5 }))
             .collect();
         let (problem, b) = with_kinds(&scene, &joined);
         let (pair_problem, pair_b) = with_kinds(&scene, &pairs);
@@ -113,17 +110,17 @@ fn a_bilateral_row_is_a_pair_of_opposite_contacts() {
         }
         for (row, kind) in kinds.iter().enumerate() {
             let (force, w) = (solution.forces[row], solution.residual_accelerations[row]);
-            assert!(w >= 0.0 && (*kind == RowKind::Bilateral || force >= 0.0), "{round}: {force:e} {w:e}");
+            assert!(w >= 0.0 && (*kind == HELD || force >= 0.0), "{round}: {force:e} {w:e}");
             pulled += usize::from(force < 0.0);
             opened += usize::from(w > 0.0);
-            assert!(*kind == RowKind::Unilateral || (w == 0.0 && solution.held[row]));
+            assert!(*kind == Law::Push || (w == 0.0 && solution.held[row]));
         }
         // The truth of the rows in twice the precision: complementary to rounding.
         let forces: Vec<Long> = solution.forces.iter().map(|&force| Long::new(force)).collect();
         let w = row_accelerations(&dense_jacobian(&scene), &inverse_masses(&scene), &b, &forces);
         let size = b.iter().fold(GRAVITY, |most: f64, b| most.max(b.abs()));
         for (row, w) in w.iter().enumerate() {
-            let wrong = if kinds[row] == RowKind::Bilateral || solution.forces[row] > 0.0 { w.abs() } else { -w };
+            let wrong = if kinds[row] == HELD || solution.forces[row] > 0.0 { w.abs() } else { -w };
             assert!(wrong < 1e-9 * size, "{round}: {wrong:e}");
         }
         certified += usize::from(solution.report.certified);
@@ -138,8 +135,8 @@ fn joints_that_are_given_twice_share_their_load() {
     let row = |x: f64| -> Row { vec![(0, vec![0.0, 1.0, x])] };
     let rows = [row(-1.0), row(-1.0), row(-1.0), row(0.25), vec![(0, vec![1.0, 0.0, 0.0])]];
     let scene = Scene::new(3, &[vec![1.0, 1.0, 1.0 / 3.0]], &rows, &[0.5, -GRAVITY, 0.0]);
-    let bilateral = |row: usize| (row, RowKind::Bilateral, 1.0);
-    let kinds = [bilateral(0), bilateral(1), bilateral(2), (3, RowKind::Unilateral, 1.0), bilateral(4)];
+    let bilateral = |row: usize| (row, HELD, 1.0);
+    let kinds = [bilateral(0), bilateral(1), bilateral(2), (3, Law::Push, 1.0), bilateral(4)];
     let (problem, b) = with_kinds(&scene, &kinds);
     let settings = SolverSettings::default();
     let solution = solved(&problem, &b);
@@ -154,7 +151,7 @@ fn joints_that_are_given_twice_share_their_load() {
     // The support beyond the centre of mass on the joint's side would have to hold the beam by pulling at the joint.
     let rows = [row(-1.0), row(-1.0), row(-0.25)];
     let scene = Scene::new(3, &[vec![1.0, 1.0, 1.0 / 3.0]], &rows, &[0.0, -GRAVITY, 0.0]);
-    let (problem, b) = with_kinds(&scene, &[bilateral(0), bilateral(1), (2, RowKind::Unilateral, 1.0)]);
+    let (problem, b) = with_kinds(&scene, &[bilateral(0), bilateral(1), (2, Law::Push, 1.0)]);
     let solution = solved(&problem, &b);
     let least = minimum_norm(&problem, &solution, &settings).unwrap();
     for (force, expected) in least.forces.iter().zip([-GRAVITY / 6.0, -GRAVITY / 6.0, 4.0 * GRAVITY / 3.0]) {
@@ -170,9 +167,8 @@ fn joints_hold_through_impacts() {
     let mut struck = 0;
     for round in 0..200 {
         let scene = pile(2 + noise.below(3), 2 + noise.below(2), 10.0, &mut noise);
-        let kinds: Vec<_> = (0..scene.b.len())
-            .map(|row| (row, if row % 3 == 1 { RowKind::Bilateral } else { RowKind::Unilateral }, 1.0))
-            .collect();
+        let kinds: Vec<_> =
+            (0..scene.b.len()).map(|row| (row, if row % 3 == 1 { HELD } else { Law::Push }, 1.0)).collect();
         let (problem, _) = with_kinds(&scene, &kinds);
         let (delassus, settings) = (problem.delassus(), ImpactSettings::default());
         let mut solver = ComplementaritySolver::default();
@@ -181,7 +177,7 @@ fn joints_hold_through_impacts() {
         // The same with the joints at rest: an inelastic impact of all joints and no contact.
         let mut at_rest = any.clone();
         let joints: Vec<usize> = (0..any.len()).filter(|row| row % 3 == 1).collect();
-        let alone: Vec<_> = joints.iter().map(|&row| (row, RowKind::Bilateral, 1.0)).collect();
+        let alone: Vec<_> = joints.iter().map(|&row| (row, HELD, 1.0)).collect();
         let (joint_problem, _) = with_kinds(&scene, &alone);
         let b: Vec<f64> = joints.iter().map(|&row| any[row]).collect();
         let impulses = solved(&joint_problem, &b).forces;
@@ -228,7 +224,7 @@ fn a_pendulum_that_meets_a_wall_leaves_along_its_circle() {
     let (mass, e, half) = (2.0, 0.5, 0.5_f64.sqrt());
     let mut problem = ContactProblem::new(2, vec![1.0 / mass, 0.0, 0.0, 1.0 / mass]).unwrap();
     problem.push_row(&[(0, &[-half, half])]).unwrap();
-    problem.push_bilateral_row(&[(0, &[0.0, 1.0])]).unwrap();
+    problem.push_held_row(&[(0, &[0.0, 1.0])]).unwrap();
     let u = problem.row_velocities(&[3.0, 0.0]).unwrap();
     let mut solver = ComplementaritySolver::default();
     for law in [ImpactLaw::Propagation, ImpactLaw::Simultaneous, ImpactLaw::Reflection] {
@@ -249,10 +245,10 @@ fn a_pendulum_that_meets_a_wall_leaves_along_its_circle() {
 #[test]
 fn what_cannot_be_held_is_said() {
     let mut problem = ContactProblem::new(1, vec![1.0]).unwrap();
-    problem.push_bilateral_row(&[(0, &[1.0])]).unwrap();
-    problem.push_bilateral_row(&[(0, &[1.0])]).unwrap();
+    problem.push_held_row(&[(0, &[1.0])]).unwrap();
+    problem.push_held_row(&[(0, &[1.0])]).unwrap();
     let solution = solved(&problem, &[1.0, 2.0]);
     assert!(solution.report.status != SolverStatus::Solved && !solution.report.certified, "{solution:?}");
     problem.clear_rows();
-    assert!(problem.kind(0).is_none());
+    assert!(Blocks::of(&problem).is_empty());
 }

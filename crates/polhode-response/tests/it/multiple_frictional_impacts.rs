@@ -7,7 +7,8 @@
 use crate::cases::few;
 use crate::free_bodies::{Vector, cross, free_bodies, random_vector, tangents, unit};
 use crate::scenes::Noise;
-use polhode_response::friction::{FrictionBlock, FrictionProblem};
+use polhode_response::Law;
+use polhode_response::friction::FrictionProblem;
 use polhode_response::{
     CollisionMatrix, ComplementaritySolver, ContactProblem, ImpactLaw, ImpactProblem, ImpactSettings,
     MultipleFrictionalImpact, MultipleImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus,
@@ -60,7 +61,7 @@ impl Structure {
         let delassus = self.problem.delassus();
         let rows = self.problem.len();
         let entries: Vec<f64> = (0..rows * rows).map(|k| delassus.get(k / rows, k % rows)).collect();
-        let blocks = self.frictions.iter().map(|&friction| FrictionBlock::Contact { rows: 3, friction }).collect();
+        let blocks = self.frictions.iter().map(|&friction| Law::Cone { rows: 3, friction }).collect();
         FrictionProblem::from_dense(blocks, &entries, self.problem.row_velocities(&self.velocities).unwrap()).unwrap()
     }
 

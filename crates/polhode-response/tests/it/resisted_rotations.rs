@@ -8,11 +8,12 @@
 use crate::cases::few;
 use crate::free_bodies::{Vector, cross, free_bodies, random_vector, tangents, unit};
 use crate::scenes::Noise;
-use polhode_response::friction::{FrictionBlock, FrictionProblem, FrictionSettings, Resistance, solve_friction};
+use polhode_response::friction::{FrictionProblem, FrictionSettings, solve_friction};
 use polhode_response::{
     ContactProblem, MultipleFrictionalImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus,
     SolverStatus,
 };
+use polhode_response::{Law, Resistance};
 use proptest::prelude::*;
 
 fn length(x: &[f64]) -> f64 {
@@ -24,7 +25,7 @@ fn length(x: &[f64]) -> f64 {
 struct Structure {
     problem: ContactProblem,
     velocities: Vec<f64>,
-    blocks: Vec<FrictionBlock>,
+    blocks: Vec<Law>,
     restitutions: Vec<f64>,
 }
 
@@ -47,11 +48,11 @@ impl Resists {
         Self { slip, roll, spin, restitution: [0.0, 0.5, 1.0, noise.unit()][noise.below(4)] }
     }
 
-    fn block(self) -> FrictionBlock {
+    fn block(self) -> Law {
         let part = |rows: usize, friction: f64| Resistance { rows, friction, slides: false };
         let turn =
             |rows: usize, friction: f64| if friction > 0.0 { part(rows, friction) } else { Resistance::default() };
-        FrictionBlock::Resisted { parts: [part(2, self.slip), turn(2, self.roll), turn(1, self.spin)] }
+        Law::Resist { parts: [part(2, self.slip), turn(2, self.roll), turn(1, self.spin)] }
     }
 }
 
@@ -67,7 +68,7 @@ impl Structure {
         if let Some((body, other)) = &other {
             entries.push((*body, other));
         }
-        self.problem.push_bilateral_row(&entries).unwrap();
+        self.problem.push_held_row(&entries).unwrap();
     }
 
     fn touch(&mut self, a: (usize, Vector), b: Option<(usize, Vector)>, normal: Vector, resists: Resists) {
@@ -92,7 +93,7 @@ impl Structure {
         for axis in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] {
             self.push((body, [axis, cross(arm, axis)]), None);
         }
-        self.blocks.push(FrictionBlock::Bilateral { rows: 3 });
+        self.blocks.push(Law::Hold { rows: 3 });
         self.restitutions.push(0.0);
     }
 
@@ -165,7 +166,7 @@ fn violation(problem: &FrictionProblem, reactions: &[f64]) -> f64 {
     let mut worst: f64 = 0.0;
     for (block, kind) in problem.blocks().iter().enumerate() {
         let (r, u) = (&reactions[problem.range(block)], &u[problem.range(block)]);
-        let FrictionBlock::Resisted { parts } = kind else {
+        let Law::Resist { parts } = kind else {
             worst = worst.max(length(u));
             continue;
         };
@@ -219,7 +220,7 @@ proptest! {
         prop_assert!(change <= 1e-9 * size, "{change:e} of {size:e}");
         let fastest = before.iter().fold(0.0, |most: f64, u| most.max(u.abs()));
         for (block, kind) in contacts.blocks().iter().enumerate() {
-            let FrictionBlock::Resisted { parts } = kind else { continue };
+            let Law::Resist { parts } = kind else { continue };
             let (p, u) = (&outcome.impulses[contacts.range(block)], &after[contacts.range(block)]);
             prop_assert!(u[0] >= -1e-8 * fastest, "{u:?}");
             let mut first = 1;
@@ -248,7 +249,7 @@ proptest! {
         let resists = if noise.below(2) == 0 { resists } else { Resists { roll: 0.0, spin: 0.0, ..resists } };
         structure.touch((0, touch), None, normal, resists);
         if resists.roll == 0.0 && resists.spin == 0.0 {
-            structure.blocks[0] = FrictionBlock::Contact { rows: 3, friction: resists.slip };
+            structure.blocks[0] = Law::Cone { rows: 3, friction: resists.slip };
         }
         structure.pivot(0, arm);
         let contacts = structure.contacts();

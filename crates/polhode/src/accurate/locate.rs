@@ -467,8 +467,8 @@ fn held_kinematics(core: &Core, states: &[BodyState], id: ContactId) -> Option<C
     let tolerance = TOUCH_RELATIVE * core.world.pair_size(id.a, id.b);
     let kinematics = core.world.kinematics(states, id)?;
     let is_on_features = ContactEvent::Leaving.value(&kinematics) >= -tolerance;
-    let stays = (is_on_features || core.world.holds_beyond_border(states, id))
-        && !rate_exceeds_drift(&core.world, states, id, &kinematics, core.settings.step_error());
+    let stays = !rate_exceeds_drift(&core.world, states, id, &kinematics, core.settings.step_error())
+        && (is_on_features || core.world.holds_beyond_border(states, id));
     stays.then_some(kinematics)
 }
 

@@ -119,7 +119,10 @@ impl Engine {
         let depth = PENETRATION_RELATIVE * core.world.pair_size(a, b) + core.world.rounding(states, a, b);
         // The same reach as in the resolution of the event, so that both find the same contacts.
         let reach = core.world.touch_distance(states, a, b);
-        let Pair { separation, contacts, .. } = core.world.pair(states, a, b, reach);
+        let Some(pair) = core.world.penetrating_pair(states, (a, b), reach, depth) else {
+            return Penetration { contact: None, excess_depths: 0.0 };
+        };
+        let Pair { separation, contacts, .. } = pair;
         // A separating contact is left open, because it ends the penetration by itself, unless the penetration began
         // within the step.
         let began_in_step = || separation < -depth && !self.overlapped(core, (a, b), depth);

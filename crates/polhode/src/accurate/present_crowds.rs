@@ -5,8 +5,8 @@
 //! all at once does. The cache is no part of the simulation state.
 
 use polhode_dynamics::BodyState;
-use std::cell::RefCell;
 use std::collections::BTreeSet;
+use std::sync::Mutex;
 
 /// A time step of a crowd: its first body, and the bits of its start and of its end (s).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -35,7 +35,7 @@ struct Made {
 
 /// States of crowded bodies at one time.
 #[derive(Debug, Default)]
-pub(super) struct PresentCrowds(RefCell<Made>);
+pub(super) struct PresentCrowds(Mutex<Made>);
 
 impl PresentCrowds {
     /// The state of a body of the crowd `step` at `t` (s). Where it has not been made yet, `advance` writes the states of
@@ -48,7 +48,7 @@ impl PresentCrowds {
         advance: impl FnOnce(&mut [BodyState]),
     ) -> Option<BodyState> {
         // It is not asked while it makes a step; if it were, the answer would be made without the buffer.
-        let (mut kept, mut none) = (self.0.try_borrow_mut(), Made::default());
+        let (mut kept, mut none) = (self.0.try_lock(), Made::default());
         let made = kept.as_deref_mut().unwrap_or(&mut none);
         if made.states.len() != all.len() {
             *made = Made { t, states: all.to_vec(), steps: BTreeSet::new() };

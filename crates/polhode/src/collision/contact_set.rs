@@ -277,9 +277,31 @@ impl World {
 
     /// The separation of one pair, m, and its contacts as [`Self::contacts_of_pair`] gives them.
     pub(crate) fn pair(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> Pair {
-        let Some((separation, mut contacts)) = self.manifold_with_counterparts(states, (a, b), reach) else {
-            return Pair::far();
-        };
+        let found = self.manifold_with_counterparts(states, (a, b), reach);
+        found.map_or_else(Pair::far, |found| self.pair_of(states, (a, b), reach, found))
+    }
+
+    /// [`Self::pair`] where the bodies, or one of their contacts, penetrate by more than `depth` (m); none elsewhere.
+    pub(crate) fn penetrating_pair(
+        &self,
+        states: &[BodyState],
+        (a, b): (usize, usize),
+        reach: f64,
+        depth: f64,
+    ) -> Option<Pair> {
+        let (separation, contacts) = self.manifold_with_counterparts(states, (a, b), reach)?;
+        let penetrates = |separation: f64| separation < -depth;
+        let is_deep = contacts.iter().any(|contact| penetrates(contact.kinematics.geometry.separation));
+        (is_deep || penetrates(separation)).then(|| self.pair_of(states, (a, b), reach, (separation, contacts)))
+    }
+
+    fn pair_of(
+        &self,
+        states: &[BodyState],
+        (a, b): (usize, usize),
+        reach: f64,
+        (separation, mut contacts): (f64, Vec<FoundContact>),
+    ) -> Pair {
         let passing = self.take_place_of_collisions(states, (a, b), &mut contacts);
         let is_passing = !passing.is_empty();
         let contacts = self.within((a, b), reach, contacts, &passing);

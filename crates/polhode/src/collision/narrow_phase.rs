@@ -6,8 +6,8 @@
 
 use polhode_contact::{Manifold, PairMemory, Shape, Workspace, near_manifold_with};
 use polhode_spatial::Pose;
-use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
 
 /// Largest number of pairs in the memory per body of the world. When it is exceeded, most pairs are no longer near, and
 /// the whole memory is cleared.
@@ -16,7 +16,8 @@ const MOST_PAIRS_PER_BODY: usize = 32;
 /// The narrow phase, with the memory of all pairs.
 #[derive(Debug, Default)]
 pub(crate) struct NarrowPhase {
-    remembered: RefCell<Remembered>,
+    /// Whoever finds it in use computes without the memory: no thread waits for another one.
+    remembered: Mutex<Remembered>,
 }
 
 #[derive(Debug, Default)]
@@ -36,7 +37,11 @@ impl Clone for NarrowPhase {
 impl NarrowPhase {
     /// Clears the memory of all pairs of a body, whose shape has changed or been removed.
     pub(crate) fn forget(&mut self, body: usize) {
-        self.remembered.get_mut().pairs.retain(|&(a, b), _| a != body && b != body);
+        self.remembered
+            .get_mut()
+            .unwrap_or_else(PoisonError::into_inner)
+            .pairs
+            .retain(|&(a, b), _| a != body && b != body);
     }
 
     /// Passes the manifold of a pair (contacts with a separation of at most `reach`, m, as
@@ -50,7 +55,7 @@ impl NarrowPhase {
         read: impl FnOnce(&Manifold) -> T,
     ) -> T {
         // A nested call, from within `read`, computes without the memory.
-        let (mut memory, mut none) = (self.remembered.try_borrow_mut(), Remembered::default());
+        let (mut memory, mut none) = (self.remembered.try_lock(), Remembered::default());
         let Remembered { workspace, pairs, found } = memory.as_deref_mut().unwrap_or(&mut none);
         if pairs.len() > MOST_PAIRS_PER_BODY * bodies {
             pairs.clear();

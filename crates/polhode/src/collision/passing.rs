@@ -2,13 +2,14 @@
 //!
 //! A body slides from one body to the next, whose surface is flush with the first. At the border of the second one it
 //! touches an edge or a side towards which it moves. It does not collide there as long as the two do not approach along
-//! a face at that border (`polhode_contact::passing_contacts`, where the rule stands): the contacts with the plane of
+//! a face at that border (`polhode_contact::Passing`, where the rule stands): the contacts with the plane of
 //! this face take the place of those that would collide.
 
 use super::contact_set::{ContactId, FoundContact};
 use crate::world::World;
-use polhode_contact::{ContactFeature, ContactKinematics, Moving, passing_contacts};
+use polhode_contact::{ContactFeature, ContactKinematics, Moving, Passing};
 use polhode_dynamics::BodyState;
+use polhode_spatial::Velocity;
 
 /// Contacts that approach by less than this part of the speeds of their bodies do not collide: a thousand rounding
 /// units.
@@ -28,10 +29,12 @@ impl World {
         if contacts.iter().all(|contact| contact.kinematics.separation_rate >= 0.0) {
             return passing;
         }
-        let sustained = self.sustained_rate(states, (a, b));
-        let in_place = |contact: &FoundContact| {
-            let collides = contact.kinematics.separation_rate < -sustained;
-            collides.then(|| self.contacts_in_place_of(states, contact.id)).flatten()
+        let velocities = [a, b].map(|body| self.velocity(body, &states[body]));
+        let Some(mut bodies) = self.passing(states, (a, b), &velocities) else { return passing };
+        let sustained = self.sustained_rate((a, b), &velocities);
+        let mut in_place = |FoundContact { id, kinematics }: &FoundContact| {
+            let collides = kinematics.separation_rate < -sustained;
+            collides.then(|| bodies.in_place_of(id.feature, kinematics.geometry.normal)).flatten()
         };
         contacts.retain(|contact| match in_place(contact) {
             Some(features) => {
@@ -54,28 +57,33 @@ impl World {
         passing
     }
 
-    /// The rate of approach up to which a contact of a pair does not collide, m/s.
-    fn sustained_rate(&self, states: &[BodyState], (a, b): (usize, usize)) -> f64 {
-        SUSTAINED_RELATIVE * (self.point_speed(states, a) + self.point_speed(states, b))
+    /// The rate of approach up to which a contact of a pair with these velocities does not collide, m/s.
+    fn sustained_rate(&self, (a, b): (usize, usize), velocities: &[Velocity; 2]) -> f64 {
+        SUSTAINED_RELATIVE * (self.fastest_point(a, &velocities[0]) + self.fastest_point(b, &velocities[1]))
     }
 
-    /// The contacts that take the place of one that approaches; none where it stands.
-    fn contacts_in_place_of(
-        &self,
-        states: &[BodyState],
-        ContactId { a, b, feature }: ContactId,
-    ) -> Option<Vec<ContactFeature>> {
+    /// Two bodies that may pass each other; none where one of them has no shape.
+    fn passing<'a>(
+        &'a self,
+        states: &'a [BodyState],
+        (a, b): (usize, usize),
+        velocities: &'a [Velocity; 2],
+    ) -> Option<Passing<'a>> {
         let (shape_a, shape_b) = self.shapes(a, b)?;
-        let velocities = [a, b].map(|body| self.velocity(body, &states[body]));
         let first = Moving { shape: shape_a, pose: &states[a].pose, velocity: &velocities[0] };
         let second = Moving { shape: shape_b, pose: &states[b].pose, velocity: &velocities[1] };
-        passing_contacts(feature, first, second, self.touch_distance(states, a, b))
+        Some(Passing::new(first, second, self.touch_distance(states, a, b)))
     }
 
     /// Whether the bodies of a contact pass each other along a face, so that they do not collide there.
     pub(crate) fn pass_each_other(&self, states: &[BodyState], id: ContactId, kinematics: &ContactKinematics) -> bool {
-        let approaches = kinematics.separation_rate < -self.sustained_rate(states, (id.a, id.b));
-        approaches && self.contacts_in_place_of(states, id).is_some()
+        let pair = (id.a, id.b);
+        let velocities = [id.a, id.b].map(|body| self.velocity(body, &states[body]));
+        kinematics.separation_rate < -self.sustained_rate(pair, &velocities)
+            && self
+                .passing(states, pair, &velocities)
+                .and_then(|mut bodies| bodies.in_place_of(id.feature, kinematics.geometry.normal))
+                .is_some()
     }
 
     /// Whether a contact beyond the border of its face holds, because its bodies pass each other along that face.

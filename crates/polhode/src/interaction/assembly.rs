@@ -6,7 +6,7 @@
 //! coordinates instead of six, and everything else is the same.
 
 use crate::collision::contact_set::ContactId;
-use crate::interaction::constraint::ConstraintId;
+use crate::interaction::constraint::{ConstraintId, PIVOT_ROWS};
 use crate::interaction::rotation_row::RotationRow;
 use crate::pivots::PivotKinematics;
 use crate::plane_of_motion::PlaneOfMotion;
@@ -15,9 +15,6 @@ use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::{ContactProblem, ResponseError};
 use polhode_spatial::DVec3;
-
-/// Rows of a pivot.
-const PIVOT_ROWS: usize = 3;
 
 /// Coordinates of a body's generalised velocity in space.
 const SPACE_WIDTH: usize = 6;
@@ -142,7 +139,7 @@ impl Assembly {
                 row
             });
             let entries = rows.each_ref().map(|row| [(index, row.as_slice())]);
-            problem.push_block(id.block(), &entries.each_ref().map(<[_; 1]>::as_slice))?;
+            problem.push_block(id.law(), &entries.each_ref().map(<[_; 1]>::as_slice))?;
         }
         let (tangents, tangent_rows) = (Vec::new(), Vec::new());
         let (rotations, rotation_rows) = (Vec::new(), Vec::new());
@@ -174,7 +171,7 @@ impl Assembly {
         let (problem, rows) = (&mut self.problem, ContactRows { states, bodies, coordinates });
         for tangent in tangents {
             self.tangent_rows.push(problem.len());
-            rows.row(tangent.id, &tangent.along, |entries| problem.push_bilateral_row(entries))?;
+            rows.row(tangent.id, &tangent.along, |entries| problem.push_held_row(entries))?;
             self.tangents.push(tangent);
         }
         Ok(())
@@ -197,7 +194,7 @@ impl Assembly {
                 .collect();
             let entries: Vec<(usize, &[f64])> = rows.iter().map(|(index, row)| (*index, row.as_slice())).collect();
             self.rotation_rows.push(self.problem.len());
-            self.problem.push_bilateral_row(&entries)?;
+            self.problem.push_held_row(&entries)?;
             self.rotations.push(rotation);
         }
         Ok(())

@@ -1,16 +1,19 @@
 //! Constraints of all kinds, with a common identity.
 //!
-//! | constraint | row block | signed event functions |
+//! | constraint | law of its rows | signed event functions |
 //! |---|---|---|
-//! | contact | unilateral (with friction: a cone) | separation; margin of its features; margin to contact break |
-//! | pivot | bilateral, three rows | none: it never breaks |
+//! | contact | push; with its tangents a cone, or a slide | separation; margin of its features; margin to contact break |
+//! | pivot | hold, three rows | none: it never breaks |
 //!
 //! An event function is positive before the event and crosses zero there; one locator (`crate::interaction::locator`)
 //! finds the time.
 
 use crate::collision::contact_set::ContactId;
 use polhode_contact::ContactKinematics;
-use polhode_response::RowBlock;
+use polhode_response::Law;
+
+/// Rows of a pivot.
+pub(crate) const PIVOT_ROWS: usize = 3;
 
 /// Identity of a constraint: contacts before pivots, each in its own order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -25,11 +28,11 @@ pub(crate) enum ConstraintId {
 }
 
 impl ConstraintId {
-    /// The kind of condition that its rows state together.
-    pub(crate) fn block(&self) -> RowBlock {
+    /// What its rows ask for together; the tangents of a contact are rows of their own.
+    pub(crate) fn law(&self) -> Law {
         match self {
-            Self::Contact(_) => RowBlock::Unilateral,
-            Self::Pivot { .. } => RowBlock::Bilateral,
+            Self::Contact(_) => Law::Push,
+            Self::Pivot { .. } => Law::Hold { rows: PIVOT_ROWS },
         }
     }
 

@@ -7,7 +7,7 @@
 
 use super::assembly::{Assembly, TangentRow};
 use super::cone_violation::RubbingForce;
-use super::friction_blocks::{FrictionBlocks, RowSolution};
+use super::friction_blocks::{direction_of, push_held, with_rotations};
 use super::frictional_contact::{Frictional, Sliding};
 use super::least_sliding_forces::{RowFriction, least_sliding_forces};
 use super::resisted_rotation::ResistedRotation;
@@ -19,7 +19,9 @@ use crate::collision::turn::Turn;
 use crate::world::{Loads, World};
 use polhode_dynamics::BodyState;
 use polhode_response::friction::{ContactStatus, FrictionSettings};
-use polhode_response::{ContactSolution, Delassus, Method, ResponseError, SolverReport, WarmStart};
+use polhode_response::{
+    Blocks, BlocksSolution, ContactSolution, Delassus, Method, ResponseError, SolverReport, WarmStart,
+};
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
 
@@ -157,7 +159,7 @@ impl FrictionalAccelerations {
         let solved = if !rotations.is_empty() {
             let turns = rotations.iter().any(|rotation| rotation.turns);
             let settings = if any_slides || turns { sliding_settings() } else { FrictionSettings::default() };
-            blocks.with_rotations(&rotations).solve(&delassus, &constants, None, &settings)?
+            with_rotations(blocks, &rotations).solve(&delassus, &constants, None, &settings)?
         } else if any_slides {
             let of = (world, states, contacts);
             let (solved, how) = of_slips(of, &assembly, (&blocks, &delassus, &constants), frictional)?;
@@ -207,8 +209,8 @@ fn blocks_of(
     assembly: &mut Assembly,
     states: &[BodyState],
     (contacts, frictional): (&[Touch], &[Option<Frictional>]),
-) -> Result<FrictionBlocks, ResponseError> {
-    let mut blocks = FrictionBlocks::default();
+) -> Result<Blocks, ResponseError> {
+    let mut blocks = Blocks::default();
     for (normal, (touch, friction)) in contacts.iter().zip(frictional).enumerate() {
         let first = assembly.problem.len();
         let tangents = friction.iter().flat_map(|friction| {
@@ -219,7 +221,7 @@ fn blocks_of(
         assembly.push_tangents(states, tangents)?;
         Frictional::push_block(friction.as_ref(), &mut blocks, normal, first..assembly.problem.len());
     }
-    blocks.push_held(contacts.len()..assembly.first_tangent());
+    push_held(&mut blocks, contacts.len()..assembly.first_tangent());
     Ok(blocks)
 }
 
@@ -235,9 +237,9 @@ enum Choice {
 fn of_slips(
     of: (&World, &[BodyState], &[Touch]),
     assembly: &Assembly,
-    (blocks, delassus, constants): (&FrictionBlocks, &Delassus, &[f64]),
+    (blocks, delassus, constants): (&Blocks, &Delassus, &[f64]),
     frictional: &[Option<Frictional>],
-) -> Result<(RowSolution, Option<Choice>), ResponseError> {
+) -> Result<(BlocksSolution, Option<Choice>), ResponseError> {
     if let Some((held, choice)) = all_hold(of, assembly, constants, frictional)? {
         return Ok((held, Some(choice)));
     }
@@ -254,7 +256,7 @@ fn all_hold(
     assembly: &Assembly,
     constants: &[f64],
     frictional: &[Option<Frictional>],
-) -> Result<Option<(RowSolution, Choice)>, ResponseError> {
+) -> Result<Option<(BlocksSolution, Choice)>, ResponseError> {
     let friction = frictional.iter().map(|friction| match friction {
         None => RowFriction::Frictionless,
         Some(Frictional { sliding: Some(sliding), .. }) => RowFriction::Slides(sliding.coefficient),
@@ -281,7 +283,7 @@ fn all_hold(
     let statuses = frictional.iter().map(status).collect();
     let choice = if least.motion_depends_on_choice { Choice::DecidesMotion } else { Choice::Idle };
     let parts = Vec::new();
-    Ok(Some((RowSolution { reactions, velocities, statuses, parts, report }, choice)))
+    Ok(Some((BlocksSolution { reactions, velocities, statuses, parts, report }, choice)))
 }
 
 /// Rotations that friction resists.
@@ -329,9 +331,9 @@ fn rotations_of(
 }
 
 /// The direction in which a rotation turns; none while it is held.
-fn turning(assembly: &Assembly, law: &ResistedRotation, solved: &RowSolution) -> Option<DVec3> {
+fn turning(assembly: &Assembly, law: &ResistedRotation, solved: &BlocksSolution) -> Option<DVec3> {
     let mut of_rows = vec![0.0; assembly.problem.len()];
-    for (row, part) in law.rows.clone().zip(solved.direction_of(law)?) {
+    for (row, part) in law.rows.clone().zip(direction_of(solved, law)?) {
         of_rows[row] = part;
     }
     assembly.of_rotations(&of_rows).map(|(row, part)| row.axis * part).sum::<DVec3>().try_normalize()
@@ -340,7 +342,7 @@ fn turning(assembly: &Assembly, law: &ResistedRotation, solved: &RowSolution) ->
 /// What friction does at a contact, from the solution of all rows: its normal row and its first tangential one. A force of
 /// at most `rounding` (N) is none.
 fn contact_tangent(
-    solved: &RowSolution,
+    solved: &BlocksSolution,
     (normal, first): (usize, usize),
     (id, friction): (ContactId, &Frictional),
     rounding: f64,
@@ -411,7 +413,7 @@ fn add_up_pairs(contacts: &[Touch], tangential: &mut [Option<ContactTangent>]) {
 }
 
 /// The solution of the first rows, those of contacts and pivots.
-fn contact_solution(solved: &RowSolution, rows: usize) -> ContactSolution {
+fn contact_solution(solved: &BlocksSolution, rows: usize) -> ContactSolution {
     let forces: Vec<f64> = solved.reactions.iter().take(rows).copied().collect();
     let carry = forces.iter().enumerate().filter(|&(_, &force)| force > 0.0).map(|(row, _)| row);
     ContactSolution {

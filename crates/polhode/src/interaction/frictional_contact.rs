@@ -1,13 +1,13 @@
 //! A contact with friction among the rows of a group: its coefficients, its directions, and how it slides.
 
-use super::friction_blocks::FrictionBlocks;
+use super::friction_blocks::push_contact;
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::scene::FrictionEllipse;
 use crate::world::World;
 use polhode_contact::TangentialKinematics;
 use polhode_dynamics::BodyState;
-use polhode_response::friction::FrictionBlock;
+use polhode_response::{Blocks, Law};
 use polhode_spatial::DVec3;
 use std::ops::Range;
 
@@ -55,19 +55,14 @@ impl Frictional {
     }
 
     /// Adds the block of a contact with these rows: what they ask for together.
-    pub(super) fn push_block(
-        friction: Option<&Self>,
-        blocks: &mut FrictionBlocks,
-        normal: usize,
-        tangents: Range<usize>,
-    ) {
+    pub(super) fn push_block(friction: Option<&Self>, blocks: &mut Blocks, normal: usize, tangents: Range<usize>) {
         match friction {
-            None => blocks.push_contact(FrictionEllipse::default(), normal, tangents),
+            None => push_contact(blocks, FrictionEllipse::default(), normal, tangents),
             Some(Self { sliding: Some(sliding), .. }) => {
-                let block = FrictionBlock::Sliding { friction: sliding.coefficient };
+                let block = Law::Slide { friction: sliding.coefficient };
                 blocks.push(block, std::iter::once(normal).chain(tangents));
             }
-            Some(Self { coefficients, .. }) => blocks.push_contact(coefficients.at_rest, normal, tangents),
+            Some(Self { coefficients, .. }) => push_contact(blocks, coefficients.at_rest, normal, tangents),
         }
     }
 

@@ -10,7 +10,7 @@
 //! Coulomb's law (Painleve).
 
 use super::assembly::{Assembly, TangentRow};
-use super::friction_blocks::FrictionBlocks;
+use super::friction_blocks::{push_contact, push_held, with_rotations};
 use super::resisted_rotation::ResistedRotation;
 use super::rotation_row::RotationRow;
 use crate::collision::contact_set::{ContactId, Touch};
@@ -21,7 +21,7 @@ use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{Application, ImpactOutcome, ImpactStatus};
 use polhode_response::{
-    MultipleFrictionalImpact, MultipleImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus,
+    Blocks, MultipleFrictionalImpact, MultipleImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus,
     ResponseError,
 };
 use polhode_spatial::{CompensatedSum, DVec3};
@@ -99,7 +99,7 @@ pub(crate) fn solve(
         }
     };
     let settings = settings_for(world.velocity_rounding(states, bodies), &before);
-    let blocks = blocks.with_rotations(&rotations);
+    let blocks = with_rotations(blocks, &rotations);
     let mut restitution: Vec<f64> =
         contacts.iter().map(|touch| world.scene.pair_material(touch.id.a, touch.id.b).restitution()).collect();
     // Pivots have no restitution.
@@ -114,7 +114,7 @@ pub(crate) fn solve(
     };
     let struck = match &accelerations {
         None => impact.resolve()?,
-        Some(accelerations) => impact.without_collision(&blocks.of_rows(accelerations))?,
+        Some(accelerations) => impact.without_collision(&blocks.velocities_in_blocks(accelerations))?,
     };
     let reactions = blocks.reactions_in_rows(&struck.impulses);
     let velocities_after = blocks.velocities_in_rows(&struck.velocities_after);
@@ -236,10 +236,10 @@ fn blocks_of(
     world: &World,
     states: &[BodyState],
     contacts: &[Touch],
-) -> Result<(FrictionBlocks, Vec<f64>), ResponseError> {
+) -> Result<(Blocks, Vec<f64>), ResponseError> {
     let mut before: Vec<f64> = contacts.iter().map(|touch| touch.kinematics.separation_rate).collect();
     before.extend(assembly.pivots().iter().flat_map(|pivot| pivot.velocity.to_array()));
-    let mut blocks = FrictionBlocks::default();
+    let mut blocks = Blocks::default();
     for (normal, touch) in contacts.iter().enumerate() {
         let friction = world.friction_of(touch.id.a, touch.id.b).filter(|friction| friction.sliding.largest() > 0.0);
         let terms = friction.and_then(|_| world.tangential_kinematics(states, touch.id));
@@ -251,9 +251,9 @@ fn blocks_of(
             assembly.push_tangents(states, terms.basis.into_iter().map(row))?;
             before.extend(terms.basis.map(|tangent| tangent.dot(terms.slip_velocity)));
         }
-        blocks.push_contact(ellipse, normal, first..assembly.problem.len());
+        push_contact(&mut blocks, ellipse, normal, first..assembly.problem.len());
     }
-    blocks.push_held(contacts.len()..assembly.first_tangent());
+    push_held(&mut blocks, contacts.len()..assembly.first_tangent());
     Ok((blocks, before))
 }
 

@@ -12,7 +12,7 @@
 //!
 //! Method: rotations are rows `l w` of the block of their contact, with a length `l` of the pair: their reactions `M / l` are
 //! forces, and their friction is the number `c / l` (`interaction/rotation_row.rs`, `interaction/resisted_rotation.rs`). The solver finds slip, rolling and
-//! spinning together ([`polhode_response::friction::FrictionBlock::Resisted`]). A rotation that turns already has one row, along
+//! spinning together ([`polhode_response::friction::Law::Resist`]). A rotation that turns already has one row, along
 //! its direction.
 
 use crate::collision::contact_set::ContactId;

@@ -7,7 +7,6 @@
 //! that cancel on a light body then leave no more than its own weight is rounded by.
 
 use super::assembly::Assembly;
-use super::friction_blocks::{FrictionBlocks, RowSolution};
 use super::frictional_contact::Frictional;
 use super::least_sliding_forces::exceeds_friction;
 use crate::collision::contact_set::Touch;
@@ -16,7 +15,8 @@ use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::friction::{ContactStatus, FrictionSettings, balancing_forces};
 use polhode_response::{
-    Delassus, FallbackPolicy, LeastNormForces, Method, ResponseError, SolverReport, SolverStatus, least_norm_forces,
+    Blocks, BlocksSolution, Delassus, FallbackPolicy, LeastNormForces, Method, ResponseError, SolverReport,
+    SolverStatus, least_norm_forces,
 };
 use polhode_spatial::DVec3;
 use std::ops::Range;
@@ -93,7 +93,12 @@ impl HoldingForces {
     }
 
     /// These forces as a solution, if they lie in the cones of static friction and hold every contact to rounding.
-    fn solution(&self, assembly: &Assembly, frictional: &[Option<Frictional>], method: Method) -> Option<RowSolution> {
+    fn solution(
+        &self,
+        assembly: &Assembly,
+        frictional: &[Option<Frictional>],
+        method: Method,
+    ) -> Option<BlocksSolution> {
         let mut tangents = self.forces.iter().skip(assembly.first_tangent());
         for (&normal, friction) in self.forces.iter().zip(frictional) {
             let own = friction.as_ref().map_or(0, |friction| friction.tangents().len());
@@ -105,7 +110,7 @@ impl HoldingForces {
                 return None;
             }
         }
-        self.is_balanced.then(|| RowSolution {
+        self.is_balanced.then(|| BlocksSolution {
             velocities: vec![0.0; self.forces.len()],
             reactions: self.forces.clone(),
             parts: Vec::new(),
@@ -136,9 +141,9 @@ pub(super) fn rounding_of(delassus: &Delassus, forces: &[f64]) -> f64 {
 pub(super) fn of_no_slip(
     of: (&World, &[BodyState], &[Touch]),
     assembly: &Assembly,
-    (blocks, delassus, constants): (&FrictionBlocks, &Delassus, &[f64]),
+    (blocks, delassus, constants): (&Blocks, &Delassus, &[f64]),
     frictional: &[Option<Frictional>],
-) -> Result<RowSolution, ResponseError> {
+) -> Result<BlocksSolution, ResponseError> {
     let problem = (delassus, constants);
     let least = HoldingForces::least(assembly, problem)?;
     if let Some(held) = least.solution(assembly, frictional, Method::ActiveSet) {
@@ -171,14 +176,13 @@ pub(super) fn of_no_slip(
 fn in_equilibrium(
     of: (&World, &[BodyState], &[Touch]),
     assembly: &Assembly,
-    (blocks, delassus, constants): (&FrictionBlocks, &Delassus, &[f64]),
+    (blocks, delassus, constants): (&Blocks, &Delassus, &[f64]),
     frictional: &[Option<Frictional>],
     least: &HoldingForces,
-) -> Result<Option<RowSolution>, ResponseError> {
-    let rows = blocks.of_rows_of_assembly();
+) -> Result<Option<BlocksSolution>, ResponseError> {
     for reserve in RESERVES {
         // Where nothing balances with the least reserve nothing does with a larger one.
-        let Some(nearly) = balancing_forces(&assembly.problem, &least.forces, rows, reserve)? else { break };
+        let Some(nearly) = balancing_forces(&assembly.problem, &least.forces, blocks, reserve)? else { break };
         let held = HoldingForces::near(of, assembly, (delassus, constants), frictional, nearly)?;
         if let Some(held) = held.solution(assembly, frictional, Method::InteriorPoint) {
             return Ok(Some(held));
@@ -195,8 +199,8 @@ fn refined(
     assembly: &Assembly,
     (delassus, constants): (&Delassus, &[f64]),
     frictional: &[Option<Frictional>],
-    mut solved: RowSolution,
-) -> Result<RowSolution, ResponseError> {
+    mut solved: BlocksSolution,
+) -> Result<BlocksSolution, ResponseError> {
     let limit = constants.iter().fold(0.0, |most: f64, b| most.max(b.abs()));
     let limit = STICKING_RELATIVE * limit + rounding_of(delassus, &solved.reactions);
     let limit = SLIDING_ROUNDING * limit;

@@ -26,7 +26,7 @@ use crate::collision::friction_mode::FrictionCoefficients;
 use crate::collision::turn::Turn;
 use crate::interaction::assembly::{Assembly, TangentRow};
 use crate::interaction::cone_violation::{ConeViolation, RubbingForce, largest_violation};
-use crate::interaction::friction_blocks::{FrictionBlocks, RowSolution};
+use crate::interaction::friction_blocks::{push_contact, with_rotations};
 use crate::interaction::resisted_rotation::ResistedRotation;
 use crate::interaction::rotation_row::RotationRow;
 use crate::scene::FrictionEllipse;
@@ -34,7 +34,7 @@ use crate::world::World;
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::friction::{ContactStatus, FrictionSettings};
-use polhode_response::{Delassus, ResponseError, SolverReport, SolverStatus};
+use polhode_response::{Blocks, BlocksSolution, Delassus, ResponseError, SolverReport, SolverStatus};
 use polhode_spatial::DVec3;
 use std::ops::Range;
 
@@ -317,7 +317,7 @@ pub(super) fn solve(
     let settings = FrictionSettings { acceptance: ACCEPTED_RESIDUAL, ..exact };
     let mut friction: Vec<Option<TangentialRow>> = friction.to_vec();
     let solved = loop {
-        let blocks = blocks(&friction, &rows).with_rotations(&rotations);
+        let blocks = with_rotations(blocks(&friction, &rows), &rotations);
         let solved = if rotations.is_empty() {
             blocks.solve(&delassus, &constants, None, &settings)?
         } else {
@@ -344,7 +344,7 @@ pub(super) fn solve(
 }
 
 /// The same solution, solved if its residual is accepted.
-fn accepted(mut solved: RowSolution, settings: &FrictionSettings) -> RowSolution {
+fn accepted(mut solved: BlocksSolution, settings: &FrictionSettings) -> BlocksSolution {
     if solved.report.residual <= settings.acceptance {
         solved.report.status = SolverStatus::Solved;
     }
@@ -352,7 +352,7 @@ fn accepted(mut solved: RowSolution, settings: &FrictionSettings) -> RowSolution
 }
 
 /// The contacts whose slips pass through zero within the step.
-fn stops(friction: &[Option<TangentialRow>], rows: &[Range<usize>], solved: &RowSolution) -> Vec<Stop> {
+fn stops(friction: &[Option<TangentialRow>], rows: &[Range<usize>], solved: &BlocksSolution) -> Vec<Stop> {
     let stop = |normal: f64, friction: &Option<TangentialRow>, rows: &Range<usize>| {
         let friction = friction.as_ref()?;
         let velocity = solved.velocities.get(rows.clone())?.try_into().ok()?;
@@ -384,11 +384,11 @@ fn resisted_rotations(
 }
 
 /// The blocks of contacts with these rows along tangents.
-fn blocks(friction: &[Option<TangentialRow>], rows: &[Range<usize>]) -> FrictionBlocks {
-    let mut blocks = FrictionBlocks::default();
+fn blocks(friction: &[Option<TangentialRow>], rows: &[Range<usize>]) -> Blocks {
+    let mut blocks = Blocks::default();
     for (normal, (friction, tangents)) in friction.iter().zip(rows).enumerate() {
         let ellipse = friction.map_or(FrictionEllipse::default(), |friction| friction.coefficient());
-        blocks.push_contact(ellipse, normal, tangents.clone());
+        push_contact(&mut blocks, ellipse, normal, tangents.clone());
     }
     blocks
 }
@@ -399,7 +399,7 @@ fn blocks(friction: &[Option<TangentialRow>], rows: &[Range<usize>]) -> Friction
 fn slide_under_static_friction(
     friction: &mut [Option<TangentialRow>],
     rows: &[Range<usize>],
-    solved: &RowSolution,
+    solved: &BlocksSolution,
     constants: &[f64],
 ) -> bool {
     let scale = constants.iter().fold(0.0, |most: f64, constant| most.max(constant.abs()));

@@ -2,12 +2,12 @@
 
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::{Field, Wrench};
-use std::cell::RefCell;
+use std::sync::Mutex;
 
 /// Buffers for the states and wrenches of all movable bodies; a query about a few bodies writes only their entries.
-/// They are no part of the state.
+/// They are no part of the state; a query that finds them in use makes its own.
 #[derive(Debug, Default)]
-pub(crate) struct FieldBuffers(pub(crate) RefCell<(Vec<BodyState>, Vec<Wrench>)>);
+pub(crate) struct FieldBuffers(pub(crate) Mutex<(Vec<BodyState>, Vec<Wrench>)>);
 
 impl Clone for FieldBuffers {
     /// Empty buffers.

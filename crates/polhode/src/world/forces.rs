@@ -173,7 +173,7 @@ impl World {
     ) -> Option<Loads> {
         let slots: Vec<usize> = bodies.iter().filter_map(|&body| self.slot(body)).collect();
         let (fields, read) = self.field_index.acting_on(&slots)?;
-        let (mut buffers, mut none) = (self.field_buffers.0.try_borrow_mut(), Default::default());
+        let (mut buffers, mut none) = (self.field_buffers.0.try_lock(), Default::default());
         let (own, wrenches) = buffers.as_deref_mut().unwrap_or(&mut none);
         own.resize(self.movable.len(), BodyState::at_rest(Pose::IDENTITY));
         wrenches.resize(self.movable.len(), Wrench::default());
@@ -204,7 +204,7 @@ impl World {
         if fields.is_empty() {
             return found;
         }
-        let (mut buffers, mut none) = (self.field_buffers.0.try_borrow_mut(), Default::default());
+        let (mut buffers, mut none) = (self.field_buffers.0.try_lock(), Default::default());
         let (own, _) = buffers.as_deref_mut().unwrap_or(&mut none);
         own.resize(self.movable.len(), BodyState::at_rest(Pose::IDENTITY));
         for slot in read {

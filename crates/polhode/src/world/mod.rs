@@ -25,3 +25,9 @@ pub(crate) use forces::Loads;
 pub(crate) use model::World;
 pub(crate) use rates::{Rates, largest_eigenvalue};
 pub(crate) use tolerances::{INITIAL_OVERLAP_RELATIVE, TOUCH_RELATIVE};
+
+/// Threads may share a world.
+const _: () = {
+    const fn is_shared<T: Send + Sync>() {}
+    is_shared::<World>();
+};

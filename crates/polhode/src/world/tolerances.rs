@@ -3,6 +3,7 @@
 
 use super::model::World;
 use polhode_dynamics::BodyState;
+use polhode_spatial::Velocity;
 
 /// Distance that counts as touch, relative to the size of the smaller body: contacts this close at an impact are
 /// struck together (docs/NOTATION.md, "touch").
@@ -72,7 +73,11 @@ impl World {
 
     /// Largest speed of any point of a body, m/s, bounded by its size.
     pub(crate) fn point_speed(&self, states: &[BodyState], body: usize) -> f64 {
-        let velocity = self.velocity(body, &states[body]);
+        self.fastest_point(body, &self.velocity(body, &states[body]))
+    }
+
+    /// [`Self::point_speed`] of a body with a velocity.
+    pub(crate) fn fastest_point(&self, body: usize, velocity: &Velocity) -> f64 {
         velocity.linear.length() + velocity.angular.length() * self.bodies[body].size
     }
 

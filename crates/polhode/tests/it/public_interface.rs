@@ -37,6 +37,23 @@ fn on_slab(name: &str, motion: PrescribedMotion) -> SceneBuilder {
         .body(ball("ball", 0.5, 0.1, DVec3::new(-0.1, 0.02, 0.7), DVec3::ZERO).material(elastic(0.3)))
 }
 
+/// A simulation may be made in one thread and run in another, in every tier: it is `Send`, and has the same bits there.
+#[test]
+fn a_simulation_runs_in_another_thread() {
+    let motion = PrescribedMotion::sine(DVec3::Z * 0.02, DVec3::ZERO, 3.0, 0.0).unwrap();
+    for tier in TIERS {
+        let scene = on_slab("threads", motion.clone()).method(by(tier)).build().unwrap();
+        let run = |mut simulation: Simulation| {
+            simulation.run(&mut Unobserved).unwrap();
+            simulation.snapshot().to_bytes()
+        };
+        let here = run(start(&scene));
+        let simulation = start(&scene);
+        let there = std::thread::spawn(move || run(simulation)).join().unwrap();
+        assert_eq!(here, there, "{tier:?}");
+    }
+}
+
 /// A rod on a pivot, and a ball that hangs on it by a spring and reaches the floor.
 fn pendulum() -> SceneBuilder {
     let pose = Pose::new(Rotation::from_rotation_vector(DVec3::Y * 1.3), DVec3::Z * 0.9);

@@ -81,9 +81,17 @@ pub(crate) fn open_faces(a: Moving<'_>, b: Moving<'_>, touch: f64) -> Vec<OpenFa
         return open;
     }
     for (of, own, other) in [(Side::A, a, b), (Side::B, b, a)] {
+        let seen_from_own = own.pose.relative(other.pose);
+        let (points, ball) = hull_points(other.shape);
+        let some_point = points.first().map(|&point| seen_from_own.transform_point(point));
         each_face(own.shape, |face, normal, offset| {
+            // Most faces of a body are on the far side of it, where any point of the other one shows that.
+            if some_point.is_some_and(|point| normal.dot(point) - ball - offset < -touch) {
+                return;
+            }
             let found = OpenFace { of, face, normal, offset, separation: 0.0 };
-            open.extend(above(&found, own, other, touch).map(|separation| OpenFace { separation, ..found }));
+            let separation = above(&found, own, other, &seen_from_own, touch);
+            open.extend(separation.map(|separation| OpenFace { separation, ..found }));
         });
     }
     open
@@ -111,16 +119,11 @@ fn each_face(shape: &Shape, mut visit: impl FnMut(u32, DVec3, f64)) {
 }
 
 /// How far a body is above a face of another one (m), if it does not approach it and is below it by at most `touch`.
-fn above(face: &OpenFace, own: Moving<'_>, other: Moving<'_>, touch: f64) -> Option<f64> {
-    let normal = own.pose.rotation.rotate(face.normal);
-    let level = normal.dot(own.pose.translation) + face.offset;
-    let local = other.pose.rotation.inverse_rotate(normal);
-    let origin = normal.dot(other.pose.translation) - level;
+/// `seen_from_own` is the pose of the body in the frame of the face's one.
+fn above(face: &OpenFace, own: Moving<'_>, other: Moving<'_>, seen_from_own: &Pose, touch: f64) -> Option<f64> {
+    let local = seen_from_own.rotation.inverse_rotate(face.normal);
+    let origin = face.normal.dot(seen_from_own.translation) - face.offset;
     let (points, ball) = hull_points(other.shape);
-    // Most faces of a body are on the far side of it, where any point of the other one shows that.
-    if points.iter().any(|point| local.dot(*point) - ball + origin < -touch) {
-        return None;
-    }
     let rims = circles(other.shape);
     let of_points = points.iter().map(|p| local.dot(*p)).fold(f64::INFINITY, f64::min);
     let lowest = rims.iter().map(|rim| -rim.support(-local)).fold(of_points, f64::min);
@@ -128,6 +131,7 @@ fn above(face: &OpenFace, own: Moving<'_>, other: Moving<'_>, touch: f64) -> Opt
     if separation.is_nan() || separation < -touch {
         return None;
     }
+    let normal = own.pose.rotation.rotate(face.normal);
     let stays = |place: DVec3, falls: f64| {
         let (v, w) = (other.at(place), own.at(place));
         normal.dot(v - w) - falls >= -NOT_APPROACHING * (v.length() + w.length())

@@ -51,15 +51,15 @@ impl Default for MultipleImpactSettings {
 /// An impact with friction at several contacts.
 ///
 /// ```
-/// use polhode_response::friction::{FrictionBlock, FrictionProblem};
-/// use polhode_response::{MultipleFrictionalImpact, MultipleImpactSettings, MultipleImpactStatus};
+/// use polhode_response::friction::FrictionProblem;
+/// use polhode_response::{Law, MultipleFrictionalImpact, MultipleImpactSettings, MultipleImpactStatus};
 /// // A box of 1 kg and 1 m falls flat on two corners, in a plane, at 1 m/s down and 0.2 m/s along. Rows: normal and tangent
 /// // of the left corner, then of the right one; inertia 1/6 kg m^2, arms (-1/2, -1/2) and (1/2, -1/2).
 /// let row = |x: f64, y: f64, moment: f64| [x, y, 6.0_f64.sqrt() * moment];
 /// let rows = [row(0.0, 1.0, -0.5), row(1.0, 0.0, 0.5), row(0.0, 1.0, 0.5), row(1.0, 0.0, 0.5)];
 /// let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
 /// let matrix: Vec<f64> = rows.iter().flat_map(|a| rows.map(|b| dot(*a, b))).collect();
-/// let corner = FrictionBlock::Contact { rows: 2, friction: 0.5 };
+/// let corner = Law::Cone { rows: 2, friction: 0.5 };
 /// let contacts = FrictionProblem::from_dense(vec![corner, corner], &matrix, vec![-1.0, 0.2, -1.0, 0.2])?;
 /// let impact = MultipleFrictionalImpact {
 ///     contacts: &contacts,

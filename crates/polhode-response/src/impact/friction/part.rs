@@ -4,9 +4,8 @@ use super::multiple_outcome::MultipleImpactStatus;
 use crate::dense::kernels::compensated_dot;
 use crate::error::ResponseError;
 use crate::friction::coulomb_cone::put_parts_into_discs;
-use crate::friction::{
-    BlockMatrix, FrictionBlock, FrictionProblem, FrictionSettings, FrictionSolution, solve_friction,
-};
+use crate::friction::{BlockMatrix, FrictionProblem, FrictionSettings, FrictionSolution, solve_friction};
+use crate::law::Law;
 use crate::report::SolverStatus;
 use std::ops::Range;
 
@@ -217,7 +216,7 @@ fn chosen_blocks(
             }
         }
     }
-    let blocks: Vec<FrictionBlock> = chosen.iter().map(|&block| contacts.blocks()[block]).collect();
+    let blocks: Vec<Law> = chosen.iter().map(|&block| contacts.blocks()[block]).collect();
     let sizes: Vec<usize> = blocks.iter().map(|block| block.rows()).collect();
     let constant = chosen.iter().flat_map(|&block| constant[contacts.range(block)].iter().copied()).collect();
     FrictionProblem::new(blocks, BlockMatrix::from_blocks(&sizes, entries)?, constant)

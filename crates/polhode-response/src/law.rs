@@ -1,7 +1,15 @@
-//! What the rows of one block ask for together: a contact with Coulomb friction, or rows that hold.
+//! The laws of constraints: what the rows of one block ask of their reactions `r` and velocities `u` together.
 //!
-//! A contact has a normal row and as many tangential rows as the space has directions along the surface: two in space, one in
-//! a plane, none where there is no friction to speak of. Its reaction lies in the cone `|r_t| <= mu r_n`.
+//! | law | rows | asks for |
+//! |---|---|---|
+//! | [`Law::Hold`] | any | `u = 0`, reactions of either sign: a pivot, a joint, tangents that stick |
+//! | [`Law::Push`] | 1 | `0 <= r _\|_ u >= 0`: a contact without friction |
+//! | [`Law::Cone`] | 1 to 3 | `\|r_t\| <= mu r_n`, and Coulomb's law: a contact with friction |
+//! | [`Law::Slide`] | 2 | `r_t = -mu r_n`: a contact that slides already |
+//! | [`Law::Resist`] | 1 to 6 | a contact that resists slip, rolling and spinning |
+//!
+//! The words are the same for impulses and velocities, and for forces and accelerations. A contact has a normal row, the
+//! first of its block, and as many tangential rows as the space has directions along the surface: two in space, one in a plane.
 //!
 //! A contact may resist more than its slip: rolling, by the rows of two axes, and spinning, by that of the normal. Each is a
 //! part of its block with a law of Coulomb's kind: `|r_i| <= mu_i r_n` where `u_i = 0`, and `r_i = -mu_i r_n u_i/|u_i|` where
@@ -36,11 +44,20 @@ pub struct Resistance {
     pub slides: bool,
 }
 
-/// The rows of one contact or joint.
+/// What the rows of one block, those of a contact or joint, ask for together.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum FrictionBlock {
+#[non_exhaustive]
+pub enum Law {
+    /// Rows that are held, `u = 0`, by reactions of either sign: tangents that stick, axes of a joint. Problems with friction
+    /// take 1 to 3 rows; a joint of more is several blocks there.
+    Hold {
+        /// Rows.
+        rows: usize,
+    },
+    /// One row that pushes: `0 <= r _|_ u >= 0`.
+    Push,
     /// A contact: the normal row first, then the tangential rows, orthogonal to each other and of one length.
-    Contact {
+    Cone {
         /// Rows: 3 in space, 2 in a plane, 1 for a contact without tangential rows.
         rows: usize,
         /// Coefficient of friction (dimensionless, at least 0).
@@ -48,37 +65,42 @@ pub enum FrictionBlock {
     },
     /// A contact that slides already: the normal row and the row along the direction of its slip. Its reaction is
     /// `(r_n, -mu r_n)`, whatever the velocity along the slip.
-    Sliding {
+    Slide {
         /// Coefficient of friction (dimensionless, at least 0).
         friction: f64,
     },
     /// A contact that resists its slip (at most 2 rows), its rolling (2) and its spinning (1), in this order after the
     /// normal row.
-    Resisted {
+    Resist {
         /// What it resists; parts of no rows are left out.
         parts: [Resistance; PARTS],
     },
-    /// Rows that are held, `u = 0`, by reactions of either sign: tangents that stick, axes of a joint. 1 to 3 rows; a joint
-    /// of more rows is several blocks.
-    Bilateral {
-        /// Rows.
-        rows: usize,
-    },
 }
 
-impl FrictionBlock {
+impl Law {
     /// How many rows the block has.
     pub const fn rows(self) -> usize {
         match self {
-            Self::Contact { rows, .. } | Self::Bilateral { rows } => rows,
-            Self::Sliding { .. } => SLIDING_ROWS,
-            Self::Resisted { parts: [slip, roll, spin] } => 1 + slip.rows + roll.rows + spin.rows,
+            Self::Cone { rows, .. } | Self::Hold { rows } => rows,
+            Self::Push => 1,
+            Self::Slide { .. } => SLIDING_ROWS,
+            Self::Resist { parts: [slip, roll, spin] } => 1 + slip.rows + roll.rows + spin.rows,
         }
+    }
+
+    /// Whether the first row, that along the normal, pushes; all other rows have reactions of either sign.
+    pub const fn pushes(self) -> bool {
+        !matches!(self, Self::Hold { .. })
+    }
+
+    /// Whether some reaction is bounded by that along the normal.
+    pub(crate) fn has_friction(self) -> bool {
+        self.parts().iter().any(|(rows, _)| !rows.is_empty())
     }
 
     /// Whether it is a contact that resists rotations.
     pub const fn resists_rotation(self) -> bool {
-        matches!(self, Self::Resisted { .. })
+        matches!(self, Self::Resist { .. })
     }
 
     /// The rows of each part of a contact that resists, counted from its normal row, and what it resists.
@@ -87,10 +109,10 @@ impl FrictionBlock {
             [Resistance { rows, friction, slides }, Resistance::default(), Resistance::default()]
         };
         let parts = match self {
-            Self::Contact { rows, friction } => slip(rows.saturating_sub(1), friction, false),
-            Self::Sliding { friction } => slip(SLIDING_ROWS - 1, friction, true),
-            Self::Resisted { parts } => parts,
-            Self::Bilateral { .. } => Default::default(),
+            Self::Cone { rows, friction } => slip(rows.saturating_sub(1), friction, false),
+            Self::Slide { friction } => slip(SLIDING_ROWS - 1, friction, true),
+            Self::Resist { parts } => parts,
+            Self::Push | Self::Hold { .. } => Default::default(),
         };
         let mut first = 1;
         parts.map(|part| {
@@ -103,9 +125,10 @@ impl FrictionBlock {
     /// The coefficient of friction of its slip; none for rows that are held.
     pub const fn friction(self) -> Option<f64> {
         match self {
-            Self::Resisted { parts: [slip, ..] } => Some(slip.friction),
-            Self::Contact { friction, .. } | Self::Sliding { friction } => Some(friction),
-            Self::Bilateral { .. } => None,
+            Self::Resist { parts: [slip, ..] } => Some(slip.friction),
+            Self::Cone { friction, .. } | Self::Slide { friction } => Some(friction),
+            Self::Push => Some(0.0),
+            Self::Hold { .. } => None,
         }
     }
 
@@ -124,7 +147,7 @@ impl FrictionBlock {
             }
         }
         match self {
-            Self::Contact { rows, .. } | Self::Bilateral { rows } if rows > CONTACT_ROWS => {
+            Self::Cone { rows, .. } | Self::Hold { rows } if rows > CONTACT_ROWS => {
                 Err(ResponseError::FrictionRows { block, rows })
             }
             _ => Ok(()),
