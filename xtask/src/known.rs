@@ -18,10 +18,6 @@ struct KnownFailure {
 const FEW_FEET: &str = "a disc of 108 feet stands for one that presses evenly: its sums are those of the feet to rounding, \
                         and integrals over the disc only as the number of feet grows (720 feet: 2e-3 of eps0)";
 
-/// Why a torus does not pass over the seams of a compound.
-const TORUS_ON_PARTS: &str = "the run is degraded: contacts of a torus with the edges between parts of a compound are not \
-                              yet left out of its set of contacts";
-
 /// All of them.
 const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure {
@@ -39,15 +35,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure { case: "FC-05", quantity: "eps0", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "F/(mu m g)", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "stop time", reason: FEW_FEET },
-    KnownFailure { case: "seams", quantity: "ring over parts of a body", reason: TORUS_ON_PARTS },
-    KnownFailure { case: "seams", quantity: "wheel over parts of a body", reason: TORUS_ON_PARTS },
-    KnownFailure {
-        case: "random scenes",
-        quantity: "seeds that end well and break a law",
-        reason: "3 of 100: stretches of crowded events give bodies on pivots 1.8e-6 and 1.4e-6 of the energy (14, 43; within what \
-                 their tolerance promises, beyond the judge's 1e-6); a plane rubs a body by 2.4e-5 of its speed more than its \
-                 friction allows, 1.2 times what is accepted (79)",
-    },
     KnownFailure {
         case: "crowds: friction far away",
         quantity: "motions in a plane that end with other bits beside it",

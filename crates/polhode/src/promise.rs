@@ -25,6 +25,7 @@ use crate::accounting::measures::{Limits, Measure};
 use crate::accounting::numerical_loss::FixedStep;
 use crate::collision::contact_set::Touch;
 use crate::core::Core;
+use crate::interaction::bounce_friction::EndedBounces;
 use crate::interaction::cone_violation::ConeViolation;
 use crate::interaction::constraint::ConstraintId;
 use crate::interaction::projection::Projection;
@@ -146,16 +147,18 @@ impl Core {
     }
 
     /// Books the end of bounces of some bodies at `t` (s), and records in the certificate what was taken beyond the
-    /// energy of the bounces. That energy is at most the one that all the bodies have at the speed of the fastest bounce.
+    /// energy of the bounces and their friction. The energy of bounces is at most the one that all the bodies have at the
+    /// speed of the fastest one.
     pub(crate) fn book_ended_bounces(
         &mut self,
         t: f64,
         bodies: &[usize],
         fastest: &Touch,
         (before, after): (Balance, Balance),
-        work_j: f64,
+        ended: &EndedBounces,
     ) {
-        let taken = self.accounts.books.rest(before, after, work_j);
+        let taken = self.accounts.books.rest(before, after, ended.work_j) - ended.friction_j;
+        self.accounts.books.friction_at_rest(ended.friction_j);
         let mass = |&body: &usize| self.world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
         let speed = fastest.kinematics.separation_rate;
         let of_bounces = 0.5 * bodies.iter().map(mass).sum::<f64>() * speed * speed;

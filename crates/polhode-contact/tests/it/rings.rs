@@ -578,3 +578,29 @@ fn a_circle_has_at_most_one_local_minimum_on_either_half() {
     }
     assert!(twos > 4000, "{twos}");
 }
+
+/// A ring that stands or lies on two flush parts of a body has contacts within the faces of these parts, on either side of
+/// the border between them. Those beyond the border of a face, and those with the edges that the parts share, do not take
+/// their place: they would end as the ring rolls on, with nothing below it.
+#[test]
+fn a_ring_over_the_border_of_two_parts_touches_the_face_below_it() {
+    let tile = cuboid(0.2, 1.0, 0.1);
+    let part = |x: f64| tile.placed(&Pose::from_translation(DVec3::new(x, 0.0, -0.05))).unwrap();
+    let tiles = Shape::compound(vec![part(-0.1), part(0.1)]).unwrap();
+    let own = ring(0.04, 0.01);
+    let touch = 1e-12;
+    for (turn, height, radius) in [(FRAC_PI_2, 0.05, 0.0), (0.0, 0.01, 0.04)] {
+        for beside in [1e-3, 1e-6, 3e-7, 1e-7, 1e-8, 1e-12, 0.0] {
+            for x in [beside, -beside, radius + beside, radius - beside, -radius + beside, -radius - beside] {
+                let pose = turned(DVec3::X, turn, DVec3::new(x, 0.01, height));
+                let found = manifold(&tiles, &Pose::IDENTITY, &own, &pose, touch);
+                let is_below = |contact: &Contact| {
+                    contact.geometry.normal.cross(DVec3::Z).length() < 1e-12 && contact.geometry.margin >= -touch
+                };
+                assert!(found.contacts.iter().any(is_below), "{x:e} {turn}: {:?}", found.contacts);
+                let beyond = found.contacts.iter().filter(|contact| contact.geometry.margin < -touch).count();
+                assert_eq!(beyond, 0, "{x:e} {turn}: {:?}", found.contacts);
+            }
+        }
+    }
+}

@@ -146,6 +146,12 @@ impl Books {
         taken
     }
 
+    /// Books the part of what the end of bounces took (J) that friction took; negative where friction gives it back.
+    pub(crate) fn friction_at_rest(&mut self, friction_j: f64) {
+        self.ledger.rest.add(-friction_j);
+        self.ledger.friction.add(friction_j);
+    }
+
     /// Books the changes that a program made to bodies: external work and impulse.
     pub(crate) fn program(&mut self, before: Balance, after: Balance) {
         self.ledger.external.add(after.energy_j - before.energy_j);

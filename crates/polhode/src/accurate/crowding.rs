@@ -537,8 +537,8 @@ fn attempt(
         let (report, error) = made.map_err(|source| Core::response_error(t, source))?;
         let even = control.even_share() * core.settings.crowd_error_allowed() * h / longest;
         let allowed = even.max(SHARE_OF_SPARE * crowd.spare_error);
-        let error = error.max(taken_beyond(core, (bodies, start), &report, allowed));
-        let error = error.max(allowed * violation_of_limit(&report));
+        let taken = taken_of_limit(core, (bodies, start), &report, even);
+        let error = error.max(allowed * taken.max(violation_of_limit(&report)));
         let ratio = if error > 0.0 { SAFETY * (allowed / error).sqrt() } else { f64::INFINITY };
         let rate = error / h;
         let better = least.take_if(|least| error > allowed && h <= shortest && least.rate() < rate);
@@ -575,10 +575,16 @@ fn violation_of_limit(report: &TimeStepReport) -> f64 {
     if of_limit > 1.0 { of_limit } else { 0.0 }
 }
 
-/// The energy that projections and the integrator took in a time step of these bodies from these states, relative to their
-/// kinetic energy and that of lifting them by their size; zero where it is within what is allowed (no unit). No energy of
-/// the whole run: bodies elsewhere, and samples, change no step.
-fn taken_beyond(core: &Core, (bodies, start): (&[usize], &[BodyState]), report: &TimeStepReport, allowed: f64) -> f64 {
+/// The energy that projections and the integrator took in a time step of these bodies from these states, in what they may:
+/// `allowed` times the kinetic energy of the bodies and that of lifting them by their size; zero within it (no unit). What
+/// they take adds up, always in one direction, and falls with the length of a step also where contacts begin within it, so
+/// that no error is spared for it. No energy of the whole run: bodies elsewhere, and samples, change no step.
+fn taken_of_limit(
+    core: &Core,
+    (bodies, start): (&[usize], &[BodyState]),
+    report: &TimeStepReport,
+    allowed: f64,
+) -> f64 {
     let taken = &report.books.ledger;
     let taken_j = taken.projection.value().abs() + taken.numerical.value().abs();
     let gravity = core.world.gravity().length();
@@ -590,8 +596,8 @@ fn taken_beyond(core: &Core, (bodies, start): (&[usize], &[BodyState]), report: 
             .map_or(0.0, |rigid| rigid.kinetic_energy(state) + rigid.mass() * gravity * size)
     };
     let scale_j: f64 = bodies.iter().zip(start).map(energy).sum();
-    let is_large = taken_j > allowed * scale_j;
-    if is_large && scale_j > 0.0 { taken_j / scale_j } else { 0.0 }
+    let limit_j = allowed * scale_j;
+    if taken_j > limit_j && limit_j > 0.0 { taken_j / limit_j } else { 0.0 }
 }
 
 /// How far a body in these states may travel within `h` (s), m.

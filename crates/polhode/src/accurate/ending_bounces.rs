@@ -3,8 +3,8 @@
 //! A contact that separates with the speed `w`, while the forces accelerate it back by `a`, rises by `h = w^2/(2a)`. Where
 //! that is below [`NEGLIGIBLE_HEIGHT`] touch distances, its bodies cannot be distinguished from bodies that touch. The
 //! sequence of bounces that follows (2w/a in all for e = 0, and 2w/(a (1 - e)) in general; thesis 3.3) is replaced by its
-//! end: the smallest change of velocities that makes the speeds of all contacts that hold zero. It is booked as energy
-//! lost at rest.
+//! end: the smallest change of velocities that makes the speeds of all contacts that hold zero, with the friction that
+//! belongs to it (`interaction/bounce_friction.rs`). It is booked as energy lost at rest.
 //!
 //! A bounce that is small at its contact need not be small elsewhere. A die that rocks on two contacts half a millimetre
 //! apart separates there by a thousandth of what it does at its far corners. Such a bounce is no remainder but a motion: it
@@ -24,8 +24,8 @@ use super::instant::Instant;
 use crate::SimulationError;
 use crate::collision::contact_set::Touch;
 use crate::core::Core;
+use crate::interaction::bounce_friction;
 use crate::interaction::groups::Group;
-use crate::interaction::projection::{self, Removal};
 use crate::states_of::{set_states, states_of};
 use polhode_dynamics::RigidBody;
 use std::collections::BTreeSet;
@@ -119,21 +119,19 @@ impl Engine {
         let Some(fastest) = fastest else { return Ok(false) };
         let start = states_of(&self.states, &group.bodies);
         let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-        let bodies = &group.bodies;
-        let contacts = (&ids[..], &[][..], &[][..]);
-        let slowed = projection::project_velocities(&core.world, &mut self.states, bodies, contacts, Removal::Complete)
-            .map_err(|source| Core::response_error(instant.t, source))?;
-        let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-        let taken = before.lost_until(after, slowed.work_j);
-        let mass = |&body: &usize| core.world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
-        let mass = group.bodies.iter().map(mass).sum::<f64>();
         let largest = |of: fn(&SmallBounce) -> f64| bounces.iter().map(of).fold(0.0, f64::max);
         let w = largest(|bounce| bounce.speed);
+        let ended = bounce_friction::end_bounces(&core.world, &mut self.states, &group.bodies, (&ids, w))
+            .map_err(|source| Core::response_error(instant.t, source))?;
+        let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
+        let taken = before.lost_until(after, ended.work_j) - ended.friction_j;
+        let mass = |&body: &usize| core.world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
+        let mass = group.bodies.iter().map(mass).sum::<f64>();
         if taken > mass * (0.5 * w * w + largest(|bounce| bounce.lifting)) {
             set_states(&mut self.states, &group.bodies, &start);
             return Ok(false);
         }
-        core.book_ended_bounces(instant.t, &group.bodies, &fastest, (before, after), slowed.work_j);
+        core.book_ended_bounces(instant.t, &group.bodies, &fastest, (before, after), &ended);
         for bounce in bounces {
             let id = instant.touches[bounce.contact].id;
             for body in [id.a, id.b] {

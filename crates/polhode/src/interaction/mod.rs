@@ -6,6 +6,7 @@
 
 pub(crate) mod acceleration_problem;
 pub(crate) mod assembly;
+pub(crate) mod bounce_friction;
 pub(crate) mod cone_violation;
 pub(crate) mod constraint;
 pub(crate) mod friction_blocks;

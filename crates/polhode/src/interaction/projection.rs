@@ -286,10 +286,12 @@ fn farthest(distances: impl Iterator<Item = (f64, ConstraintId)>) -> Option<Cons
 }
 
 /// Result of the projection of velocities.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct RemovedVelocities {
     /// The constraint with the largest relative velocity; none when all were zero.
     pub(crate) fastest: Option<ConstraintId>,
+    /// The impulses of the contacts along their normals, on A, N s; empty when all velocities were zero.
+    pub(crate) impulses: Vec<(ContactId, f64)>,
     /// Work of prescribed motions by the impulses, J.
     pub(crate) work_j: f64,
 }
@@ -352,7 +354,9 @@ pub(crate) fn project_velocities(
         + moment_work(world, states, moments.into_iter());
     let speeds = contacts.iter().map(|(id, k)| (k.separation_rate.abs(), ConstraintId::Contact(*id)));
     let pivots = assembly.pivots().iter().map(|pivot| (pivot.velocity.length(), pivot.id()));
-    Ok(RemovedVelocities { fastest: farthest(speeds.chain(pivots)), work_j })
+    let fastest = farthest(speeds.chain(pivots));
+    let impulses = contacts.iter().zip(&multipliers).map(|((id, _), &p)| (*id, p)).collect();
+    Ok(RemovedVelocities { fastest, impulses, work_j })
 }
 
 /// Rows along both tangents of a contact, each with the slip along it, m/s.

@@ -12,8 +12,8 @@ use crate::states_of::{set_states, states_of};
 use crate::world::{Loads, World};
 use crate::{Momentum, MomentumSum};
 use polhode_dynamics::BodyState;
-use polhode_dynamics::field::{Account, Dependence};
-use polhode_spatial::Velocity;
+use polhode_dynamics::field::{Account, Dependence, Wrench};
+use polhode_spatial::{DVec3, Velocity};
 
 /// A kick that was given.
 #[derive(Debug, Default)]
@@ -59,8 +59,8 @@ pub(super) fn kick(world: &World, states: &mut [BodyState], bodies: &[usize], t:
     Kick { received: received(world, states, bodies, &before, &accounts, h, books), stored }
 }
 
-/// How the forces with a potential change the velocities of bodies over `h`, with the impulses by which an implicit kick
-/// differs from that of constant forces.
+/// How the forces with a potential, weights of bodies on pivots among them, change the velocities of bodies over `h`, with
+/// the impulses by which an implicit kick differs from that of constant forces.
 fn stored(
     world: &World,
     states: &[BodyState],
@@ -80,6 +80,10 @@ fn stored(
             impulse.angular += own.impulse.angular;
         }
         let Some(rigid) = &world.bodies[body].rigid else { return Twist::default() };
+        // Forces on a body on a pivot turn it about that, its weight included, which is no field.
+        let mut swing = Wrench { force: impulse.linear / h, torque: DVec3::ZERO };
+        world.free_motion().add_swing(rigid, &states[body], &mut swing);
+        impulse.angular += swing.torque * h;
         let inverse_inertia = rigid.inverse_inertia_world(states[body].pose.rotation);
         Twist { linear: impulse.linear * rigid.inverse_mass(), angular: inverse_inertia * impulse.angular }
     };
@@ -118,7 +122,7 @@ fn add_differences(
     for Difference { account, body, impulse } in differences {
         let (Some(rigid), Ok(place)) = (&world.bodies[*body].rigid, bodies.binary_search(body)) else { continue };
         let (start, end) = (&before[place], &states[*body]);
-        let mean = |a: polhode_spatial::DVec3, b: polhode_spatial::DVec3| (a + b) * 0.5;
+        let mean = |a: DVec3, b: DVec3| (a + b) * 0.5;
         let (from, to) = (rigid.velocity(start), rigid.velocity(end));
         let work =
             impulse.linear.dot(mean(from.linear, to.linear)) + impulse.angular.dot(mean(from.angular, to.angular));

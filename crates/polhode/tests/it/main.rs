@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 mod bad_numbers;
+mod bounces_with_friction;
 mod broad_phases;
 mod checks;
 mod constrained_methods;

@@ -1,11 +1,12 @@
 //! Removal of duplicate contacts: one contact for each place and normal.
 //!
-//! Several parts may have a contact at the same place. The order of preference depends only on the features of the
-//! bodies, not on which body is called A: a vertex-face contact first, then the higher face, vertex and edge number,
-//! then the feature of the upper body.
+//! Several parts may have a contact at the same place. The one that is within its features is preferred to one beyond
+//! their border, which the next part has there. Otherwise the order of preference depends only on the features of the
+//! bodies, not on which body is called A: a vertex-face contact first, then one on a face, then one on an edge; then the
+//! higher face, vertex and edge number, then the feature of the upper body.
 
 use crate::narrow_phase::region::upward::is_upward;
-use crate::{Contact, ContactFeature, Side};
+use crate::{Contact, ContactFeature, Side, SurfaceFeature};
 use std::cmp::Ordering;
 
 /// Contacts of different parts, and a contact and a feature of a part, are at the same place when they are nearer than
@@ -50,7 +51,7 @@ impl SamePlaces {
                     && !dropped[j]
                     && first.geometry.point.distance(second.geometry.point) <= tolerance
                 {
-                    dropped[if is_preferred(&first, &second) { j } else { i }] = true;
+                    dropped[if is_preferred(&first, &second, tolerance) { j } else { i }] = true;
                 }
             }
         }
@@ -62,19 +63,30 @@ impl SamePlaces {
     }
 }
 
-/// Whether the first of two contacts at the same place is kept.
-fn is_preferred(first: &Contact, second: &Contact) -> bool {
+/// A face is preferred to an edge, and an edge to other features: at the border of a part the next part continues the face.
+const fn rank_of(feature: SurfaceFeature) -> u32 {
+    match feature {
+        SurfaceFeature::Face(_) => 2,
+        SurfaceFeature::Edge(_) => 1,
+        _ => 0,
+    }
+}
+
+/// Whether the first of two contacts at the same place is kept; margins are known to `tolerance` (m).
+fn is_preferred(first: &Contact, second: &Contact, tolerance: f64) -> bool {
+    let is_within = |contact: &Contact| contact.geometry.margin >= -tolerance;
+    if is_within(first) != is_within(second) {
+        return is_within(first);
+    }
     let upper = |contact: &Contact| if is_upward(contact.geometry.normal) { Side::A } else { Side::B };
     let rank = |contact: &Contact| match contact.feature {
         ContactFeature::VertexFace { vertex_of, vertex, face } => (3, face, vertex, vertex_of == upper(contact)),
         ContactFeature::Smooth { center_of, center, against } => {
-            let (kind, number) = match against {
-                crate::SurfaceFeature::Face(face) => (2, face),
-                crate::SurfaceFeature::Edge(edge) => (1, edge),
-                crate::SurfaceFeature::Vertex(vertex) => (0, vertex),
-                _ => (0, 0),
+            let number = match against {
+                SurfaceFeature::Face(number) | SurfaceFeature::Edge(number) | SurfaceFeature::Vertex(number) => number,
+                _ => 0,
             };
-            (kind, number, center, center_of == upper(contact))
+            (rank_of(against), number, center, center_of == upper(contact))
         }
         ContactFeature::EdgeEdge { edge_a, edge_b }
         | ContactFeature::Spheres { center_a: edge_a, center_b: edge_b } => {
@@ -83,8 +95,9 @@ fn is_preferred(first: &Contact, second: &Contact) -> bool {
         }
         ContactFeature::SphereSphere => (0, 0, 0, true),
         ContactFeature::Elements { a, b } => {
+            let kind = rank_of(a).max(rank_of(b));
             let (a, b) = (a.number(), b.number());
-            (0, a.max(b), a.min(b), (a > b) == (upper(contact) == Side::A))
+            (kind, a.max(b), a.min(b), (a > b) == (upper(contact) == Side::A))
         }
     };
     rank(first).cmp(&rank(second)) != Ordering::Less

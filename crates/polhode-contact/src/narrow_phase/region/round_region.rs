@@ -93,8 +93,9 @@ pub(crate) fn contacts(
         let Some(contact) = measure(feature) else { continue };
         let geometry = &contact.geometry;
         let level = (geometry.separation - gap.separation).abs() <= SAME_PLACE * gap.tolerance;
+        let is_within = geometry.margin >= -gap.tolerance;
         let near = |other: &Contact| other.geometry.point.distance(geometry.point) <= SAME_PLACE * gap.tolerance;
-        if level && geometry.separation <= reach && !contacts[first..].iter().any(near) {
+        if level && is_within && geometry.separation <= reach && !contacts[first..].iter().any(near) {
             contacts.push(contact);
         }
     }
