@@ -29,10 +29,10 @@ use polhode_spatial::DoubleDouble;
 
 /// Columns below this fraction of the largest depend on the others (no unit): quadratic in distances, so
 /// that contacts that are 1e-5 of the lever arm apart are taken as one.
-const DEPENDENT: f64 = 1e-10;
+const DEPENDENT_COLUMN: f64 = 1e-10;
 
 /// Forces that move bodies by less than this fraction of what they would one by one hold nothing (no unit, a square):
-/// the square of [`DEPENDENT`] rounding with room for that of directions.
+/// the square of [`DEPENDENT_COLUMN`] rounding with room for that of directions.
 const MOVES: f64 = 1e-16;
 
 /// Steps of iterative refinement: the first brings the residual to rounding.
@@ -91,7 +91,7 @@ pub fn least_norm_sliding_forces(
             *entry *= row_scale * column_scale;
         }
     }
-    let factor = PivotedQr::factor(held, held, matrix.clone(), DEPENDENT);
+    let factor = PivotedQr::factor(held, held, matrix.clone(), DEPENDENT_COLUMN);
     let wanted: Vec<f64> = b.iter().zip(&scale).map(|(b, scale)| -b * scale).collect();
     let mut scaled = factor.solve_transpose(&wanted);
     for _ in 0..REFINEMENTS {
@@ -184,7 +184,7 @@ pub fn motion_depends_on_choice(
     let rows = delassus.len();
     check_length("rows held and sliding", rows, held + sliding.len())?;
     check_rows(sliding, held, rows)?;
-    let factor = PivotedQr::factor(held, held, held_by_forces(delassus, held, sliding), DEPENDENT);
+    let factor = PivotedQr::factor(held, held, held_by_forces(delassus, held, sliding), DEPENDENT_COLUMN);
     for column in factor.rank()..held {
         let mut forces = vec![0.0; held];
         forces[column] = 1.0;
@@ -218,7 +218,7 @@ fn take_least(factor: &PivotedQr, scale: &[f64], forces: &mut [f64]) {
             *entry *= scale;
         }
     }
-    let idle = PivotedQr::factor(held, held - rank, undetermined, DEPENDENT);
+    let idle = PivotedQr::factor(held, held - rank, undetermined, DEPENDENT_COLUMN);
     idle.remove_range(forces);
 }
 

@@ -4,7 +4,7 @@
 //! It begins at the first such stretch, from the states there, follows every action of the program, and is compared
 //! with the run at the end. Of time steps of length `h` the error is `e ~ h^p`, with `p` 2 between changes of contact
 //! and 1 across them, whatever amplifies it later. That of the companion is `2^p e`, and the distance of the two runs
-//! `(2^p - 1) e`, from `e` to `3 e`. The estimate is [`SAFETY`] times this distance, and the positions are at least as
+//! `(2^p - 1) e`, from `e` to `3 e`. The estimate is [`ESTIMATE_SAFETY`] times this distance, and the positions are at least as
 //! uncertain as the errors of the steps themselves. Source: step doubling (docs/REFERENCES.md, Hairer, Norsett and
 //! Wanner), applied to the whole motion and not to one step.
 //!
@@ -25,7 +25,7 @@ const STEP_FACTOR: f64 = 2.0;
 
 /// The estimate in distances of the two runs (no unit, 1 to 3): where errors fall more slowly than with the length of
 /// the steps, the distance is less than the error.
-const SAFETY: f64 = 2.0;
+const ESTIMATE_SAFETY: f64 = 2.0;
 
 impl Companion<Simulation> {
     /// The companion as plain data.
@@ -118,15 +118,15 @@ impl Simulation {
         let mut estimate =
             CrowdingError { position_m: 0.0, body: None, velocity_m_s: 0.0, angular_velocity_rad_s: 0.0 };
         for &body in world.movable.iter().filter(|&&body| world.bodies[body].moves()) {
-            let apart = SAFETY * displacement(world, body, &own[body], &other[body]);
+            let apart = ESTIMATE_SAFETY * displacement(world, body, &own[body], &other[body]);
             let position_m = apart.max(local * world.bodies[body].size);
             if position_m > estimate.position_m {
                 (estimate.position_m, estimate.body) = (position_m, Some(BodyId::new(body)));
             }
             let [one, two] = [&own, &other].map(|states| world.velocity(body, &states[body]));
             let (linear, angular) = ((one.linear - two.linear).length(), (one.angular - two.angular).length());
-            estimate.velocity_m_s = estimate.velocity_m_s.max(SAFETY * linear);
-            estimate.angular_velocity_rad_s = estimate.angular_velocity_rad_s.max(SAFETY * angular);
+            estimate.velocity_m_s = estimate.velocity_m_s.max(ESTIMATE_SAFETY * linear);
+            estimate.angular_velocity_rad_s = estimate.angular_velocity_rad_s.max(ESTIMATE_SAFETY * angular);
         }
         Some(estimate)
     }

@@ -8,6 +8,7 @@
 //! | `third_party` | libraries that stay in their private module |
 //! | `rules` | rules about one source file at a time |
 //! | `one_dependency` | the rule that an example names its own crate alone |
+//! | `tolerances` | no two tolerances of one name with two values |
 //! | `unused_dependencies` | dependencies that nothing names |
 //! | `docs` | rules about documents and manifests |
 //! | `rust_source` | a source file, with code told from comments and tests |
@@ -23,6 +24,7 @@ mod project_file;
 mod rules;
 mod rust_source;
 mod third_party;
+mod tolerances;
 mod unused_dependencies;
 mod violation;
 
@@ -44,6 +46,7 @@ pub(crate) fn check(root: &Path) -> Vec<Row> {
     rows.push(row("circles of files that import each other", &circles::check(&sources)));
     rows.push(row("parry3d and clarabel stay in their private module", &third_party::check(&sources)));
     rows.extend(rules::ALL.iter().map(|rule| row(rule.name, &rule.check(&sources))));
+    rows.push(row("no two tolerances of one name with two values", &tolerances::check(&sources)));
     rows.push(row("every dependency is named by code", &unused_dependencies::check(&files, &sources)));
     rows.push(row("crates follow the lints of the workspace", &docs::lints(&files)));
     rows.push(row("paths named in the documents exist", &docs::paths_exist(&files, root)));

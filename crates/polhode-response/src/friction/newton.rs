@@ -30,7 +30,7 @@ use std::ops::Range;
 const LEAST_DAMPING: f64 = 1e-9;
 
 /// Equations below this fraction of the largest depend on the others (no unit): quadratic in distances.
-const DEPENDENT: f64 = 1e-9;
+const DEPENDENT_EQUATION: f64 = 1e-9;
 
 /// What a step leaves of the function's square when it went well (no unit).
 const WELL: f64 = 0.25;
@@ -335,7 +335,7 @@ impl<'a> Newton<'a> {
                 right[at + k] = law.right[k] - inner(law.rows[k], shifted);
             }
         }
-        let unknowns = PivotedQr::factor(size, size, dense, DEPENDENT).solve_transpose(&right);
+        let unknowns = PivotedQr::factor(size, size, dense, DEPENDENT_EQUATION).solve_transpose(&right);
         for (block, law) in self.laws.iter().enumerate() {
             let range = matrix.range(block);
             for (row, target) in self.change[range].iter_mut().enumerate() {

@@ -32,7 +32,7 @@ use std::ops::Range;
 const LEAST_NODE_DAMPING: f64 = 1e-6;
 
 /// Pivots below this fraction of the largest depend on the others (no unit): contacts along a line have no moment about it.
-const DEPENDENT: f64 = 1e-11;
+const DEPENDENT_LAW: f64 = 1e-11;
 
 /// The system of one step.
 #[derive(Debug, Clone, Default)]
@@ -285,7 +285,7 @@ impl NodeLaws {
             axpy(unknown.side / unknown.within, right, velocities);
             add_outer_product(1.0 / unknown.within, right, left, square);
         }
-        solve_small(square, velocities, DEPENDENT);
+        solve_small(square, velocities, DEPENDENT_LAW);
         own.extend(unknowns.iter().map(|unknown| (unknown.side - unknown.of(left, velocities)) / unknown.within));
     }
 }

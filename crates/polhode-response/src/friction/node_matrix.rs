@@ -20,7 +20,7 @@ use std::ops::Range;
 
 /// Pivots below this share of the largest diagonal entry of a node depend on the others (no unit, 1e-14 to 1e-10): some
 /// hundred rounding units.
-const DEPENDENT: f64 = 1e-12;
+const DEPENDENT_IN_NODE: f64 = 1e-12;
 
 /// Rows that must depend on others for a node to be reduced: those of a contact. Fewer cost more than they save.
 const LEAST_DEPENDENT: usize = 3;
@@ -224,7 +224,9 @@ fn expansion(matrix: &BlockMatrix, blocks: &[usize], node: &NodeRows) -> Option<
     let most = (0..size).fold(0.0, |most: f64, k| most.max(rest[k * size + k]));
     let mut independent = Vec::new();
     let mut is_used = vec![false; size];
-    while let Some(pivot) = largest_free(&rest, &is_used, size).filter(|&k| rest[k * size + k] > DEPENDENT * most) {
+    while let Some(pivot) =
+        largest_free(&rest, &is_used, size).filter(|&k| rest[k * size + k] > DEPENDENT_IN_NODE * most)
+    {
         is_used[pivot] = true;
         independent.push(pivot);
         sweep(&mut rest, size, pivot);

@@ -11,11 +11,11 @@ use crate::settings::SolverSettings;
 
 /// A velocity below this fraction of the terms `|u-| + sum |G_ik| p_k` of its row is rounding of zero (no unit): 50
 /// times the rounding unit, for sums of a few dozen terms.
-const VELOCITY_ROUNDING: f64 = 1e-14;
+const ROUNDING_OF_SUM: f64 = 1e-14;
 
 /// A gain of energy above this fraction of `sum p_i (|u_i-| + |u_i+|) / 2` is real (no unit). Below it is what rounding
 /// and rows that are held only nearly leave (`closed_cut`), and is taken out by shortening the impulses.
-const ENERGY_ROUNDING: f64 = 1e-10;
+const HELD_ENERGY_ROUNDING: f64 = 1e-10;
 
 /// The problem of one impact and what is needed to solve it.
 #[derive(Debug)]
@@ -105,7 +105,7 @@ impl<'a> Impact<'a> {
     /// that tells two opposite rows apart, and must not pass for bodies that are squeezed.
     pub(super) fn noise(&self, impulses: &[f64]) -> f64 {
         let terms = (0..impulses.len()).map(|row| compensated_terms(self.problem.delassus.row(row), impulses));
-        VELOCITY_ROUNDING * terms.fold(0.0, f64::max)
+        ROUNDING_OF_SUM * terms.fold(0.0, f64::max)
     }
 
     /// Whether there is a velocity at which all rows separate: by the least one with `u >= 1` on all rows.
@@ -145,7 +145,7 @@ impl<'a> Impact<'a> {
         for row in 0..count {
             let terms =
                 compensated_terms(self.problem.delassus.row(row), &outcome.impulses) + self.problem.u_before[row].abs();
-            if velocities[row].abs() <= VELOCITY_ROUNDING * terms {
+            if velocities[row].abs() <= ROUNDING_OF_SUM * terms {
                 velocities[row] = 0.0;
             }
             remains |= if self.problem.is_bilateral(row) { velocities[row] != 0.0 } else { velocities[row] < 0.0 };
@@ -155,7 +155,7 @@ impl<'a> Impact<'a> {
             // Row by row velocities have drifted apart over many impulses; those of the total belong together, to the
             // rounding of the velocities before.
             velocities = precise::accelerations(self.problem.contacts, &rows, self.problem.u_before, &outcome.impulses);
-            let noise = VELOCITY_ROUNDING * largest(self.problem.u_before);
+            let noise = ROUNDING_OF_SUM * largest(self.problem.u_before);
             let last = self.solve(&rows, &velocities, noise, outcome);
             for (total, impulse) in outcome.impulses.iter_mut().zip(&last.amounts) {
                 *total += impulse;
@@ -172,7 +172,7 @@ impl<'a> Impact<'a> {
             // Rounding must not be in favour of energy: shorten the impulses by as much.
             let gain = compensated_dot(&outcome.impulses, &outcome.velocities_after);
             let shorter = 1.0 - outcome.energy_change / gain;
-            if shorter > 1.0 - ENERGY_ROUNDING.sqrt() {
+            if shorter > 1.0 - HELD_ENERGY_ROUNDING.sqrt() {
                 outcome.impulses.iter_mut().for_each(|impulse| *impulse *= shorter);
                 outcome.energy_change = self.energy_change(&outcome.impulses);
             }
@@ -216,7 +216,7 @@ impl<'a> Impact<'a> {
 pub(super) fn gains_energy(u_before: &[f64], outcome: &ImpactOutcome) -> bool {
     let speeds = u_before.iter().zip(&outcome.velocities_after).map(|(before, after)| before.abs() + after.abs());
     let size: f64 = outcome.impulses.iter().zip(speeds).map(|(impulse, speed)| 0.5 * impulse.abs() * speed).sum();
-    outcome.energy_change > ENERGY_ROUNDING * size
+    outcome.energy_change > HELD_ENERGY_ROUNDING * size
 }
 
 fn compensated_terms(line: &[f64], impulses: &[f64]) -> f64 {

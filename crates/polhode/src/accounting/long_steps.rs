@@ -9,7 +9,7 @@ use crate::world::World;
 use polhode_dynamics::BodyState;
 
 /// The angle by which a body may turn in one step, rad: within it the chord is the arc to a twentieth.
-const LARGEST_TURN: f64 = 1.0;
+const LARGEST_TURN_OF_STEP: f64 = 1.0;
 
 /// The estimated error, relative to the size of a body, beyond which a run with steps that are too long is no answer (no
 /// unit): the body is not where it is said to be.
@@ -44,13 +44,13 @@ impl Movement {
         let size = world.bodies[body].size;
         let (travel, turn) = (way / size, h * rates[0].max(rates[1]));
         let falls = (2.0 * size / world.gravity().length()).sqrt();
-        let enough_s = falls.min(h / travel.max(turn / LARGEST_TURN));
+        let enough_s = falls.min(h / travel.max(turn / LARGEST_TURN_OF_STEP));
         Self { body, t: t + h, step_s: h, travel, turn, enough_s }
     }
 
     /// How many times the step is too long.
     fn excess(&self) -> f64 {
-        self.travel.max(self.turn / LARGEST_TURN)
+        self.travel.max(self.turn / LARGEST_TURN_OF_STEP)
     }
 }
 
@@ -90,7 +90,7 @@ impl LongSteps {
         let worst = self.worst?;
         let Movement { body, t, step_s, travel, turn, enough_s } = worst;
         let name = &world.bodies[body].name;
-        let moved = if travel >= turn / LARGEST_TURN {
+        let moved = if travel >= turn / LARGEST_TURN_OF_STEP {
             format!("{name} moved by {travel:.3} times its size")
         } else {
             format!("{name} turned by {turn:.3} rad")

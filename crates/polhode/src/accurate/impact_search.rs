@@ -13,7 +13,7 @@ use super::engine::{Engine, Mode};
 use super::island::Step;
 use super::locate::PENETRATION_CHECKS;
 use super::near_pairs::Watch;
-use super::penetration::PENETRATION_RELATIVE;
+use super::penetration::PENETRATING_RELATIVE;
 use crate::SimulationError;
 use crate::collision::boxes::Boxes;
 use crate::core::Core;
@@ -324,7 +324,7 @@ impl Engine {
     fn penetrates_at(&self, core: &Core, (a, b): (usize, usize), t: f64) -> bool {
         let [pose_a, pose_b] = [a, b].map(|body| self.motion(core, body).get().pose(t));
         core.world.shapes(a, b).is_some_and(|(shape_a, shape_b)| {
-            separation(shape_a, &pose_a, shape_b, &pose_b) < -PENETRATION_RELATIVE * core.world.pair_size(a, b)
+            separation(shape_a, &pose_a, shape_b, &pose_b) < -PENETRATING_RELATIVE * core.world.pair_size(a, b)
         })
     }
 

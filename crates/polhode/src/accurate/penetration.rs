@@ -19,7 +19,7 @@ use std::convert::Infallible;
 
 /// Depth at which an open contact counts as penetrating, relative to size: a quarter of the promised limit of
 /// penetration (1e-12, `promise.rs`).
-pub(super) const PENETRATION_RELATIVE: f64 = 2.5e-13;
+pub(super) const PENETRATING_RELATIVE: f64 = 2.5e-13;
 
 /// If two bodies overlap deeper than each of their contacts, by more than this many such depths, they penetrate at a
 /// point that no contact shows: three quarters of the promised limit.
@@ -116,7 +116,7 @@ impl Engine {
         states: &[BodyState],
         tolerated: &BTreeSet<ContactId>,
     ) -> Penetration {
-        let depth = PENETRATION_RELATIVE * core.world.pair_size(a, b) + core.world.rounding(states, a, b);
+        let depth = PENETRATING_RELATIVE * core.world.pair_size(a, b) + core.world.rounding(states, a, b);
         // The same reach as in the resolution of the event, so that both find the same contacts.
         let reach = core.world.touch_distance(states, a, b);
         let Some(pair) = core.world.penetrating_pair(states, (a, b), reach, depth) else {

@@ -30,7 +30,7 @@ use polhode_response::ResponseError;
 
 /// Rounds have converged when the impulses along tangents change by less than this part of them (no unit, 1e-5 to 1e-2): above
 /// the error with which the impulses of contacts that depend on each other are found. They are some 1e-5 m/s.
-const CONVERGED: f64 = 1e-4;
+const SETTLED_IMPULSES: f64 = 1e-4;
 
 /// Most rounds: a coupling of a half takes fourteen.
 const MOST_ROUNDS: usize = 32;
@@ -98,7 +98,7 @@ pub(crate) fn end_bounces(
         let next: Vec<f64> = sliding.iter().map(|one| one.impulse(&removed)).collect();
         let largest = next.iter().fold(0.0, |most: f64, impulse| most.max(impulse.abs()));
         let change = next.iter().zip(&rubbed).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
-        if change <= CONVERGED * largest {
+        if change <= SETTLED_IMPULSES * largest {
             let work_j = removed.work_j
                 + world.prescribed_work(states, along_tangents(&sliding, &rubbed))
                 + world.surface_work(states, along_tangents(&sliding, &rubbed));

@@ -12,7 +12,7 @@ use super::frictional_contact::{Frictional, Sliding};
 use super::least_sliding_forces::{RowFriction, least_sliding_forces};
 use super::resisted_rotation::ResistedRotation;
 use super::rotation_row::RotationRow;
-use super::sticking_forces::{SLIDING_ROUNDING, STICKING_RELATIVE, of_no_slip, rounding_of};
+use super::sticking_forces::{SLIDING_ROUNDING, STICKING_ACCELERATION, of_no_slip, rounding_of};
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::collision::turn::Turn;
@@ -178,7 +178,7 @@ impl FrictionalAccelerations {
             let friction = friction.as_ref()?;
             let mobility = delassus.get(first, first);
             let id = contacts.get(normal)?.id;
-            let rounding = STICKING_RELATIVE * scale / mobility;
+            let rounding = STICKING_ACCELERATION * scale / mobility;
             let found = contact_tangent(&solved, (normal, first), (id, friction), rounding);
             first += friction.tangents().len();
             Some(found)
@@ -263,7 +263,7 @@ fn all_hold(
         Some(Frictional { coefficients, .. }) => RowFriction::Sticks(coefficients.at_rest),
     });
     let scale = constants.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-    let rounding = |delassus: &Delassus, forces: &[f64]| STICKING_RELATIVE * scale + rounding_of(delassus, forces);
+    let rounding = |delassus: &Delassus, forces: &[f64]| STICKING_ACCELERATION * scale + rounding_of(delassus, forces);
     let friction: Vec<RowFriction> = friction.collect();
     let Some(least) = least_sliding_forces(of, assembly, constants, &friction, rounding)? else { return Ok(None) };
     let (reactions, mut velocities) = (least.forces, least.accelerations);
@@ -430,7 +430,7 @@ fn contact_solution(solved: &BlocksSolution, rows: usize) -> ContactSolution {
 /// The cone problem of heavy bodies on light ones is solved only to the rounding of the heavy ones' forces, and would let
 /// bodies that slide together slide on each other. Returns whether there are any.
 fn begin_exactly(frictional: &mut [Option<Frictional>], found: &FrictionalAccelerations) -> bool {
-    let least = SLIDING_ROUNDING * (STICKING_RELATIVE * found.scale + found.rounding);
+    let least = SLIDING_ROUNDING * (STICKING_ACCELERATION * found.scale + found.rounding);
     let mut any = false;
     for (friction, tangent) in frictional.iter_mut().zip(&found.contacts) {
         let (Some(friction), Some(tangent)) = (friction, tangent) else { continue };
@@ -450,7 +450,7 @@ fn begin_to_slide(frictional: &mut [Option<Frictional>], found: &FrictionalAccel
     for (friction, tangent) in frictional.iter_mut().zip(&found.contacts) {
         let (Some(friction), Some(tangent)) = (friction, tangent) else { continue };
         let growth = tangent.slip_acceleration.length();
-        let slides = friction.sliding.is_none() && tangent.slides && growth > STICKING_RELATIVE * found.scale;
+        let slides = friction.sliding.is_none() && tangent.slides && growth > STICKING_ACCELERATION * found.scale;
         if slides && friction.coefficients.sliding.is_below(friction.coefficients.at_rest) {
             let along = |direction| Sliding::along(direction, &friction.coefficients, &friction.terms);
             friction.sliding = tangent.begins_along().map(along);

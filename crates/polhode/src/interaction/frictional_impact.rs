@@ -52,7 +52,7 @@ pub(crate) enum Cause<'a> {
 }
 
 /// Largest residual of an impact that is taken for the rounding of velocities (no unit, 1e-6 to 1e-3).
-const LARGEST_ROUNDING: f64 = 1e-4;
+const LARGEST_VELOCITY_ROUNDING: f64 = 1e-4;
 
 /// Whether an impact gave the restitution asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -155,7 +155,8 @@ fn settings_for(rounding: f64, before: &[f64]) -> MultipleImpactSettings {
     let mut settings = MultipleImpactSettings::default();
     let largest = before.iter().fold(0.0, |most: f64, velocity| most.max(velocity.abs()));
     if largest > 0.0 {
-        settings.solver.acceptance = settings.solver.acceptance.max((rounding / largest).min(LARGEST_ROUNDING));
+        settings.solver.acceptance =
+            settings.solver.acceptance.max((rounding / largest).min(LARGEST_VELOCITY_ROUNDING));
     }
     settings
 }

@@ -27,7 +27,7 @@ const EXCEEDED: f64 = 5e-11;
 const NO_MOMENT: f64 = 1e-9;
 
 /// Normals whose components differ by less count as equal (no unit, 1e-14 to 1e-9): the rounding of attitudes.
-const SAME_NORMAL: f64 = 1e-10;
+const SHARED_NORMAL: f64 = 1e-10;
 
 /// Whether a tangential force is more than friction bears (both N).
 pub(super) fn exceeds_friction(tangential: f64, limit: f64) -> bool {
@@ -74,7 +74,7 @@ fn share_by_pressure(contacts: &[Touch], sticking: &[StickingContact], forces: &
         let Some(n) = of_pair.first().map(|first| geometry(first).normal) else { continue };
         let pressure: f64 = of_pair.iter().map(|one| forces[one.contact]).sum();
         let is_flush = |one: &StickingContact| {
-            forces[one.contact] >= 0.0 && (geometry(one).normal - n).abs().max_element() <= SAME_NORMAL
+            forces[one.contact] >= 0.0 && (geometry(one).normal - n).abs().max_element() <= SHARED_NORMAL
         };
         if of_pair.len() < 2 || pressure <= 0.0 || !of_pair.iter().all(is_flush) {
             continue;

@@ -24,13 +24,13 @@ const MOST_ROUNDS: usize = 8;
 
 /// Penetration that may remain, relative to the size of the smaller body, besides rounding: a quarter of the promised
 /// limit (1e-12).
-const LEFT_RELATIVE: f64 = 2.5e-13;
+const LEFT_OVERLAP_RELATIVE: f64 = 2.5e-13;
 
 /// Fraction of the rounding of two poses (eight units in the last place) that may remain: two such units.
 const LEFT_ROUNDING: f64 = 0.25;
 
 /// A contact point has jumped if it is farther away than this fraction of the size of the smaller body.
-const JUMPED_RELATIVE: f64 = 1e-3;
+const MOVED_AWAY_RELATIVE: f64 = 1e-3;
 
 /// Result of the removal of penetration.
 #[derive(Debug, Clone, Copy, Default)]
@@ -145,7 +145,7 @@ impl Overlaps {
 
     /// Whether a contact is among these, at its old point.
     fn has_at_place(&self, world: &World, old: &Overlap) -> bool {
-        let near = JUMPED_RELATIVE * world.pair_size(old.id.a, old.id.b);
+        let near = MOVED_AWAY_RELATIVE * world.pair_size(old.id.a, old.id.b);
         let same = |now: &Overlap| now.id == old.id && now.geometry.point.distance(old.geometry.point) <= near;
         self.contacts.iter().any(same)
     }
@@ -197,7 +197,7 @@ fn share_of_move(world: &World, rows: &[Overlap], changes: impl Iterator<Item = 
 
 /// Whether a contact penetrates by more than may remain.
 pub(crate) fn is_excess(world: &World, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> bool {
-    let left = LEFT_RELATIVE * world.pair_size(id.a, id.b) + LEFT_ROUNDING * world.rounding(states, id.a, id.b);
+    let left = LEFT_OVERLAP_RELATIVE * world.pair_size(id.a, id.b) + LEFT_ROUNDING * world.rounding(states, id.a, id.b);
     lies_on_features(world, states, id, geometry) && geometry.separation < -left
 }
 

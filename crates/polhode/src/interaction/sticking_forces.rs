@@ -23,7 +23,7 @@ use std::ops::Range;
 
 /// A slip acceleration below this fraction of the largest relative acceleration without contact forces is rounding
 /// (1e-13 to 1e-9).
-pub(super) const STICKING_RELATIVE: f64 = 1e-11;
+pub(super) const STICKING_ACCELERATION: f64 = 1e-11;
 
 /// Accelerations of contacts that stick up to this many times the limit of rounding are the residual of the solver (10 to
 /// 1e4).
@@ -38,7 +38,7 @@ const CORRECTIONS: u32 = 32;
 const RESERVES: [f64; 3] = [1e-6, 1e-2, 1e-4];
 
 /// Rounding error of a sum of terms, in units in the last place of the sum of their magnitudes (4 to 64).
-const ROUNDING_UNITS: f64 = 16.0;
+const FORCE_ROUNDING_UNITS: f64 = 16.0;
 
 /// Forces with which every contact holds and sticks, and what they leave.
 #[derive(Debug)]
@@ -87,7 +87,7 @@ impl HoldingForces {
     fn new((delassus, constants): (&Delassus, &[f64]), forces: Vec<f64>, left: &[f64]) -> Self {
         let most = |of: &[f64]| of.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
         let (scale, left) = (most(constants), most(left));
-        let is_balanced = left <= STICKING_RELATIVE * scale + rounding_of(delassus, &forces);
+        let is_balanced = left <= STICKING_ACCELERATION * scale + rounding_of(delassus, &forces);
         let residual = if scale > 0.0 { left / scale } else { 0.0 };
         Self { forces, residual, is_balanced }
     }
@@ -131,7 +131,7 @@ fn left_by(assembly: &Assembly, accelerations: &[f64], least: &LeastNormForces) 
 /// Rounding of the accelerations by large forces that cancel, m/s^2: some rounding units of the terms of `G f`.
 pub(super) fn rounding_of(delassus: &Delassus, forces: &[f64]) -> f64 {
     let terms = |row: usize| delassus.row(row).iter().zip(forces).map(|(g, f)| (g * f).abs()).sum::<f64>();
-    ROUNDING_UNITS * f64::EPSILON * (0..delassus.len()).map(terms).fold(0.0, f64::max)
+    FORCE_ROUNDING_UNITS * f64::EPSILON * (0..delassus.len()).map(terms).fold(0.0, f64::max)
 }
 
 /// The solution where nothing slides yet. The least forces with which every contact holds and sticks are an answer if they
@@ -202,7 +202,7 @@ fn refined(
     mut solved: BlocksSolution,
 ) -> Result<BlocksSolution, ResponseError> {
     let limit = constants.iter().fold(0.0, |most: f64, b| most.max(b.abs()));
-    let limit = STICKING_RELATIVE * limit + rounding_of(delassus, &solved.reactions);
+    let limit = STICKING_ACCELERATION * limit + rounding_of(delassus, &solved.reactions);
     let limit = SLIDING_ROUNDING * limit;
     let mut first = assembly.first_tangent();
     let mut pressed = Vec::new();

@@ -36,7 +36,7 @@ const RESTING_STEPS: f64 = 2.0;
 
 /// Penetration that may remain after the projection of a step, relative to the size of a body: as much as counts as
 /// touch. More gives a warning.
-const LEFT_RELATIVE: f64 = 1e-11;
+const LEFT_BY_STEP_RELATIVE: f64 = 1e-11;
 
 /// The mean force of a contact over a step, on body A.
 #[derive(Debug, Clone, Copy, Default)]
@@ -171,7 +171,7 @@ impl SteppedEngine {
                 self.errors.compare(&core.world, body, &self.states[body], &halves[body]);
             }
             if let Some(&first) = island.bodies.first()
-                && report.left_penetration_m > LEFT_RELATIVE * core.world.bodies[first].size
+                && report.left_penetration_m > LEFT_BY_STEP_RELATIVE * core.world.bodies[first].size
             {
                 let name = &core.world.bodies[first].name;
                 let what =

@@ -35,7 +35,7 @@ use std::sync::Arc;
 
 /// A contact counts as resting if its rate of separation is at most the speed that gravity gives a body in this many
 /// steps (thesis 3.5: "a speed of separation that is sufficiently small").
-const RESTING_STEPS: f64 = 1.0;
+const SEPARATING_STEPS: f64 = 1.0;
 
 /// Propagation of impulses stops when every speed of approach is below this fraction of the initial ones (thesis 3.3:
 /// "an artificial threshold for the approach velocity").
@@ -235,7 +235,7 @@ impl ThesisEngine {
         if core.settings.response != Response::Constraint {
             return Ok(RestingForces { touches: Vec::new(), forces: Vec::new() });
         }
-        let slow = RESTING_STEPS * core.world.gravity().length() * core.settings.step_s;
+        let slow = SEPARATING_STEPS * core.world.gravity().length() * core.settings.step_s;
         let mut touches = self.detect(core)?;
         touches.retain(|touch| touch.kinematics.separation_rate.abs() <= slow);
         let mut forces = vec![0.0; touches.len()];

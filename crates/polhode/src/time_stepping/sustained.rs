@@ -52,7 +52,7 @@ const ROW_ROUNDING: f64 = 1e-14;
 const SEPARATION_ROUNDING: f64 = 0.25;
 
 /// Normals whose components differ by less count as equal (no unit, 1e-14 to 1e-9): the rounding of attitudes.
-const SAME_NORMAL: f64 = 1e-12;
+const FLUSH_NORMAL: f64 = 1e-12;
 
 /// A contact in the middle of the step.
 #[derive(Debug, Clone, Copy)]
@@ -292,7 +292,7 @@ fn rows(
 fn remove_contradictions(of_pair: &mut [Row]) {
     let Some(first) = of_pair.first() else { return };
     let n = first.kinematics.geometry.normal;
-    let is_flush = |row: &Row| (row.kinematics.geometry.normal - n).abs().max_element() <= SAME_NORMAL;
+    let is_flush = |row: &Row| (row.kinematics.geometry.normal - n).abs().max_element() <= FLUSH_NORMAL;
     if of_pair.len() < 2 || !of_pair.iter().all(|row| row.friction.is_some() && is_flush(row)) {
         return;
     }

@@ -7,7 +7,7 @@
 
 use super::law::{MultipleImpactLaw, RestitutionLaw};
 use super::multiple_outcome::{MultipleImpact, MultipleImpactStatus};
-use super::part::{ENERGY_ROUNDING, Part, Struck, energy};
+use super::part::{CONE_ENERGY_ROUNDING, Part, Struck, energy};
 use super::sequence::strike_in_order;
 use super::simultaneous::strike_together;
 use super::without_collision::strike_without_collision;
@@ -149,7 +149,7 @@ impl MultipleFrictionalImpact<'_> {
         }
         let (change, size) = energy(&outcome.impulses, before, &outcome.velocities_after);
         outcome.energy_change = change;
-        outcome.energy_rises |= change > ENERGY_ROUNDING * size;
+        outcome.energy_rises |= change > CONE_ENERGY_ROUNDING * size;
         Ok(outcome)
     }
 

@@ -11,7 +11,7 @@ use std::ops::Range;
 
 /// A rise of energy above this fraction of `sum |p_i| (|u_i-| + |u_i+|) / 2` is real (no unit): cone problems are solved
 /// to some 1e-13 of the velocities.
-pub(super) const ENERGY_ROUNDING: f64 = 1e-11;
+pub(super) const CONE_ENERGY_ROUNDING: f64 = 1e-11;
 
 /// Blocks that move each other, and what is known of the impact there.
 #[derive(Debug, Clone)]

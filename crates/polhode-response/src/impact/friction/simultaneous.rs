@@ -23,7 +23,7 @@
 //! Source: Moreau 1988; Smith et al. 2012; Glocker (energy); Stronge 1990.
 
 use super::multiple_outcome::MultipleImpactStatus;
-use super::part::{ConeAnswer, ENERGY_ROUNDING, Part, Struck, energy};
+use super::part::{CONE_ENERGY_ROUNDING, ConeAnswer, Part, Struck, energy};
 use crate::dense::kernels::compensated_dot;
 use crate::error::ResponseError;
 use crate::friction::{ContactStatus, FrictionSolution};
@@ -139,7 +139,7 @@ fn answer(part: &mut Part, before: &[f64]) -> Result<Option<Answer>, ResponseErr
         work: work_limit(part, before, &inelastic, &elastic),
     };
     let full = attempt(part, &asked, 1.0, &inelastic.impulses)?;
-    if full.excess <= ENERGY_ROUNDING {
+    if full.excess <= CONE_ENERGY_ROUNDING {
         return Ok(Some(full.answer));
     }
     part.status = part.status.and(MultipleImpactStatus::RestitutionLowered);
@@ -271,7 +271,7 @@ fn reflected(part: &mut Part, before: &[f64]) -> Result<Answer, ResponseError> {
         }
         chosen.extend(&joints);
         let mut round = rebound(part, &chosen, &total.velocities, 1.0, None)?;
-        if round.excess > ENERGY_ROUNDING {
+        if round.excess > CONE_ENERGY_ROUNDING {
             let inelastic = rebound(part, &chosen, &total.velocities, 0.0, None)?;
             if !inelastic.is_solved() {
                 // What has been reached is what is asked for.

@@ -14,7 +14,7 @@ use crate::error::{ResponseError, check_finite};
 
 /// A rise of energy above this fraction of `sum |p_i| (|u_i-| + |u_i+|) / 2` is real (no unit): some hundred rounding
 /// units.
-const ENERGY_ROUNDING: f64 = 1e-13;
+const SINGLE_ENERGY_ROUNDING: f64 = 1e-13;
 
 /// An impact with friction at one contact.
 ///
@@ -196,7 +196,7 @@ impl Scale {
             normal_work: outcome.normal_work * work,
             friction_work: outcome.friction_work * work,
             energy_change: change * work,
-            energy_rises: change > ENERGY_ROUNDING * size,
+            energy_rises: change > SINGLE_ENERGY_ROUNDING * size,
             status: outcome.status,
         }
     }

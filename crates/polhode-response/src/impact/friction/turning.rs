@@ -24,7 +24,7 @@ const LONGEST: f64 = 64.0;
 
 /// Below this fraction of its terms the rate of the normal velocity is zero (no unit): a piece that began where the rate
 /// changes sign is not cut there again.
-const RATE_ROUNDING: f64 = 1e-13;
+const ZERO_RATE: f64 = 1e-13;
 
 /// Coefficients of a power series.
 type Series = [f64; ORDER + 1];
@@ -126,7 +126,7 @@ impl Turning {
     pub(super) fn first(&self, stage: Stage) -> (f64, Happening) {
         let mut end = self.step;
         // Between zeros of du_n/dp_n the normal velocity rises or falls throughout: at most one end is in such a piece.
-        let rounding = RATE_ROUNDING * self.normal_rate_terms;
+        let rounding = ZERO_RATE * self.normal_rate_terms;
         if self.normal_rate[0] > rounding && value(&self.normal_rate, end) < -rounding {
             end = first_zero(&negative(&self.normal_rate), 0.0, end);
         }

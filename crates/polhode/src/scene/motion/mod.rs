@@ -58,7 +58,7 @@ const START_TOLERANCE: f64 = 1e-6;
 
 /// Factor that covers the rounding in the evaluation of a bound: a few operations, each with a relative error of
 /// 1.1e-16.
-const ROUNDING: f64 = 1.0 + 16.0 * f64::EPSILON;
+const SPEED_ROUNDING: f64 = 1.0 + 16.0 * f64::EPSILON;
 
 /// A prescribed motion, relative to the initial pose of a kinematic body.
 #[derive(Debug, Clone, PartialEq)]
@@ -230,8 +230,8 @@ impl Motion for Trajectory {
     fn bounds(&self, t0: f64, t1: f64) -> MotionBounds {
         match &self.motion.0 {
             Kind::Constant(velocity) => MotionBounds {
-                speed: velocity.linear.length() * ROUNDING,
-                angular_speed: velocity.angular.length() * ROUNDING,
+                speed: velocity.linear.length() * SPEED_ROUNDING,
+                angular_speed: velocity.angular.length() * SPEED_ROUNDING,
                 ..MotionBounds::default()
             },
             Kind::Sine(sine) => sine.bounds(t0, t1),

@@ -13,7 +13,7 @@ const COEFFICIENTS: usize = 6;
 /// Bound on the rounding error of a coefficient after a shift of the argument, and of the evaluation, relative to the
 /// sum of all coefficients. The shift takes fifteen additions of numbers that grow by at most 2^5, the evaluation as
 /// many: the error is below 2^5 * 2^5 * 2^-53, taken with a margin of two.
-const ROUNDING: f64 = 1.0 / (1u64 << 42) as f64;
+const DERIVATIVE_ROUNDING: f64 = 1.0 / (1u64 << 42) as f64;
 
 /// `sum c_k x^k`, for x from 0 to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,7 +70,7 @@ impl Quintic {
 
     /// Bound of the rounding error of a value.
     pub(super) fn rounding(&self) -> f64 {
-        ROUNDING * self.0.iter().map(|c| c.length()).sum::<f64>()
+        DERIVATIVE_ROUNDING * self.0.iter().map(|c| c.length()).sum::<f64>()
     }
 
     /// Value and derivatives at `x`.
@@ -86,10 +86,10 @@ impl Quintic {
 
     /// Bounds over `[x0, x1]`, which lies in `[0, 1]` but for rounding.
     pub(super) fn rates(&self, x0: f64, x1: f64) -> Rates {
-        let (middle, radius) = (0.5 * (x0 + x1), 0.5 * (x1 - x0).abs() + ROUNDING);
+        let (middle, radius) = (0.5 * (x0 + x1), 0.5 * (x1 - x0).abs() + DERIVATIVE_ROUNDING);
         let c = self.about(middle);
         let path: f64 = self.0.iter().map(|c| c.length()).sum();
-        let slack = ROUNDING * path;
+        let slack = DERIVATIVE_ROUNDING * path;
         let sizes = c.map(DVec3::length);
         let first = (1..COEFFICIENTS).rev().fold(0.0, |sum, k| sum * radius + k as f64 * sizes[k]);
         let second = (2..COEFFICIENTS).rev().fold(0.0, |sum, k| sum * radius + (k * (k - 1)) as f64 * sizes[k]);

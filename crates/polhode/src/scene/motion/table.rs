@@ -238,7 +238,7 @@ impl SampledCurve {
             let rates = polynomial.rates(x0, x1);
             let acceleration = rates.second + 0.5 * rates.first * rates.first.min(rates.aside);
             let middle = turning::rates(&polynomial.at(0.5 * (x0 + x1))).0.length();
-            let near = middle + acceleration * (0.5 * (x1 - x0).abs()) + turning::ROUNDING * rates.first;
+            let near = middle + acceleration * (0.5 * (x1 - x0).abs()) + turning::ANGLE_ROUNDING * rates.first;
             bounds.angular_speed = rates.first.min(near) / h;
             bounds.angular_acceleration = acceleration / h / h;
         }

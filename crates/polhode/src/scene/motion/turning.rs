@@ -20,7 +20,7 @@ const TERMS: u32 = 10;
 
 /// Rounding error of an angular velocity relative to the rate of its rotation vector: the closed forms lose two digits,
 /// and a few dozen operations have an error of 1.1e-16 each.
-pub(super) const ROUNDING: f64 = 4096.0 * f64::EPSILON;
+pub(super) const ANGLE_ROUNDING: f64 = 4096.0 * f64::EPSILON;
 
 /// `f` and `g`, and their derivatives by the angle, divided by the angle.
 struct Functions {
