@@ -585,8 +585,8 @@ fn a_circle_has_at_most_one_local_minimum_on_either_half() {
 #[test]
 fn a_ring_over_the_border_of_two_parts_touches_the_face_below_it() {
     let tile = cuboid(0.2, 1.0, 0.1);
-    let part = |x: f64| tile.placed(&Pose::from_translation(DVec3::new(x, 0.0, -0.05))).unwrap();
-    let tiles = Shape::compound(vec![part(-0.1), part(0.1)]).unwrap();
+    let part = |x: f64| tile.placed(&Pose::from_translation(DVec3::new(x, 0.0, -0.05))).expect("a tile");
+    let tiles = Shape::compound(vec![part(-0.1), part(0.1)]).expect("two tiles beside each other");
     let own = ring(0.04, 0.01);
     let touch = 1e-12;
     for (turn, height, radius) in [(FRAC_PI_2, 0.05, 0.0), (0.0, 0.01, 0.04)] {

@@ -95,17 +95,10 @@ impl Blocks {
     /// no normal reaction that could resist: they stay as they are.
     pub fn resist(&mut self, part: ResistedPart, resistance: Resistance, rows: impl IntoIterator<Item = usize>) {
         let Some(law) = self.laws.last_mut() else { return };
-        let mut parts = match *law {
-            Law::Hold { .. } => return,
-            Law::Push => [Resistance::default(); 3],
-            Law::Cone { rows, friction } => {
-                [Resistance { rows: rows - 1, friction, slides: false }, Default::default(), Default::default()]
-            }
-            Law::Slide { friction } => {
-                [Resistance { rows: 1, friction, slides: true }, Default::default(), Default::default()]
-            }
-            Law::Resist { parts } => parts,
-        };
+        if !law.pushes() {
+            return;
+        }
+        let mut parts = law.parts().map(|(_, part)| part);
         let place = match part {
             ResistedPart::Rolling => 1,
             ResistedPart::Spinning => 2,

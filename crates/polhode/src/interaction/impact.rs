@@ -294,10 +294,12 @@ fn among(outcome: &mut ImpactOutcome, places: &[usize], rates: &[f64]) {
 fn outer_of_many(members: &[Touch]) -> Vec<bool> {
     let mut taken = vec![true; members.len()];
     for of_pair in pairs(members).filter(|of_pair| of_pair.len() > MANY_CONTACTS) {
-        let points = of_pair.clone().map(|place| (place, members[place].kinematics.geometry.point));
-        let outer = furthest_out(points);
+        let points: Vec<_> = of_pair.clone().map(|place| (place, members[place].kinematics.geometry.point)).collect();
+        let outer = furthest_out(&points);
         taken[of_pair].fill(false);
-        outer.into_iter().for_each(|place| taken[place] = true);
+        for place in outer {
+            taken[place] = true;
+        }
     }
     taken
 }

@@ -18,13 +18,13 @@ use polhode_spatial::DVec3;
 pub(crate) const MANY_CONTACTS: usize = 32;
 
 /// Of some contact points (m) those furthest out in the directions from the middle of a cube to its faces, edges and corners.
-pub(crate) fn furthest_out(points: impl Iterator<Item = (usize, DVec3)> + Clone) -> Vec<usize> {
+pub(crate) fn furthest_out(points: &[(usize, DVec3)]) -> Vec<usize> {
     let signs = || [-1.0, 0.0, 1.0].into_iter();
     let directions = signs().flat_map(|x| signs().flat_map(move |y| signs().map(move |z| DVec3::new(x, y, z))));
     let mut found: Vec<usize> = directions
         .filter(|direction| *direction != DVec3::ZERO)
         .filter_map(|direction| {
-            let reach = points.clone().map(|(index, point)| (index, direction.dot(point)));
+            let reach = points.iter().map(|&(index, point)| (index, direction.dot(point)));
             reach.reduce(|best, next| if next.1 > best.1 { next } else { best }).map(|(index, _)| index)
         })
         .collect();
@@ -45,10 +45,10 @@ mod tests {
             let (y, x) = (f64::from(k) * std::f64::consts::PI / 360.0).sin_cos();
             DVec3::new(x, y, 0.0)
         });
-        let found = furthest_out(rim.enumerate());
+        let found = furthest_out(&rim.enumerate().collect::<Vec<_>>());
         assert_eq!(found, [0, 90, 180, 270, 360, 450, 540, 630]);
         let grid = (0..11).flat_map(|x| (0..11).map(move |y| DVec3::new(f64::from(x), f64::from(y), 0.0)));
-        let found = furthest_out(grid.enumerate());
+        let found = furthest_out(&grid.enumerate().collect::<Vec<_>>());
         assert_eq!(found, [0, 10, 110, 120]);
     }
 }

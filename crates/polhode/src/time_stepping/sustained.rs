@@ -200,10 +200,13 @@ fn first_choice(world: &World, states: &[BodyState], near: &[NearContact], rows:
         rows.iter().map(|row| row.is_first_choice(world, states, &near[row.contact], h)).collect();
     for of_pair in pairs(near, rows) {
         if of_pair.clone().filter(|&index| taken[index]).count() > MANY_CONTACTS {
-            let points = of_pair.clone().filter(|&index| taken[index]);
-            let outer = furthest_out(points.map(|index| (index, rows[index].kinematics.geometry.point)));
+            let some = of_pair.clone().filter(|&index| taken[index]);
+            let points: Vec<_> = some.map(|index| (index, rows[index].kinematics.geometry.point)).collect();
+            let outer = furthest_out(&points);
             taken[of_pair].fill(false);
-            outer.into_iter().for_each(|index| taken[index] = true);
+            for index in outer {
+                taken[index] = true;
+            }
         }
     }
     taken
