@@ -2,7 +2,8 @@
 //!
 //! Without friction the problem is a complementarity problem, solved exactly by an active set
 //! ([`complementarity`](crate::complementarity)); with friction in any block it is one over cones
-//! ([`friction`](crate::friction)). Which of the two is decided here and nowhere above.
+//! ([`friction`](crate::friction)). Which of the two is decided here. (The crate `polhode` does
+//! not call it yet: it keeps its solvers and their warm starts from step to step.)
 
 use crate::complementarity::{ComplementaritySolver, WarmStart};
 use crate::delassus::Delassus;
