@@ -21,6 +21,7 @@ use crate::accounting::books::{Received, given_by_fields, gravity_at};
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set::ContactId;
 use crate::interaction::assembly::Assembly;
+use crate::interaction::cone_violation::ConeViolation;
 use crate::interaction::impact::{pivot_support, support};
 use crate::interaction::rotational_friction::{moment_support, moment_work};
 use crate::pivots::PivotKinematics;
@@ -77,6 +78,8 @@ pub(super) struct ContactSystem<'a> {
     /// For each body of the group, the sums of the magnitudes of contact forces (N) and of their moments (N m), the
     /// largest of all stages so far. The rounding error of the resultant is proportional to these sums.
     cancelling: Vec<[f64; 2]>,
+    /// How far the forces of the first stage, where a step begins, are from Coulomb's law; none before it.
+    violation_at_start: Option<Option<ConeViolation>>,
     /// Whether the masses differ so much that contacts share their normals.
     is_disparate: bool,
 }
@@ -92,6 +95,8 @@ struct HeldForces {
     moments: Vec<(ContactId, DVec3)>,
     /// Power lost to friction, W.
     dissipation: f64,
+    /// How far they are from Coulomb's law.
+    violation: Option<ConeViolation>,
     /// Of the pivots.
     pivots: Vec<(PivotKinematics, DVec3)>,
     /// Where masses differ much: (body, force, moment about its centre of mass), summed before they are rounded.
@@ -115,6 +120,7 @@ impl<'a> ContactSystem<'a> {
             contacts: Vec::with_capacity(active.held.len()),
             friction: Vec::with_capacity(active.friction.len()),
             cancelling: vec![[0.0; 2]; bodies.len()],
+            violation_at_start: None,
             is_disparate: masses_differ(world, bodies),
         }
     }
@@ -136,6 +142,11 @@ impl<'a> ContactSystem<'a> {
     /// Of each body of the group, the sums of the magnitudes of contact forces (N) and of their moments (N m).
     pub(super) fn cancelling(&self) -> &[[f64; 2]] {
         &self.cancelling
+    }
+
+    /// How far the forces where a step begins are from Coulomb's law.
+    pub(super) fn violation_at_start(&self) -> Option<ConeViolation> {
+        self.violation_at_start.flatten()
     }
 
     /// Updates the largest sums of magnitudes with the forces of a stage.
@@ -189,8 +200,8 @@ impl<'a> ContactSystem<'a> {
         if !self.friction.is_empty() {
             let at = (t, &*self.states);
             let found = friction_forces::solve(self.world, at, self.bodies, &self.contacts, &self.friction, loads)?;
-            let FrictionForces { normal, tangential, moments, pivots, sums, dissipation } = found;
-            return Ok(HeldForces { forces: normal, tangential, moments, dissipation, pivots, sums });
+            let FrictionForces { normal, tangential, moments, pivots, sums, dissipation, violation } = found;
+            return Ok(HeldForces { forces: normal, tangential, moments, dissipation, violation, pivots, sums });
         }
         let rows = self.contacts.iter().map(|(id, k)| (*id, k.geometry));
         let assembly = Assembly::new(self.world, self.states, self.bodies, rows)?;
@@ -324,6 +335,7 @@ impl System for ContactSystem<'_> {
         let loads = self.world.loads_on(t, self.states, self.bodies);
         let held = self.held_forces(t, &loads)?;
         self.note_magnitudes(&held);
+        self.violation_at_start.get_or_insert(held.violation);
         self.free_rates(&loads, state, rates);
         if let Some(sums) = &held.sums {
             self.add_sums(sums, rates);
