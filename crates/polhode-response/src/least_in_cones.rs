@@ -220,6 +220,9 @@ pub fn least_forces_in_cones(
         return Ok(Some(forces.to_vec()));
     }
     let dual = Dual::new(delassus, sliding, &cones, &first);
+    if dual.determines_forces() {
+        return Ok(None);
+    }
     let Some(x) = dual.minimise() else { return Ok(None) };
     let mut found: Vec<f64> = x.iter().zip(&cones.scales).map(|(x, scale)| x * scale).collect();
     found.resize(rows, 0.0);
@@ -262,6 +265,11 @@ impl<'a> Dual<'a> {
         factor.apply_transpose(&mut wanted);
         wanted.truncate(factor.rank());
         Self { cones, factor, wanted, scale: largest(first) }
+    }
+
+    /// Whether no other forces hold the same.
+    fn determines_forces(&self) -> bool {
+        self.factor.rank() == self.cones.variables()
     }
 
     /// `Q y`.
