@@ -17,7 +17,7 @@ use crate::collision::friction_mode::FrictionMode;
 use crate::collision::turn::Turn;
 use crate::interaction::assembly::{Assembly, TangentRow};
 use crate::interaction::cone_violation::{ConeViolation, RubbingForce, largest_violation};
-use crate::interaction::friction_blocks::{push_contact, push_held_turn};
+use crate::interaction::friction_blocks::push_contact;
 use crate::interaction::rotation_row::RotationRow;
 use crate::pivots::PivotKinematics;
 use crate::scene::FrictionEllipse;
@@ -34,10 +34,8 @@ use polhode_spatial::DVec3;
 #[derive(Debug, Clone, Copy)]
 struct ResistedTurn {
     turn: Turn,
-    /// Its friction in the rows of rotations (no unit).
-    coefficient: f64,
-    /// The direction in which it turns; none while it is held.
-    turning: Option<DVec3>,
+    /// The direction in which it turns, and the friction in the rows of rotations (no unit); none while it is held.
+    turning: Option<(DVec3, f64)>,
 }
 
 /// An active contact with friction.
@@ -76,8 +74,7 @@ impl FrictionContact {
 
     /// The rotations that turn: their rows and their friction there (no unit).
     fn turning(&self) -> impl Iterator<Item = (RotationRow, f64)> + '_ {
-        let turning =
-            self.turns.iter().flatten().filter_map(|resisted| Some((resisted.turning?, resisted.coefficient)));
+        let turning = self.turns.iter().flatten().filter_map(|resisted| resisted.turning);
         turning.map(|(axis, friction)| (self.row_about(axis), friction))
     }
 }
@@ -126,10 +123,11 @@ pub(super) fn friction_contacts(
             let turning = match modes.get(turn)? {
                 FrictionMode::Sticking => None,
                 FrictionMode::Sliding(slide) => {
-                    Some(slide.direction_of(turn.part(rotation, kinematics.geometry.normal)))
+                    let direction = slide.direction_of(turn.part(rotation, kinematics.geometry.normal));
+                    Some((direction, turn.coefficient(world, (id.a, id.b))?))
                 }
             };
-            Some(ResistedTurn { turn, coefficient: turn.coefficient(world, (id.a, id.b))?, turning })
+            Some(ResistedTurn { turn, turning })
         });
         let geometry = kinematics.geometry;
         let turning_length = world.turning_length(id.a, id.b);
@@ -185,8 +183,10 @@ pub(super) fn solve(
         });
         let sliding: Vec<SlidingRow> = sliding.collect();
         let least = least_norm_sliding_forces(&assembly.problem, &delassus, &constants, &sliding)?;
-        let cones = StickingCones::of(contacts.len(), friction, assembly.first_tangent());
-        cones.put_into((&delassus, equations, &sliding), least)?
+        match StickingCones::of(contacts.len(), friction, assembly.first_tangent()) {
+            Some(cones) => cones.put_into((&delassus, equations, &sliding), least)?,
+            None => (least, None),
+        }
     };
     let tangential = assembly.of_tangents(&forces).map(|(row, force)| (row.id, row.along, force)).collect();
     let moments = assembly.of_rotations(&forces).map(|(row, moment)| (row.id, row.axis * moment)).collect();
@@ -219,32 +219,23 @@ struct StickingCones<'a> {
 }
 
 impl<'a> StickingCones<'a> {
-    /// Those of so many contacts, of which these have friction. Their rows follow `first_tangent`: two of each contact that
-    /// sticks, then those of rotations that are held.
-    fn of(contacts: usize, friction: &'a [FrictionContact], first_tangent: usize) -> Self {
-        let count = friction.iter().filter(|contact| contact.sliding.is_none()).count();
-        let (mut tangent, mut rotation) = (first_tangent, first_tangent + 2 * count);
-        let (mut blocks, mut sticking) = (Blocks::default(), Vec::with_capacity(count));
-        let mut friction = friction.iter().peekable();
-        for normal in 0..contacts {
-            let own = friction.next_if(|own| own.contact == normal);
-            let Some(own) = own else {
-                push_contact(&mut blocks, FrictionEllipse::default(), normal, tangent..tangent);
-                continue;
-            };
-            let tangents = if own.sliding.is_none() { tangent..tangent + 2 } else { tangent..tangent };
-            if own.sliding.is_none() {
-                sticking.push((own, tangent));
-            }
-            tangent = tangents.end;
-            push_contact(&mut blocks, own.at_rest, normal, tangents);
-            for held in own.turns.iter().flatten().filter(|resisted| resisted.turning.is_none()) {
-                let rows = rotation..rotation + held.turn.axes(own.geometry.normal, own.terms.basis).len();
-                rotation = rows.end;
-                push_held_turn(&mut blocks, held.turn, held.coefficient, rows);
-            }
+    /// Those of so many contacts, of which these have friction. The rows of contacts that stick, two each, follow
+    /// `first_tangent`. None where a contact resists rotations: the forces at one instant (`interaction/rotational_friction.rs`)
+    /// are not those of least norm either.
+    fn of(contacts: usize, friction: &'a [FrictionContact], first_tangent: usize) -> Option<Self> {
+        if friction.iter().any(|contact| contact.turns.iter().any(Option::is_some)) {
+            return None;
         }
-        Self { blocks, sticking }
+        let (mut blocks, mut sticking, mut tangent) = (Blocks::default(), Vec::new(), first_tangent);
+        let mut sticks = friction.iter().filter(|contact| contact.sliding.is_none()).peekable();
+        for normal in 0..contacts {
+            let own = sticks.next_if(|own| own.contact == normal);
+            let tangents = tangent..tangent + own.map_or(0, |_| 2);
+            sticking.extend(own.map(|own| (own, tangent)));
+            tangent = tangents.end;
+            push_contact(&mut blocks, own.map_or(FrictionEllipse::default(), |own| own.at_rest), normal, tangents);
+        }
+        Some(Self { blocks, sticking })
     }
 
     /// The least forces within the cones that hold what `least` hold: the first `held` rows, with friction along those of

@@ -33,18 +33,6 @@ pub(crate) fn push_held(blocks: &mut Blocks, rows: Range<usize>) {
     }
 }
 
-/// Adds a rotation that is held, with this friction (no unit) and these rows, to the contact of the last block.
-pub(crate) fn push_held_turn(blocks: &mut Blocks, turn: Turn, friction: f64, rows: Range<usize>) {
-    blocks.resist(part_of(turn), Resistance { rows: rows.len(), friction, slides: false }, rows);
-}
-
-fn part_of(turn: Turn) -> ResistedPart {
-    match turn {
-        Turn::Rolling => ResistedPart::Rolling,
-        Turn::Spinning => ResistedPart::Spinning,
-    }
-}
-
 /// The same blocks with rotations that contacts resist, each in the block of its contact.
 pub(crate) fn with_rotations(blocks: Blocks, rotations: &[ResistedRotation]) -> Blocks {
     if rotations.is_empty() {
@@ -54,9 +42,13 @@ pub(crate) fn with_rotations(blocks: Blocks, rotations: &[ResistedRotation]) -> 
     for place in 0..blocks.len() {
         blocks.push_to(&mut whole, place);
         for rotation in rotations.iter().filter(|rotation| rotation.normal == place) {
+            let part = match rotation.turn {
+                Turn::Rolling => ResistedPart::Rolling,
+                Turn::Spinning => ResistedPart::Spinning,
+            };
             let ResistedRotation { friction, turns: slides, .. } = *rotation;
             let resistance = Resistance { rows: rotation.rows.len(), friction, slides };
-            whole.resist(part_of(rotation.turn), resistance, rotation.rows.clone());
+            whole.resist(part, resistance, rotation.rows.clone());
         }
     }
     whole
