@@ -15,11 +15,11 @@ use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set::ContactId;
 use crate::collision::friction_mode::FrictionMode;
 use crate::collision::turn::Turn;
+use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::interaction::assembly::{Assembly, TangentRow};
 use crate::interaction::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use crate::interaction::friction_blocks::push_contact;
 use crate::interaction::rotation_row::RotationRow;
-use crate::pivots::PivotKinematics;
 use crate::scene::FrictionEllipse;
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
@@ -79,7 +79,7 @@ impl FrictionContact {
     }
 }
 
-/// Forces of contacts with friction and of pivots.
+/// Forces of contacts with friction and of bilateral constraints.
 #[derive(Debug, Default)]
 pub(super) struct FrictionForces {
     /// Normal forces of the contacts, N.
@@ -88,8 +88,8 @@ pub(super) struct FrictionForces {
     pub(super) tangential: Vec<(ContactId, ContactGeometry, f64)>,
     /// Of friction of rolling and spinning, N m, world, on A.
     pub(super) moments: Vec<(ContactId, DVec3)>,
-    /// Of the pivots, N.
-    pub(super) pivots: Vec<(PivotKinematics, DVec3)>,
+    /// Of the bilateral constraints.
+    pub(super) reactions: Vec<(Bilateral, Reaction)>,
     /// What all of them add up to on each body (body, N, N m), where the sum of the rounded forces would shake light bodies.
     pub(super) sums: Option<Vec<(usize, DVec3, DVec3)>>,
     /// Power that the contacts that slide dissipate, W.
@@ -136,7 +136,7 @@ pub(super) fn friction_contacts(
     contacts.iter().enumerate().filter_map(friction).collect()
 }
 
-/// The forces of `contacts` and of the pivots of `bodies` (movable, ascending) at time `t` (s).
+/// The forces of `contacts` and of the bilateral constraints of `bodies` (movable, ascending) at time `t` (s).
 ///
 /// # Errors
 /// When a number is not finite.
@@ -204,7 +204,7 @@ pub(super) fn solve(
         dissipation: slips.sum::<f64>() + by_rotation,
         violation,
         moments,
-        pivots: assembly.pivot_forces(&forces).map(|(pivot, force)| (*pivot, force)).collect(),
+        reactions: assembly.reactions(&forces).map(|(of, reaction)| (of.clone(), reaction)).collect(),
         tangential,
         normal: forces.get(..contacts.len()).unwrap_or_default().to_vec(),
         sums: loads.map(|loads| assembly.split(&loads).collect()),
