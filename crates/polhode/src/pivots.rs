@@ -23,8 +23,8 @@
 //! finite.
 
 use crate::accounting::books::{Books, gravity_at, momentum_of};
-use crate::constraint::ConstraintId;
-use crate::constraint::bilateral::{Bilateral, BilateralRow, Member, RowKind};
+use crate::constraint::bilateral::Bilateral;
+use crate::constraint::joint;
 use crate::pivot_form::{HeldPoint, PivotRows};
 use crate::scene::SceneError;
 
@@ -33,6 +33,7 @@ use crate::world::World;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::ResponseError;
 use polhode_spatial::{DVec3, Pose, Velocity};
+use std::collections::BTreeSet;
 
 impl World {
     /// Whether constraint rows hold any body at a pivot.
@@ -46,34 +47,23 @@ impl World {
     }
 
     /// The bilateral constraints of these bodies in these states: the pivots with constraint rows, in the order of the
-    /// bodies.
+    /// bodies, then the joints, in that of the scene.
     pub(crate) fn bilaterals<'a>(
         &'a self,
         states: &'a [BodyState],
         bodies: &'a [usize],
     ) -> impl Iterator<Item = Bilateral> + 'a {
         let bodies = if self.held_by_rows.is_empty() { &[] } else { bodies };
-        bodies.iter().filter_map(|&body| self.pivot(states, body))
+        let joints: BTreeSet<usize> =
+            bodies.iter().filter_map(|body| self.joints_of.get(body)).flatten().copied().collect();
+        let joints = joints.into_iter().map(|joint| self.joints[joint].bilateral(self, states));
+        bodies.iter().filter_map(|&body| self.pivot(states, body)).chain(joints)
     }
 
     /// The pivot of a body with constraint rows; none for any other body. Its bias is `w x (w x r)`.
     pub(crate) fn pivot(&self, states: &[BodyState], body: usize) -> Option<Bilateral> {
-        let (held, state) = (self.bodies[body].held?, &states[body]);
-        let arm = state.pose.rotation.rotate(held.arm);
-        let point = state.pose.translation + arm;
-        let Velocity { linear, angular } = self.velocity(body, state);
-        let gap = (point - held.place).to_array();
-        let rate = (linear + angular.cross(arm)).to_array();
-        let bias = angular.cross(angular.cross(arm)).to_array();
-        let row = |axis: usize| BilateralRow {
-            kind: RowKind::Along(DVec3::AXES[axis]),
-            gap: gap[axis],
-            rate: rate[axis],
-            bias: bias[axis],
-        };
-        let rows = [0, 1, 2].map(row).to_vec();
-        let members = vec![Member { body, arm, sign: 1.0 }];
-        Some(Bilateral { id: ConstraintId::Pivot { body }, point, members, rows })
+        let held = self.bodies[body].held?;
+        Some(joint::pivot((body, held.arm), held.place, self, states))
     }
 
     /// The same world, with the motion of all pivoted bodies reduced to rotation about their pivots.

@@ -4,11 +4,18 @@
 //! |---|---|---|
 //! | contact | push; with its tangents a cone, or a slide | separation; margin of its features; margin to contact break |
 //! | pivot | hold, three rows | none: it never breaks |
+//! | joint | hold, rows of its kind (`joint.rs`) | none: it never breaks |
+//!
+//! Whoever adds a kind of joint adds one file, its line in the list of `joint.rs`, and its scene-level form in `scene/joint.rs`.
 //!
 //! An event function is positive before the event and crosses zero there; one locator (`crate::interaction::locator`)
 //! finds the time.
 
 pub(crate) mod bilateral;
+mod end;
+mod hinge;
+pub(crate) mod joint;
+mod point;
 
 use crate::collision::contact_set::ContactId;
 use polhode_contact::ContactKinematics;
@@ -23,6 +30,13 @@ pub(crate) enum ConstraintId {
         /// The body's number.
         body: usize,
     },
+    /// A joint.
+    Joint {
+        /// Its number in the scene.
+        joint: usize,
+        /// Its bodies; the same body twice if it connects the body to the world.
+        bodies: (usize, usize),
+    },
 }
 
 impl ConstraintId {
@@ -31,6 +45,7 @@ impl ConstraintId {
         match *self {
             Self::Contact(id) => (id.a, id.b),
             Self::Pivot { body } => (body, body),
+            Self::Joint { bodies, .. } => bodies,
         }
     }
 
@@ -38,7 +53,7 @@ impl ConstraintId {
     pub(crate) fn contact(&self) -> Option<ContactId> {
         match *self {
             Self::Contact(id) => Some(id),
-            Self::Pivot { .. } => None,
+            Self::Pivot { .. } | Self::Joint { .. } => None,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Builds a scene from its parts and checks them together.
 
 use super::error::positive;
-use super::{Body, DEFAULT_GRAVITY, Force, Method, PairRule, Scene, SceneError, Tier, force};
+use super::{Body, DEFAULT_GRAVITY, Force, Joint, Method, PairRule, Scene, SceneError, Tier, force};
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
 
@@ -35,6 +35,7 @@ impl SceneBuilder {
                 method: Method::default(),
                 bodies: Vec::new(),
                 forces: Vec::new(),
+                joints: Vec::new(),
                 pair_rules: Vec::new(),
                 no_contact: Vec::new(),
                 start_separation_m: 0.0,
@@ -75,6 +76,12 @@ impl SceneBuilder {
     /// One more force.
     pub fn force(mut self, force: Force) -> Self {
         self.scene.forces.push(force);
+        self
+    }
+
+    /// One more joint.
+    pub fn joint(mut self, joint: Joint) -> Self {
+        self.scene.joints.push(joint);
         self
     }
 
@@ -134,6 +141,8 @@ impl SceneBuilder {
             force::check(number, force, &scene.bodies)?;
         }
         force::check_integrator(scene.method.integrator, &scene.forces)?;
+        scene.check_joints()?;
+        scene.check_joint_method()?;
         scene.check_grains()?;
         scene.check_motions()?;
         if scene.method.tier == Some(Tier::Thesis) && scene.colliding().have_friction() {

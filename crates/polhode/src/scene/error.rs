@@ -120,6 +120,48 @@ pub enum SceneError {
         /// The value found, m.
         value: f64,
     },
+    /// A joint that cannot hold anything.
+    #[error("joint number {number} (counted from 0): {reason}")]
+    Joint {
+        /// Its number.
+        number: usize,
+        /// What is wrong, and what is accepted.
+        reason: &'static str,
+    },
+    /// The velocities of the bodies of a joint would part them at the start.
+    #[error(
+        "joint number {number} (counted from 0): its bodies part by {apart_m_s} m/s at the anchor at the start: give them \
+         velocities that agree there, v + w x (anchor - centre of mass)"
+    )]
+    JointMoves {
+        /// Its number.
+        number: usize,
+        /// Their relative velocity at the anchor, m/s.
+        apart_m_s: f64,
+    },
+    /// The angular velocities of the bodies of a joint would turn them out of it at the start.
+    #[error(
+        "joint number {number} (counted from 0): its bodies turn on each other by {across_rad_s} rad/s across its axis at \
+         the start: give them angular velocities that differ along the axis alone"
+    )]
+    JointTurns {
+        /// Its number.
+        number: usize,
+        /// Their relative angular velocity across the axis, rad/s.
+        across_rad_s: f64,
+    },
+    /// Joints in a tier that has none.
+    #[error("joints are not yet available in tier `{tier}`: use tier `accurate`, which is the default")]
+    JointsInTier {
+        /// The tier.
+        tier: &'static str,
+    },
+    /// Joints with an integrator that advances bodies one by one.
+    #[error("integrator `{integrator}` does not solve for joints: leave it out, or use `dop853` or `rk4`")]
+    JointsWithIntegrator {
+        /// The integrator.
+        integrator: &'static str,
+    },
     /// Friction in the tier of the thesis, which has none.
     #[error("the tier `thesis` has no friction: use tier `accurate` or `stepped`, or friction 0 in all materials")]
     ThesisFriction,

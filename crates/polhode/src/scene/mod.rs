@@ -11,6 +11,7 @@
 //! | `material` | [`Material`], [`PairRule`]: friction and restitution |
 //! | `grain` | [`FrictionEllipse`]: friction along and across a grain |
 //! | `force` | [`Force`]: forces besides uniform gravity and contact |
+//! | `joint` | [`Joint`]: what holds two bodies, or a body and the world, together |
 //! | [`motion`] | prescribed motions of kinematic bodies |
 //! | `method` | [`Method`]: the tier and the settings that override its choices |
 //! | `pairs` | how many pairs of bodies may collide |
@@ -22,6 +23,7 @@ mod error;
 mod force;
 mod geometry;
 mod grain;
+mod joint;
 mod material;
 mod method;
 pub mod motion;
@@ -35,6 +37,7 @@ pub use force::{Attachment, Force};
 pub use geometry::{ApproximateParts, Geometry};
 pub use grain::FrictionEllipse;
 pub(crate) use grain::GrainOf;
+pub use joint::{Joint, JointKind};
 pub use material::{Material, PairRule};
 pub use method::{
     BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, Response, RotationRate, Tier,
@@ -63,6 +66,7 @@ pub struct Scene {
     pub(crate) method: Method,
     pub(crate) bodies: Vec<Body>,
     pub(crate) forces: Vec<Force>,
+    pub(crate) joints: Vec<Joint>,
     pub(crate) pair_rules: Vec<PairRule>,
     pub(crate) no_contact: Vec<Vec<usize>>,
     pub(crate) start_separation_m: f64,
@@ -130,6 +134,7 @@ impl Scene {
     /// As [`SceneBuilder::build`].
     pub(crate) fn check_times(&self) -> Result<(), SceneError> {
         self.method.validate()?;
+        self.check_joint_method()?;
         self.check_motions()?;
         self.check_counts()
     }
@@ -220,8 +225,8 @@ impl Scene {
         (1..self.bodies.len()).any(|body| self.may_collide(body - 1, body)) || self.colliding().count > 0
     }
 
-    /// Whether two bodies may collide: forces move at least one, both have a shape, and no `no_contact` group names
-    /// both.
+    /// Whether two bodies may collide: forces move at least one, both have a shape, no joint holds them together, and no
+    /// `no_contact` group names both.
     pub fn may_collide(&self, a: usize, b: usize) -> bool {
         let (body_a, body_b) = (&self.bodies[a], &self.bodies[b]);
         a != b
@@ -229,5 +234,6 @@ impl Scene {
             && body_a.geometry.is_some()
             && body_b.geometry.is_some()
             && !self.no_contact.iter().any(|group| group.contains(&a) && group.contains(&b))
+            && !self.joints.iter().any(|joint| joint.joins(a, b))
     }
 }

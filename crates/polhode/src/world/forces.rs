@@ -47,6 +47,14 @@ impl World {
                 self.couplings.push(together.into_iter().map(|slot| self.movable[slot]).collect());
             }
         }
+        for joint in &self.joints {
+            let together: Vec<usize> = joint.bodies().collect();
+            let slots: Vec<usize> = together.iter().filter_map(|&body| self.slot(body)).collect();
+            if slots.len() > 1 {
+                self.field_index.couple(self.couplings.len(), &slots);
+                self.couplings.push(together);
+            }
+        }
         self.fields = Arc::from(fields);
         self.is_loaded_at_all = self.free_motion().has_loads();
         Ok(())

@@ -8,6 +8,7 @@
 use super::body::WorldBody;
 use super::field_index::{FieldBuffers, FieldIndex};
 use crate::collision::narrow_phase::NarrowPhase;
+use crate::constraint::joint::{WorldJoint, row_length};
 use crate::pivot_form::PivotRows;
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::scene::{Body, MovingFrames, Scene, SceneError};
@@ -65,8 +66,12 @@ pub(crate) struct World {
     pub(crate) prescribed: Vec<usize>,
     /// Mass properties of the movable bodies, by slot.
     pub(super) rigid: Arc<[RigidBody]>,
-    /// Bodies that constraint rows hold at their pivots, ascending.
+    /// Bodies that constraint rows hold at their pivots or joints, ascending.
     pub(crate) held_by_rows: Vec<usize>,
+    /// The joints.
+    pub(crate) joints: Vec<WorldJoint>,
+    /// Which of them hold a movable body.
+    pub(crate) joints_of: BTreeMap<usize, Vec<usize>>,
     /// For which pivoted bodies there are such rows.
     pub(crate) pivot_rows: PivotRows,
     /// Force fields over the movable bodies.
@@ -124,11 +129,11 @@ impl World {
     pub(crate) fn new(scene: &Scene, pivot_rows: PivotRows) -> Result<(Self, Vec<BodyState>), SceneError> {
         let may_collide = |a: usize| (0..scene.bodies().len()).any(|b| scene.may_collide(a, b));
         let bodies = scene.bodies().iter().enumerate().map(|(index, body)| {
-            let form = pivot_rows.form(body, || may_collide(index));
+            let is_jointed = scene.joints().iter().any(|joint| joint.bodies().any(|held| held == index));
+            let form = pivot_rows.form(body, || is_jointed || may_collide(index));
             WorldBody::new(body, form, || may_collide(index))
         });
         let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
-        let held_by_rows = (0..bodies.len()).filter(|&body| bodies[body].held.is_some()).collect();
         let states: Vec<_> =
             scene.bodies().iter().zip(&bodies).map(|(body, world)| world.state_at(body, 0.0)).collect();
         let movable: Vec<usize> = (0..bodies.len()).filter(|&body| bodies[body].moves()).collect();
@@ -140,7 +145,9 @@ impl World {
             movable,
             prescribed,
             rigid,
-            held_by_rows,
+            held_by_rows: Vec::new(),
+            joints: Vec::new(),
+            joints_of: BTreeMap::new(),
             pivot_rows,
             fields: Arc::from(Vec::new()),
             is_loaded_at_all: false,
@@ -157,10 +164,35 @@ impl World {
             start_potential_j: 0.0,
             plane: None,
         };
+        world.make_joints(&states);
         world.make_fields()?;
         world.initial_field_potential = world.field_potential(&states);
         world.start_potential_j = world.sum_start_potentials();
         Ok((world, states))
+    }
+
+    /// Makes the joints of the scene, between bodies in their states at the start.
+    fn make_joints(&mut self, states: &[BodyState]) {
+        let size = |body: usize| self.bodies[body].size;
+        let made = self.scene.joints().iter().enumerate().map(|(number, joint)| {
+            let moving = joint.bodies().filter(|&body| self.bodies[body].moves());
+            let moves = |body: usize| self.bodies[body].moves();
+            WorldJoint::new((number, joint), states, moves, row_length(moving.map(size)))
+        });
+        self.joints = made.collect();
+        self.index_joints();
+    }
+
+    /// Enters the joints at their bodies, and the bodies that constraint rows hold.
+    fn index_joints(&mut self) {
+        self.joints_of.clear();
+        for (number, joint) in self.joints.iter().enumerate() {
+            for body in joint.bodies() {
+                self.joints_of.entry(body).or_default().push(number);
+            }
+        }
+        let is_held = |body: &usize| self.bodies[*body].held.is_some() || self.joints_of.contains_key(body);
+        self.held_by_rows = (0..self.bodies.len()).filter(is_held).collect();
     }
 
     /// Recomputes what depends on the moving frames of the bodies.
@@ -211,7 +243,8 @@ impl World {
         self.narrow_phase.forget(body);
         self.bodies[body].trajectory = None;
         self.bodies[body].held = None;
-        self.held_by_rows.retain(|&other| other != body);
+        self.joints.retain(|joint| joint.bodies().all(|held| held != body));
+        self.index_joints();
         self.prescribed.retain(|&other| other != body);
         self.scene.bodies[body].geometry = None;
         self.applied.remove(&body);

@@ -1,0 +1,89 @@
+//! The joints of a scene as bilateral constraints: the list of their kinds.
+//!
+//! | kind | rows | leaves free |
+//! |---|---|---|
+//! | ball | those of a point (`point.rs`) | three rotations |
+//! | hinge | those of a point, two of an axis (`hinge.rs`) | the rotation about the axis |
+
+use super::ConstraintId;
+use super::bilateral::Bilateral;
+use super::end::End;
+use super::hinge::HingeAxis;
+use super::point;
+use crate::scene::{Joint, JointKind};
+use crate::world::World;
+use polhode_dynamics::BodyState;
+use polhode_spatial::{DVec3, Rotation};
+
+/// What a joint keeps beside its point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kept {
+    Nothing,
+    Axis(HingeAxis),
+}
+
+/// A joint of the model.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct WorldJoint {
+    /// Its number in the scene.
+    number: usize,
+    /// A movable body.
+    a: End,
+    b: End,
+    kept: Kept,
+}
+
+impl WorldJoint {
+    /// A joint of the scene of a world at these states, those of the start; `length` is that of rows of rotation, m.
+    pub(crate) fn new(
+        (number, joint): (usize, &Joint),
+        states: &[BodyState],
+        moves: impl Fn(usize) -> bool,
+        length: f64,
+    ) -> Self {
+        let end = |body: Option<usize>| match body.filter(|&body| moves(body)) {
+            Some(body) => End::Body { body, arm: states[body].pose.inverse_transform_point(joint.anchor()) },
+            None => End::World(joint.anchor()),
+        };
+        let (first, second) = (end(Some(joint.body())), end(joint.other()));
+        // The first end is that of a movable body.
+        let (a, b) = if first.body().is_some() { (first, second) } else { (second, first) };
+        let attitude = |end: &End| end.body().map_or(Rotation::IDENTITY, |body| states[body].pose.rotation);
+        let kept = match joint.kind() {
+            JointKind::Ball => Kept::Nothing,
+            JointKind::Hinge { axis } => Kept::Axis(HingeAxis::new(axis.get(), (attitude(&a), attitude(&b)), length)),
+        };
+        Self { number, a, b, kept }
+    }
+
+    /// The movable bodies that it holds.
+    pub(crate) fn bodies(&self) -> impl Iterator<Item = usize> {
+        self.a.body().into_iter().chain(self.b.body())
+    }
+
+    /// Its rows in these states.
+    pub(crate) fn bilateral(&self, world: &World, states: &[BodyState]) -> Bilateral {
+        let [a, b] = [&self.a, &self.b].map(|end| end.at(world, states));
+        let mut rows: Vec<_> = point::rows(&a, &b).collect();
+        match self.kept {
+            Kept::Nothing => {}
+            Kept::Axis(axis) => rows.extend(axis.rows(&a, &b)),
+        }
+        let members: Vec<_> = a.member(1.0).into_iter().chain(b.member(-1.0)).collect();
+        let first = self.a.body().unwrap_or_default();
+        let bodies = (first, self.b.body().unwrap_or(first));
+        Bilateral { id: ConstraintId::Joint { joint: self.number, bodies }, point: a.point, members, rows }
+    }
+}
+
+/// Length of the rows of rotation of a joint between bodies of these sizes: that of the smaller one, m.
+pub(crate) fn row_length(sizes: impl Iterator<Item = f64>) -> f64 {
+    sizes.fold(f64::INFINITY, f64::min)
+}
+
+/// The pivot of a body at a place of the world (m): a point with an arm in body axes (m).
+pub(crate) fn pivot((body, arm): (usize, DVec3), place: DVec3, world: &World, states: &[BodyState]) -> Bilateral {
+    let [a, b] = [End::Body { body, arm }, End::World(place)].map(|end| end.at(world, states));
+    let members = a.member(1.0).into_iter().collect();
+    Bilateral { id: ConstraintId::Pivot { body }, point: a.point, members, rows: point::rows(&a, &b).collect() }
+}

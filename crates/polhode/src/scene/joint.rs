@@ -1,0 +1,189 @@
+//! Joints: what holds two bodies, or a body and the world, together.
+//!
+//! A joint is given by a point of the world at the start, its anchor, which stays one point of both bodies. A joint between
+//! bodies that do not move, or of a body with itself, is refused. Jointed bodies do not collide with each other.
+
+use super::{Body, Integrator, Scene, SceneError, Tier};
+use polhode_spatial::{DVec3, UnitVector, Velocity};
+
+/// Relative velocity at a joint at the start, relative to the speeds of its bodies there: more than rounding of a file's digits
+/// is a contradiction (no unit, 1e-12 to 1e-6).
+const JOINT_VELOCITY_RELATIVE: f64 = 1e-9;
+
+/// What a joint leaves free.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum JointKind {
+    /// All rotations about the anchor.
+    Ball,
+    /// Rotation about one axis through the anchor.
+    Hinge {
+        /// The axis at the start, world.
+        axis: UnitVector,
+    },
+}
+
+impl JointKind {
+    /// Its name in scene files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Ball => "ball",
+            Self::Hinge { .. } => "hinge",
+        }
+    }
+}
+
+/// A joint of a body with the world or with another body.
+///
+/// ```
+/// use polhode::mesh::solid_box;
+/// use polhode::scene::Joint;
+/// use polhode::spatial::{DVec3, Mass, Pose, UnitVector};
+/// use polhode::{Body, Effects, Scene, Simulation, Unobserved};
+/// // Two rods of 1 m hang at each other, the upper one at the origin, and are let go level: a double pendulum.
+/// let rod = |name: &str, x: f64| -> Result<Body, Box<dyn std::error::Error>> {
+///     let size = DVec3::new(1.0, 0.02, 0.02);
+///     Ok(Body::movable(name, solid_box(size, Mass::new(1.0)?)?).pose(Pose::from_translation(DVec3::X * x)))
+/// };
+/// let scene = Scene::builder("double pendulum")
+///     .body(rod("upper", 0.5)?)
+///     .body(rod("lower", 1.5)?)
+///     .joint(Joint::hinge(0, DVec3::ZERO, UnitVector::Y))
+///     .joint(Joint::hinge(0, DVec3::X, UnitVector::Y).with(1))
+///     .build()?;
+/// let mut simulation = Simulation::new(&scene, Effects::Planned)?;
+/// simulation.advance_to(1.0, &mut Unobserved)?;
+/// assert!(simulation.bodies()[0].pose.translation.z < -0.4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Joint {
+    kind: JointKind,
+    body: usize,
+    other: Option<usize>,
+    anchor: DVec3,
+}
+
+impl Joint {
+    /// A ball joint of a body (by its number in the scene) with the world, at a point of the world (m) at the start.
+    pub const fn ball(body: usize, anchor: DVec3) -> Self {
+        Self { kind: JointKind::Ball, body, other: None, anchor }
+    }
+
+    /// A hinge of a body with the world, through a point (m) along an axis, both world, at the start.
+    pub const fn hinge(body: usize, anchor: DVec3, axis: UnitVector) -> Self {
+        Self { kind: JointKind::Hinge { axis }, body, other: None, anchor }
+    }
+
+    /// The same joint with another body in the place of the world.
+    pub const fn with(self, other: usize) -> Self {
+        Self { other: Some(other), ..self }
+    }
+
+    /// What it leaves free.
+    pub const fn kind(&self) -> JointKind {
+        self.kind
+    }
+
+    /// The body that it holds, by its number in the scene.
+    pub const fn body(&self) -> usize {
+        self.body
+    }
+
+    /// The other body; none for the world.
+    pub const fn other(&self) -> Option<usize> {
+        self.other
+    }
+
+    /// The point of the world at which it holds them at the start, m.
+    pub const fn anchor(&self) -> DVec3 {
+        self.anchor
+    }
+
+    /// The bodies that it holds together, but for the world.
+    pub(crate) fn bodies(&self) -> impl Iterator<Item = usize> {
+        std::iter::once(self.body).chain(self.other)
+    }
+
+    /// Whether it holds these two bodies together.
+    pub(crate) fn joins(&self, a: usize, b: usize) -> bool {
+        self.other.is_some_and(|other| (self.body, other) == (a, b) || (self.body, other) == (b, a))
+    }
+}
+
+impl Scene {
+    /// Joints between bodies, or of bodies with the world.
+    pub fn joints(&self) -> &[Joint] {
+        &self.joints
+    }
+
+    /// Checks the joints: that their bodies exist and can be held, and do not leave them at the start.
+    ///
+    /// # Errors
+    /// With the first joint that is refused.
+    pub(super) fn check_joints(&self) -> Result<(), SceneError> {
+        for (number, joint) in self.joints.iter().enumerate() {
+            let refused = |reason| SceneError::Joint { number, reason };
+            if let Some(unknown) = joint.bodies().find(|&body| body >= self.bodies.len()) {
+                return Err(SceneError::UnknownBody(unknown));
+            }
+            if joint.other == Some(joint.body) {
+                return Err(refused("it holds a body at itself: two bodies, or one and the world, are needed"));
+            }
+            if !joint.anchor.is_finite() {
+                return Err(refused("its anchor has a component that is not finite: finite numbers are needed"));
+            }
+            let mut bodies = joint.bodies().map(|body| &self.bodies[body]);
+            if joint.bodies().any(|body| self.bodies[body].motion().is_some()) {
+                return Err(refused("it holds a body with a prescribed motion, which is not yet available"));
+            }
+            if bodies.all(Body::is_fixed) {
+                return Err(refused("forces move none of its bodies: one at least must be movable"));
+            }
+            self.check_joint_velocity(number, joint)?;
+        }
+        Ok(())
+    }
+
+    /// Checks that the method solves for joints.
+    ///
+    /// # Errors
+    /// When its tier or its integrator does not.
+    pub(super) fn check_joint_method(&self) -> Result<(), SceneError> {
+        if self.joints.is_empty() {
+            return Ok(());
+        }
+        match (self.method.tier.unwrap_or(Tier::Accurate), self.method.integrator) {
+            (Tier::Stepped, _) => Err(SceneError::JointsInTier { tier: "stepped" }),
+            (Tier::Thesis, _) => Err(SceneError::JointsInTier { tier: "thesis" }),
+            (Tier::Accurate, None | Some(Integrator::Dop853 | Integrator::Rk4)) => Ok(()),
+            (Tier::Accurate, Some(integrator)) => Err(SceneError::JointsWithIntegrator { integrator: integrator.name() }),
+        }
+    }
+
+    fn check_joint_velocity(&self, number: usize, joint: &Joint) -> Result<(), SceneError> {
+        let velocity = |body: usize| {
+            let own = &self.bodies[body];
+            let Some(properties) = own.mass_properties() else { return Velocity::ZERO };
+            let Velocity { linear, angular } = *own.initial_velocity();
+            let center = own.initial_pose().transform_point(properties.center_of_mass());
+            let linear = own.pivot_point().map_or(linear, |pivot| angular.cross(center - pivot));
+            Velocity::new(linear + angular.cross(joint.anchor - center), angular)
+        };
+        let [one, two] = [velocity(joint.body), joint.other.map_or(Velocity::ZERO, velocity)];
+        let speed = one.linear.length() + two.linear.length();
+        let apart = (one.linear - two.linear).length();
+        if apart > JOINT_VELOCITY_RELATIVE * speed {
+            return Err(SceneError::JointMoves { number, apart_m_s: apart });
+        }
+        let turning = one.angular - two.angular;
+        let across = match joint.kind {
+            JointKind::Ball => 0.0,
+            JointKind::Hinge { axis } => axis.get().cross(turning).length(),
+        };
+        if across > JOINT_VELOCITY_RELATIVE * (one.angular.length() + two.angular.length()) {
+            return Err(SceneError::JointTurns { number, across_rad_s: across });
+        }
+        Ok(())
+    }
+}

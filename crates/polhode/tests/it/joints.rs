@@ -1,0 +1,241 @@
+//! Joints: bodies that a ball joint or a hinge holds together move as the equations in their angles say, and stay together.
+//!
+//! Oracles are the equations of motion in angles, integrated to rounding, and closed forms. No joint does work:
+//! the energy stays, the ledger closes, and what projections take is rounding.
+
+use crate::checks::assert_closes;
+use crate::support::{accurate, run};
+use polhode::dynamics::{Rk4, System};
+use polhode::mesh::solid_box;
+use polhode::scene::{Joint, Method, SceneError, Tier};
+use polhode::spatial::{DVec3, Mass, Pose, Rotation, UnitVector, Velocity};
+use polhode::{Body, Effects, RunReport, Scene, SceneBuilder};
+
+const G: f64 = 9.81;
+
+/// A uniform rod with its centre at `center`, along a direction in the plane y = 0 that is turned by `angle` from -z towards x.
+fn rod(name: &str, (mass, length): (f64, f64), center: DVec3, angle: f64) -> Body {
+    let size = DVec3::new(0.02, 0.02, length);
+    let attitude = Rotation::from_rotation_vector(DVec3::Y * -angle);
+    Body::movable(name, solid_box(size, Mass::new(mass).unwrap()).unwrap()).pose(Pose::new(attitude, center))
+}
+
+/// The direction at an angle from -z towards x.
+fn down(angle: f64) -> DVec3 {
+    DVec3::new(angle.sin(), 0.0, -angle.cos())
+}
+
+/// The moment of inertia of a rod of [`rod`] about its centre, across its length.
+fn inertia((mass, length): (f64, f64)) -> f64 {
+    mass / 12.0 * (length * length + 4e-4)
+}
+
+/// A chain of rods that hangs at the origin by hinges along y, at these angles and at rest.
+fn chain(rods: &[(f64, f64)], angles: &[f64], turned: Rotation) -> SceneBuilder {
+    let mut builder = Scene::builder("chain").method(accurate()).gravity(turned.rotate(DVec3::Z * -G));
+    let mut top = DVec3::ZERO;
+    for (number, (&(mass, length), &angle)) in rods.iter().zip(angles).enumerate() {
+        let body = rod(&format!("rod {number}"), (mass, length), top + down(angle) * (0.5 * length), angle);
+        let pose = Pose::new(turned, DVec3::ZERO) * *body.initial_pose();
+        let axis = UnitVector::new(turned.rotate(DVec3::Y)).unwrap();
+        let joint = Joint::hinge(number, turned.rotate(top), axis);
+        builder = builder.body(body.pose(pose)).joint(if number > 0 { joint.with(number - 1) } else { joint });
+        top += down(angle) * length;
+    }
+    builder
+}
+
+/// The equations of a double pendulum in its two angles.
+struct DoublePendulum {
+    rods: [(f64, f64); 2],
+}
+
+impl System for DoublePendulum {
+    type Error = std::convert::Infallible;
+
+    fn dimension(&self) -> usize {
+        4
+    }
+
+    fn derivative(&mut self, _t: f64, state: &[f64], rates: &mut [f64]) -> Result<(), Self::Error> {
+        let [(m1, l1), (m2, l2)] = self.rods;
+        let &[a, b, u, v] = state else { return Ok(()) };
+        let (sin, cos) = (a - b).sin_cos();
+        let m11 = inertia(self.rods[0]) + 0.25 * m1 * l1 * l1 + m2 * l1 * l1;
+        let (m12, m22) = (0.5 * m2 * l1 * l2 * cos, inertia(self.rods[1]) + 0.25 * m2 * l2 * l2);
+        let f1 = -0.5 * m2 * l1 * l2 * sin * v * v - (0.5 * m1 + m2) * G * l1 * a.sin();
+        let f2 = 0.5 * m2 * l1 * l2 * sin * u * u - 0.5 * m2 * G * l2 * b.sin();
+        let determinant = m11 * m22 - m12 * m12;
+        rates.copy_from_slice(&[u, v, (m22 * f1 - m12 * f2) / determinant, (m11 * f2 - m12 * f1) / determinant]);
+        Ok(())
+    }
+}
+
+/// Integrates over a time by the classical method, in steps so short that its error is rounding.
+fn integrate<S: System<Error = std::convert::Infallible>>(system: &mut S, t: f64, state: &mut [f64]) {
+    let (steps, mut method) = (20_000, Rk4::new(state.len()));
+    let h = t / f64::from(steps);
+    for step in 0..steps {
+        let Ok(()) = method.step(system, h * f64::from(step), h, state);
+    }
+}
+
+/// The angles of a double pendulum after a time, from rest.
+fn angles_after(rods: [(f64, f64); 2], angles: [f64; 2], t: f64) -> [f64; 2] {
+    let mut state = vec![angles[0], angles[1], 0.0, 0.0];
+    integrate(&mut DoublePendulum { rods }, t, &mut state);
+    [state[0], state[1]]
+}
+
+/// No joint does work, and the bodies stay together.
+#[track_caller]
+fn assert_held(report: &RunReport) {
+    assert!(report.ledger.numerical.value().abs() < 1e-11 * report.ledger.scale_j, "{:?}", report.ledger);
+    assert!(report.ledger.projection.value().abs() < 1e-11 * report.ledger.scale_j, "{:?}", report.ledger);
+    assert_closes(report);
+}
+
+/// Double pendulums of other lengths and masses, level and upright, in the plane y = 0 and turned in space.
+#[test]
+fn double_pendulum_moves_as_the_equations_in_its_angles_say() {
+    let cases = [
+        ([(1.0, 1.0), (1.0, 1.0)], [1.5, 1.2]),
+        ([(2.0, 0.3), (0.7, 0.5)], [0.4, -1.1]),
+        ([(0.5, 0.2), (5.0, 0.4)], [-2.0, 0.3]),
+    ];
+    for (rods, angles) in cases {
+        for turned in [Rotation::IDENTITY, Rotation::from_rotation_vector(DVec3::new(0.3, -0.8, 0.5))] {
+            let duration = 1.0;
+            let scene = chain(&rods, &angles, turned).duration_s(duration).build().unwrap();
+            let (report, _) = run(&scene, Effects::Planned);
+            let [a, b] = angles_after(rods, angles, duration);
+            let upper = down(a) * (0.5 * rods[0].1);
+            let lower = down(a) * rods[0].1 + down(b) * (0.5 * rods[1].1);
+            for (body, place) in [upper, lower].into_iter().enumerate() {
+                let off = (report.bodies[body].1.pose.translation - turned.rotate(place)).length();
+                assert!(off < 1e-9, "{rods:?} rod {body}: {off:e} m off");
+            }
+            assert_held(&report);
+        }
+    }
+}
+
+/// A body on a ball joint with the world moves as one on a pivot.
+#[test]
+fn ball_joint_with_the_world_is_a_pivot() {
+    let at = |joint: bool| {
+        let turning = DVec3::new(1.0, -2.0, 8.0);
+        let center = DVec3::new(0.2, 0.1, 0.4);
+        let body = rod("top", (1.3, 0.5), center, 0.3).velocity(Velocity::new(turning.cross(center), turning));
+        let builder = Scene::builder("top").method(accurate()).duration_s(0.7);
+        let builder = if joint {
+            builder.body(body).joint(Joint::ball(0, DVec3::ZERO))
+        } else {
+            builder.body(body.pivot(DVec3::ZERO))
+        };
+        run(&builder.build().unwrap(), Effects::Planned).0
+    };
+    let [joint, pivot] = [at(true), at(false)].map(|report| {
+        assert_held(&report);
+        report.bodies[0].1
+    });
+    assert!((joint.pose.translation - pivot.pose.translation).length() < 1e-9);
+    assert!((joint.velocity.angular - pivot.velocity.angular).length() < 1e-7);
+}
+
+/// A parallelogram of four bars, one of them the world, closed by four hinges: five rows each, three of them redundant. Its
+/// coupler stays level, and its cranks swing as one pendulum.
+#[test]
+fn overconstrained_four_bar_swings_as_one_pendulum() {
+    let (crank, span) = ((0.8, 0.3), (1.7, 0.5));
+    let angle: f64 = 0.9;
+    let left = DVec3::ZERO;
+    let right = DVec3::X * span.1;
+    let (low_left, low_right) = (left + down(angle) * crank.1, right + down(angle) * crank.1);
+    let level = std::f64::consts::FRAC_PI_2;
+    let middle = |one: DVec3, other: DVec3| (one + other) * 0.5;
+    let builder = Scene::builder("four-bar").method(accurate()).duration_s(1.0);
+    let scene = builder
+        .body(rod("left", crank, middle(left, low_left), angle))
+        .body(rod("right", crank, middle(right, low_right), angle))
+        .body(rod("coupler", span, middle(low_left, low_right), level))
+        .joint(Joint::hinge(0, left, UnitVector::Y))
+        .joint(Joint::hinge(1, right, UnitVector::Y))
+        .joint(Joint::hinge(2, low_left, UnitVector::Y).with(0))
+        .joint(Joint::hinge(2, low_right, UnitVector::Y).with(1))
+        .build()
+        .unwrap();
+    let (report, _) = run(&scene, Effects::Planned);
+    // With one crank of the sums: I = 2 (I_c + m l^2/4) + M l^2, moment (m + M) g l sin.
+    let whole = 2.0 * (inertia(crank) + 0.25 * crank.0 * crank.1 * crank.1) + span.0 * crank.1 * crank.1;
+    let rate = (crank.0 + span.0) * G * crank.1 / whole;
+    let mut state = vec![angle, 0.0];
+    integrate(&mut Pendulum { rate }, 1.0, &mut state);
+    let wanted = middle(left, right) + down(state[0]) * crank.1;
+    let coupler = report.bodies[2].1.pose;
+    assert!((coupler.translation - wanted).length() < 1e-10, "{:e}", (coupler.translation - wanted).length());
+    assert!(coupler.rotation.rotate(DVec3::Z).z.abs() < 1e-10);
+    assert_held(&report);
+}
+
+/// `a'' = -rate sin a`.
+struct Pendulum {
+    rate: f64,
+}
+
+impl System for Pendulum {
+    type Error = std::convert::Infallible;
+
+    fn dimension(&self) -> usize {
+        2
+    }
+
+    fn derivative(&mut self, _t: f64, state: &[f64], rates: &mut [f64]) -> Result<(), Self::Error> {
+        rates.copy_from_slice(&[state[1], -self.rate * state[0].sin()]);
+        Ok(())
+    }
+}
+
+/// Two jointed bodies that nothing holds: their momentum and energy stay, and their centre of mass flies on a parabola.
+#[test]
+fn jointed_bodies_in_flight_keep_their_momentum() {
+    let (one, two) = ((1.0, 0.4), (3.0, 0.6));
+    let turning = DVec3::Y * 3.0;
+    let body = |name: &str, of: (f64, f64), center: DVec3| {
+        rod(name, of, center, 0.0).velocity(Velocity::new(DVec3::new(0.5, 0.2, 1.0) + turning.cross(center), turning))
+    };
+    let scene = Scene::builder("thrown").method(accurate()).duration_s(1.0);
+    let scene = scene
+        .body(body("one", one, DVec3::Z * 0.2))
+        .body(body("two", two, DVec3::Z * -0.3))
+        .joint(Joint::hinge(0, DVec3::ZERO, UnitVector::Y).with(1));
+    let scene = scene.build().unwrap();
+    let center = |at: [DVec3; 2]| (at[0] * one.0 + at[1] * two.0) / (one.0 + two.0);
+    let start = center([DVec3::Z * 0.2, DVec3::Z * -0.3]);
+    let speed = DVec3::new(0.5, 0.2, 1.0) + turning.cross(start);
+    let (report, _) = run(&scene, Effects::Planned);
+    let end = center([report.bodies[0].1.pose.translation, report.bodies[1].1.pose.translation]);
+    assert!((end - start - speed + DVec3::Z * (0.5 * G)).length() < 1e-12);
+    assert_held(&report);
+}
+
+/// The joints of a scene that cannot hold are refused, each with what is wrong.
+#[test]
+fn joints_that_cannot_hold_are_refused() {
+    let body = |name: &str| rod(name, (1.0, 0.5), DVec3::ZERO, 0.0);
+    let with = |joint: Joint| Scene::builder("refused").body(body("a")).body(body("b")).joint(joint).build();
+    assert!(matches!(with(Joint::ball(7, DVec3::ZERO)), Err(SceneError::UnknownBody(7))));
+    assert!(matches!(with(Joint::ball(0, DVec3::ZERO).with(0)), Err(SceneError::Joint { number: 0, .. })));
+    assert!(matches!(with(Joint::ball(0, DVec3::NAN)), Err(SceneError::Joint { number: 0, .. })));
+    let moving = body("a").velocity(Velocity::new(DVec3::X, DVec3::ZERO));
+    let parts = Scene::builder("parts").body(moving).joint(Joint::ball(0, DVec3::ZERO)).build();
+    assert!(matches!(parts, Err(SceneError::JointMoves { number: 0, .. })));
+    let turning = body("a").velocity(Velocity::new(DVec3::ZERO, DVec3::X));
+    let turns = Scene::builder("turns").body(turning).joint(Joint::hinge(0, DVec3::ZERO, UnitVector::Y)).build();
+    assert!(matches!(turns, Err(SceneError::JointTurns { number: 0, .. })));
+    for tier in [Tier::Stepped, Tier::Thesis] {
+        let method = Method { tier: Some(tier), ..Method::default() };
+        let built = Scene::builder("tier").method(method).body(body("a")).joint(Joint::ball(0, DVec3::ZERO)).build();
+        assert!(matches!(built, Err(SceneError::JointsInTier { .. })));
+    }
+}
