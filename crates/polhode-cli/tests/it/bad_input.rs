@@ -67,7 +67,7 @@ const SCENES: &[Change] = &[
     ("duration = 0.1", "[method]\ntolerance = -1", &["tolerance"]),
     ("duration = 0.1", "[method]\ntolerance = nan", &["tolerance"]),
     ("duration = 0.1", "[metod]\nstep = 1", &["did you mean `method`?"]),
-    ("duration = 0.1", "[joints]", &["not yet available: joints"]),
+    ("duration = 0.1", "[joints]", &["joints"]),
     ("duration = 0.1", "= 3", &["not TOML"]),
     ("duration = 0.1", "]]]]", &["not TOML"]),
     ("duration = 0.1", "\"\\u0007\" = 1", &["unknown key"]),

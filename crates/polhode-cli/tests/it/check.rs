@@ -41,7 +41,7 @@ fn mistakes() {
         "bodies.0.density=1",
         "bodies.0.material=\"gold\"",
         "bodies.0.pivot=[1, 0]",
-        "joints=[]",
+        "joints=[{}]",
         "forces=[{}]",
         "forces=[{ type = { magnet = {} } }]",
         "forces=[{ type = { torque = { body = \"stone\", torque = [0, 0, 1] } } }]",

@@ -27,6 +27,7 @@ mod bodies;
 mod body;
 mod fault;
 mod force;
+mod joint;
 mod mass;
 mod materials;
 mod matter;

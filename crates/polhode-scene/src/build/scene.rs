@@ -3,7 +3,7 @@
 use super::bodies::Bodies;
 use super::fault::{Fault, Faults, not_negative, positive, vector};
 use super::materials::Materials;
-use super::{body, force, method};
+use super::{body, force, joint, method};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{self, NoContactEntry, SceneFile};
@@ -37,6 +37,9 @@ pub(crate) fn scene(file: &SceneFile, folder: &MeshFolder, name: &str) -> Result
     let bodies = Bodies::new(&list);
     for force in force::build(file, &bodies, &mut faults) {
         builder = builder.force(force);
+    }
+    for joint in joint::build(file, &bodies, &mut faults) {
+        builder = builder.joint(joint);
     }
     for (index, group) in file.no_contact.iter().enumerate() {
         if let Some(group) = faults.note(no_contact(group, &bodies, &KeyPath::element("no_contact", index))) {
@@ -108,7 +111,11 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
             force::entry_of(*number, file).map_or_else(KeyPath::root, |index| KeyPath::element("forces", index))
         }
         SceneError::IntegratorTakesNoVelocities { .. } => KeyPath::of(&["method", "integrator"]),
-        SceneError::ThesisFriction => KeyPath::of(&["method", "tier"]),
+        SceneError::Joint { number, .. }
+        | SceneError::JointMoves { number, .. }
+        | SceneError::JointTurns { number, .. } => KeyPath::element("joints", *number),
+        SceneError::JointsWithIntegrator { .. } => KeyPath::of(&["method", "integrator"]),
+        SceneError::ThesisFriction | SceneError::JointsInTier { .. } => KeyPath::of(&["method", "tier"]),
         _ => KeyPath::root(),
     }
 }

@@ -12,6 +12,7 @@
 //! | `body` | [`BodyEntry`], [`ShapeEntry`], [`InertiaEntry`] |
 //! | `friction` | [`FrictionEntry`], [`StaticFrictionEntry`]: coefficients that may depend on the direction |
 //! | `force` | [`ForceEntry`] and the kinds of force |
+//! | `joint` | [`JointEntry`] and the kinds of joint |
 //! | `motion` | [`MotionEntry`] and the kinds of prescribed motion |
 //! | `signal` | [`SignalEntry`]: numbers as functions of time |
 //! | `exactly` | [`Exactly`]: arrays of an exact length |
@@ -23,6 +24,7 @@ mod exactly;
 mod force;
 mod friction;
 mod integrator;
+mod joint;
 mod method;
 mod motion;
 pub(crate) mod planned;
@@ -41,6 +43,7 @@ pub use force::{
 };
 pub use friction::{FrictionEntry, GrainEntry, NumberOr, StaticFrictionEntry, StaticGrainEntry};
 pub use integrator::IntegratorName;
+pub use joint::{BallJointEntry, HingeJointEntry, JointEntry, JointKindEntry};
 pub use method::{
     ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,
     RotationRateName, TierName,
@@ -58,6 +61,9 @@ pub(crate) const SHAPES: &str =
 
 /// Kinds of prescribed motion, for messages.
 pub(crate) const MOTIONS: &str = "constant, sine or table";
+
+/// Kinds of joint, for messages.
+pub(crate) const JOINTS: &str = "ball or hinge";
 
 /// Kinds of force, for messages.
 pub(crate) const FORCES: &str = "point_gravity, mutual_gravity, force, torque, drag or spring";

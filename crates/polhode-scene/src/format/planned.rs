@@ -39,7 +39,6 @@ pub(crate) struct Request {
 }
 
 const PLANNED: &[Planned] = &[
-    Planned { path: &["joints"], values: &[], instead: "bodies without joints" },
     Planned { path: &["method", "tier"], values: &["fast"], instead: "accurate, stepped or thesis" },
     Planned {
         path: &["method", "impact"],

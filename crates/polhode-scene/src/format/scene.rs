@@ -1,7 +1,7 @@
 //! The document: everything but methods, bodies and forces.
 
 use super::exactly::{Exactly, Vector};
-use super::{BodyEntry, ForceEntry, FrictionEntry, MethodEntry, StaticFrictionEntry};
+use super::{BodyEntry, ForceEntry, FrictionEntry, JointEntry, MethodEntry, StaticFrictionEntry};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -43,6 +43,9 @@ pub struct SceneFile {
     /// Forces besides uniform gravity and contact.
     #[serde(default)]
     pub forces: Vec<ForceEntry>,
+    /// What holds two bodies, or a body and the world, together. Jointed bodies do not collide with each other.
+    #[serde(default)]
+    pub joints: Vec<JointEntry>,
     /// Groups of bodies that do not collide with each other.
     #[serde(default)]
     pub no_contact: Vec<NoContactEntry>,

@@ -157,7 +157,9 @@ impl Scene {
             (Tier::Stepped, _) => Err(SceneError::JointsInTier { tier: "stepped" }),
             (Tier::Thesis, _) => Err(SceneError::JointsInTier { tier: "thesis" }),
             (Tier::Accurate, None | Some(Integrator::Dop853 | Integrator::Rk4)) => Ok(()),
-            (Tier::Accurate, Some(integrator)) => Err(SceneError::JointsWithIntegrator { integrator: integrator.name() }),
+            (Tier::Accurate, Some(integrator)) => {
+                Err(SceneError::JointsWithIntegrator { integrator: integrator.name() })
+            }
         }
     }
 
