@@ -17,21 +17,17 @@
 //! | form | when |
 //! |---|---|
 //! | rows | tier `accurate` with `dop853` or `rk4`, if the body may collide or all effects are asked for |
-//! | reduced | otherwise, and in the time steps of a stretch of crowded events |
+//! | reduced | otherwise |
 //!
 //! Assumption: the point is fixed in the world and in the body. Fails: never; the scene refuses a point that is not
 //! finite.
 
-use crate::accounting::books::{Books, gravity_at, momentum_of};
 use crate::constraint::bilateral::Bilateral;
-use crate::constraint::joint;
-use crate::pivot_form::{HeldPoint, PivotRows};
-use crate::scene::SceneError;
+use crate::constraint::joint::{self, WorldJoint};
+use crate::pivot_form::HeldPoint;
 
-use crate::Momentum;
 use crate::world::World;
 use polhode_dynamics::{BodyState, RigidBody};
-use polhode_response::ResponseError;
 use polhode_spatial::{DVec3, Pose, Velocity};
 use std::collections::BTreeSet;
 
@@ -54,36 +50,43 @@ impl World {
         bodies: &'a [usize],
     ) -> impl Iterator<Item = Bilateral> + 'a {
         let bodies = if self.held_by_rows.is_empty() { &[] } else { bodies };
+        let joints = self.joints_among(bodies).map(|joint| joint.bilateral(self, states));
+        bodies.iter().filter_map(|&body| self.pivot(states, body)).chain(joints)
+    }
+
+    /// The joints that hold some of these bodies, in the order of the scene.
+    pub(crate) fn joints_among(&self, bodies: &[usize]) -> impl Iterator<Item = &WorldJoint> {
+        let bodies = if self.joints.is_empty() { &[] } else { bodies };
         let joints: BTreeSet<usize> =
             bodies.iter().filter_map(|body| self.joints_of.get(body)).flatten().copied().collect();
-        let joints = joints.into_iter().map(|joint| self.joints[joint].bilateral(self, states));
-        bodies.iter().filter_map(|&body| self.pivot(states, body)).chain(joints)
+        joints.into_iter().map(|joint| &self.joints[joint])
+    }
+
+    /// These bodies and all that joints connect to them, ascending.
+    pub(crate) fn with_jointed(&self, bodies: Vec<usize>) -> Vec<usize> {
+        if self.joints.is_empty() {
+            return bodies;
+        }
+        let mut found: BTreeSet<usize> = bodies.iter().copied().collect();
+        let mut left = bodies;
+        while let Some(body) = left.pop() {
+            let joints = self.joints_of.get(&body).into_iter().flatten();
+            let reached = joints.flat_map(|&joint| self.joints[joint].bodies());
+            left.extend(reached.filter(|&other| found.insert(other)));
+        }
+        found.into_iter().collect()
+    }
+
+    /// Those of these bodies that constraint rows hold.
+    pub(crate) fn held_among(&self, bodies: &[usize]) -> Vec<usize> {
+        let bodies = if self.has_rows() { bodies } else { &[] };
+        bodies.iter().copied().filter(|&body| self.is_held_by_rows(body)).collect()
     }
 
     /// The pivot of a body with constraint rows; none for any other body. Its bias is `w x (w x r)`.
     pub(crate) fn pivot(&self, states: &[BodyState], body: usize) -> Option<Bilateral> {
         let held = self.bodies[body].held?;
         Some(joint::pivot((body, held.arm), held.place, self, states))
-    }
-
-    /// The same world, with the motion of all pivoted bodies reduced to rotation about their pivots.
-    ///
-    /// # Errors
-    /// When a shape or a force cannot be expressed in the reduced frame.
-    fn without_rows(&self) -> Result<Self, SceneError> {
-        let mut reduced = self.clone();
-        for body in std::mem::take(&mut reduced.held_by_rows) {
-            let scene_body = &self.scene.bodies[body];
-            let refused = |source| SceneError::Shape { body: scene_body.name().to_owned(), source };
-            let own = &mut reduced.bodies[body];
-            let (Some(held), Some(properties)) = (own.held.take(), scene_body.mass_properties()) else { continue };
-            own.origin += held.arm;
-            own.rigid = Some(RigidBody::pivoted(properties, own.origin));
-            own.shape = own.shape.as_ref().map(|shape| shape.translated(-held.arm)).transpose().map_err(refused)?;
-        }
-        reduced.pivot_rows = PivotRows::None;
-        reduced.recompute_from_frames()?;
-        Ok(reduced)
     }
 
     /// The velocity that a body takes when a program gives it `velocity`: a body that constraint rows hold takes the
@@ -115,12 +118,6 @@ impl World {
     }
 }
 
-/// The state in the frame at the centre of mass, from that in the frame at the pivot.
-fn from_pivot_frame(turning: &RigidBody, free: &RigidBody, held: &HeldPoint, state: &BodyState) -> BodyState {
-    let pose = Pose::new(state.pose.rotation, held.place - state.pose.rotation.rotate(held.arm));
-    free.at_velocity(pose, held.velocity_of_rotation(&pose, turning.angular_velocity(state)))
-}
-
 /// The state in the frame at the pivot, from that in the frame at the centre of mass: `L_Q = L - r x m v`.
 fn to_pivot_frame(free: &RigidBody, held: &HeldPoint, state: &BodyState) -> BodyState {
     let arm = state.pose.rotation.rotate(held.arm);
@@ -129,59 +126,4 @@ fn to_pivot_frame(free: &RigidBody, held: &HeldPoint, state: &BodyState) -> Body
         linear_velocity: DVec3::ZERO,
         angular_momentum: state.angular_momentum - arm.cross(state.linear_velocity * free.mass()),
     }
-}
-
-/// Advances bodies over `h` (s) by a method without constraint rows.
-///
-/// `work` advances them in a world in which the motion of pivoted bodies is reduced to rotation about their pivots; the
-/// states are then transformed back. `books` selects the books in the answer of `work`. In the reduced world pivoted
-/// bodies pass their momentum on to the world and the books leave it out; it is therefore booked here: the impulse of
-/// their weight by the mean of its moment at both ends, and the rest of their change of momentum as support.
-///
-/// # Errors
-/// The errors of `work`; [`ResponseError::NotFinite`] when a shape cannot be expressed in the reduced frame.
-pub(crate) fn with_pivots_reduced<T>(
-    world: &World,
-    states: &mut [BodyState],
-    bodies: &[usize],
-    h: f64,
-    work: impl FnOnce(&World, &mut [BodyState]) -> Result<T, ResponseError>,
-    books: impl FnOnce(&mut T) -> &mut Books,
-) -> Result<T, ResponseError> {
-    if !world.has_rows() {
-        return work(world, states);
-    }
-    let refused = |_| ResponseError::NotFinite { what: "frames of pivoted bodies", index: 0 };
-    let reduced = world.without_rows().map_err(refused)?;
-    let before: Vec<(usize, BodyState)> = world.held_by_rows.iter().map(|&body| (body, states[body])).collect();
-    let parts = |body: usize| Some((world.bodies[body].held?, world.bodies[body].rigid?, reduced.bodies[body].rigid?));
-    for &(body, state) in &before {
-        if let Some((held, free, _)) = parts(body) {
-            states[body] = to_pivot_frame(&free, &held, &state);
-        }
-    }
-    let done = work(&reduced, states);
-    let moved = |body: usize| done.is_ok() && bodies.contains(&body);
-    for &(body, state) in &before {
-        states[body] = match parts(body).filter(|_| moved(body)) {
-            Some((held, free, turning)) => from_pivot_frame(&turning, &free, &held, &states[body]),
-            None => state,
-        };
-    }
-    let mut done = done?;
-    let books = books(&mut done);
-    let about = books.ledger.momentum.about;
-    let own: Vec<usize> = before.iter().map(|&(body, _)| body).filter(|body| bodies.contains(body)).collect();
-    let mut start = states.to_vec();
-    for &(body, state) in &before {
-        start[body] = state;
-    }
-    let weight =
-        |body: usize| gravity_at(world, &start, body, about, 0.5 * h) + gravity_at(world, states, body, about, 0.5 * h);
-    let gravity = own.iter().fold(Momentum::default(), |sum, &body| sum + weight(body));
-    let gained =
-        momentum_of(world, states, own.iter().copied(), about) - momentum_of(world, &start, own.iter().copied(), about);
-    books.ledger.momentum.gravity.add(gravity);
-    books.ledger.momentum.support.add(gained - gravity);
-    Ok(done)
 }

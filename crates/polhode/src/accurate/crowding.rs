@@ -32,7 +32,6 @@ use crate::collision::active_contacts::ActiveContacts;
 use crate::core::Core;
 use crate::interaction::cone_violation::CONE_LIMIT;
 use crate::interaction::overlap::Overlaps;
-use crate::pivots::with_pivots_reduced;
 use crate::states_of::{set_states, states_of};
 use crate::time_stepping::{TimeStepReport, TimeStepper};
 use crate::world::World;
@@ -161,7 +160,7 @@ fn stepper(core: &Core) -> TimeStepper {
     stepper.following_bounces(core.settings.crowd_error_allowed())
 }
 
-/// A time step from `t` over `h` (s) with its error estimate. Pivoted bodies are reduced to their rotation.
+/// A time step from `t` over `h` (s) with its error estimate.
 ///
 /// # Errors
 /// When it is not possible.
@@ -172,9 +171,7 @@ fn time_step(
     (bodies, pairs): (&[usize], &[(usize, usize)]),
     (t, h): (f64, f64),
 ) -> Result<(TimeStepReport, f64), ResponseError> {
-    let work =
-        |world: &World, states: &mut [BodyState]| stepper.advance_with_estimate(world, states, bodies, pairs, (t, h));
-    with_pivots_reduced(world, states, bodies, h, work, |(report, _)| &mut report.books)
+    stepper.advance_with_estimate(world, states, bodies, pairs, (t, h))
 }
 
 /// The warning of a stretch of crowded events.

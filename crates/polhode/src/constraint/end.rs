@@ -71,6 +71,20 @@ impl End {
 }
 
 impl EndKinematics {
+    /// The motion of another point (m, world) that moves with the body at this moment. Two bodies whose ends are apart bear
+    /// their forces at one point, so that their angular momentum stays.
+    pub(super) fn at_point(self, point: DVec3) -> Self {
+        let Some((body, arm)) = self.member else { return self };
+        let way = point - self.point;
+        Self {
+            point,
+            velocity: self.velocity + self.angular.cross(way),
+            acceleration: self.angular.cross(self.angular.cross(arm + way)),
+            member: Some((body, arm + way)),
+            ..self
+        }
+    }
+
     /// The member of a constraint at this end, with its sign.
     pub(super) fn member(&self, sign: f64) -> Option<Member> {
         self.member.map(|(body, arm)| Member { body, arm, sign })

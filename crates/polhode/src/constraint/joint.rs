@@ -63,8 +63,13 @@ impl WorldJoint {
 
     /// Its rows in these states.
     pub(crate) fn bilateral(&self, world: &World, states: &[BodyState]) -> Bilateral {
-        let [a, b] = [&self.a, &self.b].map(|end| end.at(world, states));
-        let mut rows: Vec<_> = point::rows(&a, &b).collect();
+        let [mut a, mut b] = [&self.a, &self.b].map(|end| end.at(world, states));
+        let gap = a.point - b.point;
+        if self.b.body().is_some() {
+            let middle = (a.point + b.point) * 0.5;
+            [a, b] = [a, b].map(|end| end.at_point(middle));
+        }
+        let mut rows: Vec<_> = point::rows(gap, &a, &b).collect();
         match self.kept {
             Kept::Nothing => {}
             Kept::Axis(axis) => rows.extend(axis.rows(&a, &b)),
@@ -85,5 +90,6 @@ pub(crate) fn row_length(sizes: impl Iterator<Item = f64>) -> f64 {
 pub(crate) fn pivot((body, arm): (usize, DVec3), place: DVec3, world: &World, states: &[BodyState]) -> Bilateral {
     let [a, b] = [End::Body { body, arm }, End::World(place)].map(|end| end.at(world, states));
     let members = a.member(1.0).into_iter().collect();
-    Bilateral { id: ConstraintId::Pivot { body }, point: a.point, members, rows: point::rows(&a, &b).collect() }
+    let rows = point::rows(a.point - b.point, &a, &b).collect();
+    Bilateral { id: ConstraintId::Pivot { body }, point: a.point, members, rows }
 }

@@ -7,9 +7,9 @@ use super::bilateral::{BilateralRow, RowKind};
 use super::end::EndKinematics;
 use polhode_spatial::DVec3;
 
-/// The rows of a point of `a` that stays at one of `b`.
-pub(super) fn rows(a: &EndKinematics, b: &EndKinematics) -> impl Iterator<Item = BilateralRow> {
-    let gap = (a.point - b.point).to_array();
+/// The rows of a point of `a` that stays at one of `b`, from which it is this far away (m).
+pub(super) fn rows(gap: DVec3, a: &EndKinematics, b: &EndKinematics) -> impl Iterator<Item = BilateralRow> {
+    let gap = gap.to_array();
     let rate = (a.velocity - b.velocity).to_array();
     let bias = (a.acceleration - b.acceleration).to_array();
     (0..3).map(move |axis| BilateralRow {

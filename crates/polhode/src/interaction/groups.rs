@@ -1,4 +1,4 @@
-//! Groups: bodies connected by contacts, or by forces between them.
+//! Groups: bodies connected by contacts and joints, or by forces between them.
 //!
 //! Immovable bodies transmit no motion between contacts, so they do not connect bodies. Groups and their members are
 //! ordered by the indices of bodies, so that results do not depend on the order of detection.
@@ -15,7 +15,7 @@ pub(crate) struct Group {
     pub(crate) contacts: Vec<usize>,
 }
 
-/// The groups that `contacts` (index of the contact, body A, body B) form.
+/// The groups that `contacts` (index of the contact, body A, body B) form, with all bodies that joints connect to theirs.
 pub(crate) fn groups(world: &World, contacts: impl Iterator<Item = (usize, usize, usize)>) -> Vec<Group> {
     joined(world, contacts, &[])
 }
@@ -37,6 +37,7 @@ fn joined(world: &World, contacts: impl Iterator<Item = (usize, usize, usize)>, 
     members.extend_from_slice(bodies);
     members.sort_unstable();
     members.dedup();
+    let members = world.with_jointed(members);
     let mut belongs = bodies.to_vec();
     belongs.sort_unstable();
     let place = |body: usize| members.binary_search(&body).ok();
@@ -50,6 +51,11 @@ fn joined(world: &World, contacts: impl Iterator<Item = (usize, usize, usize)>, 
         let mut coupled = together.iter().copied().filter(|body| belongs.binary_search(body).is_ok());
         let Some(first) = coupled.next() else { continue };
         coupled.for_each(|body| join(first, body));
+    }
+    for joint in world.joints_among(&members) {
+        if let [a, b] = joint.bodies().collect::<Vec<_>>()[..] {
+            join(a, b);
+        }
     }
     for &(_, a, b) in &contacts {
         join(a, b);

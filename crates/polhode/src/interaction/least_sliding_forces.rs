@@ -196,6 +196,9 @@ pub(crate) fn least_sliding_forces(
         !pulls && !slips
     };
     if !obey(&forces) {
+        if loads.is_some() {
+            return Ok(None);
+        }
         let blocks = blocks_of(contacts.len(), &sticks);
         match least_forces_in_cones(&delassus, held, &sliding, &blocks, &forces)? {
             Some(found) if obey(&found) => forces = found,

@@ -151,7 +151,7 @@ pub enum SceneError {
         across_rad_s: f64,
     },
     /// Joints in a tier that has none.
-    #[error("joints are not yet available in tier `{tier}`: use tier `accurate`, which is the default")]
+    #[error("joints are not yet available in tier `{tier}`: use tier `accurate`, which is the default, or `stepped`")]
     JointsInTier {
         /// The tier.
         tier: &'static str,

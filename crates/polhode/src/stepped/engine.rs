@@ -10,7 +10,7 @@ use crate::error_estimate::{EVERY, ErrorEstimate};
 use crate::event::{Event, EventKind};
 use crate::frame::{ContactView, IslandView, MotionKind};
 use crate::interaction::assembly::free_acceleration;
-use crate::interaction::groups::groups;
+use crate::interaction::groups::coupled_groups;
 use crate::observer::Observer;
 use crate::sampling::emit_samples_before;
 use crate::snapshot::numbers::{read_states, write_states};
@@ -345,11 +345,12 @@ impl SteppedEngine {
     }
 }
 
-/// Groups of bodies that these contacts connect, with their contacts.
+/// Groups of bodies that these contacts and joints connect, with their contacts.
 fn joined(world: &World, touches: &[Touch]) -> Vec<(Vec<usize>, Vec<Touch>)> {
     let all = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b));
     let members = |contacts: &[usize]| contacts.iter().map(|&index| touches[index]).collect();
-    groups(world, all).into_iter().map(|group| (group.bodies, members(&group.contacts))).collect()
+    let held = world.held_among(&world.movable);
+    coupled_groups(world, all, &held).into_iter().map(|group| (group.bodies, members(&group.contacts))).collect()
 }
 
 impl Tier for SteppedEngine {

@@ -11,6 +11,7 @@ use super::contacts::{FreeAccelerations, NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Substep, TimeStepper};
 use crate::collision::contact_set::{FoundContact, Touch};
+use crate::constraint::bilateral::bilateral_support;
 use crate::interaction::cone_violation::ConeViolation;
 use crate::interaction::frictional_impact::Restitution;
 use crate::interaction::groups::{Group, groups};
@@ -101,18 +102,24 @@ fn note(world: &World, states: &[BodyState], touches: &[Touch], struck: &Struck,
     report.residual = report.residual.max(outcome.residual);
     report.fallbacks += u64::from(outcome.status == ImpactStatus::LimitReached);
     report.raises_energy |= struck.restitution == Restitution::RaisesEnergy;
-    let given = struck.support(world, report.books.ledger.momentum.about, touches);
+    let about = report.books.ledger.momentum.about;
+    let given = struck.support(world, about, touches)
+        + bilateral_support(about, struck.bilaterals.iter().map(|(of, impulse)| (of, *impulse)));
     let work = struck.work(world, states, touches);
     let violation = struck.cone_violation(world, states, touches);
     report.cone_violation = ConeViolation::larger(report.cone_violation, violation);
     report.books.impact((outcome.energy_change, struck.friction_j), given, work);
-    report.impulses.extend(outcome.applications.iter().map(|application| ContactImpulse {
-        t,
-        id: touches[application.row].id,
-        geometry: touches[application.row].kinematics.geometry,
-        impulse: application.impulse,
-        friction: DVec3::ZERO,
-        kind: ImpulseKind::Impact { energy_change_j: application.energy_change },
+    // Rows of bilateral constraints follow those of the contacts: their impulses are no events.
+    report.impulses.extend(outcome.applications.iter().filter_map(|application| {
+        let touch = touches.get(application.row)?;
+        Some(ContactImpulse {
+            t,
+            id: touch.id,
+            geometry: touch.kinematics.geometry,
+            impulse: application.impulse,
+            friction: DVec3::ZERO,
+            kind: ImpulseKind::Impact { energy_change_j: application.energy_change },
+        })
     }));
 }
 

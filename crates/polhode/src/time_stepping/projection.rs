@@ -1,15 +1,16 @@
-//! Removal of the penetration that a step has left, with its entry in the books.
+//! Removal of what a step has left of gaps of bilateral constraints and of penetration, with its entry in the books.
 
 use super::NO_WORK_J;
 use super::report::TimeStepReport;
 use super::step::TimeStepper;
 use crate::interaction::overlap::Overlaps;
+use crate::interaction::projection::{Removal, project_positions, project_velocities};
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 
 impl TimeStepper {
-    /// Removes the penetration at the contacts of `pairs`.
+    /// Removes the gaps and rates of bilateral constraints, then the penetration at the contacts of `pairs`.
     ///
     /// # Errors
     /// When a number is not finite.
@@ -21,6 +22,14 @@ impl TimeStepper {
         pairs: &[(usize, usize)],
         report: &mut TimeStepReport,
     ) -> Result<(), ResponseError> {
+        if !world.held_among(bodies).is_empty() {
+            let before = report.books.balance(world, states, bodies);
+            let moved = project_positions(world, states, bodies, &[])?;
+            project_velocities(world, states, bodies, (&[], &[], &[]), Removal::Complete)?;
+            let after = report.books.balance(world, states, bodies);
+            report.books.projection(before, after, NO_WORK_J);
+            report.max_projection_m = report.max_projection_m.max(moved.moved_m);
+        }
         let overlaps = Overlaps::find(world, states, pairs);
         if overlaps.deepest_m > report.max_penetration_m {
             (report.max_penetration_m, report.deepest) = (overlaps.deepest_m, overlaps.deepest);

@@ -20,6 +20,10 @@
 //!
 //! Friction adds the rows of `sustained_friction.rs`.
 //!
+//! A row of a bilateral constraint is held at `u+ = -u-`: its impulse does no work, and the second half of the step takes back
+//! the gap that the first has opened, but for its curvature (of order `h^3`), which the projection at the end of the step
+//! removes (`projection.rs`).
+//!
 //! Rows of the problem: contacts that would penetrate at the end, and touching contacts; of pairs with many contacts only some of
 //! them (`interaction/many_contacts.rs`). Contacts that close because of the impulses are added until there are none.
 
@@ -31,9 +35,10 @@ use super::shared_work::{ContactWork, Kicked};
 use super::step::TimeStepper;
 use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
 use crate::collision::contact_set::ContactId;
+use crate::constraint::bilateral::{Bilateral, Reaction, bilateral_support};
 use crate::interaction::assembly::Assembly;
 use crate::interaction::cone_violation::ConeViolation;
-use crate::interaction::groups::{Group, groups};
+use crate::interaction::groups::{Group, coupled_groups};
 use crate::interaction::impact::{apply_without_gain, support};
 use crate::interaction::many_contacts::{MANY_CONTACTS, furthest_out};
 use crate::interaction::rotational_friction::{moment_support, moment_work};
@@ -109,16 +114,17 @@ impl TimeStepper {
         }
         let mut taken = first_choice(world, states, near, &rows, h);
         let before = states_of(states, bodies);
+        let held = world.held_among(bodies);
         loop {
             let members = || rows.iter().enumerate().filter(|(index, _)| taken[*index]);
             let id = |row: &Row| near[row.contact].id;
             let members: Vec<_> = members().map(|(index, row)| (index, id(row).a, id(row).b)).collect();
-            if members.is_empty() {
+            if members.is_empty() && held.is_empty() {
                 return Ok(Vec::new());
             }
             let mut solved = Vec::new();
             report.stops.clear();
-            for group in groups(world, members.iter().copied()) {
+            for group in coupled_groups(world, members.iter().copied(), &held) {
                 solved.push(self.solve_group(world, states, group, &rows, near, report)?);
             }
             for group in &mut solved {
@@ -150,7 +156,9 @@ impl TimeStepper {
         let members: Vec<&Row> = group.contacts.iter().map(|&index| &rows[index]).collect();
         let geometries = members.iter().map(|row| (near[row.contact].id, row.kinematics.geometry));
         let assembly = Assembly::new(world, states, &group.bodies, geometries)?;
-        let constants: Vec<f64> = members.iter().map(|row| row.kinematics.separation_rate + row.bound).collect();
+        let mut constants: Vec<f64> = members.iter().map(|row| row.kinematics.separation_rate + row.bound).collect();
+        // `u+ = -u-`: bilateral constraints do no work, and the second half of the step takes back the gap of the first.
+        constants.extend(assembly.bilateral_rates().map(|rate| 2.0 * rate));
         if members.iter().any(|row| row.friction.is_some()) {
             let friction: Vec<_> = members.iter().map(|row| row.friction).collect();
             let found = sustained_friction::solve(assembly, states, constants, &friction)?;
@@ -158,8 +166,8 @@ impl TimeStepper {
             report.fallbacks += u64::from(found.report.status != SolverStatus::Solved);
             report.stops.extend(found.stops.iter().copied());
             report.cone_violation = ConeViolation::larger(report.cone_violation, found.violation);
-            let sustained_friction::FrictionalImpulses { normal: impulses, tangential, moments, .. } = found;
-            return Ok(SolvedGroup { group, impulses, tangential, moments });
+            let sustained_friction::FrictionalImpulses { normal: impulses, tangential, moments, reactions, .. } = found;
+            return Ok(SolvedGroup { group, impulses, tangential, moments, reactions });
         }
         let carried = (0..members.len()).filter(|&i| self.carried.contains(near[members[i].contact].id)).collect();
         assembly.problem.delassus_into(&mut self.delassus);
@@ -173,14 +181,17 @@ impl TimeStepper {
         if !solved {
             // An inexact solution must not add energy. Scaled by s with p.u- + s p.G p/2 <= 0 it does not.
             let product = |a: &[f64]| impulses.iter().zip(a).map(|(p, a)| p * a).sum::<f64>();
-            let rates: Vec<f64> = members.iter().map(|row| row.kinematics.separation_rate).collect();
+            let mut rates: Vec<f64> = members.iter().map(|row| row.kinematics.separation_rate).collect();
+            rates.extend(assembly.bilateral_rates());
             let (work, stored) = (product(&rates), 0.5 * product(&self.delassus.times(&impulses)?));
             let share = if stored > 0.0 { (-work / stored).clamp(0.0, 1.0) } else { 1.0 };
             for impulse in &mut impulses {
                 *impulse *= share;
             }
         }
-        Ok(SolvedGroup { group, impulses, tangential: Vec::new(), moments: Vec::new() })
+        let reactions = assembly.reactions(&impulses).map(|(of, impulse)| (of.clone(), impulse)).collect();
+        impulses.truncate(members.len());
+        Ok(SolvedGroup { group, impulses, tangential: Vec::new(), moments: Vec::new(), reactions })
     }
 }
 
@@ -330,8 +341,10 @@ fn note(
     let mut carrying = Vec::new();
     for group in solved {
         let moments = || group.moments.iter().map(SustainedMoment::on_a);
-        let given = support(world, report.books.ledger.momentum.about, group.impulses_of(rows, near))
-            + moment_support(world, moments());
+        let about = report.books.ledger.momentum.about;
+        let given = support(world, about, group.impulses_of(rows, near))
+            + moment_support(world, moments())
+            + bilateral_support(about, group.reactions.iter().map(|(of, impulse)| (of, *impulse)));
         let work = world.prescribed_work(states, group.impulses_of(rows, near))
             + moment_work(world, states, moments())
             + group.work_of_surfaces(world, states);
@@ -379,6 +392,8 @@ struct SolvedGroup {
     tangential: Vec<TangentialImpulse>,
     /// Of friction of rolling and spinning, N m s, world, on A.
     moments: Vec<SustainedMoment>,
+    /// Of bilateral constraints.
+    reactions: Vec<(Bilateral, Reaction)>,
 }
 
 impl SolvedGroup {
@@ -436,7 +451,7 @@ impl SolvedGroup {
 
     /// Applies the impulses. Impulses that add energy are discarded. Returns whether they were applied.
     fn apply(&mut self, world: &World, states: &mut [BodyState], rows: &[Row], near: &[NearContact]) -> bool {
-        let impulses = (self.impulses_of(rows, near), std::iter::empty());
+        let impulses = (self.impulses_of(rows, near), self.reactions.iter().map(|(of, impulse)| (of, *impulse)));
         let moments: Vec<_> = self.moments.iter().map(SustainedMoment::on_a).collect();
         let given = (&moments[..], self.work_of_surfaces(world, states));
         let is_sound = apply_without_gain(world, states, &self.group.bodies, impulses, given);
@@ -444,6 +459,7 @@ impl SolvedGroup {
             self.impulses.fill(0.0);
             self.tangential.clear();
             self.moments.clear();
+            self.reactions.clear();
         }
         for &body in &self.group.bodies {
             world.keep_in_plane(body, &mut states[body]);

@@ -24,9 +24,10 @@ use super::report::Stop;
 use crate::collision::contact_set::ContactId;
 use crate::collision::friction_mode::FrictionCoefficients;
 use crate::collision::turn::Turn;
+use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::interaction::assembly::{Assembly, TangentRow};
 use crate::interaction::cone_violation::{CONE_LIMIT, ConeViolation, RubbingForce, largest_violation};
-use crate::interaction::friction_blocks::{push_contact, with_rotations};
+use crate::interaction::friction_blocks::{push_contact, push_held, with_rotations};
 use crate::interaction::resisted_rotation::ResistedRotation;
 use crate::interaction::rotation_row::RotationRow;
 use crate::scene::FrictionEllipse;
@@ -275,6 +276,8 @@ pub(super) struct FrictionalImpulses {
     pub(super) tangential: Vec<TangentialImpulse>,
     /// Of friction of rolling and spinning, N m s, world, on A.
     pub(super) moments: Vec<SustainedMoment>,
+    /// Of bilateral constraints.
+    pub(super) reactions: Vec<(Bilateral, Reaction)>,
     /// Contacts that come to rest within the step, and whose static coefficient exceeds the kinetic one.
     pub(super) stops: Vec<Stop>,
     /// How far they are from Coulomb's law.
@@ -294,7 +297,8 @@ fn violation_of(friction: &[Option<TangentialRow>], rows: &[Range<usize>], react
     largest_violation(friction.iter().enumerate().filter_map(rubbing), 0.0)
 }
 
-/// Solves for the impulses of contacts whose normal rows `assembly` holds, with these constant terms (m/s).
+/// Solves for the impulses of contacts whose normal rows `assembly` holds, and of its bilateral constraints, with these constant
+/// terms (m/s).
 ///
 /// # Errors
 /// When a number is not finite.
@@ -304,6 +308,7 @@ pub(super) fn solve(
     mut constants: Vec<f64>,
     friction: &[Option<TangentialRow>],
 ) -> Result<FrictionalImpulses, ResponseError> {
+    let first_tangent = assembly.first_tangent();
     let mut rows = Vec::with_capacity(friction.len());
     for friction in friction {
         let first = assembly.problem.len();
@@ -322,7 +327,8 @@ pub(super) fn solve(
     let has_rotations = !rotations.is_empty();
     let mut friction: Vec<Option<TangentialRow>> = friction.to_vec();
     let solved = loop {
-        let blocks = with_rotations(blocks(&friction, &rows), &rotations);
+        let mut blocks = with_rotations(blocks(&friction, &rows), &rotations);
+        push_held(&mut blocks, friction.len()..first_tangent);
         let mut solved = blocks.solve(&delassus, &constants, None, if has_rotations { &exact } else { &settings })?;
         let violation = violation_of(&friction, &rows, &solved.reactions);
         if !has_rotations && violation.is_some_and(|violation| violation.value > SHARE_OF_CONE_LIMIT * CONE_LIMIT) {
@@ -335,7 +341,8 @@ pub(super) fn solve(
     };
     let stops = stops(&friction, &rows, &solved);
     let violation = violation_of(&friction, &rows, &solved.reactions);
-    let (normal, along) = solved.reactions.split_at(friction.len().min(solved.reactions.len()));
+    let normal = solved.reactions.get(..friction.len()).unwrap_or_default();
+    let along = solved.reactions.get(first_tangent..).unwrap_or_default();
     let rubbing = friction.iter().filter_map(|row| *row).zip(along.as_chunks::<2>().0);
     let tangential = rubbing.map(|(row, &impulse)| TangentialImpulse { row, impulse }).collect();
     let rotation = |id: ContactId| friction.iter().flatten().find(|row| row.along[0].id == id).map(|row| row.rotation);
@@ -344,7 +351,9 @@ pub(super) fn solve(
         SustainedMoment { id: row.id, moment: row.axis * moment, rotation_before }
     });
     let moments = moments.collect();
-    Ok(FrictionalImpulses { normal: normal.to_vec(), tangential, moments, stops, violation, report: solved.report })
+    let reactions = assembly.reactions(&solved.reactions).map(|(of, impulse)| (of.clone(), impulse)).collect();
+    let (normal, report) = (normal.to_vec(), solved.report);
+    Ok(FrictionalImpulses { normal, tangential, moments, reactions, stops, violation, report })
 }
 
 /// The same solution, solved if its residual is accepted.

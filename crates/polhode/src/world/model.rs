@@ -195,15 +195,6 @@ impl World {
         self.held_by_rows = (0..self.bodies.len()).filter(is_held).collect();
     }
 
-    /// Recomputes what depends on the moving frames of the bodies.
-    ///
-    /// # Errors
-    /// When a force cannot be made into a field.
-    pub(crate) fn recompute_from_frames(&mut self) -> Result<(), SceneError> {
-        self.rigid = self.movable.iter().filter_map(|&body| self.bodies[body].rigid).collect();
-        self.make_fields()
-    }
-
     /// Adds a body, which has passed the checks of a scene, at `t` (s). Returns its index and state.
     ///
     /// # Errors

@@ -4,12 +4,13 @@
 //! the energy stays, the ledger closes, and what projections take is rounding.
 
 use crate::checks::assert_closes;
-use crate::support::{accurate, run};
+use crate::friction::rough;
+use crate::support::{accurate, floor, run};
 use polhode::dynamics::{Rk4, System};
 use polhode::mesh::solid_box;
-use polhode::scene::{Joint, Method, SceneError, Tier};
+use polhode::scene::{Integrator, Joint, Method, SceneError, Tier};
 use polhode::spatial::{DVec3, Mass, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Effects, RunReport, Scene, SceneBuilder};
+use polhode::{Body, BodySample, Effects, RunReport, Scene, SceneBuilder};
 
 const G: f64 = 9.81;
 
@@ -233,9 +234,78 @@ fn joints_that_cannot_hold_are_refused() {
     let turning = body("a").velocity(Velocity::new(DVec3::ZERO, DVec3::X));
     let turns = Scene::builder("turns").body(turning).joint(Joint::hinge(0, DVec3::ZERO, UnitVector::Y)).build();
     assert!(matches!(turns, Err(SceneError::JointTurns { number: 0, .. })));
-    for tier in [Tier::Stepped, Tier::Thesis] {
-        let method = Method { tier: Some(tier), ..Method::default() };
-        let built = Scene::builder("tier").method(method).body(body("a")).joint(Joint::ball(0, DVec3::ZERO)).build();
-        assert!(matches!(built, Err(SceneError::JointsInTier { .. })));
+    let thesis = Method { tier: Some(Tier::Thesis), ..Method::default() };
+    let splitting = Method { integrator: Some(Integrator::ExactStrang), ..Method::default() };
+    let by =
+        |method| Scene::builder("method").method(method).body(body("a")).joint(Joint::ball(0, DVec3::ZERO)).build();
+    assert!(matches!(by(thesis), Err(SceneError::JointsInTier { .. })));
+    assert!(matches!(by(splitting), Err(SceneError::JointsWithIntegrator { .. })));
+}
+
+/// Tier `stepped` takes joints: the double pendulum converges to that of the equations with the square of the step, no joint
+/// does work, and the bodies stay together.
+#[test]
+fn time_steps_of_jointed_bodies_are_of_second_order() {
+    let (rods, angles, duration) = ([(1.0, 1.0), (1.0, 0.7)], [1.2, 0.4], 0.5);
+    let [a, b] = angles_after(rods, angles, duration);
+    let lower = down(a) * rods[0].1 + down(b) * (0.5 * rods[1].1);
+    let error = |step_s: f64| {
+        let method = Method { tier: Some(Tier::Stepped), step_s: Some(step_s), ..Method::default() };
+        let scene = chain(&rods, &angles, Rotation::IDENTITY).method(method).duration_s(duration).build().unwrap();
+        let (report, _) = run(&scene, Effects::Planned);
+        assert!(report.ledger.impact.value().abs() < 1e-12 * report.ledger.scale_j, "{:?}", report.ledger);
+        assert_closes(&report);
+        (report.bodies[1].1.pose.translation - lower).length()
+    };
+    let [coarse, fine] = [1e-2, 5e-3].map(error);
+    assert!(fine < 1e-3 && (3.0..5.5).contains(&(coarse / fine)), "{coarse:e} {fine:e}");
+}
+
+/// A chain of five rods that hangs level and falls on a rough floor: contacts crowd, and joints hold through impacts and time
+/// steps. Energy only falls, and the rods end together on the floor.
+#[test]
+fn a_chain_that_falls_on_a_rough_floor_stays_together() {
+    for tier in [Tier::Accurate, Tier::Stepped] {
+        let method = Method {
+            tier: Some(tier),
+            step_s: Some(if tier == Tier::Stepped { 1e-3 } else { 1e-2 }),
+            ..Method::default()
+        };
+        let length = 0.2;
+        let mut builder = Scene::builder("fallen chain").method(method).duration_s(0.6);
+        let level = std::f64::consts::FRAC_PI_2;
+        for number in 0..5 {
+            let at = f64::from(number);
+            let center = DVec3::new((at + 0.5) * length, 0.0, 0.25 + 0.02 * at);
+            let body = rod(&format!("rod {number}"), (0.5, length), center, level);
+            builder = builder.body(body.material(rough(0.4)));
+        }
+        builder = builder.body(floor().material(rough(0.4)));
+        for number in 1..5_usize {
+            let at = number as f64;
+            let anchor = DVec3::new(at * length, 0.0, 0.25 + 0.02 * (at - 0.5));
+            builder = builder.joint(Joint::ball(number, anchor).with(number - 1));
+        }
+        let scene = builder.build().unwrap();
+        let (report, recorder) = run(&scene, Effects::Planned);
+        assert_eq!(report.simulated_s, 0.6);
+        assert_closes(&report);
+        assert!(report.energy.final_j < report.energy.initial_j, "{:?}", report.energy);
+        let parts = |sample: &Vec<BodySample>| {
+            (1..5_usize)
+                .map(|number| {
+                    let at = number as f64;
+                    let anchor = DVec3::new(at * length, 0.0, 0.25 + 0.02 * (at - 0.5));
+                    let place = |body: usize| {
+                        let start = scene.bodies()[body].initial_pose().inverse_transform_point(anchor);
+                        sample[body].pose.transform_point(start)
+                    };
+                    (place(number) - place(number - 1)).length()
+                })
+                .fold(0.0, f64::max)
+        };
+        let most = recorder.samples.iter().map(parts).fold(0.0, f64::max);
+        assert!(most < 1e-10, "{tier:?}: {most:e} m apart");
+        assert!(recorder.samples.last().unwrap()[..5].iter().all(|body| body.pose.translation.z < 0.1));
     }
 }
