@@ -176,6 +176,9 @@ pub enum Refusal {
     /// A prescribed motion has no kind, or several.
     #[error("a motion is exactly one of the kinds")]
     MotionKinds,
+    /// A joint has no kind, or several.
+    #[error("a joint is exactly one of the kinds")]
+    JointKinds,
     /// Something else that the format's reader refuses.
     #[error("{0}")]
     Other(String),
@@ -352,12 +355,13 @@ impl Refusal {
         if let Some((found, accepted)) = typed {
             return Self::Type { found: plain(found, kinds), accepted: plain(accepted, kinds) };
         }
-        // A shape, a force or a motion is a table with the one key that names its kind.
+        // A shape, a force, a joint or a motion is a table with the one key that names its kind.
         if message.starts_with("wanted exactly 1 element") || message == "wanted string or table" {
             return match kinds {
                 Kinds::Shapes => Self::ShapeKinds,
                 Kinds::Forces => Self::ForceKinds,
                 Kinds::Motions => Self::MotionKinds,
+                Kinds::Joints => Self::JointKinds,
             };
         }
         Self::Other(message.to_owned())
@@ -383,6 +387,7 @@ impl Refusal {
             Self::ShapeKinds => Some(format!("accepted: one of {}", crate::format::SHAPES)),
             Self::ForceKinds => Some(format!("accepted: one of {}", crate::format::FORCES)),
             Self::MotionKinds => Some(format!("accepted: one of {}", crate::format::MOTIONS)),
+            Self::JointKinds => Some(format!("accepted: one of {}", crate::format::JOINTS)),
             Self::Version(_) => Some(format!("accepted: {}", crate::format::VERSION)),
             Self::NotYetAvailable { instead, .. } => Some(format!("use {instead}")),
             Self::Excludes { .. } => Some("give one of them".to_owned()),
@@ -399,6 +404,7 @@ enum Kinds {
     Shapes,
     Forces,
     Motions,
+    Joints,
 }
 
 impl Kinds {
@@ -406,6 +412,8 @@ impl Kinds {
         let steps = path.steps();
         if steps.first() == Some(&Step::key("forces")) {
             Self::Forces
+        } else if steps.first() == Some(&Step::key("joints")) {
+            Self::Joints
         } else if steps.contains(&Step::key("motion")) {
             Self::Motions
         } else {
@@ -425,6 +433,9 @@ fn plain(text: &str, kinds: Kinds) -> String {
         "newtype variant" => match kinds {
             Kinds::Shapes => "a shape with its keys, such as shape.box.size = [1, 1, 1]",
             Kinds::Forces => "a force with its keys, such as type.torque = { body = \"wheel\", torque = [0, 0, 1] }",
+            Kinds::Joints => {
+                "a joint with its keys, such as type.hinge = { bodies = [\"door\"], anchor = [0, 0, 0], axis = [0, 0, 1] }"
+            }
             Kinds::Motions => "a motion with its keys, such as motion.constant.velocity = [1, 0, 0]",
         }
         .to_owned(),

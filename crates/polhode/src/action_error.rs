@@ -54,4 +54,7 @@ pub enum ActionError {
     /// The pose would move the body away from its pivot.
     #[error("the pose would move body {0} away from its pivot: choose a pose that turns it about the pivot")]
     PivotedBody(String),
+    /// The pose would move the body out of a joint.
+    #[error("the pose would move body {0} out of a joint: choose a pose that the joint leaves free")]
+    JointedBody(String),
 }

@@ -7,6 +7,8 @@
 //! closed form, no contact); the report says when and what changed.
 
 use crate::action_error::ActionError;
+use crate::core::Core;
+use crate::interaction::projection::{Removal, project_velocities};
 use crate::plan::Findings;
 use crate::planar::{self, PlanarFinding};
 use crate::report::PlanChange;
@@ -54,7 +56,8 @@ impl Simulation {
     }
 
     /// Sets the velocity of the centre of mass of a body and its angular velocity, world. For a body at a pivot the
-    /// angular velocity determines that of the centre of mass, and the one given is ignored.
+    /// angular velocity determines that of the centre of mass, and the one given is ignored. Joints change it at once by
+    /// their impulses, with the velocities of the bodies that they hold together.
     ///
     /// # Errors
     /// For a removed, fixed or kinematic body and for numbers that are not finite ([`ActionError`]).
@@ -86,6 +89,10 @@ impl Simulation {
             return Err(ActionError::PivotedBody(self.name(index)).into());
         }
         states[index].pose = moved;
+        let joints = self.core.world.bilaterals(&states, std::slice::from_ref(&index));
+        if joints.map(|joint| joint.gap()).fold(0.0, f64::max) > self.core.world.touch_distance(&states, index, index) {
+            return Err(ActionError::JointedBody(self.name(index)).into());
+        }
         self.check_clear(index, &states)?;
         self.change_state(index, &[index], "set_pose", |world, rigid, state| {
             // The velocities stay; the angular momentum follows from the new attitude.
@@ -171,13 +178,20 @@ impl Simulation {
                 );
             }
         }
-        self.act(&[index], moved, what, |simulation| {
+        // Joints pass on at once what the program does to one of their bodies.
+        let together = self.core.world.with_jointed(vec![index]);
+        self.act(&together, moved, what, |simulation| {
             let Some(rigid) = simulation.core.world.bodies[index].rigid else { return Ok(()) };
             let before = simulation.tier.states_mut().to_vec();
-            let before = simulation.core.accounts.books.balance(&simulation.core.world, &before, &[index]);
-            change(&simulation.core.world, &rigid, &mut simulation.tier.states_mut()[index]);
+            let before = simulation.core.accounts.books.balance(&simulation.core.world, &before, &together);
+            let (world, states) = (&simulation.core.world, simulation.tier.states_mut());
+            change(world, &rigid, &mut states[index]);
+            if together.len() > 1 || world.joints_among(&together).next().is_some() {
+                project_velocities(world, states, &together, (&[], &[], &[]), Removal::Complete)
+                    .map_err(|source| Core::response_error(simulation.core.t, source))?;
+            }
             let after = simulation.tier.states_mut().to_vec();
-            let after = simulation.core.accounts.books.balance(&simulation.core.world, &after, &[index]);
+            let after = simulation.core.accounts.books.balance(&simulation.core.world, &after, &together);
             simulation.core.accounts.books.program(before, after);
             Ok(())
         })

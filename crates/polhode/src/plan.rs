@@ -6,6 +6,7 @@
 //! same motion to 1e-12 over a second: planar motion instead of motion in space, or rotation about a pivot alone
 //! instead of constraint rows that hold the body there.
 
+use crate::constraint::joint::WorldJoint;
 pub use crate::effects::Effects;
 use crate::free_method::Choice;
 use crate::planar::PlanarFinding;
@@ -13,7 +14,7 @@ use crate::scene::{Body, BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator,
 use crate::settings::Settings;
 use crate::snapshot::{SnapshotError, content};
 use crate::world::World;
-use polhode_spatial::DVec3;
+use polhode_spatial::{DVec3, DisjointSets};
 
 /// An effect that the plan may leave out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -220,27 +221,47 @@ fn present(world: &World) -> impl Iterator<Item = (usize, &Body)> {
     world.scene.bodies().iter().enumerate().filter(|&(body, _)| !world.bodies[body].removed)
 }
 
-/// The decision about joints. Pivots are the only joints so far: constraint rows hold them, or the motion is reduced to
-/// rotation about them.
+/// What constraint rows save.
+const SOLVED: &str = "nothing: their forces are solved for at every stage, with those of contacts";
+
+/// Whether joints close a loop: one connects bodies, or a body and the world, that others connect already.
+fn has_loop(world: &World) -> bool {
+    // The world is one more body.
+    let ground = world.bodies.len();
+    let mut sets = DisjointSets::new(ground + 1);
+    world.joints.iter().any(|joint| {
+        let mut ends = joint.bodies().chain([ground]);
+        let (a, b) = (ends.next().unwrap_or(ground), ends.next().unwrap_or(ground));
+        let closes = sets.smallest(a) == sets.smallest(b);
+        sets.join(a, b);
+        closes
+    })
+}
+
+/// The decision about joints. Constraint rows hold those of the scene, and pivots, unless the motion is reduced to rotation
+/// about them.
 fn joint_decision(world: &World) -> EffectDecision {
+    if !world.joints.is_empty() {
+        let rows: usize = world.joints.iter().map(WorldJoint::rows).sum();
+        let form = if has_loop(world) { "some of them close loops" } else { "none of them closes a loop" };
+        let fact = format!("{} joints with {rows} constraint rows, {form}", world.joints.len());
+        return decision(Effect::Joints, true, fact, SOLVED);
+    }
     let pivots = present(world).filter(|(_, body)| body.pivot_point().is_some()).count();
     let rows = world.held_by_rows.len();
     let (fact, saves) = match (pivots, rows) {
-        (0, _) => ("the scene has no pivots".to_owned(), "all work on joints"),
+        (0, _) => ("the scene has no joints and no pivots".to_owned(), "all work on joints"),
         (_, 0) => (
             format!("the motion of {pivots} bodies is reduced to rotation about their pivots"),
             "three constraint rows a pivot and their projection; the same motion to 1e-12 over a second",
         ),
-        _ if rows == pivots => (
-            format!("three constraint rows hold each of {pivots} bodies at its pivot"),
-            "nothing: their forces are solved for at every stage, with those of contacts",
-        ),
+        _ if rows == pivots => (format!("three constraint rows hold each of {pivots} bodies at its pivot"), SOLVED),
         _ => (
             format!(
                 "three constraint rows hold each of {rows} of {pivots} bodies at its pivot; the motion of the others \
                  is reduced to rotation about their pivots"
             ),
-            "nothing: their forces are solved for at every stage, with those of contacts",
+            SOLVED,
         ),
     };
     decision(Effect::Joints, rows > 0, fact, saves)

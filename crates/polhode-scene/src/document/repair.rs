@@ -56,7 +56,9 @@ impl Damage {
             // What was taken out may have been the key that is missing, or a misspelling of it.
             // A table that lost its only key is too short.
             Refusal::MissingKey(_) | Refusal::Type { .. } => self.keys.contains(&span),
-            Refusal::ShapeKinds | Refusal::ForceKinds | Refusal::MotionKinds => self.tables.contains(&span),
+            Refusal::ShapeKinds | Refusal::ForceKinds | Refusal::MotionKinds | Refusal::JointKinds => {
+                self.tables.contains(&span)
+            }
             _ => false,
         }
     }

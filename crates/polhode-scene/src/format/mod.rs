@@ -62,5 +62,8 @@ pub(crate) const SHAPES: &str =
 /// Kinds of prescribed motion, for messages.
 pub(crate) const MOTIONS: &str = "constant, sine or table";
 
+/// Kinds of joint, for messages.
+pub(crate) const JOINTS: &str = "ball or hinge";
+
 /// Kinds of force, for messages.
 pub(crate) const FORCES: &str = "point_gravity, mutual_gravity, force, torque, drag or spring";

@@ -13,13 +13,16 @@ use super::bilateral::{BilateralRow, RowKind};
 use super::end::EndKinematics;
 use polhode_spatial::{DVec3, Rotation};
 
+/// How many rows the axis has, beside those of the point.
+pub(super) const ROWS: usize = 2;
+
 /// The axis of a hinge in its bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct HingeAxis {
     /// Unit vector in the axes of A.
     axis: DVec3,
     /// Unit vectors across it in the axes of B.
-    across: [DVec3; 2],
+    across: [DVec3; ROWS],
     /// The length of the rows, m.
     length: f64,
 }

@@ -8,7 +8,7 @@
 use super::ConstraintId;
 use super::bilateral::Bilateral;
 use super::end::End;
-use super::hinge::HingeAxis;
+use super::hinge::{self, HingeAxis};
 use super::point;
 use crate::scene::{Joint, JointKind};
 use crate::world::World;
@@ -59,6 +59,15 @@ impl WorldJoint {
     /// The movable bodies that it holds.
     pub(crate) fn bodies(&self) -> impl Iterator<Item = usize> {
         self.a.body().into_iter().chain(self.b.body())
+    }
+
+    /// How many rows it has.
+    pub(crate) fn rows(&self) -> usize {
+        point::ROWS
+            + match self.kept {
+                Kept::Nothing => 0,
+                Kept::Axis(_) => hinge::ROWS,
+            }
     }
 
     /// Its rows in these states.

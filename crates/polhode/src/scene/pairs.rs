@@ -52,6 +52,8 @@ impl Scene {
             }
         }
         let mut classes: BTreeMap<Class, usize> = BTreeMap::new();
+        let mut material_of: BTreeMap<usize, usize> = BTreeMap::new();
+        let joined = self.joined_pairs(&groups_of);
         for (body, groups) in
             groups_of.into_iter().enumerate().filter(|&(body, _)| self.bodies[body].geometry.is_some())
         {
@@ -59,6 +61,7 @@ impl Scene {
             let number = materials.len();
             let key = (own.name(), numbers_of(own).map(f64::to_bits));
             let (material, _) = *materials.entry(key).or_insert((number, body));
+            material_of.insert(body, material);
             let class = Class { material, is_fixed: self.bodies[body].is_fixed(), groups };
             *classes.entry(class).or_default() += 1;
         }
@@ -71,8 +74,27 @@ impl Scene {
                 *allowed -= excluded;
             }
         }
+        for (a, b) in joined {
+            let Some((&x, &y)) = material_of.get(&a).zip(material_of.get(&b)) else { continue };
+            if let Some(allowed) = allowed.get_mut(&(x.min(y), x.max(y))) {
+                *allowed = allowed.saturating_sub(1);
+            }
+        }
         let allowed = allowed.into_iter().filter(|&(_, count)| count > 0);
         allowed.map(|((x, y), count)| ((examples[x].1, examples[y].1), count)).collect()
+    }
+
+    /// The pairs of bodies that joints alone keep from colliding, each once.
+    fn joined_pairs(&self, groups_of: &[Vec<usize>]) -> BTreeSet<(usize, usize)> {
+        let pairs = self.joints.iter().filter_map(|joint| {
+            let (a, b) = (joint.body(), joint.other()?);
+            Some((a.min(b), a.max(b)))
+        });
+        let collides = |&(a, b): &(usize, usize)| {
+            !(self.bodies[a].is_fixed() && self.bodies[b].is_fixed())
+                && !groups_of[a].iter().any(|group| groups_of[b].contains(group))
+        };
+        pairs.filter(collides).collect()
     }
 
     /// Two bodies of every two materials of which bodies may collide.

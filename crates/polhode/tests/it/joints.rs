@@ -10,7 +10,7 @@ use polhode::dynamics::{Rk4, System};
 use polhode::mesh::solid_box;
 use polhode::scene::{Integrator, Joint, Method, SceneError, Tier};
 use polhode::spatial::{DVec3, Mass, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, BodySample, Effects, RunReport, Scene, SceneBuilder};
+use polhode::{Body, BodySample, Effects, RunReport, Scene, SceneBuilder, Simulation, Unobserved};
 
 const G: f64 = 9.81;
 
@@ -308,4 +308,32 @@ fn a_chain_that_falls_on_a_rough_floor_stays_together() {
         assert!(most < 1e-10, "{tier:?}: {most:e} m apart");
         assert!(recorder.samples.last().unwrap()[..5].iter().all(|body| body.pose.translation.z < 0.1));
     }
+}
+
+/// An impulse on one of two jointed rods moves both, as the equations in the angles say: `M q' = p l` at the tip of the lower
+/// one. The pose of a jointed body cannot be set away from its joint.
+#[test]
+fn a_program_strikes_a_jointed_body() {
+    let rods = [(1.5, 0.4), (0.5, 0.6)];
+    let scene = chain(&rods, &[0.0, 0.0], Rotation::IDENTITY).build().unwrap();
+    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+    let [upper, lower] = ["rod 0", "rod 1"].map(|name| simulation.body_id(name).unwrap());
+    let impulse = 0.3;
+    simulation.apply_impulse(lower, DVec3::X * impulse, DVec3::Z * -1.0).unwrap();
+    let [(m1, l1), (m2, l2)] = rods;
+    let m11 = inertia(rods[0]) + 0.25 * m1 * l1 * l1 + m2 * l1 * l1;
+    let (m12, m22) = (0.5 * m2 * l1 * l2, inertia(rods[1]) + 0.25 * m2 * l2 * l2);
+    let determinant = m11 * m22 - m12 * m12;
+    let rates = [(m22 * l1 - m12 * l2) * impulse / determinant, (m11 * l2 - m12 * l1) * impulse / determinant];
+    for (body, rate) in [upper, lower].into_iter().zip(rates) {
+        let turning = simulation.body(body).velocity.angular;
+        assert!((turning + DVec3::Y * rate).length() < 1e-12 * rate.abs(), "{turning:?} {rate}");
+    }
+    let away = Pose::from_translation(DVec3::X);
+    assert!(simulation.set_pose(lower, away).is_err());
+    let before = simulation.energy();
+    simulation.advance_to(0.5, &mut Unobserved).unwrap();
+    let after = simulation.energy();
+    let total = |energy: polhode::Energy| energy.kinetic_j + energy.potential_j;
+    assert!((total(before) - total(after)).abs() < 1e-11, "{before:?} {after:?}");
 }
