@@ -55,7 +55,7 @@ pub(crate) fn choose(world: &World, states: &[BodyState], settings: &Settings) -
         }
         None if world.has_rows() => choice(
             Integrator::Dop853,
-            "bodies are held at pivots: error control, with the forces of constraint at every stage",
+            "bodies are held at pivots or joints: error control, with the forces of constraint at every stage",
         ),
         None if !is_conservative(world) => {
             choice(Integrator::Dop853, "forces take or give energy: error control at order 8")

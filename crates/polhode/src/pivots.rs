@@ -23,66 +23,13 @@
 //! finite.
 
 use crate::constraint::bilateral::Bilateral;
-use crate::constraint::joint::{self, WorldJoint};
+use crate::constraint::joint;
 use crate::pivot_form::HeldPoint;
-
 use crate::world::World;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::{DVec3, Pose, Velocity};
-use std::collections::BTreeSet;
 
 impl World {
-    /// Whether constraint rows hold any body at a pivot.
-    pub(crate) fn has_rows(&self) -> bool {
-        !self.held_by_rows.is_empty()
-    }
-
-    /// Whether constraint rows hold this body at its pivot.
-    pub(crate) fn is_held_by_rows(&self, body: usize) -> bool {
-        self.held_by_rows.binary_search(&body).is_ok()
-    }
-
-    /// The bilateral constraints of these bodies in these states: the pivots with constraint rows, in the order of the
-    /// bodies, then the joints, in that of the scene.
-    pub(crate) fn bilaterals<'a>(
-        &'a self,
-        states: &'a [BodyState],
-        bodies: &'a [usize],
-    ) -> impl Iterator<Item = Bilateral> + 'a {
-        let bodies = if self.held_by_rows.is_empty() { &[] } else { bodies };
-        let joints = self.joints_among(bodies).map(|joint| joint.bilateral(self, states));
-        bodies.iter().filter_map(|&body| self.pivot(states, body)).chain(joints)
-    }
-
-    /// The joints that hold some of these bodies, in the order of the scene.
-    pub(crate) fn joints_among(&self, bodies: &[usize]) -> impl Iterator<Item = &WorldJoint> {
-        let bodies = if self.joints.is_empty() { &[] } else { bodies };
-        let joints: BTreeSet<usize> =
-            bodies.iter().filter_map(|body| self.joints_of.get(body)).flatten().copied().collect();
-        joints.into_iter().map(|joint| &self.joints[joint])
-    }
-
-    /// These bodies and all that joints connect to them, ascending.
-    pub(crate) fn with_jointed(&self, bodies: Vec<usize>) -> Vec<usize> {
-        if self.joints.is_empty() {
-            return bodies;
-        }
-        let mut found: BTreeSet<usize> = bodies.iter().copied().collect();
-        let mut left = bodies;
-        while let Some(body) = left.pop() {
-            let joints = self.joints_of.get(&body).into_iter().flatten();
-            let reached = joints.flat_map(|&joint| self.joints[joint].bodies());
-            left.extend(reached.filter(|&other| found.insert(other)));
-        }
-        found.into_iter().collect()
-    }
-
-    /// Those of these bodies that constraint rows hold.
-    pub(crate) fn held_among(&self, bodies: &[usize]) -> Vec<usize> {
-        let bodies = if self.has_rows() { bodies } else { &[] };
-        bodies.iter().copied().filter(|&body| self.is_held_by_rows(body)).collect()
-    }
-
     /// The pivot of a body with constraint rows; none for any other body. Its bias is `w x (w x r)`.
     pub(crate) fn pivot(&self, states: &[BodyState], body: usize) -> Option<Bilateral> {
         let held = self.bodies[body].held?;

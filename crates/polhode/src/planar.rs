@@ -49,7 +49,7 @@ pub(crate) fn find(world: &World, states: &[BodyState], settings: &Settings) -> 
         return PlanarFinding::off("contacts have friction, with which a motion need not keep its symmetry");
     }
     if world.has_loads() {
-        return PlanarFinding::off("force fields or pivots act on bodies, and their symmetry is not examined");
+        return PlanarFinding::off("force fields, pivots or joints act on bodies, and their symmetry is not examined");
     }
     let keeps_symmetry =
         matches!(settings.integrator, Integrator::Exact | Integrator::ExactAdaptive | Integrator::Dop853);

@@ -1,4 +1,4 @@
-//! Forces of pivots at one instant.
+//! Forces of pivots and joints at one instant.
 //!
 //! If constraint rows hold the body, it is the force of these rows. If the motion is reduced to rotation about the
 //! pivot, it follows from Newton's law for the centre of mass, `F = m (a_cm - g) - F_fields - sum +-n f`, with
@@ -8,6 +8,7 @@ use super::engine::Engine;
 use super::hold::Forces;
 use crate::BodyId;
 use crate::collision::contact_set::Touch;
+use crate::constraint::bilateral::Reaction;
 use crate::core::Core;
 use crate::frame::PivotView;
 use crate::interaction::assembly::free_acceleration;
@@ -36,6 +37,7 @@ impl Engine {
             let (linear, angular) = free_acceleration(world, states, &loads, body);
             needed.insert(body, newton(body, linear, angular));
         }
+        let mut by_rows: Vec<PivotView> = Vec::new();
         let mut solver = ComplementaritySolver::default();
         for (group, members) in self.present_groups(core, states) {
             let Ok(forces) = Forces::solve(world, t, states, &group, &members, &mut solver) else {
@@ -52,11 +54,17 @@ impl Engine {
                 });
                 needed.insert(body, newton(body, linear, angular) - by_contacts.sum::<DVec3>());
             }
-            let by_rows = forces.assembly.reactions(&forces.solution.forces);
-            needed.extend(by_rows.map(|(pivot, reaction)| (pivot.id.bodies().0, reaction.force)));
+            let reactions = forces.assembly.reactions(&forces.solution.forces);
+            by_rows.extend(reactions.map(|(of, Reaction { force, .. })| PivotView {
+                body: BodyId::new(of.id.bodies().0),
+                point_m: of.point,
+                force_n: force,
+            }));
         }
         let place = |body: usize| world.pivot(states, body).map_or(states[body].pose.translation, |pivot| pivot.point);
         let view = |(body, force_n)| PivotView { body: BodyId::new(body), point_m: place(body), force_n };
-        needed.into_iter().map(view).collect()
+        let mut views: Vec<PivotView> = needed.into_iter().map(view).chain(by_rows).collect();
+        views.sort_by_key(|view| view.body);
+        views
     }
 }

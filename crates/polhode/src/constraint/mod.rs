@@ -6,13 +6,14 @@
 //! | pivot | hold, three rows | none: it never breaks |
 //! | joint | hold, rows of its kind (`joint.rs`) | none: it never breaks |
 //!
-//! Whoever adds a kind of joint adds one file, its line in the list of `joint.rs`, and its scene-level form in `scene/joint.rs`.
+//! Whoever adds a kind of joint adds one file, its line in the list of `joint.rs`, and its data in `scene/joint.rs`.
 //!
 //! An event function is positive before the event and crosses zero there; one locator (`crate::interaction::locator`)
 //! finds the time.
 
 pub(crate) mod bilateral;
 mod end;
+mod held;
 mod hinge;
 pub(crate) mod joint;
 mod point;
