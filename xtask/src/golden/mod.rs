@@ -20,14 +20,14 @@ mod trajectory;
 pub(crate) use environment::{in_snapshot_environment, without_snapshot_environment};
 pub(crate) use still::{GoldenStill, STILLS};
 
-use crate::cases::{CaseResult, Context, Run, guarded, strict_hash};
+use crate::cases::{CaseResult, Context, Run, guarded};
 use crate::row::{Row, Tolerance};
 use comparator::{Comparison, DEFAULT_DESCRIPTION, ToleranceComparator};
 use environment::is_blessed;
 use polhode::Effects;
 use std::error::Error;
 use std::path::Path;
-use trajectory::hash_words;
+use strict_hash::{hash_words, strict_hash};
 
 /// Name of the case for a scene.
 pub(crate) fn case_name(scene: &str) -> String {

@@ -3,6 +3,7 @@
 use crate::cases::Run;
 use polhode::{BodySample, EventKind};
 use std::fmt::Write as _;
+use strict_hash::hash_words;
 
 /// Samples of a snapshot: enough to see the motion, few enough to read.
 const SAMPLES: usize = 20;
@@ -79,11 +80,6 @@ fn number(value: f64) -> String {
     let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
     let (plain, scientific) = (format!("{rounded}"), format!("{rounded:e}"));
     if plain.len() <= scientific.len() { plain } else { scientific }
-}
-
-/// A strict hash as it is written.
-pub(super) fn hash_words(hash: u64) -> String {
-    format!("{hash:016x}")
 }
 
 #[cfg(test)]
