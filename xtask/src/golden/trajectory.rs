@@ -51,6 +51,11 @@ pub(super) fn text(run: &Run, hash: u64) -> String {
     text
 }
 
+/// The strict hash in the text of a snapshot, as it is written.
+pub(super) fn hash_in(text: &str) -> Option<String> {
+    text.lines().find_map(|line| line.strip_prefix(HASH_LINE)).map(|words| words.trim().to_owned())
+}
+
 /// Indices of the samples of a snapshot: evenly over the run, the first and the last among them.
 fn chosen(count: usize) -> Vec<usize> {
     if count <= SAMPLES {
