@@ -47,6 +47,9 @@ and the standard library of the target: rustup target add aarch64-unknown-linux-
 installed for cargo's rustc, CROSS_RUSTC names another one that has it. A platform without its tools is skipped.
 Exit code 1 when a hash differs or a run fails.";
 
+/// Why a golden is skipped; which tools, and what to install, is said once for each platform.
+const TOOLS_ARE_MISSING: &str = "tools are missing";
+
 /// Which goldens are run where.
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
@@ -113,7 +116,10 @@ fn check(platform: Platform, options: &Options, root: &Path, goldens: &[Golden],
     let case = platform.to_string();
     let tools = match Tools::find(platform, &ThisMachine) {
         Ok(tools) => tools,
-        Err(reason) => return goldens.iter().for_each(|golden| tell(Row::skipped(&case, &golden.scene, &reason))),
+        Err(reason) => {
+            println!("{case} is skipped: {reason}");
+            return goldens.iter().for_each(|golden| tell(Row::skipped(&case, &golden.scene, TOOLS_ARE_MISSING)));
+        }
     };
     eprintln!("{case}: building");
     let program = match Program::build(root, &tools) {
@@ -186,8 +192,8 @@ mod tests {
         assert_eq!(line(&same), "ok       wasm32   box-drop");
         let differs = Row::exact("wasm32", "box-drop", hash_words(1), hash_words(2));
         assert_eq!(line(&differs), "FAILS    wasm32   box-drop: golden 0000000000000001, there 0000000000000002");
-        let skipped = Row::skipped("aarch64", "box-drop", "no qemu-aarch64");
-        assert_eq!(line(&skipped), "skipped  aarch64  box-drop: no qemu-aarch64");
+        let skipped = Row::skipped("aarch64", "box-drop", TOOLS_ARE_MISSING);
+        assert_eq!(line(&skipped), "skipped  aarch64  box-drop: tools are missing");
     }
 
     #[test]
