@@ -85,6 +85,7 @@ pub mod impact;
 mod interior_point;
 pub mod law;
 pub mod least_force;
+pub mod least_in_cones;
 pub mod least_norm_hold;
 pub mod minimum_norm;
 mod precise;
@@ -108,6 +109,7 @@ pub use impact::{
 };
 pub use law::{Law, Resistance};
 pub use least_force::{LeastForceSolution, LeastForceStage, least_force};
+pub use least_in_cones::least_forces_in_cones;
 pub use least_norm_hold::{LeastNormForces, LeastNormHold, least_norm_forces};
 pub use minimum_norm::{MinimumNormForces, minimum_norm};
 pub use problem::{ContactProblem, RowEntries};

@@ -29,7 +29,7 @@ use polhode_spatial::DoubleDouble;
 
 /// Columns below this fraction of the largest depend on the others (no unit): quadratic in distances, so
 /// that contacts that are 1e-5 of the lever arm apart are taken as one.
-const DEPENDENT_COLUMN: f64 = 1e-10;
+pub(crate) const DEPENDENT_COLUMN: f64 = 1e-10;
 
 /// Forces that move bodies by less than this fraction of what they would one by one hold nothing (no unit, a square):
 /// the square of [`DEPENDENT_COLUMN`] rounding with room for that of directions.
@@ -145,7 +145,7 @@ fn refined(
 }
 
 /// Checks the rows of contacts that slide.
-fn check_rows(sliding: &[SlidingRow], held: usize, rows: usize) -> Result<(), ResponseError> {
+pub(crate) fn check_rows(sliding: &[SlidingRow], held: usize, rows: usize) -> Result<(), ResponseError> {
     for row in sliding {
         if row.normal >= held || !(held..rows).contains(&row.tangent) {
             return Err(ResponseError::UnknownRow { row: row.normal.max(row.tangent), rows });
@@ -157,7 +157,7 @@ fn check_rows(sliding: &[SlidingRow], held: usize, rows: usize) -> Result<(), Re
 
 /// The accelerations of the rows that are held for unit forces along them, with the friction that each normal force
 /// brings, row by row.
-fn held_by_forces(delassus: &Delassus, held: usize, sliding: &[SlidingRow]) -> Vec<f64> {
+pub(crate) fn held_by_forces(delassus: &Delassus, held: usize, sliding: &[SlidingRow]) -> Vec<f64> {
     let mut matrix = Vec::with_capacity(held * held);
     for row in 0..held {
         let start = matrix.len();

@@ -27,6 +27,10 @@ const STEP_FACTOR: f64 = 2.0;
 /// the steps, the distance is less than the error.
 const ESTIMATE_SAFETY: f64 = 2.0;
 
+/// The estimated error, relative to the size of the body, beyond which a warning says that its place is not known (no unit, 0.01
+/// to 1).
+const PLACE_UNKNOWN: f64 = 0.1;
+
 impl Companion<Simulation> {
     /// The companion as plain data.
     pub(crate) fn save(&self) -> content::Companion {
@@ -129,5 +133,18 @@ impl Simulation {
             estimate.angular_velocity_rad_s = estimate.angular_velocity_rad_s.max(ESTIMATE_SAFETY * angular);
         }
         Some(estimate)
+    }
+
+    /// What a warning says where an estimated error leaves a body in no known place; none where all are known.
+    pub(crate) fn unknown_motion(&self, error: &CrowdingError) -> Option<String> {
+        let body = self.core.world.bodies.get(error.body?.index())?;
+        let relative = error.position_m / body.size;
+        (relative > PLACE_UNKNOWN).then(|| {
+            format!(
+                "where {} is at the end is not known: the estimated error of stretches of crowded events is {relative:.2} of \
+                 its size. A smaller method.crowding_tolerance may do; where the motion amplifies every difference nothing does",
+                body.name
+            )
+        })
     }
 }

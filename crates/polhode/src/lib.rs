@@ -150,6 +150,7 @@ pub mod body_queries;
 mod body_sample;
 mod collision;
 mod companion;
+mod constraint;
 mod core;
 mod effects;
 mod energy;

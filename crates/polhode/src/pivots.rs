@@ -8,7 +8,7 @@
 //! the rows are `(e_k, r x e_k)` for the three axes of the world, with the constants `e_k . (w x (w x r))` (thesis 3.2,
 //! equations 2 and 3 for a point of a body; Featherstone, chapter 8, for rows of joints). This is the general form: the
 //! moving frame of the body has its origin at the centre of mass, as that of any other body, and the pivot is one more
-//! [constraint](crate::interaction::constraint).
+//! [constraint](crate::constraint).
 //!
 //! If no contact can act on the body, its motion can be reduced to rotation about Q: in a frame with its origin at Q,
 //! with the moments of inertia about Q and inverse mass zero ([`RigidBody::pivoted`]). Then no row is needed, and the
@@ -23,7 +23,8 @@
 //! finite.
 
 use crate::accounting::books::{Books, gravity_at, momentum_of};
-use crate::interaction::constraint::ConstraintId;
+use crate::constraint::ConstraintId;
+use crate::constraint::bilateral::{Bilateral, BilateralRow, Member, RowKind};
 use crate::pivot_form::{HeldPoint, PivotRows};
 use crate::scene::SceneError;
 
@@ -32,29 +33,6 @@ use crate::world::World;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::ResponseError;
 use polhode_spatial::{DVec3, Pose, Velocity};
-
-/// The kinematics of a pivot in given states.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct PivotKinematics {
-    pub(crate) body: usize,
-    /// Position of the held point of the body, world, m.
-    pub(crate) point: DVec3,
-    /// Arm from the centre of mass to the held point, world, m.
-    pub(crate) arm: DVec3,
-    /// Drift: the vector from the pivot to the held point, m.
-    pub(crate) gap: DVec3,
-    /// Velocity of the held point, m/s.
-    pub(crate) velocity: DVec3,
-    /// `w x (w x r)`, m/s^2: the part of the acceleration of the held point that contains no acceleration of the body.
-    pub(crate) acceleration_bias: DVec3,
-}
-
-impl PivotKinematics {
-    /// The pivot's identity among constraints.
-    pub(crate) fn id(&self) -> ConstraintId {
-        ConstraintId::Pivot { body: self.body }
-    }
-}
 
 impl World {
     /// Whether constraint rows hold any body at a pivot.
@@ -67,30 +45,35 @@ impl World {
         self.held_by_rows.binary_search(&body).is_ok()
     }
 
-    /// The pivots with constraint rows of these bodies, in the order of the bodies, in these states.
-    pub(crate) fn pivots<'a>(
+    /// The bilateral constraints of these bodies in these states: the pivots with constraint rows, in the order of the
+    /// bodies.
+    pub(crate) fn bilaterals<'a>(
         &'a self,
         states: &'a [BodyState],
         bodies: &'a [usize],
-    ) -> impl Iterator<Item = PivotKinematics> + 'a {
+    ) -> impl Iterator<Item = Bilateral> + 'a {
         let bodies = if self.held_by_rows.is_empty() { &[] } else { bodies };
         bodies.iter().filter_map(|&body| self.pivot(states, body))
     }
 
-    /// The pivot of a body with constraint rows; none for any other body.
-    pub(crate) fn pivot(&self, states: &[BodyState], body: usize) -> Option<PivotKinematics> {
+    /// The pivot of a body with constraint rows; none for any other body. Its bias is `w x (w x r)`.
+    pub(crate) fn pivot(&self, states: &[BodyState], body: usize) -> Option<Bilateral> {
         let (held, state) = (self.bodies[body].held?, &states[body]);
         let arm = state.pose.rotation.rotate(held.arm);
         let point = state.pose.translation + arm;
         let Velocity { linear, angular } = self.velocity(body, state);
-        Some(PivotKinematics {
-            body,
-            point,
-            arm,
-            gap: point - held.place,
-            velocity: linear + angular.cross(arm),
-            acceleration_bias: angular.cross(angular.cross(arm)),
-        })
+        let gap = (point - held.place).to_array();
+        let rate = (linear + angular.cross(arm)).to_array();
+        let bias = angular.cross(angular.cross(arm)).to_array();
+        let row = |axis: usize| BilateralRow {
+            kind: RowKind::Along(DVec3::AXES[axis]),
+            gap: gap[axis],
+            rate: rate[axis],
+            bias: bias[axis],
+        };
+        let rows = [0, 1, 2].map(row).to_vec();
+        let members = vec![Member { body, arm, sign: 1.0 }];
+        Some(Bilateral { id: ConstraintId::Pivot { body }, point, members, rows })
     }
 
     /// The same world, with the motion of all pivoted bodies reduced to rotation about their pivots.

@@ -398,6 +398,10 @@ impl Simulation {
                 ),
             );
         }
+        let crowding_error = self.crowding_error();
+        if let Some(unknown) = crowding_error.and_then(|error| self.unknown_motion(&error)) {
+            accounts.warn(self.core.t, unknown);
+        }
         self.tier.book_present(&self.core, &mut accounts)?;
         let mut report = RunReport {
             scene: self.scene.name().to_owned(),
@@ -412,7 +416,7 @@ impl Simulation {
             certificate: crate::Certificate::default(),
             warnings: Vec::new(),
             crowded: Vec::new(),
-            crowding_error: self.crowding_error(),
+            crowding_error,
             plan_changes: self.plan_changes.clone(),
             tolerated: Vec::new(),
             bodies: Vec::new(),

@@ -15,6 +15,7 @@ use crate::SimulationError;
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set::ContactId;
 use crate::core::Core;
+use crate::interaction::cone_violation::{CONE_LIMIT, ConeViolation};
 use crate::world::World;
 use polhode_dynamics::error_allowance::{ErrorAllowance, LargestError};
 use polhode_dynamics::field::Wrench;
@@ -40,6 +41,15 @@ const DIRECTION_ROUNDING: f64 = 2.0 * f64::EPSILON;
 /// value steps would grow until their own error, which changes the energy, is as large as this allowance.
 const POSE_ROUNDING: f64 = 0.5 * f64::EPSILON;
 
+/// A step that was made, whether or not its error is accepted.
+#[derive(Debug)]
+struct MadeStep {
+    method: MethodStep,
+    dense: DenseStep,
+    /// How far the forces at its start are from Coulomb's law.
+    violation: Option<ConeViolation>,
+}
+
 /// The steps of bodies with their held contacts from `t` (s).
 struct IslandSteps<'a> {
     engine: &'a mut Engine,
@@ -51,7 +61,7 @@ struct IslandSteps<'a> {
 }
 
 impl Steps for IslandSteps<'_> {
-    type Step = (MethodStep, DenseStep);
+    type Step = MadeStep;
     type Error = SimulationError;
 
     fn limit_s(&self) -> f64 {
@@ -121,19 +131,19 @@ impl Engine {
         bodies: &[usize],
         active: &ActiveContacts,
         (t, h): (f64, f64),
-    ) -> Attempt<(MethodStep, DenseStep)> {
+    ) -> Attempt<MadeStep> {
         let about = core.accounts.books.ledger.momentum.about;
         let mut scratch = std::mem::take(&mut self.scratch);
         let mut system = ContactSystem::new(&core.world, &mut scratch, bodies, active, about);
-        let attempted = self.attempt(core, &mut system, (t, h)).and_then(|(mut step, error)| {
-            let dense = step.dense(&mut system)?;
-            Ok(((step, dense), error))
+        let attempted = self.attempt(core, &mut system, (t, h)).and_then(|(mut method, error)| {
+            let dense = method.dense(&mut system)?;
+            Ok((MadeStep { method, dense, violation: system.violation_at_start() }, error))
         });
         self.restore_scratch(core, scratch, bodies);
         let Ok((step, error)) = attempted else { return Attempt::Failed };
         // Components without an error estimate may be infinite although all estimated errors are small enough.
         let is_refused = error.is_some_and(|error| error > 1.0 || error.is_nan());
-        if !is_refused && step.0.end_state().iter().any(|number| !number.is_finite()) {
+        if !is_refused && step.method.end_state().iter().any(|number| !number.is_finite()) {
             return Attempt::Failed;
         }
         Attempt::Made { step, error }
@@ -146,8 +156,10 @@ impl Engine {
         bodies: &[usize],
         active: &ActiveContacts,
         (t, h): (f64, f64),
-        ((step, dense), error): ((MethodStep, DenseStep), f64),
+        (made, error): (MadeStep, f64),
     ) -> ConstrainedStep {
+        let MadeStep { method: step, dense, violation } = made;
+        core.note_friction(t, violation, CONE_LIMIT);
         let worst = &mut core.accounts.certificate.max_step_error;
         // A method without error control has no error to compare.
         if step.embedded().is_some() {

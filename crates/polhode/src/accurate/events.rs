@@ -297,8 +297,12 @@ impl Engine {
             }
             _ => StepEnd::AtEvent,
         };
-        let advance = pace.note_end(instant.t, end, longest);
-        if pace.begins_to_back_off() {
+        let mut advance = pace.note_end(instant.t, end, longest);
+        let may_crowd = core.settings.crowding.steps() && core.world.have_friction(&instant.pairs);
+        if pace.is_backing_off() && may_crowd {
+            // Steps that tolerate violations would break Coulomb's law; time steps keep it.
+            advance = advance.and_then(|()| Err(pace.stalled(instant.t)));
+        } else if pace.begins_to_back_off() {
             let what =
                 "contact changes repeat at one instant: remaining violations are tolerated for a short time (backoff)";
             core.accounts.warn_of_tolerated(instant.t, what);

@@ -4,21 +4,30 @@
 //! forces of pivots; a contact that slides along `d` adds `-mu f_n d`. The equations are `chi'' = 0` of all contacts,
 //! `u_T' = 0` of those that stick, and `a_Q = 0` of pivots. Friction of rolling and of spinning adds a moment for each
 //! rotation that is held, with `w' = 0`, and `-c f_n w / |w|` for one that turns. Where they do not determine the
-//! forces, those of least norm are taken (`polhode_response::least_norm_sliding_forces`). Without sliding that does
-//! not affect the motion; with contacts that slide in different directions it does.
+//! forces, those of least norm are taken (`polhode_response::least_norm_sliding_forces`), and where something slides those
+//! of least norm within the cones of the contacts that stick (`polhode_response::least_forces_in_cones`). Without sliding the
+//! choice affects neither the motion nor the ledger; with sliding it decides what friction takes, and with contacts that slide
+//! in different directions the motion as well.
+//!
+//! Failure: where no forces lie in the cones, the least ones are taken, with their violation of Coulomb's law.
 
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set::ContactId;
 use crate::collision::friction_mode::FrictionMode;
 use crate::collision::turn::Turn;
+use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::interaction::assembly::{Assembly, TangentRow};
+use crate::interaction::cone_violation::{ConeViolation, RubbingForce, largest_violation};
+use crate::interaction::friction_blocks::push_contact;
 use crate::interaction::rotation_row::RotationRow;
-use crate::pivots::PivotKinematics;
 use crate::scene::FrictionEllipse;
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
-use polhode_response::{LeastNormForces, ResponseError, SlidingRow, least_norm_forces, least_norm_sliding_forces};
+use polhode_response::{
+    Blocks, Delassus, LeastNormForces, ResponseError, SlidingRow, least_forces_in_cones, least_norm_forces,
+    least_norm_sliding_forces, motion_depends_on_choice,
+};
 use polhode_spatial::DVec3;
 
 /// A rotation that friction resists.
@@ -40,6 +49,8 @@ pub(super) struct FrictionContact {
     /// What its friction opposes: the direction in which it slides (with a grain another one), and its coefficient; none
     /// when it sticks.
     sliding: Option<(DVec3, f64)>,
+    /// What bounds its friction while it sticks.
+    at_rest: FrictionEllipse,
     /// The angular velocity of A relative to B, rad/s.
     rotation: DVec3,
     /// The length in the rows of its rotations, m.
@@ -68,7 +79,7 @@ impl FrictionContact {
     }
 }
 
-/// Forces of contacts with friction and of pivots.
+/// Forces of contacts with friction and of bilateral constraints.
 #[derive(Debug, Default)]
 pub(super) struct FrictionForces {
     /// Normal forces of the contacts, N.
@@ -77,12 +88,14 @@ pub(super) struct FrictionForces {
     pub(super) tangential: Vec<(ContactId, ContactGeometry, f64)>,
     /// Of friction of rolling and spinning, N m, world, on A.
     pub(super) moments: Vec<(ContactId, DVec3)>,
-    /// Of the pivots, N.
-    pub(super) pivots: Vec<(PivotKinematics, DVec3)>,
+    /// Of the bilateral constraints.
+    pub(super) reactions: Vec<(Bilateral, Reaction)>,
     /// What all of them add up to on each body (body, N, N m), where the sum of the rounded forces would shake light bodies.
     pub(super) sums: Option<Vec<(usize, DVec3, DVec3)>>,
     /// Power that the contacts that slide dissipate, W.
     pub(super) dissipation: f64,
+    /// How far contacts that stick are from Coulomb's law while others slide.
+    pub(super) violation: Option<ConeViolation>,
 }
 
 /// The contacts with friction among active contacts.
@@ -95,12 +108,12 @@ pub(super) fn friction_contacts(
     let friction = |(contact, (id, kinematics)): (usize, &(ContactId, ContactKinematics))| {
         let mode = *active.friction.get(id)?;
         let terms = world.tangential_kinematics(states, *id)?;
+        let coefficients = world.friction_at(states, *id, terms.basis);
+        let at_rest = coefficients.map_or_else(FrictionEllipse::default, |own| own.at_rest);
         let sliding = match mode {
             FrictionMode::Sticking => None,
             FrictionMode::Sliding(slide) => {
-                let ellipse = world
-                    .friction_at(states, *id, terms.basis)
-                    .map_or_else(FrictionEllipse::default, |own| own.sliding);
+                let ellipse = coefficients.map_or_else(FrictionEllipse::default, |own| own.sliding);
                 Some(ellipse.opposed(terms.basis, slide.direction_of(terms.slip_velocity)))
             }
         };
@@ -118,12 +131,12 @@ pub(super) fn friction_contacts(
         });
         let geometry = kinematics.geometry;
         let turning_length = world.turning_length(id.a, id.b);
-        Some(FrictionContact { contact, id: *id, geometry, terms, sliding, rotation, turning_length, turns })
+        Some(FrictionContact { contact, id: *id, geometry, terms, sliding, at_rest, rotation, turning_length, turns })
     };
     contacts.iter().enumerate().filter_map(friction).collect()
 }
 
-/// The forces of `contacts` and of the pivots of `bodies` (movable, ascending) at time `t` (s).
+/// The forces of `contacts` and of the bilateral constraints of `bodies` (movable, ascending) at time `t` (s).
 ///
 /// # Errors
 /// When a number is not finite.
@@ -157,8 +170,8 @@ pub(super) fn solve(
     let kinematics = contacts.iter().map(|(id, kinematics)| (*id, kinematics));
     let mut constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
     let delassus = assembly.problem.delassus();
-    let LeastNormForces { forces, loads } = if slides.is_empty() && turning.is_empty() {
-        least_norm_forces(&assembly.problem, &delassus, &constants)?
+    let (LeastNormForces { forces, loads }, violation) = if slides.is_empty() && turning.is_empty() {
+        (least_norm_forces(&assembly.problem, &delassus, &constants)?, None)
     } else {
         constants.truncate(equations);
         let slides = slides.iter().map(|&(_, normal, coefficient)| (normal, coefficient));
@@ -168,7 +181,12 @@ pub(super) fn solve(
             tangent: equations + k,
             coefficient,
         });
-        least_norm_sliding_forces(&assembly.problem, &delassus, &constants, &sliding.collect::<Vec<_>>())?
+        let sliding: Vec<SlidingRow> = sliding.collect();
+        let least = least_norm_sliding_forces(&assembly.problem, &delassus, &constants, &sliding)?;
+        match StickingCones::of(contacts.len(), friction, assembly.first_tangent()) {
+            Some(cones) => cones.put_into((&delassus, equations, &sliding), least)?,
+            None => (least, None),
+        }
     };
     let tangential = assembly.of_tangents(&forces).map(|(row, force)| (row.id, row.along, force)).collect();
     let moments = assembly.of_rotations(&forces).map(|(row, moment)| (row.id, row.axis * moment)).collect();
@@ -184,10 +202,72 @@ pub(super) fn solve(
     let by_rotation: f64 = turns.sum();
     Ok(FrictionForces {
         dissipation: slips.sum::<f64>() + by_rotation,
+        violation,
         moments,
-        pivots: assembly.pivot_forces(&forces).map(|(pivot, force)| (*pivot, force)).collect(),
+        reactions: assembly.reactions(&forces).map(|(of, reaction)| (of.clone(), reaction)).collect(),
         tangential,
         normal: forces.get(..contacts.len()).unwrap_or_default().to_vec(),
         sums: loads.map(|loads| assembly.split(&loads).collect()),
     })
+}
+
+/// What bounds the forces of contacts while some slide: cones of friction of those that stick, and the push of all.
+struct StickingCones<'a> {
+    blocks: Blocks,
+    /// The contacts that stick, with the first of their two rows along tangents.
+    sticking: Vec<(&'a FrictionContact, usize)>,
+}
+
+impl<'a> StickingCones<'a> {
+    /// Those of so many contacts, of which these have friction. The rows of contacts that stick, two each, follow
+    /// `first_tangent`. None where a contact resists rotations: the forces at one instant (`interaction/rotational_friction.rs`)
+    /// are not those of least norm either.
+    fn of(contacts: usize, friction: &'a [FrictionContact], first_tangent: usize) -> Option<Self> {
+        if friction.iter().any(|contact| contact.turns.iter().any(Option::is_some)) {
+            return None;
+        }
+        let (mut blocks, mut sticking, mut tangent) = (Blocks::default(), Vec::new(), first_tangent);
+        let mut sticks = friction.iter().filter(|contact| contact.sliding.is_none()).peekable();
+        for normal in 0..contacts {
+            let own = sticks.next_if(|own| own.contact == normal);
+            let tangents = tangent..tangent + own.map_or(0, |_| 2);
+            sticking.extend(own.map(|own| (own, tangent)));
+            tangent = tangents.end;
+            push_contact(&mut blocks, own.map_or(FrictionEllipse::default(), |own| own.at_rest), normal, tangents);
+        }
+        Some(Self { blocks, sticking })
+    }
+
+    /// The least forces within the cones that hold what `least` hold: the first `held` rows, with friction along those of
+    /// `sliding`. Where there are none `least` stay, and violate Coulomb's law.
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    fn put_into(
+        &self,
+        (delassus, held, sliding): (&Delassus, usize, &[SlidingRow]),
+        least: LeastNormForces,
+    ) -> Result<(LeastNormForces, Option<ConeViolation>), ResponseError> {
+        let Some(forces) = least_forces_in_cones(delassus, held, sliding, &self.blocks, &least.forces)? else {
+            let violation = self.violation(&least.forces);
+            return Ok((least, violation));
+        };
+        let is_changed = forces != least.forces;
+        // Where the choice moves nothing, bodies bear what they bore, which is known in twice the working precision.
+        let loads = match least.loads {
+            Some(_) if is_changed && motion_depends_on_choice(delassus, held, sliding)? => None,
+            loads => loads,
+        };
+        Ok((LeastNormForces { forces, loads }, None))
+    }
+
+    fn violation(&self, forces: &[f64]) -> Option<ConeViolation> {
+        let rubbing = self.sticking.iter().map(|&(own, row)| RubbingForce {
+            pair: (own.id.a, own.id.b),
+            normal: forces[own.contact],
+            tangential: own.at_rest.length(&forces[row..row + 2]),
+            friction: own.at_rest.largest(),
+        });
+        largest_violation(rubbing, 0.0)
+    }
 }

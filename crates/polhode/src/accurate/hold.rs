@@ -269,9 +269,11 @@ impl Forces {
                 moment_sums[body] += force * arm.length();
             }
         }
-        for (pivot, force) in self.assembly.pivot_forces(&self.solution.forces) {
-            force_sums[pivot.body] += force.length();
-            moment_sums[pivot.body] += force.length() * pivot.arm.length();
+        for (bilateral, reaction) in self.assembly.reactions(&self.solution.forces) {
+            for member in &bilateral.members {
+                force_sums[member.body] += reaction.force.length();
+                moment_sums[member.body] += reaction.force.length() * member.arm.length() + reaction.moment.length();
+            }
         }
         self.accelerations()
             .filter(|&(body, linear, angular)| {

@@ -11,8 +11,8 @@
 use super::engine::Engine;
 use super::instant::Instant;
 use crate::collision::contact_set::Touch;
+use crate::constraint::ConstraintId;
 use crate::core::Core;
-use crate::interaction::constraint::ConstraintId;
 use crate::interaction::projection::Projection;
 use polhode_dynamics::RigidBody;
 
@@ -31,7 +31,7 @@ impl Engine {
             };
             let (of_a, of_b) = (inverse_mass(a), inverse_mass(b));
             let bodies: Vec<usize> = [(a, of_a), (b, of_b)].iter().filter(|(_, m)| *m > 0.0).map(|(i, _)| *i).collect();
-            let has_pivot = core.world.pivots(&self.states, &bodies).next().is_some();
+            let has_pivot = core.world.bilaterals(&self.states, &bodies).next().is_some();
             if depth <= core.world.rounding(&self.states, a, b) || bodies.is_empty() || has_pivot {
                 continue;
             }

@@ -3,6 +3,7 @@
 //! Stalls: several events may occur at one instant, and at a degenerate contact, rounding may make the same contact
 //! change repeat for ever. Events without an advance of time are counted for each body. After [`STALL_LIMIT`] of them
 //! the body backs off: remaining violations of contact conditions are tolerated for a time that grows with every retry.
+//! Among bodies with friction, whose law such violations would break, the events count as crowded instead.
 //!
 //! Crowded events: events follow each other so closely that time advances too slowly, similar to Zeno behaviour. Steps
 //! may become short for a good reason (some sixty shrinking steps approach an event at which forces jump), but not
@@ -105,6 +106,11 @@ impl Pace {
     /// Whether backing off has begun with the last event.
     pub(super) fn begins_to_back_off(&self) -> bool {
         self.stalls == STALL_LIMIT
+    }
+
+    /// That events repeat at one instant, at `t` (s).
+    pub(super) fn stalled(&self, t: f64) -> NoAdvance {
+        NoAdvance { steps: u64::from(self.stalls), advanced_s: t - self.advanced_at }
     }
 
     /// Whether an event at `t` belongs to the present instant: time has not advanced.

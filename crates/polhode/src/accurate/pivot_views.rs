@@ -52,8 +52,8 @@ impl Engine {
                 });
                 needed.insert(body, newton(body, linear, angular) - by_contacts.sum::<DVec3>());
             }
-            let by_rows = forces.assembly.pivot_forces(&forces.solution.forces);
-            needed.extend(by_rows.map(|(pivot, force)| (pivot.body, force)));
+            let by_rows = forces.assembly.reactions(&forces.solution.forces);
+            needed.extend(by_rows.map(|(pivot, reaction)| (pivot.id.bodies().0, reaction.force)));
         }
         let place = |body: usize| world.pivot(states, body).map_or(states[body].pose.translation, |pivot| pivot.point);
         let view = |(body, force_n)| PivotView { body: BodyId::new(body), point_m: place(body), force_n };

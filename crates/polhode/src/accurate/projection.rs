@@ -12,10 +12,10 @@ use super::engine::Engine;
 use crate::SimulationError;
 use crate::accounting::books::Balance;
 use crate::collision::contact_set::ContactId;
+use crate::constraint::bilateral::Bilateral;
 use crate::core::Core;
 use crate::interaction::overlap::Overlaps;
 use crate::interaction::projection::{self, Projected};
-use crate::pivots::PivotKinematics;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::Pose;
@@ -105,7 +105,9 @@ fn all_touch(world: &World, states: &[BodyState], bodies: &[usize], contacts: &[
         let kinematics = world.kinematics(states, id);
         kinematics.is_some_and(|kinematics| kinematics.geometry.separation <= world.touch_distance(states, id.a, id.b))
     };
-    let is_in_place =
-        |pivot: PivotKinematics| pivot.gap.length() <= world.touch_distance(states, pivot.body, pivot.body);
-    contacts.iter().all(touches) && world.pivots(states, bodies).all(is_in_place)
+    let is_in_place = |bilateral: Bilateral| {
+        let (a, b) = bilateral.id.bodies();
+        bilateral.gap() <= world.touch_distance(states, a, b)
+    };
+    contacts.iter().all(touches) && world.bilaterals(states, bodies).all(is_in_place)
 }

@@ -20,10 +20,11 @@ use crate::Momentum;
 use crate::accounting::books::{Received, given_by_fields, gravity_at};
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set::ContactId;
+use crate::constraint::bilateral::{Bilateral, Reaction, bilateral_support};
 use crate::interaction::assembly::Assembly;
-use crate::interaction::impact::{pivot_support, support};
+use crate::interaction::cone_violation::ConeViolation;
+use crate::interaction::impact::support;
 use crate::interaction::rotational_friction::{moment_support, moment_work};
-use crate::pivots::PivotKinematics;
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH, quaternion_rate};
@@ -77,11 +78,13 @@ pub(super) struct ContactSystem<'a> {
     /// For each body of the group, the sums of the magnitudes of contact forces (N) and of their moments (N m), the
     /// largest of all stages so far. The rounding error of the resultant is proportional to these sums.
     cancelling: Vec<[f64; 2]>,
+    /// How far the forces of the first stage, where a step begins, are from Coulomb's law; none before it.
+    violation_at_start: Option<Option<ConeViolation>>,
     /// Whether the masses differ so much that contacts share their normals.
     is_disparate: bool,
 }
 
-/// Forces of the held contacts and of pivots.
+/// Forces of the held contacts and of bilateral constraints.
 #[derive(Debug, Default)]
 struct HeldForces {
     /// Of the contacts, along their normals.
@@ -92,8 +95,10 @@ struct HeldForces {
     moments: Vec<(ContactId, DVec3)>,
     /// Power lost to friction, W.
     dissipation: f64,
-    /// Of the pivots.
-    pivots: Vec<(PivotKinematics, DVec3)>,
+    /// How far they are from Coulomb's law.
+    violation: Option<ConeViolation>,
+    /// Of the bilateral constraints.
+    reactions: Vec<(Bilateral, Reaction)>,
     /// Where masses differ much: (body, force, moment about its centre of mass), summed before they are rounded.
     sums: Option<Vec<(usize, DVec3, DVec3)>>,
 }
@@ -115,6 +120,7 @@ impl<'a> ContactSystem<'a> {
             contacts: Vec::with_capacity(active.held.len()),
             friction: Vec::with_capacity(active.friction.len()),
             cancelling: vec![[0.0; 2]; bodies.len()],
+            violation_at_start: None,
             is_disparate: masses_differ(world, bodies),
         }
     }
@@ -138,6 +144,11 @@ impl<'a> ContactSystem<'a> {
         &self.cancelling
     }
 
+    /// How far the forces where a step begins are from Coulomb's law.
+    pub(super) fn violation_at_start(&self) -> Option<ConeViolation> {
+        self.violation_at_start.flatten()
+    }
+
     /// Updates the largest sums of magnitudes with the forces of a stage.
     fn note_magnitudes(&mut self, held: &HeldForces) {
         let mut sums = vec![[0.0; 2]; self.bodies.len()];
@@ -150,10 +161,12 @@ impl<'a> ContactSystem<'a> {
                 }
             }
         }
-        for (pivot, force) in &held.pivots {
-            if let Ok(index) = self.bodies.binary_search(&pivot.body) {
-                sums[index][0] += force.length();
-                sums[index][1] += force.length() * pivot.arm.length();
+        for (bilateral, reaction) in &held.reactions {
+            for member in &bilateral.members {
+                if let Ok(index) = self.bodies.binary_search(&member.body) {
+                    sums[index][0] += reaction.force.length();
+                    sums[index][1] += reaction.force.length() * member.arm.length() + reaction.moment.length();
+                }
             }
         }
         for (largest, sum) in self.cancelling.iter_mut().zip(sums) {
@@ -181,7 +194,7 @@ impl<'a> ContactSystem<'a> {
         bodies.chain(std::iter::repeat_n(0.0, self.tail())).collect()
     }
 
-    /// Forces of the held contacts and pivots at the present states.
+    /// Forces of the held contacts and bilateral constraints at the present states.
     fn held_forces(&self, t: f64, loads: &Loads) -> Result<HeldForces, ResponseError> {
         if self.contacts.is_empty() && !self.world.has_rows() {
             return Ok(HeldForces::default());
@@ -189,8 +202,8 @@ impl<'a> ContactSystem<'a> {
         if !self.friction.is_empty() {
             let at = (t, &*self.states);
             let found = friction_forces::solve(self.world, at, self.bodies, &self.contacts, &self.friction, loads)?;
-            let FrictionForces { normal, tangential, moments, pivots, sums, dissipation } = found;
-            return Ok(HeldForces { forces: normal, tangential, moments, dissipation, pivots, sums });
+            let FrictionForces { normal, tangential, moments, reactions, sums, dissipation, violation } = found;
+            return Ok(HeldForces { forces: normal, tangential, moments, dissipation, violation, reactions, sums });
         }
         let rows = self.contacts.iter().map(|(id, k)| (*id, k.geometry));
         let assembly = Assembly::new(self.world, self.states, self.bodies, rows)?;
@@ -198,15 +211,17 @@ impl<'a> ContactSystem<'a> {
         let contacts = self.contacts.iter().map(|(id, k)| (*id, k));
         let b = assembly.acceleration_constants(self.world, t, self.states, &free, contacts)?;
         let LeastNormForces { forces, loads } = least_norm_forces(&assembly.problem, &assembly.problem.delassus(), &b)?;
-        let pivots = assembly.pivot_forces(&forces).map(|(pivot, force)| (*pivot, force)).collect();
+        let reactions = assembly.reactions(&forces).map(|(of, reaction)| (of.clone(), reaction)).collect();
         let sums = loads.map(|loads| assembly.split(&loads).collect());
-        Ok(HeldForces { forces, pivots, sums, ..HeldForces::default() })
+        Ok(HeldForces { forces, reactions, sums, ..HeldForces::default() })
     }
 
     /// Adds the forces to the rates one by one.
     fn add_forces(&self, held: &HeldForces, rates: &mut [f64]) {
-        for (pivot, force) in &held.pivots {
-            self.add_load(pivot.body, *force, pivot.arm.cross(*force), rates);
+        for (bilateral, reaction) in &held.reactions {
+            for (body, force, moment) in bilateral.loads(*reaction) {
+                self.add_load(body, force, moment, rates);
+            }
         }
         for (id, geometry, force) in self.contact_forces(held) {
             for (body, signed) in [(id.a, force), (id.b, -force)] {
@@ -256,8 +271,8 @@ impl<'a> ContactSystem<'a> {
             rates[19] += moment_work(self.world, self.states, moments());
             add(&mut rates[3..], moment_support(self.world, moments()).angular);
         }
-        if !held.pivots.is_empty() {
-            let support = pivot_support(self.about, held.pivots.iter().map(|(pivot, force)| (pivot, *force)));
+        if !held.reactions.is_empty() {
+            let support = bilateral_support(self.about, held.reactions.iter().map(|(of, reaction)| (of, *reaction)));
             add(&mut rates[..], support.linear);
             add(&mut rates[3..], support.angular);
         }
@@ -324,6 +339,7 @@ impl System for ContactSystem<'_> {
         let loads = self.world.loads_on(t, self.states, self.bodies);
         let held = self.held_forces(t, &loads)?;
         self.note_magnitudes(&held);
+        self.violation_at_start.get_or_insert(held.violation);
         self.free_rates(&loads, state, rates);
         if let Some(sums) = &held.sums {
             self.add_sums(sums, rates);

@@ -6,14 +6,14 @@
 //! coordinates instead of six, and everything else is the same.
 
 use crate::collision::contact_set::ContactId;
-use crate::interaction::constraint::{ConstraintId, PIVOT_ROWS};
+use crate::constraint::ConstraintId;
+use crate::constraint::bilateral::{Bilateral, Member, Reaction};
 use crate::interaction::rotation_row::RotationRow;
-use crate::pivots::PivotKinematics;
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
-use polhode_response::{ContactProblem, ResponseError};
+use polhode_response::{ContactProblem, Law, ResponseError};
 use polhode_spatial::DVec3;
 
 /// Coordinates of a body's generalised velocity in space.
@@ -83,16 +83,16 @@ impl TangentRow {
     }
 }
 
-/// The constraints of a group of bodies, assembled: a row for each contact, in the order given, then three for each
-/// pivot, in the order of the bodies, then rows along tangents of contacts with friction, then rows of their rotations.
+/// The constraints of a group of bodies, assembled: a row for each contact, in the order given, then those of bilateral
+/// constraints, in their order, then rows along tangents of contacts with friction, then rows of their rotations.
 #[derive(Debug)]
 pub(crate) struct Assembly {
     pub(crate) problem: ContactProblem,
-    /// The constraints of the rows of contacts and pivots.
+    /// The constraint of each row of a contact or a bilateral constraint.
     constraints: Vec<ConstraintId>,
     /// How many of them are contacts.
     contacts: usize,
-    pivots: Vec<PivotKinematics>,
+    bilaterals: Vec<Bilateral>,
     tangents: Vec<TangentRow>,
     /// The row of each.
     tangent_rows: Vec<usize>,
@@ -104,7 +104,7 @@ pub(crate) struct Assembly {
 }
 
 impl Assembly {
-    /// Rows of `contacts` and of the pivots of `bodies` (movable, ascending).
+    /// Rows of `contacts` and of the bilateral constraints of `bodies` (movable, ascending).
     ///
     /// # Errors
     /// When a number is not finite.
@@ -128,18 +128,10 @@ impl Assembly {
             rows.row(id, &geometry, |entries| problem.push_row(entries))?;
         }
         let contacts = problem.len();
-        let pivots: Vec<PivotKinematics> = world.pivots(states, bodies).collect();
-        for pivot in &pivots {
-            let id = pivot.id();
-            constraints.push(id);
-            let Ok(index) = bodies.binary_search(&pivot.body) else { continue };
-            let rows = DVec3::AXES.map(|axis| {
-                let mut row = Vec::with_capacity(width);
-                coordinates.push(&mut row, axis, pivot.arm.cross(axis));
-                row
-            });
-            let entries = rows.each_ref().map(|row| [(index, row.as_slice())]);
-            problem.push_block(id.law(), &entries.each_ref().map(<[_; 1]>::as_slice))?;
+        let bilaterals: Vec<Bilateral> = world.bilaterals(states, bodies).collect();
+        for bilateral in &bilaterals {
+            constraints.extend(std::iter::repeat_n(bilateral.id, bilateral.rows.len()));
+            rows.bilateral(bilateral, &mut problem)?;
         }
         let (tangents, tangent_rows) = (Vec::new(), Vec::new());
         let (rotations, rotation_rows) = (Vec::new(), Vec::new());
@@ -148,7 +140,7 @@ impl Assembly {
             problem,
             constraints,
             contacts,
-            pivots,
+            bilaterals,
             tangents,
             tangent_rows,
             rotations,
@@ -227,19 +219,32 @@ impl Assembly {
             let rotation = || self.rotation_rows.binary_search(&row).ok().map(|place| self.rotations[place].id);
             return tangent.or_else(rotation).map(ConstraintId::Contact);
         }
-        let place = if row < self.contacts { row } else { self.contacts + (row - self.contacts) / PIVOT_ROWS };
-        self.constraints.get(place).copied()
+        self.constraints.get(row).copied()
     }
 
-    /// The pivots at the states of the assembly.
-    pub(crate) fn pivots(&self) -> &[PivotKinematics] {
-        &self.pivots
+    /// The bilateral constraints at the states of the assembly.
+    pub(crate) fn bilaterals(&self) -> &[Bilateral] {
+        &self.bilaterals
     }
 
-    /// The pivots with the force (N; impulse, N s) of each, from those of all rows.
-    pub(crate) fn pivot_forces(&self, forces: &[f64]) -> impl Iterator<Item = (&PivotKinematics, DVec3)> {
-        let own = forces.get(self.contacts..).unwrap_or_default();
-        self.pivots.iter().zip(own.as_chunks::<PIVOT_ROWS>().0).map(|(pivot, force)| (pivot, DVec3::from_array(*force)))
+    /// The gaps of the rows of bilateral constraints, m.
+    pub(crate) fn bilateral_gaps(&self) -> impl Iterator<Item = f64> + '_ {
+        self.bilaterals.iter().flat_map(|bilateral| &bilateral.rows).map(|row| row.gap)
+    }
+
+    /// The rates of their gaps, m/s.
+    pub(crate) fn bilateral_rates(&self) -> impl Iterator<Item = f64> + '_ {
+        self.bilaterals.iter().flat_map(|bilateral| &bilateral.rows).map(|row| row.rate)
+    }
+
+    /// The bilateral constraints with the reaction of each, from the forces (N; impulses, N s) of all rows.
+    pub(crate) fn reactions(&self, forces: &[f64]) -> impl Iterator<Item = (&Bilateral, Reaction)> {
+        let mut left = forces.get(self.contacts..).unwrap_or_default();
+        self.bilaterals.iter().map_while(move |bilateral| {
+            let (own, others) = left.split_at_checked(bilateral.rows.len())?;
+            left = others;
+            Some((bilateral, bilateral.reaction(own)))
+        })
     }
 
     /// Movable bodies, in the order of the problem's blocks.
@@ -275,9 +280,9 @@ impl Assembly {
         for (constant, (id, k)) in b.iter_mut().zip(contacts) {
             *constant += k.acceleration_bias + world.prescribed_acceleration_of(t, states, id, &k.geometry);
         }
-        let biases = self.pivots.iter().flat_map(|pivot| pivot.acceleration_bias.to_array());
-        for (constant, bias) in b.iter_mut().skip(self.contacts).zip(biases) {
-            *constant += bias;
+        let rows = self.bilaterals.iter().flat_map(|bilateral| &bilateral.rows);
+        for (constant, row) in b.iter_mut().skip(self.contacts).zip(rows) {
+            *constant += row.bias;
         }
         for (&index, row) in self.tangent_rows.iter().zip(&self.tangents) {
             let Some(constant) = b.get_mut(index) else { continue };
@@ -300,7 +305,7 @@ impl Assembly {
     }
 }
 
-/// Makes the rows of contacts along their normals or tangents.
+/// Makes the rows of contacts along their normals or tangents, and those of bilateral constraints.
 struct ContactRows<'a> {
     states: &'a [BodyState],
     /// Movable bodies, in the order of the problem's blocks.
@@ -323,6 +328,28 @@ impl ContactRows<'_> {
             (Some((index, row)), None) | (None, Some((index, row))) => push(&[(index, &row[..width])]),
             (None, None) => push(&[]),
         }
+    }
+
+    /// Adds the rows of a bilateral constraint to a problem.
+    fn bilateral(&self, bilateral: &Bilateral, problem: &mut ContactProblem) -> Result<(), ResponseError> {
+        let width = self.coordinates.width();
+        let rows: Vec<Vec<(usize, [f64; SPACE_WIDTH])>> = bilateral
+            .rows
+            .iter()
+            .map(|row| {
+                let entry = |member: &Member| {
+                    let index = self.bodies.binary_search(&member.body).ok()?;
+                    let (linear, angular) = row.entries(member);
+                    Some((index, self.coordinates.of_parts(linear, angular)))
+                };
+                bilateral.members.iter().filter_map(entry).collect()
+            })
+            .collect();
+        let rows: Vec<Vec<(usize, &[f64])>> =
+            rows.iter().map(|row| row.iter().map(|(index, entries)| (*index, &entries[..width])).collect()).collect();
+        let rows: Vec<&[(usize, &[f64])]> = rows.iter().map(Vec::as_slice).collect();
+        problem.push_block(Law::Hold { rows: rows.len() }, &rows)?;
+        Ok(())
     }
 }
 
@@ -377,21 +404,6 @@ pub(crate) fn apply_impulses<'a>(
                 state.linear_velocity += vector * rigid.inverse_mass();
                 state.angular_momentum += (geometry.point - state.pose.translation).cross(vector);
             }
-        }
-    }
-}
-
-/// Applies impulses (N s, world) at pivots to the momenta of their bodies.
-pub(crate) fn apply_pivot_impulses<'a>(
-    world: &World,
-    states: &mut [BodyState],
-    impulses: impl Iterator<Item = (&'a PivotKinematics, DVec3)>,
-) {
-    for (pivot, impulse) in impulses {
-        if let Some(rigid) = &world.bodies[pivot.body].rigid {
-            let state = &mut states[pivot.body];
-            state.linear_velocity += impulse * rigid.inverse_mass();
-            state.angular_momentum += pivot.arm.cross(impulse);
         }
     }
 }

@@ -239,7 +239,7 @@ fn blocks_of(
     contacts: &[Touch],
 ) -> Result<(Blocks, Vec<f64>), ResponseError> {
     let mut before: Vec<f64> = contacts.iter().map(|touch| touch.kinematics.separation_rate).collect();
-    before.extend(assembly.pivots().iter().flat_map(|pivot| pivot.velocity.to_array()));
+    before.extend(assembly.bilateral_rates());
     let mut blocks = Blocks::default();
     for (normal, touch) in contacts.iter().enumerate() {
         let friction = world.friction_of(touch.id.a, touch.id.b).filter(|friction| friction.sliding.largest() > 0.0);

@@ -1,15 +1,15 @@
 //! Impacts: the impact law acts on approaching contacts, together with all contacts connected to them.
 
 use crate::collision::contact_set::{ContactId, Touch};
+use crate::constraint::ConstraintId;
+use crate::constraint::bilateral::{Bilateral, Reaction, apply_reactions};
 use crate::event::{Event, EventKind};
-use crate::interaction::assembly::{Assembly, apply_impulses, apply_pivot_impulses};
+use crate::interaction::assembly::{Assembly, apply_impulses};
 use crate::interaction::cone_violation::{ConeViolation, RubbingForce, largest_violation};
-use crate::interaction::constraint::ConstraintId;
 use crate::interaction::frictional_impact::{self, Cause, FrictionalImpact, Restitution, rate_of_separation};
 use crate::interaction::groups::Group;
 use crate::interaction::many_contacts::{MANY_CONTACTS, furthest_out};
 use crate::interaction::rotational_friction::{apply_moments, moment_support, moment_work};
-use crate::pivots::PivotKinematics;
 use crate::scene::ImpactLaw;
 use crate::states_of::{set_states, states_of};
 use crate::world::World;
@@ -41,24 +41,15 @@ pub(crate) fn support<'a>(
     sum.value()
 }
 
-/// Momentum that impulses or forces of pivots (N s, N, world) give to the bodies that they hold, angular about a point.
-pub(crate) fn pivot_support<'a>(about: DVec3, forces: impl Iterator<Item = (&'a PivotKinematics, DVec3)>) -> Momentum {
-    let mut sum = MomentumSum::default();
-    for (pivot, linear) in forces {
-        sum.add(Momentum { linear, angular: (pivot.point - about).cross(linear) });
-    }
-    sum.value()
-}
-
 /// Result of an impact.
 #[derive(Debug)]
 pub(crate) struct Struck {
-    /// In the order of the rows: contacts first, then pivots.
+    /// In the order of the rows: contacts first, then bilateral constraints.
     pub(crate) outcome: ImpactOutcome,
     /// The constraint of each of `outcome.applications`.
     pub(crate) constraints: Vec<Option<ConstraintId>>,
-    /// The pivots that took part, and the impulse of each (N s, world).
-    pub(crate) pivots: Vec<(PivotKinematics, DVec3)>,
+    /// The bilateral constraints that took part, and the impulse of each.
+    pub(crate) bilaterals: Vec<(Bilateral, Reaction)>,
     /// Impulses of friction, N s: the contact with a tangent in the place of its normal, and the impulse on A.
     pub(crate) tangential: Vec<(ContactId, ContactGeometry, f64)>,
     /// Impulses of moments of friction on A, N m s, world.
@@ -148,9 +139,9 @@ pub(crate) fn apply_without_gain<'a>(
     world: &World,
     states: &mut [BodyState],
     bodies: &[usize],
-    (impulses, pivots): (
+    (impulses, reactions): (
         impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone,
-        impl Iterator<Item = (&'a PivotKinematics, DVec3)>,
+        impl Iterator<Item = (&'a Bilateral, Reaction)>,
     ),
     (moments, by_surfaces): (&[(ContactId, DVec3)], f64),
 ) -> bool {
@@ -160,7 +151,7 @@ pub(crate) fn apply_without_gain<'a>(
     let by_moments = moment_work(world, states, moments.iter().copied());
     let work = world.prescribed_work(states, impulses.clone()) + by_moments + by_surfaces;
     apply_impulses(world, states, impulses);
-    apply_pivot_impulses(world, states, pivots);
+    apply_reactions(world, states, reactions);
     apply_moments(world, states, moments.iter().copied());
     let gain = kinetic(states) - before - work;
     let is_sound = gain <= GAIN_ROUNDING * (before + work.abs());
@@ -193,8 +184,8 @@ pub(crate) fn strike(
     let mut before: Vec<f64> = members.iter().map(|touch| touch.kinematics.separation_rate).collect();
     let mut restitution: Vec<f64> =
         members.iter().map(|touch| world.scene.pair_material(touch.id.a, touch.id.b).restitution()).collect();
-    before.extend(assembly.pivots().iter().flat_map(|pivot| pivot.velocity.to_array()));
-    // Pivots have no restitution.
+    before.extend(assembly.bilateral_rates());
+    // Bilateral constraints have no restitution.
     restitution.resize(before.len(), 0.0);
     let law = match law {
         ImpactLaw::Propagation => impact::ImpactLaw::Propagation,
@@ -219,8 +210,8 @@ pub(crate) fn strike(
         outcome = law.resolve(&problem, solver)?;
         if outcome.status != ImpactStatus::NotSolved {
             let impulses = contacts.iter().zip(&outcome.impulses).map(|((id, geometry), &p)| (*id, geometry, p));
-            let pivots = assembly.pivot_forces(&outcome.impulses);
-            if apply_without_gain(world, states, &group.bodies, (impulses, pivots), (&[], 0.0)) {
+            let reactions = assembly.reactions(&outcome.impulses);
+            if apply_without_gain(world, states, &group.bodies, (impulses, reactions), (&[], 0.0)) {
                 break;
             }
         }
@@ -232,11 +223,11 @@ pub(crate) fn strike(
             ..ImpactOutcome::default()
         };
     }
-    let pivots = assembly.pivot_forces(&outcome.impulses).map(|(pivot, impulse)| (*pivot, impulse)).collect();
+    let bilaterals = assembly.reactions(&outcome.impulses).map(|(of, impulse)| (of.clone(), impulse)).collect();
     let constraints = outcome.applications.iter().map(|application| assembly.constraint(application.row)).collect();
     let restitution = Restitution::Full;
     let (tangential, moments) = (Vec::new(), Vec::new());
-    Ok(Struck { outcome, constraints, pivots, tangential, moments, friction_j: 0.0, restitution })
+    Ok(Struck { outcome, constraints, bilaterals, tangential, moments, friction_j: 0.0, restitution })
 }
 
 /// [`strike`] where contacts have friction; also where they jam. Of pairs with many contacts only some are struck
@@ -337,21 +328,21 @@ fn strike_all_with_friction(
 ) -> Result<Struck, ResponseError> {
     let FrictionalImpact { assembly, outcome, tangential, moments, friction_work_j, restitution } =
         frictional_impact::solve(world, states, bodies, members, law)?;
-    let pivots = assembly.pivot_forces(&outcome.impulses).map(|(pivot, impulse)| (*pivot, impulse)).collect();
+    let bilaterals = assembly.reactions(&outcome.impulses).map(|(of, impulse)| (of.clone(), impulse)).collect();
     let constraints = outcome.applications.iter().map(|application| assembly.constraint(application.row)).collect();
     let friction_j = -friction_work_j;
-    let mut struck = Struck { outcome, constraints, pivots, tangential, moments, friction_j, restitution };
+    let mut struck = Struck { outcome, constraints, bilaterals, tangential, moments, friction_j, restitution };
     if struck.outcome.status != ImpactStatus::NotSolved {
         let impulses = struck.impulses(members.iter());
-        let pivots = struck.pivots.iter().map(|(pivot, impulse)| (pivot, *impulse));
+        let reactions = struck.bilaterals.iter().map(|(of, impulse)| (of, *impulse));
         if restitution == Restitution::RaisesEnergy {
             apply_impulses(world, states, impulses);
-            apply_pivot_impulses(world, states, pivots);
+            apply_reactions(world, states, reactions);
             apply_moments(world, states, struck.moments.iter().copied());
             return Ok(struck);
         }
         let by_surfaces = world.surface_work(states, struck.along_tangents());
-        if apply_without_gain(world, states, bodies, (impulses, pivots), (&struck.moments, by_surfaces)) {
+        if apply_without_gain(world, states, bodies, (impulses, reactions), (&struck.moments, by_surfaces)) {
             return Ok(struck);
         }
     }

@@ -1,18 +1,20 @@
 //! The least forces with which all contacts hold while some of them slide.
 //!
 //! Where normal forces are not unique and contacts slide in different directions, the motion depends on the forces that
-//! are taken. Between events they are those of least norm (`accurate/friction_forces.rs`). At one instant the same
-//! forces are taken if none pulls and those of contacts that stick lie in their friction cones. Where the friction of a
+//! are taken. Between events they are those of least norm, within the cones of contacts that stick
+//! (`accurate/friction_forces.rs`). At one instant the same forces are taken where they exist. Where the friction of a
 //! sliding contact presses it more than its normal force lifts it (`G_nn - mu G_nt <= 0`, Painleve), the cone problem
 //! decides.
 
 use super::assembly::Assembly;
+use super::friction_blocks::push_contact;
 use crate::collision::contact_set::Touch;
 use crate::scene::FrictionEllipse;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::{
-    Delassus, LeastNormForces, ResponseError, SlidingRow, least_norm_sliding_forces, motion_depends_on_choice,
+    Blocks, Delassus, Law, LeastNormForces, ResponseError, SlidingRow, least_forces_in_cones,
+    least_norm_sliding_forces, motion_depends_on_choice,
 };
 use polhode_spatial::DVec3;
 use std::ops::Range;
@@ -54,6 +56,28 @@ impl RowFriction {
             Self::Slides(_) => 1,
         }
     }
+}
+
+/// What bounds the friction of a contact that sticks.
+struct Sticks {
+    /// Its row along the normal.
+    normal: usize,
+    /// Its rows along tangents.
+    tangents: Range<usize>,
+    ellipse: FrictionEllipse,
+}
+
+/// The blocks of so many contacts, of which these stick and all others only push.
+fn blocks_of(contacts: usize, sticks: &[Sticks]) -> Blocks {
+    let mut blocks = Blocks::default();
+    let mut sticks = sticks.iter().peekable();
+    for normal in 0..contacts {
+        match sticks.next_if(|own| own.normal == normal) {
+            Some(own) => push_contact(&mut blocks, own.ellipse, normal, own.tangents.clone()),
+            None => blocks.push(Law::Push, [normal]),
+        }
+    }
+    blocks
 }
 
 /// A contact that sticks, with its rows along tangents among the forces.
@@ -126,13 +150,13 @@ pub(crate) fn least_sliding_forces(
     // Rows that are held first, then those along which contacts slide.
     let mut order: Vec<usize> = (0..first_tangent).collect();
     let mut slides = Vec::new();
-    let mut sticks: Vec<(usize, Range<usize>, FrictionEllipse)> = Vec::new();
+    let mut sticks: Vec<Sticks> = Vec::new();
     let mut first = first_tangent;
     for (normal, &friction) in friction.iter().enumerate() {
         match friction {
             RowFriction::Frictionless => {}
             RowFriction::Sticks(ellipse) => {
-                sticks.push((normal, order.len()..order.len() + 2, ellipse));
+                sticks.push(Sticks { normal, tangents: order.len()..order.len() + 2, ellipse });
                 order.extend(first..first + 2);
             }
             RowFriction::Slides(coefficient) => slides.push((normal, first, coefficient)),
@@ -159,15 +183,25 @@ pub(crate) fn least_sliding_forces(
     let LeastNormForces { mut forces, loads } =
         least_norm_sliding_forces(&ordered.problem, &delassus, &constants[..held], &sliding)?;
     let tangent = |row: usize| order[row].checked_sub(first_tangent).and_then(|k| assembly.tangents().get(k));
-    let patches = sticks.iter().filter_map(|(normal, rows, _)| {
+    let patches = sticks.iter().filter_map(|Sticks { normal, tangents: rows, .. }| {
         let tangents = [tangent(rows.start)?.along.normal, tangent(rows.start + 1)?.along.normal];
         Some(StickingContact { contact: *normal, rows: rows.clone(), tangents })
     });
     share_by_pressure(contacts, &patches.collect::<Vec<_>>(), &mut forces);
-    let pulls = forces.iter().take(contacts.len()).any(|&force| force < 0.0);
-    let slips = sticks.iter().any(|(normal, rows, ellipse)| {
-        exceeds_friction(ellipse.length(&forces[rows.clone()]), ellipse.largest() * forces[*normal])
-    });
+    let obey = |forces: &[f64]| {
+        let pulls = forces.iter().take(contacts.len()).any(|&force| force < 0.0);
+        let slips = sticks.iter().any(|Sticks { normal, tangents, ellipse }| {
+            exceeds_friction(ellipse.length(&forces[tangents.clone()]), ellipse.largest() * forces[*normal])
+        });
+        !pulls && !slips
+    };
+    if !obey(&forces) {
+        let blocks = blocks_of(contacts.len(), &sticks);
+        match least_forces_in_cones(&delassus, held, &sliding, &blocks, &forces)? {
+            Some(found) if obey(&found) => forces = found,
+            _ => return Ok(None),
+        }
+    }
     // The products of the matrix lose what forces that cancel on light bodies leave.
     let accelerations = if loads.is_some() {
         ordered.problem.accelerations(&constants, &forces)?
@@ -175,7 +209,7 @@ pub(crate) fn least_sliding_forces(
         delassus.times(&forces)?.iter().zip(&constants).map(|(w, b)| w + b).collect()
     };
     let left = accelerations.iter().take(held).fold(0.0, |most: f64, w| most.max(w.abs()));
-    if pulls || slips || left > rounding(&delassus, &forces) {
+    if left > rounding(&delassus, &forces) {
         return Ok(None);
     }
     let (mut of_rows, mut left_of_rows) = (vec![0.0; forces.len()], vec![0.0; forces.len()]);

@@ -1,7 +1,7 @@
 //! Event location: the time within a step at which the state of a constraint changes.
 //!
 //! Each time in a step is on one of two sides of an event: before it or after it. The side follows from a signed event
-//! function of a constraint ([`super::constraint`]: positive before, not positive after) or from a test of many
+//! function of a constraint ([`crate::constraint`]: positive before, not positive after) or from a test of many
 //! constraints together. The bracket of the event is bisected on the interpolated states within the step until it is
 //! 2^-44 (some 5e-14) of its initial length, or its ends are adjacent numbers.
 //!

@@ -8,7 +8,6 @@ pub(crate) mod acceleration_problem;
 pub(crate) mod assembly;
 pub(crate) mod bounce_friction;
 pub(crate) mod cone_violation;
-pub(crate) mod constraint;
 pub(crate) mod friction_blocks;
 pub(crate) mod frictional_accelerations;
 mod frictional_contact;

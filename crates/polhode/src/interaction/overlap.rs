@@ -167,7 +167,7 @@ fn move_out(
         let geometries = members.iter().map(|row| (row.id, row.geometry));
         let assembly = Assembly::new(world, states, &group.bodies, geometries)?;
         let mut separations: Vec<f64> = members.iter().map(|row| row.geometry.separation).collect();
-        separations.extend(assembly.pivots().iter().flat_map(|pivot| pivot.gap.to_array()));
+        separations.extend(assembly.bilateral_gaps());
         assembly.problem.delassus_into(delassus);
         let roundings = members.iter().map(|row| world.rounding(states, row.id.a, row.id.b));
         let noise_floor = LEFT_ROUNDING * roundings.fold(f64::INFINITY, f64::min);

@@ -1,4 +1,4 @@
-//! Projection: held contacts back onto zero separation and zero relative velocity, pivots back to their places.
+//! Projection: held contacts back onto zero separation and zero relative velocity, bilateral constraints onto zero gaps.
 //!
 //! Positions: Newton on the separations in the metric of mass, `dq = M^-1 J^T l`, `G l = -separation`; velocities:
 //! `dv = M^-1 J^T l`, `G l = -J v`. Both are the smallest changes that satisfy the constraints. Neither acts on the
@@ -6,12 +6,12 @@
 
 use crate::collision::contact_set::ContactId;
 use crate::collision::turn::Turn;
-use crate::interaction::assembly::{Assembly, TangentRow, apply_impulses, apply_pivot_impulses, largest_change};
-use crate::interaction::constraint::ConstraintId;
+use crate::constraint::ConstraintId;
+use crate::constraint::bilateral::{Bilateral, apply_reactions};
+use crate::interaction::assembly::{Assembly, TangentRow, apply_impulses, largest_change};
 use crate::interaction::overlap::Overlaps;
 use crate::interaction::rotation_row::RotationRow;
 use crate::interaction::rotational_friction::{apply_moments, moment_work};
-use crate::pivots::PivotKinematics;
 use crate::states_of::{set_states, states_of};
 use crate::world::World;
 use polhode_contact::{ContactGeometry, ContactKinematics};
@@ -218,12 +218,13 @@ pub(crate) fn project_positions(
         let at_rounding = geometries
             .iter()
             .all(|(id, geometry)| geometry.separation.abs() <= ROUNDING_FRACTION * world.rounding(states, id.a, id.b));
-        let is_in_place = |pivot: PivotKinematics| {
-            pivot.gap.length() <= ROUNDING_FRACTION * world.rounding(states, pivot.body, pivot.body)
+        let is_in_place = |bilateral: Bilateral| {
+            let (a, b) = bilateral.id.bodies();
+            bilateral.gap() <= ROUNDING_FRACTION * world.rounding(states, a, b)
         };
         // After a partial projection separations within the touch distance remain, and repetition would not reduce
         // them.
-        if done.is_partial || (at_rounding && world.pivots(states, bodies).all(is_in_place)) {
+        if done.is_partial || (at_rounding && world.bilaterals(states, bodies).all(is_in_place)) {
             break;
         }
         if step == MAX_NEWTON_STEPS {
@@ -232,19 +233,19 @@ pub(crate) fn project_positions(
                     > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b) + world.rounding(states, id.a, id.b)
             };
             done.unconverged.extend(geometries.iter().filter(is_unconverged).map(|(id, _)| ConstraintId::Contact(*id)));
-            done.unconverged.extend(unconverged_pivots(world, states, bodies));
+            done.unconverged.extend(unconverged_bilaterals(world, states, bodies));
             break;
         }
         if done.farthest.is_none() {
-            let pivots = world.pivots(states, bodies).map(|pivot| (pivot.gap.length(), pivot.id()));
-            done.farthest = farthest(geometries.iter().map(distance).chain(pivots));
+            let bilaterals = world.bilaterals(states, bodies).map(|bilateral| (bilateral.gap(), bilateral.id));
+            done.farthest = farthest(geometries.iter().map(distance).chain(bilaterals));
         }
         done.exceeds_tolerance |= geometries
             .iter()
             .any(|(id, geometry)| geometry.separation.abs() > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b));
         let assembly = Assembly::new(world, states, bodies, geometries.iter().copied())?;
         let mut separations: Vec<f64> = geometries.iter().map(|(_, g)| g.separation).collect();
-        separations.extend(assembly.pivots().iter().flat_map(|pivot| pivot.gap.to_array()));
+        separations.extend(assembly.bilateral_gaps());
         let size = geometries.iter().map(|(id, _)| world.pair_size(id.a, id.b)).fold(f64::INFINITY, f64::min);
         // All Newton steps share one allowance; otherwise nearly dependent rows could use all of it in every step.
         let allowance = *allowance.get_or_insert_with(|| allowed_change(&separations, size));
@@ -267,17 +268,17 @@ pub(crate) fn project_positions(
     Ok(done)
 }
 
-/// The pivots whose distance from their anchors exceeds rounding after the last Newton step.
-fn unconverged_pivots<'a>(
+/// The bilateral constraints whose gap exceeds rounding after the last Newton step.
+fn unconverged_bilaterals<'a>(
     world: &'a World,
     states: &'a [BodyState],
     bodies: &'a [usize],
 ) -> impl Iterator<Item = ConstraintId> + 'a {
-    let is_unconverged = |pivot: &PivotKinematics| {
-        let size = world.bodies[pivot.body].size;
-        pivot.gap.length() > UNCONVERGED_RELATIVE * size + world.rounding(states, pivot.body, pivot.body)
+    let is_unconverged = |bilateral: &Bilateral| {
+        let (a, b) = bilateral.id.bodies();
+        bilateral.gap() > UNCONVERGED_RELATIVE * world.pair_size(a, b) + world.rounding(states, a, b)
     };
-    world.pivots(states, bodies).filter(is_unconverged).map(|pivot| pivot.id())
+    world.bilaterals(states, bodies).filter(is_unconverged).map(|bilateral| bilateral.id)
 }
 
 /// The constraint of the largest of some distances or speeds.
@@ -319,11 +320,10 @@ pub(crate) fn project_velocities(
     let contacts: Vec<_> = contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))).collect();
     let slips: Vec<(TangentRow, f64)> = sticking.iter().flat_map(|&id| slip_rows(world, states, id)).collect();
     let turns: Vec<(RotationRow, f64)> = turns.iter().flat_map(|&turn| turn_rows(world, states, turn)).collect();
-    let stands = |pivot: PivotKinematics| pivot.velocity == DVec3::ZERO;
     if contacts.iter().all(|(_, k)| k.separation_rate == 0.0)
         && slips.iter().all(|&(_, slip)| slip == 0.0)
         && turns.iter().all(|&(_, rate)| rate == 0.0)
-        && world.pivots(states, bodies).all(stands)
+        && world.bilaterals(states, bodies).all(|bilateral| bilateral.stands())
     {
         return Ok(RemovedVelocities::default());
     }
@@ -331,7 +331,7 @@ pub(crate) fn project_velocities(
     assembly.push_tangents(states, slips.iter().map(|&(row, _)| row))?;
     assembly.push_rotations(turns.iter().map(|&(row, _)| row))?;
     let mut rates: Vec<f64> = contacts.iter().map(|(_, k)| k.separation_rate).collect();
-    rates.extend(assembly.pivots().iter().flat_map(|pivot| pivot.velocity.to_array()));
+    rates.extend(assembly.bilateral_rates());
     rates.extend(slips.iter().map(|&(_, slip)| slip));
     rates.extend(turns.iter().map(|&(_, rate)| rate));
     let speed = contacts.iter().map(|&(id, _)| speed_of_pair(world, states, id)).fold(f64::INFINITY, f64::min);
@@ -344,7 +344,7 @@ pub(crate) fn project_velocities(
     let along_tangents = along_tangents.map(|((row, _), &p)| (row.id, &row.along, p));
     let impulses = contacts.iter().zip(&multipliers).map(|((id, k), &p)| (*id, &k.geometry, p)).chain(along_tangents);
     apply_impulses(world, states, impulses.clone());
-    apply_pivot_impulses(world, states, assembly.pivot_forces(&multipliers));
+    apply_reactions(world, states, assembly.reactions(&multipliers));
     let moments: Vec<_> = assembly.of_rotations(&multipliers).map(|(row, p)| (row.id, row.axis * p)).collect();
     apply_moments(world, states, moments.iter().copied());
     let along_tangents = slips.iter().zip(multipliers.iter().skip(assembly.first_tangent()));
@@ -353,8 +353,8 @@ pub(crate) fn project_velocities(
         + world.surface_work(states, along_tangents)
         + moment_work(world, states, moments.into_iter());
     let speeds = contacts.iter().map(|(id, k)| (k.separation_rate.abs(), ConstraintId::Contact(*id)));
-    let pivots = assembly.pivots().iter().map(|pivot| (pivot.velocity.length(), pivot.id()));
-    let fastest = farthest(speeds.chain(pivots));
+    let bilaterals = assembly.bilaterals().iter().map(|bilateral| (bilateral.speed(), bilateral.id));
+    let fastest = farthest(speeds.chain(bilaterals));
     let impulses = contacts.iter().zip(&multipliers).map(|((id, _), &p)| (*id, p)).collect();
     Ok(RemovedVelocities { fastest, impulses, work_j })
 }

@@ -12,9 +12,9 @@
 //! share of the inverse masses; the ledger has the energy of that as taken by projection, with a negative sign.
 
 use crate::collision::contact_set::Touch;
+use crate::constraint::ConstraintId;
 use crate::core::Core;
 use crate::interaction::assembly::{Assembly, apply_impulses};
-use crate::interaction::constraint::ConstraintId;
 use crate::interaction::groups::Group;
 use crate::interaction::projection::Projection;
 use crate::world::World;

@@ -157,7 +157,7 @@ impl TimeStepper {
             report.residual = report.residual.max(found.report.residual);
             report.fallbacks += u64::from(found.report.status != SolverStatus::Solved);
             report.stops.extend(found.stops.iter().copied());
-            report.cone_violation = ConeViolation::larger(report.cone_violation, found.cone_violation());
+            report.cone_violation = ConeViolation::larger(report.cone_violation, found.violation);
             let sustained_friction::FrictionalImpulses { normal: impulses, tangential, moments, .. } = found;
             return Ok(SolvedGroup { group, impulses, tangential, moments });
         }

@@ -25,7 +25,7 @@ use crate::collision::contact_set::ContactId;
 use crate::collision::friction_mode::FrictionCoefficients;
 use crate::collision::turn::Turn;
 use crate::interaction::assembly::{Assembly, TangentRow};
-use crate::interaction::cone_violation::{ConeViolation, RubbingForce, largest_violation};
+use crate::interaction::cone_violation::{CONE_LIMIT, ConeViolation, RubbingForce, largest_violation};
 use crate::interaction::friction_blocks::{push_contact, with_rotations};
 use crate::interaction::resisted_rotation::ResistedRotation;
 use crate::interaction::rotation_row::RotationRow;
@@ -47,6 +47,9 @@ const STICKING_RELATIVE: f64 = 1e-5;
 /// or the gaps differ. Reactions that satisfied Coulomb's law to rounding would let a corner slip or part, by this
 /// fraction of the speed that gravity gives in a step: in a step of 1e-3 s by some 1e-11 m.
 const ACCEPTED_RESIDUAL: f64 = 1e-6;
+
+/// Reactions whose violation of Coulomb's law is beyond this part of its limit are solved for to rounding (no unit, 0.01 to 1).
+const SHARE_OF_CONE_LIMIT: f64 = 0.1;
 
 /// Most sweeps of block Gauss-Seidel after all other methods of the solver have failed. The error that remains is part
 /// of the error estimate of a stretch of crowded events.
@@ -215,8 +218,6 @@ struct TangentialPart {
 /// A contact with friction and its impulse along the tangents, N s.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TangentialImpulse {
-    /// The place of its contact among the normal impulses.
-    contact: usize,
     row: TangentialRow,
     impulse: [f64; 2],
 }
@@ -276,20 +277,21 @@ pub(super) struct FrictionalImpulses {
     pub(super) moments: Vec<SustainedMoment>,
     /// Contacts that come to rest within the step, and whose static coefficient exceeds the kinetic one.
     pub(super) stops: Vec<Stop>,
+    /// How far they are from Coulomb's law.
+    pub(super) violation: Option<ConeViolation>,
     pub(super) report: SolverReport,
 }
 
-impl FrictionalImpulses {
-    /// How far they are from Coulomb's law.
-    pub(super) fn cone_violation(&self) -> Option<ConeViolation> {
-        let rubbing = |one: &TangentialImpulse| {
-            let (ellipse, id) = (one.row.coefficient(), one.id());
-            let normal = self.normal.get(one.contact).copied()?;
-            let tangential = ellipse.length(&one.impulse);
-            Some(RubbingForce { pair: (id.a, id.b), normal, tangential, friction: ellipse.largest() })
-        };
-        largest_violation(self.tangential.iter().filter_map(rubbing), 0.0)
-    }
+/// How far impulses are from Coulomb's law.
+fn violation_of(friction: &[Option<TangentialRow>], rows: &[Range<usize>], reactions: &[f64]) -> Option<ConeViolation> {
+    let rubbing = |(contact, row): (usize, &Option<TangentialRow>)| {
+        let row = row.as_ref()?;
+        let (ellipse, id) = (row.coefficient(), row.along[0].id);
+        let normal = reactions.get(contact).copied()?;
+        let tangential = ellipse.length(reactions.get(rows.get(contact)?.clone())?);
+        Some(RubbingForce { pair: (id.a, id.b), normal, tangential, friction: ellipse.largest() })
+    };
+    largest_violation(friction.iter().enumerate().filter_map(rubbing), 0.0)
 }
 
 /// Solves for the impulses of contacts whose normal rows `assembly` holds, with these constant terms (m/s).
@@ -315,32 +317,34 @@ pub(super) fn solve(
     let delassus: Delassus = assembly.problem.delassus();
     let exact = FrictionSettings { last_sweeps: LAST_SWEEPS, ..FrictionSettings::default() };
     let settings = FrictionSettings { acceptance: ACCEPTED_RESIDUAL, ..exact };
+    // A slip or a rate of turning that is much faster than contacts approach hides what is left of their reactions in the
+    // residual.
+    let has_rotations = !rotations.is_empty();
     let mut friction: Vec<Option<TangentialRow>> = friction.to_vec();
     let solved = loop {
         let blocks = with_rotations(blocks(&friction, &rows), &rotations);
-        let solved = if rotations.is_empty() {
-            blocks.solve(&delassus, &constants, None, &settings)?
-        } else {
-            // A rate of turning that is much faster than the contacts hides what is left of their reactions in the residual.
-            let solved = blocks.solve(&delassus, &constants, None, &exact)?;
-            accepted(solved, &settings)
-        };
+        let mut solved = blocks.solve(&delassus, &constants, None, if has_rotations { &exact } else { &settings })?;
+        let violation = violation_of(&friction, &rows, &solved.reactions);
+        if !has_rotations && violation.is_some_and(|violation| violation.value > SHARE_OF_CONE_LIMIT * CONE_LIMIT) {
+            solved = blocks.solve(&delassus, &constants, Some(&solved.reactions), &exact)?;
+        }
+        let solved = accepted(solved, &settings);
         if !slide_under_static_friction(&mut friction, &rows, &solved, &constants) {
             break solved;
         }
     };
     let stops = stops(&friction, &rows, &solved);
+    let violation = violation_of(&friction, &rows, &solved.reactions);
     let (normal, along) = solved.reactions.split_at(friction.len().min(solved.reactions.len()));
-    let rubbing = friction.iter().enumerate().filter_map(|(contact, row)| Some((contact, (*row)?)));
-    let pairs = rubbing.zip(along.as_chunks::<2>().0);
-    let tangential = pairs.map(|((contact, row), &impulse)| TangentialImpulse { contact, row, impulse }).collect();
+    let rubbing = friction.iter().filter_map(|row| *row).zip(along.as_chunks::<2>().0);
+    let tangential = rubbing.map(|(row, &impulse)| TangentialImpulse { row, impulse }).collect();
     let rotation = |id: ContactId| friction.iter().flatten().find(|row| row.along[0].id == id).map(|row| row.rotation);
     let moments = assembly.of_rotations(&solved.reactions).map(|(row, moment)| {
         let rotation_before = rotation(row.id).unwrap_or_default();
         SustainedMoment { id: row.id, moment: row.axis * moment, rotation_before }
     });
     let moments = moments.collect();
-    Ok(FrictionalImpulses { normal: normal.to_vec(), tangential, moments, stops, report: solved.report })
+    Ok(FrictionalImpulses { normal: normal.to_vec(), tangential, moments, stops, violation, report: solved.report })
 }
 
 /// The same solution, solved if its residual is accepted.

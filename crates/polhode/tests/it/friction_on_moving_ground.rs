@@ -2,10 +2,10 @@
 
 use crate::checks::{assert_closes, heavy_brick, max_position_error};
 use crate::friction::rough;
-use crate::support::{accurate, ball, floor, run};
+use crate::support::{accurate, ball, brick, floor, run};
 use polhode::contact::Shape;
 use polhode::scene::{Force, Frame, Material, PairRule, PrescribedMotion, Signal};
-use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, UnitVector, Velocity};
+use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
 use polhode::{Body, Effects, Scene, Simulation, Unobserved};
 
 const G: f64 = 9.81;
@@ -174,5 +174,49 @@ fn box_under_rolling_balls_is_pulled() {
             sum += (bodies[2].velocity.linear - direction * (ball_rate * t)).length_squared();
         }
         assert!(sum / 50.0 < 1e-24, "{:e}", sum / 50.0);
+    }
+}
+
+/// A rough box that a wall pushes at constant speed, which friction may lift or press down by up to `mu_w P`: the push `P` and
+/// what the floor bears are not unique, but with `P = mu N` friction takes between `mu W s/(1 + mu_w mu)` and
+/// `mu W s/(1 - mu_w mu)` over the way s. The ledger once had 0.10 J of 0.39 at least, and less than none: forces of least
+/// norm let the wall lift the box by more than its friction bears.
+#[test]
+fn a_wall_that_pushes_a_rough_box_lifts_it_by_no_more_than_its_friction() {
+    let (speed, duration, edge) = (0.5, 0.5, 0.1);
+    for heading in [0.0, 0.7] {
+        for (floor_friction, wall_friction) in [(0.3, 0.5), (0.5, 0.5), (2.0, 0.4), (3.0, 0.5), (0.8, 1.1)] {
+            let along = Rotation::from_rotation_vector(DVec3::Z * heading);
+            let ahead = along.rotate(DVec3::X);
+            let motion = PrescribedMotion::constant_velocity(Velocity::new(ahead * speed, DVec3::ZERO)).unwrap();
+            let named = |name: &str| Material::new(name, floor_friction, 0.0).unwrap();
+            let pushed = ["wall", "box"].map(str::to_owned);
+            let start = Pose::new(along, DVec3::Z * (0.5 * edge));
+            let behind = Pose::new(along, ahead * -edge + DVec3::Z * (0.51 * edge));
+            let scene = Scene::builder("pushed")
+                .method(accurate())
+                .duration_s(duration)
+                .body(brick("box", DVec3::splat(edge), DVec3::ZERO).pose(start).material(named("box")))
+                .body(
+                    Body::kinematic("wall", motion)
+                        .geometry(Shape::cuboid(DVec3::splat(edge)).unwrap().into())
+                        .pose(behind)
+                        .material(named("wall")),
+                )
+                .body(floor().material(named("floor")))
+                .pair_rule(PairRule::new(pushed, Some(wall_friction), None).unwrap())
+                .build()
+                .unwrap();
+            let (report, _) = run(&scene, Effects::Planned);
+            let way = ahead * (speed * duration);
+            assert!((report.bodies[0].1.pose.translation - start.translation - way).length() < 1e-12);
+            let alone = floor_friction * G * speed * duration;
+            let product: f64 = floor_friction * wall_friction;
+            let most = if product < 1.0 { alone / (1.0 - product) } else { f64::INFINITY };
+            let taken = report.ledger.friction.value();
+            let rounding = 1e-10 * alone;
+            assert!(taken >= alone / (1.0 + product) - rounding && taken <= most + rounding, "{taken} of {alone}");
+            assert_closes(&report);
+        }
     }
 }

@@ -8,12 +8,10 @@
 //! An event function is positive before the event and crosses zero there; one locator (`crate::interaction::locator`)
 //! finds the time.
 
+pub(crate) mod bilateral;
+
 use crate::collision::contact_set::ContactId;
 use polhode_contact::ContactKinematics;
-use polhode_response::Law;
-
-/// Rows of a pivot.
-pub(crate) const PIVOT_ROWS: usize = 3;
 
 /// Identity of a constraint: contacts before pivots, each in its own order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -28,14 +26,6 @@ pub(crate) enum ConstraintId {
 }
 
 impl ConstraintId {
-    /// What its rows ask for together; the tangents of a contact are rows of their own.
-    pub(crate) fn law(&self) -> Law {
-        match self {
-            Self::Contact(_) => Law::Push,
-            Self::Pivot { .. } => Law::Hold { rows: PIVOT_ROWS },
-        }
-    }
-
     /// The two bodies that it connects; the same body twice if it connects the body to the world.
     pub(crate) fn bodies(&self) -> (usize, usize) {
         match *self {

@@ -1,0 +1,154 @@
+//! Bilateral constraints: what holds two bodies, or a body and the world, together by forces of either sign.
+//!
+//! | row | velocity | reaction |
+//! |---|---|---|
+//! | along a direction `d` (unit vector) | `u = d.(v_A + w_A x r_A - v_B - w_B x r_B)` | force `l d` at the point, on A |
+//! | about an axis `n` (a length times a vector) | `u = n.(w_A - w_B)` | moment `l n` on A |
+//!
+//! B bears the opposite; the world as B has no entry. Each row has a gap (m), its rate (m/s), and what its second derivative
+//! contains beside the accelerations of the bodies (m/s^2), here called its bias; a reaction keeps all three at zero. Rows of
+//! rotations are multiplied by a length, so that all rows have one unit. Sources: thesis 3.2, equations 2 and 3; Featherstone
+//! 2008, chapter 8 (rows of joints).
+//!
+//! Assumption: neither member is prescribed. What makes the rows is one file for each kind (`point.rs`, `hinge.rs`).
+
+use super::ConstraintId;
+use crate::Momentum;
+use crate::MomentumSum;
+use crate::world::World;
+use polhode_dynamics::BodyState;
+use polhode_spatial::DVec3;
+
+/// A movable body that a constraint holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Member {
+    pub(crate) body: usize,
+    /// From its centre of mass to the point at which the force acts, world, m.
+    pub(crate) arm: DVec3,
+    /// 1 for the first body, -1 for the second.
+    pub(crate) sign: f64,
+}
+
+/// What a row measures.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum RowKind {
+    /// Displacement along a direction (unit vector, world).
+    Along(DVec3),
+    /// Rotation about an axis, times a length (m, world).
+    About(DVec3),
+}
+
+/// A row of a bilateral constraint.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct BilateralRow {
+    pub(crate) kind: RowKind,
+    /// m.
+    pub(crate) gap: f64,
+    /// m/s.
+    pub(crate) rate: f64,
+    /// m/s^2.
+    pub(crate) bias: f64,
+}
+
+impl BilateralRow {
+    /// Its entries for a member: linear and angular.
+    pub(crate) fn entries(&self, member: &Member) -> (DVec3, DVec3) {
+        match self.kind {
+            RowKind::Along(direction) => (direction * member.sign, member.arm.cross(direction) * member.sign),
+            RowKind::About(axis) => (DVec3::ZERO, axis * member.sign),
+        }
+    }
+}
+
+/// A bilateral constraint in given states.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Bilateral {
+    pub(crate) id: ConstraintId,
+    /// Where its force acts, world, m.
+    pub(crate) point: DVec3,
+    /// The movable ones of its bodies.
+    pub(crate) members: Vec<Member>,
+    pub(crate) rows: Vec<BilateralRow>,
+}
+
+/// What a constraint does to its first body, and the opposite of what it does to the second: a force at its point (N; an
+/// impulse, N s) and a moment (N m, N m s), world.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Reaction {
+    pub(crate) force: DVec3,
+    pub(crate) moment: DVec3,
+}
+
+impl Bilateral {
+    /// How far the bodies are from where they are held, m.
+    pub(crate) fn gap(&self) -> f64 {
+        length(self.rows.iter().map(|row| row.gap))
+    }
+
+    /// How fast they leave it, m/s.
+    pub(crate) fn speed(&self) -> f64 {
+        length(self.rows.iter().map(|row| row.rate))
+    }
+
+    /// Whether nothing in it moves.
+    pub(crate) fn stands(&self) -> bool {
+        self.rows.iter().all(|row| row.rate == 0.0)
+    }
+
+    /// The reaction of these multipliers of its rows.
+    pub(crate) fn reaction(&self, multipliers: &[f64]) -> Reaction {
+        let mut reaction = Reaction::default();
+        for (row, &multiplier) in self.rows.iter().zip(multipliers) {
+            match row.kind {
+                RowKind::Along(direction) => reaction.force += direction * multiplier,
+                RowKind::About(axis) => reaction.moment += axis * multiplier,
+            }
+        }
+        reaction
+    }
+
+    /// What a reaction does to its movable bodies: (body, force, moment about the centre of mass).
+    pub(crate) fn loads(&self, reaction: Reaction) -> impl Iterator<Item = (usize, DVec3, DVec3)> + '_ {
+        self.members.iter().map(move |member| {
+            let force = reaction.force * member.sign;
+            (member.body, force, member.arm.cross(force) + reaction.moment * member.sign)
+        })
+    }
+}
+
+fn length(parts: impl Iterator<Item = f64>) -> f64 {
+    parts.fold(0.0, |sum: f64, part| sum + part * part).sqrt()
+}
+
+/// Momentum that reactions of constraints with the world (N s, N) give to the bodies that they hold, angular about a point: between
+/// movable bodies they cancel.
+pub(crate) fn bilateral_support<'a>(
+    about: DVec3,
+    reactions: impl Iterator<Item = (&'a Bilateral, Reaction)>,
+) -> Momentum {
+    let mut sum = MomentumSum::default();
+    for (constraint, reaction) in reactions {
+        let [member] = constraint.members[..] else { continue };
+        let linear = reaction.force * member.sign;
+        let moment = reaction.moment * member.sign;
+        sum.add(Momentum { linear, angular: (constraint.point - about).cross(linear) + moment });
+    }
+    sum.value()
+}
+
+/// Applies impulses of constraints to the momenta of their bodies.
+pub(crate) fn apply_reactions<'a>(
+    world: &World,
+    states: &mut [BodyState],
+    impulses: impl Iterator<Item = (&'a Bilateral, Reaction)>,
+) {
+    for (constraint, impulse) in impulses {
+        for (body, linear, angular) in constraint.loads(impulse) {
+            if let Some(rigid) = &world.bodies[body].rigid {
+                let state = &mut states[body];
+                state.linear_velocity += linear * rigid.inverse_mass();
+                state.angular_momentum += angular;
+            }
+        }
+    }
+}
