@@ -1,5 +1,6 @@
 //! Development tasks of the workspace. `cargo xtask verify` runs everything that a release needs; `cargo xtask cost`
 //! regenerates the figures and tables of `docs/accuracy-and-cost.md`; `cargo xtask gallery` shows the shipped scenes;
+//! `cargo xtask cross` compares the bits of golden trajectories on other platforms;
 //! `cargo xtask import-rigid-ipc` takes over scenes of another project's suite.
 //!
 //! | module | holds |
@@ -8,6 +9,7 @@
 //! | [`verify`] | the command: which steps, table, exit code |
 //! | [`schedule`] | which steps run beside each other, and how long each takes |
 //! | [`cost`] | the command: what accuracy costs, from shipped scenes |
+//! | [`cross`] | the command: golden trajectories on other platforms, bit by bit |
 //! | [`friction`] | the command: frictional contact problems of other programs |
 //! | [`cost_summary`] | its figure of all scenes |
 //! | [`narrow_phase`] | the command: separating axes against GJK |
@@ -33,6 +35,7 @@ mod cases;
 mod commands;
 mod cost;
 mod cost_summary;
+mod cross;
 mod exact;
 mod friction;
 mod gallery;
@@ -71,6 +74,8 @@ enum Task {
     Verify(verify::Options),
     /// Regenerates figures and tables of docs/accuracy-and-cost.md.
     Cost(cost::Options),
+    /// Compares the strict hashes of golden trajectories on x86-64, aarch64 and wasm32.
+    Cross(cross::Options),
     /// Writes a scene of the Rigid IPC suite as one of ours, with its meshes beside it.
     ImportRigidIpc(rigid_ipc::Options),
     /// Solves frictional contact problems of other programs (`.dat` files).
@@ -90,6 +95,7 @@ fn main() -> ExitCode {
         Task::Verify(options) => verify::run(&options),
         Task::ImportRigidIpc(options) => rigid_ipc::run(&options),
         Task::Cost(options) => verify::workspace_root().and_then(|root| cost::run(&options, &root)),
+        Task::Cross(options) => verify::workspace_root().and_then(|root| cross::run(&options, &root)),
         Task::SolveFriction(options) => friction::run(&options),
         Task::Gallery(options) => verify::workspace_root().and_then(|root| gallery::run(&options, &root)),
         Task::NarrowPhase => verify::workspace_root().and_then(|root| narrow_phase::run(&root)),

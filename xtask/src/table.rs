@@ -99,7 +99,7 @@ fn error_words(error: f64) -> String {
 }
 
 /// A value in a few characters; the JSON output has all digits.
-fn words(value: &Value) -> String {
+pub(crate) fn words(value: &Value) -> String {
     match value {
         Value::Flag(flag) => flag.to_string(),
         Value::Count(count) => count.to_string(),

@@ -21,7 +21,7 @@ use std::process::ExitCode;
 /// Name of the rules of the house, as of a case.
 const HOUSE: &str = "house";
 /// Exit code when a row fails.
-const EXIT_FAILED: u8 = 1;
+pub(crate) const EXIT_FAILED: u8 = 1;
 /// Exit code when the command cannot be understood or run.
 pub(crate) const EXIT_USAGE: u8 = 2;
 

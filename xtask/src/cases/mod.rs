@@ -18,7 +18,6 @@
 //! | `random_throws` | bodies thrown at walls, made from random numbers, with their closed forms |
 //! | `rough_plane` | a rough plane, level or inclined, bodies on it, and thresholds |
 //! | `feature_numbers` | a polyhedron of the contact crate and the exact one, and which features of them are the same |
-//! | `strict_hash` | a hash of all bits of a run |
 //! | the others | the cases, one file per group |
 
 mod arches;
@@ -81,7 +80,6 @@ mod spinning_scenes;
 mod stackings;
 mod stacks;
 mod stacks_on_slopes;
-mod strict_hash;
 mod structures;
 mod table_edge;
 mod thesis_tier;
@@ -96,4 +94,3 @@ pub(crate) use context::{Amount, Context};
 pub(crate) use list::{ALL, ALONE, QUICK};
 pub(crate) use run::Run;
 pub(crate) use speed::build_program;
-pub(crate) use strict_hash::strict_hash;

@@ -5,11 +5,12 @@
 //! together have the strict hash of the run that was never stopped, and the reports are the same.
 
 use super::run::Run;
-use super::{Amount, CaseResult, Context, strict_hash};
+use super::{Amount, CaseResult, Context};
 use crate::random::Random;
 use crate::row::Row;
 use polhode::{BodySample, Effects, Event, Flow, Observer, Outcome, Recorder, RunReport, Simulation, Snapshot};
 use std::error::Error;
+use strict_hash::strict_hash;
 
 /// Stops of each scene.
 const STOPS: usize = 20;

@@ -20,18 +20,33 @@ mod trajectory;
 pub(crate) use environment::{in_snapshot_environment, without_snapshot_environment};
 pub(crate) use still::{GoldenStill, STILLS};
 
-use crate::cases::{CaseResult, Context, Run, guarded, strict_hash};
+use crate::cases::{CaseResult, Context, Run, guarded};
 use crate::row::{Row, Tolerance};
 use comparator::{Comparison, DEFAULT_DESCRIPTION, ToleranceComparator};
 use environment::is_blessed;
 use polhode::Effects;
 use std::error::Error;
 use std::path::Path;
-use trajectory::hash_words;
+use strict_hash::{hash_words, strict_hash};
+
+/// Folder of the snapshots in the workspace.
+const FOLDER: &str = "fixtures/golden";
 
 /// Name of the case for a scene.
 pub(crate) fn case_name(scene: &str) -> String {
     format!("golden {scene}")
+}
+
+/// The strict hash in the snapshot of a scene.
+///
+/// # Errors
+/// When there is no snapshot, or no hash in it.
+pub(crate) fn stored_hash(root: &Path, scene: &str) -> Result<u64, Box<dyn Error>> {
+    let file = root.join(FOLDER).join(format!("{scene}.snap"));
+    let snapshot = insta::Snapshot::from_file(&file).map_err(|error| format!("{}: {error}", file.display()))?;
+    let words = snapshot.as_text().map(ToString::to_string).as_deref().and_then(trajectory::hash_in);
+    let hash = words.and_then(|words| u64::from_str_radix(&words, 16).ok());
+    Ok(hash.ok_or_else(|| format!("{} has no strict hash: bless it anew", file.display()))?)
 }
 
 /// Runs a scene twice and compares it with its snapshot; under `--bless` the snapshot is rewritten.
@@ -46,7 +61,7 @@ fn compare(context: &Context, scene: &str, case: &str) -> CaseResult {
     let hash = strict_hash(&first.record);
     let again = strict_hash(&second.record);
     let mut rows = vec![Row::exact(case, "same bits when run twice", hash_words(hash), hash_words(again))];
-    let folder = context.root.join("fixtures/golden");
+    let folder = context.root.join(FOLDER);
     let comparison = snapshot(&folder, scene, &trajectory::text(&first, hash))?;
     let blessed = is_blessed();
     rows.extend(match comparison {

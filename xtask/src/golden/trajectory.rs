@@ -3,6 +3,7 @@
 use crate::cases::Run;
 use polhode::{BodySample, EventKind};
 use std::fmt::Write as _;
+use strict_hash::hash_words;
 
 /// Samples of a snapshot: enough to see the motion, few enough to read.
 const SAMPLES: usize = 20;
@@ -50,6 +51,11 @@ pub(super) fn text(run: &Run, hash: u64) -> String {
     text
 }
 
+/// The strict hash in the text of a snapshot, as it is written.
+pub(super) fn hash_in(text: &str) -> Option<String> {
+    text.lines().find_map(|line| line.strip_prefix(HASH_LINE)).map(|words| words.trim().to_owned())
+}
+
 /// Indices of the samples of a snapshot: evenly over the run, the first and the last among them.
 fn chosen(count: usize) -> Vec<usize> {
     if count <= SAMPLES {
@@ -79,11 +85,6 @@ fn number(value: f64) -> String {
     let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
     let (plain, scientific) = (format!("{rounded}"), format!("{rounded:e}"));
     if plain.len() <= scientific.len() { plain } else { scientific }
-}
-
-/// A strict hash as it is written.
-pub(super) fn hash_words(hash: u64) -> String {
-    format!("{hash:016x}")
 }
 
 #[cfg(test)]

@@ -30,6 +30,7 @@ const LAYERS: &[Layer] = &[
     Layer { name: "polhode-scene", may_use: &["polhode"] },
     Layer { name: "polhode-view", may_use: &["polhode"] },
     Layer { name: "polhode-cli", may_use: &["polhode", "polhode-scene", "polhode-view"] },
+    Layer { name: "strict-hash", may_use: &["polhode", "polhode-scene"] },
     Layer {
         name: "xtask",
         may_use: &[
@@ -42,6 +43,7 @@ const LAYERS: &[Layer] = &[
             "polhode-scene",
             "polhode-view",
             "polhode-cli",
+            "strict-hash",
         ],
     },
 ];

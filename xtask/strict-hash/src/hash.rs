@@ -4,7 +4,7 @@ use glam::DVec3;
 use polhode::Recorder;
 
 /// FNV-1a over all bits of all samples and events.
-pub(crate) fn strict_hash(record: &Recorder) -> u64 {
+pub fn strict_hash(record: &Recorder) -> u64 {
     let mut hash = Fnv::default();
     for (time, bodies) in record.times.iter().zip(&record.samples) {
         hash.number(*time);
@@ -21,6 +21,11 @@ pub(crate) fn strict_hash(record: &Recorder) -> u64 {
         scalars.into_iter().chain(vectors).for_each(|x| hash.number(x));
     }
     hash.0
+}
+
+/// A strict hash as it is written: 16 hexadecimal digits.
+pub fn hash_words(hash: u64) -> String {
+    format!("{hash:016x}")
 }
 
 /// The 64-bit FNV-1a hash.
