@@ -40,7 +40,7 @@ const MISSED: f64 = 1e-13;
 /// Least that is added to the diagonal of Newton's matrix, whose entries are at most 1 (no unit). Far from the answer it is
 /// the gradient, relative to the largest force: in directions in which the projection does not change, steps stay as long as
 /// forces are, and near the answer they are as good as Newton's.
-const LEAST_DAMPING: f64 = 1e-12;
+const LEAST_DUAL_DAMPING: f64 = 1e-12;
 
 /// Part of the slope that a step must gain (Armijo; no unit, below a half).
 const GAIN: f64 = 1e-4;
@@ -334,7 +334,7 @@ impl<'a> Dual<'a> {
             self.cones.cones.iter().for_each(|cone| cone.differentiate(spread, &mut direction));
             self.gather(direction)
         };
-        let damping = (largest(gradient) / self.scale).max(LEAST_DAMPING);
+        let damping = (largest(gradient) / self.scale).max(LEAST_DUAL_DAMPING);
         let mut factor = GrowingCholesky::default();
         factor.reset(rank);
         for row in 0..rank {
@@ -345,7 +345,7 @@ impl<'a> Dual<'a> {
             if !pivot.is_finite() {
                 return None;
             }
-            factor.push(&line, pivot.max(LEAST_DAMPING));
+            factor.push(&line, pivot.max(LEAST_DUAL_DAMPING));
         }
         let mut step: Vec<f64> = gradient.iter().map(|g| -g).collect();
         factor.solve(&mut step);

@@ -22,20 +22,12 @@
 //! Assumption: the point is fixed in the world and in the body. Fails: never; the scene refuses a point that is not
 //! finite.
 
-use crate::constraint::bilateral::Bilateral;
-use crate::constraint::joint;
 use crate::pivot_form::HeldPoint;
 use crate::world::World;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::{DVec3, Pose, Velocity};
 
 impl World {
-    /// The pivot of a body with constraint rows; none for any other body. Its bias is `w x (w x r)`.
-    pub(crate) fn pivot(&self, states: &[BodyState], body: usize) -> Option<Bilateral> {
-        let held = self.bodies[body].held?;
-        Some(joint::pivot((body, held.arm), held.place, self, states))
-    }
-
     /// The velocity that a body takes when a program gives it `velocity`: a body that constraint rows hold takes the
     /// angular velocity, and the linear one that follows from it.
     pub(crate) fn admitted_velocity(&self, body: usize, pose: &Pose, velocity: Velocity) -> Velocity {

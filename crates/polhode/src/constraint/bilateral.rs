@@ -13,52 +13,12 @@
 //! Assumption: neither member is prescribed. What makes the rows is one file for each kind (`point.rs`, `hinge.rs`).
 
 use super::ConstraintId;
+use super::row::{BilateralRow, Member, RowKind, RowsAt};
 use crate::Momentum;
 use crate::MomentumSum;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
-
-/// A movable body that a constraint holds.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Member {
-    pub(crate) body: usize,
-    /// From its centre of mass to the point at which the force acts, world, m.
-    pub(crate) arm: DVec3,
-    /// 1 for the first body, -1 for the second.
-    pub(crate) sign: f64,
-}
-
-/// What a row measures.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum RowKind {
-    /// Displacement along a direction (unit vector, world).
-    Along(DVec3),
-    /// Rotation about an axis, times a length (m, world).
-    About(DVec3),
-}
-
-/// A row of a bilateral constraint.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct BilateralRow {
-    pub(crate) kind: RowKind,
-    /// m.
-    pub(crate) gap: f64,
-    /// m/s.
-    pub(crate) rate: f64,
-    /// m/s^2.
-    pub(crate) bias: f64,
-}
-
-impl BilateralRow {
-    /// Its entries for a member: linear and angular.
-    pub(crate) fn entries(&self, member: &Member) -> (DVec3, DVec3) {
-        match self.kind {
-            RowKind::Along(direction) => (direction * member.sign, member.arm.cross(direction) * member.sign),
-            RowKind::About(axis) => (DVec3::ZERO, axis * member.sign),
-        }
-    }
-}
 
 /// A bilateral constraint in given states.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,6 +40,11 @@ pub(crate) struct Reaction {
 }
 
 impl Bilateral {
+    /// The constraint of this identity with these rows.
+    pub(super) fn new(id: ConstraintId, RowsAt { point, members, rows }: RowsAt) -> Self {
+        Self { id, point, members, rows }
+    }
+
     /// How far the bodies are from where they are held, m.
     pub(crate) fn gap(&self) -> f64 {
         length(self.rows.iter().map(|row| row.gap))

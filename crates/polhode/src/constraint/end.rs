@@ -1,9 +1,7 @@
 //! An end of a constraint: a point fixed in a movable body, or in the world.
 
-use super::bilateral::Member;
-use crate::world::World;
-use polhode_dynamics::BodyState;
-use polhode_spatial::{DVec3, Rotation, Velocity};
+use super::row::Member;
+use polhode_spatial::{DVec3, Pose, Rotation, Velocity};
 
 /// Where a constraint holds a body or the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +33,8 @@ pub(super) struct EndKinematics {
 }
 
 impl End {
-    pub(super) fn at(&self, world: &World, states: &[BodyState]) -> EndKinematics {
+    /// The end where this is the pose of the moving frame of a body, and its velocity.
+    pub(super) fn at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> EndKinematics {
         match *self {
             Self::World(point) => EndKinematics {
                 point,
@@ -46,14 +45,13 @@ impl End {
                 member: None,
             },
             Self::Body { body, arm } => {
-                let state = &states[body];
-                let arm = state.pose.rotation.rotate(arm);
-                let Velocity { linear, angular } = world.velocity(body, state);
+                let (pose, Velocity { linear, angular }) = motion(body);
+                let arm = pose.rotation.rotate(arm);
                 EndKinematics {
-                    point: state.pose.translation + arm,
+                    point: pose.translation + arm,
                     velocity: linear + angular.cross(arm),
                     acceleration: angular.cross(angular.cross(arm)),
-                    rotation: state.pose.rotation,
+                    rotation: pose.rotation,
                     angular,
                     member: Some((body, arm)),
                 }

@@ -1,9 +1,11 @@
 //! Which bodies of the world bilateral constraints hold, and by which.
 
+use super::ConstraintId;
 use super::bilateral::Bilateral;
-use super::joint::WorldJoint;
+use super::joint::{WorldJoint, pivot_rows};
 use crate::world::World;
 use polhode_dynamics::BodyState;
+use polhode_spatial::{Pose, Velocity};
 use std::collections::BTreeSet;
 
 impl World {
@@ -25,8 +27,25 @@ impl World {
         bodies: &'a [usize],
     ) -> impl Iterator<Item = Bilateral> + 'a {
         let bodies = if self.held_by_rows.is_empty() { &[] } else { bodies };
-        let joints = self.joints_among(bodies).map(|joint| joint.bilateral(self, states));
+        let joints = self.joints_among(bodies).map(|joint| {
+            let mut held = joint.bodies();
+            let first = held.next().unwrap_or_default();
+            let id = ConstraintId::Joint { joint: joint.number(), bodies: (first, held.next().unwrap_or(first)) };
+            Bilateral::new(id, joint.rows_at(|body| self.motion_of(states, body)))
+        });
         bodies.iter().filter_map(|&body| self.pivot(states, body)).chain(joints)
+    }
+
+    /// The pivot of a body with constraint rows; none for any other body.
+    pub(crate) fn pivot(&self, states: &[BodyState], body: usize) -> Option<Bilateral> {
+        let held = self.bodies[body].held?;
+        let rows = pivot_rows((body, held.arm), held.place, |body| self.motion_of(states, body));
+        Some(Bilateral::new(ConstraintId::Pivot { body }, rows))
+    }
+
+    /// The pose of the moving frame of a body, and its velocity.
+    fn motion_of(&self, states: &[BodyState], body: usize) -> (Pose, Velocity) {
+        (states[body].pose, self.velocity(body, &states[body]))
     }
 
     /// The joints that hold some of these bodies, in the order of the scene.

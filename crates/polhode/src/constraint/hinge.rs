@@ -9,8 +9,8 @@
 //! beside the three rows of the point (`point.rs`). Source: Featherstone 2008, chapter 8; the derivatives of `c_k` by the
 //! product rule. Assumption: the axes are within a right angle of each other; projection keeps them within rounding.
 
-use super::bilateral::{BilateralRow, RowKind};
 use super::end::EndKinematics;
+use super::row::{BilateralRow, RowKind};
 use polhode_spatial::{DVec3, Rotation};
 
 /// How many rows the axis has, beside those of the point.

@@ -5,15 +5,13 @@
 //! | ball | those of a point (`point.rs`) | three rotations |
 //! | hinge | those of a point, two of an axis (`hinge.rs`) | the rotation about the axis |
 
-use super::ConstraintId;
-use super::bilateral::Bilateral;
 use super::end::End;
 use super::hinge::{self, HingeAxis};
 use super::point;
+use super::row::RowsAt;
 use crate::scene::{Joint, JointKind};
-use crate::world::World;
 use polhode_dynamics::BodyState;
-use polhode_spatial::{DVec3, Rotation};
+use polhode_spatial::{DVec3, Pose, Rotation, Velocity};
 
 /// What a joint keeps beside its point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,9 +68,14 @@ impl WorldJoint {
             }
     }
 
-    /// Its rows in these states.
-    pub(crate) fn bilateral(&self, world: &World, states: &[BodyState]) -> Bilateral {
-        let [mut a, mut b] = [&self.a, &self.b].map(|end| end.at(world, states));
+    /// Its number in the scene.
+    pub(super) fn number(&self) -> usize {
+        self.number
+    }
+
+    /// Its rows where bodies have these poses of their moving frames, and velocities.
+    pub(super) fn rows_at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> RowsAt {
+        let [mut a, mut b] = [&self.a, &self.b].map(|end| end.at(&motion));
         let gap = a.point - b.point;
         if self.b.body().is_some() {
             let middle = (a.point + b.point) * 0.5;
@@ -83,10 +86,8 @@ impl WorldJoint {
             Kept::Nothing => {}
             Kept::Axis(axis) => rows.extend(axis.rows(&a, &b)),
         }
-        let members: Vec<_> = a.member(1.0).into_iter().chain(b.member(-1.0)).collect();
-        let first = self.a.body().unwrap_or_default();
-        let bodies = (first, self.b.body().unwrap_or(first));
-        Bilateral { id: ConstraintId::Joint { joint: self.number, bodies }, point: a.point, members, rows }
+        let members = a.member(1.0).into_iter().chain(b.member(-1.0)).collect();
+        RowsAt { point: a.point, members, rows }
     }
 }
 
@@ -95,10 +96,13 @@ pub(crate) fn row_length(sizes: impl Iterator<Item = f64>) -> f64 {
     sizes.fold(f64::INFINITY, f64::min)
 }
 
-/// The pivot of a body at a place of the world (m): a point with an arm in body axes (m).
-pub(crate) fn pivot((body, arm): (usize, DVec3), place: DVec3, world: &World, states: &[BodyState]) -> Bilateral {
-    let [a, b] = [End::Body { body, arm }, End::World(place)].map(|end| end.at(world, states));
-    let members = a.member(1.0).into_iter().collect();
+/// The rows of a pivot: a point of a body, with an arm in its axes (m), at a place of the world (m).
+pub(crate) fn pivot_rows(
+    (body, arm): (usize, DVec3),
+    place: DVec3,
+    motion: impl Fn(usize) -> (Pose, Velocity),
+) -> RowsAt {
+    let [a, b] = [End::Body { body, arm }, End::World(place)].map(|end| end.at(&motion));
     let rows = point::rows(a.point - b.point, &a, &b).collect();
-    Bilateral { id: ConstraintId::Pivot { body }, point: a.point, members, rows }
+    RowsAt { point: a.point, members: a.member(1.0).into_iter().collect(), rows }
 }

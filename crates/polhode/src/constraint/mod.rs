@@ -17,6 +17,7 @@ mod held;
 mod hinge;
 pub(crate) mod joint;
 mod point;
+pub(crate) mod row;
 
 use crate::collision::contact_set::ContactId;
 use polhode_contact::ContactKinematics;

@@ -7,7 +7,8 @@
 
 use crate::collision::contact_set::ContactId;
 use crate::constraint::ConstraintId;
-use crate::constraint::bilateral::{Bilateral, Member, Reaction};
+use crate::constraint::bilateral::{Bilateral, Reaction};
+use crate::constraint::row::Member;
 use crate::interaction::rotation_row::RotationRow;
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::world::{Loads, World};

@@ -67,6 +67,55 @@ struct Sticks {
     ellipse: FrictionEllipse,
 }
 
+/// Whether no normal force of so many contacts pulls, and none of those that stick exceeds its friction.
+fn obey(contacts: usize, sticks: &[Sticks], forces: &[f64]) -> bool {
+    let pulls = forces.iter().take(contacts).any(|&force| force < 0.0);
+    let slips = sticks.iter().any(|Sticks { normal, tangents, ellipse }| {
+        exceeds_friction(ellipse.length(&forces[tangents.clone()]), ellipse.largest() * forces[*normal])
+    });
+    !pulls && !slips
+}
+
+/// The rows of an assembly in the order that [`least_norm_sliding_forces`] asks for.
+struct RowOrder {
+    /// Rows that are held, then those along which contacts slide.
+    order: Vec<usize>,
+    /// How many are held.
+    held: usize,
+    sliding: Vec<SlidingRow>,
+    sticks: Vec<Sticks>,
+}
+
+impl RowOrder {
+    /// That of contacts with this friction, whose rows along tangents follow `first_tangent`.
+    fn new(first_tangent: usize, friction: &[RowFriction]) -> Self {
+        let mut order: Vec<usize> = (0..first_tangent).collect();
+        let mut slides = Vec::new();
+        let mut sticks: Vec<Sticks> = Vec::new();
+        let mut first = first_tangent;
+        for (normal, &friction) in friction.iter().enumerate() {
+            match friction {
+                RowFriction::Frictionless => {}
+                RowFriction::Sticks(ellipse) => {
+                    sticks.push(Sticks { normal, tangents: order.len()..order.len() + 2, ellipse });
+                    order.extend(first..first + 2);
+                }
+                RowFriction::Slides(coefficient) => {
+                    slides.push((first, SlidingRow { normal, tangent: 0, coefficient }));
+                }
+            }
+            first += friction.rows();
+        }
+        let held = order.len();
+        let mut sliding = Vec::with_capacity(slides.len());
+        for (row, slide) in slides {
+            sliding.push(SlidingRow { tangent: order.len(), ..slide });
+            order.push(row);
+        }
+        Self { order, held, sliding, sticks }
+    }
+}
+
 /// The blocks of so many contacts, of which these stick and all others only push.
 fn blocks_of(contacts: usize, sticks: &[Sticks]) -> Blocks {
     let mut blocks = Blocks::default();
@@ -147,32 +196,12 @@ pub(crate) fn least_sliding_forces(
     rounding: impl Fn(&Delassus, &[f64]) -> f64,
 ) -> Result<Option<LeastSlidingForces>, ResponseError> {
     let first_tangent = assembly.first_tangent();
-    // Rows that are held first, then those along which contacts slide.
-    let mut order: Vec<usize> = (0..first_tangent).collect();
-    let mut slides = Vec::new();
-    let mut sticks: Vec<Sticks> = Vec::new();
-    let mut first = first_tangent;
-    for (normal, &friction) in friction.iter().enumerate() {
-        match friction {
-            RowFriction::Frictionless => {}
-            RowFriction::Sticks(ellipse) => {
-                sticks.push(Sticks { normal, tangents: order.len()..order.len() + 2, ellipse });
-                order.extend(first..first + 2);
-            }
-            RowFriction::Slides(coefficient) => slides.push((normal, first, coefficient)),
-        }
-        first += friction.rows();
-    }
-    let held = order.len();
-    order.extend(slides.iter().map(|&(_, row, _)| row));
+    let RowOrder { order, held, sliding, sticks } = RowOrder::new(first_tangent, friction);
     let normals = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let mut ordered = Assembly::new(world, states, assembly.bodies(), normals)?;
     let tangents = order.iter().filter_map(|row| assembly.tangents().get(row.checked_sub(first_tangent)?)).copied();
     ordered.push_tangents(states, tangents)?;
     let delassus = ordered.problem.delassus();
-    let sliding = slides.iter().enumerate();
-    let sliding = sliding.map(|(k, &(normal, _, coefficient))| SlidingRow { normal, tangent: held + k, coefficient });
-    let sliding: Vec<SlidingRow> = sliding.collect();
     let wedges = |row: &SlidingRow| {
         delassus.get(row.normal, row.normal) <= row.coefficient * delassus.get(row.normal, row.tangent)
     };
@@ -188,20 +217,13 @@ pub(crate) fn least_sliding_forces(
         Some(StickingContact { contact: *normal, rows: rows.clone(), tangents })
     });
     share_by_pressure(contacts, &patches.collect::<Vec<_>>(), &mut forces);
-    let obey = |forces: &[f64]| {
-        let pulls = forces.iter().take(contacts.len()).any(|&force| force < 0.0);
-        let slips = sticks.iter().any(|Sticks { normal, tangents, ellipse }| {
-            exceeds_friction(ellipse.length(&forces[tangents.clone()]), ellipse.largest() * forces[*normal])
-        });
-        !pulls && !slips
-    };
-    if !obey(&forces) {
+    if !obey(contacts.len(), &sticks, &forces) {
         if loads.is_some() {
             return Ok(None);
         }
         let blocks = blocks_of(contacts.len(), &sticks);
         match least_forces_in_cones(&delassus, held, &sliding, &blocks, &forces)? {
-            Some(found) if obey(&found) => forces = found,
+            Some(found) if obey(contacts.len(), &sticks, &found) => forces = found,
             _ => return Ok(None),
         }
     }

@@ -11,7 +11,7 @@
 //! | `material` | [`Material`], [`PairRule`]: friction and restitution |
 //! | `grain` | [`FrictionEllipse`]: friction along and across a grain |
 //! | `force` | [`Force`]: forces besides uniform gravity and contact |
-//! | `joint` | [`Joint`]: what holds two bodies, or a body and the world, together |
+//! | `joint` | [`Joint`]: what holds two bodies, or a body and the world, together; `joint_checks` says when one is refused |
 //! | [`motion`] | prescribed motions of kinematic bodies |
 //! | `method` | [`Method`]: the tier and the settings that override its choices |
 //! | `pairs` | how many pairs of bodies may collide |
@@ -24,6 +24,7 @@ mod force;
 mod geometry;
 mod grain;
 mod joint;
+mod joint_checks;
 mod material;
 mod method;
 pub mod motion;
