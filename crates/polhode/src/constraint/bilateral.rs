@@ -72,6 +72,19 @@ impl Bilateral {
         reaction
     }
 
+    /// Work of an impulse of this constraint, J, where its rows had the rates of `self` before it and have those of `after`:
+    /// `l (u- + u+)/2` of each row. Directions are orthogonal to each other, and so are axes.
+    pub(crate) fn work(&self, after: &Self, impulse: Reaction) -> f64 {
+        let work = |(row, after): (&BilateralRow, &BilateralRow)| {
+            let multiplier = match row.kind {
+                RowKind::Along(direction) => impulse.force.dot(direction),
+                RowKind::About(axis) => impulse.moment.dot(axis) / axis.length_squared(),
+            };
+            0.5 * multiplier * (row.rate + after.rate)
+        };
+        self.rows.iter().zip(&after.rows).map(work).sum()
+    }
+
     /// What a reaction does to its movable bodies: (body, force, moment about the centre of mass).
     pub(crate) fn loads(&self, reaction: Reaction) -> impl Iterator<Item = (usize, DVec3, DVec3)> + '_ {
         self.members.iter().map(move |member| {

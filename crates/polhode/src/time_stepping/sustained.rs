@@ -358,6 +358,10 @@ fn note(
         let (work_j, of_integrator_j) = acting.in_symmetric_order(shared);
         report.books.impact((work_j.normal_j, work_j.friction_j), given, work);
         report.books.ledger.numerical.add(of_integrator_j);
+        // Reactions do no work but for what the solver leaves.
+        let after = world.bilaterals(states, &group.group.bodies);
+        let by_reactions = group.reactions.iter().zip(after).map(|((of, impulse), after)| of.work(&after, *impulse));
+        report.books.ledger.numerical.add(-by_reactions.sum::<f64>());
         for (&index, &impulse) in group.group.contacts.iter().zip(&group.impulses) {
             if impulse <= 0.0 {
                 continue;
