@@ -63,7 +63,7 @@ struct ForceCone {
 /// Blocks as cones over variables: those of the rows that are held, then copies of normal forces.
 #[derive(Debug, Default)]
 struct Cones {
-    cones: Vec<ForceCone>,
+    of_contacts: Vec<ForceCone>,
     /// What the variable of each held row is multiplied by to give its force.
     scales: Vec<f64>,
     /// The normal force of each copy.
@@ -98,7 +98,7 @@ impl Cones {
                 }
                 bounded.iter().zip(&scales[part]).for_each(|(&row, scale)| own.scales[row] = *scale);
                 let normal = if place == 0 { rows[0] } else { own.copy(rows[0]) };
-                own.cones.push(ForceCone { normal, bounded, friction: law.friction });
+                own.of_contacts.push(ForceCone { normal, bounded, friction: law.friction });
             }
         }
         Ok(own)
@@ -125,7 +125,7 @@ impl Cones {
     /// Whether variables lie in all cones, to rounding.
     fn contain(&self, x: &[f64]) -> bool {
         let rounding = EXCEEDED * largest(x);
-        self.cones.iter().all(|cone| {
+        self.of_contacts.iter().all(|cone| {
             let normal = x[cone.normal];
             normal >= -rounding && cone.length(x) <= cone.friction * normal.max(0.0) + rounding
         })
@@ -133,7 +133,7 @@ impl Cones {
 
     /// The nearest variables in the cones, in place.
     fn project(&self, x: &mut [f64]) {
-        for cone in &self.cones {
+        for cone in &self.of_contacts {
             cone.project(x);
         }
     }
@@ -331,7 +331,7 @@ impl<'a> Dual<'a> {
             let mut unit = vec![0.0; rank];
             unit[place] = 1.0;
             let mut direction = self.spread(&unit);
-            self.cones.cones.iter().for_each(|cone| cone.differentiate(spread, &mut direction));
+            self.cones.of_contacts.iter().for_each(|cone| cone.differentiate(spread, &mut direction));
             self.gather(direction)
         };
         let damping = (largest(gradient) / self.scale).max(LEAST_DUAL_DAMPING);

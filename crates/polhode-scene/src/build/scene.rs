@@ -110,11 +110,12 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
         SceneError::Force { force: number, .. } | SceneError::ForceOnUnknownBody { force: number, .. } => {
             force::entry_of(*number, file).map_or_else(KeyPath::root, |index| KeyPath::element("forces", index))
         }
-        SceneError::IntegratorTakesNoVelocities { .. } => KeyPath::of(&["method", "integrator"]),
+        SceneError::IntegratorTakesNoVelocities { .. } | SceneError::JointsWithIntegrator { .. } => {
+            KeyPath::of(&["method", "integrator"])
+        }
         SceneError::Joint { number, .. }
         | SceneError::JointMoves { number, .. }
         | SceneError::JointTurns { number, .. } => KeyPath::element("joints", *number),
-        SceneError::JointsWithIntegrator { .. } => KeyPath::of(&["method", "integrator"]),
         SceneError::ThesisFriction | SceneError::JointsInTier { .. } => KeyPath::of(&["method", "tier"]),
         _ => KeyPath::root(),
     }

@@ -78,8 +78,10 @@ pub(super) struct ContactSystem<'a> {
     /// For each body of the group, the sums of the magnitudes of contact forces (N) and of their moments (N m), the
     /// largest of all stages so far. The rounding error of the resultant is proportional to these sums.
     cancelling: Vec<[f64; 2]>,
-    /// How far the forces of the first stage, where a step begins, are from Coulomb's law; none before it.
-    violation_at_start: Option<Option<ConeViolation>>,
+    /// Whether a stage has been evaluated: the first one is where a step begins.
+    has_begun: bool,
+    /// How far the forces of that stage are from Coulomb's law.
+    violation_at_start: Option<ConeViolation>,
     /// Whether the masses differ so much that contacts share their normals.
     is_disparate: bool,
 }
@@ -120,6 +122,7 @@ impl<'a> ContactSystem<'a> {
             contacts: Vec::with_capacity(active.held.len()),
             friction: Vec::with_capacity(active.friction.len()),
             cancelling: vec![[0.0; 2]; bodies.len()],
+            has_begun: false,
             violation_at_start: None,
             is_disparate: masses_differ(world, bodies),
         }
@@ -146,7 +149,7 @@ impl<'a> ContactSystem<'a> {
 
     /// How far the forces where a step begins are from Coulomb's law.
     pub(super) fn violation_at_start(&self) -> Option<ConeViolation> {
-        self.violation_at_start.flatten()
+        self.violation_at_start
     }
 
     /// Updates the largest sums of magnitudes with the forces of a stage.
@@ -339,7 +342,9 @@ impl System for ContactSystem<'_> {
         let loads = self.world.loads_on(t, self.states, self.bodies);
         let held = self.held_forces(t, &loads)?;
         self.note_magnitudes(&held);
-        self.violation_at_start.get_or_insert(held.violation);
+        if !std::mem::replace(&mut self.has_begun, true) {
+            self.violation_at_start = held.violation;
+        }
         self.free_rates(&loads, state, rates);
         if let Some(sums) = &held.sums {
             self.add_sums(sums, rates);

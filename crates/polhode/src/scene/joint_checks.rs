@@ -51,9 +51,8 @@ impl Scene {
             return Ok(());
         }
         match (self.method.tier.unwrap_or(Tier::Accurate), self.method.integrator) {
-            (Tier::Stepped, _) => Ok(()),
             (Tier::Thesis, _) => Err(SceneError::JointsInTier { tier: "thesis" }),
-            (Tier::Accurate, None | Some(Integrator::Dop853 | Integrator::Rk4)) => Ok(()),
+            (Tier::Stepped, _) | (Tier::Accurate, None | Some(Integrator::Dop853 | Integrator::Rk4)) => Ok(()),
             (Tier::Accurate, Some(integrator)) => {
                 Err(SceneError::JointsWithIntegrator { integrator: integrator.name() })
             }

@@ -90,11 +90,9 @@ impl Scene {
             let (a, b) = (joint.body(), joint.other()?);
             Some((a.min(b), a.max(b)))
         });
-        let collides = |&(a, b): &(usize, usize)| {
-            !(self.bodies[a].is_fixed() && self.bodies[b].is_fixed())
-                && !groups_of[a].iter().any(|group| groups_of[b].contains(group))
-        };
-        pairs.filter(collides).collect()
+        // One at least of the bodies of a joint moves.
+        let share_no_group = |&(a, b): &(usize, usize)| !groups_of[a].iter().any(|group| groups_of[b].contains(group));
+        pairs.filter(share_no_group).collect()
     }
 
     /// Two bodies of every two materials of which bodies may collide.
