@@ -426,7 +426,7 @@ mod tests {
         let resists = |friction: f64| crate::Resistance { rows: 1, friction, slides: false };
         let mut blocks = Blocks::default();
         blocks.push(Law::Push, [0]);
-        blocks.push(Law::Resist { parts: [resists(0.25), Default::default(), resists(0.125)] }, [1, 2, 3]);
+        blocks.push(Law::Resist { parts: [resists(0.25), crate::Resistance::default(), resists(0.125)] }, [1, 2, 3]);
         let found = least_forces_in_cones(&problem.delassus(), 4, &[], &blocks, &[5.0, 5.0, 1.0, 1.0]).unwrap();
         let found = found.unwrap();
         assert!([2.0, 8.0, 1.0, 1.0].iter().zip(&found).all(|(wanted, own)| (wanted - own).abs() < 1e-12), "{found:?}");

@@ -85,7 +85,7 @@ fn places() {
         ("duration=1\nname=2", "duration", 12),
         ("a..b=1", "a..b", 1),
         ("a\nb=1", "a\nb", 1),
-        ("joints=[{}]", "joints.0", 9),
+        ("joints=[{}]", "joints.0", 11),
         ("method.integrator=rk5", "method.integrator", 21),
         ("bodies.brick.pivot=[0, 0]", "bodies.brick.pivot", 22),
         ("forces=[{ type = { drag = { law = \"linear\" } } }]", "forces.0.type.drag", 29),

@@ -422,3 +422,22 @@ fn errors_of_the_engine() {
     assert_eq!(error.refused().unwrap().place.key, "bodies.brick");
     assert!(error.to_string().contains("overlap by 0.1 m"), "{error}");
 }
+
+/// What is wrong with a joint is said where it stands in the file, with what is accepted.
+#[test]
+fn joints_that_cannot_hold() {
+    let hinge = |bodies: &str, axis: &str| format!("type.hinge = {{ bodies = {bodies}, anchor = [0, 0, 0]{axis} }}");
+    let cases = [
+        (hinge("[\"brik\"]", ", axis = [0, 0, 1]"), "joints.0.type.hinge.bodies.0", "brick"),
+        (hinge("[]", ", axis = [0, 0, 1]"), "joints.0.type.hinge.bodies", "the names of two bodies"),
+        (hinge("[\"brick\", \"brick\"]", ", axis = [0, 0, 1]"), "joints.0.type.hinge.bodies.1", "brick"),
+        (hinge("[\"brick\"]", ", axis = [0, 0, 0]"), "joints.0.type.hinge.axis", "0"),
+        (hinge("[\"brick\"]", ""), "joints.0.type.hinge", "missing key `axis`"),
+        ("type.slider = { bodies = [\"brick\"] }".to_owned(), "joints.0.type", "ball"),
+        ("type = 3".to_owned(), "joints.0.type", "a joint"),
+    ];
+    for (joint, key, message) in cases {
+        let refused = refused(&format!("{BASE}\n[[joints]]\n{joint}\n"));
+        assert!(refused.place.key.starts_with(key) && refused.to_string().contains(message), "{joint}: {refused}");
+    }
+}
