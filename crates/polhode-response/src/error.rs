@@ -35,6 +35,14 @@ pub enum ResponseError {
         /// The body.
         body: usize,
     },
+    /// The mass block of a body is not symmetric and positive definite.
+    #[error(
+        "the mass block of body {body} must be symmetric and positive definite; a body that nothing moves is fixed"
+    )]
+    BodyMass {
+        /// The body.
+        body: usize,
+    },
     /// A row names a body that does not exist.
     #[error("a row names body {body}, but the problem has {bodies} bodies")]
     UnknownBody {

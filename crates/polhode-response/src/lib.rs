@@ -15,6 +15,7 @@
 //! | [`least_norm_hold`] | [`least_norm_forces`]: rows that are held by the least forces, at any mass ratio |
 //! | [`sliding`] | [`least_norm_sliding_forces`]: rows that are held while contacts slide, and whether that choice matters |
 //! | [`friction`] | [`solve_friction`](friction::solve_friction): contacts with friction, exact Coulomb |
+//! | [`sparse`] | [`BodySolver`](sparse::BodySolver): contacts and joints in the velocities of bodies, by sparse factors |
 //! | [`impact`] | [`ImpactLaw`]: propagation, simultaneous, reflection |
 //! | [`impact::friction`] | [`SingleFrictionalImpact`], [`MultipleFrictionalImpact`]: slip, stick, reversal and jam |
 //! | [`mod@least_force`] | [`least_force()`]: the linear programme of the thesis |
@@ -94,6 +95,7 @@ pub mod report;
 pub mod settings;
 pub mod sliding;
 pub mod solve;
+pub mod sparse;
 
 pub use complementarity::{ComplementaritySolver, ContactSolution, WarmStart, solve_complementarity};
 pub use delassus::Delassus;

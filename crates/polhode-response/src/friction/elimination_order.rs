@@ -145,7 +145,7 @@ fn groups(matrix: &BlockMatrix) -> Vec<Vec<usize>> {
 }
 
 /// Nodes by minimum degree, and the neighbours that each has left in its turn; `beside` are those of each at first, ascending.
-fn minimum_degree(mut beside: Vec<Vec<usize>>, weights: &[usize]) -> (Vec<usize>, Vec<Vec<usize>>) {
+pub(crate) fn minimum_degree(mut beside: Vec<Vec<usize>>, weights: &[usize]) -> (Vec<usize>, Vec<Vec<usize>>) {
     let degree = |neighbours: &[usize]| neighbours.iter().map(|&other| weights[other]).sum::<usize>();
     let mut degrees: Vec<usize> = beside.iter().map(|neighbours| degree(neighbours)).collect();
     let mut waiting: BTreeSet<(usize, usize)> = degrees.iter().enumerate().map(|(node, &d)| (d, node)).collect();

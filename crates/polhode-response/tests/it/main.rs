@@ -2,6 +2,13 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
+mod bodies_against_delassus;
+mod bodies_of_heaps;
+mod body_costs;
+mod body_invariance;
+mod body_problems;
+mod body_scenes;
+mod body_warm_starts;
 mod cases;
 mod certificates;
 mod degenerate;

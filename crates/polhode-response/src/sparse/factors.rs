@@ -1,0 +1,227 @@
+//! Sparse elimination in blocks of 6 x 6: `A = I + H^T K H`, symmetric positive definite (Cholesky) or not symmetric
+//! (LU).
+//!
+//! A symmetric `K` comes from contacts that are held or whose slip is taken as known, one that is not from contacts
+//! that slide: the velocity along the normal changes the reaction along the slip, and not the other way round. The
+//! pattern is that of the [`Elimination`] in both cases. Bodies are eliminated one after the other, within a body
+//! with the largest pivot of each column, between bodies without exchanges: `A` has a diagonal of ones before
+//! contacts are added. Every sum has one order. Sources: George and Liu 1989; Golub and Van Loan, section 4.2.
+//! Failure: a symmetric matrix that rounding has made indefinite is told, and taken for one that is not symmetric.
+
+use crate::sparse::block6::{
+    Block6, CholeskyBlock, FactoredBlock, Vector6, WIDTH, ZERO, subtract_product, subtract_times,
+    subtract_transposed_times, transposed,
+};
+use crate::sparse::elimination::Elimination;
+
+/// Whether a matrix is symmetric.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Symmetry {
+    /// Only blocks below the diagonal are kept.
+    #[default]
+    Symmetric,
+    /// Blocks above the diagonal are kept too.
+    General,
+}
+
+/// The matrix, and then its factors in its place.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Factors {
+    symmetry: Symmetry,
+    diagonal: Vec<Block6>,
+    /// The block of each coupling, below the diagonal.
+    lower: Vec<Block6>,
+    /// Above it.
+    upper: Vec<Block6>,
+    general: Vec<FactoredBlock>,
+    symmetric: Vec<CholeskyBlock>,
+}
+
+impl Factors {
+    /// The unit matrix.
+    pub(crate) fn clear(&mut self, elimination: &Elimination, symmetry: Symmetry) {
+        let mut unit = ZERO;
+        for k in 0..WIDTH {
+            unit[k * WIDTH + k] = 1.0;
+        }
+        self.symmetry = symmetry;
+        self.diagonal.clear();
+        self.diagonal.resize(elimination.bodies(), unit);
+        self.lower.clear();
+        self.lower.resize(elimination.couplings(), ZERO);
+        self.upper.clear();
+        if symmetry == Symmetry::General {
+            self.upper.resize(elimination.couplings(), ZERO);
+        }
+    }
+
+    /// The diagonal block of a turn.
+    pub(crate) fn diagonal_mut(&mut self, turn: usize) -> &mut Block6 {
+        &mut self.diagonal[turn]
+    }
+
+    /// The block of a coupling below the diagonal.
+    pub(crate) fn lower_mut(&mut self, coupling: usize) -> &mut Block6 {
+        &mut self.lower[coupling]
+    }
+
+    /// The block above it; none in a symmetric matrix.
+    pub(crate) fn upper_mut(&mut self, coupling: usize) -> Option<&mut Block6> {
+        self.upper.get_mut(coupling)
+    }
+
+    /// Factorises in place; false when a symmetric matrix is not positive definite to rounding.
+    pub(crate) fn factor(&mut self, elimination: &Elimination) -> bool {
+        self.general.clear();
+        self.symmetric.clear();
+        match self.symmetry {
+            Symmetry::Symmetric => (0..elimination.bodies()).all(|turn| self.eliminate_symmetric(elimination, turn)),
+            Symmetry::General => {
+                for turn in 0..elimination.bodies() {
+                    self.eliminate(elimination, turn);
+                }
+                true
+            }
+        }
+    }
+
+    fn eliminate_symmetric(&mut self, elimination: &Elimination, turn: usize) -> bool {
+        let Some(pivot) = CholeskyBlock::of(&self.diagonal[turn]) else { return false };
+        let range = elimination.range(turn);
+        let (own, rest) = self.lower[range.start..].split_at_mut(range.len());
+        let later = &elimination.later()[range.clone()];
+        for block in &mut *own {
+            pivot.solve_from_the_right(block);
+        }
+        for (place, &column) in later.iter().enumerate() {
+            let right = transposed(&own[place]);
+            subtract_product(&own[place], &right, &mut self.diagonal[column as usize]);
+            let mut target = elimination.range(column as usize).start;
+            for (left, &row) in own.iter().zip(later).skip(place + 1) {
+                while elimination.later()[target] != row {
+                    target += 1;
+                }
+                subtract_product(left, &right, &mut rest[target - range.end]);
+            }
+        }
+        self.symmetric.push(pivot);
+        true
+    }
+
+    fn eliminate(&mut self, elimination: &Elimination, turn: usize) {
+        let pivot = FactoredBlock::of(self.diagonal[turn]);
+        let range = elimination.range(turn);
+        let (lower, lower_rest) = self.lower[range.start..].split_at_mut(range.len());
+        let (upper, upper_rest) = self.upper[range.start..].split_at_mut(range.len());
+        let later = &elimination.later()[range.clone()];
+        for (lower, upper) in lower.iter_mut().zip(&mut *upper) {
+            pivot.solve_upper_from_the_right(lower);
+            pivot.solve_lower_block(upper);
+        }
+        for (place, &column) in later.iter().enumerate() {
+            subtract_product(&lower[place], &upper[place], &mut self.diagonal[column as usize]);
+            let mut target = elimination.range(column as usize).start;
+            for (other, &row) in later.iter().enumerate().skip(place + 1) {
+                while elimination.later()[target] != row {
+                    target += 1;
+                }
+                let at = target - range.end;
+                subtract_product(&lower[other], &upper[place], &mut lower_rest[at]);
+                subtract_product(&lower[place], &upper[other], &mut upper_rest[at]);
+            }
+        }
+        self.general.push(pivot);
+    }
+
+    /// `A^-1 x` in place of `x`, by turns.
+    pub(crate) fn solve(&self, elimination: &Elimination, x: &mut [Vector6]) {
+        for turn in 0..elimination.bodies() {
+            match self.symmetry {
+                Symmetry::Symmetric => self.symmetric[turn].solve_lower(&mut x[turn]),
+                Symmetry::General => self.general[turn].solve_lower(&mut x[turn]),
+            }
+            let own = x[turn];
+            let range = elimination.range(turn);
+            for (block, &row) in self.lower[range.clone()].iter().zip(&elimination.later()[range]) {
+                subtract_times(block, &own, &mut x[row as usize]);
+            }
+        }
+        for turn in (0..elimination.bodies()).rev() {
+            let mut own = x[turn];
+            let range = elimination.range(turn);
+            let later = &elimination.later()[range.clone()];
+            match self.symmetry {
+                Symmetry::Symmetric => {
+                    for (block, &row) in self.lower[range].iter().zip(later) {
+                        subtract_transposed_times(block, &x[row as usize], &mut own);
+                    }
+                    self.symmetric[turn].solve_upper(&mut own);
+                }
+                Symmetry::General => {
+                    for (block, &row) in self.upper[range].iter().zip(later) {
+                        subtract_times(block, &x[row as usize], &mut own);
+                    }
+                    self.general[turn].solve_upper(&mut own);
+                }
+            }
+            x[turn] = own;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    //! A chain of bodies: what the matrix multiplies, its factors give back, symmetric or not.
+    use super::*;
+    use crate::law::Law;
+    use crate::sparse::body::BodyMass;
+    use crate::sparse::problem::{BodyProblem, BodyRows};
+
+    /// Bodies in a ring with a chord, so that elimination makes new couplings.
+    fn elimination(bodies: usize) -> Elimination {
+        let mass = BodyMass::rigid(1.0, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]);
+        let mut problem = BodyProblem::new(&vec![mass; bodies], &vec![[0.0; 6]; bodies]).expect("masses are right");
+        let line = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        for a in 0..bodies {
+            for b in [(a + 1) % bodies, (a + 3) % bodies] {
+                let rows =
+                    BodyRows { law: Law::Push, bodies: &[(a, &line), (b, &line)], bias: &[0.0], compliance: &[] };
+                problem.push(&rows).expect("rows are right");
+            }
+        }
+        Elimination::of(&problem)
+    }
+
+    #[test]
+    fn factors_give_back_what_the_matrix_multiplies() {
+        let (bodies, wave) = (11, |seed: usize| ((seed * 7919 % 101) as f64 / 101.0) - 0.5);
+        let elimination = elimination(bodies);
+        for symmetry in [Symmetry::Symmetric, Symmetry::General] {
+            let mut factors = Factors::default();
+            factors.clear(&elimination, symmetry);
+            let x: Vec<Vector6> = (0..bodies).map(|body| std::array::from_fn(|k| wave(6 * body + k))).collect();
+            let mut b = x.clone();
+            for turn in 0..bodies {
+                for at in elimination.range(turn) {
+                    let row = elimination.later()[at] as usize;
+                    let lower: Block6 = std::array::from_fn(|k| 0.1 * wave(36 * at + k));
+                    let twisted: Block6 = std::array::from_fn(|k| 0.1 * wave(17 * at + k));
+                    *factors.lower_mut(at) = lower;
+                    let upper = if let Some(upper) = factors.upper_mut(at) {
+                        *upper = twisted;
+                        twisted
+                    } else {
+                        transposed(&lower)
+                    };
+                    subtract_times(&lower.map(|a| -a), &x[turn], &mut b[row]);
+                    subtract_times(&upper.map(|a| -a), &x[row], &mut b[turn]);
+                }
+            }
+            assert!(factors.factor(&elimination));
+            factors.solve(&elimination, &mut b);
+            for (b, x) in b.as_flattened().iter().zip(x.as_flattened()) {
+                assert!((b - x).abs() < 1e-12, "{b} instead of {x}");
+            }
+        }
+    }
+}

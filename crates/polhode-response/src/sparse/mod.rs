@@ -1,0 +1,46 @@
+//! Contact problems in the velocities of bodies, solved by sparse factors whose size goes with the bodies.
+//!
+//! `M (v - v_free) = H^T r`, `u = H v + b + C r`, and a law for the `r` and `u` of each contact or joint. No Delassus
+//! matrix is formed: a step of every method here solves `(I + H^T K H) dv = right`, whose graph is that of the
+//! bodies, with blocks of 6 x 6. It is regular however many contacts are redundant, and memory is linear in them.
+//!
+//! | stage | what it does | where |
+//! |---|---|---|
+//! | problem | takes bodies, the rows of contacts and joints, and scales masses away | `problem.rs`, `body.rs` |
+//! | elimination | orders the bodies; kept while the graph stays | `elimination.rs`, `dissection.rs` |
+//! | factors | Cholesky where `K` is symmetric, LU where contacts slide | `factors.rs`, `block6.rs` |
+//! | system | assembles, factorises, and solves for what rounding has left | `system.rs` |
+//! | measure | the one residual of all methods | `iterate.rs` |
+//! | interior point | cold start, from loads that would hold everything | `interior_point.rs`, `interior_cone.rs`, `cone_form.rs`, `jordan.rs` |
+//! | semismooth Newton | the end of it, and warm starts | `newton.rs` |
+//! | smoothing Newton | where the interior point jams | `smoothing.rs`, `smoothed_cone.rs` |
+//! | solver | the chain of methods, and what is told of it | `solver.rs`, `solution.rs`, `settings.rs` |
+//!
+//! The residual is the natural map in units of impulse per unit of the largest reaction; what is not reached within
+//! the budget of factorisations is told by it, and by the status.
+
+mod block6;
+mod body;
+mod cone_form;
+mod dissection;
+mod elimination;
+mod factors;
+mod interior_cone;
+mod interior_point;
+mod iterate;
+mod jordan;
+mod newton;
+mod problem;
+mod settings;
+mod smoothed_cone;
+mod smoothing;
+mod solution;
+mod solver;
+mod system;
+
+pub use body::BodyMass;
+pub use elimination::Elimination;
+pub use problem::{BodyProblem, BodyRows};
+pub use settings::BodySettings;
+pub use solution::{BodyMethod, BodyReport, BodySolution};
+pub use solver::BodySolver;

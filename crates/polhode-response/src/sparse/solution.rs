@@ -1,0 +1,74 @@
+//! What comes out of a problem in the velocities of bodies.
+
+use crate::friction::ContactStatus;
+use crate::report::SolverStatus;
+
+/// Which method gave the answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum BodyMethod {
+    /// No method was needed: reactions given, or none, are an answer.
+    #[default]
+    Start,
+    /// Newton's method from the reactions given.
+    Warm,
+    /// The interior point alone.
+    InteriorPoint,
+    /// Newton's method from the interior point.
+    Newton,
+    /// The smoothing Newton method.
+    Smoothing,
+}
+
+impl BodyMethod {
+    /// The name of the method in words.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Start => "start",
+            Self::Warm => "warm-newton",
+            Self::InteriorPoint => "interior-point",
+            Self::Newton => "newton",
+            Self::Smoothing => "smoothing-newton",
+        }
+    }
+}
+
+/// The certificate of one solve.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct BodyReport {
+    /// How it ended.
+    pub status: SolverStatus,
+    /// Which method gave the answer.
+    pub method: BodyMethod,
+    /// Natural map in units of impulse, per unit of the largest reaction: see the module's text.
+    pub residual: f64,
+    /// Natural map in units of velocity, balanced by the load of each contact, per unit of the largest velocity without
+    /// reactions: under heavy loads that of light bodies.
+    pub balanced_residual: f64,
+    /// Factorisations of all methods.
+    pub factorisations: usize,
+    /// Those of a warm start.
+    pub warm: usize,
+    /// Those of the interior point, that of the loads included.
+    pub interior: usize,
+    /// Those of Newton's method after it.
+    pub newton: usize,
+    /// Those of the smoothing Newton method.
+    pub smoothing: usize,
+    /// Whether the elimination of the last solve was kept.
+    pub kept_elimination: bool,
+}
+
+/// Reactions that satisfy the laws, and what they do.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct BodySolution {
+    /// `r` of all rows.
+    pub reactions: Vec<f64>,
+    /// `u = H v + b + C r` of all rows.
+    pub rates: Vec<f64>,
+    /// `v` of every body.
+    pub velocities: Vec<[f64; 6]>,
+    /// What each contact does.
+    pub statuses: Vec<ContactStatus>,
+    /// The certificate.
+    pub report: BodyReport,
+}
