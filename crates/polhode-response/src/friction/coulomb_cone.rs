@@ -40,7 +40,7 @@ pub(crate) fn tangential_length(x: Rows) -> f64 {
 /// The point of `K` nearest to `x`.
 pub(crate) fn project(friction: f64, x: Rows) -> Rows {
     let length = tangential_length(x);
-    if length <= friction * x[0] {
+    if x[0] >= 0.0 && length <= friction * x[0] {
         return x;
     }
     if friction * length <= -x[0] {
@@ -129,4 +129,19 @@ fn square_of_turn(rows: &Range<usize>, resists: Resistance, inverse_mass: f64, (
     let length = rows.clone().map(|row| wanted(row) * wanted(row)).sum::<f64>().sqrt();
     let share = if length > radius { radius / length } else { 1.0 };
     rows.clone().map(|row| r[row] * inverse_mass - share * wanted(row)).map(|left| left * left).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::project;
+
+    /// The cone without friction is a ray: what pulls is projected onto zero. It was left as it is, so that a contact without
+    /// friction that parts was never solved.
+    #[test]
+    fn what_pulls_on_a_contact_without_friction_is_projected_onto_zero() {
+        assert_eq!(project(0.0, [-3.0, 0.0, 0.0]), [0.0; 3]);
+        assert_eq!(project(0.0, [-3.0, 1.0, 2.0]), [0.0; 3]);
+        assert_eq!(project(0.0, [3.0, 4.0, 0.0]), [3.0, 0.0, 0.0]);
+        assert_eq!(project(0.5, [-3.0, 1.0, 0.0]), [0.0; 3]);
+    }
 }
