@@ -130,7 +130,8 @@
 //! | `prescribed`, `prescribed_state` | kinematic bodies |
 //! | `planar`, `plane_of_motion` | planar motion |
 //! | `collision` | boxes, narrow phase and contacts of a pair |
-//! | `interaction` | constraints, impacts, projection and event location, which the tiers share |
+//! | `constraint` | what holds bodies together: identities, and the rows and reactions of pivots and joints |
+//! | `interaction` | rows of contacts, impacts, projection and event location, which the tiers share |
 //! | `time_stepping` | the time step at the level of velocities |
 //! | `accurate`, `stepped`, `thesis` | the tiers, behind the trait of `tier` |
 //! | `few_digits` | lengths as messages say them |

@@ -8,6 +8,7 @@
 //! | `third_party` | libraries that stay in their private module |
 //! | `rules` | rules about one source file at a time |
 //! | `one_dependency` | the rule that an example names its own crate alone |
+//! | `kinds_of_joint` | no kind of joint is named outside of the folder of constraints |
 //! | `tolerances` | no two tolerances of one name with two values |
 //! | `unused_dependencies` | dependencies that nothing names |
 //! | `docs` | rules about documents and manifests |
@@ -18,6 +19,7 @@
 mod circles;
 mod docs;
 mod imports;
+mod kinds_of_joint;
 mod layers;
 mod one_dependency;
 mod project_file;
@@ -46,6 +48,7 @@ pub(crate) fn check(root: &Path) -> Vec<Row> {
     rows.push(row("circles of files that import each other", &circles::check(&sources)));
     rows.push(row("parry3d and clarabel stay in their private module", &third_party::check(&sources)));
     rows.extend(rules::ALL.iter().map(|rule| row(rule.name, &rule.check(&sources))));
+    rows.push(row("kinds of joint named outside of their folder", &kinds_of_joint::check(&sources)));
     rows.push(row("no two tolerances of one name with two values", &tolerances::check(&sources)));
     rows.push(row("every dependency is named by code", &unused_dependencies::check(&files, &sources)));
     rows.push(row("crates follow the lints of the workspace", &docs::lints(&files)));

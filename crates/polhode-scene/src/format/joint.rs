@@ -4,6 +4,9 @@ use super::exactly::Vector;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+/// Kinds of joint, for messages.
+pub(crate) const JOINTS: &str = "ball or hinge";
+
 /// A joint: what holds two bodies, or a body and the world, together.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -43,6 +43,7 @@ pub use force::{
 };
 pub use friction::{FrictionEntry, GrainEntry, NumberOr, StaticFrictionEntry, StaticGrainEntry};
 pub use integrator::IntegratorName;
+pub(crate) use joint::JOINTS;
 pub use joint::{BallJointEntry, HingeJointEntry, JointEntry, JointKindEntry};
 pub use method::{
     ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,
@@ -61,9 +62,6 @@ pub(crate) const SHAPES: &str =
 
 /// Kinds of prescribed motion, for messages.
 pub(crate) const MOTIONS: &str = "constant, sine or table";
-
-/// Kinds of joint, for messages.
-pub(crate) const JOINTS: &str = "ball or hinge";
 
 /// Kinds of force, for messages.
 pub(crate) const FORCES: &str = "point_gravity, mutual_gravity, force, torque, drag or spring";
