@@ -44,7 +44,7 @@ pub use force::{
 pub use friction::{FrictionEntry, GrainEntry, NumberOr, StaticFrictionEntry, StaticGrainEntry};
 pub use integrator::IntegratorName;
 pub(crate) use joint::JOINTS;
-pub use joint::{BallJointEntry, HingeJointEntry, JointEntry, JointKindEntry};
+pub use joint::{AxisJointEntry, JointEntry, JointKindEntry, PlanarJointEntry, PointJointEntry, UniversalJointEntry};
 pub use method::{
     ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,
     RotationRateName, TierName,

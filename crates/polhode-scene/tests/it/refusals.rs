@@ -433,7 +433,8 @@ fn joints_that_cannot_hold() {
         (hinge("[\"brick\", \"brick\"]", ", axis = [0, 0, 1]"), "joints.0.type.hinge.bodies.1", "brick"),
         (hinge("[\"brick\"]", ", axis = [0, 0, 0]"), "joints.0.type.hinge.axis", "0"),
         (hinge("[\"brick\"]", ""), "joints.0.type.hinge", "missing key `axis`"),
-        ("type.slider = { bodies = [\"brick\"] }".to_owned(), "joints.0.type", "ball"),
+        ("type.spring = { bodies = [\"brick\"] }".to_owned(), "joints.0.type", "ball"),
+        ("type.slider = { bodies = [\"brick\"] }".to_owned(), "joints.0.type.slider", "missing key `anchor`"),
         ("type = 3".to_owned(), "joints.0.type", "a joint"),
     ];
     for (joint, key, message) in cases {

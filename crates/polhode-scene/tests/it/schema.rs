@@ -43,7 +43,7 @@ fn lists_what_is_accepted() {
         signal world sinusoid table polynomial amplitude frequency_hz phase law linear quadratic translational \
         rotational wind points anchor stiffness rest_length damping propagation simultaneous reflection least-force active-set constraint impulse impulse-projection \
         impulse-unconditional title description static_friction rolling_friction spinning_friction along across \
-        surface_velocity restitution_law approximate parts joints ball hinge anchor axis \
+        surface_velocity restitution_law approximate parts joints ball hinge universal fixed slider cylindrical planar anchor axis axes normal \
         tangential_restitution stronge poisson newton whittaker chatterjee-ruina";
     let integrators = Integrator::ALL.map(Integrator::name);
     for word in accepted.split_whitespace().chain(integrators) {

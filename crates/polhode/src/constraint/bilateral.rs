@@ -10,7 +10,8 @@
 //! rotations are multiplied by a length, so that all rows have one unit. Sources: thesis 3.2, equations 2 and 3; Featherstone
 //! 2008, chapter 8 (rows of joints).
 //!
-//! Assumption: neither member is prescribed. What makes the rows is one file for each kind (`point.rs`, `hinge.rs`).
+//! Assumption: neither member is prescribed. Rows are made in `point.rs`, `line.rs` and `perpendicular.rs`, and put together in one file for each
+//! kind of joint.
 
 use super::ConstraintId;
 use super::row::{BilateralRow, Member, RowKind, RowsAt};

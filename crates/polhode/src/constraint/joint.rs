@@ -1,57 +1,58 @@
 //! The joints of a scene as bilateral constraints: the list of their kinds.
 //!
-//! | kind | rows | leaves free |
+//! | kind | keeps | leaves free |
 //! |---|---|---|
-//! | ball | those of a point (`point.rs`) | three rotations |
-//! | hinge | those of a point, two of an axis (`hinge.rs`) | the rotation about the axis |
+//! | ball | a point | three rotations |
+//! | hinge | a point and an axis (`hinge.rs`) | the rotation about the axis |
+//! | universal | a point, and two axes at right angles (`universal.rs`) | the rotations about both |
+//! | fixed | a point and the attitude (`fixed.rs`) | nothing |
+//! | slider | a line and the attitude (`slider.rs`) | the displacement along the line |
+//! | cylindrical | an axis (`cylindrical.rs`) | the rotation about it and the displacement along it |
+//! | planar | a point in a plane, and its normal (`planar.rs`) | displacements in it and the rotation about the normal |
 
 use super::end::End;
-use super::hinge::{self, HingeAxis};
-use super::point;
+use super::kept::Kept;
 use super::row::RowsAt;
+use super::{cylindrical, fixed, hinge, planar, point, slider, universal};
 use crate::scene::{Joint, JointKind};
-use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose, Rotation, Velocity};
-
-/// What a joint keeps beside its point.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Kept {
-    Nothing,
-    Axis(HingeAxis),
-}
 
 /// A joint of the model.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct WorldJoint {
     /// Its number in the scene.
     number: usize,
-    /// A movable body.
     a: End,
     b: End,
     kept: Kept,
+    /// Length of its rows of rotation, m.
+    length: f64,
 }
 
 impl WorldJoint {
-    /// A joint of the scene of a world at these states, those of the start; `length` is that of rows of rotation, m.
-    pub(crate) fn new(
-        (number, joint): (usize, &Joint),
-        states: &[BodyState],
-        moves: impl Fn(usize) -> bool,
-        length: f64,
-    ) -> Self {
-        let end = |body: Option<usize>| match body.filter(|&body| moves(body)) {
-            Some(body) => End::Body { body, arm: states[body].pose.inverse_transform_point(joint.anchor()) },
-            None => End::World(joint.anchor()),
+    /// A joint of a scene, where these are the poses of the moving frames of the bodies that move, at the start; none of others.
+    /// `length` is that of rows of rotation, m.
+    pub(crate) fn new(number: usize, joint: &Joint, pose: impl Fn(usize) -> Option<Pose>, length: f64) -> Self {
+        let pose = |body: Option<usize>| body.and_then(|body| Some((body, pose(body)?)));
+        let end = |pose: Option<(usize, Pose)>| {
+            pose.map_or(End::World(joint.anchor()), |(body, pose)| End::Body {
+                body,
+                arm: pose.inverse_transform_point(joint.anchor()),
+            })
         };
-        let (first, second) = (end(Some(joint.body())), end(joint.other()));
-        // The first end is that of a movable body.
-        let (a, b) = if first.body().is_some() { (first, second) } else { (second, first) };
-        let attitude = |end: &End| end.body().map_or(Rotation::IDENTITY, |body| states[body].pose.rotation);
+        let [a, b] = [pose(Some(joint.body())), pose(joint.other())];
+        let [of_a, of_b] = [a, b].map(|pose| pose.map_or(Rotation::IDENTITY, |(_, pose)| pose.rotation));
+        let attitudes = (of_a, of_b);
         let kept = match joint.kind() {
-            JointKind::Ball => Kept::Nothing,
-            JointKind::Hinge { axis } => Kept::Axis(HingeAxis::new(axis.get(), (attitude(&a), attitude(&b)), length)),
+            JointKind::Ball => Kept::point(),
+            JointKind::Hinge { axis } => hinge::kept(axis.get(), attitudes),
+            JointKind::Universal { axes: [first, second] } => universal::kept((first.get(), second.get()), attitudes),
+            JointKind::Fixed => fixed::kept(attitudes),
+            JointKind::Slider { axis } => slider::kept(axis.get(), attitudes),
+            JointKind::Cylindrical { axis } => cylindrical::kept(axis.get(), attitudes),
+            JointKind::Planar { normal } => planar::kept(normal.get(), attitudes),
         };
-        Self { number, a, b, kept }
+        Self { number, a: end(a), b: end(b), kept, length }
     }
 
     /// The movable bodies that it holds.
@@ -61,11 +62,7 @@ impl WorldJoint {
 
     /// How many rows it has.
     pub(crate) fn rows(&self) -> usize {
-        point::ROWS
-            + match self.kept {
-                Kept::Nothing => 0,
-                Kept::Axis(_) => hinge::ROWS,
-            }
+        self.kept.rows()
     }
 
     /// Its number in the scene.
@@ -74,20 +71,9 @@ impl WorldJoint {
     }
 
     /// Its rows where bodies have these poses of their moving frames, and velocities.
-    pub(super) fn rows_at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> RowsAt {
-        let [mut a, mut b] = [&self.a, &self.b].map(|end| end.at(&motion));
-        let gap = a.point - b.point;
-        if self.b.body().is_some() {
-            let middle = (a.point + b.point) * 0.5;
-            [a, b] = [a, b].map(|end| end.at_point(middle));
-        }
-        let mut rows: Vec<_> = point::rows(gap, &a, &b).collect();
-        match self.kept {
-            Kept::Nothing => {}
-            Kept::Axis(axis) => rows.extend(axis.rows(&a, &b)),
-        }
-        let members = a.member(1.0).into_iter().chain(b.member(-1.0)).collect();
-        RowsAt { point: a.point, members, rows }
+    pub(crate) fn rows_at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> RowsAt {
+        let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
+        self.kept.rows_at(a, b, self.length)
     }
 }
 

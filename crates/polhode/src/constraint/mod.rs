@@ -12,12 +12,20 @@
 //! finds the time.
 
 pub(crate) mod bilateral;
+mod cylindrical;
 mod end;
+mod fixed;
 mod held;
 mod hinge;
 pub(crate) mod joint;
+mod kept;
+mod line;
+mod perpendicular;
+mod planar;
 mod point;
 pub(crate) mod row;
+mod slider;
+mod universal;
 
 use crate::collision::contact_set::ContactId;
 use polhode_contact::ContactKinematics;

@@ -16,6 +16,28 @@ pub enum JointKind {
         /// The axis at the start, world.
         axis: UnitVector,
     },
+    /// Rotations about two axes through the anchor, at right angles: a Cardan joint.
+    Universal {
+        /// The axes at the start, world: the first is fixed in the body, the second in the other one or in the world.
+        axes: [UnitVector; 2],
+    },
+    /// Nothing: the bodies move as one.
+    Fixed,
+    /// Displacement along an axis through the anchor.
+    Slider {
+        /// The axis at the start, world, fixed in the other body or in the world.
+        axis: UnitVector,
+    },
+    /// Rotation about an axis through the anchor and displacement along it.
+    Cylindrical {
+        /// The axis at the start, world, fixed in the other body or in the world.
+        axis: UnitVector,
+    },
+    /// Displacements in a plane through the anchor and rotation about its normal.
+    Planar {
+        /// The normal of the plane at the start, world. The plane is fixed in the other body or in the world.
+        normal: UnitVector,
+    },
 }
 
 impl JointKind {
@@ -24,6 +46,11 @@ impl JointKind {
         match self {
             Self::Ball => "ball",
             Self::Hinge { .. } => "hinge",
+            Self::Universal { .. } => "universal",
+            Self::Fixed => "fixed",
+            Self::Slider { .. } => "slider",
+            Self::Cylindrical { .. } => "cylindrical",
+            Self::Planar { .. } => "planar",
         }
     }
 }
@@ -60,14 +87,19 @@ pub struct Joint {
 }
 
 impl Joint {
-    /// A ball joint of a body (by its number in the scene) with the world, at a point of the world (m) at the start.
+    /// A joint of this kind of a body (by its number in the scene) with the world, at a point of the world (m) at the start.
+    pub const fn new(kind: JointKind, body: usize, anchor: DVec3) -> Self {
+        Self { kind, body, other: None, anchor }
+    }
+
+    /// A ball joint of a body with the world, at a point of the world (m) at the start.
     pub const fn ball(body: usize, anchor: DVec3) -> Self {
-        Self { kind: JointKind::Ball, body, other: None, anchor }
+        Self::new(JointKind::Ball, body, anchor)
     }
 
     /// A hinge of a body with the world, through a point (m) along an axis, both world, at the start.
     pub const fn hinge(body: usize, anchor: DVec3, axis: UnitVector) -> Self {
-        Self { kind: JointKind::Hinge { axis }, body, other: None, anchor }
+        Self::new(JointKind::Hinge { axis }, body, anchor)
     }
 
     /// The same joint with another body in the place of the world.

@@ -2,11 +2,16 @@
 //! method solves for them.
 
 use super::{Body, Integrator, Joint, JointKind, Scene, SceneError, Tier};
-use polhode_spatial::Velocity;
+use crate::constraint::joint::WorldJoint;
+use crate::constraint::row::RowKind;
+use polhode_spatial::{Pose, Velocity};
 
-/// Relative velocity at a joint at the start, relative to the speeds of its bodies there: more than rounding of a file's digits
+/// Relative velocity at a joint at the start, relative to the parts of the speeds of its bodies there: more than a file's digits
 /// is a contradiction (no unit, 1e-12 to 1e-6).
 const JOINT_VELOCITY_RELATIVE: f64 = 1e-9;
+
+/// Cosine of the angle of two axes below which they are at right angles (no unit, 1e-12 to 1e-6): the digits of a file.
+const RIGHT_ANGLE: f64 = 1e-9;
 
 impl Scene {
     /// Joints between bodies, or of bodies with the world.
@@ -37,6 +42,13 @@ impl Scene {
             if bodies.all(Body::is_fixed) {
                 return Err(refused("forces move none of its bodies: one at least must be movable"));
             }
+            if let JointKind::Universal { axes: [first, second] } = joint.kind()
+                && first.get().dot(second.get()).abs() > RIGHT_ANGLE
+            {
+                return Err(refused(
+                    "its axes are not at right angles: two axes whose directions are perpendicular are needed",
+                ));
+            }
             self.check_joint_velocity(number, joint)?;
         }
         Ok(())
@@ -59,27 +71,38 @@ impl Scene {
         }
     }
 
+    /// Checks that the velocities at the start are what a joint leaves free: the rates of its rows are zero to rounding.
     fn check_joint_velocity(&self, number: usize, joint: &Joint) -> Result<(), SceneError> {
-        let velocity = |body: usize| {
+        let motion = |body: usize| {
             let own = &self.bodies[body];
-            let Some(properties) = own.mass_properties() else { return Velocity::ZERO };
+            let Some(properties) = own.mass_properties() else { return (Pose::IDENTITY, Velocity::ZERO) };
             let Velocity { linear, angular } = *own.initial_velocity();
-            let center = own.initial_pose().transform_point(properties.center_of_mass());
-            let linear = own.pivot_point().map_or(linear, |pivot| angular.cross(center - pivot));
-            Velocity::new(linear + angular.cross(joint.anchor() - center), angular)
+            let center = properties.center_of_mass();
+            let pose = *own.initial_pose() * Pose::from_translation(center);
+            let linear = own.pivot_point().map_or(linear, |pivot| angular.cross(pose.translation - pivot));
+            (pose, Velocity::new(linear, angular))
         };
-        let [one, two] = [velocity(joint.body()), joint.other().map_or(Velocity::ZERO, velocity)];
-        let speed = one.linear.length() + two.linear.length();
-        let apart = (one.linear - two.linear).length();
+        let pose = |body: usize| self.bodies[body].mass_properties().map(|_| motion(body).0);
+        // The length of rows of rotation cancels.
+        let world_joint = WorldJoint::new(number, joint, pose, 1.0);
+        let (mut apart, mut across) = (0.0, 0.0);
+        for row in world_joint.rows_at(motion).rows {
+            match row.kind {
+                RowKind::Along(_) => apart = libm::hypot(apart, row.rate),
+                RowKind::About(_) => across = libm::hypot(across, row.rate),
+            }
+        }
+        let (mut speed, mut turning) = (0.0, 0.0);
+        for (pose, velocity) in world_joint.bodies().map(motion) {
+            let rate = velocity.angular.length();
+            // The parts of the velocity at the anchor may cancel.
+            speed += velocity.linear.length() + rate * (joint.anchor() - pose.translation).length();
+            turning += rate;
+        }
         if apart > JOINT_VELOCITY_RELATIVE * speed {
             return Err(SceneError::JointMoves { number, apart_m_s: apart });
         }
-        let turning = one.angular - two.angular;
-        let across = match joint.kind() {
-            JointKind::Ball => 0.0,
-            JointKind::Hinge { axis } => axis.get().cross(turning).length(),
-        };
-        if across > JOINT_VELOCITY_RELATIVE * (one.angular.length() + two.angular.length()) {
+        if across > JOINT_VELOCITY_RELATIVE * turning {
             return Err(SceneError::JointTurns { number, across_rad_s: across });
         }
         Ok(())

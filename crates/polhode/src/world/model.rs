@@ -176,8 +176,8 @@ impl World {
         let size = |body: usize| self.bodies[body].size;
         let made = self.scene.joints().iter().enumerate().map(|(number, joint)| {
             let moving = joint.bodies().filter(|&body| self.bodies[body].moves());
-            let moves = |body: usize| self.bodies[body].moves();
-            WorldJoint::new((number, joint), states, moves, row_length(moving.map(size)))
+            let pose = |body: usize| self.bodies[body].moves().then(|| states[body].pose);
+            WorldJoint::new(number, joint, pose, row_length(moving.map(size)))
         });
         self.joints = made.collect();
         self.index_joints();

@@ -25,6 +25,7 @@ mod impacts;
 mod impulse_models;
 mod integrators;
 mod invariance;
+mod joint_kinds;
 mod joints;
 mod kinematic;
 mod kinematic_steps;

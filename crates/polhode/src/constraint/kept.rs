@@ -1,0 +1,77 @@
+//! What a joint keeps of the relative motion of its bodies: the parts that each kind of joint is put together from.
+
+use super::end::EndKinematics;
+use super::perpendicular::Perpendicular;
+use super::row::RowsAt;
+use super::{line, point};
+use polhode_spatial::{DVec3, Rotation};
+
+/// Along which directions the point of A stays at that of B.
+#[derive(Debug, Clone, PartialEq)]
+enum Displacement {
+    /// All.
+    None,
+    /// Some, unit vectors fixed in B, in its axes.
+    But(Vec<DVec3>),
+}
+
+/// What a joint keeps.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Kept {
+    displacement: Displacement,
+    rotation: Vec<Perpendicular>,
+}
+
+impl Kept {
+    /// A point: A does not move away from B, but turns.
+    pub(super) fn point() -> Self {
+        Self { displacement: Displacement::None, rotation: Vec::new() }
+    }
+
+    /// A point of A does not move along these directions of the world (unit vectors), fixed in B with this attitude.
+    pub(super) fn along<const N: usize>(directions: [DVec3; N], b: Rotation) -> Self {
+        let directions = directions.iter().map(|direction| b.inverse_rotate(*direction)).collect();
+        Self { displacement: Displacement::But(directions), rotation: Vec::new() }
+    }
+
+    /// These pairs of directions of the world, the first fixed in A and the second in B, stay perpendicular too.
+    pub(super) fn with_rotation<const N: usize>(
+        mut self,
+        pairs: [(DVec3, DVec3); N],
+        attitudes: (Rotation, Rotation),
+    ) -> Self {
+        self.rotation.extend(pairs.map(|pair| Perpendicular::new(pair, attitudes)));
+        self
+    }
+
+    /// How many rows it has.
+    pub(super) fn rows(&self) -> usize {
+        let displacement = match &self.displacement {
+            Displacement::None => point::ROWS,
+            Displacement::But(directions) => directions.len(),
+        };
+        displacement + self.rotation.len()
+    }
+
+    /// The rows of these ends; `length` is that of rows of rotation, m. Where both are bodies and the point of A stays at that of
+    /// B, the force acts between them; where it slides, at the point of A.
+    pub(super) fn rows_at(&self, mut a: EndKinematics, mut b: EndKinematics, length: f64) -> RowsAt {
+        let gap = a.point - b.point;
+        let mut rows: Vec<_> = match &self.displacement {
+            Displacement::None => {
+                if a.member(1.0).is_some() && b.member(1.0).is_some() {
+                    let middle = (a.point + b.point) * 0.5;
+                    [a, b] = [a, b].map(|end| end.at_point(middle));
+                }
+                point::rows(gap, &a, &b).collect()
+            }
+            Displacement::But(directions) => {
+                b = b.at_point(a.point);
+                directions.iter().map(|&direction| line::row(direction, gap, &a, &b)).collect()
+            }
+        };
+        rows.extend(self.rotation.iter().map(|pair| pair.row(&a, &b, length)));
+        let members = a.member(1.0).into_iter().chain(b.member(-1.0)).collect();
+        RowsAt { point: a.point, members, rows }
+    }
+}
