@@ -7,10 +7,12 @@
 //! | `5-diamond falls, first 0.1 s` | constrained integration with many contacts, contact changes, impacts |
 //! | `bouncing ball until rest` | impact search, impacts, flights |
 //! | `box off a table` | sliding, tipping about an edge, falling off |
+//! | `chain of 30 hinges swings, 0.1 s` | rows of joints at every stage |
+//! | `wall pushes a rough box, 0.1 s` | forces within the cones of contacts that stick while others slide |
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use polhode::contact::Shape;
-use polhode::scene::Material;
+use polhode::scene::{Joint, Material, PrescribedMotion};
 use polhode::spatial::{DVec3, Density, Inertia, Mass, MassProperties, Pose, UnitVector, Velocity};
 use polhode::{Body, Effects, Geometry, Scene, SceneBuilder, Simulation, Unobserved, mesh};
 use std::hint::black_box;
@@ -63,6 +65,31 @@ fn box_off_table() -> Option<Scene> {
     Scene::builder("box-off-table").duration_s(1.2).body(table).body(slider).build().ok()
 }
 
+/// A chain of rods on hinges, let go at 1 rad from the vertical.
+fn swinging_chain() -> Option<Scene> {
+    let (length, down) = (0.1, DVec3::new(0.841_470_984_807_896_5, 0.0, -0.540_302_305_868_139_8));
+    let mut builder = Scene::builder("chain").duration_s(0.1);
+    for link in 0..30_usize {
+        let top = down * (length * link as f64);
+        let rod = brick(&format!("link {link}"), DVec3::new(0.02, 0.02, length), top + down * (0.5 * length))?;
+        let joint = Joint::hinge(link, top, UnitVector::Y);
+        builder = builder.body(rod).joint(if link > 0 { joint.with(link - 1) } else { joint });
+    }
+    builder.build().ok()
+}
+
+/// A box on a rough floor that a rough wall pushes at constant speed.
+fn pushed_box() -> Option<Scene> {
+    let rough = Material::new("rough", 0.5, 0.0).ok()?;
+    let motion = PrescribedMotion::constant_velocity(Velocity::new(DVec3::X * 0.5, DVec3::ZERO)).ok()?;
+    let wall = Body::kinematic("wall", motion)
+        .geometry(Geometry::Shape(Shape::cuboid(DVec3::splat(0.1)).ok()?))
+        .pose(Pose::from_translation(DVec3::new(-0.1, 0.0, 0.051)));
+    let pushed = brick("box", DVec3::splat(0.1), DVec3::Z * 0.05)?;
+    let bodies = [wall, pushed, floor()].map(|body| body.material(rough.clone()));
+    bodies.into_iter().fold(Scene::builder("pushed box").duration_s(0.1), SceneBuilder::body).build().ok()
+}
+
 /// Prepares and runs a scene. Returns whether the run reached its end.
 fn run(scene: &Scene, effects: Effects) -> bool {
     Simulation::new(scene, effects).and_then(|mut simulation| simulation.run(&mut Unobserved)).is_ok()
@@ -76,6 +103,8 @@ fn scenes(criterion: &mut Criterion) {
         ("5-diamond falls, first 0.1 s", falling, Effects::Planned),
         ("bouncing ball until rest", bouncing_ball(), Effects::Planned),
         ("box off a table", box_off_table(), Effects::Planned),
+        ("chain of 30 hinges swings, 0.1 s", swinging_chain(), Effects::Planned),
+        ("wall pushes a rough box, 0.1 s", pushed_box(), Effects::Planned),
     ];
     let mut group = criterion.benchmark_group("scenes");
     for (name, scene, effects) in all {

@@ -77,13 +77,16 @@ fn planar_joint_leaves_the_plane_and_the_rotation_about_its_normal() {
 }
 
 /// A bead that slides on an arm that turns freely: `r'' = r w^2`, and `(I + m r^2) w` stays.
-struct Bead {
-    arm: f64,
-    bead: (f64, f64),
+struct TurningArm {
+    /// Moment of inertia of the arm and of the bead about its own centre, kg m^2.
+    inertia: f64,
+    /// Of the bead, kg.
+    mass: f64,
+    /// kg m^2/s.
     momentum: f64,
 }
 
-impl System for Bead {
+impl System for TurningArm {
     type Error = std::convert::Infallible;
 
     fn dimension(&self) -> usize {
@@ -91,8 +94,7 @@ impl System for Bead {
     }
 
     fn derivative(&mut self, _t: f64, state: &[f64], rates: &mut [f64]) -> Result<(), Self::Error> {
-        let (mass, own) = self.bead;
-        let turning = self.momentum / (self.arm + own + mass * state[0] * state[0]);
+        let turning = self.momentum / (self.inertia + self.mass * state[0] * state[0]);
         rates.copy_from_slice(&[state[1], state[0] * turning * turning, turning]);
         Ok(())
     }
@@ -114,7 +116,7 @@ fn slider_on_a_body_that_turns_bears_the_forces_of_its_rotation() {
     let report = held(scene.duration_s(0.4));
     let (arm, own) = (2.0 / 12.0 * (1.0 + 4e-4), 0.5 / 6.0 * 0.0016);
     let momentum = (arm + own + 0.5 * start * start) * rate;
-    let mut system = Bead { arm, bead: (0.5, own), momentum };
+    let mut system = TurningArm { inertia: arm + own, mass: 0.5, momentum };
     let (steps, mut method, mut state) = (20_000, Rk4::new(3), vec![start, 0.0, 0.0]);
     let h = report.duration_s / f64::from(steps);
     for step in 0..steps {
