@@ -42,6 +42,12 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
                  that is not symmetric, anywhere, lets bodies apart from it move in space",
     },
     KnownFailure {
+        case: "random scenes",
+        quantity: "seeds whose copies are other runs, of 100",
+        reason: "seed 39: a box on a ground that shakes bounces at 1e-9 m/s, a velocity that is known to 1e-7 of itself. The impacts \
+                 after it amplify that to 4e-5, which the run that is disturbed at the start does not show",
+    },
+    KnownFailure {
         case: "friction elsewhere",
         quantity: "tippe top, moved by 1e6 m",
         reason: "so far from the origin rounding makes the steps of slow slips short, and islands whose sliding steps have a small mean \
