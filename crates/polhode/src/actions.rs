@@ -140,7 +140,9 @@ impl Simulation {
     /// For a body that has already been removed ([`ActionError`]).
     pub fn remove_body(&mut self, body: BodyId) -> Result<(), SimulationError> {
         let index = self.present(body)?;
-        self.act(&[index], &[], "remove_body", |simulation| {
+        // Bodies that joints held to it go on without it.
+        let together = self.core.world.with_jointed(vec![index]);
+        self.act(&together, &[], "remove_body", |simulation| {
             let states = simulation.tier.states_mut().to_vec();
             let fields_before_j = simulation.field_potential();
             simulation.core.accounts.books.removed(&simulation.core.world, &states, index);

@@ -8,30 +8,29 @@ use polhode_spatial::{DVec3, Rotation};
 
 /// Along which directions the point of A stays at that of B.
 #[derive(Debug, Clone, PartialEq)]
-enum Displacement {
-    /// All.
-    None,
-    /// Some, unit vectors fixed in B, in its axes.
-    But(Vec<DVec3>),
+enum StaysAlong {
+    All,
+    /// Unit vectors fixed in B, in its axes.
+    Some(Vec<DVec3>),
 }
 
 /// What a joint keeps.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Kept {
-    displacement: Displacement,
+    displacement: StaysAlong,
     rotation: Vec<Perpendicular>,
 }
 
 impl Kept {
     /// A point: A does not move away from B, but turns.
     pub(super) fn point() -> Self {
-        Self { displacement: Displacement::None, rotation: Vec::new() }
+        Self { displacement: StaysAlong::All, rotation: Vec::new() }
     }
 
     /// A point of A does not move along these directions of the world (unit vectors), fixed in B with this attitude.
     pub(super) fn along<const N: usize>(directions: [DVec3; N], b: Rotation) -> Self {
         let directions = directions.iter().map(|direction| b.inverse_rotate(*direction)).collect();
-        Self { displacement: Displacement::But(directions), rotation: Vec::new() }
+        Self { displacement: StaysAlong::Some(directions), rotation: Vec::new() }
     }
 
     /// These pairs of directions of the world, the first fixed in A and the second in B, stay perpendicular too.
@@ -47,8 +46,8 @@ impl Kept {
     /// How many rows it has.
     pub(super) fn rows(&self) -> usize {
         let displacement = match &self.displacement {
-            Displacement::None => point::ROWS,
-            Displacement::But(directions) => directions.len(),
+            StaysAlong::All => point::ROWS,
+            StaysAlong::Some(directions) => directions.len(),
         };
         displacement + self.rotation.len()
     }
@@ -58,14 +57,14 @@ impl Kept {
     pub(super) fn rows_at(&self, mut a: EndKinematics, mut b: EndKinematics, length: f64) -> RowsAt {
         let gap = a.point - b.point;
         let mut rows: Vec<_> = match &self.displacement {
-            Displacement::None => {
+            StaysAlong::All => {
                 if a.member(1.0).is_some() && b.member(1.0).is_some() {
                     let middle = (a.point + b.point) * 0.5;
                     [a, b] = [a, b].map(|end| end.at_point(middle));
                 }
                 point::rows(gap, &a, &b).collect()
             }
-            Displacement::But(directions) => {
+            StaysAlong::Some(directions) => {
                 b = b.at_point(a.point);
                 directions.iter().map(|&direction| line::row(direction, gap, &a, &b)).collect()
             }
