@@ -127,6 +127,7 @@
 //! | [`mod@error`] | [`SimulationError`]; besides it [`SceneError`], [`ActionError`], [`SnapshotError`] |
 //! | `world` | bodies in their moving frames, and the forces on them |
 //! | `pivots`, `pivot_form` | bodies held at a point: constraint rows, or rotation alone |
+//! | [`mod@prelude`] | what most programs name, for one `use` |
 //! | `prescribed`, `prescribed_state` | kinematic bodies |
 //! | `planar`, `plane_of_motion` | planar motion |
 //! | `collision` | boxes, narrow phase and contacts of a pair |
@@ -171,6 +172,7 @@ mod pivots;
 pub mod plan;
 mod planar;
 mod plane_of_motion;
+pub mod prelude;
 mod prescribed;
 mod prescribed_state;
 mod promise;

@@ -1,0 +1,26 @@
+//! What most programs name, for one `use`.
+//!
+//! ```
+//! use polhode::prelude::*;
+//! // A door of 20 kg on a hinge along z is pushed at its edge, and turns through one revolution.
+//! let slab = polhode::mesh::solid_box(DVec3::new(0.8, 0.04, 2.0), Mass::new(20.0)?)?;
+//! let scene = Scene::builder("door")
+//!     .body(Body::movable("door", slab).pose(Pose::from_translation(DVec3::X * 0.4)))
+//!     .joint(Joint::hinge(0, DVec3::ZERO, UnitVector::Z))
+//!     .build()?;
+//! let mut simulation = Simulation::new(&scene, Effects::Planned)?;
+//! let door = simulation.body_id("door").ok_or("no body of this name")?;
+//! simulation.apply_impulse(door, DVec3::Y * 5.0, DVec3::X * 0.8)?;
+//! let rate = simulation.body(door).velocity.angular.z;
+//! simulation.advance_to(std::f64::consts::TAU / rate, &mut Unobserved)?;
+//! assert!((simulation.body(door).pose.translation - DVec3::X * 0.4).length() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub use crate::contact::Shape;
+pub use crate::scene::{Joint, JointKind, Material, Method, Tier};
+pub use crate::spatial::{DVec3, Density, Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
+pub use crate::{
+    Body, BodyId, BodySample, Effects, Event, EventKind, Geometry, Observer, Outcome, Recorder, RunReport, Scene,
+    SceneBuilder, Simulation, SimulationError, Unobserved,
+};
