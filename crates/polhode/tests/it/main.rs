@@ -26,6 +26,7 @@ mod impulse_models;
 mod integrators;
 mod invariance;
 mod joint_kinds;
+mod joint_references;
 mod joints;
 mod kinematic;
 mod kinematic_steps;
