@@ -74,7 +74,7 @@ impl JointKind {
 ///     .joint(Joint::hinge(0, DVec3::X, UnitVector::Y).with(1))
 ///     .build()?;
 /// let mut simulation = Simulation::new(&scene, Effects::Planned)?;
-/// simulation.advance_to(1.0, &mut Unobserved)?;
+/// simulation.advance_to(0.5, &mut Unobserved)?;
 /// assert!(simulation.bodies()[0].pose.translation.z < -0.4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
