@@ -4,16 +4,15 @@
 //! force holds; a contact whose bodies accelerate apart breaks. The accelerations are unique, the forces may not be
 //! (erratum E13).
 
-use crate::collision::contact_set::{ContactId, Hold, Touch};
+use crate::collision::contact_set::{ContactId, Touch};
 use crate::collision::friction_mode::FrictionMode;
 use crate::collision::turn::Turn;
-use crate::interaction::acceleration_problem::AccelerationProblem;
+use crate::interaction::accelerations::{Accelerations, ContactTangent, ContactTurn};
 use crate::interaction::assembly::Assembly;
 use crate::interaction::cone_violation::{ConeViolation, largest_violation};
-use crate::interaction::frictional_accelerations::{ContactTangent, ContactTurn, FrictionalAccelerations};
 use crate::world::World;
 use polhode_dynamics::{BodyState, RigidBody};
-use polhode_response::{ComplementaritySolver, ContactSolution, ResponseError, SolverStatus, WarmStart};
+use polhode_response::{ComplementaritySolver, ContactSolution, ResponseError, SolverStatus};
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -43,7 +42,7 @@ pub(super) struct Forces {
     pub(super) load: f64,
     /// Friction of rolling and spinning.
     turns: BTreeMap<(ContactId, Turn), ContactTurn>,
-    /// Friction of the contacts, in their order; empty when none has friction.
+    /// Friction of the contacts, in their order; none of those without friction.
     friction: Vec<Option<ContactFriction>>,
     /// Whether other normal forces that hold all contacts as well would move the bodies in another way.
     pub(super) motion_depends_on_choice: bool,
@@ -105,43 +104,7 @@ impl Forces {
             mass * world.gravity().length() + loads.of(body).force.length()
         });
         let load = load.fold(0.0, f64::max);
-        if world.has_friction() && contacts.iter().any(|touch| world.friction_of(touch.id.a, touch.id.b).is_some()) {
-            let accelerations = FrictionalAccelerations::solve(world, (t, states), bodies, contacts, &loads)?;
-            let known_modes = contacts.iter().map(|touch| touch.friction).collect();
-            return Ok(Self { known_modes, ..Self::with_friction(accelerations, t, load) });
-        }
-        let problem = AccelerationProblem::new(world, t, states, bodies, contacts, &loads)?;
-        let AccelerationProblem { assembly, free, constants: b } = problem;
-        let held = (0..contacts.len()).filter(|&i| contacts[i].hold == Hold::Held).collect();
-        let delassus = assembly.problem.delassus();
-        let solution = solver.solve(&assembly.problem, &delassus, &b, Some(&WarmStart::new(held)))?.clone();
-        let opening = OPENING_RELATIVE * b.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-        let mut accelerations = assembly.problem.response(&solution.forces)?;
-        for (a, f) in accelerations.iter_mut().zip(&free) {
-            *a += f;
-        }
-        let friction = Vec::new();
-        let contacts = contacts.len();
-        let known_modes = Vec::new();
-        Ok(Self {
-            solution,
-            assembly,
-            contacts,
-            accelerations,
-            t,
-            opening,
-            load,
-            friction,
-            known_modes,
-            jams: false,
-            violation: None,
-            motion_depends_on_choice: false,
-            turns: BTreeMap::new(),
-        })
-    }
-
-    /// The forces of contacts with friction.
-    fn with_friction(found: FrictionalAccelerations, t: f64, load: f64) -> Self {
+        let found = Accelerations::solve(world, (t, states), bodies, contacts, &loads, solver)?;
         let opening = OPENING_RELATIVE * found.scale;
         let friction = found.contacts.iter().map(|contact| {
             contact.map(|contact| {
@@ -155,21 +118,21 @@ impl Forces {
         let friction: Vec<Option<ContactFriction>> = friction.collect();
         let slides = found.contacts.iter().flatten().any(|contact| contact.sliding.is_some());
         let violation = violation_of(&found, &friction, load);
-        Self {
+        Ok(Self {
             violation,
             motion_depends_on_choice: found.motion_depends_on_choice,
             jams: slides && found.solution.report.status != SolverStatus::Solved,
+            known_modes: contacts.iter().map(|touch| touch.friction).collect(),
             turns: found.turns,
             friction,
-            contacts: found.contacts.len(),
+            contacts: contacts.len(),
             solution: found.solution,
             assembly: found.assembly,
             accelerations: found.accelerations,
             t,
             opening,
             load,
-            known_modes: Vec::new(),
-        }
+        })
     }
 
     /// Whether a contact, by its place in the list, sticks or slides from this instant on; none without friction.
@@ -296,7 +259,7 @@ impl Forces {
 /// contacts that go on sticking although their slips grow, the acceleration of the slip relative to the largest without
 /// contact forces.
 fn violation_of(
-    found: &FrictionalAccelerations,
+    found: &Accelerations,
     friction: &[Option<ContactFriction>],
     load: f64,
 ) -> Option<ConeViolation> {

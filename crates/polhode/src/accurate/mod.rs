@@ -13,7 +13,7 @@
 //! | `agenda` | times of what is due: ends of steps, impacts, renewals of boxes |
 //! | `island` | bodies that move together, and their present step |
 //! | `constrained_step`, `constrained_stepping`, `stage_method` | a step with held contacts, and how it is made: by DOP853 or RK4 over `system` |
-//! | `friction_forces` | forces of contacts with friction at a stage of a step |
+//! | `held_forces` | forces of contacts and bilateral constraints at a stage of a step |
 //! | `free_stepping` | a step by the integrator of free motion: that of the scene or of the plan |
 //! | `locate`, `penetration` | location of contact changes: how long the active set is valid |
 //! | `state_cache` | the states of all bodies at the last observation |
@@ -47,7 +47,7 @@ mod ending_slips;
 mod engine;
 mod events;
 mod free_stepping;
-mod friction_forces;
+mod held_forces;
 mod hold;
 mod impact_search;
 mod instant;

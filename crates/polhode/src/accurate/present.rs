@@ -67,7 +67,7 @@ impl Engine {
     pub(super) fn present_groups(&self, core: &Core, states: &[BodyState]) -> Vec<(Vec<usize>, Vec<Touch>)> {
         let mut contacts = self.present_contacts(core, states);
         let scale_of = |touch: &Touch| self.tracks[touch.id.a].speed_scale.max(self.tracks[touch.id.b].speed_scale);
-        if !self.begun && core.world.has_friction() {
+        if !self.begun {
             for touch in &mut contacts {
                 touch.friction = self.slide_of(core, scale_of(touch), touch);
                 touch.rotation = self.rotation_of(core, scale_of(touch), touch);

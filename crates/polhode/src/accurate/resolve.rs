@@ -260,7 +260,7 @@ impl Engine {
         let sustained = |&i: &usize| self.is_sustained(core, instant.speed_scale, &instant.touches[i]);
         let mut candidates: Vec<usize> = group.contacts.iter().copied().filter(sustained).collect();
         let mut forces = self.forces(core, instant, group, &candidates)?;
-        if core.world.has_friction() && self.end_slips(core, instant, group, (&candidates, &forces))? {
+        if self.end_slips(core, instant, group, (&candidates, &forces))? {
             forces = self.forces(core, instant, group, &candidates)?;
         }
         let mut has_ended_bounces = false;

@@ -9,19 +9,18 @@
 //! A pivot adds three rows `a_Q = 0`, with a force at its point. Under force fields, and for a body whose motion is
 //! reduced to rotation about its pivot, g and L' are those of [`polhode_dynamics::FreeMotion`].
 //!
-//! Contacts with friction add the forces along their tangent planes (`friction_forces.rs`).
+//! Contacts with friction add the forces along their tangent planes (`held_forces.rs`).
 //!
 //! Twenty more numbers follow those of the bodies, for the ledgers: the impulses of fixed bodies, of the weights and of
 //! the fields, each with its moment about the ledger's point; the energy lost to drag and dampers; and the work of
 //! external forces and kinematic bodies. Where contacts have friction, one more follows: the energy lost to it.
 
-use super::friction_forces::{self, FrictionContact, FrictionForces};
+use super::held_forces::{self, FrictionContact, HeldForces};
 use crate::Momentum;
 use crate::accounting::books::{Received, given_by_fields, gravity_at};
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set::ContactId;
-use crate::constraint::bilateral::{Bilateral, Reaction, bilateral_support};
-use crate::interaction::assembly::Assembly;
+use crate::constraint::bilateral::bilateral_support;
 use crate::interaction::cone_violation::ConeViolation;
 use crate::interaction::impact::support;
 use crate::interaction::rotational_friction::{moment_support, moment_work};
@@ -29,7 +28,7 @@ use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH, quaternion_rate};
 use polhode_dynamics::{BodyState, RigidBody, System};
-use polhode_response::{LeastNormForces, ResponseError, least_norm_forces};
+use polhode_response::ResponseError;
 use polhode_spatial::{DQuat, DVec3};
 
 /// Number of components after those of the bodies: momentum and energy from external agents.
@@ -84,25 +83,6 @@ pub(super) struct ContactSystem<'a> {
     violation_at_start: Option<ConeViolation>,
     /// Whether the masses differ so much that contacts share their normals.
     is_disparate: bool,
-}
-
-/// Forces of the held contacts and of bilateral constraints.
-#[derive(Debug, Default)]
-struct HeldForces {
-    /// Of the contacts, along their normals.
-    forces: Vec<f64>,
-    /// Of the contacts with friction, along tangents: the contact with the tangent in the place of its normal.
-    tangential: Vec<(ContactId, ContactGeometry, f64)>,
-    /// Of friction of rolling and spinning, N m, world, on A.
-    moments: Vec<(ContactId, DVec3)>,
-    /// Power lost to friction, W.
-    dissipation: f64,
-    /// How far they are from Coulomb's law.
-    violation: Option<ConeViolation>,
-    /// Of the bilateral constraints.
-    reactions: Vec<(Bilateral, Reaction)>,
-    /// Where masses differ much: (body, force, moment about its centre of mass), summed before they are rounded.
-    sums: Option<Vec<(usize, DVec3, DVec3)>>,
 }
 
 impl<'a> ContactSystem<'a> {
@@ -182,7 +162,7 @@ impl<'a> ContactSystem<'a> {
         &'b self,
         held: &'b HeldForces,
     ) -> impl Iterator<Item = (ContactId, &'b ContactGeometry, f64)> + Clone {
-        let normal = self.contacts.iter().zip(&held.forces).map(|((id, k), &force)| (*id, &k.geometry, force));
+        let normal = self.contacts.iter().zip(&held.normal).map(|((id, k), &force)| (*id, &k.geometry, force));
         normal.chain(held.tangential.iter().map(|(id, along, force)| (*id, along, *force)))
     }
 
@@ -202,21 +182,8 @@ impl<'a> ContactSystem<'a> {
         if self.contacts.is_empty() && !self.world.has_rows() {
             return Ok(HeldForces::default());
         }
-        if !self.friction.is_empty() {
-            let at = (t, &*self.states);
-            let found = friction_forces::solve(self.world, at, self.bodies, &self.contacts, &self.friction, loads)?;
-            let FrictionForces { normal, tangential, moments, reactions, sums, dissipation, violation } = found;
-            return Ok(HeldForces { forces: normal, tangential, moments, dissipation, violation, reactions, sums });
-        }
-        let rows = self.contacts.iter().map(|(id, k)| (*id, k.geometry));
-        let assembly = Assembly::new(self.world, self.states, self.bodies, rows)?;
-        let free = assembly.free_accelerations(self.world, self.states, loads);
-        let contacts = self.contacts.iter().map(|(id, k)| (*id, k));
-        let b = assembly.acceleration_constants(self.world, t, self.states, &free, contacts)?;
-        let LeastNormForces { forces, loads } = least_norm_forces(&assembly.problem, &assembly.problem.delassus(), &b)?;
-        let reactions = assembly.reactions(&forces).map(|(of, reaction)| (of.clone(), reaction)).collect();
-        let sums = loads.map(|loads| assembly.split(&loads).collect());
-        Ok(HeldForces { forces, reactions, sums, ..HeldForces::default() })
+        let at = (t, &*self.states);
+        held_forces::solve(self.world, at, self.bodies, &self.contacts, &self.friction, loads)
     }
 
     /// Adds the forces to the rates one by one.
@@ -337,7 +304,7 @@ impl System for ContactSystem<'_> {
             share_normals(self.world, &mut self.contacts);
         }
         if !self.active.friction.is_empty() {
-            self.friction = friction_forces::friction_contacts(world, states, &self.contacts, self.active);
+            self.friction = held_forces::friction_contacts(world, states, &self.contacts, self.active);
         }
         let loads = self.world.loads_on(t, self.states, self.bodies);
         let held = self.held_forces(t, &loads)?;

@@ -2,7 +2,7 @@
 //!
 //! Where normal forces are not unique and contacts slide in different directions, the motion depends on the forces that
 //! are taken. Between events they are those of least norm, within the cones of contacts that stick
-//! (`accurate/friction_forces.rs`). At one instant the same forces are taken where they exist. Where the friction of a
+//! (`accurate/held_forces.rs`). At one instant the same forces are taken where they exist. Where the friction of a
 //! sliding contact presses it more than its normal force lifts it (`G_nn - mu G_nt <= 0`, Painleve), the cone problem
 //! decides.
 

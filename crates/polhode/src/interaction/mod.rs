@@ -4,12 +4,11 @@
 //! it assembles constraint rows from contacts, groups connected bodies, applies impulses to momenta, and projects drift
 //! away.
 
-pub(crate) mod acceleration_problem;
+pub(crate) mod accelerations;
 pub(crate) mod assembly;
 pub(crate) mod bounce_friction;
 pub(crate) mod cone_violation;
 pub(crate) mod friction_blocks;
-pub(crate) mod frictional_accelerations;
 mod frictional_contact;
 pub(crate) mod frictional_impact;
 pub(crate) mod groups;

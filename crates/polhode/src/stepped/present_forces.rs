@@ -5,10 +5,9 @@ use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::{RotationModes, Turn};
 use crate::core::Core;
-use crate::interaction::acceleration_problem::AccelerationProblem;
-use crate::interaction::frictional_accelerations::FrictionalAccelerations;
+use crate::interaction::accelerations::Accelerations;
 use polhode_dynamics::BodyState;
-use polhode_response::{ComplementaritySolver, ResponseError, WarmStart};
+use polhode_response::{ComplementaritySolver, ResponseError};
 use polhode_spatial::DVec3;
 
 /// A slip below this part of the speed that gravity gives in a step is none (no unit, 1e-6 to 1e-4): steps leave contacts
@@ -50,28 +49,13 @@ impl PresentForces {
         let world = &core.world;
         let loads = world.loads_on(core.t, states, bodies);
         let body = |(body, linear, angular): (usize, DVec3, DVec3)| BodyAcceleration { body, linear, angular };
-        if contacts.iter().any(|touch| world.friction_of(touch.id.a, touch.id.b).is_some()) {
-            let contacts: Vec<Touch> = contacts.iter().map(|touch| with_modes(core, states, touch)).collect();
-            let found = FrictionalAccelerations::solve(world, (core.t, states), bodies, &contacts, &loads)?;
-            return Ok(Self {
-                normal: found.solution.forces.iter().take(contacts.len()).copied().collect(),
-                friction: found.contacts.iter().map(|tangent| tangent.map_or(DVec3::ZERO, |t| t.force)).collect(),
-                accelerations: found.assembly.split(&found.accelerations).map(body).collect(),
-            });
-        }
-        let problem = AccelerationProblem::new(world, core.t, states, bodies, contacts, &loads)?;
-        let AccelerationProblem { assembly, free, constants } = problem;
-        let delassus = assembly.problem.delassus();
+        let contacts: Vec<Touch> = contacts.iter().map(|touch| with_modes(core, states, touch)).collect();
         let mut solver = ComplementaritySolver::default();
-        let solution = solver.solve(&assembly.problem, &delassus, &constants, Some(&WarmStart::default()))?;
-        let mut accelerations = assembly.problem.response(&solution.forces)?;
-        for (acceleration, free) in accelerations.iter_mut().zip(&free) {
-            *acceleration += free;
-        }
+        let found = Accelerations::solve(world, (core.t, states), bodies, &contacts, &loads, &mut solver)?;
         Ok(Self {
-            normal: solution.forces.clone(),
-            friction: vec![DVec3::ZERO; contacts.len()],
-            accelerations: assembly.split(&accelerations).map(body).collect(),
+            normal: found.solution.forces.iter().take(contacts.len()).copied().collect(),
+            friction: found.contacts.iter().map(|tangent| tangent.map_or(DVec3::ZERO, |t| t.force)).collect(),
+            accelerations: found.assembly.split(&found.accelerations).map(body).collect(),
         })
     }
 }

@@ -11,7 +11,6 @@ use crate::error_estimate::{EVERY, ErrorEstimate};
 use crate::event::EventKind;
 use crate::frame::{ContactView, IslandView, MotionKind};
 use crate::free_stage::{self, Ends};
-use crate::interaction::acceleration_problem::AccelerationProblem;
 use crate::interaction::assembly::{Assembly, free_acceleration};
 use crate::interaction::groups::{Group, groups};
 use crate::interaction::impact::{impulse_event, strike, support};
@@ -447,8 +446,11 @@ fn group_forces(
 ) -> Result<Vec<f64>, ResponseError> {
     let world = &core.world;
     let loads = world.loads(core.t, states);
-    let problem = AccelerationProblem::new(world, core.t, states, bodies, contacts, &loads)?;
-    let AccelerationProblem { assembly, constants: b, .. } = problem;
+    let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
+    let assembly = Assembly::new(world, states, bodies, rows)?;
+    let free = assembly.free_accelerations(world, states, &loads);
+    let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
+    let b = assembly.acceleration_constants(world, core.t, states, &free, kinematics)?;
     let delassus = assembly.problem.delassus();
     let (forces, bound) = match core.settings.contact {
         ContactMethod::LeastForce => {

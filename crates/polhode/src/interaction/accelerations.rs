@@ -1,4 +1,8 @@
-//! Contact forces with friction at one instant: the complementarity problem of accelerations with Coulomb's law.
+//! Contact forces at one instant: the complementarity problem of accelerations, with Coulomb's law where contacts have
+//! friction.
+//!
+//! Without friction it is `0 <= f _|_ G f + b >= 0` (thesis 3.4), solved by the active set that begins with the contacts that
+//! hold already.
 //!
 //! A contact without slip sticks (`u_T' = 0`, `|f_t| <= mu_s f_n`) or begins to slide against the direction of its
 //! force; one that slides along `d` bears `-mu f_n d`; every contact satisfies `0 <= f_n _|_ chi'' >= 0`. Where static
@@ -13,14 +17,14 @@ use super::least_sliding_forces::{RowFriction, least_sliding_forces};
 use super::resisted_rotation::ResistedRotation;
 use super::rotation_row::RotationRow;
 use super::sticking_forces::{SLIDING_ROUNDING, STICKING_ACCELERATION, of_no_slip, rounding_of};
-use crate::collision::contact_set::{ContactId, Touch};
+use crate::collision::contact_set::{ContactId, Hold, Touch};
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::collision::turn::Turn;
 use crate::world::{Loads, World};
 use polhode_dynamics::BodyState;
 use polhode_response::friction::{ContactStatus, FrictionSettings};
 use polhode_response::{
-    Blocks, BlocksSolution, ContactSolution, Delassus, Method, ResponseError, SolverReport, WarmStart,
+    Blocks, BlocksSolution, ComplementaritySolver, ContactSolution, Delassus, Method, ResponseError, SolverReport, WarmStart,
 };
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
@@ -33,9 +37,9 @@ const ACCEPTED_SLIDING: f64 = 1e-10;
 /// friction, by 1e-9 of it, forces may point apart by the square root of that.
 const SAME_DIRECTION: f64 = 1e-4;
 
-/// Forces and accelerations of some contacts, of which at least one has friction.
+/// Forces of some contacts, and accelerations of their bodies.
 #[derive(Debug)]
-pub(crate) struct FrictionalAccelerations {
+pub(crate) struct Accelerations {
     pub(crate) assembly: Assembly,
     /// Of the rows of contacts and pivots.
     pub(crate) solution: ContactSolution,
@@ -51,7 +55,7 @@ pub(crate) struct FrictionalAccelerations {
     are_alike: bool,
     /// Whether contacts slide, and the least forces with which all hold are the answer.
     are_exact: bool,
-    /// In the order of the contacts; none for a contact without friction.
+    /// What friction does, in the order of the contacts; none for a contact without friction.
     pub(crate) contacts: Vec<Option<ContactTangent>>,
     /// What friction of rolling and spinning does.
     pub(crate) turns: BTreeMap<(ContactId, Turn), ContactTurn>,
@@ -106,7 +110,7 @@ pub(crate) struct ContactTurn {
     pub(crate) turning: Option<DVec3>,
 }
 
-impl FrictionalAccelerations {
+impl Accelerations {
     /// Solves for the forces of `contacts` on `bodies` (movable, ascending) at time `t` (s).
     ///
     /// # Errors
@@ -117,8 +121,12 @@ impl FrictionalAccelerations {
         bodies: &[usize],
         contacts: &[Touch],
         loads: &Loads,
+        solver: &mut ComplementaritySolver,
     ) -> Result<Self, ResponseError> {
         let mut frictional: Vec<_> = contacts.iter().map(|touch| Frictional::of(world, states, touch)).collect();
+        if frictional.iter().all(Option::is_none) {
+            return Self::without_friction(world, (t, states), bodies, contacts, loads, solver);
+        }
         loop {
             let found = Self::of_laws(world, (t, states), bodies, (contacts, &frictional), loads)?;
             if begin_to_slide(&mut frictional, &found) {
@@ -130,6 +138,39 @@ impl FrictionalAccelerations {
             let exact = Self::of_laws(world, (t, states), bodies, (contacts, &frictional), loads)?;
             return Ok(if exact.is_exact_slide() { exact } else { found });
         }
+    }
+
+    /// The same where no contact has friction.
+    fn without_friction(
+        world: &World,
+        (t, states): (f64, &[BodyState]),
+        bodies: &[usize],
+        contacts: &[Touch],
+        loads: &Loads,
+        solver: &mut ComplementaritySolver,
+    ) -> Result<Self, ResponseError> {
+        let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
+        let assembly = Assembly::new(world, states, bodies, rows)?;
+        let free = assembly.free_accelerations(world, states, loads);
+        let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
+        let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
+        let held = (0..contacts.len()).filter(|&place| contacts[place].hold == Hold::Held).collect();
+        let delassus = assembly.problem.delassus();
+        let solution =
+            solver.solve(&assembly.problem, &delassus, &constants, Some(&WarmStart::new(held)))?.clone();
+        let accelerations = with_free(assembly.problem.response(&solution.forces)?, &free);
+        Ok(Self {
+            scale: largest(&constants),
+            rounding: 0.0,
+            are_alike: true,
+            are_exact: false,
+            motion_depends_on_choice: false,
+            contacts: vec![None; contacts.len()],
+            turns: BTreeMap::new(),
+            solution,
+            accelerations,
+            assembly,
+        })
     }
 
     /// Whether these are the exact forces of contacts that slide, and slips grow in the directions that were taken.
@@ -168,12 +209,9 @@ impl FrictionalAccelerations {
         } else {
             of_no_slip((world, states, contacts), &assembly, (&blocks, &delassus, &constants), frictional)?
         };
-        let mut accelerations = assembly.problem.response(&solved.reactions)?;
-        for (acceleration, free) in accelerations.iter_mut().zip(&free) {
-            *acceleration += free;
-        }
+        let accelerations = with_free(assembly.problem.response(&solved.reactions)?, &free);
         let mut first = assembly.first_tangent();
-        let scale = constants.iter().fold(0.0f64, |most, b| most.max(b.abs()));
+        let scale = largest(&constants);
         let tangential = frictional.iter().enumerate().map(|(normal, friction)| {
             let friction = friction.as_ref()?;
             let mobility = delassus.get(first, first);
@@ -202,6 +240,17 @@ impl FrictionalAccelerations {
             turns,
         })
     }
+}
+
+/// The accelerations that forces give, with those without them.
+fn with_free(mut accelerations: Vec<f64>, free: &[f64]) -> Vec<f64> {
+    accelerations.iter_mut().zip(free).for_each(|(acceleration, free)| *acceleration += free);
+    accelerations
+}
+
+/// The largest magnitude of some numbers.
+fn largest(numbers: &[f64]) -> f64 {
+    numbers.iter().fold(0.0, |most: f64, number| most.max(number.abs()))
 }
 
 /// Adds the rows along the tangents of contacts with friction. Returns the block of each contact and those of pivots.
@@ -262,7 +311,7 @@ fn all_hold(
         Some(Frictional { sliding: Some(sliding), .. }) => RowFriction::Slides(sliding.coefficient),
         Some(Frictional { coefficients, .. }) => RowFriction::Sticks(coefficients.at_rest),
     });
-    let scale = constants.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let scale = largest(constants);
     let rounding = |delassus: &Delassus, forces: &[f64]| STICKING_ACCELERATION * scale + rounding_of(delassus, forces);
     let friction: Vec<RowFriction> = friction.collect();
     let Some(least) = least_sliding_forces(of, assembly, constants, &friction, rounding)? else { return Ok(None) };
@@ -429,7 +478,7 @@ fn contact_solution(solved: &BlocksSolution, rows: usize) -> ContactSolution {
 /// Lets contacts slide whose slips grow by more than rounding, so that their forces are found as those of contacts that slide.
 /// The cone problem of heavy bodies on light ones is solved only to the rounding of the heavy ones' forces, and would let
 /// bodies that slide together slide on each other. Returns whether there are any.
-fn begin_exactly(frictional: &mut [Option<Frictional>], found: &FrictionalAccelerations) -> bool {
+fn begin_exactly(frictional: &mut [Option<Frictional>], found: &Accelerations) -> bool {
     let least = SLIDING_ROUNDING * (STICKING_ACCELERATION * found.scale + found.rounding);
     let mut any = false;
     for (friction, tangent) in frictional.iter_mut().zip(&found.contacts) {
@@ -445,7 +494,7 @@ fn begin_exactly(frictional: &mut [Option<Frictional>], found: &FrictionalAccele
 
 /// Lets contacts slide that cannot stick and whose kinetic friction is below the static one. Returns whether there are
 /// any.
-fn begin_to_slide(frictional: &mut [Option<Frictional>], found: &FrictionalAccelerations) -> bool {
+fn begin_to_slide(frictional: &mut [Option<Frictional>], found: &Accelerations) -> bool {
     let mut any = false;
     for (friction, tangent) in frictional.iter_mut().zip(&found.contacts) {
         let (Some(friction), Some(tangent)) = (friction, tangent) else { continue };

@@ -1,4 +1,4 @@
-//! Forces of active contacts with friction at one stage of a step, their modes given.
+//! Forces of active contacts and of bilateral constraints at one stage of a step, the modes of friction given.
 //!
 //! Unknown are the normal forces `f_n` of all contacts, two tangential forces of each contact that sticks, and the
 //! forces of pivots; a contact that slides along `d` adds `-mu f_n d`. The equations are `chi'' = 0` of all contacts,
@@ -80,12 +80,12 @@ impl FrictionContact {
     }
 }
 
-/// Forces of contacts with friction and of bilateral constraints.
+/// Forces of the held contacts and of bilateral constraints.
 #[derive(Debug, Default)]
-pub(super) struct FrictionForces {
-    /// Normal forces of the contacts, N.
+pub(super) struct HeldForces {
+    /// Of the contacts, along their normals, N.
     pub(super) normal: Vec<f64>,
-    /// Forces along tangents, N: (contact, the contact with the tangent in the place of its normal, force on A).
+    /// Of the contacts with friction, along tangents, N: the contact with the tangent in the place of its normal, force on A.
     pub(super) tangential: Vec<(ContactId, ContactGeometry, f64)>,
     /// Of friction of rolling and spinning, N m, world, on A.
     pub(super) moments: Vec<(ContactId, DVec3)>,
@@ -137,7 +137,8 @@ pub(super) fn friction_contacts(
     contacts.iter().enumerate().filter_map(friction).collect()
 }
 
-/// The forces of `contacts` and of the bilateral constraints of `bodies` (movable, ascending) at time `t` (s).
+/// The forces of `contacts`, of which some have `friction`, and of the bilateral constraints of `bodies` (movable, ascending) at
+/// time `t` (s).
 ///
 /// # Errors
 /// When a number is not finite.
@@ -148,7 +149,7 @@ pub(super) fn solve(
     contacts: &[(ContactId, ContactKinematics)],
     friction: &[FrictionContact],
     loads: &Loads,
-) -> Result<FrictionForces, ResponseError> {
+) -> Result<HeldForces, ResponseError> {
     let rows = contacts.iter().map(|(id, kinematics)| (*id, kinematics.geometry));
     let mut assembly = Assembly::new(world, states, bodies, rows)?;
     let row = |contact: &FrictionContact, tangent: DVec3| {
@@ -201,7 +202,7 @@ pub(super) fn solve(
         contact.turning().filter_map(power)
     });
     let by_rotation: f64 = turns.sum();
-    Ok(FrictionForces {
+    Ok(HeldForces {
         dissipation: slips.sum::<f64>() + by_rotation,
         violation,
         moments,
