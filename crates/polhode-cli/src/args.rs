@@ -2,6 +2,7 @@
 
 use crate::help;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 /// Rigid-body simulation that accounts for its accuracy.
@@ -137,6 +138,9 @@ pub(crate) struct RunOutputArgs {
     /// Prints the report of the whole run as JSON
     #[arg(long)]
     pub(crate) json: bool,
+    /// Threads that compute the islands of a step (tier stepped); the result has the same bits for any number
+    #[arg(long, value_name = "N", default_value_t = NonZeroUsize::MIN)]
+    pub(crate) threads: NonZeroUsize,
 }
 
 /// What is plotted of a run.

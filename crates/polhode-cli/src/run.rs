@@ -10,11 +10,12 @@ use crate::scene::SceneText;
 use crate::verbosity::{self, Verbosity};
 use crate::watch::Watch;
 use crate::{cost, scene, stdout, text};
-use polhode::{Outcome, RunReport, Simulation};
+use polhode::{Outcome, RunReport, Simulation, Threads};
 use polhode_scene::{Checkpoint, LoadedScene, scene_report_json};
 use serde_json::json;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Instant;
 
 /// Simulates, writes the files asked for and prints the report.
@@ -60,7 +61,8 @@ fn prepared(args: &RunArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
     } else {
         progress
     };
-    let simulation = scene::prepare(&loaded, &args.scene.changes)?;
+    let mut simulation = scene::prepare(&loaded, &args.scene.changes)?;
+    simulation.set_executor(threads(&args.output));
     Ok(Run { loaded, simulation, files, checkpoints, progress, started, report: Report::of(&args.output) })
 }
 
@@ -69,7 +71,8 @@ fn restored(args: &ResumeArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
     let progress = preparing(&args.output, "preparing the run");
     let mut checkpoint = Checkpoint::read(&args.from)?;
     checkpoint.overrides.extend(args.duration.as_deref().map(scene::duration));
-    let (loaded, simulation) = checkpoint.load(&args.from)?;
+    let (loaded, mut simulation) = checkpoint.load(&args.from)?;
+    simulation.set_executor(threads(&args.output));
     let checkpoints = Checkpoints::new(&args.checkpoints, &args.from, &checkpoint.scene, checkpoint.overrides.clone())?;
     let mut inputs = loaded.mesh_files();
     inputs.extend([args.from.clone(), checkpoint.scene.clone()]);
@@ -89,6 +92,11 @@ fn restored(args: &ResumeArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
     let files = RunFiles::create(&args.output, &inputs, &loaded, &checkpoints, interrupt)?;
     let started = Instant::now();
     Ok(Run { loaded, simulation, files, checkpoints, progress, started, report: Report::of(&args.output) })
+}
+
+/// The threads that compute islands.
+fn threads(args: &RunOutputArgs) -> Arc<Threads> {
+    Arc::new(Threads::new(args.threads))
 }
 
 /// How the report is told.

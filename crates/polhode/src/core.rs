@@ -2,10 +2,12 @@
 
 use crate::accounting::Accounts;
 use crate::accounting::last_sample::LastSample;
+use crate::executor::Executor;
 use crate::settings::Settings;
 use crate::world::World;
 use crate::{Effects, SimulationError};
 use polhode_response::{ComplementaritySolver, ResponseError};
+use std::sync::Arc;
 
 /// The parts of a simulation that do not depend on its tier.
 #[derive(Debug)]
@@ -18,6 +20,8 @@ pub(crate) struct Core {
     pub(crate) accounts: Accounts,
     /// Solver of contact problems, with its buffers; its answers do not depend on what it solved before.
     pub(crate) solver: ComplementaritySolver,
+    /// Who computes what does not depend on each other.
+    pub(crate) executor: Arc<dyn Executor>,
     /// The overlaps of the last sample, as a cache.
     pub(crate) last_sample: LastSample,
 }

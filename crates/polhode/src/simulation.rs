@@ -7,6 +7,7 @@ use crate::accurate::Engine;
 use crate::body_queries::BodyQueries;
 use crate::companion::Companion;
 use crate::core::Core;
+use crate::executor::{Executor, Threads};
 use crate::frame::{ContactView, Frame, IslandView, PivotView};
 use crate::free_method;
 use crate::observer::{BodySample, Flow, Observer};
@@ -27,6 +28,7 @@ use crate::world::{World, WorldBody};
 use crate::{BodyId, Effects, Momentum, Plan, Scene, SimulationError, singular_force, start_overlap};
 use polhode_contact::QueryError;
 use polhode_response::ComplementaritySolver;
+use std::sync::Arc;
 
 /// A step is extended to the end of the run when less than this fraction of a step would remain: the rounding of a sum
 /// of equal steps must not leave a tiny step.
@@ -115,7 +117,8 @@ impl Simulation {
         world.confine_to_plane(planar.plane, &mut states);
         let accounts = Accounts::open(&world, &states);
         let (solver, last_sample) = (ComplementaritySolver::default(), LastSample::default());
-        let mut core = Core { world, settings, effects, t: 0.0, accounts, solver, last_sample };
+        let executor = Arc::new(Threads::default());
+        let mut core = Core { world, settings, effects, t: 0.0, accounts, solver, executor, last_sample };
         for what in separated.into_iter().chain(scene.warnings()) {
             core.accounts.warn(0.0, what);
         }
@@ -152,6 +155,20 @@ impl Simulation {
     /// Whether the end of the scene's duration has been reached.
     pub fn has_ended(&self) -> bool {
         self.ended
+    }
+
+    /// Lets `executor` compute what does not depend on each other: in tier `stepped` the islands of a step. The motion has the
+    /// same bits for every executor. At first it is the thread of the caller ([`Threads`]).
+    ///
+    /// ```
+    /// use polhode::{Effects, Scene, Simulation, Threads};
+    /// use std::sync::Arc;
+    /// let mut simulation = Simulation::new(&Scene::builder("empty").build()?, Effects::Planned)?;
+    /// simulation.set_executor(Arc::new(Threads::new(std::thread::available_parallelism()?)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn set_executor(&mut self, executor: Arc<dyn Executor>) {
+        self.core.executor = executor;
     }
 
     /// Makes one step, which ends at the first event in it. A step ends exactly at the end of the scene's duration;
@@ -362,9 +379,9 @@ impl Simulation {
         let plan = self.plan_at_start.restored(content.plan.as_ref(), settings.integrator)?;
         let accounts = Accounts::restored(&content.accounts, world.bodies.len())?;
         let solver = ComplementaritySolver::default();
-        let last_sample = LastSample::default();
+        let (executor, last_sample) = (self.core.executor.clone(), LastSample::default());
         let mut core =
-            Core { world, settings, effects: self.core.effects, t: content.t, accounts, solver, last_sample };
+            Core { world, settings, effects: self.core.effects, t: content.t, accounts, solver, executor, last_sample };
         let tier = restored_tier(&mut core, &content.tier)?;
         // A scene with a longer duration goes on.
         let ended = content.ended && core.t >= self.scene.duration_s();

@@ -38,12 +38,8 @@ pub(super) struct CrowdPart {
 }
 
 impl CrowdPart {
-    /// The parts into which it falls in these states within its step, in the order of their first bodies. Without
-    /// friction, stretches are rare, and a crowd is one part.
+    /// The parts into which it falls in these states within its step, in the order of their first bodies.
     pub(super) fn divided(self, world: &World, states: &[BodyState]) -> Vec<Self> {
-        if !world.have_friction(&self.pairs) {
-            return vec![self];
-        }
         let Self { bodies, mut pairs, crowd, refused } = self;
         let place = |body: usize| bodies.binary_search(&body).ok();
         pairs.retain(|&pair| may_touch_within(world, states, pair, crowd.step_s));

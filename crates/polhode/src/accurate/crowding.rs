@@ -59,14 +59,15 @@ const NO_WAY_OUT: f64 = 1e-3;
 /// The next time step aims at this fraction of what is allowed.
 const SAFETY: f64 = 0.8;
 
-/// Least and largest change of the time step from one to the next.
-const STEP_CHANGE: (f64, f64) = (0.2, 2.0);
+/// Least and largest change of the time step from one to the next: every length that is tried costs the solution of three
+/// contact problems, and of steps that grow eightfold almost every second one is refused.
+const STEP_CHANGE: (f64, f64) = (0.1, 3.0);
 
-/// The same with friction, where every length that is tried costs the solution of three cone problems: of steps that grow
-/// eightfold almost every second one is refused.
-const STEP_CHANGE_WITH_FRICTION: (f64, f64) = (0.1, 3.0);
+/// Largest change of a time step that is refused again: a contact that begins within it leaves an error that falls only with
+/// its length.
+const SHORTENED_AGAIN: f64 = 0.2;
 
-/// Share of the error allowed with friction that is spread over a stretch evenly (no unit). The rest is spare, for steps
+/// Share of the error allowed that is spread over a stretch evenly (no unit). The rest is spare, for steps
 /// within which a contact begins to stick or to slide: their error falls only with the square of their length, but there
 /// are few of them.
 const EVEN_SHARE: f64 = 0.5;
@@ -74,49 +75,14 @@ const EVEN_SHARE: f64 = 0.5;
 /// The share of the spare error that is left which one step may use (no unit): what is left never ends.
 const SHARE_OF_SPARE: f64 = 0.125;
 
-/// How the lengths of time steps follow from their errors.
-#[derive(Debug, Clone, Copy)]
-enum StepControl {
-    /// After a step that had to be shortened the length from before is tried again.
-    Restoring,
-    /// A length grows from the one accepted last. A contact that begins to stick or to slide within a step leaves an
-    /// error that falls only with its length, so that many lengths would be refused before each step.
-    Growing,
+/// The length after one of `h` (s) that was refused with this ratio of the optimal length to it, `refused` times now.
+fn shorter_length(h: f64, ratio: f64, refused: usize) -> f64 {
+    h * ratio.clamp(STEP_CHANGE.0, if refused > 1 { SHORTENED_AGAIN } else { SAFETY })
 }
 
-impl StepControl {
-    /// That of a crowd whose bodies may touch at these pairs.
-    fn of(world: &World, pairs: &[(usize, usize)]) -> Self {
-        if world.have_friction(pairs) { Self::Growing } else { Self::Restoring }
-    }
-
-    /// What part of the error allowed is spread over a stretch evenly (no unit).
-    const fn even_share(self) -> f64 {
-        match self {
-            Self::Restoring => 1.0,
-            Self::Growing => EVEN_SHARE,
-        }
-    }
-
-    /// The length after one of `h` (s) that was refused with this ratio of the optimal length to it, `refused` times now.
-    fn shorter(self, h: f64, ratio: f64, refused: usize) -> f64 {
-        match self {
-            Self::Restoring => h * ratio.clamp(STEP_CHANGE.0, SAFETY),
-            Self::Growing if refused > 1 => h * ratio.clamp(STEP_CHANGE_WITH_FRICTION.0, STEP_CHANGE.0),
-            Self::Growing => h * ratio.clamp(STEP_CHANGE_WITH_FRICTION.0, SAFETY),
-        }
-    }
-
-    /// The length after an accepted one, where `planned` was the first one tried.
-    fn next(self, h: f64, ratio: f64, planned: f64) -> f64 {
-        match self {
-            Self::Restoring => {
-                let next = h * ratio.clamp(STEP_CHANGE.0, STEP_CHANGE.1);
-                if h < planned { next.max(planned) } else { next }
-            }
-            Self::Growing => h * ratio.clamp(STEP_CHANGE_WITH_FRICTION.0, STEP_CHANGE_WITH_FRICTION.1),
-        }
-    }
+/// The length after an accepted one.
+fn next_length(h: f64, ratio: f64) -> f64 {
+    h * ratio.clamp(STEP_CHANGE.0, STEP_CHANGE.1)
 }
 
 /// A time step that is accepted, or the parts of a crowd that need shorter ones.
@@ -175,11 +141,8 @@ fn time_step(
 }
 
 /// The warning of a stretch of crowded events.
-const SMOOTH_CROWD: &str = "crowded events: the affected bodies advance by time steps for a while";
-
-/// The same where bodies rub: friction jams what several motions, or none, are allowed.
-const ROUGH_CROWD: &str = "crowded events: the affected bodies advance by time steps for a while, in which the impulses of each step \
-                           obey Coulomb's law: they decide where it allows several motions, or no forces";
+const CROWD: &str = "crowded events: the affected bodies advance by time steps for a while, in which the impulses of each step \
+                     obey the laws of contact and friction: they decide where these allow several motions, or no forces";
 
 impl Engine {
     /// Begins a stretch of time steps for the bodies of an instant with crowded events.
@@ -202,10 +165,7 @@ impl Engine {
         for &body in &instant.bodies {
             self.tracks[body].last_stretch_s = span;
         }
-        let is_rough = core.world.have_friction(&instant.pairs);
-        let warning = if is_rough { ROUGH_CROWD } else { SMOOTH_CROWD };
-        let number = core.accounts.begin_crowding(instant.t, instant.bodies.len(), warning);
-        // A crowd without friction has no use for it, but a rough body may join.
+        let number = core.accounts.begin_crowding(instant.t, instant.bodies.len(), CROWD);
         let spare_error = (1.0 - EVEN_SHARE) * core.settings.crowd_error_allowed() * span / longest;
         let step_s = FIRST_STEP * longest * core.settings.crowd_step_factor;
         let crowd = Crowd { until: instant.t + span, step_s, number, spare_error };
@@ -245,15 +205,14 @@ impl Engine {
         for pair in instant.pairs.iter().chain(&pairs) {
             self.contacts.set(*pair, Vec::new());
         }
-        let is_rough = core.world.have_friction(&pairs);
-        let crowd = self.ongoing_stretch(&instant).filter(|_| is_rough).unwrap_or(crowd);
+        let crowd = self.ongoing_stretch(&instant).unwrap_or(crowd);
         let whole = CrowdPart { bodies: instant.bodies.clone(), pairs: pairs.clone(), crowd, refused: 0 };
         let mut states = std::mem::take(&mut self.scratch);
         set_states(&mut states, &instant.bodies, &states_of(&self.states, &instant.bodies));
         let parts = whole.divided(&core.world, &states);
         self.restore_scratch(core, states, &instant.bodies);
         let (mut staying, leaving): (Vec<_>, Vec<_>) =
-            parts.into_iter().partition(|part| !is_rough || self.belongs_to_stretch(&part.bodies, t));
+            parts.into_iter().partition(|part| self.belongs_to_stretch(&part.bodies, t));
         let mut firsts = Vec::new();
         while let Some(part) = staying.pop() {
             firsts.extend(self.step_of_part(core, part, (t, limit), &mut staying)?);
@@ -306,10 +265,8 @@ impl Engine {
         };
         core.accounts.crowded.step(part.crowd.number, end, &report, error);
         let CrowdPart { bodies, pairs, .. } = part;
-        let is_rough = core.world.have_friction(&pairs);
         for &body in &bodies {
             let until = match self.tracks[body].mode {
-                _ if !is_rough => next.until,
                 Mode::Crowded(own) => own.until,
                 _ => t,
             };
@@ -405,9 +362,6 @@ impl Engine {
         (t, h): (f64, f64),
         seen: &mut BTreeMap<usize, BodyState>,
     ) -> Result<bool, SimulationError> {
-        if core.world.friction_of(body, other).is_none() {
-            return Ok(true);
-        }
         if !seen.contains_key(&other) {
             seen.extend(self.states_with(core, other, t)?);
         }
@@ -522,7 +476,7 @@ fn attempt(
     let mut refused = part.refused;
     let longest = core.settings.step_s;
     let shortest = SHORTEST_STEP * longest * core.settings.crowd_step_factor;
-    let (before, control) = (stepper(core), StepControl::of(&core.world, pairs));
+    let before = stepper(core);
     let mut h = crowd.step_s.min(limit - t);
     let mut least: Option<Refused> = None;
     loop {
@@ -532,7 +486,7 @@ fn attempt(
         let end = if h >= limit - t { limit } else { t + h };
         let made = time_step(&core.world, &mut stepper, states, (bodies, pairs), (t, end - t));
         let (report, error) = made.map_err(|source| Core::response_error(t, source))?;
-        let even = control.even_share() * core.settings.crowd_error_allowed() * h / longest;
+        let even = EVEN_SHARE * core.settings.crowd_error_allowed() * h / longest;
         let allowed = even.max(SHARE_OF_SPARE * crowd.spare_error);
         let taken = taken_of_limit(core, (bodies, start), &report, even);
         let error = error.max(allowed * taken.max(violation_of_limit(&report)));
@@ -546,7 +500,7 @@ fn attempt(
         }
         if error <= allowed || h <= shortest {
             let spare_error = (crowd.spare_error - (error - even).max(0.0)).max(0.0);
-            let step_s = control.next(h, ratio, crowd.step_s).max(shortest);
+            let step_s = next_length(h, ratio).max(shortest);
             let next = Crowd { step_s, spare_error, ..*crowd };
             return Ok(Attempted::Made(Box::new(Made { end, report, error, next })));
         }
@@ -554,7 +508,7 @@ fn attempt(
             least = Some(Refused { h, end, report, error, states: states_of(states, bodies) });
         }
         refused += 1;
-        h = control.shorter(h, ratio, refused).max(shortest);
+        h = shorter_length(h, ratio, refused).max(shortest);
         set_states(states, bodies, start);
         let crowd = Crowd { step_s: h, ..*crowd };
         let shorter = CrowdPart { bodies: bodies.clone(), pairs: pairs.clone(), crowd, refused };

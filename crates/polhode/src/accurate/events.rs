@@ -298,7 +298,7 @@ impl Engine {
             _ => StepEnd::AtEvent,
         };
         let mut advance = pace.note_end(instant.t, end, longest);
-        let may_crowd = core.settings.crowding.steps() && core.world.have_friction(&instant.pairs);
+        let may_crowd = core.settings.crowding.steps();
         if pace.is_backing_off() && may_crowd {
             // Steps that tolerate violations would break Coulomb's law; time steps keep it.
             advance = advance.and_then(|()| Err(pace.stalled(instant.t)));

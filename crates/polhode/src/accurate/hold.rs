@@ -128,7 +128,7 @@ impl Forces {
             contacts: contacts.len(),
             solution: found.solution,
             assembly: found.assembly,
-            accelerations: found.accelerations,
+            accelerations: found.of_bodies,
             t,
             opening,
             load,
@@ -258,11 +258,7 @@ impl Forces {
 /// The largest violation of Coulomb's law: of the cones by forces, relative to the largest of them or to `load` (N); and by
 /// contacts that go on sticking although their slips grow, the acceleration of the slip relative to the largest without
 /// contact forces.
-fn violation_of(
-    found: &Accelerations,
-    friction: &[Option<ContactFriction>],
-    load: f64,
-) -> Option<ConeViolation> {
+fn violation_of(found: &Accelerations, friction: &[Option<ContactFriction>], load: f64) -> Option<ConeViolation> {
     let by_forces = largest_violation(found.contacts.iter().flatten().map(|contact| contact.rubbing), load);
     let sticks = found.contacts.iter().flatten().zip(friction.iter().flatten()).filter(|(_, own)| own.is_held);
     let slip = |(contact, own): (&ContactTangent, &ContactFriction)| {

@@ -191,11 +191,6 @@ impl World {
         (coefficients.at_rest.largest() > 0.0 || resists_rotation).then_some(coefficients)
     }
 
-    /// Whether the bodies of any of these pairs rub on each other.
-    pub(crate) fn have_friction(&self, pairs: &[(usize, usize)]) -> bool {
-        self.has_friction() && pairs.iter().any(|&(a, b)| self.friction_of(a, b).is_some())
-    }
-
     /// The coefficients of friction of a contact whose tangents are these; none without friction. Where the grain stands
     /// on end, every direction is across it.
     pub(crate) fn friction_at(

@@ -24,7 +24,8 @@ use crate::world::{Loads, World};
 use polhode_dynamics::BodyState;
 use polhode_response::friction::{ContactStatus, FrictionSettings};
 use polhode_response::{
-    Blocks, BlocksSolution, ComplementaritySolver, ContactSolution, Delassus, Method, ResponseError, SolverReport, WarmStart,
+    Blocks, BlocksSolution, ComplementaritySolver, ContactSolution, Delassus, Method, ResponseError, SolverReport,
+    WarmStart,
 };
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
@@ -44,7 +45,7 @@ pub(crate) struct Accelerations {
     /// Of the rows of contacts and pivots.
     pub(crate) solution: ContactSolution,
     /// Generalised accelerations of the bodies.
-    pub(crate) accelerations: Vec<f64>,
+    pub(crate) of_bodies: Vec<f64>,
     /// The largest relative acceleration without contact forces, m/s^2.
     pub(crate) scale: f64,
     /// What rounding of the forces may leave of accelerations, m/s^2.
@@ -156,9 +157,8 @@ impl Accelerations {
         let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
         let held = (0..contacts.len()).filter(|&place| contacts[place].hold == Hold::Held).collect();
         let delassus = assembly.problem.delassus();
-        let solution =
-            solver.solve(&assembly.problem, &delassus, &constants, Some(&WarmStart::new(held)))?.clone();
-        let accelerations = with_free(assembly.problem.response(&solution.forces)?, &free);
+        let solution = solver.solve(&assembly.problem, &delassus, &constants, Some(&WarmStart::new(held)))?.clone();
+        let of_bodies = with_free(assembly.problem.response(&solution.forces)?, &free);
         Ok(Self {
             scale: largest(&constants),
             rounding: 0.0,
@@ -168,7 +168,7 @@ impl Accelerations {
             contacts: vec![None; contacts.len()],
             turns: BTreeMap::new(),
             solution,
-            accelerations,
+            of_bodies,
             assembly,
         })
     }
@@ -209,7 +209,7 @@ impl Accelerations {
         } else {
             of_no_slip((world, states, contacts), &assembly, (&blocks, &delassus, &constants), frictional)?
         };
-        let accelerations = with_free(assembly.problem.response(&solved.reactions)?, &free);
+        let of_bodies = with_free(assembly.problem.response(&solved.reactions)?, &free);
         let mut first = assembly.first_tangent();
         let scale = largest(&constants);
         let tangential = frictional.iter().enumerate().map(|(normal, friction)| {
@@ -223,7 +223,7 @@ impl Accelerations {
         });
         let mut tangential: Vec<Option<ContactTangent>> = tangential.collect();
         add_up_pairs(contacts, &mut tangential);
-        complete_slips((world, t, states), (contacts, frictional), (&assembly, &accelerations), &mut tangential);
+        complete_slips((world, t, states), (contacts, frictional), (&assembly, &of_bodies), &mut tangential);
         let turn = |law: &ResistedRotation| ContactTurn { turning: turning(&assembly, law, &solved) };
         let turns = turns.into_iter().zip(rotations.iter().map(turn)).collect();
         let solution = contact_solution(&solved, assembly.first_tangent());
@@ -231,7 +231,7 @@ impl Accelerations {
             are_alike: assembly.problem.has_alike_masses(),
             contacts: tangential,
             solution,
-            accelerations,
+            of_bodies,
             scale,
             rounding: rounding_of(&delassus, &solved.reactions),
             assembly,

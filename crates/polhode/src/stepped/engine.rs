@@ -1,5 +1,6 @@
 //! A run by fixed time steps: one step, and queries at the present.
 
+use super::island_steps::advance_islands;
 use super::islands::{Island, IslandSearch, islands};
 use super::present_forces::{BodyAcceleration, PresentForces};
 use crate::accounting::books::Received;
@@ -161,12 +162,13 @@ impl SteppedEngine {
         self.forces.clear();
         let compares = core.accounts.steps().is_multiple_of(EVERY);
         let halves = if compares { Some(self.in_two_halves(core, &islands, interval)?) } else { None };
-        for island in &islands {
-            let start: Vec<BodyState> = states_of(&self.states, &island.bodies);
-            let report = self.stepper.advance(&core.world, &mut self.states, &island.bodies, &island.pairs, interval);
-            let report = report.map_err(|source| Core::response_error(core.t, source))?;
-            self.note(core, &report, h);
-            self.note_movement(core, island, &start, h);
+        let start: Vec<Vec<BodyState>> = islands.iter().map(|own| states_of(&self.states, &own.bodies)).collect();
+        let of = (&mut self.stepper, &mut self.states[..]);
+        let reports = advance_islands(&core.world, &*core.executor, of, &islands, interval);
+        let reports = reports.map_err(|source| Core::response_error(core.t, source))?;
+        for ((island, start), report) in islands.iter().zip(&start).zip(&reports) {
+            self.note(core, report, h);
+            self.note_movement(core, island, start, h);
             for (&body, halves) in island.bodies.iter().filter_map(|body| Some((body, halves.as_ref()?))) {
                 self.errors.compare(&core.world, body, &self.states[body], &halves[body]);
             }
@@ -245,12 +247,9 @@ impl SteppedEngine {
         (t, h): (f64, f64),
     ) -> Result<Vec<BodyState>, SimulationError> {
         let (mut states, mut stepper) = (self.states.clone(), self.stepper.clone());
-        for island in islands {
-            for part in [(t, 0.5 * h), (t + 0.5 * h, 0.5 * h)] {
-                stepper
-                    .advance(&core.world, &mut states, &island.bodies, &island.pairs, part)
-                    .map_err(|source| Core::response_error(core.t, source))?;
-            }
+        for part in [(t, 0.5 * h), (t + 0.5 * h, 0.5 * h)] {
+            advance_islands(&core.world, &*core.executor, (&mut stepper, &mut states), islands, part)
+                .map_err(|source| Core::response_error(core.t, source))?;
         }
         Ok(states)
     }

@@ -11,9 +11,11 @@
 //! |---|---|
 //! | `engine` | a run, one step of it, and queries at the present |
 //! | `islands` | the islands of a step |
+//! | `island_steps` | their time steps, on the threads that the program gives |
 //! | `present_forces` | forces and accelerations at one instant, for queries |
 
 mod engine;
+mod island_steps;
 mod islands;
 mod present_forces;
 

@@ -55,7 +55,7 @@ impl PresentForces {
         Ok(Self {
             normal: found.solution.forces.iter().take(contacts.len()).copied().collect(),
             friction: found.contacts.iter().map(|tangent| tangent.map_or(DVec3::ZERO, |t| t.force)).collect(),
-            accelerations: found.assembly.split(&found.accelerations).map(body).collect(),
+            accelerations: found.assembly.split(&found.of_bodies).map(body).collect(),
         })
     }
 }

@@ -99,6 +99,16 @@ impl TimeStepper {
         self.carried.by_pair.iter().flat_map(of_pair)
     }
 
+    /// Takes over the warm start of these pairs from another stepper, which has stepped them.
+    pub(crate) fn take_from(&mut self, other: &Self, pairs: &[(usize, usize)]) {
+        for pair in pairs {
+            match other.carried.by_pair.get(pair) {
+                Some(features) => self.carried.by_pair.insert(*pair, features.clone()),
+                None => self.carried.by_pair.remove(pair),
+            };
+        }
+    }
+
     /// Sets the warm start to these contacts, which are sorted, as if they had carried an impulse in the last step of
     /// their pair.
     pub(crate) fn carry(&mut self, contacts: Vec<ContactId>) {

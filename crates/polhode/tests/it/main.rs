@@ -55,5 +55,6 @@ mod stepped;
 mod stiff_and_singular;
 mod support;
 mod table_edge;
+mod threads;
 mod touching_without_pressing;
 mod units;
