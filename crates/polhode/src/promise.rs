@@ -16,7 +16,8 @@
 //! the second. The time of an impact is known to four units in its last
 //! place, and the distance by which the bodies approach in that time is added to the limit of penetration. A run that
 //! exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is a run of any tier in which ending
-//! bounces took more than 1e-9 of E beyond the energy of the bounces themselves, or with a problem that was not solved to
+//! bounces took more than 1e-9 of E beyond the energy of the bounces themselves, one in which lifting bodies onto faces that are
+//! higher by less than the touch distance gave more than that, or with a problem that was not solved to
 //! its tolerance, or with forces of friction that violate Coulomb's law by more than
 //! [`CONE_LIMIT`](crate::interaction::cone_violation::CONE_LIMIT) relative to the largest force of their problem.
 
@@ -45,9 +46,9 @@ const TIME_ULPS: f64 = 4.0;
 /// Order in the step of time steps between changes of contact.
 const ORDER_OF_TIME_STEPS: u32 = 2;
 
-/// Energy that ended bounces may take beyond their own, relative to the largest energy of the run (no unit, 1e-12 to
-/// 1e-8): a run that loses more does not have the motion of its scene.
-const ENDED_BOUNCES_RELATIVE: f64 = 1e-9;
+/// Energy that ended bounces may take beyond their own, and that lifts onto higher faces may give, relative to the largest
+/// energy of the run (no unit, 1e-12 to 1e-8): a run that loses or gains more does not have the motion of its scene.
+const REPLACED_RELATIVE: f64 = 1e-9;
 
 /// Most bodies that a warning names.
 const MOST_NAMES: usize = 4;
@@ -73,7 +74,7 @@ impl Core {
                 Some(drift) if !is_fixed => drift * (duration_s / settings.step_s).max(1.0) + self.crowding_allowed(),
                 _ => f64::INFINITY,
             },
-            ended_bounces_relative: ENDED_BOUNCES_RELATIVE,
+            replaced_relative: REPLACED_RELATIVE,
             smallest_energy_j: self.world.lifting_energy_j(),
             step,
         }
@@ -182,6 +183,23 @@ impl Core {
         done: &Projection,
         balances: (Balance, Balance),
     ) {
+        self.note_displacement(t, states, done);
+        let taken = self.enter_projection(t, done, balances);
+        self.accounts.measures.drift_energy.add(taken);
+    }
+
+    /// The same where bodies were lifted onto higher faces. Their energy is not that of a drift: the faces are higher.
+    pub(crate) fn book_lift(&mut self, t: f64, states: &[BodyState], done: &Projection, balances: (Balance, Balance)) {
+        self.note_displacement(t, states, done);
+        let taken = self.enter_projection(t, done, balances);
+        self.accounts.measures.lifts_sum.add(taken);
+        if let Some(pair) = done.pair() {
+            self.accounts.measures.lifts.note(Measure { t, pair, value: taken.abs(), allowed: f64::INFINITY });
+        }
+    }
+
+    /// Records how far a projection at `t` (s) that has led to these states moved bodies.
+    fn note_displacement(&mut self, t: f64, states: &[BodyState], done: &Projection) {
         let drift = self.settings.promised_drift();
         let allowed = |(a, b): (usize, usize)| {
             let rounding = MOVED_BY_ROUNDING * self.world.rounding(states, a, b);
@@ -191,8 +209,6 @@ impl Core {
             let moved = Measure { t, pair, value: done.moved_m, allowed: allowed(pair) };
             self.accounts.measures.projection.note(moved);
         }
-        let taken = self.enter_projection(t, done, balances);
-        self.accounts.measures.drift_energy.add(taken);
     }
 
     /// The same for overlaps within the touch distance at the start, which are removed without a limit.

@@ -18,8 +18,9 @@ pub(crate) struct Limits {
     pub(crate) crowd_projection_relative: f64,
     /// Energy that the integrator may lose or gain, relative to the energy of the scene; infinite without a promise.
     pub(crate) numerical_relative: f64,
-    /// Energy that ended bounces may take beyond their own, relative to the energy of the scene.
-    pub(crate) ended_bounces_relative: f64,
+    /// Energy that ended bounces may take beyond their own, and that lifts onto higher faces may give, relative to the energy of
+    /// the scene.
+    pub(crate) replaced_relative: f64,
     /// Lower bound for the energy scale of the scene, J, for runs with hardly any energy.
     pub(crate) smallest_energy_j: f64,
     /// The fixed step of the method; none under error control.
@@ -113,8 +114,12 @@ pub(crate) struct Measures {
     pub(crate) projection_energy: Worst,
     /// Violation of Coulomb's law, relative to the largest force of the problem.
     pub(crate) friction: Worst,
-    /// Energy removed by all projections except those of overlaps at the start, J.
+    /// Energy removed by all projections except lifts and those of overlaps at the start, J.
     pub(crate) drift_energy: CompensatedSum,
+    /// Change of energy by one lift onto a higher face, J.
+    pub(crate) lifts: Worst,
+    /// Energy removed by all of these, J.
+    pub(crate) lifts_sum: CompensatedSum,
     /// Change of energy by the projections of one time step of a stretch of crowded events, J.
     pub(crate) crowd_projection: Worst,
     /// Energy removed by all of these, J.
@@ -154,6 +159,8 @@ impl Measures {
             projection_energy: self.projection_energy.save(),
             friction: self.friction.save(),
             drift_energy: self.drift_energy.parts(),
+            lifts: self.lifts.save(),
+            lifts_sum: self.lifts_sum.parts(),
             crowd_projection: self.crowd_projection.save(),
             crowd_projection_sum: self.crowd_projection_sum.parts(),
             ended_bounces: self.ended_bounces.save(),
@@ -176,6 +183,8 @@ impl Measures {
             projection_energy: Worst::restored(&saved.projection_energy, bodies)?,
             friction: Worst::restored(&saved.friction, bodies)?,
             drift_energy: CompensatedSum::from_parts(saved.drift_energy),
+            lifts: Worst::restored(&saved.lifts, bodies)?,
+            lifts_sum: CompensatedSum::from_parts(saved.lifts_sum),
             crowd_projection: Worst::restored(&saved.crowd_projection, bodies)?,
             crowd_projection_sum: CompensatedSum::from_parts(saved.crowd_projection_sum),
             ended_bounces: Worst::restored(&saved.ended_bounces, bodies)?,
@@ -240,6 +249,16 @@ impl Measures {
                  the promised limit is {allowed:e} J"
             ));
         }
+        let sum = self.lifts_sum.value();
+        let allowed = limits.replaced_relative * ledger.scale_j.max(limits.smallest_energy_j);
+        if let Some(worst) = self.lifts.worst.filter(|_| sum.abs() > allowed) {
+            let (t, value, names) = (worst.t, worst.value, names(&worst));
+            exceeded.push(format!(
+                "t = {t} s: degraded: lifting bodies onto faces that are higher by less than the touch distance gave \
+                 {:e} J in all, most of it, {value:e} J, to {names}; the limit is {allowed:e} J",
+                -sum
+            ));
+        }
         let sum = self.crowd_projection_sum.value();
         let allowed = limits.crowd_projection_relative * ledger.scale_j.max(limits.smallest_energy_j);
         if let Some(worst) = self.crowd_projection.worst.filter(|_| sum.abs() > allowed) {
@@ -253,7 +272,7 @@ impl Measures {
         exceeded
             .extend(self.numerical.exceeded(limits.step).or_else(|| self.numerical.broken(limits.numerical_relative)));
         let sum = self.ended_bounces_sum.value();
-        let allowed = limits.ended_bounces_relative * ledger.scale_j.max(limits.smallest_energy_j);
+        let allowed = limits.replaced_relative * ledger.scale_j.max(limits.smallest_energy_j);
         if let Some(worst) = self.ended_bounces.worst.filter(|_| sum > allowed) {
             let (t, value, names) = (worst.t, worst.value, names(&worst));
             exceeded.push(format!(

@@ -43,7 +43,7 @@ impl Engine {
             let after = core.accounts.books.balance(&core.world, &self.states, &bodies);
             let farthest = Some(ConstraintId::Contact(deepest.id));
             let done = Projection { moved_m: depth, farthest, ..Projection::default() };
-            core.book_projection(instant.t, &self.states, &done, (before, after));
+            core.book_lift(instant.t, &self.states, &done, (before, after));
             self.refresh_kinematics(core, instant);
         }
     }

@@ -138,6 +138,8 @@ pub(crate) struct Measures {
     pub(crate) projection_energy: Worst,
     pub(crate) friction: Worst,
     pub(crate) drift_energy: Sum,
+    pub(crate) lifts: Worst,
+    pub(crate) lifts_sum: Sum,
     pub(crate) crowd_projection: Worst,
     pub(crate) crowd_projection_sum: Sum,
     pub(crate) ended_bounces: Worst,
