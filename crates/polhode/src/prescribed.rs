@@ -51,18 +51,24 @@ impl World {
         }
     }
 
-    /// Sets the states of the kinematic members of these pairs to those at `t` (s).
+    /// Sets the states of the kinematic members of these pairs, and of those that joints hold, to those at `t` (s).
     pub(crate) fn prescribe_members(&self, pairs: &[(usize, usize)], t: f64, states: &mut [BodyState]) {
-        for body in self.prescribed_members(pairs) {
+        for body in self.prescribed_members(pairs).chain(self.joint_drivers.iter().copied()) {
             if let Some(state) = self.prescribed_state(body, t) {
                 states[body] = state;
             }
         }
     }
 
-    /// Whether all kinematic members of these pairs stand still from `from` to `to` (s).
-    pub(crate) fn members_stand_still(&self, pairs: &[(usize, usize)], from: f64, to: f64) -> bool {
-        self.prescribed_members(pairs).all(|body| self.stands_still(body, from, to))
+    /// Whether all kinematic members of these pairs, and those that joints hold to these bodies, stand still from `from` to
+    /// `to` (s).
+    pub(crate) fn members_stand_still(
+        &self,
+        bodies: &[usize],
+        pairs: &[(usize, usize)],
+        (from, to): (f64, f64),
+    ) -> bool {
+        self.prescribed_members(pairs).chain(self.drivers_of(bodies)).all(|body| self.stands_still(body, from, to))
     }
 
     /// The kinematic members of these pairs; a body in several pairs is repeated.
@@ -97,12 +103,17 @@ impl World {
     }
 
     /// The first time strictly between `from` and `to` (s, `from < to`) at which the motion of a kinematic body of
-    /// these contacts is not smooth.
-    pub(crate) fn prescribed_corner_between(&self, contacts: &[ContactId], from: f64, to: f64) -> Option<f64> {
+    /// these contacts, or of one that joints hold to these bodies, is not smooth.
+    pub(crate) fn prescribed_corner_between(
+        &self,
+        bodies: &[usize],
+        contacts: &[ContactId],
+        (from, to): (f64, f64),
+    ) -> Option<f64> {
         if self.prescribed.is_empty() {
             return None;
         }
-        let members = contacts.iter().flat_map(|id| [id.a, id.b]);
+        let members = contacts.iter().flat_map(|id| [id.a, id.b]).chain(self.drivers_of(bodies));
         members.filter_map(|body| self.trajectory(body)?.corner_between(from, to)).reduce(f64::min)
     }
 
@@ -369,9 +380,9 @@ mod tests {
         let [screw, _, table] = motions()?;
         let (world, _) = world(table, Shape::sphere(0.4)?, Shape::sphere(0.4)?)?;
         let touching = [ContactId { a: TABLE, b: BODY, feature: first_feature(&world)? }];
-        assert_eq!(world.prescribed_corner_between(&touching, 0.0, 2.0), Some(0.1));
-        assert_eq!(world.prescribed_corner_between(&touching, 1.2, f64::INFINITY), None);
-        assert_eq!(world.prescribed_corner_between(&[], 0.0, 2.0), None);
+        assert_eq!(world.prescribed_corner_between(&[], &touching, (0.0, 2.0)), Some(0.1));
+        assert_eq!(world.prescribed_corner_between(&[], &touching, (1.2, f64::INFINITY)), None);
+        assert_eq!(world.prescribed_corner_between(&[], &[], (0.0, 2.0)), None);
         assert!(!world.stands_still(TABLE, 1.0, 2.0) && world.stands_still(TABLE, 1.2, f64::INFINITY));
         assert!(world.stands_still(BODY, 0.0, 2.0));
         let (world, _) = self::world(screw, Shape::sphere(0.4)?, Shape::sphere(0.4)?)?;

@@ -109,22 +109,22 @@ pub(super) struct StepEndStates {
 }
 
 /// Where a step from `t` (s) of bodies that these contacts hold must end at the latest: at the horizon, or where the
-/// motion of a kinematic body that they touch is not smooth.
-fn horizon(core: &Core, held: &[ContactId], t: f64) -> f64 {
+/// motion of a kinematic body that they touch, or that joints hold to them, is not smooth.
+fn horizon(core: &Core, (bodies, held): (&[usize], &[ContactId]), t: f64) -> f64 {
     let end = core.horizon(t);
-    core.world.prescribed_corner_between(held, t, end).unwrap_or(end)
+    core.world.prescribed_corner_between(bodies, held, (t, end)).unwrap_or(end)
 }
 
 /// Longest step that may be tried from `t`, s.
-pub(super) fn step_limit(core: &Core, held: &[ContactId], t: f64) -> f64 {
-    let remaining = horizon(core, held, t) - t;
+pub(super) fn step_limit(core: &Core, of: (&[usize], &[ContactId]), t: f64) -> f64 {
+    let remaining = horizon(core, of, t) - t;
     let longest = core.settings.step_s;
     // A sum of equal steps may leave a remainder too short for a step: it is added to the last step.
     if is_instant(remaining - longest, longest) { remaining } else { longest }
 }
 
 /// `t + h`, or exactly the horizon when the step reaches it: `t + (end - t)` may round to either side of the end.
-pub(super) fn end_of(core: &Core, held: &[ContactId], t: f64, h: f64) -> f64 {
-    let end = horizon(core, held, t);
+pub(super) fn end_of(core: &Core, of: (&[usize], &[ContactId]), t: f64, h: f64) -> f64 {
+    let end = horizon(core, of, t);
     if h >= end - t { end } else { t + h }
 }

@@ -102,7 +102,7 @@ impl Engine {
         let longest = core.settings.step_s;
         let proposed = bodies.iter().map(|&body| self.tracks[body].proposed_step_s).fold(longest, f64::min);
         let mut control = StepControl::proposing(proposed);
-        let limit_s = step_limit(core, &active.held, t);
+        let limit_s = step_limit(core, (bodies, &active.held), t);
         let mut steps = IslandSteps { engine: self, core, bodies, active, t, limit_s };
         let Accepted { step, length_s, error } = control.next_step(&mut steps)?;
         let next = control.proposed_s().min(longest);
@@ -173,7 +173,7 @@ impl Engine {
             bodies: bodies.to_vec(),
             active: active.clone(),
             t,
-            end: end_of(core, &active.held, t, h),
+            end: end_of(core, (bodies, &active.held), t, h),
             h,
             end_state: step.end_state().to_vec(),
             dense,

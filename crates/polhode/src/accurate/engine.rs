@@ -439,11 +439,17 @@ impl Engine {
     }
 }
 
-/// Whether a kinematic body that an island touches stops at `t`, the end of the island's step: then the island may come
+/// Whether a kinematic body that an island touches, or that a joint holds to it, stops at `t`, the end of the island's step: then the island may come
 /// to rest.
 pub(super) fn kinematic_member_stops(core: &Core, island: &Island, t: f64) -> bool {
-    let mut members = island.active.held.iter().flat_map(|id| [id.a, id.b]);
-    members.any(|body| !core.world.stands_still(body, island.t, t) && core.world.allows_rest(body, t))
+    let drivers = core.world.drivers_of(&island.bodies);
+    island
+        .active
+        .held
+        .iter()
+        .flat_map(|id| [id.a, id.b])
+        .chain(drivers)
+        .any(|body| !core.world.stands_still(body, island.t, t) && core.world.allows_rest(body, t))
 }
 
 /// Books a flight up to `t`, with the energy error of its record. Sets the body's state to that at `t`.

@@ -163,11 +163,11 @@ impl FreeStep {
     }
 
     fn advance(&mut self, core: &mut Core) -> Result<(), SimulationError> {
-        let mut h = if adapts_step(core) { self.own_step_s } else { step_limit(core, &[], self.t) };
+        let mut h = if adapts_step(core) { self.own_step_s } else { step_limit(core, (&[], &[]), self.t) };
         self.from = self.integrator.time();
         let motion = Self::motion(&self.rigid, &self.fields, &core.world);
         loop {
-            self.end = end_of(core, &[], self.t, h);
+            self.end = end_of(core, (&[], &[]), self.t, h);
             match self.integrator.step(&motion, self.end - self.t) {
                 Ok(()) => break,
                 // Only a failed step of the length that the scene allows shows that forces are too strong for

@@ -183,8 +183,9 @@ impl Engine {
         tolerated: &BTreeSet<ContactId>,
         states: &mut [BodyState],
     ) -> Result<Option<(f64, f64)>, SimulationError> {
-        let mut members = step.active.held.iter().flat_map(|id| [id.a, id.b]);
-        let driven = members.any(|body| !core.world.stands_still(body, start, limit));
+        let is_moved = |body| !core.world.stands_still(body, start, limit);
+        let driven = step.active.held.iter().flat_map(|id| [id.a, id.b]).any(is_moved)
+            || core.world.drivers_of(&step.bodies).any(is_moved);
         let first_check = start + (limit - start) / f64::from(PENETRATION_CHECKS);
         if let Some(interval) = self.approach_interval(core, step, (start, first_check), tolerated, states) {
             return Ok(Some(interval));

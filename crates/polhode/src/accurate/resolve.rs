@@ -10,7 +10,6 @@ use super::instant::Instant;
 use crate::SimulationError;
 use crate::collision::contact_set::{ContactId, FoundContact, Hold, Pair, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
-use crate::constraint::bilateral::bilateral_support;
 use crate::core::Core;
 use crate::event::{Event, EventKind};
 use crate::interaction::cone_violation::CONE_LIMIT;
@@ -180,8 +179,7 @@ impl Engine {
         let members: Vec<Touch> = contacts.iter().map(|&i| instant.touches[i]).collect();
         let work = struck.work(&core.world, &self.states, &members);
         let about = core.accounts.books.ledger.momentum.about;
-        let by_pivots = bilateral_support(about, struck.bilaterals.iter().map(|(of, impulse)| (of, *impulse)));
-        let given = struck.support(&core.world, about, &members) + by_pivots;
+        let given = struck.support(&core.world, about, &members);
         core.accounts.books.impact((outcome.energy_change, struck.friction_j), given, work);
         core.note_friction(instant.t, struck.cone_violation(&core.world, &self.states, &members), CONE_LIMIT);
         let largest = outcome.applications.iter().fold(0.0, |most: f64, one| most.max(one.impulse.abs()));
@@ -400,7 +398,9 @@ impl Engine {
             let projected = Projected { touching: &touching, held: &ids, sticking: &sticking, turns: &turns };
             self.project_held_contacts(core, &component.bodies, projected, instant.t, before)?;
             let scale = instant.speed_scale;
+            let stands = |driver| core.world.stands_still(driver, instant.t, f64::INFINITY);
             let rests = allow_rest(core, instant.t, &ids)
+                && core.world.drivers_of(&component.bodies).all(stands)
                 && component.bodies.iter().all(|&body| {
                     balanced.contains(&body)
                         && self.is_slow(core, scale, body)

@@ -242,7 +242,9 @@ impl<'a> ContactSystem<'a> {
             add(&mut rates[3..], moment_support(self.world, moments()).angular);
         }
         if !held.reactions.is_empty() {
-            let support = bilateral_support(self.about, held.reactions.iter().map(|(of, reaction)| (of, *reaction)));
+            let reactions = || held.reactions.iter().map(|(of, reaction)| (of, *reaction));
+            rates[19] += self.world.driven_work(self.states, reactions());
+            let support = bilateral_support(self.about, reactions());
             add(&mut rates[..], support.linear);
             add(&mut rates[3..], support.angular);
         }

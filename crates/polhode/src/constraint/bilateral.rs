@@ -10,7 +10,8 @@
 //! rotations are multiplied by a length, so that all rows have one unit. Sources: thesis 3.2, equations 2 and 3; Featherstone
 //! 2008, chapter 8 (rows of joints).
 //!
-//! Assumption: neither member is prescribed. Rows are made in `point.rs`, `line.rs` and `perpendicular.rs`, and put together in one file for each
+//! A kinematic member contributes known terms to rates (by its velocity in the states) and to the second derivatives
+//! ([`World::driven_acceleration`]), and does work on the other one ([`World::driven_work`]). Rows are made in `point.rs`, `line.rs` and `perpendicular.rs`, and put together in one file for each
 //! kind of joint.
 
 use super::ConstraintId;
@@ -29,6 +30,8 @@ pub(crate) struct Bilateral {
     pub(crate) point: DVec3,
     /// The movable ones of its bodies.
     pub(crate) members: Vec<Member>,
+    /// The kinematic one.
+    pub(crate) driver: Option<Member>,
     pub(crate) rows: Vec<BilateralRow>,
 }
 
@@ -42,8 +45,8 @@ pub(crate) struct Reaction {
 
 impl Bilateral {
     /// The constraint of this identity with these rows.
-    pub(super) fn new(id: ConstraintId, RowsAt { point, members, rows }: RowsAt) -> Self {
-        Self { id, point, members, rows }
+    pub(super) fn new(id: ConstraintId, RowsAt { point, members, driver, rows }: RowsAt) -> Self {
+        Self { id, point, members, driver, rows }
     }
 
     /// How far the bodies are from where they are held, m.
@@ -99,7 +102,33 @@ fn length(parts: impl Iterator<Item = f64>) -> f64 {
     parts.fold(0.0, |sum: f64, part| sum + part * part).sqrt()
 }
 
-/// Momentum that reactions of constraints with the world (N s, N) give to the bodies that they hold, angular about a point: between
+impl World {
+    /// Term of prescribed accelerations at `t` (s) in the second derivative of the gap of a row, m/s^2.
+    pub(crate) fn driven_acceleration(&self, t: f64, bilateral: &Bilateral, row: &BilateralRow) -> f64 {
+        bilateral.driver.map_or(0.0, |driver| {
+            let (along, about) = row.entries(&driver);
+            let (linear, angular) = self.prescribed_acceleration(driver.body, t);
+            along.dot(linear) + about.dot(angular)
+        })
+    }
+
+    /// Work of kinematic bodies on those that constraints hold to them, J, by these impulses; of forces their power, W.
+    pub(crate) fn driven_work<'a>(
+        &self,
+        states: &[BodyState],
+        reactions: impl Iterator<Item = (&'a Bilateral, Reaction)>,
+    ) -> f64 {
+        let work = |(bilateral, reaction): (&Bilateral, Reaction)| {
+            let driver = bilateral.driver?;
+            let velocity = self.velocity(driver.body, &states[driver.body]);
+            let at_point = velocity.linear + velocity.angular.cross(driver.arm);
+            Some(-driver.sign * (reaction.force.dot(at_point) + reaction.moment.dot(velocity.angular)))
+        };
+        reactions.filter_map(work).sum()
+    }
+}
+
+/// Momentum that reactions of constraints with the world, or with kinematic bodies (N s, N) give to the bodies that they hold, angular about a point: between
 /// movable bodies they cancel.
 pub(crate) fn bilateral_support<'a>(
     about: DVec3,

@@ -1,4 +1,4 @@
-//! An end of a constraint: a point fixed in a movable body, or in the world.
+//! An end of a constraint: a point fixed in a movable body, in a kinematic one, or in the world.
 
 use super::row::Member;
 use polhode_spatial::{DVec3, Pose, Rotation, Velocity};
@@ -12,6 +12,12 @@ pub(crate) enum End {
         /// From its centre of mass to the point, in body axes, m.
         arm: DVec3,
     },
+    /// A kinematic body.
+    Driver {
+        body: usize,
+        /// From its origin to the point, in body axes, m.
+        arm: DVec3,
+    },
     /// A point of the world, m. Fixed bodies are part of it.
     World(DVec3),
 }
@@ -22,14 +28,21 @@ pub(super) struct EndKinematics {
     pub(super) point: DVec3,
     /// Of the point, m/s.
     pub(super) velocity: DVec3,
-    /// `w x (w x r)`: the acceleration of the point without those of the body, m/s^2.
+    /// `w x (w x r)`: the acceleration of the point without that of the body, m/s^2.
     pub(super) acceleration: DVec3,
     /// Attitude of the body.
     pub(super) rotation: Rotation,
     /// Angular velocity of the body, rad/s.
     pub(super) angular: DVec3,
-    /// Without its sign.
-    member: Option<(usize, DVec3)>,
+    holder: Holder,
+}
+
+/// What an end is fixed in, with the arm to it, world, m.
+#[derive(Debug, Clone, Copy)]
+enum Holder {
+    World,
+    Body(usize, DVec3),
+    Driver(usize, DVec3),
 }
 
 impl End {
@@ -42,9 +55,9 @@ impl End {
                 acceleration: DVec3::ZERO,
                 rotation: Rotation::IDENTITY,
                 angular: DVec3::ZERO,
-                member: None,
+                holder: Holder::World,
             },
-            Self::Body { body, arm } => {
+            Self::Body { body, arm } | Self::Driver { body, arm } => {
                 let (pose, Velocity { linear, angular }) = motion(body);
                 let arm = pose.rotation.rotate(arm);
                 EndKinematics {
@@ -53,17 +66,28 @@ impl End {
                     acceleration: angular.cross(angular.cross(arm)),
                     rotation: pose.rotation,
                     angular,
-                    member: Some((body, arm)),
+                    holder: match self {
+                        Self::Driver { .. } => Holder::Driver(body, arm),
+                        Self::World(_) | Self::Body { .. } => Holder::Body(body, arm),
+                    },
                 }
             }
         }
     }
 
-    /// The body, if it is one.
+    /// The movable body, if it is one.
     pub(crate) fn body(&self) -> Option<usize> {
         match *self {
             Self::Body { body, .. } => Some(body),
-            Self::World(_) => None,
+            Self::World(_) | Self::Driver { .. } => None,
+        }
+    }
+
+    /// The kinematic body, if it is one.
+    pub(crate) fn driver(&self) -> Option<usize> {
+        match *self {
+            Self::Driver { body, .. } => Some(body),
+            Self::World(_) | Self::Body { .. } => None,
         }
     }
 }
@@ -72,19 +96,39 @@ impl EndKinematics {
     /// The motion of another point (m, world) that moves with the body at this moment. Two bodies whose ends are apart bear
     /// their forces at one point, so that their angular momentum stays.
     pub(super) fn at_point(self, point: DVec3) -> Self {
-        let Some((body, arm)) = self.member else { return self };
         let way = point - self.point;
+        let (arm, holder) = match self.holder {
+            Holder::World => return self,
+            Holder::Body(body, arm) => (arm, Holder::Body(body, arm + way)),
+            Holder::Driver(body, arm) => (arm, Holder::Driver(body, arm + way)),
+        };
         Self {
             point,
             velocity: self.velocity + self.angular.cross(way),
             acceleration: self.angular.cross(self.angular.cross(arm + way)),
-            member: Some((body, arm + way)),
+            holder,
             ..self
         }
     }
 
-    /// The member of a constraint at this end, with its sign.
+    /// Whether it is fixed in the world.
+    pub(super) fn is_in_world(&self) -> bool {
+        matches!(self.holder, Holder::World)
+    }
+
+    /// The movable member of a constraint at this end, with its sign.
     pub(super) fn member(&self, sign: f64) -> Option<Member> {
-        self.member.map(|(body, arm)| Member { body, arm, sign })
+        match self.holder {
+            Holder::Body(body, arm) => Some(Member { body, arm, sign }),
+            Holder::World | Holder::Driver(..) => None,
+        }
+    }
+
+    /// The kinematic member, likewise.
+    pub(super) fn driver(&self, sign: f64) -> Option<Member> {
+        match self.holder {
+            Holder::Driver(body, arm) => Some(Member { body, arm, sign }),
+            Holder::World | Holder::Body(..) => None,
+        }
     }
 }

@@ -56,6 +56,12 @@ impl World {
         joints.into_iter().map(|joint| &self.joints[joint])
     }
 
+    /// The kinematic bodies that joints hold to these; one with several joints is repeated.
+    pub(crate) fn drivers_of<'a>(&'a self, bodies: &'a [usize]) -> impl Iterator<Item = usize> + 'a {
+        let bodies = if self.joint_drivers.is_empty() { &[] } else { bodies };
+        self.joints_among(bodies).filter_map(WorldJoint::driver)
+    }
+
     /// These bodies and all that joints connect to them, ascending.
     pub(crate) fn with_jointed(&self, bodies: Vec<usize>) -> Vec<usize> {
         if self.joints.is_empty() {

@@ -17,6 +17,14 @@ use super::{cylindrical, fixed, hinge, planar, point, slider, universal};
 use crate::scene::{Joint, JointKind};
 use polhode_spatial::{DVec3, Pose, Rotation, Velocity};
 
+/// How a joint holds a body at the start: the pose of its moving frame, if that can change.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum HeldBody {
+    Fixed,
+    Movable(Pose),
+    Kinematic(Pose),
+}
+
 /// A joint of the model.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct WorldJoint {
@@ -30,19 +38,24 @@ pub(crate) struct WorldJoint {
 }
 
 impl WorldJoint {
-    /// A joint of a scene, where these are the poses of the moving frames of the bodies that move, at the start; none of others.
-    /// `length` is that of rows of rotation, m.
-    pub(crate) fn new(number: usize, joint: &Joint, pose: impl Fn(usize) -> Option<Pose>, length: f64) -> Self {
-        let pose = |body: Option<usize>| body.and_then(|body| Some((body, pose(body)?)));
-        let end = |pose: Option<(usize, Pose)>| {
-            pose.map_or(End::World(joint.anchor()), |(body, pose)| End::Body {
-                body,
-                arm: pose.inverse_transform_point(joint.anchor()),
-            })
+    /// A joint of a scene, where this is how bodies are held at the start. `length` is that of rows of rotation, m.
+    pub(crate) fn new(number: usize, joint: &Joint, held: impl Fn(usize) -> HeldBody, length: f64) -> Self {
+        let held = |body: Option<usize>| body.map(|body| (body, held(body)));
+        let [a, b] = [held(Some(joint.body())), held(joint.other())];
+        let end = |held: Option<(usize, HeldBody)>| match held {
+            None | Some((_, HeldBody::Fixed)) => End::World(joint.anchor()),
+            Some((body, HeldBody::Movable(pose))) => {
+                End::Body { body, arm: pose.inverse_transform_point(joint.anchor()) }
+            }
+            Some((body, HeldBody::Kinematic(pose))) => {
+                End::Driver { body, arm: pose.inverse_transform_point(joint.anchor()) }
+            }
         };
-        let [a, b] = [pose(Some(joint.body())), pose(joint.other())];
-        let [of_a, of_b] = [a, b].map(|pose| pose.map_or(Rotation::IDENTITY, |(_, pose)| pose.rotation));
-        let attitudes = (of_a, of_b);
+        let attitude = |held: Option<(usize, HeldBody)>| match held {
+            None | Some((_, HeldBody::Fixed)) => Rotation::IDENTITY,
+            Some((_, HeldBody::Movable(pose) | HeldBody::Kinematic(pose))) => pose.rotation,
+        };
+        let attitudes = (attitude(a), attitude(b));
         let kept = match joint.kind() {
             JointKind::Ball => Kept::point(),
             JointKind::Hinge { axis } => hinge::kept(axis.get(), attitudes),
@@ -58,6 +71,11 @@ impl WorldJoint {
     /// The movable bodies that it holds.
     pub(crate) fn bodies(&self) -> impl Iterator<Item = usize> {
         self.a.body().into_iter().chain(self.b.body())
+    }
+
+    /// The kinematic body that it holds, if there is one.
+    pub(crate) fn driver(&self) -> Option<usize> {
+        self.a.driver().or_else(|| self.b.driver())
     }
 
     /// How many rows it has.
@@ -90,5 +108,5 @@ pub(crate) fn pivot_rows(
 ) -> RowsAt {
     let [a, b] = [End::Body { body, arm }, End::World(place)].map(|end| end.at(&motion));
     let rows = point::rows(a.point - b.point, &a, &b).collect();
-    RowsAt { point: a.point, members: a.member(1.0).into_iter().collect(), rows }
+    RowsAt { point: a.point, members: a.member(1.0).into_iter().collect(), driver: None, rows }
 }

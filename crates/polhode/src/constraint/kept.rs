@@ -58,7 +58,7 @@ impl Kept {
         let gap = a.point - b.point;
         let mut rows: Vec<_> = match &self.displacement {
             StaysAlong::All => {
-                if a.member(1.0).is_some() && b.member(1.0).is_some() {
+                if !a.is_in_world() && !b.is_in_world() {
                     let middle = (a.point + b.point) * 0.5;
                     [a, b] = [a, b].map(|end| end.at_point(middle));
                 }
@@ -71,6 +71,6 @@ impl Kept {
         };
         rows.extend(self.rotation.iter().map(|pair| pair.row(&a, &b, length)));
         let members = a.member(1.0).into_iter().chain(b.member(-1.0)).collect();
-        RowsAt { point: a.point, members, rows }
+        RowsAt { point: a.point, members, driver: a.driver(1.0).or_else(|| b.driver(-1.0)), rows }
     }
 }

@@ -2,11 +2,11 @@
 
 use polhode_spatial::DVec3;
 
-/// A movable body that a constraint holds.
+/// A body that a constraint holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Member {
     pub(crate) body: usize,
-    /// From its centre of mass to the point at which the force acts, world, m.
+    /// From its centre of mass (of a kinematic body: its origin) to the point at which the force acts, world, m.
     pub(crate) arm: DVec3,
     /// 1 for the first body, -1 for the second.
     pub(crate) sign: f64,
@@ -50,5 +50,7 @@ pub(crate) struct RowsAt {
     pub(crate) point: DVec3,
     /// The movable ones of its bodies.
     pub(crate) members: Vec<Member>,
+    /// The kinematic one.
+    pub(crate) driver: Option<Member>,
     pub(crate) rows: Vec<BilateralRow>,
 }

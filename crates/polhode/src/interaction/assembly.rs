@@ -239,7 +239,7 @@ impl Assembly {
     }
 
     /// The bilateral constraints with the reaction of each, from the forces (N; impulses, N s) of all rows.
-    pub(crate) fn reactions(&self, forces: &[f64]) -> impl Iterator<Item = (&Bilateral, Reaction)> {
+    pub(crate) fn reactions(&self, forces: &[f64]) -> impl Iterator<Item = (&Bilateral, Reaction)> + Clone {
         let mut left = forces.get(self.contacts..).unwrap_or_default();
         self.bilaterals.iter().map_while(move |bilateral| {
             let (own, others) = left.split_at_checked(bilateral.rows.len())?;
@@ -281,9 +281,9 @@ impl Assembly {
         for (constant, (id, k)) in b.iter_mut().zip(contacts) {
             *constant += k.acceleration_bias + world.prescribed_acceleration_of(t, states, id, &k.geometry);
         }
-        let rows = self.bilaterals.iter().flat_map(|bilateral| &bilateral.rows);
-        for (constant, row) in b.iter_mut().skip(self.contacts).zip(rows) {
-            *constant += row.bias;
+        let rows = self.bilaterals.iter().flat_map(|own| own.rows.iter().map(move |row| (own, row)));
+        for (constant, (bilateral, row)) in b.iter_mut().skip(self.contacts).zip(rows) {
+            *constant += row.bias + world.driven_acceleration(t, bilateral, row);
         }
         for (&index, row) in self.tangent_rows.iter().zip(&self.tangents) {
             let Some(constant) = b.get_mut(index) else { continue };

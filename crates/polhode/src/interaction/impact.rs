@@ -2,7 +2,7 @@
 
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::constraint::ConstraintId;
-use crate::constraint::bilateral::{Bilateral, Reaction, apply_reactions};
+use crate::constraint::bilateral::{Bilateral, Reaction, apply_reactions, bilateral_support};
 use crate::event::{Event, EventKind};
 use crate::interaction::assembly::{Assembly, apply_impulses};
 use crate::interaction::cone_violation::{ConeViolation, RubbingForce, largest_violation};
@@ -67,12 +67,20 @@ impl Struck {
         world.prescribed_work(states, self.impulses(contacts.iter()))
             + world.surface_work(states, self.along_tangents())
             + moment_work(world, states, moments)
+            + world.driven_work(states, self.reactions())
     }
 
-    /// Momentum that contacts give to the bodies that move, angular about a point.
+    /// The impulses of bilateral constraints.
+    fn reactions(&self) -> impl Iterator<Item = (&Bilateral, Reaction)> + Clone {
+        self.bilaterals.iter().map(|(of, impulse)| (of, *impulse))
+    }
+
+    /// Momentum that contacts and bilateral constraints give to the bodies that move, angular about a point.
     pub(crate) fn support(&self, world: &World, about: DVec3, contacts: &[Touch]) -> Momentum {
         let moments = self.moments.iter().copied();
-        support(world, about, self.impulses(contacts.iter())) + moment_support(world, moments)
+        support(world, about, self.impulses(contacts.iter()))
+            + bilateral_support(about, self.reactions())
+            + moment_support(world, moments)
     }
 
     /// How far the impulses of contacts with friction, which are in the order of the impact, are from Coulomb's law.
@@ -141,7 +149,7 @@ pub(crate) fn apply_without_gain<'a>(
     bodies: &[usize],
     (impulses, reactions): (
         impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone,
-        impl Iterator<Item = (&'a Bilateral, Reaction)>,
+        impl Iterator<Item = (&'a Bilateral, Reaction)> + Clone,
     ),
     (moments, by_surfaces): (&[(ContactId, DVec3)], f64),
 ) -> bool {
@@ -149,7 +157,8 @@ pub(crate) fn apply_without_gain<'a>(
     let kinetic = |states: &[BodyState]| bodies.iter().map(|&body| world.energies(body, &states[body]).0).sum::<f64>();
     let before = kinetic(states);
     let by_moments = moment_work(world, states, moments.iter().copied());
-    let work = world.prescribed_work(states, impulses.clone()) + by_moments + by_surfaces;
+    let by_drivers = world.driven_work(states, reactions.clone());
+    let work = world.prescribed_work(states, impulses.clone()) + by_moments + by_surfaces + by_drivers;
     apply_impulses(world, states, impulses);
     apply_reactions(world, states, reactions);
     apply_moments(world, states, moments.iter().copied());
@@ -334,7 +343,7 @@ fn strike_all_with_friction(
     let mut struck = Struck { outcome, constraints, bilaterals, tangential, moments, friction_j, restitution };
     if struck.outcome.status != ImpactStatus::NotSolved {
         let impulses = struck.impulses(members.iter());
-        let reactions = struck.bilaterals.iter().map(|(of, impulse)| (of, *impulse));
+        let reactions = struck.reactions();
         if restitution == Restitution::RaisesEnergy {
             apply_impulses(world, states, impulses);
             apply_reactions(world, states, reactions);

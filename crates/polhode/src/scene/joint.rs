@@ -1,7 +1,8 @@
 //! Joints: what holds two bodies, or a body and the world, together.
 //!
 //! A joint is given by a point of the world at the start, its anchor, which stays one point of both bodies. A joint between
-//! bodies that do not move, or of a body with itself, is refused. Jointed bodies do not collide with each other.
+//! bodies that no force moves, or of a body with itself, is refused. One of two bodies may be kinematic: it drives the other one,
+//! and its work is in the ledger. Jointed bodies do not collide with each other.
 
 use polhode_spatial::{DVec3, UnitVector};
 

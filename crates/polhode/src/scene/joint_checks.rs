@@ -1,10 +1,10 @@
 //! Checks of the joints of a scene: that their bodies exist and can be held, that they do not part at the start, and that the
 //! method solves for them.
 
-use super::{Body, Integrator, Joint, JointKind, Scene, SceneError, Tier};
-use crate::constraint::joint::WorldJoint;
+use super::{Integrator, Joint, JointKind, Scene, SceneError, Tier};
+use crate::constraint::joint::{HeldBody, WorldJoint};
 use crate::constraint::row::RowKind;
-use polhode_spatial::{Pose, Velocity};
+use polhode_spatial::{Motion, Pose, Velocity};
 
 /// Relative velocity at a joint at the start, relative to the parts of the speeds of its bodies there: more than a file's digits
 /// is a contradiction (no unit, 1e-12 to 1e-6).
@@ -36,10 +36,7 @@ impl Scene {
                 return Err(refused("its anchor has a component that is not finite: finite numbers are needed"));
             }
             let mut bodies = joint.bodies().map(|body| &self.bodies[body]);
-            if joint.bodies().any(|body| self.bodies[body].motion().is_some()) {
-                return Err(refused("it holds a body with a prescribed motion, which is not yet available"));
-            }
-            if bodies.all(Body::is_fixed) {
+            if bodies.all(|body| body.is_fixed() || body.motion().is_some()) {
                 return Err(refused("forces move none of its bodies: one at least must be movable"));
             }
             if let JointKind::Universal { axes: [first, second] } = joint.kind()
@@ -75,6 +72,10 @@ impl Scene {
     fn check_joint_velocity(&self, number: usize, joint: &Joint) -> Result<(), SceneError> {
         let motion = |body: usize| {
             let own = &self.bodies[body];
+            if let Some(motion) = own.motion() {
+                let trajectory = motion.from_pose(&motion.initial_pose(own.initial_pose()));
+                return (trajectory.pose(0.0), trajectory.velocity(0.0));
+            }
             let Some(properties) = own.mass_properties() else { return (Pose::IDENTITY, Velocity::ZERO) };
             let Velocity { linear, angular } = *own.initial_velocity();
             let center = properties.center_of_mass();
@@ -82,9 +83,13 @@ impl Scene {
             let linear = own.pivot_point().map_or(linear, |pivot| angular.cross(pose.translation - pivot));
             (pose, Velocity::new(linear, angular))
         };
-        let pose = |body: usize| self.bodies[body].mass_properties().map(|_| motion(body).0);
+        let held = |body: usize| match &self.bodies[body] {
+            own if own.motion().is_some() => HeldBody::Kinematic(motion(body).0),
+            own if own.mass_properties().is_some() => HeldBody::Movable(motion(body).0),
+            _ => HeldBody::Fixed,
+        };
         // The length of rows of rotation cancels.
-        let world_joint = WorldJoint::new(number, joint, pose, 1.0);
+        let world_joint = WorldJoint::new(number, joint, held, 1.0);
         let (mut apart, mut across) = (0.0, 0.0);
         for row in world_joint.rows_at(motion).rows {
             match row.kind {
@@ -93,7 +98,7 @@ impl Scene {
             }
         }
         let (mut speed, mut turning) = (0.0, 0.0);
-        for (pose, velocity) in world_joint.bodies().map(motion) {
+        for (pose, velocity) in world_joint.bodies().chain(world_joint.driver()).map(motion) {
             let rate = velocity.angular.length();
             // The parts of the velocity at the anchor may cancel.
             speed += velocity.linear.length() + rate * (joint.anchor() - pose.translation).length();

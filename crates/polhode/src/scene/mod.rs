@@ -194,7 +194,9 @@ impl Scene {
             let Some(t_s) = body.motion().and_then(|motion| motion.jump_between(0.0, self.duration_s)) else {
                 continue;
             };
-            let moved = |other: &usize| !self.bodies[*other].is_fixed() && self.may_collide(index, *other);
+            let holds = |other: usize| self.joints.iter().any(|joint| joint.joins(index, other));
+            let acts_on = |other: usize| self.may_collide(index, other) || holds(other);
+            let moved = |other: &usize| !self.bodies[*other].is_fixed() && acts_on(*other);
             if let Some(other) = (0..self.bodies.len()).find(moved) {
                 let [body, other] = [index, other].map(|body| self.bodies[body].name.clone());
                 return Err(SceneError::MotionJumps { body, other, t_s });

@@ -11,7 +11,6 @@ use super::contacts::{FreeAccelerations, NearContact, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Substep, TimeStepper};
 use crate::collision::contact_set::{FoundContact, Touch};
-use crate::constraint::bilateral::bilateral_support;
 use crate::interaction::cone_violation::ConeViolation;
 use crate::interaction::frictional_impact::Restitution;
 use crate::interaction::groups::{Group, groups};
@@ -103,8 +102,7 @@ fn note(world: &World, states: &[BodyState], touches: &[Touch], struck: &Struck,
     report.fallbacks += u64::from(outcome.status == ImpactStatus::LimitReached);
     report.raises_energy |= struck.restitution == Restitution::RaisesEnergy;
     let about = report.books.ledger.momentum.about;
-    let given = struck.support(world, about, touches)
-        + bilateral_support(about, struck.bilaterals.iter().map(|(of, impulse)| (of, *impulse)));
+    let given = struck.support(world, about, touches);
     let work = struck.work(world, states, touches);
     let violation = struck.cone_violation(world, states, touches);
     report.cone_violation = ConeViolation::larger(report.cone_violation, violation);

@@ -218,7 +218,7 @@ impl TimeStepper {
         report.books.smooth_stage(before, after, received);
 
         self.carried.replace(pairs, carrying.iter().map(|&contact| near[contact].id));
-        if world.members_stand_still(pairs, t, t + h) {
+        if world.members_stand_still(bodies, pairs, (t, t + h)) {
             rest_exactly(world, states, bodies, (&start, &speeds), h, &mut report);
         }
         if !report.at_rest {

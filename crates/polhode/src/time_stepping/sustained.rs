@@ -341,11 +341,13 @@ fn note(
     let mut carrying = Vec::new();
     for group in solved {
         let moments = || group.moments.iter().map(SustainedMoment::on_a);
+        let reactions = || group.reactions.iter().map(|(of, impulse)| (of, *impulse));
         let about = report.books.ledger.momentum.about;
         let given = support(world, about, group.impulses_of(rows, near))
             + moment_support(world, moments())
-            + bilateral_support(about, group.reactions.iter().map(|(of, impulse)| (of, *impulse)));
+            + bilateral_support(about, reactions());
         let work = world.prescribed_work(states, group.impulses_of(rows, near))
+            + world.driven_work(states, reactions())
             + moment_work(world, states, moments())
             + group.work_of_surfaces(world, states);
         let friction_j = group.lost_to_friction_j(world, states) + group.lost_to_moments_j(world, states);

@@ -8,14 +8,14 @@
 use super::body::WorldBody;
 use super::field_index::{FieldBuffers, FieldIndex};
 use crate::collision::narrow_phase::NarrowPhase;
-use crate::constraint::joint::{WorldJoint, row_length};
+use crate::constraint::joint::{HeldBody, WorldJoint, row_length};
 use crate::pivot_form::PivotRows;
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::scene::{Body, MovingFrames, Scene, SceneError};
 use polhode_dynamics::field::{Field, Wrench};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::DVec3;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// The friction that any two bodies which may collide have.
@@ -72,6 +72,8 @@ pub(crate) struct World {
     pub(crate) joints: Vec<WorldJoint>,
     /// Which of them hold a movable body.
     pub(crate) joints_of: BTreeMap<usize, Vec<usize>>,
+    /// The kinematic bodies that joints hold, ascending.
+    pub(crate) joint_drivers: Vec<usize>,
     /// For which pivoted bodies there are such rows.
     pub(crate) pivot_rows: PivotRows,
     /// Force fields over the movable bodies.
@@ -148,6 +150,7 @@ impl World {
             held_by_rows: Vec::new(),
             joints: Vec::new(),
             joints_of: BTreeMap::new(),
+            joint_drivers: Vec::new(),
             pivot_rows,
             fields: Arc::from(Vec::new()),
             is_loaded_at_all: false,
@@ -176,8 +179,12 @@ impl World {
         let size = |body: usize| self.bodies[body].size;
         let made = self.scene.joints().iter().enumerate().map(|(number, joint)| {
             let moving = joint.bodies().filter(|&body| self.bodies[body].moves());
-            let pose = |body: usize| self.bodies[body].moves().then(|| states[body].pose);
-            WorldJoint::new(number, joint, pose, row_length(moving.map(size)))
+            let held = |body: usize| match &self.bodies[body] {
+                own if own.moves() => HeldBody::Movable(states[body].pose),
+                own if own.trajectory.is_some() => HeldBody::Kinematic(states[body].pose),
+                _ => HeldBody::Fixed,
+            };
+            WorldJoint::new(number, joint, held, row_length(moving.map(size)))
         });
         self.joints = made.collect();
         self.index_joints();
@@ -191,6 +198,8 @@ impl World {
                 self.joints_of.entry(body).or_default().push(number);
             }
         }
+        let drivers: BTreeSet<usize> = self.joints.iter().filter_map(WorldJoint::driver).collect();
+        self.joint_drivers = drivers.into_iter().collect();
         let is_held = |body: &usize| self.bodies[*body].held.is_some() || self.joints_of.contains_key(body);
         self.held_by_rows = (0..self.bodies.len()).filter(is_held).collect();
     }

@@ -15,19 +15,19 @@ use polhode::{Body, BodySample, Effects, RunReport, Scene, SceneBuilder, Simulat
 const G: f64 = 9.81;
 
 /// A uniform rod with its centre at `center`, along a direction in the plane y = 0 that is turned by `angle` from -z towards x.
-fn rod(name: &str, (mass, length): (f64, f64), center: DVec3, angle: f64) -> Body {
+pub(crate) fn rod(name: &str, (mass, length): (f64, f64), center: DVec3, angle: f64) -> Body {
     let size = DVec3::new(0.02, 0.02, length);
     let attitude = Rotation::from_rotation_vector(DVec3::Y * -angle);
     Body::movable(name, solid_box(size, Mass::new(mass).unwrap()).unwrap()).pose(Pose::new(attitude, center))
 }
 
 /// The direction at an angle from -z towards x.
-fn down(angle: f64) -> DVec3 {
+pub(crate) fn down(angle: f64) -> DVec3 {
     DVec3::new(angle.sin(), 0.0, -angle.cos())
 }
 
 /// The moment of inertia of a rod of [`rod`] about its centre, across its length.
-fn inertia((mass, length): (f64, f64)) -> f64 {
+pub(crate) fn inertia((mass, length): (f64, f64)) -> f64 {
     mass / 12.0 * (length * length + 4e-4)
 }
 
@@ -73,7 +73,7 @@ impl System for DoublePendulum {
 }
 
 /// Integrates over a time by the classical method, in steps so short that its error is rounding.
-fn integrate<S: System<Error = std::convert::Infallible>>(system: &mut S, t: f64, state: &mut [f64]) {
+pub(crate) fn integrate<S: System<Error = std::convert::Infallible>>(system: &mut S, t: f64, state: &mut [f64]) {
     let (steps, mut method) = (20_000, Rk4::new(state.len()));
     let h = t / f64::from(steps);
     for step in 0..steps {
@@ -90,7 +90,7 @@ fn angles_after(rods: [(f64, f64); 2], angles: [f64; 2], t: f64) -> [f64; 2] {
 
 /// No joint does work, and the bodies stay together.
 #[track_caller]
-fn assert_held(report: &RunReport) {
+pub(crate) fn assert_held(report: &RunReport) {
     assert!(report.ledger.numerical.value().abs() < 1e-11 * report.ledger.scale_j, "{:?}", report.ledger);
     assert!(report.ledger.projection.value().abs() < 1e-11 * report.ledger.scale_j, "{:?}", report.ledger);
     assert_closes(report);

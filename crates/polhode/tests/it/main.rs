@@ -10,6 +10,7 @@ mod constrained_methods;
 mod crowd_energy;
 mod dependence;
 mod diamonds;
+mod driven_joints;
 mod energy_after_actions;
 mod fixed_steps;
 mod flight;
