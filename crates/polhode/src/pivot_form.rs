@@ -19,8 +19,8 @@ pub(crate) enum PivotRows {
 }
 
 impl PivotRows {
-    /// The choice for a run with these settings: the tiers of fixed steps, and integrators that advance bodies one by
-    /// one, have no constraint rows.
+    /// The choice for a run with these settings: in the tiers of fixed steps, and by integrators that advance bodies one by
+    /// one, pivots have no constraint rows, but for those of jointed bodies.
     pub(crate) fn of(settings: &Settings, effects: Effects) -> Self {
         let solves_rows = matches!(settings.named_integrator, None | Some(Integrator::Dop853 | Integrator::Rk4));
         match effects {
@@ -38,6 +38,14 @@ pub(crate) enum PivotForm {
     Reduced,
     /// The motion is not reduced, and constraint rows hold the pivot.
     Rows,
+}
+
+impl PivotForm {
+    /// That of a body that a joint holds too: what the joint gives to it must reach the pivot, by rows, in every tier that takes
+    /// joints.
+    pub(crate) fn jointed(body: &Body) -> Self {
+        if body.pivot_point().is_some() { Self::Rows } else { Self::Reduced }
+    }
 }
 
 impl PivotRows {

@@ -30,7 +30,8 @@ impl World {
         let joints = self.joints_among(bodies).map(|joint| {
             let mut held = joint.bodies();
             let first = held.next().unwrap_or_default();
-            let id = ConstraintId::Joint { joint: joint.number(), bodies: (first, held.next().unwrap_or(first)) };
+            let second = held.next().or_else(|| joint.driver()).unwrap_or(first);
+            let id = ConstraintId::Joint { joint: joint.number(), bodies: (first, second) };
             Bilateral::new(id, joint.rows_at(|body| self.motion_of(states, body)))
         });
         bodies.iter().filter_map(|&body| self.pivot(states, body)).chain(joints)

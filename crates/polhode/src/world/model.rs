@@ -9,7 +9,7 @@ use super::body::WorldBody;
 use super::field_index::{FieldBuffers, FieldIndex};
 use crate::collision::narrow_phase::NarrowPhase;
 use crate::constraint::joint::{HeldBody, WorldJoint, row_length};
-use crate::pivot_form::PivotRows;
+use crate::pivot_form::{PivotForm, PivotRows};
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::scene::{Body, MovingFrames, Scene, SceneError};
 use polhode_dynamics::field::{Field, Wrench};
@@ -132,7 +132,7 @@ impl World {
         let may_collide = |a: usize| (0..scene.bodies().len()).any(|b| scene.may_collide(a, b));
         let bodies = scene.bodies().iter().enumerate().map(|(index, body)| {
             let is_jointed = scene.joints().iter().any(|joint| joint.bodies().any(|held| held == index));
-            let form = pivot_rows.form(body, || is_jointed || may_collide(index));
+            let form = if is_jointed { PivotForm::jointed(body) } else { pivot_rows.form(body, || may_collide(index)) };
             WorldBody::new(body, form, || may_collide(index))
         });
         let bodies = bodies.collect::<Result<Vec<_>, _>>()?;

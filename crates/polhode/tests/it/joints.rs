@@ -367,3 +367,27 @@ fn a_joint_goes_with_a_body_that_is_removed() {
     let wanted = down(state[0]) * (0.5 * rods[0].1);
     assert!((one.translation - wanted).length() < 1e-9, "{:?} {wanted:?}", one.translation);
 }
+
+/// A rod that hangs at a pivot and a second one at its end move as the double pendulum, and the ledgers of energy and of momentum
+/// close, in the tier of fixed steps too, where the motion of a body on a pivot alone is reduced to a rotation.
+#[test]
+fn a_joint_to_a_body_on_a_pivot_closes_the_ledgers() {
+    let (rods, angles, t) = ([(1.0, 0.5), (0.7, 0.4)], [1.1, 0.6], 0.5);
+    let joint = down(angles[0]) * rods[0].1;
+    let place = |angles: [f64; 2]| down(angles[0]) * rods[0].1 + down(angles[1]) * (0.5 * rods[1].1);
+    let end = place(angles_after(rods, angles, t));
+    for (method, allowed) in
+        [(accurate(), 1e-9), (Method { tier: Some(Tier::Stepped), step_s: Some(5e-4), ..Method::default() }, 1e-4)]
+    {
+        let scene = Scene::builder("pivot and joint")
+            .method(method)
+            .duration_s(t)
+            .body(rod("upper", rods[0], down(angles[0]) * (0.5 * rods[0].1), angles[0]).pivot(DVec3::ZERO))
+            .body(rod("lower", rods[1], place(angles), angles[1]))
+            .joint(Joint::ball(1, joint).with(0));
+        let (report, _) = run(&scene.build().unwrap(), Effects::Planned);
+        let off = (report.bodies[1].1.pose.translation - end).length();
+        assert!(off < allowed, "{off:e} m off");
+        assert_closes(&report);
+    }
+}
