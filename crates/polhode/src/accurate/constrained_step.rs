@@ -34,7 +34,7 @@ pub(super) struct ConstrainedStep {
 impl ConstrainedStep {
     /// The pairs with held contacts, ascending.
     pub(super) fn held_pairs(&self) -> Vec<(usize, usize)> {
-        let mut pairs: Vec<_> = self.active.held.iter().map(|id| (id.a, id.b)).collect();
+        let mut pairs: Vec<_> = self.active.held().iter().map(|id| (id.a, id.b)).collect();
         pairs.dedup();
         pairs
     }

@@ -102,7 +102,7 @@ impl Engine {
         let longest = core.settings.step_s;
         let proposed = bodies.iter().map(|&body| self.tracks[body].proposed_step_s).fold(longest, f64::min);
         let mut control = StepControl::proposing(proposed);
-        let limit_s = step_limit(core, (bodies, &active.held), t);
+        let limit_s = step_limit(core, (bodies, active.held()), t);
         let mut steps = IslandSteps { engine: self, core, bodies, active, t, limit_s };
         let Accepted { step, length_s, error } = control.next_step(&mut steps)?;
         let next = control.proposed_s().min(longest);
@@ -168,12 +168,12 @@ impl Engine {
         let rigid = |body: usize| core.world.bodies[body].rigid.as_ref();
         let motion = |(index, &body): (usize, &usize)| dense.body_motion(index * WIDTH, rigid(body)?);
         let motions = bodies.iter().enumerate().map(motion).collect();
-        let spins = bodies.iter().map(|&body| self.free_spin(core, body, &active.held, t)).collect();
+        let spins = bodies.iter().map(|&body| self.free_spin(core, body, active.held(), t)).collect();
         ConstrainedStep {
             bodies: bodies.to_vec(),
             active: active.clone(),
             t,
-            end: end_of(core, (bodies, &active.held), t, h),
+            end: end_of(core, (bodies, active.held()), t, h),
             h,
             end_state: step.end_state().to_vec(),
             dense,

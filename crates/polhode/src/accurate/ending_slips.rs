@@ -47,8 +47,7 @@ fn ends_at_once(world: &World, states: &[BodyState], id: ContactId, speed: f64, 
 /// forces: those of pairs of which a slip has turned in the step.
 pub(super) fn fading_slips(core: &Core, step: &ConstrainedStep, states: &[BodyState]) -> BTreeSet<ContactId> {
     let (mut fading, mut turned) = (BTreeSet::new(), BTreeSet::new());
-    for (&id, mode) in &step.active.friction {
-        let FrictionMode::Sliding(slide) = mode else { continue };
+    for (id, slide) in step.active.sliding() {
         let Some(terms) = core.world.tangential_kinematics(states, id) else { continue };
         let speed = terms.slip_velocity.length();
         let deceleration = (slide.speed - speed) / (step.end - step.t);
@@ -77,7 +76,7 @@ impl Engine {
         let mut states = std::mem::take(&mut self.scratch);
         set_states(&mut states, &step.bodies, &repeated.states);
         let misses = |id: &ContactId| {
-            let Some(FrictionMode::Sliding(slide)) = step.active.friction.get(id) else { return false };
+            let Some(FrictionMode::Sliding(slide)) = step.active.modes(*id).friction else { return false };
             let terms = core.world.tangential_kinematics(&states, *id);
             terms.is_some_and(|terms| !slide.has_vanished(terms.slip_velocity))
         };

@@ -445,7 +445,7 @@ pub(super) fn kinematic_member_stops(core: &Core, island: &Island, t: f64) -> bo
     let drivers = core.world.drivers_of(&island.bodies);
     island
         .active
-        .held
+        .held()
         .iter()
         .flat_map(|id| [id.a, id.b])
         .chain(drivers)

@@ -248,14 +248,14 @@ impl Engine {
         t: f64,
     ) -> Result<(), SimulationError> {
         if let Some(balance) = ended {
-            let held = &island.active.held;
+            let held = island.active.held();
             // A contact that has just stopped sticks from now on, if at all.
             let sticking = island.active.sticking();
             let turns = island.active.held_turns();
             let projected = Projected { touching: held, held, sticking: &sticking, turns: &turns };
             self.project_held_contacts(core, &island.bodies, projected, t, balance)?;
         }
-        self.check(core, &island.bodies, &island.active.held, t)
+        self.check(core, &island.bodies, island.active.held(), t)
     }
 
     /// Checks that the bodies of an island are finite, and measures penetration and speed.
@@ -387,15 +387,7 @@ impl Engine {
         let held = held.map(|(index, touch)| (index, touch.id.a, touch.id.b));
         let mut firsts = Vec::new();
         for group in coupled_groups(&core.world, held, &constrained) {
-            let members = group.contacts.iter().map(|&i| &touches[i]);
-            let active = ActiveContacts {
-                held: members.clone().map(|touch| touch.id).collect(),
-                friction: members.clone().filter_map(|touch| Some((touch.id, touch.friction?))).collect(),
-                rotation: members
-                    .filter(|touch| !touch.rotation.is_empty())
-                    .map(|touch| (touch.id, touch.rotation))
-                    .collect(),
-            };
+            let active: ActiveContacts = group.contacts.iter().map(|&i| &touches[i]).collect();
             // Slips that end take short steps, whose length says nothing about the motion afterwards.
             if !change.stopping.is_empty() && !active.slides() {
                 for &body in &group.bodies {
@@ -443,7 +435,9 @@ impl Engine {
         }
         match self.constrained_step(core, bodies, active, t) {
             // A contact point moves or jumps faster than any step can follow.
-            Err(SimulationError::StepTooSmall { .. }) if !active.held.is_empty() && core.settings.crowding.steps() => {
+            Err(SimulationError::StepTooSmall { .. })
+                if !active.held().is_empty() && core.settings.crowding.steps() =>
+            {
                 Ok(Step::Waiting(t))
             }
             step => Ok(Step::Constrained(Box::new(step?))),
@@ -484,7 +478,7 @@ impl Engine {
         let mut advance = pace.note_end(t, end, longest);
         if slides {
             advance = advance.and(pace.note_mean_sliding_step(t, longest));
-        } else if !active.held.is_empty() {
+        } else if !active.held().is_empty() {
             advance = advance.and(pace.note_mean_step(t, longest));
         }
         for &body in &bodies {

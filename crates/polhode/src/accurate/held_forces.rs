@@ -13,6 +13,7 @@
 //! much, or contacts resist rotations, the least ones are taken without a look at the cones.
 
 use crate::collision::active_contacts::ActiveContacts;
+use crate::collision::contact_modes::ContactModes;
 use crate::collision::contact_set::ContactId;
 use crate::collision::friction_mode::FrictionMode;
 use crate::collision::turn::Turn;
@@ -106,8 +107,10 @@ pub(super) fn friction_contacts(
     contacts: &[(ContactId, ContactKinematics)],
     active: &ActiveContacts,
 ) -> Vec<FrictionContact> {
+    let resist = active.resist_rotation();
     let friction = |(contact, (id, kinematics)): (usize, &(ContactId, ContactKinematics))| {
-        let mode = *active.friction.get(id)?;
+        let ContactModes { friction, rotation: modes } = active.modes(*id);
+        let mode = friction?;
         let terms = world.tangential_kinematics(states, *id)?;
         let coefficients = world.friction_at(states, *id, terms.basis);
         let at_rest = coefficients.map_or_else(FrictionEllipse::default, |own| own.at_rest);
@@ -118,8 +121,7 @@ pub(super) fn friction_contacts(
                 Some(ellipse.opposed(terms.basis, slide.direction_of(terms.slip_velocity)))
             }
         };
-        let rotation = if active.rotation.is_empty() { DVec3::ZERO } else { world.relative_rotation(states, *id) };
-        let modes = active.rotation.get(id).copied().unwrap_or_default();
+        let rotation = if resist { world.relative_rotation(states, *id) } else { DVec3::ZERO };
         let turns = Turn::ALL.map(|turn| {
             let turning = match modes.get(turn)? {
                 FrictionMode::Sticking => None,

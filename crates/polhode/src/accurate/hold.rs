@@ -122,7 +122,7 @@ impl Forces {
             violation,
             motion_depends_on_choice: found.motion_depends_on_choice,
             jams: slides && found.solution.report.status != SolverStatus::Solved,
-            known_modes: contacts.iter().map(|touch| touch.friction).collect(),
+            known_modes: contacts.iter().map(|touch| touch.modes.friction).collect(),
             turns: found.turns,
             friction,
             contacts: contacts.len(),
@@ -149,7 +149,7 @@ impl Forces {
     /// Whether a rotation at a contact is held or turns from this instant on; none without friction of its kind.
     pub(super) fn turn_mode(&self, touch: &Touch, turn: Turn) -> Option<FoundMode> {
         let found = self.turns.get(&(touch.id, turn))?;
-        Some(match (touch.rotation.get(turn), found.turning) {
+        Some(match (touch.modes.rotation.get(turn), found.turning) {
             (Some(mode @ FrictionMode::Sliding(_)), _) => FoundMode::Known(mode),
             (_, Some(direction)) => FoundMode::Begins(direction),
             (_, None) => FoundMode::Sticks,
@@ -162,7 +162,7 @@ impl Forces {
         contacts: &'a [Touch],
     ) -> impl Iterator<Item = ((ContactId, Turn), DVec3)> + 'a {
         let held = contacts.iter().flat_map(|touch| Turn::ALL.map(|turn| (touch, turn)));
-        let held = held.filter(|(touch, turn)| touch.rotation.get(*turn) == Some(FrictionMode::Sticking));
+        let held = held.filter(|(touch, turn)| touch.modes.rotation.get(*turn) == Some(FrictionMode::Sticking));
         held.filter_map(|(touch, turn)| {
             let key = (touch.id, turn);
             Some((key, self.turns.get(&key)?.turning?))
@@ -179,8 +179,8 @@ impl Forces {
     pub(super) fn slipping<'a>(&'a self, contacts: &'a [Touch]) -> impl Iterator<Item = (ContactId, DVec3)> + 'a {
         contacts.iter().zip(&self.friction).filter_map(|(touch, friction)| {
             let friction = friction.as_ref()?;
-            let slips =
-                touch.friction == Some(FrictionMode::Sticking) && friction.slip_acceleration.length() > self.opening;
+            let slips = touch.modes.friction == Some(FrictionMode::Sticking)
+                && friction.slip_acceleration.length() > self.opening;
             if slips { Some((touch.id, friction.sliding?)) } else { None }
         })
     }
@@ -188,8 +188,10 @@ impl Forces {
     /// Largest relative acceleration at contacts that break or begin to slide, m/s^2.
     pub(super) fn largest_opening(&self, contacts: &[Touch]) -> f64 {
         let opening = self.solution.residual_accelerations.iter().fold(0.0f64, |most, &w| most.max(w));
-        let slips =
-            contacts.iter().zip(&self.friction).filter(|(touch, _)| touch.friction == Some(FrictionMode::Sticking));
+        let slips = contacts
+            .iter()
+            .zip(&self.friction)
+            .filter(|(touch, _)| touch.modes.friction == Some(FrictionMode::Sticking));
         let slips = slips.filter_map(|(_, friction)| Some(friction.as_ref()?.slip_acceleration.length()));
         slips.fold(opening, f64::max)
     }

@@ -370,8 +370,8 @@ impl Engine {
     fn are_held(&self, a: usize, b: usize) -> bool {
         let island = self.island_of(a).or_else(|| self.island_of(b));
         island.is_some_and(|island| {
-            let first = island.active.held.partition_point(|id| (id.a, id.b) < (a, b));
-            island.active.held.get(first).is_some_and(|id| (id.a, id.b) == (a, b))
+            let first = island.active.held().partition_point(|id| (id.a, id.b) < (a, b));
+            island.active.held().get(first).is_some_and(|id| (id.a, id.b) == (a, b))
         })
     }
 }

@@ -47,7 +47,7 @@ impl Engine {
         let members: Vec<usize> = group.contacts.iter().copied().filter(sustained).collect();
         let touches: Vec<Touch> =
             members.iter().map(|&i| self.with_friction_mode(core, instant, &instant.touches[i])).collect();
-        if touches.iter().all(|touch| touch.friction.is_none()) {
+        if touches.iter().all(|touch| touch.modes.friction.is_none()) {
             return Ok(false);
         }
         for &body in &group.bodies {

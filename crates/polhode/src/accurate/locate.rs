@@ -184,7 +184,7 @@ impl Engine {
         states: &mut [BodyState],
     ) -> Result<Option<(f64, f64)>, SimulationError> {
         let is_moved = |body| !core.world.stands_still(body, start, limit);
-        let driven = step.active.held.iter().flat_map(|id| [id.a, id.b]).any(is_moved)
+        let driven = step.active.held().iter().flat_map(|id| [id.a, id.b]).any(is_moved)
             || core.world.drivers_of(&step.bodies).any(is_moved);
         let first_check = start + (limit - start) / f64::from(PENETRATION_CHECKS);
         if let Some(interval) = self.approach_interval(core, step, (start, first_check), tolerated, states) {
@@ -195,7 +195,7 @@ impl Engine {
             let t = start + (limit - start) * (f64::from(k) / f64::from(PENETRATION_CHECKS));
             step.states_at(&core.world, t, states);
             // Contact points may leave their features long before other contacts penetrate.
-            let mut held = step.active.held.iter().filter(|id| !tolerated.contains(id));
+            let mut held = step.active.held().iter().filter(|id| !tolerated.contains(id));
             if k < PENETRATION_CHECKS && held.any(|&id| held_kinematics(core, states, id).is_none()) {
                 return Ok(Some((before, t)));
             }
@@ -229,9 +229,9 @@ impl Engine {
         states: &mut [BodyState],
     ) -> Result<Vec<ContactId>, SimulationError> {
         step.states_at(&core.world, t, states);
-        let mut touches = Vec::with_capacity(step.active.held.len());
+        let mut touches = Vec::with_capacity(step.active.held().len());
         let mut left = Vec::new();
-        for &id in &step.active.held {
+        for &id in step.active.held() {
             let is_tolerated = tolerated.contains(&id);
             let kinematics =
                 if is_tolerated { core.world.kinematics(states, id) } else { held_kinematics(core, states, id) };
@@ -317,7 +317,7 @@ impl Engine {
         step.states_at(&core.world, t, states);
         match violation {
             Violation::Leaves(id) => {
-                let is_held = step.active.held.binary_search(&id).is_ok() && !tolerated.contains(&id);
+                let is_held = step.active.holds(id) && !tolerated.contains(&id);
                 Ok(is_held && held_kinematics(core, states, id).is_none())
             }
             Violation::Penetrates(a, b) => Ok(self.penetrates(core, step, (a, b), states, tolerated)),
@@ -325,7 +325,7 @@ impl Engine {
                 .chain(settled(core, step, t, states).map(|(id, _)| id))
                 .any(|id| !tolerated.contains(&id))),
             Violation::Breaks => {
-                let touches = step.active.held.iter().map(|&id| {
+                let touches = step.active.held().iter().map(|&id| {
                     let kinematics = core.world.kinematics(states, id)?;
                     Some(held_touch(step, id, kinematics))
                 });
@@ -385,10 +385,8 @@ fn slips<'a>(
     step: &'a ConstrainedStep,
     states: &'a [BodyState],
 ) -> impl Iterator<Item = (ContactId, Slide, DVec3)> + 'a {
-    step.active.friction.iter().filter_map(|(&id, mode)| {
-        let FrictionMode::Sliding(slide) = *mode else { return None };
-        Some((id, slide, core.world.tangential_kinematics(states, id)?.slip_velocity))
-    })
+    let slip = |(id, slide)| Some((id, slide, core.world.tangential_kinematics(states, id)?.slip_velocity));
+    step.active.sliding().filter_map(slip)
 }
 
 /// Whether a slip has vanished before `t` (s): it points against its direction at the start of the step, or has become
@@ -418,10 +416,7 @@ fn settled<'a>(
     t: f64,
     states: &'a [BodyState],
 ) -> impl Iterator<Item = (ContactId, Turn)> + 'a {
-    let turning =
-        step.active.rotation.iter().flat_map(|(&id, modes)| Turn::ALL.map(|turn| (id, turn, modes.get(turn))));
-    turning.filter_map(move |(id, turn, mode)| {
-        let Some(FrictionMode::Sliding(slide)) = mode else { return None };
+    step.active.turning().filter_map(move |(id, turn, slide)| {
         let normal = core.world.kinematics(states, id)?.geometry.normal;
         let part = turn.part(core.world.relative_rotation(states, id), normal);
         has_stopped(step, t, &slide, part).then_some((id, turn))
@@ -459,7 +454,7 @@ fn breaking_contacts(
 
 /// The contacts that slide.
 fn sliding(touches: &[Touch]) -> impl Iterator<Item = ContactId> + '_ {
-    touches.iter().filter(|touch| matches!(touch.friction, Some(FrictionMode::Sliding(_)))).map(|touch| touch.id)
+    touches.iter().filter(|touch| matches!(touch.modes.friction, Some(FrictionMode::Sliding(_)))).map(|touch| touch.id)
 }
 
 /// The kinematics of a held contact, if its point lies on its features and has not jumped to a point at which the
@@ -489,7 +484,7 @@ fn breaking(
         step.states_at(&core.world, t, states);
         let contacts: Vec<Touch> = step
             .active
-            .held
+            .held()
             .iter()
             .filter_map(|&id| {
                 let kinematics = core.world.kinematics(states, id)?;

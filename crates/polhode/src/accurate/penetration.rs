@@ -130,12 +130,12 @@ impl Engine {
             touch.kinematics.geometry.separation < -depth
                 && (touch.kinematics.separation_rate < 0.0 || self.was_clear(core, touch.id, depth) || began_in_step())
         });
-        let not_held = |id: &ContactId| step.active.held.binary_search(id).is_err() && !tolerated.contains(id);
+        let not_held = |id: &ContactId| !step.active.holds(*id) && !tolerated.contains(id);
         let contact = closing.map(|touch| touch.id).find(not_held);
         if contact.is_some() || separation >= -depth {
             return Penetration { contact, excess_depths: 0.0 };
         }
-        let held = step.active.held.iter().filter(|id| (id.a, id.b) == (a, b));
+        let held = step.active.held().iter().filter(|id| (id.a, id.b) == (a, b));
         let held = held.filter_map(|&id| Some(core.world.kinematics(states, id)?.geometry.separation));
         let found = contacts.iter().map(|touch| touch.kinematics.geometry.separation);
         let shown = held.chain(found).fold(0.0, f64::min);
@@ -171,7 +171,7 @@ impl Engine {
                 (core.world.point_speed(&self.states, a) + core.world.point_speed(&self.states, b)) * (end - start);
             let reach = travel + core.world.touch_distance(states, a, b);
             let contacts = core.world.contacts_of_pair(states, a, b, reach);
-            let open = contacts.iter().filter(|touch| step.active.held.binary_search(&touch.id).is_err());
+            let open = contacts.iter().filter(|touch| !step.active.holds(touch.id));
             let wait = open.filter_map(|touch| {
                 let (gap, rate) = (touch.kinematics.geometry.separation, touch.kinematics.separation_rate);
                 (gap > 0.0 && rate < 0.0).then(|| gap / -rate).filter(|&wait| start + wait < end)

@@ -69,8 +69,8 @@ impl Engine {
         let scale_of = |touch: &Touch| self.tracks[touch.id.a].speed_scale.max(self.tracks[touch.id.b].speed_scale);
         if !self.begun {
             for touch in &mut contacts {
-                touch.friction = self.slide_of(core, scale_of(touch), touch);
-                touch.rotation = self.rotation_of(core, scale_of(touch), touch);
+                touch.modes.friction = self.slide_of(core, scale_of(touch), touch);
+                touch.modes.rotation = self.rotation_of(core, scale_of(touch), touch);
             }
         }
         let sustained = |touch: &Touch| {

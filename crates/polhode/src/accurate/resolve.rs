@@ -8,6 +8,7 @@ use super::engine::{Engine, Mode};
 use super::hold::{Forces, FoundMode};
 use super::instant::Instant;
 use crate::SimulationError;
+use crate::collision::contact_modes::ContactModes;
 use crate::collision::contact_set::{ContactId, FoundContact, Hold, Pair, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::core::Core;
@@ -323,7 +324,7 @@ impl Engine {
             _ if change.stopping.contains(&touch.id) => None,
             _ => self.slide_of(core, instant.speed_scale, touch),
         };
-        Touch { friction, rotation: self.rotation_at(core, instant, touch), ..*touch }
+        Touch { modes: ContactModes { friction, rotation: self.rotation_at(core, instant, touch) }, ..*touch }
     }
 
     /// The friction of a contact that has a slip; none without a slip or friction.
@@ -359,7 +360,7 @@ impl Engine {
             FoundMode::Sticks => FrictionMode::Sticking,
         });
         let touch = instant.touches[i];
-        let kind = match (touch.friction, mode) {
+        let kind = match (touch.modes.friction, mode) {
             (Some(FrictionMode::Sliding(_)), Some(FrictionMode::Sticking)) => Some(EventKind::Stick),
             (Some(FrictionMode::Sticking), Some(FrictionMode::Sliding(_))) => Some(EventKind::Slide),
             _ => None,
@@ -370,7 +371,7 @@ impl Engine {
             let event = contact_event(t, kind, &touch);
             core.accounts.add_contact_event(&core.world, &self.states, event, touch.id);
         }
-        instant.touches[i].friction = mode;
+        instant.touches[i].modes.friction = mode;
     }
 
     /// Projects held contacts onto zero separation and sets the mode of their bodies: at rest or constrained motion.
@@ -393,7 +394,7 @@ impl Engine {
             let before = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
             let turns = component.contacts.iter().flat_map(|&i| instant.touches[i].held_turns());
             let turns: Vec<_> = turns.collect();
-            let sticks = |i: &&usize| instant.touches[**i].friction == Some(FrictionMode::Sticking);
+            let sticks = |i: &&usize| instant.touches[**i].modes.friction == Some(FrictionMode::Sticking);
             let sticking: Vec<_> = component.contacts.iter().filter(sticks).map(|&i| instant.touches[i].id).collect();
             let projected = Projected { touching: &touching, held: &ids, sticking: &sticking, turns: &turns };
             self.project_held_contacts(core, &component.bodies, projected, instant.t, before)?;

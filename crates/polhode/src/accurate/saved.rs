@@ -16,6 +16,7 @@ use super::present_crowds::PresentCrowds;
 use super::state_cache::StateCache;
 use crate::SimulationError;
 use crate::collision::active_contacts::ActiveContacts;
+use crate::collision::contact_modes::ContactModes;
 use crate::collision::contact_set::{ContactId, Hold, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::{RotationModes, Turn};
@@ -36,8 +37,8 @@ impl Engine {
             kinematics: write_kinematics(&touch.kinematics),
             held: touch.hold == Hold::Held,
             known: touch.known,
-            friction: touch.friction.map(save_friction),
-            rotation: save_rotation(&touch.rotation),
+            friction: touch.modes.friction.map(save_friction),
+            rotation: save_rotation(&touch.modes.rotation),
         };
         content::Accurate {
             states: numbers::write_states(&self.states),
@@ -172,8 +173,8 @@ fn restored_contacts(world: &World, saved: &[content::Touch]) -> Result<Contacts
         let hold = if touch.held { Hold::Held } else { Hold::Open };
         let (id, kinematics) = (restored_id(world, &touch.id)?, read_kinematics(touch.kinematics));
         let friction = touch.friction.map(restored_friction);
-        let rotation = restored_rotation(touch.rotation);
-        Ok(Touch { id, kinematics, hold, known: touch.known, friction, rotation })
+        let modes = ContactModes { friction, rotation: restored_rotation(touch.rotation) };
+        Ok(Touch { id, kinematics, hold, known: touch.known, modes })
     };
     let touches = saved.iter().map(touch).collect::<Result<Vec<_>, SnapshotError>>()?;
     if !touches.is_sorted_by(|x, y| x.id < y.id) {
@@ -190,9 +191,14 @@ fn restored_contacts(world: &World, saved: &[content::Touch]) -> Result<Contacts
 fn restored_active(world: &World, saved: &content::Island) -> Result<ActiveContacts, SnapshotError> {
     let held = restored_ids(world, &saved.held)?;
     let friction = saved.friction.iter().map(|(id, mode)| Ok((restored_id(world, id)?, restored_friction(*mode))));
+    let friction = friction.collect::<Result<BTreeMap<_, _>, SnapshotError>>()?;
     let rotation = saved.rotation.iter().map(|(id, modes)| Ok((restored_id(world, id)?, restored_rotation(*modes))));
-    let rotation = rotation.collect::<Result<_, SnapshotError>>()?;
-    Ok(ActiveContacts { held, friction: friction.collect::<Result<_, SnapshotError>>()?, rotation })
+    let rotation = rotation.collect::<Result<BTreeMap<_, _>, SnapshotError>>()?;
+    let modes = |id: &ContactId| ContactModes {
+        friction: friction.get(id).copied(),
+        rotation: rotation.get(id).copied().unwrap_or_default(),
+    };
+    Ok(ActiveContacts::new(held.into_iter().map(|id| (id, modes(&id)))))
 }
 
 /// What changes at the end of an island's step.
@@ -250,9 +256,10 @@ const fn restored_turn(spins: bool) -> Turn {
 
 fn save_island(island: &Island) -> content::Island {
     let ids = |ids: &BTreeSet<ContactId>| ids.iter().copied().map(save_contact).collect();
+    let modes = || island.active.with_modes();
     content::Island {
         bodies: island.bodies.clone(),
-        held: island.active.held.iter().copied().map(save_contact).collect(),
+        held: island.active.held().iter().copied().map(save_contact).collect(),
         t: island.t,
         step: match &island.step {
             Step::Constrained(step) => content::Step::Constrained(step.h),
@@ -264,11 +271,14 @@ fn save_island(island: &Island) -> content::Island {
         changes: island.changes,
         is_unsolved: island.is_unsolved,
         departing: ids(&island.change.departing),
-        friction: island.active.friction.iter().map(|(&id, &mode)| (save_contact(id), save_friction(mode))).collect(),
+        friction: modes().filter_map(|(id, own)| Some((save_contact(id), save_friction(own.friction?)))).collect(),
         stopping: ids(&island.change.stopping),
         fading: ids(&island.change.fading),
         slipping: island.change.slipping.iter().map(|(&id, to)| (save_contact(id), to.to_array())).collect(),
-        rotation: island.active.rotation.iter().map(|(&id, modes)| (save_contact(id), save_rotation(modes))).collect(),
+        rotation: modes()
+            .filter(|(_, own)| !own.rotation.is_empty())
+            .map(|(id, own)| (save_contact(id), save_rotation(&own.rotation)))
+            .collect(),
         settling: island.change.settling.iter().map(|&(id, turn)| (save_contact(id), turn == Turn::Spinning)).collect(),
         turning: island
             .change

@@ -99,8 +99,8 @@ impl<'a> ContactSystem<'a> {
             active,
             about,
             states,
-            contacts: Vec::with_capacity(active.held.len()),
-            friction: Vec::with_capacity(active.friction.len()),
+            contacts: Vec::with_capacity(active.held().len()),
+            friction: Vec::new(),
             cancelling: vec![[0.0; 2]; bodies.len()],
             has_begun: false,
             violation_at_start: None,
@@ -168,7 +168,7 @@ impl<'a> ContactSystem<'a> {
 
     /// How many numbers follow those of the bodies.
     fn tail(&self) -> usize {
-        TAIL + usize::from(!self.active.friction.is_empty())
+        TAIL + usize::from(self.active.rub())
     }
 
     /// Flat state of the group.
@@ -301,11 +301,11 @@ impl System for ContactSystem<'_> {
         self.world.prescribe(t, self.states);
         let (world, states) = (self.world, &*self.states);
         self.contacts.clear();
-        self.contacts.extend(self.active.held.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))));
+        self.contacts.extend(self.active.held().iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))));
         if self.is_disparate {
             share_normals(self.world, &mut self.contacts);
         }
-        if !self.active.friction.is_empty() {
+        if self.active.rub() {
             self.friction = held_forces::friction_contacts(world, states, &self.contacts, self.active);
         }
         let loads = self.world.loads_on(t, self.states, self.bodies);

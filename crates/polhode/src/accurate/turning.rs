@@ -56,7 +56,7 @@ impl Engine {
                 FoundMode::Sticks => FrictionMode::Sticking,
             })
         };
-        instant.touches[i].rotation = RotationModes::of(mode);
+        instant.touches[i].modes.rotation = RotationModes::of(mode);
     }
 }
 

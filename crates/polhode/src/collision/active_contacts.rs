@@ -1,70 +1,103 @@
-//! The active contacts of an island, with the friction of those that have it.
+//! The active contacts of an island, each with its modes.
 
-use super::contact_set::ContactId;
-use super::friction_mode::FrictionMode;
-use super::turn::{RotationModes, Turn};
+use super::contact_modes::ContactModes;
+use super::contact_set::{ContactId, Touch};
+use super::friction_mode::{FrictionMode, Slide};
+use super::turn::Turn;
 use crate::world::World;
 use polhode_dynamics::BodyState;
-use std::collections::BTreeMap;
 
 /// Active contacts of an island.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ActiveContacts {
     /// Ascending.
-    pub(crate) held: Vec<ContactId>,
-    /// The modes of those with friction.
-    pub(crate) friction: BTreeMap<ContactId, FrictionMode>,
-    /// The rotations of those with friction of rolling or spinning.
-    pub(crate) rotation: BTreeMap<ContactId, RotationModes>,
+    held: Vec<ContactId>,
+    /// In the order of the contacts.
+    modes: Vec<ContactModes>,
 }
 
 impl ActiveContacts {
+    /// Contacts, ascending, with their modes.
+    pub(crate) fn new(contacts: impl Iterator<Item = (ContactId, ContactModes)>) -> Self {
+        let (held, modes) = contacts.unzip();
+        Self { held, modes }
+    }
+
+    /// The contacts, ascending.
+    pub(crate) fn held(&self) -> &[ContactId] {
+        &self.held
+    }
+
+    /// Whether this contact is one of them.
+    pub(crate) fn holds(&self, id: ContactId) -> bool {
+        self.held.binary_search(&id).is_ok()
+    }
+
+    /// The contacts with their modes, ascending.
+    pub(crate) fn with_modes(&self) -> impl Iterator<Item = (ContactId, &ContactModes)> {
+        self.held.iter().copied().zip(&self.modes)
+    }
+
+    /// The modes of a contact, as far as they are known.
+    pub(crate) fn modes(&self, id: ContactId) -> ContactModes {
+        self.held.binary_search(&id).ok().and_then(|place| self.modes.get(place).copied()).unwrap_or_default()
+    }
+
+    /// Whether one of them has friction.
+    pub(crate) fn rub(&self) -> bool {
+        self.modes.iter().any(|modes| modes.friction.is_some())
+    }
+
+    /// Whether friction resists a rotation at one of them.
+    pub(crate) fn resist_rotation(&self) -> bool {
+        self.modes.iter().any(|modes| !modes.rotation.is_empty())
+    }
+
     /// The contacts that stick, ascending.
     pub(crate) fn sticking(&self) -> Vec<ContactId> {
-        let sticking = self.friction.iter().filter(|(_, mode)| **mode == FrictionMode::Sticking);
-        sticking.map(|(&id, _)| id).collect()
+        let sticking = self.with_modes().filter(|(_, modes)| modes.friction == Some(FrictionMode::Sticking));
+        sticking.map(|(id, _)| id).collect()
+    }
+
+    /// The contacts that slide, ascending.
+    pub(crate) fn sliding(&self) -> impl Iterator<Item = (ContactId, Slide)> {
+        self.with_modes().filter_map(|(id, modes)| match modes.friction? {
+            FrictionMode::Sliding(slide) => Some((id, slide)),
+            FrictionMode::Sticking => None,
+        })
     }
 
     /// Whether one of them slides.
     pub(crate) fn slides(&self) -> bool {
-        self.friction.values().any(|mode| *mode != FrictionMode::Sticking)
+        self.sliding().next().is_some()
     }
 
-    /// The friction of a contact, as far as it is known.
-    pub(crate) fn modes(&self, id: ContactId) -> (Option<FrictionMode>, RotationModes) {
-        (self.friction.get(&id).copied(), self.rotation.get(&id).copied().unwrap_or_default())
+    /// The rotations that turn, in order.
+    pub(crate) fn turning(&self) -> impl Iterator<Item = (ContactId, Turn, Slide)> {
+        let turns =
+            self.with_modes().flat_map(|(id, modes)| Turn::ALL.map(|turn| (id, turn, modes.rotation.get(turn))));
+        turns.filter_map(|(id, turn, mode)| match mode? {
+            FrictionMode::Sliding(slide) => Some((id, turn, slide)),
+            FrictionMode::Sticking => None,
+        })
     }
 
     /// The rotations that friction holds at zero, in order.
     pub(crate) fn held_turns(&self) -> Vec<(ContactId, Turn)> {
-        let of = |(&id, modes): (&ContactId, &RotationModes)| {
-            let modes = *modes;
-            Turn::ALL
-                .into_iter()
-                .filter(move |&turn| modes.get(turn) == Some(FrictionMode::Sticking))
-                .map(move |turn| (id, turn))
-        };
-        self.rotation.iter().flat_map(of).collect()
+        self.with_modes().flat_map(|(id, modes)| modes.rotation.held().map(move |turn| (id, turn))).collect()
     }
 
     /// Gives contacts that slide or turn the direction and speed of their slips in these states, at the start of a
     /// step.
     pub(crate) fn renew_directions(&mut self, world: &World, states: &[BodyState]) {
-        for (&id, mode) in &mut self.friction {
-            let FrictionMode::Sliding(slide) = mode else { continue };
-            if let Some(terms) = world.tangential_kinematics(states, id) {
-                *slide = slide.renewed(terms.slip_velocity);
-            }
+        for (&id, modes) in self.held.iter().zip(&mut self.modes) {
+            modes.renew(world, states, id);
         }
-        for (&id, modes) in &mut self.rotation {
-            let Some(kinematics) = world.kinematics(states, id) else { continue };
-            let rotation = world.relative_rotation(states, id);
-            *modes = RotationModes::of(|turn| match modes.get(turn)? {
-                FrictionMode::Sticking => Some(FrictionMode::Sticking),
-                FrictionMode::Sliding(slide) => {
-                    Some(FrictionMode::Sliding(slide.renewed(turn.part(rotation, kinematics.geometry.normal))))
-                }
-            });
-        }
+    }
+}
+
+impl<'a> FromIterator<&'a Touch> for ActiveContacts {
+    fn from_iter<T: IntoIterator<Item = &'a Touch>>(touches: T) -> Self {
+        Self::new(touches.into_iter().map(|touch| (touch.id, touch.modes)))
     }
 }

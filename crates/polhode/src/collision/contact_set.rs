@@ -3,8 +3,9 @@
 //! Bodies and features identify a contact, so that its status is kept from one event to the next while its geometry is
 //! evaluated anew in every state. Between events the set of contacts is frozen; at an event it is detected again.
 
-use super::friction_mode::{FrictionCoefficients, FrictionMode, RotationalFriction};
-use super::turn::{RotationModes, Turn};
+use super::contact_modes::ContactModes;
+use super::friction_mode::{FrictionCoefficients, RotationalFriction};
+use super::turn::Turn;
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::prescribed_state;
 use crate::scene::{FrictionEllipse, GrainOf};
@@ -74,39 +75,28 @@ pub(crate) struct Touch {
     pub(crate) hold: Hold,
     /// Whether `hold` has been decided; it has not for a contact that has just been found.
     pub(crate) known: bool,
-    /// Whether it sticks or slides. None for a contact without friction, and where that is to be found from its forces.
-    pub(crate) friction: Option<FrictionMode>,
-    /// Its rotations, likewise.
-    pub(crate) rotation: RotationModes,
+    pub(crate) modes: ContactModes,
 }
 
 impl Touch {
     /// An active contact.
-    pub(crate) fn held(
-        id: ContactId,
-        kinematics: ContactKinematics,
-        (friction, rotation): (Option<FrictionMode>, RotationModes),
-    ) -> Self {
-        Self { id, kinematics, hold: Hold::Held, known: true, friction, rotation }
+    pub(crate) fn held(id: ContactId, kinematics: ContactKinematics, modes: ContactModes) -> Self {
+        Self { id, kinematics, hold: Hold::Held, known: true, modes }
     }
 }
 
 /// A contact that has just been found is open until its status is decided.
 impl From<FoundContact> for Touch {
     fn from(FoundContact { id, kinematics }: FoundContact) -> Self {
-        let rotation = RotationModes::default();
-        Self { id, kinematics, hold: Hold::Open, known: false, friction: None, rotation }
+        Self { id, kinematics, hold: Hold::Open, known: false, modes: ContactModes::default() }
     }
 }
 
 impl Touch {
     /// Its rotations that friction holds at zero.
     pub(crate) fn held_turns(&self) -> impl Iterator<Item = (ContactId, Turn)> {
-        let (id, modes) = (self.id, self.rotation);
-        Turn::ALL
-            .into_iter()
-            .filter(move |&turn| modes.get(turn) == Some(FrictionMode::Sticking))
-            .map(move |turn| (id, turn))
+        let id = self.id;
+        self.modes.rotation.held().map(move |turn| (id, turn))
     }
 }
 

@@ -7,14 +7,16 @@
 //! | `contact_set` | the contacts of a pair with identity, geometry and time derivatives |
 //! | `covered_borders` | contacts at a border that other bodies continue |
 //! | `passing` | bodies that pass over the border of another one without a collision |
+//! | `contact_modes` | the modes of a contact between two events |
 //! | `friction_mode` | whether an active contact with friction sticks or slides, and in which direction |
 //! | `friction_ellipse` | Coulomb's law along and across a grain |
 //! | `moving_surfaces` | what belts do to the slip of a contact, and the work of their drives |
 //! | `turn` | rolling and spinning of two bodies on each other, and whether friction holds them |
-//! | `active_contacts` | the active contacts of an island, with their friction |
+//! | `active_contacts` | the active contacts of an island, each with its modes |
 
 pub(crate) mod active_contacts;
 pub(crate) mod boxes;
+pub(crate) mod contact_modes;
 pub(crate) mod contact_set;
 mod covered_borders;
 mod friction_ellipse;

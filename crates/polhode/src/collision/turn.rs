@@ -67,6 +67,11 @@ impl RotationModes {
         self.0[turn as usize]
     }
 
+    /// The kinds that friction holds at zero.
+    pub(crate) fn held(self) -> impl Iterator<Item = Turn> {
+        Turn::ALL.into_iter().filter(move |&turn| self.get(turn) == Some(FrictionMode::Sticking))
+    }
+
     /// Whether there is none of either kind.
     pub(crate) fn is_empty(&self) -> bool {
         self.0.iter().all(Option::is_none)

@@ -360,7 +360,7 @@ fn rotations_of(
         for turn in Turn::ALL {
             let Some(friction) = turn.coefficient(world, (touch.id.a, touch.id.b)) else { continue };
             let axes = turn.axes(touch.kinematics.geometry.normal, frictional.terms.basis);
-            let along = match touch.rotation.get(turn) {
+            let along = match touch.modes.rotation.get(turn) {
                 Some(FrictionMode::Sliding(slide)) => {
                     let rotation = turn.part(frictional.rotation, touch.kinematics.geometry.normal);
                     let direction = slide.direction_of(rotation);

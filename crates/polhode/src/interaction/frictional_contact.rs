@@ -45,7 +45,7 @@ impl Frictional {
         world.friction_of(touch.id.a, touch.id.b)?;
         let terms = world.tangential_kinematics(states, touch.id)?;
         let coefficients = world.friction_at(states, touch.id, terms.basis)?;
-        let sliding = match touch.friction {
+        let sliding = match touch.modes.friction {
             None | Some(FrictionMode::Sticking) => None,
             Some(FrictionMode::Sliding(slide)) => Some(slide.direction_of(terms.slip_velocity)),
         };

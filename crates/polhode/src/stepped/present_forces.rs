@@ -1,6 +1,7 @@
 //! The forces of contacts at one instant, and the accelerations that they give, by the law that the steps obey: with the
 //! friction of contacts that stick or slide. They are queries; no step uses them.
 
+use crate::collision::contact_modes::ContactModes;
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::{RotationModes, Turn};
@@ -77,5 +78,5 @@ fn with_modes(core: &Core, states: &[BodyState], touch: &Touch) -> Touch {
         turn.friction(world, (touch.id.a, touch.id.b))?;
         mode(turn.part(rotation, touch.kinematics.geometry.normal), size)
     };
-    Touch { friction: mode(slip, 1.0), rotation: RotationModes::of(turn), ..*touch }
+    Touch { modes: ContactModes { friction: mode(slip, 1.0), rotation: RotationModes::of(turn) }, ..*touch }
 }
