@@ -206,6 +206,7 @@ impl Chain<'_> {
         let laws = self.newton.laws_at(&self.best);
         BodySolution {
             statuses: self.problem.given().iter().map(|&block| laws[block].status).collect(),
+            parts: self.problem.given().iter().map(|&block| laws[block].parts).collect(),
             velocities: self.problem.velocities_of_bodies(&self.best.velocities),
             reactions: self.best.reactions,
             rates: self.best.rates,

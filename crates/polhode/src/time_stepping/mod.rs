@@ -24,11 +24,13 @@
 //! Assumes that no body is thinner than the motion within a step. Limit: a contact that was not detected at the start
 //! is found one step late, as a penetration that is removed and reported.
 
+mod cone_problem;
 mod contacts;
 mod halving;
 mod impacts;
 mod implicit_kick;
 mod kick;
+mod last_forces;
 mod middle;
 mod projection;
 mod report;

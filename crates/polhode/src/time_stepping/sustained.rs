@@ -125,7 +125,7 @@ impl TimeStepper {
             let mut solved = Vec::new();
             report.stops.clear();
             for group in coupled_groups(world, members.iter().copied(), &held) {
-                solved.push(self.solve_group(world, states, group, &rows, near, report)?);
+                solved.push(self.solve_group((world, states), group, &rows, (near, h), report)?);
             }
             for group in &mut solved {
                 report.fallbacks += u64::from(!group.apply(world, states, &rows, near));
@@ -146,11 +146,10 @@ impl TimeStepper {
 
     fn solve_group(
         &mut self,
-        world: &World,
-        states: &[BodyState],
+        (world, states): (&World, &[BodyState]),
         group: Group,
         rows: &[Row],
-        near: &[NearContact],
+        (near, h): (&[NearContact], f64),
         report: &mut TimeStepReport,
     ) -> Result<SolvedGroup, ResponseError> {
         let members: Vec<&Row> = group.contacts.iter().map(|&index| &rows[index]).collect();
@@ -161,7 +160,8 @@ impl TimeStepper {
         constants.extend(assembly.bilateral_rates().map(|rate| 2.0 * rate));
         if members.iter().any(|row| row.friction.is_some()) {
             let friction: Vec<_> = members.iter().map(|row| row.friction).collect();
-            let found = sustained_friction::solve(assembly, states, constants, &friction)?;
+            let found = sustained_friction::solve(assembly, states, constants, &friction, (&mut self.cones, h))?;
+            report.factorisations += found.factorisations as u64;
             report.residual = report.residual.max(found.report.residual);
             report.fallbacks += u64::from(found.report.status != SolverStatus::Solved);
             report.stops.extend(found.stops.iter().copied());
