@@ -10,16 +10,25 @@
 
 use crate::error::{ResponseError, check_length};
 use crate::friction::coulomb_cone::put_parts_into_discs;
-use crate::friction::{Blocks, BlocksSolution};
+use crate::friction::{Blocks, BlocksSolution, FrictionMethod, FrictionReport, FrictionSettings, FrictionSolution};
 use crate::law::Law;
 use crate::problem::ContactProblem;
 use crate::report::{Method, SolverReport};
+use crate::settings::FallbackPolicy;
 use crate::sparse::block6::{Block6, WIDTH, ZERO};
 use crate::sparse::body::BodyMass;
 use crate::sparse::problem::{BodyProblem, BodyRows};
 use crate::sparse::settings::BodySettings;
-use crate::sparse::solution::{BodyMethod, BodyReport};
+use crate::sparse::solution::{BodyMethod, BodyReport, BodySolution};
 use crate::sparse::solver::BodySolver;
+use std::sync::Arc;
+
+/// The residual of an impact of many contacts that counts as solved (no unit, 1e-9 to 1e-7).
+const ACCEPTED_OF_MANY: f64 = 1e-8;
+
+/// Factorisations for an impact of many contacts, and where other restitutions can be tried in its place.
+const FACTORISATIONS_OF_AN_IMPACT: usize = 300;
+const FACTORISATIONS_OF_AN_ATTEMPT: usize = 80;
 
 /// The bodies of a block of rows: one or two.
 type Members = [Option<usize>; 2];
@@ -53,31 +62,45 @@ impl Blocks {
         (solver, settings): (&mut BodySolver, &BodySettings),
     ) -> Result<(BlocksSolution, BodyReport), ResponseError> {
         check_length("constant terms", problem.len(), constants.len())?;
-        let Converted { bodies, given } = self.in_bodies(problem, constants)?;
         let start: Option<Vec<f64>> = start.map(|start| {
             let of_rows = self.rows().iter().map(|&row| start.get(row).copied().unwrap_or(0.0));
             of_rows.zip(self.scales()).map(|(own, scale)| own / scale).collect()
         });
-        let solved = solver.solve(&bodies, start.as_deref(), settings)?;
-        let mut reactions = solved.reactions;
-        let mut first = 0;
-        for law in self.laws() {
-            if law.pushes() {
-                put_parts_into_discs(*law, &mut reactions[first..first + law.rows()]);
-            }
-            first += law.rows();
-        }
+        let constants = self.velocities_in_blocks(constants);
+        let solved = self.solved_in_bodies(problem, &constants, start.as_deref(), (solver, settings))?;
         let solution = BlocksSolution {
-            reactions: self.reactions_in_rows(&reactions),
+            reactions: self.reactions_in_rows(&solved.reactions),
             velocities: self.velocities_in_rows(&solved.rates),
-            statuses: given.iter().map(|&block| solved.statuses[block]).collect(),
-            parts: given.iter().map(|&block| solved.parts[block]).collect(),
+            statuses: solved.statuses,
+            parts: solved.parts,
             report: report_of(&solved.report),
         };
         Ok((solution, solved.report))
     }
 
-    /// The problem in the velocities of bodies, whose rows are in the order of the blocks.
+    /// The same with rows, statuses and parts in the order of the blocks.
+    fn solved_in_bodies(
+        &self,
+        problem: &ContactProblem,
+        constants: &[f64],
+        start: Option<&[f64]>,
+        (solver, settings): (&mut BodySolver, &BodySettings),
+    ) -> Result<BodySolution, ResponseError> {
+        let Converted { bodies, given } = self.in_bodies(problem, constants)?;
+        let mut solved = solver.solve(&bodies, start, settings)?;
+        let mut first = 0;
+        for law in self.laws() {
+            if law.pushes() {
+                put_parts_into_discs(*law, &mut solved.reactions[first..first + law.rows()]);
+            }
+            first += law.rows();
+        }
+        solved.statuses = given.iter().map(|&block| solved.statuses[block]).collect();
+        solved.parts = given.iter().map(|&block| solved.parts[block]).collect();
+        Ok(solved)
+    }
+
+    /// The problem in the velocities of bodies, whose rows are in the order of the blocks, as are the constant terms.
     fn in_bodies(&self, problem: &ContactProblem, constants: &[f64]) -> Result<Converted, ResponseError> {
         if let Some(&row) = self.rows().iter().find(|&&row| row >= problem.len()) {
             return Err(ResponseError::UnknownRow { row, rows: problem.len() });
@@ -91,7 +114,8 @@ impl Blocks {
             let own = first..first + law.rows();
             first = own.end;
             given.push(bodies.len());
-            let (rows, scales) = (&self.rows()[own.clone()], &scales[own]);
+            let (rows, scales) = (&self.rows()[own.clone()], &scales[own.clone()]);
+            let constants = &constants[own];
             let mut start = 0;
             while start < rows.len() {
                 let members = members_of(problem, rows[start]);
@@ -101,12 +125,70 @@ impl Blocks {
                 } else {
                     (*law, rows.len())
                 };
-                let part = Part { law, members, rows: &rows[start..end], scales: &scales[start..end] };
-                room.push(&mut bodies, (problem, constants), part)?;
+                let (rows, scales, bias) = (&rows[start..end], &scales[start..end], &constants[start..end]);
+                room.push(&mut bodies, problem, Part { law, members, rows, scales, bias })?;
                 start = end;
             }
         }
         Ok(Converted { bodies, given })
+    }
+}
+
+/// Rows of bodies and the blocks for which laws are stated: what is behind the matrix of a problem with friction.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct RowsInBodies {
+    problem: Arc<ContactProblem>,
+    blocks: Blocks,
+}
+
+impl RowsInBodies {
+    pub(crate) const fn new(problem: Arc<ContactProblem>, blocks: Blocks) -> Self {
+        Self { problem, blocks }
+    }
+
+    /// Those of some blocks.
+    pub(crate) fn of_blocks(&self, chosen: &[usize]) -> Self {
+        let mut blocks = Blocks::default();
+        for &block in chosen {
+            self.blocks.push_to(&mut blocks, block);
+        }
+        Self { problem: self.problem.clone(), blocks }
+    }
+
+    /// Solves the cone problem of an impact; constant terms and start are in the order of the blocks.
+    ///
+    /// # Errors
+    /// See the top of the module.
+    pub(crate) fn solve(
+        &self,
+        constants: &[f64],
+        start: &[f64],
+        (solver, settings): (&mut BodySolver, &FrictionSettings),
+    ) -> Result<FrictionSolution, ResponseError> {
+        let is_one_of_many = settings.fallback == FallbackPolicy::Refuse;
+        let limits = BodySettings {
+            tolerance: settings.tolerance,
+            acceptance: settings.acceptance.max(ACCEPTED_OF_MANY),
+            factorisations: if is_one_of_many { FACTORISATIONS_OF_AN_ATTEMPT } else { FACTORISATIONS_OF_AN_IMPACT },
+            ..BodySettings::default()
+        };
+        let start = Some(start).filter(|start| start.iter().any(|reaction| *reaction != 0.0));
+        let solved = self.blocks.solved_in_bodies(&self.problem, constants, start, (solver, &limits))?;
+        let report = FrictionReport {
+            status: solved.report.status,
+            method: FrictionMethod::Newton,
+            newton_steps: solved.report.factorisations,
+            residual: solved.report.residual,
+            ..FrictionReport::default()
+        };
+        Ok(FrictionSolution {
+            reactions: solved.reactions,
+            velocities: solved.rates,
+            statuses: solved.statuses,
+            parts: solved.parts,
+            squeeze: Vec::new(),
+            report,
+        })
     }
 }
 
@@ -124,13 +206,13 @@ struct Part<'a> {
     members: Members,
     rows: &'a [usize],
     scales: &'a [f64],
+    bias: &'a [f64],
 }
 
 /// Memory for the rows of one part.
 #[derive(Debug, Default)]
 struct Room {
     jacobians: [Vec<f64>; 2],
-    bias: Vec<f64>,
 }
 
 impl Room {
@@ -138,7 +220,7 @@ impl Room {
     fn push(
         &mut self,
         bodies: &mut BodyProblem,
-        (problem, constants): (&ContactProblem, &[f64]),
+        problem: &ContactProblem,
         part: Part<'_>,
     ) -> Result<(), ResponseError> {
         let count = part.rows.len();
@@ -146,9 +228,7 @@ impl Room {
             jacobian.clear();
             jacobian.resize(count * WIDTH, 0.0);
         }
-        self.bias.clear();
         for (place, (&row, &scale)) in part.rows.iter().zip(part.scales).enumerate() {
-            self.bias.push(scale * constants[row]);
             for entry in problem.entries(row) {
                 let side = part.members.iter().position(|member| *member == Some(entry.body));
                 let Some(jacobian) = side.map(|side| &mut self.jacobians[side]) else {
@@ -161,7 +241,7 @@ impl Room {
         }
         let sides = part.members.iter().zip(&self.jacobians);
         let sides: Vec<(usize, &[f64])> = sides.filter_map(|(body, of)| Some(((*body)?, &of[..]))).collect();
-        bodies.push(&BodyRows { law: part.law, bodies: &sides, bias: &self.bias, compliance: &[] })?;
+        bodies.push(&BodyRows { law: part.law, bodies: &sides, bias: part.bias, compliance: &[] })?;
         Ok(())
     }
 }

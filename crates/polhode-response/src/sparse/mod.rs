@@ -26,7 +26,7 @@ mod cone_form;
 mod dissection;
 mod elimination;
 mod factors;
-mod from_blocks;
+pub(crate) mod from_blocks;
 mod interior_cone;
 mod interior_point;
 mod iterate;

@@ -45,7 +45,11 @@ fn rows_of(scene: &BodyScene, has_grain: bool) -> Rows {
     let mut blocks = Blocks::default();
     for ((contact, normal), [first, second]) in contacts.iter().zip(&normals).zip(&tangents) {
         let rows = [*normal, *first, *second];
-        if has_grain { blocks.push_scaled(contact.law, rows, [1.0, 1.0, ACROSS]) } else { blocks.push(contact.law, rows) }
+        if has_grain {
+            blocks.push_scaled(contact.law, rows, [1.0, 1.0, ACROSS])
+        } else {
+            blocks.push(contact.law, rows)
+        }
     }
     // Two held rows a block: some of them of two joints.
     for pair in held.chunks(2) {

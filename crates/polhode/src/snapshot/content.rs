@@ -126,6 +126,7 @@ pub(crate) struct Certificate {
     pub(crate) max_acceleration_error_bound: Option<f64>,
     pub(crate) max_step_error: Option<f64>,
     pub(crate) estimated_error: Option<f64>,
+    pub(crate) factorisations: u64,
     pub(crate) fallbacks: u64,
 }
 

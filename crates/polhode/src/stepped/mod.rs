@@ -12,8 +12,10 @@
 //! | `engine` | a run, one step of it, and queries at the present |
 //! | `islands` | the islands of a step |
 //! | `present_forces` | forces and accelerations at one instant, for queries |
+//! | `forces_of_many` | the same of many contacts with friction |
 
 mod engine;
+mod forces_of_many;
 mod islands;
 mod present_forces;
 

@@ -1,12 +1,14 @@
 //! The forces of contacts at one instant, and the accelerations that they give, by the law that the steps obey: with the
 //! friction of contacts that stick or slide. They are queries; no step uses them.
 
+use super::forces_of_many::forces_of_many;
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::{RotationModes, Turn};
 use crate::core::Core;
 use crate::interaction::acceleration_problem::AccelerationProblem;
 use crate::interaction::frictional_accelerations::FrictionalAccelerations;
+use crate::time_stepping::LEAST_IN_BODIES;
 use polhode_dynamics::BodyState;
 use polhode_response::{ComplementaritySolver, ResponseError, WarmStart};
 use polhode_spatial::DVec3;
@@ -52,6 +54,9 @@ impl PresentForces {
         let body = |(body, linear, angular): (usize, DVec3, DVec3)| BodyAcceleration { body, linear, angular };
         if contacts.iter().any(|touch| world.friction_of(touch.id.a, touch.id.b).is_some()) {
             let contacts: Vec<Touch> = contacts.iter().map(|touch| with_modes(core, states, touch)).collect();
+            if contacts.len() >= LEAST_IN_BODIES && !world.has_rotational_friction() {
+                return forces_of_many(world, (core.t, states), bodies, &contacts, &loads);
+            }
             let found = FrictionalAccelerations::solve(world, (core.t, states), bodies, &contacts, &loads)?;
             return Ok(Self {
                 normal: found.solution.forces.iter().take(contacts.len()).copied().collect(),

@@ -23,7 +23,7 @@ use polhode_response::{Blocks, BlocksSolution, Delassus, ResponseError, SolverSt
 use std::collections::BTreeMap;
 
 /// From so many contacts in a group on the velocities of bodies are solved for (30 to 100).
-const LEAST_IN_BODIES: usize = 48;
+pub(crate) const LEAST_IN_BODIES: usize = 48;
 
 /// Most rows whose matrix is formed where the velocities of bodies were not solved for exactly enough (200 to 600).
 const MOST_ROWS_IN_PLACE: usize = 400;
@@ -40,6 +40,12 @@ const SHARE_OF_CONE_LIMIT: f64 = 0.1;
 /// Most sweeps of block Gauss-Seidel after all other methods of the solver have failed. The error that remains is part
 /// of the error estimate of a stretch of crowded events.
 const LAST_SWEEPS: u32 = 100;
+
+/// As exactly as rounding allows where that is found soon; else as exactly as the matrix of all rows is solved for, within
+/// some hundred factorisations. Most groups take one or none, and heaps of boxes that tumble some dozens: many of their contacts
+/// nearly depend on each other, and some are about to slip.
+const SETTINGS_IN_BODIES: BodySettings =
+    BodySettings { tolerance: 1e-12, acceptance: ACCEPTED_RESIDUAL, factorisations: 300, enough: 60, warm_steps: 8 };
 
 /// The solvers of the groups of a run, and the forces that they start from.
 #[derive(Debug, Default)]
@@ -65,8 +71,7 @@ impl ConeSolvers {
         contacts: usize,
         h: f64,
     ) -> ConeProblem<'a> {
-        let least = std::env::var("DEV_LEAST").ok().and_then(|v| v.parse().ok()).unwrap_or(LEAST_IN_BODIES);
-        let first = assembly.bodies().first().filter(|_| contacts >= least);
+        let first = assembly.bodies().first().filter(|_| contacts >= LEAST_IN_BODIES);
         let system = first.map_or_else(
             || System::Rows(assembly.problem.delassus()),
             |&first| System::Bodies {
@@ -112,13 +117,9 @@ impl ConeProblem<'_> {
             System::Rows(delassus) => solve_for_rows(blocks, (delassus, constants), violation),
             System::Bodies { solver, start } => {
                 let problem = &self.assembly.problem;
-                let settings = BodySettings::default();
                 let (mut solved, effort) =
-                    blocks.solve_in_bodies(problem, constants, start.as_deref(), (solver, &settings))?;
+                    blocks.solve_in_bodies(problem, constants, start.as_deref(), (solver, &SETTINGS_IN_BODIES))?;
                 self.factorisations += effort.factorisations;
-                if std::env::var("DEV_EFFORT").is_ok() {
-                    eprintln!("DEV {} rows {} warm {} int {} newt {} smooth {} total {} res {:.2e} bal {:.2e} kept {} start {}", solved.report.method as u8, problem.len(), effort.warm, effort.interior, effort.newton, effort.smoothing, effort.factorisations, effort.residual, effort.balanced_residual, effort.kept_elimination, start.is_some());
-                }
                 if solved.report.status != SolverStatus::Solved && problem.len() <= MOST_ROWS_IN_PLACE {
                     let other = blocks.solve(&problem.delassus(), constants, None, &exact())?;
                     if other.report.residual < solved.report.residual {

@@ -40,6 +40,7 @@ mod step;
 mod sustained;
 mod sustained_friction;
 
+pub(crate) use cone_problem::LEAST_IN_BODIES;
 pub(crate) use report::{ImpulseKind, TimeStepReport};
 pub(crate) use step::{TimeStepper, given_by_gravity};
 
