@@ -10,6 +10,11 @@
 use crate::dense::kernels::axpy;
 use crate::error::{ResponseError, check_length};
 use crate::problem::{ContactProblem, RowEntry};
+use std::sync::Arc;
+
+/// From so many rows with friction on an impact is solved for in the velocities of bodies (100 to 300): with as many the factors
+/// of this matrix take longer than those of the bodies. Its rows are kept for that.
+const LEAST_ROWS_IN_BODIES: usize = 144;
 
 /// A dense, exactly symmetric Delassus matrix.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -17,6 +22,8 @@ pub struct Delassus {
     size: usize,
     entries: Vec<f64>,
     not_finite: Option<usize>,
+    /// The rows that it was formed of, where they are many.
+    rows: Option<Arc<ContactProblem>>,
 }
 
 impl Delassus {
@@ -55,6 +62,11 @@ impl Delassus {
         Ok(product)
     }
 
+    /// The rows that it was formed of; none where they are few.
+    pub(crate) fn rows(&self) -> Option<&Arc<ContactProblem>> {
+        self.rows.as_ref()
+    }
+
     /// All entries, row-major.
     pub(crate) fn entries(&self) -> &[f64] {
         &self.entries
@@ -78,6 +90,8 @@ impl ContactProblem {
     pub fn delassus_into(&self, delassus: &mut Delassus) {
         let size = self.len();
         delassus.size = size;
+        let is_kept = size >= LEAST_ROWS_IN_BODIES && !self.bilateral_rows(None).is_empty();
+        delassus.rows = is_kept.then(|| Arc::new(self.clone()));
         delassus.entries.clear();
         delassus.entries.resize(size * size, 0.0);
         // All (body, row, slot), sorted by body: rows of one body stand together, in the order of the rows.

@@ -31,7 +31,7 @@ const BLOCK_ROUNDING: f64 = 1e-12;
 /// assert_eq!(problem.delassus().get(0, 0), 0.5);
 /// # Ok::<(), polhode_response::ResponseError>(())
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct ContactProblem {
     width: usize,
     bodies: usize,

@@ -59,6 +59,7 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
         "max_step_error": certificate.max_step_error,
         "estimated_error": certificate.estimated_error,
         "max_numerical_relative": certificate.max_numerical_relative,
+        "factorisations": certificate.factorisations,
         "fallbacks": certificate.fallbacks,
         "events": report.events,
         "warnings": report.warnings,

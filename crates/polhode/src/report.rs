@@ -67,6 +67,9 @@ pub struct Certificate {
     /// The largest energy that the integrator had lost or gained at any time, relative to the largest energy of the run
     /// until then: above 0.01 the run is degraded.
     pub max_numerical_relative: f64,
+    /// Factorisations by which time steps have solved for the velocities of bodies with many rough contacts: what they cost,
+    /// whatever the machine. Those of samples within a step, and of its comparison with two halves, are left out.
+    pub factorisations: u64,
     /// Number of fallbacks: a fallback solver answered, an event was postponed (backoff), a contact was not projected.
     /// [`RunReport::tolerated`] names them.
     pub fallbacks: u64,

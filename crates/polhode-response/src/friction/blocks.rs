@@ -18,6 +18,7 @@ use crate::friction::solver::solve_friction;
 use crate::law::{Law, Resistance};
 use crate::problem::ContactProblem;
 use crate::report::{Method, SolverReport};
+use crate::sparse::from_blocks::RowsInBodies;
 
 /// A rotation that a contact may resist beside its slip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -162,7 +163,8 @@ impl Blocks {
             let entry = delassus.get(self.rows[i], self.rows[j]);
             if self.scales.is_empty() { entry } else { entry * (self.scales[i] * self.scales[j]) }
         })?;
-        FrictionProblem::new(self.laws.clone(), matrix, self.velocities_in_blocks(constants))
+        let rows = delassus.rows().map(|rows| RowsInBodies::new(rows.clone(), self.clone()));
+        Ok(FrictionProblem::new(self.laws.clone(), matrix, self.velocities_in_blocks(constants))?.with_rows(rows))
     }
 
     /// Reactions in the order of the blocks, put into that of the problem; rows without a block have zero.

@@ -10,6 +10,7 @@ use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::block_matrix::BlockMatrix;
 use crate::friction::coulomb_cone::natural_map;
 use crate::law::{Law, MOST_ROWS};
+use crate::sparse::from_blocks::RowsInBodies;
 
 /// A contact that no reaction moves is measured by this fraction of the largest inverse mass (no unit): with it a reaction
 /// there shows in the residual, however small.
@@ -30,6 +31,8 @@ pub struct FrictionProblem {
     blocks: Vec<Law>,
     /// `1 / rho` of each block.
     inverse_masses: Vec<f64>,
+    /// The rows of the bodies behind it, where they are known and many.
+    in_bodies: Option<RowsInBodies>,
 }
 
 impl FrictionProblem {
@@ -75,7 +78,17 @@ impl FrictionProblem {
             if normal > 0.0 { normal } else { least }
         };
         let inverse_masses = (0..matrix.len()).map(inverse_mass).collect();
-        Ok(Self { matrix, constant, blocks, inverse_masses })
+        Ok(Self { matrix, constant, blocks, inverse_masses, in_bodies: None })
+    }
+
+    /// The same problem, the rows of whose bodies are known.
+    pub(crate) fn with_rows(self, rows: Option<RowsInBodies>) -> Self {
+        Self { in_bodies: rows, ..self }
+    }
+
+    /// The rows of the bodies behind it.
+    pub(crate) fn in_bodies(&self) -> Option<&RowsInBodies> {
+        self.in_bodies.as_ref()
     }
 
     /// Number of blocks.

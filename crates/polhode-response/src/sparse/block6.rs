@@ -230,6 +230,13 @@ impl CholeskyBlock {
         }
     }
 
+    /// `C x` in place of `x`.
+    pub(crate) fn times(&self, x: &mut Vector6) {
+        for row in (0..WIDTH).rev() {
+            x[row] = (0..=row).map(|k| self.factor[row * WIDTH + k] * x[k]).sum();
+        }
+    }
+
     /// `B C^-T` in place of `B`.
     pub(crate) fn solve_from_the_right(&self, b: &mut Block6) {
         for line in rows_mut(b) {
@@ -264,6 +271,11 @@ mod tests {
         factor.solve_lower(&mut y);
         factor.solve_upper(&mut y);
         assert!(y.iter().zip(x).all(|(y, x)| (y - x).abs() < 1e-13), "{y:?}");
+        let mut z = x;
+        factor.times_transposed(&mut z);
+        factor.times(&mut z);
+        let y = times(&symmetric, &x);
+        assert!(y.iter().zip(z).all(|(y, z)| (y - z).abs() < 1e-13), "{z:?}");
         let mut y = times(&general, &x);
         let factor = FactoredBlock::of(general);
         factor.solve_lower(&mut y);

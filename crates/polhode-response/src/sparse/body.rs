@@ -1,20 +1,27 @@
 //! What a body of a sparse problem is to the solver: how it resists being set in motion.
 
-use crate::sparse::block6::{Block6, CholeskyBlock, WIDTH, ZERO};
+use crate::sparse::block6::{Block6, CholeskyBlock, Vector6, WIDTH, ZERO};
 
 /// Largest relative asymmetry of a mass block that counts as rounding (no unit).
 const MASS_ROUNDING: f64 = 1e-12;
 
 /// The mass of a body; its velocity is `(v, w)` of the centre of mass, in axes of the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BodyMass {
-    /// None for a body that moves as it is told.
-    block: Option<Block6>,
+pub struct BodyMass(Inertness);
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Inertness {
+    /// It moves as it is told.
+    Fixed,
+    /// `M`.
+    Mass(Block6),
+    /// `M^-1`.
+    Inverse(Block6),
 }
 
 impl BodyMass {
     /// Moves as it is told, whatever pushes it: the ground, a body whose motion is prescribed.
-    pub const FIXED: Self = Self { block: None };
+    pub const FIXED: Self = Self(Inertness::Fixed);
 
     /// A rigid body of this mass (kg) and inertia about the centre of mass in axes of the world, row-major (kg m^2).
     pub fn rigid(mass: f64, inertia: &[f64; 9]) -> Self {
@@ -25,22 +32,79 @@ impl BodyMass {
                 block[(i + 3) * WIDTH + j + 3] = inertia[3 * i + j];
             }
         }
-        Self { block: Some(block) }
+        Self::from_block(block)
     }
 
     /// Any symmetric positive definite block, row-major: one with added mass, or of a step that is implicit in forces.
     pub const fn from_block(block: [f64; 36]) -> Self {
-        Self { block: Some(block) }
+        Self(Inertness::Mass(block))
     }
 
-    /// The block of a body that moves.
+    /// The inverse of such a block. Nothing is inverted: rows are to the last digits what they are with the inverse given.
+    pub const fn from_inverse_block(block: [f64; 36]) -> Self {
+        Self(Inertness::Inverse(block))
+    }
+
+    /// The block, or its inverse, of a body that moves.
     pub const fn block(&self) -> Option<&[f64; 36]> {
-        self.block.as_ref()
+        match &self.0 {
+            Inertness::Fixed => None,
+            Inertness::Mass(block) | Inertness::Inverse(block) => Some(block),
+        }
+    }
+
+    /// Its factor; none of a body that moves as it is told.
+    pub(crate) fn factor(&self) -> Option<Result<MassFactor, NotAMass>> {
+        let of = |block: &Block6| factor_of_mass(block).ok_or(NotAMass);
+        match &self.0 {
+            Inertness::Fixed => None,
+            Inertness::Mass(block) => Some(of(block).map(MassFactor::OfMass)),
+            Inertness::Inverse(block) => Some(of(block).map(MassFactor::OfInverse)),
+        }
+    }
+}
+
+/// A block is not symmetric and positive definite.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct NotAMass;
+
+/// What scales a mass away: velocities are `S^-1 v` and rows `J S` inside, with `S S^T = M^-1`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum MassFactor {
+    /// `L` of `M = L L^T`; `S = L^-T`.
+    OfMass(CholeskyBlock),
+    /// `S` itself.
+    OfInverse(CholeskyBlock),
+}
+
+impl MassFactor {
+    /// `S^-1 v` in place of `v`.
+    pub(crate) fn scale_velocity(&self, v: &mut Vector6) {
+        match self {
+            Self::OfMass(factor) => factor.times_transposed(v),
+            Self::OfInverse(factor) => factor.solve_lower(v),
+        }
+    }
+
+    /// `S v` in place of `v`.
+    pub(crate) fn unscale_velocity(&self, v: &mut Vector6) {
+        match self {
+            Self::OfMass(factor) => factor.solve_upper(v),
+            Self::OfInverse(factor) => factor.times(v),
+        }
+    }
+
+    /// `J S` in place of a row `J`.
+    pub(crate) fn scale_row(&self, row: &mut Vector6) {
+        match self {
+            Self::OfMass(factor) => factor.solve_lower(row),
+            Self::OfInverse(factor) => factor.times_transposed(row),
+        }
     }
 }
 
 /// The factor of a mass block; none when it is not symmetric and positive definite.
-pub(crate) fn factor_of_mass(block: &Block6) -> Option<CholeskyBlock> {
+fn factor_of_mass(block: &Block6) -> Option<CholeskyBlock> {
     for i in 0..WIDTH {
         for j in 0..i {
             let (entry, mirror) = (block[i * WIDTH + j], block[j * WIDTH + i]);

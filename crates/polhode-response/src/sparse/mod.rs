@@ -7,6 +7,7 @@
 //! | stage | what it does | where |
 //! |---|---|---|
 //! | problem | takes bodies, the rows of contacts and joints, and scales masses away | `problem.rs`, `body.rs` |
+//! | from rows | the same from the rows of a contact problem and their laws | `from_blocks.rs` |
 //! | elimination | orders the bodies; kept while the graph stays | `elimination.rs`, `dissection.rs` |
 //! | factors | Cholesky where `K` is symmetric, LU where contacts slide | `factors.rs`, `block6.rs` |
 //! | system | assembles, factorises, and solves for what rounding has left | `system.rs` |
@@ -25,6 +26,7 @@ mod cone_form;
 mod dissection;
 mod elimination;
 mod factors;
+pub(crate) mod from_blocks;
 mod interior_cone;
 mod interior_point;
 mod iterate;

@@ -44,6 +44,12 @@ const SHARE_AFTER_WHOLE: f64 = 0.7;
 /// What a step leaves of the function's square when it went well (no unit).
 const WENT_WELL: f64 = 0.25;
 
+/// A step whose shortest trial leaves more than this of the largest function of the last ones is not taken (no unit, 2
+/// to 10); the damping is multiplied by this then, to at most this (no units).
+const TOO_FAR: f64 = 4.0;
+const SHARE_AFTER_TOO_FAR: f64 = 10.0;
+const LARGEST_SHARE: f64 = 1e6;
+
 /// Times that rounding of the factors is solved for again.
 const NEWTON_REFINEMENTS: usize = 1;
 
@@ -136,6 +142,13 @@ impl<'a> BodyNewton<'a> {
             let (length, square) = self.search(&current, recent, &mut trial);
             if !square.is_finite() {
                 return;
+            }
+            if square > TOO_FAR * recent {
+                // Rows that all but depend on each other: reactions went far for what little they had to undo.
+                share = (SHARE_AFTER_TOO_FAR * share).min(LARGEST_SHARE);
+                best.keep(&trial);
+                self.linearise(&current);
+                continue;
             }
             share *= match (square < WENT_WELL * last, length == 1.0) {
                 (true, _) => SHARE_AFTER_WELL,

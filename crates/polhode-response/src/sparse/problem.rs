@@ -5,15 +5,15 @@
 //! contacts). Nothing couples rows but the bodies that they share: memory grows linearly with rows, however many
 //! touch one body.
 //!
-//! Inside, velocities are `L^T v` with `M = L L^T`: masses become 1, whatever their ratio. Symbols and units: `v`
+//! Inside, velocities are `S^-1 v` with `S S^T = M^-1`: masses become 1, whatever their ratio. Symbols and units: `v`
 //! (m/s, rad/s), `r` (N s), `u`, `b` (m/s), `C` (1/kg). Source: Acary and Brogliato 2008, chapter 13. Assumption: the
 //! rows of one block have one unit. Failure: data that is not finite, of wrong length or out of range is refused with
 //! a [`ResponseError`].
 
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::law::{Law, MOST_ROWS};
-use crate::sparse::block6::{CholeskyBlock, Vector6, WIDTH, add_scaled, dot6};
-use crate::sparse::body::{BodyMass, factor_of_mass};
+use crate::sparse::block6::{Vector6, WIDTH, add_scaled, dot6};
+use crate::sparse::body::{BodyMass, MassFactor};
 use std::ops::Range;
 
 /// Most rows of a hold that is solved as one block; one of more is several.
@@ -78,13 +78,13 @@ impl RowBlock {
 pub struct BodyProblem {
     /// The movable body of each body.
     nodes: Vec<Option<usize>>,
-    factors: Vec<CholeskyBlock>,
+    factors: Vec<MassFactor>,
     /// Velocities of bodies that are fixed.
     prescribed: Vec<Vector6>,
-    /// `L^T v_free` of movable bodies.
+    /// `S^-1 v_free` of movable bodies.
     pub(crate) free: Vec<Vector6>,
     pub(crate) blocks: Vec<RowBlock>,
-    /// `H L^-T`, one line for each row and movable body.
+    /// `H S`, one line for each row and movable body.
     lines: Vec<Vector6>,
     /// `b`, with what fixed bodies add.
     pub(crate) bias: Vec<f64>,
@@ -107,15 +107,15 @@ impl BodyProblem {
         let mut nodes = Vec::with_capacity(bodies.len());
         let (mut factors, mut free) = (Vec::new(), Vec::new());
         for (body, (mass, velocity)) in bodies.iter().zip(free_velocities).enumerate() {
-            let Some(block) = mass.block() else {
+            let Some(factor) = mass.factor() else {
                 nodes.push(None);
                 continue;
             };
-            check_finite("mass block", block)?;
-            let factor = factor_of_mass(block).ok_or(ResponseError::BodyMass { body })?;
+            check_finite("mass block", mass.block().map_or(&[], |block| &block[..]))?;
+            let factor = factor.map_err(|_| ResponseError::BodyMass { body })?;
             nodes.push(Some(factors.len()));
             let mut scaled = *velocity;
-            factor.times_transposed(&mut scaled);
+            factor.scale_velocity(&mut scaled);
             factors.push(factor);
             free.push(scaled);
         }
@@ -157,7 +157,7 @@ impl BodyProblem {
             *side = Some(Side { node, line: self.lines.len() + lines.len() });
             for (line, diagonal) in jacobian.iter().zip(&mut diagonal) {
                 let mut line = *line;
-                self.factors[node].solve_lower(&mut line);
+                self.factors[node].scale_row(&mut line);
                 *diagonal += dot6(&line, &line);
                 lines.push(line);
             }
@@ -254,7 +254,7 @@ impl BodyProblem {
         for (node, velocity) in self.nodes.iter().zip(free_velocities) {
             if let Some(node) = *node {
                 let mut scaled = *velocity;
-                self.factors[node].times_transposed(&mut scaled);
+                self.factors[node].scale_velocity(&mut scaled);
                 self.free[node] = scaled;
             }
         }
@@ -329,7 +329,7 @@ impl BodyProblem {
         let of = |(node, prescribed): (&Option<usize>, &Vector6)| {
             node.map_or(*prescribed, |node| {
                 let mut velocity = scaled[node];
-                self.factors[node].solve_upper(&mut velocity);
+                self.factors[node].unscale_velocity(&mut velocity);
                 velocity
             })
         };

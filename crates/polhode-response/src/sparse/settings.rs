@@ -11,6 +11,8 @@ pub struct BodySettings {
     pub acceptance: f64,
     /// Factorisations after which no method begins.
     pub factorisations: usize,
+    /// Factorisations after which an answer within the acceptance is enough.
+    pub enough: usize,
     /// Steps of a warm start, before a cold one: it takes one or two where little has changed, eight where a box is
     /// pushed.
     pub warm_steps: usize,
@@ -18,7 +20,7 @@ pub struct BodySettings {
 
 impl Default for BodySettings {
     fn default() -> Self {
-        Self { tolerance: 1e-12, acceptance: 1e-8, factorisations: 80, warm_steps: 8 }
+        Self { tolerance: 1e-12, acceptance: 1e-8, factorisations: 80, enough: 80, warm_steps: 8 }
     }
 }
 

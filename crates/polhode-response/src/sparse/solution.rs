@@ -69,6 +69,8 @@ pub struct BodySolution {
     pub velocities: Vec<[f64; 6]>,
     /// What each contact does.
     pub statuses: Vec<ContactStatus>,
+    /// What it does in its slip, its rolling and its spinning; open for what it does not resist.
+    pub parts: Vec<[ContactStatus; 3]>,
     /// The certificate.
     pub report: BodyReport,
 }

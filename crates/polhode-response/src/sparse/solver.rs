@@ -25,11 +25,13 @@ const MOST_INTERIOR_STEPS: usize = 25;
 const FIRST_NEWTON_STEPS: usize = 4;
 
 /// Steps of the smoothing Newton method, and of Newton's method, in one turn.
-const SMOOTHING_STEPS: usize = 10;
+const SMOOTHING_STEPS: usize = 20;
 const NEWTON_STEPS: usize = 20;
 
-/// Steps in which the residual must halve: where the smoothing method goes on otherwise, and where nothing does.
+/// Steps in which the residual must halve: where the smoothing method goes on otherwise, at first and after it, and where
+/// nothing does.
 const PATIENCE: usize = 3;
+const PATIENCE_BETWEEN: usize = 6;
 const LONG_PATIENCE: usize = 20;
 
 /// The solver, with the elimination of the last problem: it is kept as long as the same bodies are coupled by the
@@ -158,14 +160,14 @@ impl Chain<'_> {
         }
         let end = InteriorEnd { ratios: point.ratios(), weights: point.weights(), gap: point.gap() };
         let mut smoothing = Smoothing::new(self.problem, self.elimination, self.measure, &loads, end, near.clone());
-        while !self.is_reached() && self.left() > 0 {
+        while !self.is_reached() && !self.is_enough() && self.left() > 0 {
             let before = self.system.factorisations;
             let limits = SmoothingLimits { most: SMOOTHING_STEPS.min(self.left()), tolerance: self.settings.tolerance };
             smoothing.run(self.system, &mut near, limits);
             self.report.smoothing += self.system.factorisations - before;
             self.take(&near, BodyMethod::Smoothing);
             if !self.is_reached() {
-                self.finish_with_newton(near.clone(), NEWTON_STEPS, PATIENCE);
+                self.finish_with_newton(near.clone(), NEWTON_STEPS, PATIENCE_BETWEEN);
             }
         }
     }
@@ -190,6 +192,11 @@ impl Chain<'_> {
         self.best.rank <= self.settings.tolerance
     }
 
+    /// Whether the methods have had their turns, and the answer is accepted.
+    fn is_enough(&self) -> bool {
+        self.system.factorisations >= self.settings.enough && self.best.rank <= self.settings.acceptance
+    }
+
     fn take(&mut self, iterate: &Iterate, method: BodyMethod) {
         if iterate.rank < self.best.rank || self.best.rank.is_nan() {
             self.best.clone_from(iterate);
@@ -206,6 +213,7 @@ impl Chain<'_> {
         let laws = self.newton.laws_at(&self.best);
         BodySolution {
             statuses: self.problem.given().iter().map(|&block| laws[block].status).collect(),
+            parts: self.problem.given().iter().map(|&block| laws[block].parts).collect(),
             velocities: self.problem.velocities_of_bodies(&self.best.velocities),
             reactions: self.best.reactions,
             rates: self.best.rates,

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
+mod blocks_in_bodies;
 mod bodies_against_delassus;
 mod bodies_of_heaps;
 mod body_costs;

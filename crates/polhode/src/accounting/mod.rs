@@ -106,6 +106,7 @@ impl Accounts {
     pub(crate) fn note_time_step(&mut self, world: &World, t: f64, states: &[BodyState], report: &TimeStepReport) {
         self.books.enter(&report.books);
         self.certificate.max_residual = self.certificate.max_residual.max(report.residual);
+        self.certificate.factorisations += report.factorisations;
         self.measures.note_friction(t, report.cone_violation, CONE_LIMIT);
         for _ in 0..report.fallbacks {
             self.tolerate(t, "a contact problem of a time step was solved approximately");

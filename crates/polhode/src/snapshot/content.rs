@@ -126,6 +126,7 @@ pub(crate) struct Certificate {
     pub(crate) max_acceleration_error_bound: Option<f64>,
     pub(crate) max_step_error: Option<f64>,
     pub(crate) estimated_error: Option<f64>,
+    pub(crate) factorisations: u64,
     pub(crate) fallbacks: u64,
 }
 
@@ -433,6 +434,7 @@ pub(crate) struct Stepped {
     pub(crate) flights: Vec<Option<Flight>>,
     /// Contacts that carried an impulse in the last step of their pair.
     pub(crate) carried: Vec<Contact>,
+    pub(crate) last_forces: LastForces,
     pub(crate) touching: Vec<(usize, usize)>,
     pub(crate) forces: Vec<(Contact, f64)>,
     pub(crate) islands: Vec<Vec<usize>>,
@@ -442,6 +444,35 @@ pub(crate) struct Stepped {
     pub(crate) friction: Vec<[f64; 3]>,
     pub(crate) grid: u64,
     pub(crate) begun: bool,
+}
+
+/// The forces that the next time step starts from.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct LastForces {
+    pub(crate) contacts: Vec<LastForce>,
+    /// Of the rows of each bilateral constraint, N.
+    pub(crate) bilaterals: Vec<(Held, Vec<f64>)>,
+}
+
+/// The force of a contact in the last time step.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct LastForce {
+    pub(crate) id: Contact,
+    /// Along its normal, N.
+    pub(crate) normal: f64,
+    /// In its tangent plane, N.
+    pub(crate) along: Vector,
+    /// N m.
+    pub(crate) moment: Vector,
+}
+
+/// A bilateral constraint.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) enum Held {
+    /// The pivot of a body.
+    Pivot(usize),
+    /// A joint and its bodies.
+    Joint(usize, (usize, usize)),
 }
 
 /// The tier `thesis`.

@@ -132,6 +132,7 @@ impl SteppedEngine {
         }
         let carried = saved.carried.iter().map(|id| restored_id(world, id)).collect::<Result<Vec<_>, _>>()?;
         engine.stepper.carry(carried);
+        engine.stepper.restore_last_forces(world, &saved.last_forces)?;
         engine.touching = saved.touching.iter().copied().collect();
         let normal = restored_forces(world, &saved.forces)?;
         if saved.friction.len() != normal.len() {
@@ -476,6 +477,7 @@ impl Tier for SteppedEngine {
             states: write_states(&self.states),
             flights: self.flights.iter().map(|flight| flight.as_deref().map(save_flight)).collect(),
             carried: self.stepper.carried().map(save_contact).collect(),
+            last_forces: self.stepper.save_last_forces(),
             touching: self.touching.iter().copied().collect(),
             forces: self.forces.iter().map(|(&id, force)| (save_contact(id), force.normal)).collect(),
             friction: self.forces.values().map(|force| force.friction.to_array()).collect(),

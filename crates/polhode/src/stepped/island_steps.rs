@@ -49,7 +49,7 @@ pub(super) fn advance_islands(
         reports.extend(part.reports?);
         for island in part.islands {
             set_states(states, &island.bodies, &states_of(&part.states, &island.bodies));
-            stepper.take_from(&part.stepper, &island.pairs);
+            stepper.take_from(&part.stepper, &island.bodies, &island.pairs);
         }
     }
     Ok(reports)

@@ -13,8 +13,10 @@
 //! | `islands` | the islands of a step |
 //! | `island_steps` | their time steps, on the threads that the program gives |
 //! | `present_forces` | forces and accelerations at one instant, for queries |
+//! | `forces_of_many` | the same of many contacts with friction |
 
 mod engine;
+mod forces_of_many;
 mod island_steps;
 mod islands;
 mod present_forces;

@@ -1,12 +1,14 @@
 //! The forces of contacts at one instant, and the accelerations that they give, by the law that the steps obey: with the
 //! friction of contacts that stick or slide. They are queries; no step uses them.
 
+use super::forces_of_many::forces_of_many;
 use crate::collision::contact_modes::ContactModes;
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::{RotationModes, Turn};
 use crate::core::Core;
 use crate::interaction::accelerations::Accelerations;
+use crate::time_stepping::LEAST_IN_BODIES;
 use polhode_dynamics::BodyState;
 use polhode_response::{ComplementaritySolver, ResponseError};
 use polhode_spatial::DVec3;
@@ -51,6 +53,9 @@ impl PresentForces {
         let loads = world.loads_on(core.t, states, bodies);
         let body = |(body, linear, angular): (usize, DVec3, DVec3)| BodyAcceleration { body, linear, angular };
         let contacts: Vec<Touch> = contacts.iter().map(|touch| with_modes(core, states, touch)).collect();
+        if contacts.len() >= LEAST_IN_BODIES && !world.has_rotational_friction() {
+            return forces_of_many(world, (core.t, states), bodies, &contacts, &loads);
+        }
         let mut solver = ComplementaritySolver::default();
         let found = Accelerations::solve(world, (core.t, states), bodies, &contacts, &loads, &mut solver)?;
         Ok(Self {

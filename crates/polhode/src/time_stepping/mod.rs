@@ -24,11 +24,13 @@
 //! Assumes that no body is thinner than the motion within a step. Limit: a contact that was not detected at the start
 //! is found one step late, as a penetration that is removed and reported.
 
+mod cone_problem;
 mod contacts;
 mod halving;
 mod impacts;
 mod implicit_kick;
 mod kick;
+mod last_forces;
 mod middle;
 mod projection;
 mod report;
@@ -38,6 +40,7 @@ mod step;
 mod sustained;
 mod sustained_friction;
 
+pub(crate) use cone_problem::LEAST_IN_BODIES;
 pub(crate) use report::{ImpulseKind, TimeStepReport};
 pub(crate) use step::{TimeStepper, given_by_gravity};
 

@@ -56,6 +56,8 @@ pub(crate) struct TimeStepReport {
     pub(crate) cone_violation: Option<ConeViolation>,
     /// Number of approximations: solutions of a fallback solver, impact laws that did not finish.
     pub(crate) fallbacks: u64,
+    /// Factorisations in the velocities of bodies (`cone_problem.rs`).
+    pub(crate) factorisations: u64,
     /// Whether a law of restitution has raised the energy of an impact.
     pub(crate) raises_energy: bool,
     /// Number of contacts in the problems, the largest of any step.
@@ -91,6 +93,7 @@ impl TimeStepReport {
             residual: 0.0,
             cone_violation: None,
             fallbacks: 0,
+            factorisations: 0,
             raises_energy: false,
             contacts: 0,
             steps: 0,
@@ -112,6 +115,7 @@ impl TimeStepReport {
         self.residual = self.residual.max(later.residual);
         self.cone_violation = ConeViolation::larger(self.cone_violation, later.cone_violation);
         self.fallbacks += later.fallbacks;
+        self.factorisations += later.factorisations;
         self.raises_energy |= later.raises_energy;
         self.contacts = self.contacts.max(later.contacts);
         self.steps += later.steps;

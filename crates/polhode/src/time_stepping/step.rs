@@ -1,9 +1,11 @@
 //! One time step, and steps that are split at impacts.
 
 use super::NO_WORK_J;
+use super::cone_problem::ConeSolvers;
 use super::contacts::{NearContact, Span, may_change_features, near_contacts, slips_at_start};
 use super::drift;
 use super::kick::kick;
+use super::last_forces::LastForces;
 use super::middle::{Middle, Stops};
 use super::report::{Stop, TimeStepReport};
 use crate::Momentum;
@@ -11,6 +13,7 @@ use crate::MomentumSum;
 use crate::accounting::books::Received;
 use crate::collision::contact_set::ContactId;
 use crate::scene::ImpactLaw;
+use crate::snapshot::{SnapshotError, content};
 use crate::states_of::{set_states, states_of};
 use crate::world::World;
 use polhode_contact::ContactFeature;
@@ -77,13 +80,15 @@ pub(crate) struct TimeStepper {
     pub(super) solver: ComplementaritySolver,
     pub(super) delassus: Delassus,
     pub(super) carried: Carried,
+    pub(super) cones: ConeSolvers,
 }
 
 impl TimeStepper {
     /// Steps by this impact law, with moments booked about a point (m), split at no more than `splits` impacts each.
     pub(crate) fn new(law: ImpactLaw, about: DVec3, splits: u32) -> Self {
         let (solver, delassus) = (ComplementaritySolver::default(), Delassus::default());
-        Self { law, about, splits, unseen_bounce: f64::INFINITY, solver, delassus, carried: Carried::default() }
+        let (carried, cones) = (Carried::default(), ConeSolvers::default());
+        Self { law, about, splits, unseen_bounce: f64::INFINITY, solver, delassus, carried, cones }
     }
 
     /// The point about which moments are booked, m.
@@ -99,8 +104,9 @@ impl TimeStepper {
         self.carried.by_pair.iter().flat_map(of_pair)
     }
 
-    /// Takes over the warm start of these pairs from another stepper, which has stepped them.
-    pub(crate) fn take_from(&mut self, other: &Self, pairs: &[(usize, usize)]) {
+    /// Takes over the warm start of these bodies and pairs from another stepper, which has stepped them.
+    pub(crate) fn take_from(&mut self, other: &Self, bodies: &[usize], pairs: &[(usize, usize)]) {
+        self.cones.last.take_from(&other.cones.last, bodies, pairs);
         for pair in pairs {
             match other.carried.by_pair.get(pair) {
                 Some(features) => self.carried.by_pair.insert(*pair, features.clone()),
@@ -113,6 +119,24 @@ impl TimeStepper {
     /// their pair.
     pub(crate) fn carry(&mut self, contacts: Vec<ContactId>) {
         self.carried.replace(&[], contacts.into_iter());
+    }
+
+    /// The forces of the last step as plain data.
+    pub(crate) fn save_last_forces(&self) -> content::LastForces {
+        self.cones.last.save()
+    }
+
+    /// Takes the forces of the last step from plain data.
+    ///
+    /// # Errors
+    /// When they are not of this scene.
+    pub(crate) fn restore_last_forces(
+        &mut self,
+        world: &World,
+        saved: &content::LastForces,
+    ) -> Result<(), SnapshotError> {
+        self.cones.last = LastForces::restored(world, saved)?;
+        Ok(())
     }
 
     /// Advances `bodies` (movable, ascending) from `t` by `h` (s). `pairs` (A < B, ascending) are all that may touch
@@ -217,7 +241,9 @@ impl TimeStepper {
         let after = report.books.balance(world, states, bodies);
         report.books.smooth_stage(before, after, received);
 
-        self.carried.replace(pairs, carrying.iter().map(|&contact| near[contact].id));
+        let ids: Vec<ContactId> = carrying.iter().map(|&contact| near[contact].id).collect();
+        self.cones.last.keep(pairs, &ids);
+        self.carried.replace(pairs, ids.into_iter());
         if world.members_stand_still(bodies, pairs, (t, t + h)) {
             rest_exactly(world, states, bodies, (&start, &speeds), h, &mut report);
         }

@@ -27,10 +27,11 @@
 //! Rows of the problem: contacts that would penetrate at the end, and touching contacts; of pairs with many contacts only some of
 //! them (`interaction/many_contacts.rs`). Contacts that close because of the impulses are added until there are none.
 
+use super::cone_problem::LEAST_IN_BODIES;
 use super::contacts::{NearContact, kinematics_at_point, with_rate_at_point};
 use super::middle::{Middle, Stops};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
-use super::rigid_terms::{Term, make_rigid};
+use super::rigid_terms::{Term, make_nearly_flush_rigid, make_rigid};
 use super::shared_work::{ContactWork, Kicked};
 use super::step::TimeStepper;
 use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
@@ -58,6 +59,10 @@ const SEPARATION_ROUNDING: f64 = 0.25;
 
 /// Normals whose components differ by less count as equal (no unit, 1e-14 to 1e-9): the rounding of attitudes.
 const FLUSH_NORMAL: f64 = 1e-12;
+
+/// The same where many bodies lie on each other (no unit, 1e-3 to 3e-2): faces that lean a little on each other press at several
+/// points, which contradict each other by what the bodies turn in a step.
+const NEARLY_FLUSH_NORMAL: f64 = 1e-2;
 
 /// A contact in the middle of the step.
 #[derive(Debug, Clone, Copy)]
@@ -125,7 +130,7 @@ impl TimeStepper {
             let mut solved = Vec::new();
             report.stops.clear();
             for group in coupled_groups(world, members.iter().copied(), &held) {
-                solved.push(self.solve_group(world, states, group, &rows, near, report)?);
+                solved.push(self.solve_group((world, states), group, &rows, (near, h), report)?);
             }
             for group in &mut solved {
                 report.fallbacks += u64::from(!group.apply(world, states, &rows, near));
@@ -146,11 +151,10 @@ impl TimeStepper {
 
     fn solve_group(
         &mut self,
-        world: &World,
-        states: &[BodyState],
+        (world, states): (&World, &[BodyState]),
         group: Group,
         rows: &[Row],
-        near: &[NearContact],
+        (near, h): (&[NearContact], f64),
         report: &mut TimeStepReport,
     ) -> Result<SolvedGroup, ResponseError> {
         let members: Vec<&Row> = group.contacts.iter().map(|&index| &rows[index]).collect();
@@ -161,7 +165,8 @@ impl TimeStepper {
         constants.extend(assembly.bilateral_rates().map(|rate| 2.0 * rate));
         if members.iter().any(|row| row.friction.is_some()) {
             let friction: Vec<_> = members.iter().map(|row| row.friction).collect();
-            let found = sustained_friction::solve(assembly, states, constants, &friction)?;
+            let found = sustained_friction::solve(assembly, states, constants, &friction, (&mut self.cones, h))?;
+            report.factorisations += found.factorisations as u64;
             report.residual = report.residual.max(found.report.residual);
             report.fallbacks += u64::from(found.report.status != SolverStatus::Solved);
             report.stops.extend(found.stops.iter().copied());
@@ -298,16 +303,19 @@ fn rows(
     };
     let mut rows: Vec<Row> = here.into_iter().zip(accelerations).zip(friction).map(row).collect();
     let pair = |row: &Row| (near[row.contact].id.a, near[row.contact].id.b);
-    rows.chunk_by_mut(|x, y| pair(x) == pair(y)).for_each(remove_contradictions);
+    let flush = if rows.len() < LEAST_IN_BODIES { FLUSH_NORMAL } else { NEARLY_FLUSH_NORMAL };
+    rows.chunk_by_mut(|x, y| pair(x) == pair(y)).for_each(|of_pair| remove_contradictions(of_pair, flush));
     Ok(rows)
 }
 
-/// Makes the terms of the contacts with friction of a pair those of a rigid motion, where they have one normal.
-fn remove_contradictions(of_pair: &mut [Row]) {
+/// Makes the terms of the contacts with friction of a pair those of a rigid motion, where their normals differ by no more than
+/// `flush` (no unit).
+fn remove_contradictions(of_pair: &mut [Row], flush: f64) {
     let Some(first) = of_pair.first() else { return };
     let n = first.kinematics.geometry.normal;
-    let is_flush = |row: &Row| (row.kinematics.geometry.normal - n).abs().max_element() <= FLUSH_NORMAL;
-    if of_pair.len() < 2 || !of_pair.iter().all(|row| row.friction.is_some() && is_flush(row)) {
+    let apart = |row: &Row| (row.kinematics.geometry.normal - n).abs().max_element();
+    let apart = of_pair.iter().map(apart).fold(0.0, f64::max);
+    if of_pair.len() < 2 || apart > flush || !of_pair.iter().all(|row| row.friction.is_some()) {
         return;
     }
     let term = |row: &Row| Term {
@@ -316,7 +324,12 @@ fn remove_contradictions(of_pair: &mut [Row]) {
         tangential: row.friction.map_or(DVec3::ZERO, |friction| friction.half_change()),
     };
     let mut terms: Vec<Term> = of_pair.iter().map(term).collect();
-    make_rigid(n, &mut terms);
+    if apart <= FLUSH_NORMAL {
+        make_rigid(n, &mut terms);
+    } else {
+        let normals: Vec<DVec3> = of_pair.iter().map(|row| row.kinematics.geometry.normal).collect();
+        make_nearly_flush_rigid(&normals, &mut terms);
+    }
     for (row, term) in of_pair.iter_mut().zip(&terms) {
         row.bound = term.normal.max(row.kinematics.separation_rate);
         row.friction = row.friction.map(|friction| friction.with_half_change(term.tangential));

@@ -20,13 +20,14 @@
 //! Friction of rolling and of spinning holds the relative rotation of the bodies after the impulses at zero, or
 //! resists it by a moment of its largest size (`crate::interaction::rotational_friction`).
 
+use super::cone_problem::ConeSolvers;
 use super::report::Stop;
 use crate::collision::contact_set::ContactId;
 use crate::collision::friction_mode::FrictionCoefficients;
 use crate::collision::turn::Turn;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::interaction::assembly::{Assembly, TangentRow};
-use crate::interaction::cone_violation::{CONE_LIMIT, ConeViolation, RubbingForce, largest_violation};
+use crate::interaction::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use crate::interaction::friction_blocks::{push_contact, push_held, with_rotations};
 use crate::interaction::resisted_rotation::ResistedRotation;
 use crate::interaction::rotation_row::RotationRow;
@@ -34,27 +35,14 @@ use crate::scene::FrictionEllipse;
 use crate::world::World;
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
-use polhode_response::friction::{ContactStatus, FrictionSettings};
-use polhode_response::{Blocks, BlocksSolution, Delassus, ResponseError, SolverReport, SolverStatus};
+use polhode_response::friction::ContactStatus;
+use polhode_response::{Blocks, BlocksSolution, ResponseError, SolverReport};
 use polhode_spatial::DVec3;
 use std::ops::Range;
 
 /// A slip below this fraction of what a step may change it by is none (1e-6 to 1e-4): contacts that stick are left with
-/// the residual of the solver, at most `ACCEPTED_RESIDUAL`.
+/// the residual of the solver, at most that which is accepted (`cone_problem.rs`).
 const STICKING_RELATIVE: f64 = 1e-5;
-
-/// The largest residual of a step's problem that counts as solved (no unit, 1e-9 to 1e-5). The rows of contacts that
-/// depend on each other, as the four corners of a box, contradict each other by about this fraction when the body turns
-/// or the gaps differ. Reactions that satisfied Coulomb's law to rounding would let a corner slip or part, by this
-/// fraction of the speed that gravity gives in a step: in a step of 1e-3 s by some 1e-11 m.
-const ACCEPTED_RESIDUAL: f64 = 1e-6;
-
-/// Reactions whose violation of Coulomb's law is beyond this part of its limit are solved for to rounding (no unit, 0.01 to 1).
-const SHARE_OF_CONE_LIMIT: f64 = 0.1;
-
-/// Most sweeps of block Gauss-Seidel after all other methods of the solver have failed. The error that remains is part
-/// of the error estimate of a stretch of crowded events.
-const LAST_SWEEPS: u32 = 100;
 
 /// Friction of a contact in the middle of a step.
 #[derive(Debug, Clone, Copy)]
@@ -283,6 +271,8 @@ pub(super) struct FrictionalImpulses {
     /// How far they are from Coulomb's law.
     pub(super) violation: Option<ConeViolation>,
     pub(super) report: SolverReport,
+    /// Factorisations in the velocities of bodies; 0 where the matrix of all rows was formed.
+    pub(super) factorisations: usize,
 }
 
 /// How far impulses are from Coulomb's law.
@@ -307,6 +297,7 @@ pub(super) fn solve(
     states: &[BodyState],
     mut constants: Vec<f64>,
     friction: &[Option<TangentialRow>],
+    (solvers, h): (&mut ConeSolvers, f64),
 ) -> Result<FrictionalImpulses, ResponseError> {
     let first_tangent = assembly.first_tangent();
     let mut rows = Vec::with_capacity(friction.len());
@@ -319,26 +310,20 @@ pub(super) fn solve(
     }
     let rotations = resisted_rotations(&mut assembly, friction)?;
     constants.extend(friction.iter().flatten().flat_map(TangentialRow::rotation_constants));
-    let delassus: Delassus = assembly.problem.delassus();
-    let exact = FrictionSettings { last_sweeps: LAST_SWEEPS, ..FrictionSettings::default() };
-    let settings = FrictionSettings { acceptance: ACCEPTED_RESIDUAL, ..exact };
-    // A slip or a rate of turning that is much faster than contacts approach hides what is left of their reactions in the
-    // residual.
-    let has_rotations = !rotations.is_empty();
     let mut friction: Vec<Option<TangentialRow>> = friction.to_vec();
+    let mut problem = solvers.problem(&assembly, &constants, friction.len(), h);
     let solved = loop {
         let mut blocks = with_rotations(blocks(&friction, &rows), &rotations);
         push_held(&mut blocks, friction.len()..first_tangent);
-        let mut solved = blocks.solve(&delassus, &constants, None, if has_rotations { &exact } else { &settings })?;
-        let violation = violation_of(&friction, &rows, &solved.reactions);
-        if !has_rotations && violation.is_some_and(|violation| violation.value > SHARE_OF_CONE_LIMIT * CONE_LIMIT) {
-            solved = blocks.solve(&delassus, &constants, Some(&solved.reactions), &exact)?;
-        }
-        let solved = accepted(solved, &settings);
+        let solved = problem.solve(&blocks, |reactions| violation_of(&friction, &rows, reactions))?;
         if !slide_under_static_friction(&mut friction, &rows, &solved, &constants) {
             break solved;
         }
     };
+    let factorisations = problem.factorisations();
+    if problem.is_in_bodies() {
+        solvers.last.note(&assembly, &solved.reactions, friction.len(), h);
+    }
     let stops = stops(&friction, &rows, &solved);
     let violation = violation_of(&friction, &rows, &solved.reactions);
     let normal = solved.reactions.get(..friction.len()).unwrap_or_default();
@@ -353,15 +338,7 @@ pub(super) fn solve(
     let moments = moments.collect();
     let reactions = assembly.reactions(&solved.reactions).map(|(of, impulse)| (of.clone(), impulse)).collect();
     let (normal, report) = (normal.to_vec(), solved.report);
-    Ok(FrictionalImpulses { normal, tangential, moments, reactions, stops, violation, report })
-}
-
-/// The same solution, solved if its residual is accepted.
-fn accepted(mut solved: BlocksSolution, settings: &FrictionSettings) -> BlocksSolution {
-    if solved.report.residual <= settings.acceptance {
-        solved.report.status = SolverStatus::Solved;
-    }
-    solved
+    Ok(FrictionalImpulses { normal, tangential, moments, reactions, stops, violation, report, factorisations })
 }
 
 /// The contacts whose slips pass through zero within the step.

@@ -7,6 +7,7 @@ use crate::friction::coulomb_cone::put_parts_into_discs;
 use crate::friction::{BlockMatrix, FrictionProblem, FrictionSettings, FrictionSolution, solve_friction};
 use crate::law::Law;
 use crate::report::SolverStatus;
+use crate::sparse::BodySolver;
 use std::ops::Range;
 
 /// A rise of energy above this fraction of `sum |p_i| (|u_i-| + |u_i+|) / 2` is real (no unit): cone problems are solved
@@ -26,6 +27,8 @@ pub(super) struct Part {
     pub(super) solves: usize,
     pub(super) residual: f64,
     pub(super) status: MultipleImpactStatus,
+    /// For parts of many rows.
+    bodies: BodySolver,
 }
 
 impl Part {
@@ -39,7 +42,8 @@ impl Part {
         let contacts = chosen_blocks(contacts, chosen, contacts.constant())?;
         let restitution = chosen.iter().map(|&block| restitution[block]).collect();
         let status = MultipleImpactStatus::NoApproach;
-        Ok(Self { contacts, restitution, settings, tolerance: 0.0, solves: 0, residual: 0.0, status })
+        let bodies = BodySolver::default();
+        Ok(Self { contacts, restitution, settings, tolerance: 0.0, solves: 0, residual: 0.0, status, bodies })
     }
 
     /// Whether a block is a joint's.
@@ -104,7 +108,13 @@ impl Part {
         // From zero where nothing is known: Newton's method finds the same answer for contacts in any order, while sweeps
         // prefer those that come first, where the impulses are not unique.
         let start: Vec<f64> = rows.iter().map(|&row| start.map_or(0.0, |start| start[row])).collect();
-        let solution = solve_friction(&problem, Some(&start), &self.settings)?;
+        let system = (&mut self.bodies, &self.settings);
+        // Bodies that some force cannot move have no factor.
+        let in_bodies = problem.in_bodies().and_then(|rows| rows.solve(problem.constant(), &start, system).ok());
+        let solution = match in_bodies {
+            Some(solution) => solution,
+            None => solve_friction(&problem, Some(&start), &self.settings)?,
+        };
         self.solves += 1;
         let is_solved = solution.report.status == SolverStatus::Solved;
         if is_solved {
@@ -219,5 +229,6 @@ fn chosen_blocks(
     let blocks: Vec<Law> = chosen.iter().map(|&block| contacts.blocks()[block]).collect();
     let sizes: Vec<usize> = blocks.iter().map(|block| block.rows()).collect();
     let constant = chosen.iter().flat_map(|&block| constant[contacts.range(block)].iter().copied()).collect();
-    FrictionProblem::new(blocks, BlockMatrix::from_blocks(&sizes, entries)?, constant)
+    let rows = contacts.in_bodies().map(|rows| rows.of_blocks(chosen));
+    Ok(FrictionProblem::new(blocks, BlockMatrix::from_blocks(&sizes, entries)?, constant)?.with_rows(rows))
 }

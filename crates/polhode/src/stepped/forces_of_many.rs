@@ -1,0 +1,97 @@
+//! Present forces of many contacts, in the accelerations of bodies: no matrix of all rows is formed.
+//!
+//! Contacts that stick have the cone of their static coefficient, those that slide the force `-mu f_n` along their slip. Where
+//! contacts are redundant the forces are some of those that are possible, not the least ones: their sum on each body, and the
+//! accelerations, are unique as far as Coulomb's law makes them so. Memory and time grow with contacts and bodies.
+
+use super::present_forces::{BodyAcceleration, PresentForces};
+use crate::collision::contact_set::Touch;
+use crate::collision::friction_mode::FrictionMode;
+use crate::interaction::assembly::{Assembly, TangentRow};
+use crate::interaction::friction_blocks::{push_contact, push_held};
+use crate::scene::FrictionEllipse;
+use crate::world::{Loads, World};
+use polhode_contact::TangentialKinematics;
+use polhode_dynamics::BodyState;
+use polhode_response::sparse::{BodySettings, BodySolver};
+use polhode_response::{Blocks, Law, ResponseError};
+use polhode_spatial::DVec3;
+
+/// The forces of `contacts`, with their modes, between `bodies` (movable, ascending) at `t` (s) under these loads.
+///
+/// # Errors
+/// When a number is not finite.
+pub(super) fn forces_of_many(
+    world: &World,
+    (t, states): (f64, &[BodyState]),
+    bodies: &[usize],
+    contacts: &[Touch],
+    loads: &Loads,
+) -> Result<PresentForces, ResponseError> {
+    let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
+    let mut assembly = Assembly::new(world, states, bodies, rows)?;
+    let free = assembly.free_accelerations(world, states, loads);
+    let mut blocks = Blocks::default();
+    // The contact of each row along a tangent.
+    let mut owners = Vec::new();
+    for (normal, touch) in contacts.iter().enumerate() {
+        let first = assembly.problem.len();
+        let Rubbing { rows, law } = rubbing(world, states, touch);
+        assembly.push_tangents(states, rows.into_iter())?;
+        let tangents = first..assembly.problem.len();
+        owners.extend(tangents.clone().map(|_| normal));
+        match law {
+            Rubs::Sticks(ellipse) => push_contact(&mut blocks, ellipse, normal, tangents),
+            Rubs::Slides(friction) => blocks.push(Law::Slide { friction }, std::iter::once(normal).chain(tangents)),
+        }
+    }
+    push_held(&mut blocks, contacts.len()..assembly.first_tangent());
+    let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
+    let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
+    let system = (&mut BodySolver::default(), &BodySettings::default());
+    let (solved, _) = blocks.solve_in_bodies(&assembly.problem, &constants, None, system)?;
+    let mut friction = vec![DVec3::ZERO; contacts.len()];
+    for ((row, force), owner) in assembly.of_tangents(&solved.reactions).zip(owners) {
+        friction[owner] += row.along.normal * force;
+    }
+    let mut accelerations = assembly.problem.response(&solved.reactions)?;
+    for (acceleration, free) in accelerations.iter_mut().zip(&free) {
+        *acceleration += free;
+    }
+    let body = |(body, linear, angular): (usize, DVec3, DVec3)| BodyAcceleration { body, linear, angular };
+    Ok(PresentForces {
+        normal: solved.reactions.iter().take(contacts.len()).copied().collect(),
+        friction,
+        accelerations: assembly.split(&accelerations).map(body).collect(),
+    })
+}
+
+/// The rows of a contact along its tangents, and its law.
+struct Rubbing {
+    rows: Vec<TangentRow>,
+    law: Rubs,
+}
+
+enum Rubs {
+    /// It sticks, or has no friction.
+    Sticks(FrictionEllipse),
+    /// It slides, with this coefficient along its row.
+    Slides(f64),
+}
+
+fn rubbing(world: &World, states: &[BodyState], touch: &Touch) -> Rubbing {
+    let none = Rubbing { rows: Vec::new(), law: Rubs::Sticks(FrictionEllipse::default()) };
+    if world.friction_of(touch.id.a, touch.id.b).is_none() {
+        return none;
+    }
+    let Some(terms) = world.tangential_kinematics(states, touch.id) else { return none };
+    let Some(coefficients) = world.friction_at(states, touch.id, terms.basis) else { return none };
+    let row =
+        |terms: &TangentialKinematics, tangent| TangentRow::new(touch.id, &touch.kinematics.geometry, terms, tangent);
+    if let Some(FrictionMode::Sliding(slide)) = touch.modes.friction {
+        let (against, friction) = coefficients.sliding.opposed(terms.basis, slide.direction);
+        return Rubbing { rows: vec![row(&terms, against)], law: Rubs::Slides(friction) };
+    }
+    let rows = terms.basis.iter().map(|&tangent| row(&terms, tangent)).collect();
+    Rubbing { rows, law: Rubs::Sticks(coefficients.at_rest) }
+}
