@@ -3,7 +3,6 @@
 use crate::acceleration::Acceleration;
 use crate::accounting::Accounts;
 use crate::accounting::last_sample::LastSample;
-use crate::accurate::Engine;
 use crate::body_queries::BodyQueries;
 use crate::companion::Companion;
 use crate::core::Core;
@@ -16,13 +15,11 @@ use crate::planar::{self, PlanarFinding};
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::report::{Energy, Outcome, PlanChange, RunReport};
 use crate::sampling::{emit_sample, frame};
-use crate::scene::{Integrator, Tier as TierName};
+use crate::scene::Integrator;
 use crate::settings::Settings;
 use crate::snapshot::content::{self, Content};
 use crate::snapshot::{self, Snapshot, SnapshotError};
-use crate::stepped::SteppedEngine;
-use crate::thesis::ThesisEngine;
-use crate::tier::{Reached, Tier};
+use crate::tier::{Reached, Tier, engines};
 use crate::world::{World, WorldBody};
 use crate::{BodyId, Effects, Momentum, Plan, Scene, SimulationError, singular_force, start_overlap};
 use polhode_contact::QueryError;
@@ -119,11 +116,7 @@ impl Simulation {
         for what in separated.into_iter().chain(scene.warnings()) {
             core.accounts.warn(0.0, what);
         }
-        let tier: Box<dyn Tier> = match settings.tier {
-            TierName::Accurate => Box::new(Engine::new(&mut core, states)?),
-            TierName::Stepped => Box::new(SteppedEngine::new(&core, states)?),
-            TierName::Thesis => Box::new(ThesisEngine::new(&core, states)?),
-        };
+        let tier = engines::begun(&mut core, states)?;
         let findings = Findings { t_s: 0.0, touching_pairs: tier.touching_pairs(), choice, planar };
         let plan = Plan::derive(&core.world, &settings, effects, &findings);
         Ok(Self {
@@ -365,7 +358,7 @@ impl Simulation {
         let last_sample = LastSample::default();
         let mut core =
             Core { world, settings, effects: self.core.effects, t: content.t, accounts, solver, last_sample };
-        let tier = restored_tier(&mut core, &content.tier)?;
+        let tier = engines::restored(&mut core, &content.tier)?;
         // A scene with a longer duration goes on.
         let ended = content.ended && core.t >= self.scene.duration_s();
         let change = |change: &content::PlanChange| PlanChange {
@@ -424,18 +417,5 @@ impl Simulation {
         let (states, limits) = (self.tier.states(&self.core), self.core.limits());
         accounts.fill(&self.core.world, &states, &limits, &mut report);
         Ok(report)
-    }
-}
-
-/// The tier of a snapshot.
-fn restored_tier(core: &mut Core, saved: &content::Tier) -> Result<Box<dyn Tier>, SimulationError> {
-    if !core.t.is_finite() {
-        return Err(SnapshotError::Invalid("its time is not finite").into());
-    }
-    match (core.settings.tier, saved) {
-        (TierName::Accurate, content::Tier::Accurate(saved)) => Ok(Box::new(Engine::restored(core, saved)?)),
-        (TierName::Stepped, content::Tier::Stepped(saved)) => Ok(Box::new(SteppedEngine::restored(core, saved)?)),
-        (TierName::Thesis, content::Tier::Thesis(saved)) => Ok(Box::new(ThesisEngine::restored(core, saved)?)),
-        _ => Err(SnapshotError::Invalid("its tier is not that of its scene").into()),
     }
 }

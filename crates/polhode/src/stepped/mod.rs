@@ -9,12 +9,15 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | `facts` | what the tier is: its name, defaults, promise, and what it takes |
 //! | `engine` | a run, one step of it, and queries at the present |
 //! | `islands` | the islands of a step |
 //! | `present_forces` | forces and accelerations at one instant, for queries |
 
 mod engine;
+mod facts;
 mod islands;
 mod present_forces;
 
 pub(crate) use engine::SteppedEngine;
+pub(crate) use facts::FACTS;
