@@ -319,6 +319,7 @@ impl Simulation {
             t: self.core.t,
             ended: self.ended,
             applied: self.core.world.applied(),
+            steered: self.core.world.steered(),
             in_plane: self.core.world.plane.is_some(),
             integrator: self.core.settings.integrator.name().to_owned(),
             plan: self.plan.save(&self.plan_at_start),
@@ -349,6 +350,7 @@ impl Simulation {
     pub(crate) fn twin(&self, content: &Content, mut settings: Settings) -> Result<Self, SimulationError> {
         let mut world = self.core.world.clone();
         world.replace_applied(&content.applied)?;
+        world.replace_steered(&content.steered)?;
         world.plane = self.plane_at_start.filter(|_| content.in_plane);
         settings.integrator = Integrator::from_name(&content.integrator)
             .map_err(|_| SnapshotError::Invalid("it names an integrator that does not exist"))?;
