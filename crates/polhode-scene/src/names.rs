@@ -5,11 +5,7 @@ use polhode::{Decision, Outcome};
 
 /// The word for a tier.
 pub const fn tier(tier: Tier) -> &'static str {
-    match tier {
-        Tier::Thesis => "thesis",
-        Tier::Stepped => "stepped",
-        Tier::Accurate => "accurate",
-    }
+    tier.name()
 }
 
 /// The word for an integrator.

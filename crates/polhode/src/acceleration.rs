@@ -3,7 +3,7 @@
 use polhode_spatial::DVec3;
 
 /// Acceleration of a body.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Acceleration {
     /// Acceleration of the centre of mass, world, m/s^2; of a kinematic body that of its own origin.
     pub linear: DVec3,

@@ -15,7 +15,7 @@
 use crate::companion::Companion;
 use crate::interaction::overlap::displacement;
 use crate::report::CrowdingError;
-use crate::scene::Tier;
+use crate::scene::TierFeature;
 use crate::simulation::Simulation;
 use crate::snapshot::content::{self, Content};
 use crate::{BodyId, SimulationError, Unobserved};
@@ -40,20 +40,6 @@ impl Companion<Simulation> {
             Self::Lost(reason) => content::Companion::Lost(reason.clone()),
         }
     }
-}
-
-/// The same content, with the next time steps of its stretches as long as those of a companion. Where a length grows by
-/// the largest factor from step to step, the companion would otherwise make the steps of the run.
-fn with_longer_steps(mut content: Content) -> Content {
-    if let content::Tier::Accurate(tier) = &mut content.tier {
-        for track in &mut tier.tracks {
-            if let content::Mode::Crowded { step_s, spare_error, .. } = &mut track.mode {
-                *step_s *= STEP_FACTOR;
-                *spare_error *= STEP_FACTOR * STEP_FACTOR;
-            }
-        }
-    }
-    content
 }
 
 impl Simulation {
@@ -81,9 +67,10 @@ impl Simulation {
 
     /// Lets the companion follow: it begins with the first stretch of crowded events.
     pub(crate) fn accompany(&mut self) {
-        let is_needed = self.core.settings.tier == Tier::Accurate && self.core.accounts.has_crowded();
+        let is_needed = self.core.settings.takes(TierFeature::CrowdedStretches) && self.core.accounts.has_crowded();
         if matches!(self.companion, Companion::None) && is_needed {
-            let begun = self.companion_from(&with_longer_steps(self.content()));
+            let tier = self.tier.save_with_longer_steps(STEP_FACTOR);
+            let begun = self.companion_from(&Content { tier, ..self.content() });
             self.companion = begun.unwrap_or_else(|error| Companion::Lost(error.to_string()));
         }
         // It is brought up seldom: each time costs the evaluation of its steps.

@@ -1,6 +1,7 @@
 //! Errors of actions: why a simulation refuses what a program wants to do to a body.
 
 use crate::few_digits::length;
+use crate::scene::MotionError;
 use thiserror::Error;
 
 /// Why an action is refused. The simulation is as it was before.
@@ -24,9 +25,33 @@ pub enum ActionError {
     /// The body is fixed or kinematic, and no action moves it.
     #[error(
         "body {0} is fixed or has a prescribed motion: a program cannot give it a force, an impulse, a velocity or a \
-         pose"
+         pose; set_motion steers a body with a prescribed motion"
     )]
     FixedBody(String),
+    /// The body is not kinematic, and has no motion that a program could set.
+    #[error("body {0} has no prescribed motion: only a kinematic body follows a motion that a program sets")]
+    NotKinematic(String),
+    /// The time within which a pose is to be reached is none.
+    #[error(
+        "body {body} cannot reach a pose within {within_s} s from t = {now_s} s on: a finite time is needed, large enough \
+         to change t"
+    )]
+    Time {
+        /// The body.
+        body: String,
+        /// The time, s.
+        within_s: f64,
+        /// The present, s.
+        now_s: f64,
+    },
+    /// The motion that a program sets is too fast.
+    #[error("the motion of body {body} is refused: {source}")]
+    Motion {
+        /// The body.
+        body: String,
+        /// Why.
+        source: MotionError,
+    },
     /// A number is not finite.
     #[error("{what} of body {body} has a component that is not finite: finite numbers are needed")]
     NotFinite {

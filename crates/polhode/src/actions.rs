@@ -201,7 +201,7 @@ impl Simulation {
 
     /// Ends the steps of `bodies`, applies `change`, derives the plan again, and starts new steps. The poses of `moved`
     /// have changed.
-    fn act(
+    pub(crate) fn act(
         &mut self,
         bodies: &[usize],
         moved: &[usize],
@@ -250,17 +250,24 @@ impl Simulation {
         }
     }
 
+    /// Index of a body that follows a motion.
+    pub(crate) fn kinematic(&self, body: BodyId) -> Result<usize, ActionError> {
+        let index = self.present(body)?;
+        let follows = self.core.world.trajectory(index).is_some();
+        if follows { Ok(index) } else { Err(ActionError::NotKinematic(self.name(index))) }
+    }
+
     /// Index of a body that forces move.
     fn movable(&self, body: BodyId) -> Result<usize, ActionError> {
         let index = self.present(body)?;
         if self.core.world.bodies[index].moves() { Ok(index) } else { Err(ActionError::FixedBody(self.name(index))) }
     }
 
-    fn name(&self, index: usize) -> String {
+    pub(crate) fn name(&self, index: usize) -> String {
         self.core.world.bodies[index].name.clone()
     }
 
-    fn finite(&self, index: usize, what: &'static str, vector: DVec3) -> Result<(), ActionError> {
+    pub(crate) fn finite(&self, index: usize, what: &'static str, vector: DVec3) -> Result<(), ActionError> {
         if vector.is_finite() { Ok(()) } else { Err(ActionError::NotFinite { body: self.name(index), what }) }
     }
 

@@ -6,13 +6,13 @@
 //! | conservative, no body may collide, at most sixteen splittings a step at the start | `exact-adaptive` |
 //! | any others | `dop853` |
 //!
-//! An integrator that the scene names is used, except in the tier `stepped`, which has its own, and for coupled bodies
+//! An integrator that the scene names is used, except in a tier that has its own (`stepped`), and for coupled bodies
 //! that may collide, which `dop853` integrates unless the scene names `rk4`. Splitting integrates free rotation
 //! exactly, however fast the spin, and the energy of a bound motion does not drift. Its order is 4, so that DOP853 is
 //! better for forces that change much within a step. Both are under error control: for a comet that starts far from its sun the splitting
 //! takes shorter steps near the sun, and where a step would need more than 64 splittings DOP853 takes over.
 
-use crate::scene::{Integrator, Tier};
+use crate::scene::{Integrator, IntegratorChoice};
 use crate::settings::Settings;
 use crate::world::World;
 use polhode_dynamics::BodyState;
@@ -36,12 +36,14 @@ pub(crate) struct Choice {
 /// Chooses the integrator for a scene in these states.
 pub(crate) fn choose(world: &World, states: &[BodyState], settings: &Settings) -> Choice {
     let choice = |integrator, reason: &str| Choice { integrator, reason: reason.to_owned() };
-    match settings.named_integrator {
-        _ if settings.tier == Tier::Stepped => choice(
-            settings.integrator,
-            "the tier has its own: exact flight, forces as one kick in the middle of the step",
-        ),
-        Some(Integrator::Rk4) if settings.tier == Tier::Accurate && world.may_collide_at_all() => choice(
+    let named = match (settings.tier.facts().integrator_choice, settings.named_integrator) {
+        (IntegratorChoice::Tier { reason, .. }, _) | (IntegratorChoice::Scene { reason }, None) => {
+            return choice(settings.integrator, reason);
+        }
+        (_, named) => named,
+    };
+    match named {
+        Some(Integrator::Rk4) if settings.constrains_by_rk4() && world.may_collide_at_all() => choice(
             Integrator::Rk4,
             "the scene names it; it integrates constrained motion too, with the contact forces at every stage",
         ),
@@ -49,7 +51,6 @@ pub(crate) fn choose(world: &World, states: &[BodyState], settings: &Settings) -
             choice(integrator, "the scene names it; dop853 integrates bodies that forces couple and that may collide")
         }
         Some(integrator) => choice(integrator, "the scene names it"),
-        None if settings.tier == Tier::Thesis => choice(settings.integrator, "that of the thesis"),
         None if !world.has_loads() => {
             choice(Integrator::Exact, "no force but gravity acts between contacts: closed form")
         }

@@ -118,6 +118,7 @@
 //! | `simulation` | [`Simulation`]: steps, runs, queries, snapshots |
 //! | `actions` | what a program does to bodies: [`Simulation::set_force`], [`Simulation::apply_impulse`], [`Simulation::set_pose`], [`Simulation::add_body`] and others |
 //! | [`mod@executor`] | [`Executor`], [`Threads`]: who computes islands that do not depend on each other |
+//! | `steering` | [`Simulation::set_motion`]: kinematic bodies that a program steers |
 //! | [`mod@observer`] | [`Observer`], [`Recorder`], [`Unobserved`]: who receives samples and events |
 //! | [`mod@event`] | [`Event`], [`EventKind`] |
 //! | [`mod@frame`] | [`Frame`]: poses, contacts, forces and islands at one time |
@@ -188,6 +189,7 @@ mod singular_force;
 mod snapshot;
 mod start_overlap;
 mod states_of;
+mod steering;
 mod stepped;
 mod thesis;
 mod tier;
@@ -213,6 +215,7 @@ pub use report::{Certificate, CrowdedStretch, CrowdingError, Outcome, PairAt, Pl
 pub use scene::{ApproximateParts, Body, Geometry, Scene, SceneBuilder, SceneError};
 pub use simulation::{Simulation, StepEnd, StepOutcome};
 pub use snapshot::{Snapshot, SnapshotError};
+pub use steering::Steering;
 
 pub use polhode_contact as contact;
 pub use polhode_dynamics as dynamics;

@@ -2,7 +2,7 @@
 //! (`pivots.rs`).
 
 use crate::effects::Effects;
-use crate::scene::{Body, Integrator, Tier};
+use crate::scene::{Body, Integrator, TierFeature};
 use crate::settings::Settings;
 use polhode_spatial::{DVec3, Pose, Velocity};
 
@@ -24,7 +24,7 @@ impl PivotRows {
     pub(crate) fn of(settings: &Settings, effects: Effects) -> Self {
         let solves_rows = matches!(settings.named_integrator, None | Some(Integrator::Dop853 | Integrator::Rk4));
         match effects {
-            _ if settings.tier != Tier::Accurate || !solves_rows => Self::None,
+            _ if !settings.takes(TierFeature::PivotRows) || !solves_rows => Self::None,
             Effects::Planned => Self::WhereColliding,
             Effects::All => Self::All,
         }

@@ -13,7 +13,7 @@
 //! simulated in space.
 
 use crate::plane_of_motion::PlaneOfMotion;
-use crate::scene::{ContactMethod, ImpactLaw, Integrator, Tier};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, IntegratorChoice};
 use crate::settings::Settings;
 use crate::world::{World, WorldBody};
 use polhode_contact::mirror_defect;
@@ -53,7 +53,8 @@ pub(crate) fn find(world: &World, states: &[BodyState], settings: &Settings) -> 
     }
     let keeps_symmetry =
         matches!(settings.integrator, Integrator::Exact | Integrator::ExactAdaptive | Integrator::Dop853);
-    if settings.tier != Tier::Stepped && !keeps_symmetry {
+    let is_own = matches!(settings.tier.facts().integrator_choice, IntegratorChoice::Tier { .. });
+    if !is_own && !keeps_symmetry {
         return PlanarFinding::off(
             "the integrator that the scene names may not keep the symmetry: bodies move in space",
         );

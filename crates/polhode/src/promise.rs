@@ -30,7 +30,7 @@ use crate::core::Core;
 use crate::interaction::bounce_friction::EndedBounces;
 use crate::interaction::cone_violation::ConeViolation;
 use crate::interaction::projection::Projection;
-use crate::scene::Tier;
+use crate::scene::ErrorOrder;
 use crate::time_stepping::TimeStepReport;
 use crate::world::World;
 use polhode_contact::ContactKinematics;
@@ -42,9 +42,6 @@ const MOVED_BY_ROUNDING: f64 = 5.0;
 
 /// Allowed delay of an impact, in units in the last place of its time.
 const TIME_ULPS: f64 = 4.0;
-
-/// Order in the step of time steps between changes of contact.
-const ORDER_OF_TIME_STEPS: u32 = 2;
 
 /// Energy that ended bounces may take beyond their own, and that lifts onto higher faces may give, relative to the largest
 /// energy of the run (no unit, 1e-12 to 1e-8): a run that loses or gains more does not have the motion of its scene.
@@ -58,13 +55,13 @@ impl Core {
     pub(crate) fn limits(&self) -> Limits {
         let drift = self.settings.promised_drift();
         let settings = &self.settings;
-        let order = match settings.tier {
-            Tier::Stepped => ORDER_OF_TIME_STEPS,
-            // Its contact forces are constant over a step.
-            Tier::Thesis if self.world.may_collide_at_all() => 1,
-            Tier::Thesis | Tier::Accurate => settings.integrator.order(),
+        let tier = settings.tier.facts();
+        let order = match tier.order {
+            ErrorOrder::Fixed(order) => order,
+            ErrorOrder::WithContact(order) if self.world.may_collide_at_all() => order,
+            ErrorOrder::WithContact(_) | ErrorOrder::OfIntegrator => settings.integrator.order(),
         };
-        let is_fixed = settings.tier != Tier::Accurate || !settings.integrator.controls_error();
+        let is_fixed = !(tier.controls_error() && settings.integrator.controls_error());
         let duration_s = self.world.scene.duration_s();
         let step = is_fixed.then_some(FixedStep { step_s: settings.step_s, order, duration_s });
         Limits {

@@ -1,31 +1,16 @@
 //! The settings of a run: the scene's method, completed by the defaults of its tier.
 
 use crate::scene::{
-    BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, Response, RotationRate, Tier,
+    BroadPhaseMethod, ContactMethod, Crowding, FlightRecords, ImpactLaw, Integrator, Method, Orientation, Response,
+    RotationRate, Tier, TierFeature,
 };
 use polhode_dynamics::integrator::{self, MethodSettings, Tolerance};
-
-/// Upper bound of a step when none is given, s; the step of tier `thesis`.
-const DEFAULT_STEP_S: f64 = 0.01;
-
-/// Step of tier `stepped` when none is given, s. A body of some tenths of a metre that has fallen for a second moves by
-/// about a hundredth of its size in one step; bounces that last less than two steps have speeds below 0.02 m/s.
-const DEFAULT_TIME_STEP_S: f64 = 1e-3;
 
 /// Local error of a step of constrained motion when none is given, relative to size and speed (dimensionless).
 const DEFAULT_TOLERANCE: f64 = 1e-11;
 
-/// Promised limit of projections at the default tolerance, in units of that tolerance (dimensionless, 1 to 100). The
-/// error of a step is a fraction of the tolerance, and the touch distance is of its order; the projection of contacts
-/// that are close to each other turns a body by a few times more.
-const DRIFT_FACTOR: f64 = 10.0;
-
 /// Error of a stretch of crowded events when none is given, relative to the size of a body (dimensionless).
 const DEFAULT_CROWDING_TOLERANCE: f64 = 1e-6;
-
-/// Promised limit of penetration in the tier `accurate` at the default tolerance and tighter ones, relative to the size
-/// of the smaller body. Closing contacts are located far more accurately, whatever the tolerance.
-const PENETRATION_RELATIVE: f64 = 1e-12;
 
 /// Largest number of events in one step when none is given.
 const DEFAULT_MAX_EVENTS_PER_STEP: u64 = 1_000_000;
@@ -41,7 +26,7 @@ pub(crate) struct Settings {
     pub(crate) rotation_rate: RotationRate,
     pub(crate) impact: ImpactLaw,
     pub(crate) contact: ContactMethod,
-    /// How bodies that touch act on each other; other than by constraint in the tier `thesis` alone.
+    /// How bodies that touch act on each other; other than by constraint only in a tier that takes such models.
     pub(crate) response: Response,
     pub(crate) broad_phase: BroadPhaseMethod,
     pub(crate) step_s: f64,
@@ -64,43 +49,42 @@ impl Settings {
         self.crowding_tolerance * self.crowd_step_factor * self.crowd_step_factor
     }
 
+    /// Whether the tier takes this.
+    pub(crate) fn takes(&self, feature: TierFeature) -> bool {
+        self.tier.facts().takes(feature)
+    }
+
     /// Whether bodies under gravity alone are in free flight, evaluated from flight records.
     pub(crate) fn flies(&self) -> bool {
-        self.tier == Tier::Stepped
-            || self.tier == Tier::Accurate
-                && match self.integrator {
-                    // When the plan chooses DOP853, bodies under gravity alone stay in free flight; when the scene
-                    // names it, it integrates all bodies.
-                    Integrator::Dop853 => self.named_integrator.is_none(),
-                    integrator => integrator.is_exact_without_loads(),
-                }
+        match (self.tier.facts().flight, self.integrator) {
+            (FlightRecords::None, _) => false,
+            (FlightRecords::All, _) => true,
+            // When the plan chooses DOP853, bodies under gravity alone stay in free flight; when the scene names it, it
+            // integrates all bodies.
+            (FlightRecords::WhereExact, Integrator::Dop853) => self.named_integrator.is_none(),
+            (FlightRecords::WhereExact, integrator) => integrator.is_exact_without_loads(),
+        }
     }
 
     /// Whether constrained motion is integrated by RK4 at a fixed step, because the scene names it, and not by DOP853
     /// under error control.
     pub(crate) fn constrains_by_rk4(&self) -> bool {
-        self.tier == Tier::Accurate && self.named_integrator == Some(Integrator::Rk4)
+        self.takes(TierFeature::ConstrainedRk4) && self.named_integrator == Some(Integrator::Rk4)
     }
 
     /// Promised limit of penetration, relative to the size of the smaller body of a pair; none for a tier without a
     /// promise. A tolerance above the default is itself the limit, because active contacts drift by errors of that size
     /// within a step.
     pub(crate) fn promised_penetration(&self) -> Option<f64> {
-        match self.tier {
-            Tier::Thesis | Tier::Stepped => None,
-            Tier::Accurate if self.tolerance > DEFAULT_TOLERANCE => Some(self.tolerance),
-            Tier::Accurate => Some(PENETRATION_RELATIVE),
-        }
+        let promise = self.tier.facts().promise?;
+        Some(if self.tolerance > DEFAULT_TOLERANCE { self.tolerance } else { promise.penetration_relative })
     }
 
     /// Promised limit of projections: of a displacement relative to the size of the pair, of the energy relative to
     /// that of the scene (dimensionless). None for a tier without a promise, and for a method without error control.
     pub(crate) fn promised_drift(&self) -> Option<f64> {
-        match self.tier {
-            Tier::Thesis | Tier::Stepped => None,
-            Tier::Accurate if self.constrains_by_rk4() => None,
-            Tier::Accurate => Some(self.tolerance.max(DRIFT_FACTOR * DEFAULT_TOLERANCE)),
-        }
+        let promise = self.tier.facts().promise.filter(|_| !self.constrains_by_rk4())?;
+        Some(self.tolerance.max(promise.drift_factor * DEFAULT_TOLERANCE))
     }
 
     /// Largest local error of a step of constrained motion (dimensionless): the tolerance under error control, infinite
@@ -116,10 +100,7 @@ impl Settings {
 
     /// The settings as [`Settings::resolve`] gives them, before the plan chooses an integrator.
     pub(crate) fn as_resolved(self) -> Self {
-        let chosen = match self.tier {
-            Tier::Thesis | Tier::Stepped => self.integrator,
-            Tier::Accurate => self.named_integrator.unwrap_or(Integrator::Exact),
-        };
+        let chosen = self.named_integrator.unwrap_or(self.tier.facts().integrator);
         Self { integrator: chosen, ..self }
     }
 
@@ -135,23 +116,19 @@ impl Settings {
 
     /// The settings that the method gives, and the tier's defaults for the rest.
     pub(crate) fn resolve(method: &Method) -> Self {
-        let tier = method.tier.unwrap_or(Tier::Accurate);
-        let (integrator, impact, contact) = match tier {
-            Tier::Thesis => (Integrator::Rk4, ImpactLaw::Propagation, ContactMethod::LeastForce),
-            Tier::Stepped => (Integrator::ExactStrang, ImpactLaw::Reflection, ContactMethod::ActiveSet),
-            Tier::Accurate => (Integrator::Exact, ImpactLaw::Reflection, ContactMethod::ActiveSet),
-        };
+        let tier = method.tier.unwrap_or_default();
+        let facts = tier.facts();
         Self {
             tier,
-            integrator: method.integrator.unwrap_or(integrator),
+            integrator: method.integrator.unwrap_or(facts.integrator),
             named_integrator: method.integrator,
             orientation: method.orientation.unwrap_or_default(),
             rotation_rate: method.rotation_rate.unwrap_or_default(),
-            impact: method.impact.unwrap_or(impact),
-            contact: method.contact.unwrap_or(contact),
+            impact: method.impact.unwrap_or(facts.impact),
+            contact: method.contact.unwrap_or(facts.contact),
             response: method.response.unwrap_or_default(),
             broad_phase: method.broad_phase.unwrap_or_default(),
-            step_s: method.step_s.unwrap_or(if tier == Tier::Stepped { DEFAULT_TIME_STEP_S } else { DEFAULT_STEP_S }),
+            step_s: method.step_s.unwrap_or(facts.step_s),
             step_is_given: method.step_s.is_some(),
             tolerance: method.tolerance.unwrap_or(DEFAULT_TOLERANCE),
             max_events_per_step: method.max_events_per_step.unwrap_or(DEFAULT_MAX_EVENTS_PER_STEP),

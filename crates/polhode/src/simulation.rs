@@ -3,7 +3,6 @@
 use crate::acceleration::Acceleration;
 use crate::accounting::Accounts;
 use crate::accounting::last_sample::LastSample;
-use crate::accurate::Engine;
 use crate::body_queries::BodyQueries;
 use crate::companion::Companion;
 use crate::core::Core;
@@ -17,13 +16,11 @@ use crate::planar::{self, PlanarFinding};
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::report::{Energy, Outcome, PlanChange, RunReport};
 use crate::sampling::{emit_sample, frame};
-use crate::scene::{Integrator, Tier as TierName};
+use crate::scene::Integrator;
 use crate::settings::Settings;
 use crate::snapshot::content::{self, Content};
 use crate::snapshot::{self, Snapshot, SnapshotError};
-use crate::stepped::SteppedEngine;
-use crate::thesis::ThesisEngine;
-use crate::tier::{Reached, Tier};
+use crate::tier::{Reached, Tier, engines};
 use crate::world::{World, WorldBody};
 use crate::{BodyId, Effects, Momentum, Plan, Scene, SimulationError, singular_force, start_overlap};
 use polhode_contact::QueryError;
@@ -122,11 +119,7 @@ impl Simulation {
         for what in separated.into_iter().chain(scene.warnings()) {
             core.accounts.warn(0.0, what);
         }
-        let tier: Box<dyn Tier> = match settings.tier {
-            TierName::Accurate => Box::new(Engine::new(&mut core, states)?),
-            TierName::Stepped => Box::new(SteppedEngine::new(&core, states)?),
-            TierName::Thesis => Box::new(ThesisEngine::new(&core, states)?),
-        };
+        let tier = engines::begun(&mut core, states)?;
         let findings = Findings { t_s: 0.0, touching_pairs: tier.touching_pairs(), choice, planar };
         let plan = Plan::derive(&core.world, &settings, effects, &findings);
         Ok(Self {
@@ -343,6 +336,7 @@ impl Simulation {
             t: self.core.t,
             ended: self.ended,
             applied: self.core.world.applied(),
+            steered: self.core.world.steered(),
             in_plane: self.core.world.plane.is_some(),
             integrator: self.core.settings.integrator.name().to_owned(),
             plan: self.plan.save(&self.plan_at_start),
@@ -373,6 +367,7 @@ impl Simulation {
     pub(crate) fn twin(&self, content: &Content, mut settings: Settings) -> Result<Self, SimulationError> {
         let mut world = self.core.world.clone();
         world.replace_applied(&content.applied)?;
+        world.replace_steered(&content.steered)?;
         world.plane = self.plane_at_start.filter(|_| content.in_plane);
         settings.integrator = Integrator::from_name(&content.integrator)
             .map_err(|_| SnapshotError::Invalid("it names an integrator that does not exist"))?;
@@ -382,7 +377,7 @@ impl Simulation {
         let (executor, last_sample) = (self.core.executor.clone(), LastSample::default());
         let mut core =
             Core { world, settings, effects: self.core.effects, t: content.t, accounts, solver, executor, last_sample };
-        let tier = restored_tier(&mut core, &content.tier)?;
+        let tier = engines::restored(&mut core, &content.tier)?;
         // A scene with a longer duration goes on.
         let ended = content.ended && core.t >= self.scene.duration_s();
         let change = |change: &content::PlanChange| PlanChange {
@@ -441,18 +436,5 @@ impl Simulation {
         let (states, limits) = (self.tier.states(&self.core), self.core.limits());
         accounts.fill(&self.core.world, &states, &limits, &mut report);
         Ok(report)
-    }
-}
-
-/// The tier of a snapshot.
-fn restored_tier(core: &mut Core, saved: &content::Tier) -> Result<Box<dyn Tier>, SimulationError> {
-    if !core.t.is_finite() {
-        return Err(SnapshotError::Invalid("its time is not finite").into());
-    }
-    match (core.settings.tier, saved) {
-        (TierName::Accurate, content::Tier::Accurate(saved)) => Ok(Box::new(Engine::restored(core, saved)?)),
-        (TierName::Stepped, content::Tier::Stepped(saved)) => Ok(Box::new(SteppedEngine::restored(core, saved)?)),
-        (TierName::Thesis, content::Tier::Thesis(saved)) => Ok(Box::new(ThesisEngine::restored(core, saved)?)),
-        _ => Err(SnapshotError::Invalid("its tier is not that of its scene").into()),
     }
 }

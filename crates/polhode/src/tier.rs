@@ -2,6 +2,16 @@
 //!
 //! Each tier has a folder of its own, and none imports another. A tier may have computed the motion beyond the present,
 //! so that its queries are about the present time or take a time.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `facts` | [`TierFacts`](crate::scene::TierFacts): what a tier is |
+//! | `list` | the tiers |
+//! | `engines` | their engines, begun and restored |
+
+pub(crate) mod engines;
+pub(crate) mod facts;
+pub(crate) mod list;
 
 use crate::accounting::Accounts;
 use crate::core::Core;
@@ -119,4 +129,10 @@ pub(crate) trait Tier: std::fmt::Debug + Send {
 
     /// The data from which the tier continues, for a snapshot.
     fn save(&self) -> content::Tier;
+
+    /// The same data for a companion run (`accompany.rs`), whose next time steps in stretches of crowded events are longer
+    /// by `factor` (no unit).
+    fn save_with_longer_steps(&self, _factor: f64) -> content::Tier {
+        self.save()
+    }
 }

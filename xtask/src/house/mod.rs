@@ -9,6 +9,7 @@
 //! | `rules` | rules about one source file at a time |
 //! | `one_dependency` | the rule that an example names its own crate alone |
 //! | `kinds_of_joint` | no kind of joint is named outside of the folder of constraints |
+//! | `kinds_of_tier` | no kind of tier is named outside of the folders of tiers |
 //! | `tolerances` | no two tolerances of one name with two values |
 //! | `unused_dependencies` | dependencies that nothing names |
 //! | `docs` | rules about documents and manifests |
@@ -20,6 +21,7 @@ mod circles;
 mod docs;
 mod imports;
 mod kinds_of_joint;
+mod kinds_of_tier;
 mod layers;
 mod one_dependency;
 mod project_file;
@@ -49,6 +51,7 @@ pub(crate) fn check(root: &Path) -> Vec<Row> {
     rows.push(row("parry3d and clarabel stay in their private module", &third_party::check(&sources)));
     rows.extend(rules::ALL.iter().map(|rule| row(rule.name, &rule.check(&sources))));
     rows.push(row("kinds of joint named outside of their folder", &kinds_of_joint::check(&sources)));
+    rows.push(row("kinds of tier named outside of their folders", &kinds_of_tier::check(&sources)));
     rows.push(row("no two tolerances of one name with two values", &tolerances::check(&sources)));
     rows.push(row("every dependency is named by code", &unused_dependencies::check(&files, &sources)));
     rows.push(row("crates follow the lints of the workspace", &docs::lints(&files)));

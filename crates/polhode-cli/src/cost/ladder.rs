@@ -2,7 +2,7 @@
 //! and tolerances where bodies meet.
 
 use super::candidate::{Candidate, change};
-use polhode::scene::Integrator;
+use polhode::scene::{Integrator, Tier};
 use polhode_scene::{Override, names};
 
 /// Ratio of a step to the next: 2 shows the order of a method well, 4 spans five decades of error in a few runs.
@@ -113,27 +113,21 @@ fn without_contact(facts: &SceneFacts) -> Vec<Series> {
     Integrator::ALL.into_iter().map(series).collect()
 }
 
-/// The accurate tier over tolerances, the tier of time steps and the thesis's over steps.
+/// Every tier: one under error control over tolerances, one of fixed steps over steps.
 fn with_contact(facts: &SceneFacts) -> Vec<Series> {
-    let tight = TOLERANCES.into_iter().filter(|&tolerance| tolerance <= LOOSEST_CONTACT_TOLERANCE);
-    vec![
-        Series {
-            name: "accurate",
-            selects: ["method.tier", "accurate"],
-            besides: Vec::new(),
-            stepped: "method.tolerance",
-            values: tight.map(|tolerance| format!("{tolerance:e}")).collect(),
-            growth: TOLERANCE_GROWTH,
-        },
-        over_steps("stepped", ["method.tier", "stepped"], facts),
-        over_steps("thesis", ["method.tier", "thesis"], facts),
-    ]
-}
-
-/// A tier of fixed steps.
-fn over_steps(name: &'static str, selects: [&'static str; 2], facts: &SceneFacts) -> Series {
-    let (values, growth) = (steps(facts), STEP_RATIO as f64);
-    Series { name, selects, besides: Vec::new(), stepped: "method.step", values, growth }
+    let series = |tier: Tier| {
+        let (name, besides) = (tier.name(), Vec::new());
+        let selects = ["method.tier", name];
+        if tier.facts().controls_error() {
+            let tight = TOLERANCES.into_iter().filter(|&tolerance| tolerance <= LOOSEST_CONTACT_TOLERANCE);
+            let values = tight.map(|tolerance| format!("{tolerance:e}")).collect();
+            Series { name, selects, besides, stepped: "method.tolerance", values, growth: TOLERANCE_GROWTH }
+        } else {
+            let (values, growth) = (steps(facts), STEP_RATIO as f64);
+            Series { name, selects, besides, stepped: "method.step", values, growth }
+        }
+    };
+    Tier::ALL.into_iter().map(series).collect()
 }
 
 /// Steps that divide the duration, the coarsest first, as they are written in a scene file.

@@ -9,7 +9,8 @@ use crate::format::{
 };
 use polhode::SceneError;
 use polhode::scene::{
-    ContactMethod, Crowding, ImpactLaw, Method, Orientation, Response, RestitutionLaw, RotationRate, Tier,
+    ContactMethod, Crowding, ImpactLaw, IntegratorChoice, Method, Orientation, Response, RestitutionLaw, RotationRate,
+    TierFeature,
 };
 
 /// The method that the file asks for.
@@ -24,7 +25,7 @@ pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
         return Err((path.key("max_events_per_step"), Refusal::Number { value: 0.0, accepted: "at least 1" }));
     }
     let method = Method {
-        tier: entry.tier.map(tier),
+        tier: entry.tier.map(|TierName(tier)| tier),
         step_s,
         integrator: entry.integrator.map(|IntegratorName(integrator)| integrator),
         orientation: entry.orientation.map(orientation),
@@ -46,29 +47,24 @@ pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
 /// The key that an error of the method is about.
 fn path_of(error: &SceneError, entry: &MethodEntry) -> KeyPath {
     let path = KeyPath::of(&["method"]);
+    let tier = entry.tier.map(|TierName(tier)| tier).unwrap_or_default().facts();
     match error {
         SceneError::Number { key, .. } => KeyPath::of(&key.split('.').collect::<Vec<_>>()),
         // Knobs that do not go together: the one that is not the tier or the integrator.
-        _ if entry.contact == Some(ContactName::LeastForce) && entry.tier != Some(TierName::Thesis) => {
+        _ if entry.contact == Some(ContactName::LeastForce) && !tier.takes(TierFeature::LeastForce) => {
             path.key("contact")
         }
-        _ if entry.tier != Some(TierName::Thesis)
+        _ if !tier.takes(TierFeature::Responses)
             && !matches!(entry.response, None | Some(ResponseName::Constraint)) =>
         {
             path.key("response")
         }
-        _ if entry.integrator.is_some() && entry.tier == Some(TierName::Stepped) => path.key("integrator"),
+        _ if entry.integrator.is_some() && matches!(tier.integrator_choice, IntegratorChoice::Tier { .. }) => {
+            path.key("integrator")
+        }
         _ if entry.orientation.is_some() => path.key("orientation"),
         _ if entry.rotation_rate.is_some() => path.key("rotation_rate"),
         _ => path,
-    }
-}
-
-const fn tier(name: TierName) -> Tier {
-    match name {
-        TierName::Thesis => Tier::Thesis,
-        TierName::Stepped => Tier::Stepped,
-        TierName::Accurate => Tier::Accurate,
     }
 }
 

@@ -116,7 +116,7 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
         SceneError::Joint { number, .. }
         | SceneError::JointMoves { number, .. }
         | SceneError::JointTurns { number, .. } => KeyPath::element("joints", *number),
-        SceneError::ThesisFriction | SceneError::JointsInTier { .. } => KeyPath::of(&["method", "tier"]),
+        SceneError::FrictionInTier { .. } | SceneError::JointsInTier { .. } => KeyPath::of(&["method", "tier"]),
         _ => KeyPath::root(),
     }
 }

@@ -2,6 +2,7 @@
 
 use super::broad_phase::BroadPhaseName;
 use super::integrator::IntegratorName;
+use super::tier::TierName;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -45,18 +46,6 @@ pub struct MethodEntry {
     /// Error of a stretch of crowded events for each longest step, relative to the size of each body.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub crowding_tolerance: Option<f64>,
-}
-
-/// A set of methods with one promise.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum TierName {
-    /// The thesis's section 3.5 to the letter.
-    Thesis,
-    /// Fixed steps with all contacts solved together at the level of velocities; it always gets through.
-    Stepped,
-    /// Closed-form flight, error-controlled contact phases, located impacts and force events.
-    Accurate,
 }
 
 /// What happens where the events of some bodies crowd.

@@ -8,7 +8,7 @@
 //! |---|---|
 //! | `scene` | the document: [`SceneFile`], [`OutputEntry`], [`MaterialEntry`], [`PairEntry`], [`NoContactEntry`], [`StartEntry`] |
 //! | `method` | [`MethodEntry`] and the members of each knob |
-//! | `integrator`, `broad_phase` | [`IntegratorName`], [`BroadPhaseName`] |
+//! | `integrator`, `broad_phase`, `tier` | [`IntegratorName`], [`BroadPhaseName`], [`TierName`] |
 //! | `body` | [`BodyEntry`], [`ShapeEntry`], [`InertiaEntry`] |
 //! | `friction` | [`FrictionEntry`], [`StaticFrictionEntry`]: coefficients that may depend on the direction |
 //! | `force` | [`ForceEntry`] and the kinds of force |
@@ -30,6 +30,7 @@ mod motion;
 pub(crate) mod planned;
 mod scene;
 mod signal;
+mod tier;
 
 pub use body::{
     ApproximateEntry, BodyEntry, BoxEntry, CompoundEntry, FileEntry, HalfSpaceEntry, InertiaEntry, MeshEntry,
@@ -47,11 +48,12 @@ pub(crate) use joint::JOINTS;
 pub use joint::{AxisJointEntry, JointEntry, JointKindEntry, PlanarJointEntry, PointJointEntry, UniversalJointEntry};
 pub use method::{
     ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,
-    RotationRateName, TierName,
+    RotationRateName,
 };
 pub use motion::{ConstantMotionEntry, InterpolationEntry, MotionEntry, SineMotionEntry, TableMotionEntry};
 pub use scene::{MaterialEntry, NoContactEntry, OutputEntry, PairEntry, SceneFile, StartEntry};
 pub use signal::{SignalEntry, SinusoidEntry};
+pub use tier::TierName;
 
 /// Version of the format that this crate reads.
 pub const VERSION: u32 = 1;

@@ -90,3 +90,19 @@ fn request(planned: &Planned, value: &DeValue<'_>, at: &KeyPath) -> Option<Reque
     };
     Some(Request { part, path: at.clone(), what, instead: planned.instead })
 }
+
+#[cfg(test)]
+mod tests {
+    //! What a refusal of a tier names instead is every tier that there is.
+    use super::*;
+    use polhode::scene::Tier;
+
+    #[test]
+    fn all_tiers_are_named_instead() {
+        let tier = PLANNED.iter().find(|planned| planned.path == ["method", "tier"]);
+        for known in Tier::ALL {
+            assert!(tier.is_none_or(|planned| planned.instead.contains(known.name())), "{}", known.name());
+            assert!(tier.is_none_or(|planned| !planned.values.contains(&known.name())), "{}", known.name());
+        }
+    }
+}

@@ -85,14 +85,16 @@ fn fixed(name: &str) -> Option<(Ink, Marker)> {
 mod tests {
     //! Every method has a family, and no two curves look the same.
     use super::*;
-    use polhode::scene::Integrator;
+    use polhode::scene::{Integrator, Tier};
 
     #[test]
-    fn every_integrator_has_a_style_of_its_own() {
+    fn every_integrator_and_every_tier_has_a_style_of_its_own() {
         let names: Vec<&str> = Integrator::ALL.into_iter().map(Integrator::name).collect();
         assert!(names.iter().all(|name| family(name).is_some()), "{names:?}");
         assert_distinct(&names);
-        assert_distinct(&["accurate", "stepped", "thesis", "fast"]);
+        let tiers: Vec<&str> = Tier::ALL.into_iter().map(Tier::name).chain(["fast"]).collect();
+        assert!(tiers.iter().all(|name| family(name).is_some()), "{tiers:?}");
+        assert_distinct(&tiers);
     }
 
     #[test]

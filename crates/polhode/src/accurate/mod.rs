@@ -8,6 +8,7 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | `facts` | what the tier is: its name, defaults, promise, and what it takes |
 //! | `tier` | the event loop, and queries at the present |
 //! | `engine` | the bodies, and how each moves |
 //! | `agenda` | times of what is due: ends of steps, impacts, renewals of boxes |
@@ -46,6 +47,7 @@ mod ending_bounces;
 mod ending_slips;
 mod engine;
 mod events;
+mod facts;
 mod free_stepping;
 mod held_forces;
 mod hold;
@@ -74,3 +76,4 @@ mod tier;
 mod turning;
 
 pub(crate) use engine::Engine;
+pub(crate) use facts::FACTS;

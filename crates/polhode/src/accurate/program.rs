@@ -25,6 +25,12 @@ impl Engine {
         // An immovable body affects the bodies it touches.
         for &body in bodies.iter().filter(|&&body| !core.world.bodies[body].moves()) {
             found_for.extend(self.contacts.partners(body));
+            // Time steps of crowds were made with the motion that it had: it may come near any of them.
+            if core.world.trajectory(body).is_some() {
+                found_for.extend(
+                    (0..self.tracks.len()).filter(|&other| matches!(self.tracks[other].mode, Mode::Crowded(_))),
+                );
+            }
         }
         let t = core.t;
         let affected = self.affected_bodies(core, t, &found_for.into_iter().collect::<Vec<_>>())?;

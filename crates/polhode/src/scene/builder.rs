@@ -1,7 +1,7 @@
 //! Builds a scene from its parts and checks them together.
 
 use super::error::positive;
-use super::{Body, DEFAULT_GRAVITY, Force, Joint, Method, PairRule, Scene, SceneError, Tier, force};
+use super::{Body, DEFAULT_GRAVITY, Force, Joint, Method, PairRule, Scene, SceneError, Tier, TierFeature, force};
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
 
@@ -145,8 +145,10 @@ impl SceneBuilder {
         scene.check_joint_method()?;
         scene.check_grains()?;
         scene.check_motions()?;
-        if scene.method.tier == Some(Tier::Thesis) && scene.colliding().have_friction() {
-            return Err(SceneError::ThesisFriction);
+        let tier = scene.method.tier.unwrap_or_default().facts();
+        if !tier.takes(TierFeature::Friction) && scene.colliding().have_friction() {
+            let instead = Tier::names_with(TierFeature::Friction);
+            return Err(SceneError::FrictionInTier { tier: tier.name, instead });
         }
         Ok(scene)
     }

@@ -151,10 +151,12 @@ pub enum SceneError {
         across_rad_s: f64,
     },
     /// Joints in a tier that has none.
-    #[error("joints are not yet available in tier `{tier}`: use tier `accurate`, which is the default, or `stepped`")]
+    #[error("joints are not yet available in tier `{tier}`: use tier {instead}")]
     JointsInTier {
         /// The tier.
         tier: &'static str,
+        /// The tiers that have them, in words.
+        instead: String,
     },
     /// Joints with an integrator that advances bodies one by one.
     #[error("integrator `{integrator}` does not solve for joints: leave it out, or use `dop853` or `rk4`")]
@@ -162,9 +164,14 @@ pub enum SceneError {
         /// The integrator.
         integrator: &'static str,
     },
-    /// Friction in the tier of the thesis, which has none.
-    #[error("the tier `thesis` has no friction: use tier `accurate` or `stepped`, or friction 0 in all materials")]
-    ThesisFriction,
+    /// Friction in a tier that has none.
+    #[error("the tier `{tier}` has no friction: use tier {instead}, or friction 0 in all materials")]
+    FrictionInTier {
+        /// The tier.
+        tier: &'static str,
+        /// The tiers that have friction, in words.
+        instead: String,
+    },
     /// A coefficient of restitution is outside [0, 1].
     #[error("restitution of material {material} is {value}: a number in [0, 1] is needed")]
     Restitution {

@@ -1,7 +1,7 @@
 //! Checks of the joints of a scene: that their bodies exist and can be held, that they do not part at the start, and that the
 //! method solves for them.
 
-use super::{Integrator, Joint, JointKind, Scene, SceneError, Tier};
+use super::{Integrator, IntegratorChoice, Joint, JointKind, Scene, SceneError, Tier, TierFeature};
 use crate::constraint::joint::{HeldBody, WorldJoint};
 use crate::constraint::row::RowKind;
 use polhode_spatial::{Motion, Pose, Velocity};
@@ -59,12 +59,16 @@ impl Scene {
         if self.joints.is_empty() {
             return Ok(());
         }
-        match (self.method.tier.unwrap_or(Tier::Accurate), self.method.integrator) {
-            (Tier::Thesis, _) => Err(SceneError::JointsInTier { tier: "thesis" }),
-            (Tier::Stepped, _) | (Tier::Accurate, None | Some(Integrator::Dop853 | Integrator::Rk4)) => Ok(()),
-            (Tier::Accurate, Some(integrator)) => {
-                Err(SceneError::JointsWithIntegrator { integrator: integrator.name() })
+        let tier = self.method.tier.unwrap_or_default().facts();
+        match self.method.integrator {
+            _ if !tier.takes(TierFeature::Joints) => {
+                let instead = Tier::names_with(TierFeature::Joints);
+                Err(SceneError::JointsInTier { tier: tier.name, instead })
             }
+            None | Some(Integrator::Dop853 | Integrator::Rk4) => Ok(()),
+            // A tier with an integrator of its own refuses all others.
+            Some(_) if matches!(tier.integrator_choice, IntegratorChoice::Tier { .. }) => Ok(()),
+            Some(integrator) => Err(SceneError::JointsWithIntegrator { integrator: integrator.name() }),
         }
     }
 

@@ -4,83 +4,10 @@
 //! have only members that are implemented, so that a scene cannot ask for others.
 
 use super::SceneError;
-pub use polhode_contact::BroadPhaseMethod;
-pub use polhode_dynamics::integrator::{Method as Integrator, Orientation, RotationRate};
+use super::laws::{BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Orientation, Response, RotationRate};
+use crate::tier::facts::{IntegratorChoice, TierFeature};
+use crate::tier::list::Tier;
 use polhode_response::RestitutionLaw;
-
-/// A set of methods with one promise.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Tier {
-    /// The algorithm of the thesis's section 3.5, unchanged: RK4 at a fixed step, propagation of impulses, linear
-    /// programme of least total force. It is kept for comparison and has no limit of penetration.
-    Thesis,
-    /// Fixed time steps at the level of velocities, with an exact complementarity problem at each. Every step has a
-    /// solution; its error depends on the length of the step.
-    Stepped,
-    /// Free flight in closed form, constrained motion under error control, located events, exact contact forces.
-    Accurate,
-}
-
-/// The law that determines the impulses of an impact.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ImpactLaw {
-    /// One contact after the other until none approaches (thesis 3.3).
-    Propagation,
-    /// All contacts at once after Newton and Moreau (thesis 3.4, end).
-    Simultaneous,
-    /// Generalised reflection after Smith et al.: it keeps the symmetry of a scene, and momentum passes through chains
-    /// of bodies.
-    Reflection,
-}
-
-impl ImpactLaw {
-    /// The name used in scenes and reports.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Propagation => "propagation",
-            Self::Simultaneous => "simultaneous",
-            Self::Reflection => "reflection",
-        }
-    }
-}
-
-/// How the forces of resting contacts are found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ContactMethod {
-    /// The thesis's linear programme of least total force, with its guesses of which contacts open and bear no force.
-    LeastForce,
-    /// The exact complementarity problem by the active set.
-    ActiveSet,
-}
-
-/// How bodies that touch act on each other. The members besides [`Response::Constraint`] are the models that the thesis
-/// tries first (section 3.3) and rejects: they are wrong, each in its own way, and only the tier `thesis` has them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Response {
-    /// By forces that keep contacts from closing, and by impulses where bodies approach.
-    #[default]
-    Constraint,
-    /// By impulses alone, where bodies approach. Between two steps a resting body falls freely: it sinks.
-    Impulse,
-    /// By impulses where bodies approach, after which bodies that overlap are moved apart. Lifting a body gives it
-    /// energy: it never comes to rest.
-    ImpulseProjection,
-    /// By impulses at every contact that overlaps, whether the bodies approach or separate. An impulse at a contact
-    /// that separates pulls: bodies stay caught in each other.
-    ImpulseUnconditional,
-}
-
-impl Response {
-    /// The name used in scenes and reports.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Constraint => "constraint",
-            Self::Impulse => "impulse",
-            Self::ImpulseProjection => "impulse-projection",
-            Self::ImpulseUnconditional => "impulse-unconditional",
-        }
-    }
-}
 
 /// What a run does at crowded events: events of an island that follow each other so closely that time hardly advances.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -166,33 +93,26 @@ impl Method {
         let refuse = |what: &str, instead: &str| {
             Err(SceneError::NotYetAvailable { what: what.to_owned(), instead: instead.to_owned() })
         };
-        let tier = self.tier.unwrap_or(Tier::Accurate);
-        if tier != Tier::Thesis && self.contact == Some(ContactMethod::LeastForce) {
-            let tier = if tier == Tier::Stepped { "stepped" } else { "accurate" };
+        let tier = self.tier.unwrap_or_default().facts();
+        if !tier.takes(TierFeature::LeastForce) && self.contact == Some(ContactMethod::LeastForce) {
             return refuse(
-                &format!("contact = \"least-force\" with tier = \"{tier}\""),
-                "contact = \"active-set\", or tier = \"thesis\"",
+                &format!("contact = \"least-force\" with tier = \"{}\"", tier.name),
+                &format!("contact = \"active-set\", or tier {}", Tier::names_with(TierFeature::LeastForce)),
             );
         }
-        if let (Tier::Accurate | Tier::Stepped, Some(response)) = (tier, self.response)
+        if let (false, Some(response)) = (tier.takes(TierFeature::Responses), self.response)
             && response != Response::Constraint
         {
             return refuse(
                 &format!("response = \"{}\" with this tier", response.name()),
-                "response = \"constraint\", or tier = \"thesis\"",
+                &format!("response = \"constraint\", or tier {}", Tier::names_with(TierFeature::Responses)),
             );
         }
-        if let (Tier::Stepped, Some(integrator)) = (tier, self.integrator) {
-            return refuse(
-                &format!("integrator = \"{}\" with tier = \"stepped\"", integrator.name()),
-                "tier = \"stepped\" without an integrator (it has its own: exact flight with forces as a kick)",
-            );
+        if let (IntegratorChoice::Tier { instead, .. }, Some(integrator)) = (tier.integrator_choice, self.integrator) {
+            return refuse(&format!("integrator = \"{}\" with tier = \"{}\"", integrator.name(), tier.name), instead);
         }
         let representation = self.orientation.is_some() || self.rotation_rate.is_some();
-        let rk4 = match self.integrator {
-            Some(integrator) => integrator == Integrator::Rk4,
-            None => tier == Tier::Thesis,
-        };
+        let rk4 = self.integrator.unwrap_or(tier.integrator) == Integrator::Rk4;
         if representation && !rk4 {
             return refuse("orientation or rotation_rate without integrator = \"rk4\"", "integrator = \"rk4\"");
         }

@@ -13,7 +13,8 @@
 //! | `force` | [`Force`]: forces besides uniform gravity and contact |
 //! | `joint` | [`Joint`]: what holds two bodies, or a body and the world, together; `joint_checks` says when one is refused |
 //! | [`motion`] | prescribed motions of kinematic bodies |
-//! | `method` | [`Method`]: the tier and the settings that override its choices |
+//! | `method` | [`Method`]: the tier and the settings that override its choices; [`TierFacts`] says what a tier is |
+//! | `laws` | [`ImpactLaw`], [`ContactMethod`], [`Response`], [`Integrator`] and other choices of a method |
 //! | `pairs` | how many pairs of bodies may collide |
 //! | `error` | [`SceneError`]: why a scene is refused |
 
@@ -25,11 +26,16 @@ mod geometry;
 mod grain;
 mod joint;
 mod joint_checks;
+mod laws;
 mod material;
 mod method;
 pub mod motion;
 mod pairs;
 
+pub use crate::tier::facts::{
+    ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature, TierPromise,
+};
+pub use crate::tier::list::Tier;
 pub use body::{Body, BodyMass};
 pub use builder::SceneBuilder;
 pub use error::{OverlapAtStart, SceneError};
@@ -39,10 +45,9 @@ pub use geometry::{ApproximateParts, Geometry};
 pub use grain::FrictionEllipse;
 pub(crate) use grain::GrainOf;
 pub use joint::{Joint, JointKind};
+pub use laws::{BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Orientation, Response, RotationRate};
 pub use material::{Material, PairRule};
-pub use method::{
-    BroadPhaseMethod, ContactMethod, Crowding, ImpactLaw, Integrator, Method, Orientation, Response, RotationRate, Tier,
-};
+pub use method::{Crowding, Method};
 pub use motion::{
     Excursion, Interpolation, MotionError, MotionTable, PrescribedMotion, SampledOrientations, Trajectory,
 };

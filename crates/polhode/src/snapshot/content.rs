@@ -19,6 +19,8 @@ pub(crate) struct Content {
     pub(crate) ended: bool,
     /// Forces and torques that a program applies, by body (N, N m).
     pub(crate) applied: Vec<(usize, [Vector; 2])>,
+    /// Motions that a program has given kinematic bodies.
+    pub(crate) steered: Vec<Steered>,
     /// Whether the motion is confined to the plane of its start.
     pub(crate) in_plane: bool,
     /// Name of the integrator of free motion that the plan has chosen.
@@ -29,6 +31,20 @@ pub(crate) struct Content {
     pub(crate) accounts: Accounts,
     pub(crate) tier: Tier,
     pub(crate) companion: Companion,
+}
+
+/// A motion that a program has given a kinematic body.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Steered {
+    pub(crate) body: usize,
+    /// When it was given, s.
+    pub(crate) from_s: f64,
+    /// Pose and velocity from then on, with the angular velocity in the place of the angular momentum.
+    pub(crate) start: State,
+    /// Acceleration and angular acceleration then.
+    pub(crate) acceleration: [Vector; 2],
+    /// When and where it ends.
+    pub(crate) goal: Option<(f64, State)>,
 }
 
 /// The companion run that estimates the error of stretches of crowded events.

@@ -9,6 +9,7 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | `facts` | what the tier is: its name, defaults, promise, and what it takes |
 //! | `engine` | a run, one step of it, and queries at the present |
 //! | `islands` | the islands of a step |
 //! | `island_steps` | their time steps, on the threads that the program gives |
@@ -16,9 +17,11 @@
 //! | `forces_of_many` | the same of many contacts with friction |
 
 mod engine;
+mod facts;
 mod forces_of_many;
 mod island_steps;
 mod islands;
 mod present_forces;
 
 pub(crate) use engine::SteppedEngine;
+pub(crate) use facts::FACTS;

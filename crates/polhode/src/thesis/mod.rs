@@ -16,12 +16,15 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | `facts` | what the tier is: its name, defaults, promise, and what it takes |
 //! | `engine` | a run, one step of it, and queries at the present |
 //! | `impulse_models` | what the thesis tried before it had contact forces |
 //! | `system` | bodies under fields and constant contact forces |
 
 mod engine;
+mod facts;
 mod impulse_models;
 mod system;
 
 pub(crate) use engine::ThesisEngine;
+pub(crate) use facts::FACTS;

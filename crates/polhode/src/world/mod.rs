@@ -9,6 +9,7 @@
 //! | `energy` | energies, and the centre of mass at the start |
 //! | `rates` | how fast fields and rotations change the motion |
 //! | `tolerances` | the distances that count as touch, overlap and rounding |
+//! | `steered`, `steering` | motions that a program has given kinematic bodies |
 //! | `reported` | bodies as samples and reports show them |
 
 mod body;
@@ -18,6 +19,8 @@ mod forces;
 mod model;
 mod rates;
 mod reported;
+pub(crate) mod steered;
+mod steering;
 mod tolerances;
 
 pub(crate) use body::WorldBody;

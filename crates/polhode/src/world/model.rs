@@ -7,6 +7,7 @@
 
 use super::body::WorldBody;
 use super::field_index::{FieldBuffers, FieldIndex};
+use super::steered::Steered;
 use crate::collision::narrow_phase::NarrowPhase;
 use crate::constraint::joint::{HeldBody, WorldJoint, row_length};
 use crate::pivot_form::{PivotForm, PivotRows};
@@ -95,6 +96,8 @@ pub(crate) struct World {
     pub(super) surfaces: SurfaceEffects,
     /// Force and torque (N, N m, world) that a program applies, by body.
     pub(super) applied: BTreeMap<usize, Wrench>,
+    /// The motions that a program has given kinematic bodies.
+    pub(super) steered: BTreeMap<usize, Steered>,
     /// Potential energy of the fields at the start, J.
     pub(super) initial_field_potential: f64,
     /// [`World::sum_start_potentials`], J.
@@ -163,6 +166,7 @@ impl World {
             friction: FrictionKinds::of(scene),
             surfaces: SurfaceEffects::of(scene),
             applied: BTreeMap::new(),
+            steered: BTreeMap::new(),
             initial_field_potential: 0.0,
             start_potential_j: 0.0,
             plane: None,
@@ -248,6 +252,7 @@ impl World {
         self.prescribed.retain(|&other| other != body);
         self.scene.bodies[body].geometry = None;
         self.applied.remove(&body);
+        self.steered.remove(&body);
         self.start_potential_j = self.sum_start_potentials();
         self.make_fields()
     }

@@ -6,7 +6,8 @@ use crate::support::{accurate, ball, brick, elastic};
 use polhode::contact::Shape;
 use polhode::scene::{Method, PrescribedMotion};
 use polhode::spatial::{DVec3, Motion, Pose, Velocity};
-use polhode::{Body, Effects, Geometry, Scene, SceneBuilder, Simulation, Unobserved};
+use polhode::{Body, Effects, Geometry, Scene, SceneBuilder, Simulation, Steering, Unobserved};
+use std::f64::consts::PI;
 
 const G: f64 = 9.81;
 const RADIUS: f64 = 0.2;
@@ -126,6 +127,41 @@ fn pile_in_a_shaken_bin_goes_through_crowding() {
             assert!(seen.x.abs() < 0.45 && seen.y.abs() < 0.45 && seen.z > 0.05, "{t} {seen}");
         }
     }
+}
+
+/// The same pile in a bin that a program moves about, also within its stretches of crowded events, whose companion is moved
+/// with it: nothing leaves the bin, and a run restored from a snapshot continues with the same bits.
+#[test]
+fn pile_in_a_steered_bin_stays_in_it() {
+    let scene = shaken_bin(16).method(accurate()).build().unwrap();
+    let mut whole = Simulation::new(&scene, Effects::Planned).unwrap();
+    let mut resumed = Simulation::new(&scene, Effects::Planned).unwrap();
+    let bin = whole.body_id("bin").unwrap();
+    let steer = |simulation: &mut Simulation, k: u32| {
+        let t = 0.05 * f64::from(k + 1);
+        let pose = Pose::from_translation(DVec3::new(0.02, 0.0, 0.01) * (4.0 * PI * t).sin());
+        simulation.set_motion(bin, Steering::Pose { pose, within_s: 0.05 }).unwrap();
+        simulation.advance_to(t, &mut Unobserved).unwrap();
+        let inverse = simulation.body(bin).pose.inverse();
+        for own in &simulation.bodies()[1..] {
+            let seen = inverse.transform_point(own.pose.translation);
+            assert!(seen.x.abs() < 0.45 && seen.y.abs() < 0.45 && seen.z > 0.05, "{k} {seen}");
+        }
+    };
+    for k in 0..20 {
+        if k == 15 {
+            resumed.restore(&whole.snapshot()).unwrap();
+        }
+        steer(&mut whole, k);
+        if k >= 15 {
+            steer(&mut resumed, k);
+        }
+    }
+    let report = whole.run(&mut Unobserved).unwrap();
+    assert!(!report.crowded.is_empty() && report.crowding_error.is_some(), "{:?}", report.warnings);
+    assert!(report.certificate.max_penetration_of_limit <= 1.0, "{:?}", report.certificate);
+    assert_eq!(report.ledger, resumed.run(&mut Unobserved).unwrap().ledger);
+    assert_eq!(whole.bodies(), resumed.bodies());
 }
 
 /// The same pile by fixed steps: a run restored from a snapshot within a step continues with the same bits.

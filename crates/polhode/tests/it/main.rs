@@ -52,6 +52,7 @@ mod round_bodies;
 mod seams;
 mod slip_reversal;
 mod snapshots;
+mod steering;
 mod stepped;
 mod stiff_and_singular;
 mod support;

@@ -44,6 +44,7 @@ mod turning;
 pub use error::{LARGEST, LARGEST_TURN, MotionError};
 pub use excursion::Excursion;
 pub use interpolation::Interpolation;
+pub(crate) use table::Departure;
 pub use table::{MotionTable, SampledOrientations};
 
 use crate::acceleration::Acceleration;
@@ -66,7 +67,8 @@ pub struct PrescribedMotion(Kind);
 
 #[derive(Debug, Clone, PartialEq)]
 enum Kind {
-    Constant(Velocity),
+    /// This velocity; the displacement is zero at this time, s.
+    Constant(Velocity, f64),
     Sine(Sine),
     Table(Arc<SampledCurve>),
 }
@@ -79,7 +81,25 @@ impl PrescribedMotion {
     pub fn constant_velocity(velocity: Velocity) -> Result<Self, MotionError> {
         error::vector("the velocity", velocity.linear)?;
         error::vector("the angular velocity", velocity.angular)?;
-        Ok(Self(Kind::Constant(velocity)))
+        Ok(Self(Kind::Constant(velocity, 0.0)))
+    }
+
+    /// The same from a time (s) on, at which the body has the pose that [`PrescribedMotion::from_pose`] takes.
+    ///
+    /// # Errors
+    /// When a component is not finite or exceeds [`LARGEST`].
+    pub(crate) fn steady_from(velocity: Velocity, from_s: f64) -> Result<Self, MotionError> {
+        Self::constant_velocity(velocity)?;
+        error::number("a time", from_s)?;
+        Ok(Self(Kind::Constant(velocity, from_s)))
+    }
+
+    /// The motion from `start` at the first time (s) to the pose `end` at the second, where the body then stands still.
+    ///
+    /// # Errors
+    /// When the times do not increase, or a number, a speed or an acceleration is too large.
+    pub(crate) fn approach(times_s: [f64; 2], start: &Departure<'_>, end: &Pose) -> Result<Self, MotionError> {
+        SampledCurve::approach(times_s, start, end).map(|curve| Self(Kind::Table(Arc::new(curve))))
     }
 
     /// An oscillation about the initial pose. With `s = sin(2 pi frequency_hz t + phase)` it displaces the body's own
@@ -113,7 +133,7 @@ impl PrescribedMotion {
     /// The other motions are smooth.
     pub fn corner_between(&self, from: f64, to: f64) -> Option<f64> {
         match &self.0 {
-            Kind::Constant(_) | Kind::Sine(_) => None,
+            Kind::Constant(..) | Kind::Sine(_) => None,
             Kind::Table(curve) => curve.corner_between(from, to),
         }
     }
@@ -122,7 +142,7 @@ impl PrescribedMotion {
     /// last sample of a table with linear interpolation.
     pub fn jump_between(&self, from: f64, to: f64) -> Option<f64> {
         match &self.0 {
-            Kind::Constant(_) | Kind::Sine(_) => None,
+            Kind::Constant(..) | Kind::Sine(_) => None,
             Kind::Table(curve) => curve.jump_between(from, to),
         }
     }
@@ -130,7 +150,7 @@ impl PrescribedMotion {
     /// Where a table leaves the range of two neighbouring samples the farthest; only a spline does.
     pub fn excursion(&self) -> Option<Excursion> {
         match &self.0 {
-            Kind::Constant(_) | Kind::Sine(_) => None,
+            Kind::Constant(..) | Kind::Sine(_) => None,
             Kind::Table(curve) => curve.excursion(),
         }
     }
@@ -139,7 +159,7 @@ impl PrescribedMotion {
     /// replace it.
     pub fn initial_pose(&self, given: &Pose) -> Pose {
         match &self.0 {
-            Kind::Constant(_) | Kind::Sine(_) => *given,
+            Kind::Constant(..) | Kind::Sine(_) => *given,
             Kind::Table(_) => self.from_pose(given).pose(0.0),
         }
     }
@@ -181,7 +201,7 @@ impl Trajectory {
     /// Acceleration of the body's own origin (m/s^2) and angular acceleration (rad/s^2) at `t` (s), world.
     pub fn acceleration(&self, t: f64) -> Acceleration {
         match &self.motion.0 {
-            Kind::Constant(_) => Acceleration { linear: DVec3::ZERO, angular: DVec3::ZERO },
+            Kind::Constant(..) => Acceleration { linear: DVec3::ZERO, angular: DVec3::ZERO },
             Kind::Sine(sine) => sine.at(t).acceleration(),
             Kind::Table(curve) => curve.at(t).acceleration(),
         }
@@ -201,7 +221,8 @@ impl Trajectory {
 impl Motion for Trajectory {
     fn pose(&self, t: f64) -> Pose {
         match &self.motion.0 {
-            Kind::Constant(velocity) => {
+            Kind::Constant(velocity, from_s) => {
+                let t = t - from_s;
                 self.moved(velocity.linear * t, Rotation::from_rotation_vector(velocity.angular * t))
             }
             Kind::Sine(sine) => {
@@ -221,7 +242,7 @@ impl Motion for Trajectory {
 
     fn velocity(&self, t: f64) -> Velocity {
         match &self.motion.0 {
-            Kind::Constant(velocity) => *velocity,
+            Kind::Constant(velocity, _) => *velocity,
             Kind::Sine(sine) => sine.at(t).rate(),
             Kind::Table(curve) => curve.at(t).rate(),
         }
@@ -229,7 +250,7 @@ impl Motion for Trajectory {
 
     fn bounds(&self, t0: f64, t1: f64) -> MotionBounds {
         match &self.motion.0 {
-            Kind::Constant(velocity) => MotionBounds {
+            Kind::Constant(velocity, _) => MotionBounds {
                 speed: velocity.linear.length() * SPEED_ROUNDING,
                 angular_speed: velocity.angular.length() * SPEED_ROUNDING,
                 ..MotionBounds::default()

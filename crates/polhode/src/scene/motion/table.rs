@@ -38,7 +38,8 @@ use super::interpolation::Interpolation;
 use super::monotone;
 use super::polynomial::{Jet, Quintic, knot_rates};
 use super::turning;
-use polhode_spatial::{DVec3, MotionBounds, Rotation};
+use crate::acceleration::Acceleration;
+use polhode_spatial::{DVec3, MotionBounds, Pose, Rotation, Velocity};
 
 /// The orientations of a table.
 #[derive(Debug, Clone, PartialEq)]
@@ -113,6 +114,14 @@ struct Turns {
     between: Vec<Quintic>,
 }
 
+/// How a body begins a motion: its pose, velocity and acceleration of its own origin.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Departure<'a> {
+    pub(crate) pose: &'a Pose,
+    pub(crate) velocity: &'a Velocity,
+    pub(crate) acceleration: &'a Acceleration,
+}
+
 /// A motion through samples.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct SampledCurve {
@@ -151,6 +160,36 @@ impl SampledCurve {
         let path = table.positions_m.as_ref().map(|positions| Path::new(&spacings, positions, kind)).transpose()?;
         let turns = table.orientations.as_ref().map(|turns| Turns::new(&spacings, turns, kind)).transpose()?;
         let curve = Self { interpolation: kind, times, path, turns };
+        within_reach(&curve.bounds(f64::NEG_INFINITY, f64::INFINITY))?;
+        Ok(curve)
+    }
+
+    /// The motion from one pose at the first time to another at the second, which begins with this velocity and
+    /// acceleration and ends with none.
+    ///
+    /// # Errors
+    /// When the times do not increase, or a number, a speed or an acceleration is too large.
+    pub(super) fn approach(times: [f64; 2], start: &Departure<'_>, end: &Pose) -> Result<Self, MotionError> {
+        let times = checked_times(&times)?;
+        let h = times[1] - times[0];
+        let places = [start.pose.translation, end.translation];
+        for place in places {
+            vector("a position", place)?;
+        }
+        let between = |value: DVec3, velocity: DVec3, acceleration: DVec3| {
+            // What the motion ends with is the same for a position and for a rotation vector: no rate.
+            let end = Jet { value, first: DVec3::ZERO, second: DVec3::ZERO };
+            vec![Quintic::between(velocity * h, acceleration * h * h, &end)]
+        };
+        let turns = [start.pose.rotation, end.rotation];
+        let turn = (turns[1] * turns[0].inverse()).to_rotation_vector();
+        let (velocity, acceleration) = (start.velocity, start.acceleration);
+        let path = Path {
+            between: between(places[1] - places[0], velocity.linear, acceleration.linear),
+            knots: places.to_vec(),
+        };
+        let turns = Turns { between: between(turn, velocity.angular, acceleration.angular), knots: turns.to_vec() };
+        let curve = Self { interpolation: Interpolation::Spline, times, path: Some(path), turns: Some(turns) };
         within_reach(&curve.bounds(f64::NEG_INFINITY, f64::INFINITY))?;
         Ok(curve)
     }

@@ -1,0 +1,30 @@
+//! What the tier `stepped` is.
+
+use crate::scene::{ContactMethod, ImpactLaw, Integrator};
+use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
+
+/// Step when none is given, s. A body of some tenths of a metre that has fallen for a second moves by about a hundredth of
+/// its size in one step; bounces that last less than two steps have speeds below 0.02 m/s.
+const TIME_STEP_S: f64 = 1e-3;
+
+/// Order in the step of time steps between changes of contact.
+const ORDER_OF_TIME_STEPS: u32 = 2;
+
+/// The facts.
+pub(crate) const FACTS: TierFacts = TierFacts {
+    name: "stepped",
+    summary: "Fixed steps with all contacts solved together at the level of velocities; it always gets through.",
+    steps: StepLength::Fixed,
+    step_s: TIME_STEP_S,
+    integrator: Integrator::ExactStrang,
+    integrator_choice: IntegratorChoice::Tier {
+        reason: "the tier has its own: exact flight, forces as one kick in the middle of the step",
+        instead: "tier = \"stepped\" without an integrator (it has its own: exact flight with forces as a kick)",
+    },
+    impact: ImpactLaw::Reflection,
+    contact: ContactMethod::ActiveSet,
+    flight: FlightRecords::All,
+    order: ErrorOrder::Fixed(ORDER_OF_TIME_STEPS),
+    promise: None,
+    features: &[TierFeature::Friction, TierFeature::Joints],
+};

@@ -1,0 +1,26 @@
+//! What the tier `thesis` is.
+
+use crate::scene::{ContactMethod, ImpactLaw, Integrator};
+use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
+
+/// Step when none is given, s.
+const THESIS_STEP_S: f64 = 0.01;
+
+/// Order in the step where bodies may collide: its contact forces are constant over a step.
+const ORDER_WITH_CONTACT: u32 = 1;
+
+/// The facts.
+pub(crate) const FACTS: TierFacts = TierFacts {
+    name: "thesis",
+    summary: "The thesis's section 3.5 to the letter.",
+    steps: StepLength::Fixed,
+    step_s: THESIS_STEP_S,
+    integrator: Integrator::Rk4,
+    integrator_choice: IntegratorChoice::Scene { reason: "that of the thesis" },
+    impact: ImpactLaw::Propagation,
+    contact: ContactMethod::LeastForce,
+    flight: FlightRecords::None,
+    order: ErrorOrder::WithContact(ORDER_WITH_CONTACT),
+    promise: None,
+    features: &[TierFeature::LeastForce, TierFeature::Responses],
+};

@@ -1,0 +1,39 @@
+//! The engines of the tiers: begun from a scene, and restored from a snapshot.
+
+use super::Tier;
+use super::list::Tier as TierName;
+use crate::SimulationError;
+use crate::accurate::Engine;
+use crate::core::Core;
+use crate::snapshot::{SnapshotError, content};
+use crate::stepped::SteppedEngine;
+use crate::thesis::ThesisEngine;
+use polhode_dynamics::BodyState;
+
+/// The engine of the tier of the settings, which begins at these states.
+///
+/// # Errors
+/// When contacts or forces of the first instant cannot be found.
+pub(crate) fn begun(core: &mut Core, states: Vec<BodyState>) -> Result<Box<dyn Tier>, SimulationError> {
+    Ok(match core.settings.tier {
+        TierName::Accurate => Box::new(Engine::new(core, states)?),
+        TierName::Stepped => Box::new(SteppedEngine::new(core, states)?),
+        TierName::Thesis => Box::new(ThesisEngine::new(core, states)?),
+    })
+}
+
+/// The engine that continues from a snapshot.
+///
+/// # Errors
+/// When the snapshot is of another tier or contradicts itself.
+pub(crate) fn restored(core: &mut Core, saved: &content::Tier) -> Result<Box<dyn Tier>, SimulationError> {
+    if !core.t.is_finite() {
+        return Err(SnapshotError::Invalid("its time is not finite").into());
+    }
+    match (core.settings.tier, saved) {
+        (TierName::Accurate, content::Tier::Accurate(saved)) => Ok(Box::new(Engine::restored(core, saved)?)),
+        (TierName::Stepped, content::Tier::Stepped(saved)) => Ok(Box::new(SteppedEngine::restored(core, saved)?)),
+        (TierName::Thesis, content::Tier::Thesis(saved)) => Ok(Box::new(ThesisEngine::restored(core, saved)?)),
+        _ => Err(SnapshotError::Invalid("its tier is not that of its scene").into()),
+    }
+}

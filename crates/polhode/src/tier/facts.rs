@@ -1,0 +1,141 @@
+//! What a tier is: its name, its methods, its promise, and what it takes.
+//!
+//! Each tier has one value of [`TierFacts`] in a folder of its own, and `list.rs` lists the tiers. All other files read these
+//! facts and name no kind of tier, so that whoever adds a tier adds a folder and its line in that list.
+
+use crate::scene::{ContactMethod, ImpactLaw, Integrator};
+
+/// What a tier is. [`Tier::facts`](crate::scene::Tier::facts) gives those of a tier.
+///
+/// ```
+/// use polhode::scene::{Tier, TierFeature};
+/// for tier in Tier::ALL.into_iter().filter(|tier| tier.facts().takes(TierFeature::Joints)) {
+///     println!("{}: {}", tier.name(), tier.facts().summary);
+/// }
+/// assert!(Tier::default().facts().promise.is_some());
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct TierFacts {
+    /// The name used in scenes and reports.
+    pub name: &'static str,
+    /// What it does, in a sentence.
+    pub summary: &'static str,
+    /// How long its steps are.
+    pub steps: StepLength,
+    /// Step when none is given, s: the fixed step, or the upper bound of a step.
+    pub step_s: f64,
+    /// Integrator of free motion when none is given and the plan chooses none.
+    pub integrator: Integrator,
+    /// Who chooses the integrator.
+    pub integrator_choice: IntegratorChoice,
+    /// Impact law when none is given.
+    pub impact: ImpactLaw,
+    /// Method of contact forces when none is given.
+    pub contact: ContactMethod,
+    /// Which bodies under gravity alone follow a flight record.
+    pub flight: FlightRecords,
+    /// How its error falls with the step.
+    pub order: ErrorOrder,
+    /// The limits that it promises, if any.
+    pub promise: Option<TierPromise>,
+    /// What it takes besides bodies, shapes and fields of force.
+    pub features: &'static [TierFeature],
+}
+
+impl TierFacts {
+    /// Whether the tier takes this.
+    pub fn takes(&self, feature: TierFeature) -> bool {
+        self.features.contains(&feature)
+    }
+
+    /// Whether error control chooses the lengths of its steps.
+    pub fn controls_error(&self) -> bool {
+        self.steps == StepLength::ErrorControlled
+    }
+}
+
+/// How long the steps of a tier are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum StepLength {
+    /// Fixed; an event may end one earlier.
+    Fixed,
+    /// Chosen by error control, with an upper bound.
+    ErrorControlled,
+}
+
+/// Who chooses the integrator of free motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum IntegratorChoice {
+    /// Nobody: the tier has its own.
+    Tier {
+        /// What it is, in words.
+        reason: &'static str,
+        /// Why a scene cannot name another, in words.
+        instead: &'static str,
+    },
+    /// The scene; the tier's default when it names none.
+    Scene {
+        /// What the default is, in words.
+        reason: &'static str,
+    },
+    /// The plan, when the scene names none.
+    Plan,
+}
+
+/// Which bodies under gravity alone follow a flight record, which gives their states at any time in closed form.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum FlightRecords {
+    /// None: the integrator advances them.
+    None,
+    /// All.
+    All,
+    /// Those whose integrator is exact without other forces, or chosen by the plan.
+    WhereExact,
+}
+
+/// Order of the error of a run in the length of its steps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ErrorOrder {
+    /// That of the integrator.
+    OfIntegrator,
+    /// This one.
+    Fixed(u32),
+    /// This one where bodies may collide, else that of the integrator.
+    WithContact(u32),
+}
+
+/// The limits that a tier promises at the default tolerance and tighter ones; above it the tolerance is the limit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct TierPromise {
+    /// Penetration, relative to the size of the smaller body (dimensionless).
+    pub penetration_relative: f64,
+    /// Projections, in units of the default tolerance (dimensionless): of a displacement relative to the size of the pair,
+    /// of the energy relative to that of the scene.
+    pub drift_factor: f64,
+}
+
+/// What some tiers take and others do not.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum TierFeature {
+    /// Friction of contacts.
+    Friction,
+    /// Joints.
+    Joints,
+    /// Pivots held by constraint rows; without it a pivoted body only turns about its pivot.
+    PivotRows,
+    /// [`ContactMethod::LeastForce`].
+    LeastForce,
+    /// Every [`Response`](crate::scene::Response), not only that by constraint.
+    Responses,
+    /// RK4 for constrained motion too, where the scene names it.
+    ConstrainedRk4,
+    /// Stretches of crowded events, advanced by time steps whose error a companion run estimates.
+    CrowdedStretches,
+}
