@@ -16,9 +16,12 @@
 //!
 //! A velocity that is set acts at once. Bodies that the body touches are struck if it now moves towards them: they get an
 //! impulse, as by any impact, and the ledger books its work as that of the kinematic body. To set bodies in motion without
-//! an impact, give a pose.
+//! an impact, give a pose. Bodies that joints hold to it take its velocity at once, by an impulse that the ledger books as the
+//! program's.
 
 use crate::action_error::ActionError;
+use crate::core::Core;
+use crate::interaction::projection::{Removal, project_velocities};
 use crate::simulation::Simulation;
 use crate::world::steered::{Goal, Steered};
 use crate::{BodyId, SimulationError};
@@ -74,13 +77,30 @@ impl Simulation {
     pub fn set_motion(&mut self, body: BodyId, steering: Steering) -> Result<(), SimulationError> {
         let index = self.kinematic(body)?;
         let steered = self.steered(index, steering)?;
-        self.act(&[index], &[index], "set_motion", |simulation| {
+        let driven = self.core.world.driven_by(index);
+        let concerned: Vec<usize> = driven.iter().copied().chain([index]).collect();
+        self.act(&concerned, &[index], "set_motion", |simulation| {
             let state = simulation.core.world.steer(index, steered, simulation.core.t);
             let state = state.map_err(|source| ActionError::Motion { body: simulation.name(index), source })?;
             simulation.tier.states_mut()[index] = state;
-            Ok(())
+            simulation.take_along(&driven)
         })?;
         self.repeat_on_companion(|companion| companion.set_motion(body, steering));
+        Ok(())
+    }
+
+    /// Gives bodies that joints hold to a steered one the velocities that its new velocity asks for, at once: an impulse of the
+    /// program.
+    fn take_along(&mut self, driven: &[usize]) -> Result<(), SimulationError> {
+        if driven.is_empty() {
+            return Ok(());
+        }
+        let (core, states) = (&mut self.core, self.tier.states_mut());
+        let before = core.accounts.books.balance(&core.world, states, driven);
+        project_velocities(&core.world, states, driven, (&[], &[], &[]), Removal::Complete)
+            .map_err(|source| Core::response_error(core.t, source))?;
+        let after = core.accounts.books.balance(&core.world, states, driven);
+        core.accounts.books.program(before, after);
         Ok(())
     }
 

@@ -63,6 +63,12 @@ impl World {
         self.joints_among(bodies).filter_map(WorldJoint::driver)
     }
 
+    /// The bodies that joints hold to this kinematic one, and all that joints connect to them, ascending.
+    pub(crate) fn driven_by(&self, driver: usize) -> Vec<usize> {
+        let own = self.joints.iter().filter(|joint| joint.driver() == Some(driver));
+        self.with_jointed(own.flat_map(WorldJoint::bodies).collect())
+    }
+
     /// These bodies and all that joints connect to them, ascending.
     pub(crate) fn with_jointed(&self, bodies: Vec<usize>) -> Vec<usize> {
         if self.joints.is_empty() {

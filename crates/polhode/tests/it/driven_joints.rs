@@ -7,7 +7,7 @@ use crate::support::{accurate, ball, brick, floor, run};
 use polhode::dynamics::System;
 use polhode::scene::{Interpolation, Joint, Method, MotionTable, PrescribedMotion, SceneError, Tier};
 use polhode::spatial::{DVec3, Pose, UnitVector, Velocity};
-use polhode::{Body, Effects, RunReport, Scene, SceneBuilder};
+use polhode::{Body, Effects, RunReport, Scene, SceneBuilder, Simulation, Steering, Unobserved};
 use std::f64::consts::TAU;
 
 const G: f64 = 9.81;
@@ -211,4 +211,44 @@ fn joints_that_drive_nothing_or_jump_are_refused() {
     // The pendulum must start with the velocity of its pivot.
     let motion = PrescribedMotion::sine(DVec3::Z * AMPLITUDE, DVec3::ZERO, FREQUENCY, 0.0).unwrap();
     assert!(matches!(shaken(motion, 0.0, joint).build(), Err(SceneError::JointMoves { number: 0, .. })));
+}
+
+/// A crank at rest that a program sets turning takes its linkage along at once, as if it had turned from the start; then it is
+/// turned back smoothly to where it began. What the program and the crank do closes the ledgers.
+#[test]
+fn a_program_steers_a_crank() {
+    let still = PrescribedMotion::constant_velocity(Velocity::ZERO).unwrap();
+    for tier in [Tier::Accurate, Tier::Stepped] {
+        let method = Method { tier: Some(tier), step_s: Some(2e-3), ..Method::default() };
+        let (pin, end) = (DVec3::X * CRANK, DVec3::X * (CRANK + ROD.1));
+        let scene = Scene::builder("steered crank")
+            .method(method)
+            .duration_s(1.0)
+            .body(Body::kinematic("crank", still.clone()))
+            .body(rod("rod", ROD, (pin + end) * 0.5, std::f64::consts::FRAC_PI_2))
+            .body(brick("block", DVec3::splat(0.05), end))
+            .joint(Joint::hinge(1, pin, UnitVector::Y).with(0))
+            .joint(Joint::hinge(1, end, UnitVector::Y).with(2))
+            .joint(Joint::new(polhode::scene::JointKind::Slider { axis: UnitVector::X }, 2, end));
+        let mut simulation = Simulation::new(&scene.build().unwrap(), Effects::Planned).unwrap();
+        let [crank, block] = ["crank", "block"].map(|name| simulation.body_id(name).unwrap());
+        simulation.advance_to(0.1, &mut Unobserved).unwrap();
+        assert!((simulation.body(block).pose.translation - end).length() < 1e-12, "{tier:?}");
+        let turning = Steering::Velocity(Velocity::new(DVec3::ZERO, DVec3::Y * RATE));
+        simulation.set_motion(crank, turning).unwrap();
+        simulation.advance_to(0.34, &mut Unobserved).unwrap();
+        let off = (simulation.body(block).pose.translation - DVec3::X * block_at(0.24)).length();
+        assert!(off < 1e-11, "{tier:?}: {off:e} m off");
+        simulation.set_motion(crank, Steering::Pose { pose: Pose::IDENTITY, within_s: 0.4 }).unwrap();
+        let report = simulation.run(&mut Unobserved).unwrap();
+        assert!((simulation.body(block).pose.translation - end).length() < 1e-11, "{tier:?}");
+        assert_closes(&report);
+        // Only what time steps lose of the motion of the rod is left.
+        let allowed = if tier == Tier::Accurate { 1e-10 } else { 1e-2 };
+        assert!(
+            report.ledger.numerical.value().abs() < allowed * report.ledger.scale_j,
+            "{tier:?} {:?}",
+            report.ledger
+        );
+    }
 }
