@@ -13,11 +13,11 @@
 //! estimate is absent, and a warning says why.
 
 use crate::companion::Companion;
-use crate::interaction::overlap::displacement;
 use crate::report::CrowdingError;
 use crate::scene::TierFeature;
 use crate::simulation::Simulation;
 use crate::snapshot::content::{self, Content};
+use crate::solve::overlap::displacement;
 use crate::{BodyId, SimulationError, Unobserved};
 
 /// How many times longer its time steps are (no unit).

@@ -8,12 +8,12 @@
 
 use crate::action_error::ActionError;
 use crate::core::Core;
-use crate::interaction::projection::{Removal, project_velocities};
 use crate::plan::Findings;
 use crate::planar::{self, PlanarFinding};
 use crate::report::PlanChange;
 use crate::scene::{Body, Scene};
 use crate::simulation::Simulation;
+use crate::solve::projection::{Removal, project_velocities};
 use crate::world::{INITIAL_OVERLAP_RELATIVE, World};
 use crate::{BodyId, Effects, Plan, SimulationError, free_method};
 use polhode_dynamics::BodyState;

@@ -14,8 +14,8 @@
 //! amplifies errors (a die that is about to fall on one face or another) makes them larger than their sum. A motion that
 //! damps errors makes them smaller.
 
-use crate::interaction::overlap::displacement;
 use crate::snapshot::SnapshotError;
+use crate::solve::overlap::displacement;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 

@@ -7,7 +7,7 @@
 //! Source: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.6.
 
 use crate::accounting::books::{Received, given_by_fields};
-use crate::interaction::assembly::free_acceleration;
+use crate::rows::assembly::free_acceleration;
 use crate::world::World;
 use crate::{Momentum, MomentumSum};
 use polhode_dynamics::BodyState;

@@ -93,14 +93,14 @@
 //! | first instant | finds the contacts of the start and decides which are active | `accurate/start.rs` |
 //! | free flight | makes a flight record of each body under gravity alone | `accurate/engine.rs` |
 //! | step | integrates each island under its contact forces, or by the scene's integrator | `accurate/constrained_stepping.rs`, `accurate/free_stepping.rs` |
-//! | forces of a stage | assembles the rows of contacts and pivots and solves for their forces | `accurate/system.rs`, `interaction/assembly.rs` |
+//! | forces of a stage | assembles the rows of contacts and pivots and solves for their forces | `accurate/system.rs`, `rows/assembly.rs` |
 //! | event location | finds the first change of contacts in the step | `accurate/locate.rs` |
 //! | search for impacts | finds pairs whose swept boxes overlap, and their first impacts | `collision/boxes.rs`, `accurate/impact_search.rs` |
 //! | agenda | gives the next end of a step, change of contacts or impact | `accurate/agenda.rs`, `accurate/tier.rs` |
 //! | samples | evaluates the states at the times of output before that | `sampling.rs`, `observer.rs` |
 //! | event | ends the islands concerned at that time | `accurate/events.rs` |
-//! | projection | puts active contacts and pivots back in place, positions and velocities | `accurate/projection.rs`, `interaction/projection.rs` |
-//! | impact | detects contacts, and strikes those that approach | `accurate/resolve.rs`, `interaction/impact.rs` |
+//! | projection | puts active contacts and pivots back in place, positions and velocities | `accurate/projection.rs`, `solve/projection.rs` |
+//! | impact | detects contacts, and strikes those that approach | `accurate/resolve.rs`, `solve/impact.rs` |
 //! | hold | decides which contacts are active, and which bodies rest | `accurate/hold.rs`, `accurate/resolve.rs` |
 //! | crowded events | advances an island by time steps where events follow each other too closely | `accurate/crowding.rs`, `time_stepping` |
 //! | ledger | books energy and momentum of steps, impacts and projections | `accounting/books.rs` |
@@ -133,8 +133,9 @@
 //! | `prescribed`, `prescribed_state` | kinematic bodies |
 //! | `planar`, `plane_of_motion` | planar motion |
 //! | `collision` | boxes, narrow phase and contacts of a pair |
-//! | `constraint` | what holds bodies together: identities, and the rows and reactions of pivots and joints |
-//! | `interaction` | rows of contacts, impacts, projection and event location, which the tiers share |
+//! | `constraint` | what holds bodies together: identities, the rows and reactions of pivots and joints, and the location of events |
+//! | `rows` | rows of contacts and bilateral constraints, by groups of bodies, which the tiers share |
+//! | `solve` | what they are solved for: forces at an instant, impacts, projection |
 //! | `time_stepping` | the time step at the level of velocities |
 //! | `accurate`, `stepped`, `thesis` | the tiers, behind the trait of `tier` |
 //! | `few_digits` | lengths as messages say them |
@@ -166,7 +167,6 @@ mod few_digits;
 pub mod frame;
 mod free_method;
 mod free_stage;
-mod interaction;
 pub mod ledger;
 pub mod momentum_ledger;
 pub mod observer;
@@ -180,6 +180,7 @@ mod prescribed;
 mod prescribed_state;
 mod promise;
 pub mod report;
+mod rows;
 mod sample_penetration;
 mod sampling;
 pub mod scene;
@@ -187,6 +188,7 @@ mod settings;
 mod simulation;
 mod singular_force;
 mod snapshot;
+mod solve;
 mod start_overlap;
 mod states_of;
 mod steering;

@@ -194,13 +194,13 @@ impl World {
 mod tests {
     use super::*;
     use crate::collision::contact_set::Touch;
-    use crate::interaction::assembly::Assembly;
-    use crate::interaction::groups::Group;
-    use crate::interaction::impact::strike;
     use crate::pivot_form::PivotRows;
+    use crate::rows::assembly::Assembly;
+    use crate::rows::groups::Group;
     use crate::scene::{
         Body, Geometry, ImpactLaw, Interpolation, MotionTable, PrescribedMotion, SampledOrientations, Scene,
     };
+    use crate::solve::impact::strike;
     use polhode_contact::Shape;
     use polhode_dynamics::Flight;
     use polhode_response::ComplementaritySolver;

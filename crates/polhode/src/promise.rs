@@ -19,7 +19,7 @@
 //! bounces took more than 1e-9 of E beyond the energy of the bounces themselves, one in which lifting bodies onto faces that are
 //! higher by less than the touch distance gave more than that, or with a problem that was not solved to
 //! its tolerance, or with forces of friction that violate Coulomb's law by more than
-//! [`CONE_LIMIT`](crate::interaction::cone_violation::CONE_LIMIT) relative to the largest force of their problem.
+//! [`CONE_LIMIT`](crate::solve::cone_violation::CONE_LIMIT) relative to the largest force of their problem.
 
 use crate::accounting::books::Balance;
 use crate::accounting::measures::{Limits, Measure};
@@ -27,17 +27,17 @@ use crate::accounting::numerical_loss::FixedStep;
 use crate::collision::contact_set::Touch;
 use crate::constraint::ConstraintId;
 use crate::core::Core;
-use crate::interaction::bounce_friction::EndedBounces;
-use crate::interaction::cone_violation::ConeViolation;
-use crate::interaction::projection::Projection;
 use crate::scene::ErrorOrder;
+use crate::solve::bounce_friction::EndedBounces;
+use crate::solve::cone_violation::ConeViolation;
+use crate::solve::projection::Projection;
 use crate::time_stepping::TimeStepReport;
 use crate::world::World;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::{BodyState, RigidBody};
 
 /// How far a projection of a separation that is rounding may move a tilted body, in such separations (no unit): beyond
-/// that the projection is partial (`crate::interaction::projection`).
+/// that the projection is partial (`crate::solve::projection`).
 const MOVED_BY_ROUNDING: f64 = 5.0;
 
 /// Allowed delay of an impact, in units in the last place of its time.

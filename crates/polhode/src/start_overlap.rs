@@ -3,15 +3,15 @@
 //!
 //! A scene that another program has exported in few digits has bodies that overlap by its rounding, far more than counts
 //! as touch. With `Scene::start_separation_m` > 0 overlaps up to that depth are removed before anything else, by the
-//! smallest displacement in the mass metric (`interaction::overlap`): velocities stay, and the energy of the start is that
+//! smallest displacement in the mass metric (`solve::overlap`): velocities stay, and the energy of the start is that
 //! of the separated bodies. Deeper overlaps are refused.
 
 use crate::SimulationError;
 use crate::collision::boxes::Boxes;
 use crate::few_digits::length;
-use crate::interaction::overlap::Overlaps;
 use crate::scene::{OverlapAtStart, SceneError};
 use crate::settings::Settings;
+use crate::solve::overlap::Overlaps;
 use crate::world::{INITIAL_OVERLAP_RELATIVE, World};
 use polhode_dynamics::BodyState;
 use polhode_response::{ComplementaritySolver, Delassus};

@@ -21,8 +21,8 @@
 
 use crate::action_error::ActionError;
 use crate::core::Core;
-use crate::interaction::projection::{Removal, project_velocities};
 use crate::simulation::Simulation;
+use crate::solve::projection::{Removal, project_velocities};
 use crate::world::steered::{Goal, Steered};
 use crate::{BodyId, SimulationError};
 use polhode_spatial::{Pose, Velocity};

@@ -3,8 +3,8 @@
 use super::long_steps::LongSteps;
 use super::numerical_loss::{FixedStep, NumericalLoss};
 use super::occurrences::Occurrences;
-use crate::interaction::cone_violation::ConeViolation;
 use crate::snapshot::{SnapshotError, content};
+use crate::solve::cone_violation::ConeViolation;
 use crate::world::World;
 use crate::{BodyId, Certificate, Ledger, PairAt};
 use polhode_spatial::CompensatedSum;

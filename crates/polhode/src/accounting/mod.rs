@@ -14,10 +14,10 @@ mod stretches;
 
 use crate::collision::contact_set::ContactId;
 use crate::event::EventKind;
-use crate::interaction::cone_violation::CONE_LIMIT;
-use crate::interaction::impact::raised_energy;
 use crate::observer::Observer;
 use crate::scene::ImpactLaw;
+use crate::solve::cone_violation::CONE_LIMIT;
+use crate::solve::impact::raised_energy;
 use crate::time_stepping::{ImpulseKind, TimeStepReport};
 use crate::world::World;
 use crate::{Certificate, Energy, Event, Ledger, Outcome, RunReport, SimulationError};

@@ -15,7 +15,7 @@ use crate::SimulationError;
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set::ContactId;
 use crate::core::Core;
-use crate::interaction::cone_violation::{CONE_LIMIT, ConeViolation};
+use crate::solve::cone_violation::{CONE_LIMIT, ConeViolation};
 use crate::world::World;
 use polhode_dynamics::error_allowance::{ErrorAllowance, LargestError};
 use polhode_dynamics::field::Wrench;

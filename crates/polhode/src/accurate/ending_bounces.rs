@@ -4,7 +4,7 @@
 //! that is below [`NEGLIGIBLE_HEIGHT`] touch distances, its bodies cannot be distinguished from bodies that touch. The
 //! sequence of bounces that follows (2w/a in all for e = 0, and 2w/(a (1 - e)) in general; thesis 3.3) is replaced by its
 //! end: the smallest change of velocities that makes the speeds of all contacts that hold zero, with the friction that
-//! belongs to it (`interaction/bounce_friction.rs`). It is booked as energy lost at rest.
+//! belongs to it (`solve/bounce_friction.rs`). It is booked as energy lost at rest.
 //!
 //! A bounce that is small at its contact need not be small elsewhere. A die that rocks on two contacts half a millimetre
 //! apart separates there by a thousandth of what it does at its far corners. Such a bounce is no remainder but a motion: it
@@ -24,8 +24,8 @@ use super::instant::Instant;
 use crate::SimulationError;
 use crate::collision::contact_set::Touch;
 use crate::core::Core;
-use crate::interaction::bounce_friction;
-use crate::interaction::groups::Group;
+use crate::rows::groups::Group;
+use crate::solve::bounce_friction;
 use crate::states_of::{set_states, states_of};
 use polhode_dynamics::RigidBody;
 use std::collections::BTreeSet;

@@ -18,11 +18,11 @@ use crate::collision::contact_set::ContactId;
 use crate::collision::friction_mode::FrictionMode;
 use crate::collision::turn::Turn;
 use crate::constraint::bilateral::{Bilateral, Reaction};
-use crate::interaction::assembly::{Assembly, TangentRow};
-use crate::interaction::cone_violation::{ConeViolation, RubbingForce, largest_violation};
-use crate::interaction::friction_blocks::push_contact;
-use crate::interaction::rotation_row::RotationRow;
+use crate::rows::assembly::{Assembly, TangentRow};
+use crate::rows::friction_blocks::push_contact;
+use crate::rows::rotation_row::RotationRow;
 use crate::scene::FrictionEllipse;
+use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
@@ -224,7 +224,7 @@ struct StickingCones<'a> {
 
 impl<'a> StickingCones<'a> {
     /// Those of so many contacts, of which these have friction. The rows of contacts that stick, two each, follow
-    /// `first_tangent`. None where a contact resists rotations: the forces at one instant (`interaction/rotational_friction.rs`)
+    /// `first_tangent`. None where a contact resists rotations: the forces at one instant (`solve/rotational_friction.rs`)
     /// are not those of least norm either.
     fn of(contacts: usize, friction: &'a [FrictionContact], first_tangent: usize) -> Option<Self> {
         if friction.iter().any(|contact| contact.turns.iter().any(Option::is_some)) {

@@ -7,9 +7,9 @@
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::collision::friction_mode::FrictionMode;
 use crate::collision::turn::Turn;
-use crate::interaction::accelerations::{Accelerations, ContactTangent, ContactTurn};
-use crate::interaction::assembly::Assembly;
-use crate::interaction::cone_violation::{ConeViolation, largest_violation};
+use crate::rows::assembly::Assembly;
+use crate::solve::accelerations::{Accelerations, ContactTangent, ContactTurn};
+use crate::solve::cone_violation::{ConeViolation, largest_violation};
 use crate::world::World;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::{ComplementaritySolver, ContactSolution, ResponseError, SolverStatus};

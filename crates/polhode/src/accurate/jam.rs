@@ -14,9 +14,9 @@ use crate::SimulationError;
 use crate::collision::contact_set::Touch;
 use crate::core::Core;
 use crate::event::EventKind;
-use crate::interaction::frictional_impact::Cause;
-use crate::interaction::groups::Group;
-use crate::interaction::impact::strike_with_friction;
+use crate::rows::groups::Group;
+use crate::solve::frictional_impact::Cause;
+use crate::solve::impact::strike_with_friction;
 use polhode_response::impact::ImpactStatus;
 
 /// Most jams of a group at one instant. Each stops the slip of a contact at least.

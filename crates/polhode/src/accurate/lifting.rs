@@ -13,7 +13,7 @@ use super::instant::Instant;
 use crate::collision::contact_set::Touch;
 use crate::constraint::ConstraintId;
 use crate::core::Core;
-use crate::interaction::projection::Projection;
+use crate::solve::projection::Projection;
 use polhode_dynamics::RigidBody;
 
 impl Engine {

@@ -4,7 +4,7 @@
 //! on its features (margin) and does not jump to a point at which the bodies approach or separate, (b) no other contact
 //! between these bodies penetrates, and (c) pushing forces suffice: the complementarity problem over the set has
 //! `chi'' = 0` at every contact. A failure of one of these conditions is called a violation. The event locator
-//! (`crate::interaction::locator`) finds the first one on the dense output of the step, to 1e-13 of the step.
+//! (`crate::constraint::locator`) finds the first one on the dense output of the step, to 1e-13 of the step.
 
 use super::constrained_step::ConstrainedStep;
 use super::contact_change::ContactChange;
@@ -17,10 +17,10 @@ use crate::collision::contact_set::{ContactId, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::Turn;
 use crate::constraint::ContactEvent;
+use crate::constraint::locator::{Side, close_in};
 use crate::core::Core;
-use crate::interaction::cone_violation::CONE_LIMIT;
-use crate::interaction::locator::{Side, close_in};
-use crate::interaction::projection::rate_exceeds_drift;
+use crate::solve::cone_violation::CONE_LIMIT;
+use crate::solve::projection::rate_exceeds_drift;
 use crate::world::TOUCH_RELATIVE;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;

@@ -11,8 +11,8 @@
 use super::constrained_step::ConstrainedStep;
 use super::engine::Engine;
 use crate::collision::contact_set::{ContactId, Pair};
+use crate::constraint::locator::{Side, close_in};
 use crate::core::Core;
-use crate::interaction::locator::{Side, close_in};
 use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
 use std::convert::Infallible;

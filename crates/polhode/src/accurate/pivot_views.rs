@@ -11,7 +11,7 @@ use crate::collision::contact_set::Touch;
 use crate::constraint::bilateral::Reaction;
 use crate::core::Core;
 use crate::frame::PivotView;
-use crate::interaction::assembly::free_acceleration;
+use crate::rows::assembly::free_acceleration;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::ComplementaritySolver;
 use polhode_spatial::DVec3;

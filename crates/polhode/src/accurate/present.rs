@@ -7,8 +7,8 @@ use super::present_crowds::StepKey;
 use crate::collision::contact_set::{Hold, Touch};
 use crate::core::Core;
 use crate::frame::MotionKind;
-use crate::interaction::groups::{coupled_groups, groups};
 use crate::observer::BodySample;
+use crate::rows::groups::{coupled_groups, groups};
 use crate::{Effects, SimulationError};
 use polhode_dynamics::BodyState;
 

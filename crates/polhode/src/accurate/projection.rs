@@ -1,6 +1,6 @@
 //! Projection of held contacts onto zero separation, at the ends of steps and where contacts begin to hold.
 //!
-//! The projection (`crate::interaction::projection`) removes the separations that drift and the touch distance leave.
+//! The projection (`crate::solve::projection`) removes the separations that drift and the touch distance leave.
 //! It moves bodies by the tolerance at most, but it may push one into a neighbour without a held contact. The motion
 //! did not cause that penetration, and removing it would push the next body. In that case the projection is undone,
 //! provided that all contacts still touch.
@@ -14,8 +14,8 @@ use crate::accounting::books::Balance;
 use crate::collision::contact_set::ContactId;
 use crate::constraint::bilateral::Bilateral;
 use crate::core::Core;
-use crate::interaction::overlap::Overlaps;
-use crate::interaction::projection::{self, Projected};
+use crate::solve::overlap::Overlaps;
+use crate::solve::projection::{self, Projected};
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::Pose;

@@ -9,7 +9,7 @@ use super::engine::Engine;
 use super::island::Step;
 use crate::SimulationError;
 use crate::core::Core;
-use crate::interaction::overlap::Overlaps;
+use crate::solve::overlap::Overlaps;
 use polhode_dynamics::BodyState;
 use polhode_response::Delassus;
 use std::collections::BTreeSet;

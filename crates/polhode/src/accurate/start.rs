@@ -8,8 +8,8 @@ use crate::collision::boxes::Boxes;
 use crate::collision::contact_set::{Hold, Touch};
 use crate::core::Core;
 use crate::few_digits::length;
-use crate::interaction::groups::{coupled_groups, groups};
-use crate::interaction::projection;
+use crate::rows::groups::{coupled_groups, groups};
+use crate::solve::projection;
 use polhode_spatial::Still;
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -8,7 +8,7 @@
 //!
 //! Whoever adds a kind of joint adds one file, its line in the list of `joint.rs`, and its data in `scene/joint.rs`.
 //!
-//! An event function is positive before the event and crosses zero there; one locator (`crate::interaction::locator`)
+//! An event function is positive before the event and crosses zero there; one locator (`crate::constraint::locator`)
 //! finds the time.
 
 pub(crate) mod bilateral;
@@ -20,6 +20,7 @@ mod hinge;
 pub(crate) mod joint;
 mod kept;
 mod line;
+pub(crate) mod locator;
 mod perpendicular;
 mod planar;
 mod point;

@@ -7,8 +7,8 @@
 use super::present_forces::{BodyAcceleration, PresentForces};
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::FrictionMode;
-use crate::interaction::assembly::{Assembly, TangentRow};
-use crate::interaction::friction_blocks::{push_contact, push_held};
+use crate::rows::assembly::{Assembly, TangentRow};
+use crate::rows::friction_blocks::{push_contact, push_held};
 use crate::scene::FrictionEllipse;
 use crate::world::{Loads, World};
 use polhode_contact::TangentialKinematics;

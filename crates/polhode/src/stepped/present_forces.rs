@@ -7,7 +7,7 @@ use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::{RotationModes, Turn};
 use crate::core::Core;
-use crate::interaction::accelerations::Accelerations;
+use crate::solve::accelerations::Accelerations;
 use crate::time_stepping::LEAST_IN_BODIES;
 use polhode_dynamics::BodyState;
 use polhode_response::{ComplementaritySolver, ResponseError};

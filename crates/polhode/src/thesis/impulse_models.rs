@@ -14,9 +14,9 @@
 use crate::collision::contact_set::Touch;
 use crate::constraint::ConstraintId;
 use crate::core::Core;
-use crate::interaction::assembly::{Assembly, apply_impulses};
-use crate::interaction::groups::Group;
-use crate::interaction::projection::Projection;
+use crate::rows::assembly::{Assembly, apply_impulses};
+use crate::rows::groups::Group;
+use crate::solve::projection::Projection;
 use crate::world::World;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::ResponseError;

@@ -15,8 +15,8 @@
 //! are tried, and the better answer is taken. What is left is told.
 
 use super::last_forces::LastForces;
-use crate::interaction::assembly::Assembly;
-use crate::interaction::cone_violation::{CONE_LIMIT, ConeViolation};
+use crate::rows::assembly::Assembly;
+use crate::solve::cone_violation::{CONE_LIMIT, ConeViolation};
 use polhode_response::friction::FrictionSettings;
 use polhode_response::sparse::{BodySettings, BodySolver};
 use polhode_response::{Blocks, BlocksSolution, Delassus, ResponseError, SolverStatus};

@@ -2,7 +2,7 @@
 
 use super::drift;
 use crate::collision::contact_set::ContactId;
-use crate::interaction::assembly::free_acceleration;
+use crate::rows::assembly::free_acceleration;
 use crate::states_of::{set_states, states_of};
 use crate::world::World;
 use polhode_contact::{ContactKinematics, Shape};

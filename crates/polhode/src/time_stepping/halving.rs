@@ -7,7 +7,7 @@
 
 use super::report::TimeStepReport;
 use super::step::TimeStepper;
-use crate::interaction::overlap::displacement;
+use crate::solve::overlap::displacement;
 use crate::states_of::{set_states, states_of};
 use crate::world::World;
 use polhode_dynamics::BodyState;

@@ -6,7 +6,7 @@
 
 use crate::collision::contact_set::ContactId;
 use crate::constraint::ConstraintId;
-use crate::interaction::assembly::Assembly;
+use crate::rows::assembly::Assembly;
 use crate::snapshot::SnapshotError;
 use crate::snapshot::content;
 use crate::snapshot::parts::{restored_id, save_contact};

@@ -3,8 +3,8 @@
 use super::NO_WORK_J;
 use super::report::TimeStepReport;
 use super::step::TimeStepper;
-use crate::interaction::overlap::Overlaps;
-use crate::interaction::projection::{Removal, project_positions, project_velocities};
+use crate::solve::overlap::Overlaps;
+use crate::solve::projection::{Removal, project_positions, project_velocities};
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;

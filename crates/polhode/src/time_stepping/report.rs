@@ -2,7 +2,7 @@
 
 use crate::accounting::books::Books;
 use crate::collision::contact_set::ContactId;
-use crate::interaction::cone_violation::ConeViolation;
+use crate::solve::cone_violation::ConeViolation;
 use polhode_contact::ContactGeometry;
 use polhode_spatial::DVec3;
 

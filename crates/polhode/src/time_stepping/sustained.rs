@@ -25,7 +25,7 @@
 //! removes (`projection.rs`).
 //!
 //! Rows of the problem: contacts that would penetrate at the end, and touching contacts; of pairs with many contacts only some of
-//! them (`interaction/many_contacts.rs`). Contacts that close because of the impulses are added until there are none.
+//! them (`rows/many_contacts.rs`). Contacts that close because of the impulses are added until there are none.
 
 use super::cone_problem::LEAST_IN_BODIES;
 use super::contacts::{NearContact, kinematics_at_point, with_rate_at_point};
@@ -37,12 +37,12 @@ use super::step::TimeStepper;
 use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
 use crate::collision::contact_set::ContactId;
 use crate::constraint::bilateral::{Bilateral, Reaction, bilateral_support};
-use crate::interaction::assembly::Assembly;
-use crate::interaction::cone_violation::ConeViolation;
-use crate::interaction::groups::{Group, coupled_groups};
-use crate::interaction::impact::{apply_without_gain, support};
-use crate::interaction::many_contacts::{MANY_CONTACTS, furthest_out};
-use crate::interaction::rotational_friction::{moment_support, moment_work};
+use crate::rows::assembly::Assembly;
+use crate::rows::groups::{Group, coupled_groups};
+use crate::rows::many_contacts::{MANY_CONTACTS, furthest_out};
+use crate::solve::cone_violation::ConeViolation;
+use crate::solve::impact::{apply_without_gain, support};
+use crate::solve::rotational_friction::{moment_support, moment_work};
 use crate::states_of::{set_states, states_of};
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics};

@@ -18,7 +18,7 @@
 //! without slip.
 //!
 //! Friction of rolling and of spinning holds the relative rotation of the bodies after the impulses at zero, or
-//! resists it by a moment of its largest size (`crate::interaction::rotational_friction`).
+//! resists it by a moment of its largest size (`crate::solve::rotational_friction`).
 
 use super::cone_problem::ConeSolvers;
 use super::report::Stop;
@@ -26,12 +26,12 @@ use crate::collision::contact_set::ContactId;
 use crate::collision::friction_mode::FrictionCoefficients;
 use crate::collision::turn::Turn;
 use crate::constraint::bilateral::{Bilateral, Reaction};
-use crate::interaction::assembly::{Assembly, TangentRow};
-use crate::interaction::cone_violation::{ConeViolation, RubbingForce, largest_violation};
-use crate::interaction::friction_blocks::{push_contact, push_held, with_rotations};
-use crate::interaction::resisted_rotation::ResistedRotation;
-use crate::interaction::rotation_row::RotationRow;
+use crate::rows::assembly::{Assembly, TangentRow};
+use crate::rows::friction_blocks::{push_contact, push_held, with_rotations};
+use crate::rows::resisted_rotation::ResistedRotation;
+use crate::rows::rotation_row::RotationRow;
 use crate::scene::FrictionEllipse;
+use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use crate::world::World;
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;

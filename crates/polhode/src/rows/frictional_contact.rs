@@ -1,8 +1,8 @@
 //! A contact with friction among the rows of a group: its coefficients, its directions, and how it slides.
 
-use super::friction_blocks::push_contact;
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
+use crate::rows::friction_blocks::push_contact;
 use crate::scene::FrictionEllipse;
 use crate::world::World;
 use polhode_contact::TangentialKinematics;
@@ -13,35 +13,35 @@ use std::ops::Range;
 
 /// A contact with friction among the rows.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Frictional {
-    pub(super) coefficients: FrictionCoefficients,
-    pub(super) terms: TangentialKinematics,
+pub(crate) struct Frictional {
+    pub(crate) coefficients: FrictionCoefficients,
+    pub(crate) terms: TangentialKinematics,
     /// The angular velocity of A relative to B, rad/s.
-    pub(super) rotation: DVec3,
+    pub(crate) rotation: DVec3,
     /// How it slides; none when it sticks.
-    pub(super) sliding: Option<Sliding>,
+    pub(crate) sliding: Option<Sliding>,
 }
 
 /// A contact that slides.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sliding {
+pub(crate) struct Sliding {
     /// The direction of its slip (unit vector, world).
-    pub(super) direction: DVec3,
+    pub(crate) direction: DVec3,
     /// That of its row: what friction opposes. The direction of the slip, but with a grain.
-    pub(super) row: DVec3,
+    pub(crate) row: DVec3,
     /// The coefficient there.
-    pub(super) coefficient: f64,
+    pub(crate) coefficient: f64,
 }
 
 impl Sliding {
-    pub(super) fn along(direction: DVec3, coefficients: &FrictionCoefficients, terms: &TangentialKinematics) -> Self {
+    pub(crate) fn along(direction: DVec3, coefficients: &FrictionCoefficients, terms: &TangentialKinematics) -> Self {
         let (row, coefficient) = coefficients.sliding.opposed(terms.basis, direction);
         Self { direction, row, coefficient }
     }
 }
 
 impl Frictional {
-    pub(super) fn of(world: &World, states: &[BodyState], touch: &Touch) -> Option<Self> {
+    pub(crate) fn of(world: &World, states: &[BodyState], touch: &Touch) -> Option<Self> {
         world.friction_of(touch.id.a, touch.id.b)?;
         let terms = world.tangential_kinematics(states, touch.id)?;
         let coefficients = world.friction_at(states, touch.id, terms.basis)?;
@@ -55,7 +55,7 @@ impl Frictional {
     }
 
     /// Adds the block of a contact with these rows: what they ask for together.
-    pub(super) fn push_block(friction: Option<&Self>, blocks: &mut Blocks, normal: usize, tangents: Range<usize>) {
+    pub(crate) fn push_block(friction: Option<&Self>, blocks: &mut Blocks, normal: usize, tangents: Range<usize>) {
         match friction {
             None => push_contact(blocks, FrictionEllipse::default(), normal, tangents),
             Some(Self { sliding: Some(sliding), .. }) => {
@@ -67,7 +67,7 @@ impl Frictional {
     }
 
     /// The directions of its rows in the tangent plane.
-    pub(super) fn tangents(&self) -> Vec<DVec3> {
+    pub(crate) fn tangents(&self) -> Vec<DVec3> {
         self.sliding.map_or_else(|| self.terms.basis.to_vec(), |sliding| vec![sliding.row])
     }
 }

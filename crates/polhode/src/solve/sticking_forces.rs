@@ -6,11 +6,11 @@
 //! What these methods leave is taken out by the least change, with residuals of twice the working precision: large forces
 //! that cancel on a light body then leave no more than its own weight is rounded by.
 
-use super::assembly::Assembly;
-use super::frictional_contact::Frictional;
-use super::least_sliding_forces::exceeds_friction;
 use crate::collision::contact_set::Touch;
+use crate::rows::assembly::Assembly;
+use crate::rows::frictional_contact::Frictional;
 use crate::scene::FrictionEllipse;
+use crate::solve::least_sliding_forces::exceeds_friction;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::friction::{ContactStatus, FrictionSettings, balancing_forces};
@@ -23,11 +23,11 @@ use std::ops::Range;
 
 /// A slip acceleration below this fraction of the largest relative acceleration without contact forces is rounding
 /// (1e-13 to 1e-9).
-pub(super) const STICKING_ACCELERATION: f64 = 1e-11;
+pub(crate) const STICKING_ACCELERATION: f64 = 1e-11;
 
 /// Accelerations of contacts that stick up to this many times the limit of rounding are the residual of the solver (10 to
 /// 1e4).
-pub(super) const SLIDING_ROUNDING: f64 = 1e3;
+pub(crate) const SLIDING_ROUNDING: f64 = 1e3;
 
 /// Convex programmes of the cone problem at an instant at which nothing slides yet (8 to 64): without its answer the motion
 /// cannot begin.
@@ -129,7 +129,7 @@ fn left_by(assembly: &Assembly, accelerations: &[f64], least: &LeastNormForces) 
 }
 
 /// Rounding of the accelerations by large forces that cancel, m/s^2: some rounding units of the terms of `G f`.
-pub(super) fn rounding_of(delassus: &Delassus, forces: &[f64]) -> f64 {
+pub(crate) fn rounding_of(delassus: &Delassus, forces: &[f64]) -> f64 {
     let terms = |row: usize| delassus.row(row).iter().zip(forces).map(|(g, f)| (g * f).abs()).sum::<f64>();
     FORCE_ROUNDING_UNITS * f64::EPSILON * (0..delassus.len()).map(terms).fold(0.0, f64::max)
 }
@@ -138,7 +138,7 @@ pub(super) fn rounding_of(delassus: &Delassus, forces: &[f64]) -> f64 {
 /// lie in the cones of static friction, exact to rounding at any ratio of masses. Bodies at rest stay at rest if any forces
 /// can hold them: where friction jams them against each other Coulomb's law has answers that move them as well. The slow
 /// methods of the cone problem are for what nothing holds.
-pub(super) fn of_no_slip(
+pub(crate) fn of_no_slip(
     of: (&World, &[BodyState], &[Touch]),
     assembly: &Assembly,
     (blocks, delassus, constants): (&Blocks, &Delassus, &[f64]),

@@ -9,12 +9,12 @@
 //! An impact without a collision has the same impulses, but no approach: contacts slide, and no finite forces satisfy
 //! Coulomb's law (Painleve).
 
-use super::assembly::{Assembly, TangentRow};
-use super::friction_blocks::{push_contact, push_held, with_rotations};
-use super::resisted_rotation::ResistedRotation;
-use super::rotation_row::RotationRow;
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::collision::turn::Turn;
+use crate::rows::assembly::{Assembly, TangentRow};
+use crate::rows::friction_blocks::{push_contact, push_held, with_rotations};
+use crate::rows::resisted_rotation::ResistedRotation;
+use crate::rows::rotation_row::RotationRow;
 use crate::scene::{FrictionEllipse, ImpactLaw};
 use crate::world::{Loads, World};
 use polhode_contact::ContactGeometry;

@@ -1,6 +1,6 @@
 //! A rotation that friction of rolling or spinning resists, among the rows of a problem: a part of the block of its contact.
 //!
-//! Its rows are angular velocities times a length (`interaction/rotation_row.rs`), and its friction `c / l` bounds their reaction
+//! Its rows are angular velocities times a length (`rows/rotation_row.rs`), and its friction `c / l` bounds their reaction
 //! by a part of the normal one, as Coulomb's law bounds that of slip.
 
 use crate::collision::turn::Turn;

@@ -20,8 +20,8 @@
 //! do not converge, as where a slip presses its own contact, nothing is given back.
 
 use crate::collision::contact_set::ContactId;
-use crate::interaction::assembly::{TangentRow, apply_impulses};
-use crate::interaction::projection::{Removal, RemovedVelocities, project_velocities};
+use crate::rows::assembly::{TangentRow, apply_impulses};
+use crate::solve::projection::{Removal, RemovedVelocities, project_velocities};
 use crate::states_of::{set_states, states_of};
 use crate::world::World;
 use polhode_contact::ContactGeometry;

@@ -4,8 +4,8 @@
 //! stated for the rows of one contact together. Rows along and across a grain are scaled, so that their ellipse of friction
 //! becomes a circle (`crate::collision::friction_ellipse`).
 
-use super::resisted_rotation::ResistedRotation;
 use crate::collision::turn::Turn;
+use crate::rows::resisted_rotation::ResistedRotation;
 use crate::scene::FrictionEllipse;
 use polhode_response::friction::ContactStatus;
 use polhode_response::{Blocks, BlocksSolution, Law, Resistance, ResistedPart};

@@ -9,17 +9,17 @@
 //! and kinetic friction differ, the contacts that cannot stick under the static coefficient slide under the kinetic
 //! one, and the problem is solved again until no further contact begins to slide.
 
-use super::assembly::{Assembly, TangentRow};
-use super::cone_violation::RubbingForce;
-use super::friction_blocks::{direction_of, push_held, with_rotations};
-use super::frictional_contact::{Frictional, Sliding};
-use super::least_sliding_forces::{RowFriction, least_sliding_forces};
-use super::resisted_rotation::ResistedRotation;
-use super::rotation_row::RotationRow;
-use super::sticking_forces::{SLIDING_ROUNDING, STICKING_ACCELERATION, of_no_slip, rounding_of};
 use crate::collision::contact_set::{ContactId, Hold, Touch};
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::collision::turn::Turn;
+use crate::rows::assembly::{Assembly, TangentRow};
+use crate::rows::friction_blocks::{direction_of, push_held, with_rotations};
+use crate::rows::frictional_contact::{Frictional, Sliding};
+use crate::rows::resisted_rotation::ResistedRotation;
+use crate::rows::rotation_row::RotationRow;
+use crate::solve::cone_violation::RubbingForce;
+use crate::solve::least_sliding_forces::{RowFriction, least_sliding_forces};
+use crate::solve::sticking_forces::{SLIDING_ROUNDING, STICKING_ACCELERATION, of_no_slip, rounding_of};
 use crate::world::{Loads, World};
 use polhode_dynamics::BodyState;
 use polhode_response::friction::{ContactStatus, FrictionSettings};

@@ -11,7 +11,7 @@
 //! the impulse of a moment at an impact is bounded by the same length times the normal impulse.
 //!
 //! Method: rotations are rows `l w` of the block of their contact, with a length `l` of the pair: their reactions `M / l` are
-//! forces, and their friction is the number `c / l` (`interaction/rotation_row.rs`, `interaction/resisted_rotation.rs`). The solver finds slip, rolling and
+//! forces, and their friction is the number `c / l` (`rows/rotation_row.rs`, `rows/resisted_rotation.rs`). The solver finds slip, rolling and
 //! spinning together ([`polhode_response::friction::Law::Resist`]). A rotation that turns already has one row, along
 //! its direction.
 

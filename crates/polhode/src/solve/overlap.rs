@@ -8,9 +8,9 @@
 //! oscillate. Pivots remain in place, velocities are unchanged. A round moves bodies by at most `sqrt(d r)`, with the
 //! largest penetration d and the size r; the next round removes the remainder.
 
-use super::assembly::{Assembly, largest_change};
-use super::groups::groups;
 use crate::collision::contact_set::ContactId;
+use crate::rows::assembly::{Assembly, largest_change};
+use crate::rows::groups::groups;
 use crate::states_of::states_of;
 use crate::world::World;
 use polhode_contact::ContactGeometry;

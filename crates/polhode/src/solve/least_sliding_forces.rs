@@ -6,9 +6,9 @@
 //! sliding contact presses it more than its normal force lifts it (`G_nn - mu G_nt <= 0`, Painleve), the cone problem
 //! decides.
 
-use super::assembly::Assembly;
-use super::friction_blocks::push_contact;
 use crate::collision::contact_set::Touch;
+use crate::rows::assembly::Assembly;
+use crate::rows::friction_blocks::push_contact;
 use crate::scene::FrictionEllipse;
 use crate::world::World;
 use polhode_dynamics::BodyState;
@@ -32,7 +32,7 @@ const NO_MOMENT: f64 = 1e-9;
 const SHARED_NORMAL: f64 = 1e-10;
 
 /// Whether a tangential force is more than friction bears (both N).
-pub(super) fn exceeds_friction(tangential: f64, limit: f64) -> bool {
+pub(crate) fn exceeds_friction(tangential: f64, limit: f64) -> bool {
     tangential > limit * (1.0 + EXCEEDED)
 }
 

@@ -1,0 +1,23 @@
+//! What the rows of a group are solved for, in all tiers: forces at one instant, impulses of impacts, and the removal of drift.
+//! Whether there is friction is decided here, and nowhere above.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `accelerations` | forces and accelerations at one instant: which contacts hold, stick and slide |
+//! | `sticking_forces`, `least_sliding_forces` | those of contacts that all stick, and of some that slide |
+//! | `impact`, `frictional_impact` | impulses of an impact, and of one with friction |
+//! | `bounce_friction` | what ending bounces takes, with the friction that belongs to it |
+//! | `rotational_friction` | moments of rolling and spinning: their work and their support |
+//! | `projection`, `overlap` | projection of held contacts and joints; removal of penetration |
+//! | `cone_violation` | how far forces are from Coulomb's law |
+
+pub(crate) mod accelerations;
+pub(crate) mod bounce_friction;
+pub(crate) mod cone_violation;
+pub(crate) mod frictional_impact;
+pub(crate) mod impact;
+mod least_sliding_forces;
+pub(crate) mod overlap;
+pub(crate) mod projection;
+pub(crate) mod rotational_friction;
+mod sticking_forces;
