@@ -71,6 +71,7 @@ mod scene;
 mod stdout;
 mod terminal;
 mod text;
+mod threads;
 mod verbosity;
 mod view;
 mod viewpoint;

@@ -7,10 +7,11 @@ use crate::interrupt::Interrupt;
 use crate::progress::Progress;
 use crate::run_files::{RunFiles, is_stdout};
 use crate::scene::SceneText;
+use crate::threads::Threads;
 use crate::verbosity::{self, Verbosity};
 use crate::watch::Watch;
 use crate::{cost, scene, stdout, text};
-use polhode::{Outcome, RunReport, Simulation, Threads};
+use polhode::{Outcome, RunReport, Simulation};
 use polhode_scene::{Checkpoint, LoadedScene, scene_report_json};
 use serde_json::json;
 use std::io::IsTerminal;
@@ -96,7 +97,7 @@ fn restored(args: &ResumeArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
 
 /// The threads that compute islands.
 fn threads(args: &RunOutputArgs) -> Arc<Threads> {
-    Arc::new(Threads::new(args.threads))
+    Arc::new(Threads(args.threads))
 }
 
 /// How the report is told.

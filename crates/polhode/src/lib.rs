@@ -117,7 +117,7 @@
 //! | [`mod@plan`] | [`Plan`]: the decision about each [`Effect`], with its reason; [`Effects`] |
 //! | `simulation` | [`Simulation`]: steps, runs, queries, snapshots |
 //! | `actions` | what a program does to bodies: [`Simulation::set_force`], [`Simulation::apply_impulse`], [`Simulation::set_pose`], [`Simulation::add_body`] and others |
-//! | [`mod@executor`] | [`Executor`], [`Threads`]: who computes islands that do not depend on each other |
+//! | [`mod@executor`] | [`Executor`], [`OneThread`]: who computes islands that do not depend on each other |
 //! | `steering` | [`Simulation::set_motion`]: kinematic bodies that a program steers |
 //! | [`mod@observer`] | [`Observer`], [`Recorder`], [`Unobserved`]: who receives samples and events |
 //! | [`mod@event`] | [`Event`], [`EventKind`] |
@@ -207,7 +207,7 @@ pub use effects::Effects;
 pub use energy::Energy;
 pub use error::SimulationError;
 pub use event::{Event, EventKind};
-pub use executor::{Executor, Task, Threads};
+pub use executor::{Executor, OneThread, Task};
 pub use frame::{ContactView, Frame, IslandView, MotionKind, PivotView};
 pub use ledger::Ledger;
 pub use momentum_ledger::{Momentum, MomentumLedger, MomentumSum};

@@ -6,7 +6,7 @@ use crate::accounting::last_sample::LastSample;
 use crate::body_queries::BodyQueries;
 use crate::companion::Companion;
 use crate::core::Core;
-use crate::executor::{Executor, Threads};
+use crate::executor::{Executor, OneThread};
 use crate::frame::{ContactView, Frame, IslandView, PivotView};
 use crate::free_method;
 use crate::observer::{BodySample, Flow, Observer};
@@ -114,7 +114,7 @@ impl Simulation {
         world.confine_to_plane(planar.plane, &mut states);
         let accounts = Accounts::open(&world, &states);
         let (solver, last_sample) = (ComplementaritySolver::default(), LastSample::default());
-        let executor = Arc::new(Threads::default());
+        let executor = Arc::new(OneThread);
         let mut core = Core { world, settings, effects, t: 0.0, accounts, solver, executor, last_sample };
         for what in separated.into_iter().chain(scene.warnings()) {
             core.accounts.warn(0.0, what);
@@ -151,15 +151,7 @@ impl Simulation {
     }
 
     /// Lets `executor` compute what does not depend on each other: in tier `stepped` the islands of a step. The motion has the
-    /// same bits for every executor. At first it is the thread of the caller ([`Threads`]).
-    ///
-    /// ```
-    /// use polhode::{Effects, Scene, Simulation, Threads};
-    /// use std::sync::Arc;
-    /// let mut simulation = Simulation::new(&Scene::builder("empty").build()?, Effects::Planned)?;
-    /// simulation.set_executor(Arc::new(Threads::new(std::thread::available_parallelism()?)));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
+    /// same bits for every executor. At first it is the thread of the caller ([`OneThread`]).
     pub fn set_executor(&mut self, executor: Arc<dyn Executor>) {
         self.core.executor = executor;
     }

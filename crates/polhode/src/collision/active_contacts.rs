@@ -3,7 +3,7 @@
 use super::contact_modes::ContactModes;
 use super::contact_set::{ContactId, Touch};
 use super::friction_mode::{FrictionMode, Slide};
-use super::turn::Turn;
+use super::turn::{RotationModes, Turn};
 use crate::world::World;
 use polhode_dynamics::BodyState;
 
@@ -91,9 +91,29 @@ impl ActiveContacts {
     /// step.
     pub(crate) fn renew_directions(&mut self, world: &World, states: &[BodyState]) {
         for (&id, modes) in self.held.iter().zip(&mut self.modes) {
-            modes.renew(world, states, id);
+            renew(modes, world, states, id);
         }
     }
+}
+
+/// Gives what slides or turns at a contact the direction and speed of its slip in these states.
+fn renew(modes: &mut ContactModes, world: &World, states: &[BodyState], id: ContactId) {
+    if let Some(FrictionMode::Sliding(slide)) = &mut modes.friction
+        && let Some(terms) = world.tangential_kinematics(states, id)
+    {
+        *slide = slide.renewed(terms.slip_velocity);
+    }
+    if modes.rotation.is_empty() {
+        return;
+    }
+    let Some(kinematics) = world.kinematics(states, id) else { return };
+    let (rotation, before) = (world.relative_rotation(states, id), modes.rotation);
+    modes.rotation = RotationModes::of(|turn| match before.get(turn)? {
+        FrictionMode::Sticking => Some(FrictionMode::Sticking),
+        FrictionMode::Sliding(slide) => {
+            Some(FrictionMode::Sliding(slide.renewed(turn.part(rotation, kinematics.geometry.normal))))
+        }
+    });
 }
 
 impl<'a> FromIterator<&'a Touch> for ActiveContacts {
