@@ -239,7 +239,7 @@ fn go_on(
 ) -> Result<RunReport, Failure> {
     loop {
         watch.stop_s = checkpoints.next_s(simulation.time());
-        let report = simulation.run(watch).map_err(|error| scene::failed(loaded, error))?;
+        let report = simulation.run_observed(watch).map_err(|error| scene::failed(loaded, error))?;
         // A run that has broken a promise says so whether it has ended or not.
         let has_ended = report.outcome == Outcome::Completed || simulation.time() >= loaded.scene.duration_s();
         let is_due = !has_ended && simulation.time() >= watch.stop_s;

@@ -14,7 +14,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use polhode::contact::Shape;
 use polhode::scene::{Joint, Material, PrescribedMotion};
 use polhode::spatial::{DVec3, Density, Inertia, Mass, MassProperties, Pose, UnitVector, Velocity};
-use polhode::{Body, Effects, Geometry, Scene, SceneBuilder, Simulation, Unobserved, mesh};
+use polhode::{Body, Effects, Geometry, Scene, SceneBuilder, Simulation, mesh};
 use std::hint::black_box;
 
 fn floor() -> Body {
@@ -92,7 +92,7 @@ fn pushed_box() -> Option<Scene> {
 
 /// Prepares and runs a scene. Returns whether the run reached its end.
 fn run(scene: &Scene, effects: Effects) -> bool {
-    Simulation::new(scene, effects).and_then(|mut simulation| simulation.run(&mut Unobserved)).is_ok()
+    Simulation::with_effects(scene, effects).and_then(|mut simulation| simulation.run()).is_ok()
 }
 
 fn scenes(criterion: &mut Criterion) {

@@ -4,7 +4,7 @@ use polhode::contact::Shape;
 use polhode::mesh::solid_box;
 use polhode::scene::Material;
 use polhode::spatial::{DVec3, Mass, Pose, UnitVector};
-use polhode::{Body, BodySample, Effects, Event, EventKind, Observer, Scene, Simulation};
+use polhode::{Body, BodySample, Event, EventKind, Observer, Scene, Simulation};
 
 /// Counts impacts.
 #[derive(Default)]
@@ -32,9 +32,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .material(rubber);
     let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
     let scene = Scene::builder("bouncing-brick").body(floor).body(brick).duration_s(3.0).build()?;
-    let mut simulation = Simulation::new(&scene, Effects::Planned)?;
+    let mut simulation = Simulation::new(&scene)?;
     let mut listener = Listener::default();
-    simulation.run(&mut listener)?;
+    simulation.run_observed(&mut listener)?;
     // At rest the contacts bear the weight: only their sum is unique.
     let force: f64 = simulation.contacts().iter().map(|contact| contact.normal_force_n).sum();
     println!("{} impacts, then {} contacts bear {force:.9} N", listener.impacts, simulation.contacts().len());

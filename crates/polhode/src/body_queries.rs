@@ -13,14 +13,14 @@ use polhode_spatial::{DVec3, Pose};
 /// ```
 /// use polhode::contact::{Ray, Shape};
 /// use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, UnitVector};
-/// use polhode::{Body, Effects, Geometry, Scene, Simulation, Unobserved};
+/// use polhode::{Body, Geometry, Scene, Simulation};
 /// let properties = MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, Inertia::from_diagonal(DVec3::splat(0.1))?);
 /// let ball = Body::movable("ball", properties).geometry(Geometry::Shape(Shape::sphere(0.5)?));
 /// let floor = Body::fixed("floor").geometry(Geometry::Shape(Shape::half_space(UnitVector::Z)));
 /// let scene = Scene::builder("drop").duration_s(1.0).body(floor);
 /// let scene = scene.body(ball.pose(Pose::from_translation(DVec3::Z * 3.0))).build()?;
-/// let mut simulation = Simulation::new(&scene, Effects::Planned)?;
-/// simulation.run(&mut Unobserved)?;
+/// let mut simulation = Simulation::new(&scene)?;
+/// simulation.run()?;
 ///
 /// let queries = simulation.queries()?;
 /// let ray = Ray::new(DVec3::Z * 9.0, UnitVector::new(-DVec3::Z)?)?;

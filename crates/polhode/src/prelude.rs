@@ -8,11 +8,11 @@
 //!     .body(Body::movable("door", slab).pose(Pose::from_translation(DVec3::X * 0.4)))
 //!     .joint(Joint::hinge(0, DVec3::ZERO, UnitVector::Z))
 //!     .build()?;
-//! let mut simulation = Simulation::new(&scene, Effects::Planned)?;
+//! let mut simulation = Simulation::new(&scene)?;
 //! let door = simulation.body_id("door").ok_or("no body of this name")?;
 //! simulation.apply_impulse(door, DVec3::Y * 5.0, DVec3::X * 0.8)?;
 //! let rate = simulation.body(door).velocity.angular.z;
-//! simulation.advance_to(std::f64::consts::TAU / rate, &mut Unobserved)?;
+//! simulation.advance_to(std::f64::consts::TAU / rate)?;
 //! assert!((simulation.body(door).pose.translation - DVec3::X * 0.4).length() < 1e-9);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

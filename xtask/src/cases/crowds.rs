@@ -15,7 +15,7 @@ use polhode::contact::Shape;
 use polhode::mesh::{Cone, Cylinder, Primitive, solid_box};
 use polhode::scene::{Material, Method};
 use polhode::spatial::{Mass, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, BodySample, CrowdingError, Effects, Observer, Outcome, RunReport, Scene, Simulation};
+use polhode::{Body, BodySample, CrowdingError, Observer, Outcome, RunReport, Scene, Simulation};
 use std::error::Error;
 
 /// Random scenes with `--full`.
@@ -185,7 +185,7 @@ impl Observer for Penetration<'_> {
 
 /// What a run of a scene gives.
 fn run(scene: &Scene, observer: &mut dyn Observer) -> Result<RunReport, Box<dyn Error>> {
-    Ok(Simulation::new(scene, Effects::Planned)?.run(observer)?)
+    Ok(Simulation::new(scene)?.run_observed(observer)?)
 }
 
 /// Every shipped scene that crowds, and some random ones, with several output intervals: the last states are the same.

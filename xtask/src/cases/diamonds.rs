@@ -79,7 +79,7 @@ fn accelerations(context: &Context, case: &str, sides: Sides) -> CaseResult {
     const MIRROR: f64 = 1e-10;
     let m = 5;
     let scene = diamond(m, sides, 1.0)?;
-    let all = Simulation::new(&scene, Effects::Planned)?.accelerations()?;
+    let all = Simulation::new(&scene)?.accelerations()?;
     let bricks = &all[1..];
     let mut rows = Vec::new();
     let (mut power, mut asymmetry) = (0.0, 0.0f64);
@@ -148,7 +148,7 @@ pub(super) fn falls_symmetrically(_context: &Context) -> CaseResult {
     let case = "diamond-5 falls";
     let scene = diamond(5, Sides::Collide, 1.0)?;
     let mut watch = Fall { scene: &scene, start: Vec::new(), fallen: false, mirror_error_m: 0.0 };
-    let report = Simulation::new(&scene, Effects::Planned)?.run(&mut watch)?;
+    let report = Simulation::new(&scene)?.run_observed(&mut watch)?;
     Ok(vec![
         Row::exact(case, "a brick moves more than 0.5 m within 1 s", true, watch.fallen),
         Row::at_most(case, "mirror error until then, m", MIRROR_ERROR_M, watch.mirror_error_m),

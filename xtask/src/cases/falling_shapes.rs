@@ -169,7 +169,7 @@ pub(super) fn times(_: &Context) -> CaseResult {
             let case = "falling shapes";
             let scene = Scene::builder("fall").body(floor).body(falling.body()?).duration_s(1.02 * expected).build()?;
             let mut record = Recorder::default();
-            let report = match Simulation::new(&scene, Effects::Planned)?.run(&mut record) {
+            let report = match Simulation::new(&scene)?.run_observed(&mut record) {
                 Ok(report) => report,
                 Err(error) => {
                     rows.push(Row::broken(case, &format!("{} on {name}: runs", falling.name), error.to_string()));

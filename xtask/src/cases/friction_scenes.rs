@@ -16,7 +16,7 @@ use super::run::Run;
 use super::{CaseResult, Context};
 use crate::row::{Row, Tolerance};
 use glam::DVec3;
-use polhode::{Body, BodySample, Effects, EventKind, Scene, Simulation, Unobserved};
+use polhode::{Body, BodySample, EventKind, Scene, Simulation};
 use polhode_scene::{Override, load_with};
 use std::error::Error;
 
@@ -62,7 +62,7 @@ fn ladders(context: &Context) -> CaseResult {
             let needed = threshold(MOST_FRICTION, LEAST_FRICTION, |friction| {
                 let scene = with_friction(friction)?;
                 let (index, _) = body_of(&scene, name)?;
-                let accelerations = Simulation::new(&scene, Effects::Planned)?.accelerations()?;
+                let accelerations = Simulation::new(&scene)?.accelerations()?;
                 let a = accelerations.get(index).ok_or("no acceleration")?;
                 Ok(a.linear.length() <= EQUILIBRIUM && a.angular.length() <= EQUILIBRIUM)
             })?;
@@ -94,7 +94,7 @@ fn friction_by_statics(scene: &Scene, name: &str) -> Result<f64, Box<dyn Error>>
     let body = body_of(scene, name)?.1;
     let properties = body.mass_properties().ok_or("no mass")?;
     let center = body.initial_pose().transform_point(properties.center_of_mass());
-    let simulation = Simulation::new(scene, Effects::Planned)?;
+    let simulation = Simulation::new(scene)?;
     let id = simulation.body_id(name).ok_or("no such body")?;
     let contacts = simulation.contacts();
     let points = contacts.iter().filter(|contact| contact.body_a == id || contact.body_b == id);
@@ -267,7 +267,7 @@ fn tower(context: &Context) -> CaseResult {
     let scene = whole_tower()?;
     let blocks = scene.bodies().iter().filter(|body| body.mass_properties().is_some()).count();
     let whole = format!("SimBenchmark's tower of {blocks} blocks: movement in {TOWER_S} s, m");
-    let report = Simulation::new(&scene, Effects::Planned)?.run(&mut Unobserved)?;
+    let report = Simulation::new(&scene)?.run()?;
     let moved = scene.bodies().iter().zip(&report.bodies);
     let moved = moved.map(|(body, (_, end))| (end.pose.translation - body.initial_pose().translation).length());
     Ok(vec![

@@ -12,7 +12,7 @@ use polhode::contact::Shape;
 use polhode::mesh::solid_sphere;
 use polhode::scene::{Force, Frame, Material, PairRule, PrescribedMotion, Signal};
 use polhode::spatial::{Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Effects, Scene, Simulation};
+use polhode::{Body, Scene, Simulation};
 use std::error::Error;
 
 /// Tolerance of thresholds, as in the catalogue of cases.
@@ -154,7 +154,7 @@ pub(super) fn fc_14(context: &Context) -> CaseResult {
         threshold(1.0, 0.01, |friction| is_in_equilibrium(&card_house(card, lean, friction)?))
     };
     let scene = card_house(Card::Rod, 15.0f64.to_radians(), 0.5)?;
-    let simulation = Simulation::new(&scene, Effects::Planned)?;
+    let simulation = Simulation::new(&scene)?;
     let between = simulation.contacts().into_iter().filter(|contact| contact.body_b.index() < 2);
     let push: f64 = between.map(|contact| contact.normal_force_n).sum();
     let mut rows = vec![
@@ -275,8 +275,8 @@ pub(super) fn fc_15(context: &Context) -> CaseResult {
     "least friction that nips a ball between plates".clone_into(&mut roller.quantity);
     let mut wedge = context.reference.row("FC-15", "tan(10deg)", locks(true)?)?;
     "least friction that locks a wedge".clone_into(&mut wedge.quantity);
-    let mut simulation = Simulation::new(&driven_wedge(half, 0.1, 1.0)?, Effects::Planned)?;
-    simulation.advance_to(0.05, &mut polhode::Unobserved)?;
+    let mut simulation = Simulation::new(&driven_wedge(half, 0.1, 1.0)?)?;
+    simulation.advance_to(0.05)?;
     let at_left = simulation.contacts().into_iter().filter(|contact| contact.normal.x > 0.0);
     let force: f64 = at_left.map(|contact| contact.normal_force_n).sum();
     Ok(vec![

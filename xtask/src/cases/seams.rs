@@ -12,7 +12,7 @@ use glam::DVec3;
 use polhode::contact::{ConvexPolyhedron, Shape};
 use polhode::scene::Material;
 use polhode::spatial::{Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Effects, Outcome, Scene, Simulation, Unobserved};
+use polhode::{Body, Outcome, Scene, Simulation};
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
 
@@ -113,7 +113,7 @@ fn change(under: Vec<Body>, slider: &Slider, velocity: DVec3, way: f64) -> Resul
         scene = scene.body(body);
     }
     let scene = scene.body(slider.body(start, velocity)?).build()?;
-    let report = Simulation::new(&scene, Effects::Planned)?.run(&mut Unobserved)?;
+    let report = Simulation::new(&scene)?.run()?;
     let end = report.bodies.last().ok_or("no body")?.1.velocity.linear;
     let is_kept = report.outcome == Outcome::Completed;
     Ok(if is_kept { (end - velocity).length() / velocity.length() } else { f64::INFINITY })
@@ -247,7 +247,7 @@ pub(super) fn friction(_: &Context) -> CaseResult {
             for body in under {
                 scene = scene.body(body.material(rough.clone()));
             }
-            let report = Simulation::new(&scene.body(body).build()?, Effects::Planned)?.run(&mut Unobserved)?;
+            let report = Simulation::new(&scene.body(body).build()?)?.run()?;
             let last = report.bodies.last().ok_or("no body")?.1;
             Ok([last.pose.translation, last.velocity.linear])
         };

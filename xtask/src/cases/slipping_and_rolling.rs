@@ -15,7 +15,7 @@ use polhode::contact::Shape;
 use polhode::mesh::solid_sphere;
 use polhode::scene::{Force, Frame, PairRule, PrescribedMotion, Signal};
 use polhode::spatial::{Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, BodySample, Effects, Scene, Simulation, Unobserved};
+use polhode::{Body, BodySample, Effects, Scene, Simulation};
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
 
@@ -320,12 +320,12 @@ fn rolling_error(direction: DVec3) -> Result<f64, Box<dyn Error>> {
     let box_rate = (pull - ground_force - count * ball_force) / box_mass;
     let ball_rate = ball_force / ball_mass;
     let scene = rolling_scene(direction * pull)?;
-    let mut simulation = Simulation::new(&scene, Effects::Planned)?;
+    let mut simulation = Simulation::new(&scene)?;
     let mut sum = 0.0;
     let steps = 4000;
     for step in 1..=steps {
         let t = f64::from(step) * SAMPLE_S;
-        simulation.advance_to(t, &mut Unobserved)?;
+        simulation.advance_to(t)?;
         let bodies = simulation.bodies();
         let [carrier, ball, ..] = bodies.as_slice() else { return Err("no bodies".into()) };
         sum += (ball.velocity.linear - direction * (ball_rate * t)).length_squared();

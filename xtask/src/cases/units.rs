@@ -8,7 +8,7 @@ use super::{Amount, CaseResult, Context};
 use crate::random_scene::generate;
 use crate::row::Row;
 use crate::scene_units::Units;
-use polhode::{BodySample, Effects, Recorder, Simulation};
+use polhode::{BodySample, Recorder, Simulation};
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
@@ -27,7 +27,7 @@ fn samples(path: &Path, units: Units, most_s: f64) -> Result<Recorder, Box<dyn E
     let text = units.text(&std::fs::read_to_string(path)?, most_s)?;
     let loaded = polhode_scene::load_text(&path.display().to_string(), &text, &[])?;
     let mut record = Recorder::default();
-    Simulation::new(&loaded.scene, Effects::Planned)?.run(&mut record)?;
+    Simulation::new(&loaded.scene)?.run_observed(&mut record)?;
     Ok(record)
 }
 

@@ -75,9 +75,9 @@ impl<'a> Source<'a> {
     /// # Errors
     /// Why the run failed, in a line.
     pub(crate) fn run(&self, scene: &Scene, observer: &mut dyn Observer) -> Result<(RunReport, Duration), String> {
-        let mut simulation = Simulation::new(scene, self.effects).map_err(|error| error.to_string())?;
+        let mut simulation = Simulation::with_effects(scene, self.effects).map_err(|error| error.to_string())?;
         let started = Instant::now();
-        let report = simulation.run(observer).map_err(|error| error.to_string())?;
+        let report = simulation.run_observed(observer).map_err(|error| error.to_string())?;
         Ok((report, started.elapsed()))
     }
 }

@@ -6,7 +6,7 @@ use base64::engine::general_purpose::STANDARD;
 use polhode::contact::Shape;
 use polhode::mesh::solid_box;
 use polhode::spatial::{DVec3, Mass, Pose, UnitVector, Velocity};
-use polhode::{Body, BodySample, Effects, Observer, Recorder, Scene, Simulation};
+use polhode::{Body, BodySample, Observer, Recorder, Scene, Simulation};
 use polhode_view::{FrameSource, Page, ViewError};
 use serde_json::Value;
 
@@ -38,7 +38,7 @@ fn falling() -> Scene {
 fn page_of(scene: &Scene) -> String {
     let page = Page::begin(Vec::new(), scene.name(), "").unwrap();
     let mut run = page.begin_run(scene, "run", FrameSource::Simulation).unwrap();
-    Simulation::new(scene, Effects::Planned).unwrap().run(&mut run).unwrap();
+    Simulation::new(scene).unwrap().run_observed(&mut run).unwrap();
     String::from_utf8(run.end("completed").unwrap().finish(&Value::Null).unwrap()).unwrap()
 }
 
@@ -58,7 +58,7 @@ fn numbers(value: &Value) -> Vec<f64> {
 fn frames_are_those_of_the_run() {
     let scene = tumbling(5, 8.0);
     let mut recorder = Recorder::default();
-    Simulation::new(&scene, Effects::Planned).unwrap().run(&mut recorder).unwrap();
+    Simulation::new(&scene).unwrap().run_observed(&mut recorder).unwrap();
     let page = page_of(&scene);
     let show: Value = serde_json::from_str(element(&page, "polhode-show")).unwrap();
     let frames = &show["runs"][0]["frames"];
@@ -123,7 +123,7 @@ fn thinning() {
     let scene = falling();
     let page = Page::begin(Vec::new(), "x", "").unwrap();
     let mut run = page.begin_run(&scene, "run", FrameSource::Simulation).unwrap().with_least_interval(0.3);
-    Simulation::new(&scene, Effects::Planned).unwrap().run(&mut run).unwrap();
+    Simulation::new(&scene).unwrap().run_observed(&mut run).unwrap();
     let page = String::from_utf8(run.end("completed").unwrap().finish(&Value::Null).unwrap()).unwrap();
     let show: Value = serde_json::from_str(element(&page, "polhode-show")).unwrap();
     let times = numbers(&show["runs"][0]["frames"]["times"]);

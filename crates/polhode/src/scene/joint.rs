@@ -61,7 +61,7 @@ impl JointKind {
 /// use polhode::mesh::solid_box;
 /// use polhode::scene::Joint;
 /// use polhode::spatial::{DVec3, Mass, Pose, UnitVector};
-/// use polhode::{Body, Effects, Scene, Simulation, Unobserved};
+/// use polhode::{Body, Scene, Simulation};
 /// // Two rods of 1 m hang at each other, the upper one at the origin, and are let go level: a double pendulum.
 /// let rod = |name: &str, x: f64| -> Result<Body, Box<dyn std::error::Error>> {
 ///     let size = DVec3::new(1.0, 0.02, 0.02);
@@ -73,8 +73,8 @@ impl JointKind {
 ///     .joint(Joint::hinge(0, DVec3::ZERO, UnitVector::Y))
 ///     .joint(Joint::hinge(0, DVec3::X, UnitVector::Y).with(1))
 ///     .build()?;
-/// let mut simulation = Simulation::new(&scene, Effects::Planned)?;
-/// simulation.advance_to(0.5, &mut Unobserved)?;
+/// let mut simulation = Simulation::new(&scene)?;
+/// simulation.advance_to(0.5)?;
 /// assert!(simulation.bodies()[0].pose.translation.z < -0.4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -5,7 +5,7 @@ use polhode::dynamics::integrator::Method as Integrator;
 use polhode::observer::Flow;
 use polhode::scene::Method;
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Velocity};
-use polhode::{Body, BodySample, Effects, Event, Observer, Recorder, RunReport, Scene, Simulation, SimulationError};
+use polhode::{Body, BodySample, Event, Observer, Recorder, RunReport, Scene, Simulation, SimulationError};
 
 /// The largest closure error of a ledger, relative to its scale: compensated sums leave some roundings.
 pub(crate) const CLOSURE: f64 = 1e-12;
@@ -95,6 +95,6 @@ impl Observer for Budget {
 /// Runs a scene for at most so many steps. Returns the error of a scene that is refused or of a run that fails.
 pub(crate) fn try_run(scene: &Scene, steps: u32) -> Result<(RunReport, Recorder), SimulationError> {
     let mut budget = Budget { recorder: Recorder::default(), steps_left: steps };
-    let report = Simulation::new(scene, Effects::Planned)?.run(&mut budget)?;
+    let report = Simulation::new(scene)?.run_observed(&mut budget)?;
     Ok((report, budget.recorder))
 }

@@ -6,7 +6,7 @@ use polhode::contact::Shape;
 use polhode::dynamics::integrator::Method as Integrator;
 use polhode::scene::Method;
 use polhode::spatial::{DVec3, Mass, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Effects, EventKind, Geometry, RunReport, Scene, Simulation, Unobserved};
+use polhode::{Body, Effects, EventKind, Geometry, RunReport, Scene, Simulation};
 
 /// The error of the final pose of a body against a run at a tighter tolerance: the sum of m and rad.
 fn error_of(report: &RunReport, reference: &RunReport, body: usize) -> f64 {
@@ -130,11 +130,11 @@ fn rk4_topples_a_stack() {
     });
     assert!(errors[1] < 1e-7 && errors[0] / errors[1] > 30.0, "{errors:?}");
     let scene = scene(by(Integrator::Rk4, 0.01));
-    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
-    simulation.advance_to(0.2345, &mut Unobserved).unwrap();
-    let mut other = Simulation::new(&scene, Effects::Planned).unwrap();
+    let mut simulation = Simulation::new(&scene).unwrap();
+    simulation.advance_to(0.2345).unwrap();
+    let mut other = Simulation::new(&scene).unwrap();
     other.restore(&simulation.snapshot()).unwrap();
-    let (one, two) = (simulation.run(&mut Unobserved).unwrap(), other.run(&mut Unobserved).unwrap());
+    let (one, two) = (simulation.run().unwrap(), other.run().unwrap());
     assert_eq!(one.bodies, two.bodies);
     assert_eq!(one.bodies, run(&scene, Effects::Planned).0.bodies);
 }
@@ -142,7 +142,7 @@ fn rk4_topples_a_stack() {
 /// The plan names the method that integrates constrained motion.
 #[test]
 fn the_plan_names_the_method_of_constrained_motion() {
-    let plan = Simulation::new(&ring(by(Integrator::Rk4, 0.01)), Effects::Planned).unwrap().plan().clone();
+    let plan = Simulation::new(&ring(by(Integrator::Rk4, 0.01))).unwrap().plan().clone();
     assert_eq!(plan.integrator, Integrator::Rk4);
     assert!(plan.integrator_reason.contains("at every stage"), "{}", plan.integrator_reason);
 }

@@ -9,9 +9,7 @@ use crate::support::{ball, brick, floor, run_even_degraded};
 use polhode::contact::Shape;
 use polhode::scene::{Attachment, DragLaw, Force, Integrator, Method, Tier};
 use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
-use polhode::{
-    Body, Effects, Geometry, Outcome, RunReport, Scene, SceneBuilder, Simulation, SimulationError, Unobserved,
-};
+use polhode::{Body, Effects, Geometry, Outcome, RunReport, Scene, SceneBuilder, Simulation, SimulationError};
 
 const G: f64 = 9.81;
 
@@ -166,7 +164,7 @@ fn a_run_that_blows_up_is_degraded_and_says_which_step_would_do() {
             };
             let scene = alone(spring.clone(), mass, DVec3::Z * 1e-3, DVec3::ZERO, DVec3::ZERO).duration_s(0.05);
             let built = scene.clone().method(by(step)).build().unwrap();
-            let Ok(report) = Simulation::new(&built, Effects::Planned).unwrap().run(&mut Unobserved) else { continue };
+            let Ok(report) = Simulation::new(&built).unwrap().run() else { continue };
             let what = format!("{integrator:?} {tier:?}: {:?}", report.warnings);
             assert_eq!(report.outcome, Outcome::Degraded, "{what}");
             let said = report.warnings.iter().find(|warning| warning.contains("would do")).expect(&what);
@@ -190,9 +188,9 @@ fn queries_of_accelerations_and_forces_have_friction() {
     for method in [stepped(1e-3), Method { tier: Some(Tier::Accurate), ..Method::default() }] {
         let (scene, up) = thrown_up(slope, 0.4, (1.0, 1.0), 0.0);
         let scene = scene.duration_s(1.0).method(method.clone()).build().unwrap();
-        let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+        let mut simulation = Simulation::new(&scene).unwrap();
         for t in [0.0, 1e-3, 0.5] {
-            simulation.advance_to(t, &mut Unobserved).unwrap();
+            simulation.advance_to(t).unwrap();
             let found = simulation.accelerations().unwrap()[1];
             assert!(found.linear.length() < 1e-11 && found.angular.length() < 1e-10, "{t}: {found:?}");
             let on_box = |contact: &polhode::ContactView| {
@@ -204,9 +202,9 @@ fn queries_of_accelerations_and_forces_have_friction() {
         }
         let (scene, _) = thrown_up(slope, 0.4, (0.2, 0.2), -1.0);
         let scene = scene.duration_s(1.0).method(method).build().unwrap();
-        let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+        let mut simulation = Simulation::new(&scene).unwrap();
         for t in [0.0, 0.25] {
-            simulation.advance_to(t, &mut Unobserved).unwrap();
+            simulation.advance_to(t).unwrap();
             let found = simulation.accelerations().unwrap()[1].linear;
             let exact = up * -(G * (slope.sin() - 0.2 * slope.cos()));
             assert!((found - exact).length() < 1e-9, "{t}: {found} {exact}");
@@ -222,7 +220,7 @@ fn every_tier_refuses_a_start_with_overlap() {
     let scene = scene.body(brick("b", DVec3::splat(0.2), DVec3::Z * 0.28)).build().unwrap();
     let refused = [Tier::Accurate, Tier::Stepped, Tier::Thesis].map(|tier| {
         let scene = scene.clone().with_method(Method { tier: Some(tier), ..Method::default() });
-        let error = Simulation::new(&scene, Effects::Planned).unwrap_err();
+        let error = Simulation::new(&scene).unwrap_err();
         assert!(matches!(error, SimulationError::Scene(_)), "{error}");
         error.to_string()
     });

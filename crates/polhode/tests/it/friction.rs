@@ -8,7 +8,7 @@ use crate::support::{accurate, ball, brick, run};
 use polhode::contact::Shape;
 use polhode::scene::{Force, Frame, Material, Method, Signal};
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation, SplitMix64, UnitVector, Velocity};
-use polhode::{Body, Decision, Effect, Effects, Recorder, RunReport, Scene, SceneBuilder, Simulation, Unobserved};
+use polhode::{Body, Decision, Effect, Effects, Recorder, RunReport, Scene, SceneBuilder, Simulation};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 const G: f64 = 9.81;
@@ -62,10 +62,10 @@ fn push(force: DVec3, signal: Signal) -> Force {
 
 /// The times at which steps of a run ended at events, s.
 fn events_of(scene: &Scene) -> Vec<f64> {
-    let mut simulation = Simulation::new(scene, Effects::Planned).unwrap();
+    let mut simulation = Simulation::new(scene).unwrap();
     let mut found = Vec::new();
     while simulation.time() < scene.duration_s() {
-        let outcome = simulation.step(&mut Unobserved).unwrap();
+        let outcome = simulation.step().unwrap();
         if outcome.is_event() {
             found.push(outcome.t_s);
         }
@@ -110,7 +110,7 @@ fn plan_knows_friction() {
     for (friction, expected) in [(0.0, Decision::Off), (0.3, Decision::On)] {
         let scene =
             on_slope(Rotation::IDENTITY, lying(DVec3::ONE, 0.0, DVec3::ZERO), &rough(friction)).build().unwrap();
-        let simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+        let simulation = Simulation::new(&scene).unwrap();
         let friction = simulation.plan().effects.iter().find(|effect| effect.effect == Effect::Friction).unwrap();
         assert_eq!(friction.decision, expected, "{}", friction.fact);
     }
@@ -328,7 +328,7 @@ fn tall_box_tips_over_its_edge() {
         let turn = slope(angle, 0.0);
         let body = lying(DVec3::new(width, 0.4, height), 0.0, DVec3::ZERO);
         let scene = on_slope(turn, body, &rough(2.0)).duration_s(0.3).build().unwrap();
-        let first = Simulation::new(&scene, Effects::Planned).unwrap().accelerations().unwrap()[0].angular;
+        let first = Simulation::new(&scene).unwrap().accelerations().unwrap()[0].angular;
         let (report, recorder) = run(&scene, Effects::Planned);
         assert_closes(&report);
         // The lower edge stays where it is.

@@ -9,7 +9,7 @@ use polhode::contact::Shape;
 use polhode::mesh::solid_box;
 use polhode::scene::{Force, Frame, Material, Signal};
 use polhode::spatial::{DVec3, Mass, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Effects, EventKind, Scene, Simulation, Unobserved};
+use polhode::{Body, Effects, EventKind, Scene, Simulation};
 
 const G: f64 = 9.81;
 
@@ -43,9 +43,9 @@ fn static_friction_holds_a_box_on_a_slope_in_time_steps() {
     let material = sticky(1.01 * angle.tan(), 0.3);
     let body = lying(DVec3::new(1.0, 0.7, 0.4), 0.5, DVec3::ZERO);
     let scene = on_slope(slope(angle, 0.3), body, &material).method(stepped(1e-3)).duration_s(0.5).build().unwrap();
-    let start = Simulation::new(&scene, Effects::Planned).unwrap().bodies()[0].pose.translation;
-    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
-    simulation.advance_to(0.5, &mut Unobserved).unwrap();
+    let start = Simulation::new(&scene).unwrap().bodies()[0].pose.translation;
+    let mut simulation = Simulation::new(&scene).unwrap();
+    simulation.advance_to(0.5).unwrap();
     let moved = (simulation.bodies()[0].pose.translation - start).length();
     assert!(moved < 1e-9, "{moved:e} m");
 }
@@ -219,7 +219,7 @@ fn a_bridge_that_gives_way_at_many_joints_begins_to_fall() {
         let body = body.geometry(Shape::cuboid(size).unwrap().into()).pose(pose);
         scene = scene.body(body.material(material.clone()));
     }
-    let mut simulation = Simulation::new(&scene.build().unwrap(), Effects::Planned).unwrap();
+    let mut simulation = Simulation::new(&scene.build().unwrap()).unwrap();
     let accelerations = simulation.accelerations().unwrap();
     let fastest = accelerations.iter().fold(0.0f64, |most, a| most.max(a.linear.length()));
     assert!((0.01..G).contains(&fastest), "{fastest} m/s^2");

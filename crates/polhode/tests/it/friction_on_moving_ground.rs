@@ -6,7 +6,7 @@ use crate::support::{accurate, ball, brick, floor, run};
 use polhode::contact::Shape;
 use polhode::scene::{Force, Frame, Material, PairRule, PrescribedMotion, Signal};
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Effects, Scene, Simulation, Unobserved};
+use polhode::{Body, Effects, Scene, Simulation};
 
 const G: f64 = 9.81;
 
@@ -164,11 +164,11 @@ fn box_under_rolling_balls_is_pulled() {
         let ground = 0.4 * (box_mass + count * ball_mass) * G;
         let on_balls = (pull - ground) / box_mass / (3.5 / ball_mass + count / box_mass);
         let (box_rate, ball_rate) = ((pull - ground - count * on_balls) / box_mass, on_balls / ball_mass);
-        let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+        let mut simulation = Simulation::new(&scene).unwrap();
         let mut sum = 0.0;
         for step in 1..=50 {
             let t = 0.01 * f64::from(step);
-            simulation.advance_to(t, &mut Unobserved).unwrap();
+            simulation.advance_to(t).unwrap();
             let bodies = simulation.bodies();
             sum += (bodies[0].velocity.linear - direction * (box_rate * t)).length_squared();
             sum += (bodies[2].velocity.linear - direction * (ball_rate * t)).length_squared();

@@ -4,7 +4,7 @@ use crate::support::{accurate, ball, brick, elastic, floor, run};
 use polhode::contact::Shape;
 use polhode::scene::{Crowding, Method};
 use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Effects, EventKind, Geometry, Recorder, Scene, Simulation, SimulationError};
+use polhode::{Body, Effects, EventKind, Geometry, Scene, Simulation, SimulationError};
 
 /// Case IM-05: a ball whose bounces accumulate comes to rest at the exact time, and its tenth impact is at the time
 /// that the geometric series gives.
@@ -68,7 +68,7 @@ fn a_run_that_makes_no_progress_says_where() {
         .body(ball("ball", 1.0, 0.1, DVec3::Z * 0.11, DVec3::Z * 100.0).material(elastic(1.0)))
         .build()
         .unwrap();
-    let error = Simulation::new(&scene, Effects::Planned).unwrap().run(&mut Recorder::default()).unwrap_err();
+    let error = Simulation::new(&scene).unwrap().run().unwrap_err();
     let SimulationError::NoProgress { t, steps, advanced_s, body_b, .. } = &error else { panic!("{error}") };
     assert_eq!((*steps, body_b.as_str()), (256, "ball"));
     assert!(*advanced_s < 1.0 && (t - advanced_s).abs() < 1e-3, "{error}");

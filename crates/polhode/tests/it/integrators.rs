@@ -244,7 +244,7 @@ fn thesis_takes_any_integrator() {
 fn plan_chooses_by_the_forces() {
     let held = |force: Option<Force>| {
         let scene = force.into_iter().fold(tumbling(), SceneBuilder::force).build().unwrap();
-        let simulation = polhode::Simulation::new(&scene, Effects::Planned).unwrap();
+        let simulation = polhode::Simulation::new(&scene).unwrap();
         let plan = (simulation.plan().integrator, simulation.plan().integrator_reason.clone());
         (plan, run(&scene, Effects::Planned).0.certificate.max_step_error.unwrap_or(0.0))
     };

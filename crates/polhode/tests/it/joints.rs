@@ -10,7 +10,7 @@ use polhode::dynamics::{Rk4, System};
 use polhode::mesh::solid_box;
 use polhode::scene::{Integrator, Joint, Method, SceneError, Tier};
 use polhode::spatial::{DVec3, Mass, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, BodySample, Effects, RunReport, Scene, SceneBuilder, Simulation, Unobserved};
+use polhode::{Body, BodySample, Effects, RunReport, Scene, SceneBuilder, Simulation};
 
 const G: f64 = 9.81;
 
@@ -316,7 +316,7 @@ fn a_chain_that_falls_on_a_rough_floor_stays_together() {
 fn a_program_strikes_a_jointed_body() {
     let rods = [(1.5, 0.4), (0.5, 0.6)];
     let scene = chain(&rods, &[0.0, 0.0], Rotation::IDENTITY).build().unwrap();
-    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+    let mut simulation = Simulation::new(&scene).unwrap();
     let [upper, lower] = ["rod 0", "rod 1"].map(|name| simulation.body_id(name).unwrap());
     let impulse = 0.3;
     simulation.apply_impulse(lower, DVec3::X * impulse, DVec3::Z * -1.0).unwrap();
@@ -332,7 +332,7 @@ fn a_program_strikes_a_jointed_body() {
     let away = Pose::from_translation(DVec3::X);
     assert!(simulation.set_pose(lower, away).is_err());
     let before = simulation.energy();
-    simulation.advance_to(0.5, &mut Unobserved).unwrap();
+    simulation.advance_to(0.5).unwrap();
     let after = simulation.energy();
     let total = |energy: polhode::Energy| energy.kinetic_j + energy.potential_j;
     assert!((total(before) - total(after)).abs() < 1e-11, "{before:?} {after:?}");
@@ -344,21 +344,21 @@ fn a_program_strikes_a_jointed_body() {
 fn a_joint_goes_with_a_body_that_is_removed() {
     let rods = [(1.0, 0.5), (0.7, 0.4)];
     let scene = chain(&rods, &[0.9, -0.4], Rotation::IDENTITY).build().unwrap();
-    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
-    simulation.advance_to(0.3, &mut Unobserved).unwrap();
-    let mut restored = Simulation::new(&scene, Effects::Planned).unwrap();
+    let mut simulation = Simulation::new(&scene).unwrap();
+    simulation.advance_to(0.3).unwrap();
+    let mut restored = Simulation::new(&scene).unwrap();
     restored.restore(&simulation.snapshot()).unwrap();
     let [upper, lower] = ["rod 0", "rod 1"].map(|name| simulation.body_id(name).unwrap());
     let before = simulation.body(upper).velocity.angular;
     for simulation in [&mut simulation, &mut restored] {
         simulation.remove_body(lower).unwrap();
-        simulation.advance_to(0.8, &mut Unobserved).unwrap();
+        simulation.advance_to(0.8).unwrap();
     }
     let [one, two] = [&simulation, &restored].map(|simulation| simulation.body(upper).pose);
     assert_eq!(one, two);
     // The energy about the hinge stays from there on: the oracle starts where the rod was left alone.
-    let mut alone = Simulation::new(&scene, Effects::Planned).unwrap();
-    alone.advance_to(0.3, &mut Unobserved).unwrap();
+    let mut alone = Simulation::new(&scene).unwrap();
+    alone.advance_to(0.3).unwrap();
     let start = alone.body(alone.body_id("rod 0").unwrap()).pose;
     let angle = start.translation.x.atan2(-start.translation.z);
     let whole = inertia(rods[0]) + 0.25 * rods[0].0 * rods[0].1 * rods[0].1;

@@ -5,9 +5,7 @@ use crate::support::{accurate, ball, brick, elastic, floor, run};
 use polhode::contact::Shape;
 use polhode::scene::{Interpolation, Method, MotionTable, PrescribedMotion, SampledOrientations, Tier};
 use polhode::spatial::{DVec3, Motion, Pose, Rotation, UnitVector, Velocity};
-use polhode::{
-    Body, Effects, EventKind, Geometry, Recorder, Scene, SceneBuilder, Simulation, SimulationError, Unobserved,
-};
+use polhode::{Body, Effects, EventKind, Geometry, Recorder, Scene, SceneBuilder, Simulation, SimulationError};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 const G: f64 = 9.81;
@@ -72,9 +70,9 @@ fn ball_in_a_lift_bears_its_weight_and_its_acceleration() {
     assert!((work - gained).abs() < 1e-11 * report.ledger.scale_j && work.abs() > 0.1, "{work} {gained}");
     assert!(report.ledger.numerical.value().abs() < 1e-11 * report.ledger.scale_j, "{:?}", report.ledger);
 
-    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+    let mut simulation = Simulation::new(&scene).unwrap();
     for t in [0.0, 0.37, 0.8, 1.955] {
-        simulation.advance_to(t, &mut Unobserved).unwrap();
+        simulation.advance_to(t).unwrap();
         let acceleration = -amplitude * rate * rate * (rate * t + phase).sin();
         let contacts = simulation.contacts();
         let force = contacts[0].normal_force_n / (mass * (G + acceleration));
@@ -207,9 +205,9 @@ fn stack_follows_a_platform_that_starts_late() {
         let worst = max_position_error(&recorder, 1 + k as usize, |t| trajectory.pose(t).translation + above);
         assert!(worst < 1e-11, "{k} {worst:e}");
     }
-    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+    let mut simulation = Simulation::new(&scene).unwrap();
     for (t, islands) in [(0.5, 1), (1.2, 1), (1.8, 1)] {
-        simulation.advance_to(t, &mut Unobserved).unwrap();
+        simulation.advance_to(t).unwrap();
         assert_eq!(simulation.islands().len(), islands, "{t}");
     }
     for (kind, t) in [(EventKind::Wake, 1.0), (EventKind::Rest, 1.5)] {
@@ -302,14 +300,14 @@ fn stops_and_effects_do_not_change_the_motion() {
     let ball = ball("ball", 0.6, RADIUS, DVec3::Z * (RADIUS - 0.05), DVec3::ZERO).material(elastic(0.3));
     let scene = scene("cut", 1.0).body(shaker).body(ball).build().unwrap();
     let whole = run(&scene, Effects::Planned);
-    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+    let mut simulation = Simulation::new(&scene).unwrap();
     for t in [0.013, 0.2, 0.2055, 0.61] {
-        simulation.advance_to(t, &mut Unobserved).unwrap();
+        simulation.advance_to(t).unwrap();
         let place = simulation.body(simulation.body_id("slab").unwrap()).pose.translation.z;
         assert!((place + 0.1 - 0.05 * (TAU * 3.0 * t - FRAC_PI_2).sin()).abs() < 1e-15);
         assert!(simulation.contacts().iter().all(|contact| contact.separation_m.abs() < 1e-11));
     }
-    let report = simulation.run(&mut Unobserved).unwrap();
+    let report = simulation.run().unwrap();
     let difference = report.bodies[1].1.pose.translation.z - whole.0.bodies[1].1.pose.translation.z;
     assert!(difference.abs() < 1e-9, "{difference:e}");
     let all = run(&scene, Effects::All).0;
@@ -323,20 +321,20 @@ fn platforms_come_and_go() {
     let platform = || slab(steady(DVec3::Z * 0.3, DVec3::ZERO));
     let ball = ball("ball", 1.0, RADIUS, DVec3::Z * RADIUS, DVec3::Z * 0.3);
     let scene = scene("program", 3.0).body(platform()).body(ball).build().unwrap();
-    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+    let mut simulation = Simulation::new(&scene).unwrap();
     let (slab, ball) = (simulation.body_id("slab").unwrap(), simulation.body_id("ball").unwrap());
-    simulation.advance_to(0.5, &mut Unobserved).unwrap();
+    simulation.advance_to(0.5).unwrap();
     simulation.remove_body(slab).unwrap();
-    simulation.advance_to(0.9, &mut Unobserved).unwrap();
+    simulation.advance_to(0.9).unwrap();
     let fallen = 0.15 + 0.3 * 0.4 - 0.5 * G * 0.16 + RADIUS;
     assert!((simulation.body(ball).pose.translation.z - fallen).abs() < 1e-12);
     // An added body moves as a function of the time of the run: its top is at z = -3 + 0.3 t.
     let lower = platform().pose(Pose::from_translation(DVec3::Z * -3.1));
     simulation.add_body(lower).unwrap();
-    simulation.advance_to(2.5, &mut Unobserved).unwrap();
+    simulation.advance_to(2.5).unwrap();
     let z = simulation.body(ball).pose.translation.z;
     assert!((z - (-3.0 + 0.3 * 2.5 + RADIUS)).abs() < 1e-11, "{z}");
-    assert_closes(&simulation.run(&mut Unobserved).unwrap());
+    assert_closes(&simulation.run().unwrap());
 }
 
 /// Tier `thesis` follows a lift with an error that falls with the step, and the work of the lift closes the ledgers.
@@ -414,7 +412,7 @@ fn press_on_a_body_without_a_way_out() {
         .pose(Pose::from_translation(DVec3::Z * 1.2));
     let ball = ball("ball", 1.0, RADIUS, DVec3::Z * RADIUS, DVec3::ZERO);
     let scene = scene("press", 1.5).body(floor()).body(press).body(ball).build().unwrap();
-    let refused = Simulation::new(&scene, Effects::Planned).unwrap().run(&mut Unobserved).unwrap_err();
+    let refused = Simulation::new(&scene).unwrap().run().unwrap_err();
     let SimulationError::NoWayOut { t, body_a, body_b, overlap_m } = &refused else { panic!("{refused}") };
     assert_eq!((body_a.as_str(), body_b.as_str()), ("press", "ball"));
     let met = (0.7 - 2.0 * RADIUS) / 0.5;

@@ -8,7 +8,7 @@ use polhode::contact::Shape;
 use polhode::dynamics::integrator::Method as Integrator;
 use polhode::scene::Method;
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation, Velocity};
-use polhode::{Body, Decision, Effect, Effects, EventKind, Recorder, Scene, SceneBuilder, Simulation, Unobserved};
+use polhode::{Body, Decision, Effect, Effects, EventKind, Recorder, Scene, SceneBuilder, Simulation};
 
 const G: f64 = 9.81;
 const PIVOT: DVec3 = DVec3::new(0.3, -0.2, 1.1);
@@ -195,8 +195,8 @@ fn a_plank_rests_on_a_pivot_and_a_post() {
             .body(ball("ball", weight, radius, above, DVec3::ZERO))
             .build()
             .unwrap();
-        let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
-        simulation.advance_to(0.5, &mut Unobserved).unwrap();
+        let mut simulation = Simulation::new(&scene).unwrap();
+        simulation.advance_to(0.5).unwrap();
         let forces: Vec<f64> = simulation.contacts().iter().map(|contact| contact.normal_force_n).collect();
         let expected = [(mass + 0.3 * weight) * G / post_at, weight * G];
         assert_eq!(forces.len(), 2);
@@ -206,7 +206,7 @@ fn a_plank_rests_on_a_pivot_and_a_post() {
         let pivots = simulation.pivots();
         let weight_borne = DVec3::Z * ((mass + weight) * G - expected[0]);
         assert!((pivots[0].force_n - weight_borne).length() < 1e-11, "{pivots:?} {weight_borne}");
-        let report = simulation.run(&mut Unobserved).unwrap();
+        let report = simulation.run().unwrap();
         assert!(report.bodies.iter().all(|(_, body)| body.velocity.is_zero()), "{:?}", report.bodies);
         assert_eq!(report.bodies[1].1.pose, *scene.bodies()[1].initial_pose());
         let borne = report.ledger.momentum.support.value();
@@ -301,9 +301,9 @@ fn programs_act_on_bodies_that_rows_hold() {
     let scene =
         Scene::builder("acted on").method(accurate()).duration_s(1.0).body(floor()).body(rod(Rotation::IDENTITY));
     let scene = scene.gravity(DVec3::ZERO).build().unwrap();
-    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+    let mut simulation = Simulation::new(&scene).unwrap();
     let id = simulation.body_id("rod").unwrap();
-    simulation.advance_to(0.1, &mut Unobserved).unwrap();
+    simulation.advance_to(0.1).unwrap();
     simulation.apply_impulse(id, DVec3::X * 0.5, PIVOT - DVec3::Z * 0.7).unwrap();
     let w = -0.5 * 0.7 / swing_moment();
     let now = simulation.body(id);
@@ -315,12 +315,12 @@ fn programs_act_on_bodies_that_rows_hold() {
     assert!(simulation.set_pose(id, away).is_err());
     let turn = Rotation::from_rotation_vector(DVec3::X * 0.2);
     simulation.set_pose(id, Pose::new(turn, PIVOT - turn.rotate(DVec3::Z * ARM))).unwrap();
-    simulation.advance_to(0.437, &mut Unobserved).unwrap();
+    simulation.advance_to(0.437).unwrap();
     let snapshot = simulation.snapshot();
-    let mut other = Simulation::new(&scene, Effects::Planned).unwrap();
+    let mut other = Simulation::new(&scene).unwrap();
     other.restore(&snapshot).unwrap();
-    let report = simulation.run(&mut Unobserved).unwrap();
-    assert_eq!(other.run(&mut Unobserved).unwrap().bodies, report.bodies);
+    let report = simulation.run().unwrap();
+    assert_eq!(other.run().unwrap().bodies, report.bodies);
     assert!((report.bodies[1].1.pose.transform_point(DVec3::Z * ARM) - PIVOT).length() < 1e-13);
     assert_closes(&report);
 }

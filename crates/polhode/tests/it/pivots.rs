@@ -68,7 +68,7 @@ fn pendulum_accelerates_as_its_equation_says() {
     let (d, theta, w) = (0.37, 0.8, 1.7);
     let body = hanging(DVec3::Z * d, about_y(theta)).velocity(Velocity::new(DVec3::ZERO, DVec3::Y * w));
     let scene = Scene::builder("pendulum").body(body).build().unwrap();
-    let found = Simulation::new(&scene, Effects::Planned).unwrap().accelerations().unwrap()[0];
+    let found = Simulation::new(&scene).unwrap().accelerations().unwrap()[0];
     let alpha = DVec3::Y * (-BRICK_MASS * G * d * theta.sin() / swing_moment(d));
     let arm = about_y(theta).rotate(DVec3::NEG_Z * d);
     assert!((found.angular - alpha).length() < 1e-13, "{found:?} {alpha}");
@@ -76,7 +76,7 @@ fn pendulum_accelerates_as_its_equation_says() {
     // The pivot bears what the weight does not explain, as a constraint and in the reduced motion.
     let borne = (found.linear + DVec3::Z * G) * BRICK_MASS;
     for effects in [Effects::Planned, Effects::All] {
-        let pivots = Simulation::new(&scene, effects).unwrap().pivots();
+        let pivots = Simulation::with_effects(&scene, effects).unwrap().pivots();
         assert_eq!(pivots.len(), 1);
         assert!((pivots[0].force_n - borne).length() < 1e-12, "{pivots:?} {borne}");
         assert!((pivots[0].point_m - HOOK).length() < 1e-15);

@@ -17,7 +17,7 @@ pub(crate) fn stepped(step_s: f64) -> Method {
 pub(crate) fn run_by(scene: &SceneBuilder, method: Method) -> (RunReport, Recorder) {
     let scene = scene.clone().method(method).build().unwrap();
     let mut recorder = Recorder::default();
-    let report = Simulation::new(&scene, Effects::Planned).unwrap().run(&mut recorder).unwrap();
+    let report = Simulation::new(&scene).unwrap().run_observed(&mut recorder).unwrap();
     assert_closes(&report);
     (report, recorder)
 }
@@ -304,7 +304,7 @@ fn skipping_rest_gives_the_same_bits() {
     let scene = scene.method(stepped(1e-3)).build().unwrap();
     let by = |effects| {
         let mut recorder = Recorder::default();
-        let report = Simulation::new(&scene, effects).unwrap().run(&mut recorder).unwrap();
+        let report = Simulation::with_effects(&scene, effects).unwrap().run_observed(&mut recorder).unwrap();
         (report.ledger, report.certificate, recorder.samples, recorder.events)
     };
     let (planned, all) = (by(Effects::Planned), by(Effects::All));

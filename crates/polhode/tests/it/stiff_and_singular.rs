@@ -4,7 +4,7 @@ use crate::checks::{heavy_brick, particle};
 use crate::support::{accurate, floor, run};
 use polhode::scene::{Attachment, Force, Method, Tier};
 use polhode::spatial::DVec3;
-use polhode::{Effects, Scene, SceneBuilder, Simulation, SimulationError, Unobserved};
+use polhode::{Effects, Scene, SceneBuilder, Simulation, SimulationError};
 
 const CENTER: DVec3 = DVec3::new(0.0, 0.0, 2.0);
 
@@ -54,7 +54,7 @@ fn attracted(place: DVec3, tier: Tier) -> SceneBuilder {
 fn start_at_an_attracting_point_names_the_force() {
     for tier in [Tier::Accurate, Tier::Stepped, Tier::Thesis] {
         for scene in [attracted(CENTER, tier), attracted(CENTER, tier).body(floor())] {
-            let refused = Simulation::new(&scene.build().unwrap(), Effects::Planned).err();
+            let refused = Simulation::new(&scene.build().unwrap()).err();
             let Some(SimulationError::ForceNotFinite { t, body, force }) = refused else {
                 panic!("{tier:?}: {refused:?}");
             };
@@ -71,7 +71,7 @@ fn radial_fall_ends_where_the_force_is_singular() {
         let fall = attracted(CENTER + offset, Tier::Accurate);
         for scene in [fall.clone(), fall.body(floor())] {
             let scene = scene.build().unwrap();
-            let failed = Simulation::new(&scene, Effects::Planned).and_then(|mut own| own.run(&mut Unobserved)).err();
+            let failed = Simulation::new(&scene).and_then(|mut own| own.run()).err();
             let Some(SimulationError::SingularForce { t, body, force, force_n }) = failed else {
                 panic!("{offset}: {failed:?}");
             };

@@ -16,7 +16,7 @@ pub(crate) fn run(scene: &Scene, effects: Effects) -> (RunReport, Recorder) {
 /// Runs a scene, whether it keeps its promise or not, and keeps everything.
 pub(crate) fn run_even_degraded(scene: &Scene, effects: Effects) -> (RunReport, Recorder) {
     let mut recorder = Recorder::default();
-    let report = Simulation::new(scene, effects).unwrap().run(&mut recorder).unwrap();
+    let report = Simulation::with_effects(scene, effects).unwrap().run_observed(&mut recorder).unwrap();
     (report, recorder)
 }
 
