@@ -105,7 +105,7 @@ fn crowded_json(report: &RunReport) -> Value {
 
 /// What was tolerated; times in s.
 fn tolerated_json(tolerated: &Tolerated) -> Value {
-    let Tolerated { what, count, first_s, last_s } = tolerated;
+    let Tolerated { what, count, first_s, last_s, .. } = tolerated;
     json!({ "what": what, "count": count, "first_s": first_s, "last_s": last_s })
 }
 

@@ -51,6 +51,7 @@ impl EventList {
             EventKind::Stick => format!("a contact of {a} and {b} sticks"),
             EventKind::Slide => format!("a contact of {a} and {b} begins to slide"),
             EventKind::Jam => format!("a contact of {a} and {b} jams"),
+            other => format!("{a} and {b}: {}", other.word()),
         };
         self.events.push(ListedEvent { t: event.t, kind, bodies, text });
     }

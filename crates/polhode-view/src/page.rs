@@ -282,7 +282,7 @@ fn details(frame: &Frame, moving: &[usize], quanta: Quanta) -> ChunkDetails {
         Some(MotionKind::Flight) => 1,
         Some(MotionKind::Integrated) => 2,
         Some(MotionKind::Rest) => 3,
-        Some(MotionKind::Given) | None => 0,
+        _ => 0,
     };
     let mut island_of = vec![NO_ISLAND; frame.bodies.len()];
     for (number, island) in frame.islands.iter().enumerate() {

@@ -4,6 +4,7 @@ use polhode_spatial::DVec3;
 
 /// The kind of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum EventKind {
     /// An impulse at one contact point.
     Impact,
@@ -45,6 +46,7 @@ impl EventKind {
 
 /// An event.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Event {
     /// Time, s.
     pub t: f64,
@@ -62,4 +64,13 @@ pub struct Event {
     pub impulse: f64,
     /// Change of kinetic energy, J; negative when energy is lost.
     pub energy_change_j: f64,
+}
+
+impl Event {
+    /// An event of one body at `t` (s), at the world's origin, without a contact and without a change of energy: what else is
+    /// known is set afterwards.
+    pub const fn new(t: f64, kind: EventKind, body_a: usize) -> Self {
+        let (point, normal) = (DVec3::ZERO, DVec3::ZERO);
+        Self { t, kind, body_a, body_b: None, point, normal, impulse: 0.0, energy_change_j: 0.0 }
+    }
 }

@@ -31,6 +31,7 @@ const LEFT_OVER_RELATIVE: f64 = 1e-9;
 
 /// How a step ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum StepEnd {
     /// At its full length.
     Planned,
@@ -40,6 +41,7 @@ pub enum StepEnd {
 
 /// A step that has been made.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct StepOutcome {
     /// Time reached, s.
     pub t_s: f64,

@@ -62,7 +62,7 @@ impl<'a> Source<'a> {
             Outcome::Completed | Outcome::Degraded if report.simulated_s >= report.duration_s => {
                 Ok(Completed { record: watch.record, report, took })
             }
-            Outcome::Completed | Outcome::Degraded | Outcome::Stopped => {
+            _ => {
                 let (at, end, took) = (report.simulated_s, report.duration_s, took.as_secs_f64());
                 Err(format!("left out: stopped at {at:.3} of {end} s after {took:.1} s; --vary lets it run"))
             }

@@ -29,6 +29,7 @@ pub enum Attachment {
 
 /// A force on one body, all bodies, or between two.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub enum Force {
     /// Attraction of every body by a fixed point: `mu/d^2` (m/s^2).
     PointGravity {

@@ -110,7 +110,9 @@ fn record_text(recorder: &Recorder) -> String {
 
 /// A report without its number of steps, to which calls of `advance_to` add while all bodies fly.
 fn report_text(report: &RunReport) -> String {
-    format!("{:?}", RunReport { steps: 0, ..report.clone() })
+    let mut report = report.clone();
+    report.steps = 0;
+    format!("{report:?}")
 }
 
 /// The answers to all queries at the present time, with all digits.
