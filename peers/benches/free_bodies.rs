@@ -17,7 +17,7 @@ use polhode::dynamics::exact_rotation::drift;
 use polhode::dynamics::{BodyState, Dop853, Flight, FreeMotion};
 use polhode::scene::{DEFAULT_GRAVITY, Method};
 use polhode::spatial::{DVec3, Pose};
-use polhode::{Body, BodySample, Effects, Observer, Scene, Simulation};
+use polhode::{Body, BodySample, Observer, Scene, Simulation};
 use rapier3d::prelude::{PhysicsWorld, RigidBodyBuilder, RigidBodyHandle};
 use std::hint::black_box;
 use std::time::{Duration, Instant};

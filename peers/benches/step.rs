@@ -19,7 +19,7 @@
 use polhode::contact::Shape;
 use polhode::scene::{DEFAULT_GRAVITY, Method};
 use polhode::spatial::{DVec3, Pose, Velocity};
-use polhode::{Body, BodyId, BodySample, Effects, Geometry, Observer, Scene, Simulation, Unobserved};
+use polhode::{Body, BodyId, BodySample, Geometry, Observer, Scene, Simulation};
 use rapier3d::prelude::{ColliderBuilder, PhysicsWorld, RigidBodyBuilder};
 use std::hint::black_box;
 use std::time::Instant;

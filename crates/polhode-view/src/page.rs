@@ -260,7 +260,8 @@ impl<W: Write> Observer for PageRun<W> {
 
     fn event(&mut self, event: &Event) {
         let bodies = &self.shown.bodies;
-        self.events.add(event, |body| bodies.get(body).map_or_else(|| format!("body {body}"), |b| b.name.clone()));
+        self.events
+            .add(event, |body| bodies.get(body.index()).map_or_else(|| format!("body {body}"), |b| b.name.clone()));
     }
 
     fn wants_frames(&self) -> bool {

@@ -68,7 +68,7 @@ fn stacks() -> Made<SceneBuilder> {
 
 /// Three balls that bounce in a V of two planes until they rest.
 fn crowded() -> Made<Scene> {
-    let rubber = Material::new("rubber", 0.0, 0.5)?;
+    let rubber = Material::new("rubber").with_restitution(0.5)?;
     let wall = |name: &str, normal: DVec3| -> Made<Body> {
         let shape = Geometry::Shape(Shape::half_space(UnitVector::new(normal)?));
         Ok(Body::fixed(name).geometry(shape).material(rubber.clone()))

@@ -18,13 +18,13 @@ impl Observer for Listener {
     fn event(&mut self, event: &Event) {
         if event.kind == EventKind::Impact {
             self.impacts += 1;
-            println!("{:.6} s: impulse {:.3e} N s at {}", event.t, event.impulse, event.point);
+            println!("{:.6} s: impulse {:.3e} N s at {}", event.t_s, event.impulse, event.point);
         }
     }
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let rubber = Material::new("rubber", 0.0, 0.5)?;
+    let rubber = Material::new("rubber").with_restitution(0.5)?;
     let size = DVec3::new(0.3, 0.2, 0.1);
     let brick = Body::movable("brick", solid_box(size, Mass::new(2.0)?)?)
         .geometry(Shape::cuboid(size)?.into())

@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = scene.force(Force::Field(Arc::new(Trap { stiffness: 4.0 }))).build()?;
     let mut simulation = Simulation::new(&scene)?;
     let report = simulation.run()?;
-    let height = report.bodies[0].1.pose.translation.z;
+    let height = report.bodies[0].state.pose.translation.z;
     println!("height {height} m, numerical loss {:e} J", report.ledger.numerical.value());
     assert!((height - f64::cos(2.0 * 3.0)).abs() < 1e-9);
     Ok(())

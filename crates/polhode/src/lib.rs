@@ -19,7 +19,7 @@
 //! use polhode::{Body, EventKind, Outcome, Recorder, Scene, Simulation};
 //! let ball = Body::movable("ball", solid_sphere(0.1, Mass::new(2.0)?)?)
 //!     .geometry(Shape::sphere(0.1)?.into())
-//!     .material(Material::new("rubber", 0.0, 0.5)?)
+//!     .material(Material::new("rubber").with_restitution(0.5)?)
 //!     .pose(Pose::from_translation(DVec3::Z * 1.1));
 //! let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
 //! let scene = Scene::builder("bounce").duration_s(0.8).body(floor).body(ball).build()?;
@@ -27,7 +27,7 @@
 //! let report = Simulation::new(&scene)?.run_observed(&mut recorder)?;
 //! assert_eq!(report.outcome, Outcome::Completed);
 //! let impacts: Vec<_> = recorder.events.iter().filter(|event| event.kind == EventKind::Impact).collect();
-//! assert!((impacts[0].t - (2.0_f64 / 9.81).sqrt()).abs() < 1e-14);
+//! assert!((impacts[0].t_s - (2.0_f64 / 9.81).sqrt()).abs() < 1e-14);
 //! // A fall by 1 m and a restitution of 0.5 leave a quarter of m g h.
 //! assert!((report.ledger.impact.value() - 0.75 * 2.0 * 9.81).abs() < 1e-12);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -208,7 +208,9 @@ pub use ledger::Ledger;
 pub use momentum_ledger::{Momentum, MomentumLedger, MomentumSum};
 pub use observer::{Flow, Observer, Recorder, Unobserved};
 pub use plan::{Decision, Effect, EffectDecision, Plan};
-pub use report::{Certificate, CrowdedStretch, CrowdingError, Outcome, PairAt, PlanChange, RunReport, Tolerated};
+pub use report::{
+    Certificate, CrowdedStretch, CrowdingError, Outcome, PairAt, PlanChange, ReportedBody, RunReport, Tolerated,
+};
 pub use scene::{ApproximateParts, Body, Geometry, Scene, SceneBuilder, SceneError};
 pub use simulation::{Simulation, StepEnd, StepOutcome};
 pub use snapshot::{Snapshot, SnapshotError};

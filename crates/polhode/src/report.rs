@@ -1,6 +1,6 @@
 //! The report of a run: outcome, plan, energies, ledger, certificate, warnings.
 
-use crate::body_sample::BodySample;
+pub use crate::body_sample::ReportedBody;
 pub use crate::energy::Energy;
 use crate::{BodyId, Ledger, Plan};
 use std::fmt;
@@ -220,8 +220,8 @@ pub struct RunReport {
     /// Tolerated violations and fallbacks, in the order of their first occurrence. Their counts add up to
     /// [`Certificate::fallbacks`].
     pub tolerated: Vec<Tolerated>,
-    /// Names and final states of the bodies, in the order of the scene.
-    pub bodies: Vec<(String, BodySample)>,
+    /// The bodies at the end, by [`BodyId::index`].
+    pub bodies: Vec<ReportedBody>,
 }
 
 impl RunReport {

@@ -7,7 +7,7 @@ use super::{CaseResult, Context};
 use crate::row::Row;
 use glam::DVec3;
 use polhode::spatial::UnitVector;
-use polhode::{Acceleration, BodySample, Effects, Flow, Observer, Scene, Simulation};
+use polhode::{Acceleration, BodyId, BodySample, Effects, Flow, Observer, Scene, Simulation};
 use std::error::Error;
 
 /// No brick of a diamond that stands moves more, m.
@@ -57,8 +57,9 @@ pub(super) fn diamond(m: usize, sides: Sides, duration_s: f64) -> Result<Scene, 
     }
     if sides == Sides::Ignored {
         for row in 0..2 * m - 1 {
-            let members = (0..places.len()).filter(|&brick| places[brick].row == row).map(|brick| brick + 1);
-            builder = builder.no_contact(members.collect());
+            let members =
+                (0..places.len()).filter(|&brick| places[brick].row == row).map(|brick| BodyId::new(brick + 1));
+            builder = builder.no_contact(members);
         }
     }
     Ok(builder.build()?)

@@ -176,10 +176,11 @@ pub(super) fn times(_: &Context) -> CaseResult {
                     continue;
                 }
             };
-            let landing = record.events.iter().find(|event| event.kind == EventKind::Impact).map_or(f64::NAN, |e| e.t);
+            let landing =
+                record.events.iter().find(|event| event.kind == EventKind::Impact).map_or(f64::NAN, |e| e.t_s);
             let quantity = format!("{} on {name}: time to fall, relative error", falling.name);
             rows.push(Row::at_most(case, &quantity, TIME_TOLERANCE, (landing / expected - 1.0).abs()));
-            let sideways = report.bodies[1].1.pose.translation.truncate().length();
+            let sideways = report.bodies[1].state.pose.translation.truncate().length();
             rows.push(Row::at_most(case, &format!("{} on {name}: drift sideways, m", falling.name), STILL_M, sideways));
         }
     }

@@ -21,7 +21,7 @@ const EQUILIBRIUM: f64 = 1e-10;
 
 /// A material of this coefficient of friction, static and kinetic. Two materials combine to the geometric mean.
 pub(super) fn rough(friction: f64) -> Result<Material, Box<dyn Error>> {
-    Ok(Material::new(format!("mu = {friction}"), friction, 0.0)?)
+    Ok(Material::new(format!("mu = {friction}")).with_friction(friction)?)
 }
 
 /// A plane through the origin.
@@ -156,5 +156,5 @@ pub(super) fn first_event(
 /// The last state of the first body.
 pub(super) fn end_of(scene: &Scene) -> Result<BodySample, Box<dyn Error>> {
     let run = Run::of(scene, Effects::Planned)?;
-    Ok(run.report.bodies.first().ok_or("the scene has no body")?.1)
+    Ok(run.report.bodies.first().ok_or("the scene has no body")?.state)
 }

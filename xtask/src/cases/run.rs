@@ -38,8 +38,8 @@ impl Run {
     /// # Errors
     /// When there is none.
     pub(super) fn last(&self, name: &str) -> Result<BodySample, Box<dyn Error>> {
-        let found = self.report.bodies.iter().find(|(body, _)| body == name);
-        Ok(found.ok_or_else(|| format!("no body {name}"))?.1)
+        let found = self.report.bodies.iter().find(|body| body.name == name);
+        Ok(found.ok_or_else(|| format!("no body {name}"))?.state)
     }
 
     /// Events of one kind, in order.

@@ -114,7 +114,7 @@ fn change(under: Vec<Body>, slider: &Slider, velocity: DVec3, way: f64) -> Resul
     }
     let scene = scene.body(slider.body(start, velocity)?).build()?;
     let report = Simulation::new(&scene)?.run()?;
-    let end = report.bodies.last().ok_or("no body")?.1.velocity.linear;
+    let end = report.bodies.last().ok_or("no body")?.state.velocity.linear;
     let is_kept = report.outcome == Outcome::Completed;
     Ok(if is_kept { (end - velocity).length() / velocity.length() } else { f64::INFINITY })
 }
@@ -232,7 +232,7 @@ pub(super) fn surfaces(_: &Context) -> CaseResult {
 pub(super) fn friction(_: &Context) -> CaseResult {
     let mut rows = Vec::new();
     let laid = Tiles { count: 4, gap: 0.0, step: 0.0 };
-    let rough = Material::new("rough", 0.1, 0.0)?;
+    let rough = Material::new("rough").with_friction(0.1)?;
     let size = DVec3::new(f64::from(laid.count) * TILE.x, TILE.y, TILE.z);
     let plate = Body::fixed("plate").geometry(Shape::cuboid(size)?.into()).pose(Pose::from_translation(DVec3::new(
         0.5 * size.x,
@@ -248,7 +248,7 @@ pub(super) fn friction(_: &Context) -> CaseResult {
                 scene = scene.body(body.material(rough.clone()));
             }
             let report = Simulation::new(&scene.body(body).build()?)?.run()?;
-            let last = report.bodies.last().ok_or("no body")?.1;
+            let last = report.bodies.last().ok_or("no body")?.state;
             Ok([last.pose.translation, last.velocity.linear])
         };
         let quantity = format!("{} with friction, as on one plate", slider.name);

@@ -20,7 +20,7 @@ pub(super) fn rc_10(context: &Context) -> CaseResult {
     let mut record = Recorder::default();
     Simulation::new(&scene(1.0)?)?.run_observed(&mut record)?;
     let detached: Vec<f64> =
-        record.events.iter().filter(|event| event.kind == EventKind::Detach).map(|event| event.t).collect();
+        record.events.iter().filter(|event| event.kind == EventKind::Detach).map(|event| event.t_s).collect();
     let (Some(&tipping), Some(&leaving)) = (detached.first(), detached.last()) else {
         return Err("no contact detaches".into());
     };
@@ -66,7 +66,7 @@ fn state_at(time: f64) -> Result<(BodySample, f64), Box<dyn Error>> {
     let mut simulation = Simulation::new(&scene(time)?)?;
     let report = simulation.run()?;
     let acceleration = simulation.accelerations()?[1].linear;
-    Ok((report.bodies[1].1, (acceleration + DVec3::Z * GRAVITY).length()))
+    Ok((report.bodies[1].state, (acceleration + DVec3::Z * GRAVITY).length()))
 }
 
 /// A box on the edge at the origin.

@@ -67,7 +67,7 @@ fn bound_row(case: &str, m: usize) -> Result<Row, Box<dyn Error>> {
             excess = excess.max(error - report.certificate.max_acceleration_error_bound.unwrap_or(0.0));
             compared += 1;
         }
-        states = report.bodies.iter().map(|(_, sample)| *sample).collect();
+        states = report.bodies.iter().map(|body| body.state).collect();
     }
     if compared == 0 {
         return Err("no state of the tier thesis could be compared".into());

@@ -42,13 +42,13 @@ fn is_same(units: Units, original: &BodySample, copy: &BodySample) -> bool {
 
 /// When the samples of a copy first are others, s of the original; none where they are the same.
 fn departure(units: Units, original: &Recorder, copy: &Recorder) -> Option<f64> {
-    let pairs = original.samples.iter().zip(&copy.samples).zip(&original.times);
+    let pairs = original.samples.iter().zip(&copy.samples).zip(&original.times_s);
     let is_other = |(before, after): (&Vec<BodySample>, &Vec<BodySample>)| {
         before.iter().zip(after).any(|(before, after)| !is_same(units, before, after))
     };
     let first = pairs.into_iter().find(|&((before, after), _)| is_other((before, after))).map(|(_, &t)| t);
     let is_shorter = original.samples.len() != copy.samples.len();
-    first.or_else(|| is_shorter.then(|| original.times.last().copied().unwrap_or_default()))
+    first.or_else(|| is_shorter.then(|| original.times_s.last().copied().unwrap_or_default()))
 }
 
 /// Writes the random scene of a seed into a folder, and returns its file.

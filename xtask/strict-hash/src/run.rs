@@ -74,7 +74,7 @@ fn with_repeated_steps(scene: &Scene) -> Result<Recorder, Failure> {
         if simulation.snapshot().to_bytes() != after {
             return Err(Failure::Repeated { t_s, part: "snapshots of the end" });
         }
-        record.times.extend(second.times);
+        record.times_s.extend(second.times_s);
         record.samples.extend(second.samples);
         record.events.extend(second.events);
     }

@@ -2,7 +2,7 @@
 
 use crate::{BASE, scene};
 use polhode::spatial::{DVec3, Pose, Rotation, Velocity};
-use polhode::{BodySample, Event, EventKind, Flow, Observer, Scene};
+use polhode::{BodyId, BodySample, Event, EventKind, Flow, Observer, Scene};
 use polhode_scene::output::{COLUMNS, NPY_WIDTH, npy_row};
 use polhode_scene::{OutputError, Outputs};
 use std::path::{Path, PathBuf};
@@ -134,11 +134,11 @@ fn events() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("events.csv");
     let mut outputs = Outputs::create(&scene(BASE), &[], Some(&path)).unwrap();
-    let mut impact = Event::new(0.25, EventKind::Impact, 1);
-    (impact.body_b, impact.point, impact.normal) = (Some(0), DVec3::new(1.0, 2.0, 3.0), DVec3::Z);
+    let mut impact = Event::new(0.25, EventKind::Impact, BodyId::new(1));
+    (impact.body_b, impact.point, impact.normal) = (Some(BodyId::new(0)), DVec3::new(1.0, 2.0, 3.0), DVec3::Z);
     (impact.impulse, impact.energy_change_j) = (0.1, -0.5);
     outputs.event(&impact);
-    let mut rest = Event::new(0.25, EventKind::Rest, 1);
+    let mut rest = Event::new(0.25, EventKind::Rest, BodyId::new(1));
     (rest.point, rest.energy_change_j) = (impact.point, impact.energy_change_j);
     outputs.event(&rest);
     outputs.finish().unwrap();

@@ -40,7 +40,7 @@ fn the_same_bits_come_back() {
     for path in &paths {
         let read = samples(&scene, path);
         let times: Vec<f64> = read.iter().map(|(t, _)| *t).collect();
-        assert_eq!(times, record.times);
+        assert_eq!(times, record.times_s);
         for ((_, bodies), expected) in read.iter().zip(&record.samples) {
             for (body, expected) in bodies.iter().zip(expected) {
                 assert_eq!(body.velocity, expected.velocity);

@@ -6,7 +6,7 @@ use base64::engine::general_purpose::STANDARD;
 use polhode::contact::Shape;
 use polhode::mesh::solid_box;
 use polhode::spatial::{DVec3, Mass, Pose, UnitVector, Velocity};
-use polhode::{Body, BodySample, Observer, Recorder, Scene, Simulation};
+use polhode::{Body, BodyId, BodySample, Observer, Recorder, Scene, Simulation};
 use polhode_view::{FrameSource, Page, ViewError};
 use serde_json::Value;
 
@@ -23,7 +23,7 @@ fn tumbling(count: usize, duration_s: f64) -> Scene {
         let brick = brick.geometry(Shape::cuboid(size).unwrap().into()).velocity(velocity);
         scene = scene.body(brick.pose(Pose::from_translation(DVec3::new(2.0 * i as f64, 0.0, 0.0) + vector(0))));
     }
-    scene.no_contact((0..count).collect()).build().unwrap()
+    scene.no_contact((0..count).map(BodyId::new)).build().unwrap()
 }
 
 /// A brick that falls onto a floor.
@@ -62,7 +62,7 @@ fn frames_are_those_of_the_run() {
     let page = page_of(&scene);
     let show: Value = serde_json::from_str(element(&page, "polhode-show")).unwrap();
     let frames = &show["runs"][0]["frames"];
-    assert_eq!(numbers(&frames["times"]), recorder.times);
+    assert_eq!(numbers(&frames["times"]), recorder.times_s);
     let quantum = frames["position_quantum_m"].as_f64().unwrap();
     let chunks = frames["chunks"].as_array().unwrap();
     assert!(chunks.len() > 1);

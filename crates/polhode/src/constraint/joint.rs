@@ -14,6 +14,7 @@ use super::end::End;
 use super::kept::Kept;
 use super::row::RowsAt;
 use super::{cylindrical, fixed, hinge, planar, point, slider, universal};
+use crate::body_id::BodyId;
 use crate::scene::{Joint, JointKind};
 use polhode_spatial::{DVec3, Pose, Rotation, Velocity};
 
@@ -40,7 +41,7 @@ impl WorldJoint {
                 arm: pose.inverse_transform_point(joint.anchor()),
             })
         };
-        let [a, b] = [pose(Some(joint.body())), pose(joint.other())];
+        let [a, b] = [pose(Some(joint.body().index())), pose(joint.other().map(BodyId::index))];
         let [of_a, of_b] = [a, b].map(|pose| pose.map_or(Rotation::IDENTITY, |(_, pose)| pose.rotation));
         let attitudes = (of_a, of_b);
         let kept = match joint.kind() {

@@ -43,13 +43,13 @@ pub(crate) fn assert_closes(report: &RunReport) {
 
 /// The largest distance of a recorded body from the position that `expected` gives for its time, m.
 pub(crate) fn max_position_error(recorder: &Recorder, body: usize, expected: impl Fn(f64) -> DVec3) -> f64 {
-    let rows = recorder.times.iter().zip(&recorder.samples);
+    let rows = recorder.times_s.iter().zip(&recorder.samples);
     rows.map(|(&t, row)| (row[body].pose.translation - expected(t)).length()).fold(0.0, f64::max)
 }
 
 /// The largest difference of the velocity of its centre of mass from what `expected` gives for its time, m/s.
 pub(crate) fn max_velocity_error(recorder: &Recorder, body: usize, expected: impl Fn(f64) -> DVec3) -> f64 {
-    let rows = recorder.times.iter().zip(&recorder.samples);
+    let rows = recorder.times_s.iter().zip(&recorder.samples);
     rows.map(|(&t, row)| (row[body].velocity.linear - expected(t)).length()).fold(0.0, f64::max)
 }
 

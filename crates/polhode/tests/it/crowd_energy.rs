@@ -3,7 +3,7 @@
 use crate::support::{brick, floor};
 use polhode::scene::{Attachment, Force, Method, Tier};
 use polhode::spatial::{DVec3, Velocity};
-use polhode::{Scene, Simulation};
+use polhode::{BodyId, Scene, Simulation};
 
 /// Step, s.
 const STEP_S: f64 = 0.01;
@@ -20,7 +20,7 @@ fn a_spring_that_presses_a_body_on_the_floor_gives_the_integrator_nothing() {
     let slides = Velocity::new(DVec3::X, DVec3::ZERO);
     let spring = Force::Spring {
         a: Attachment::World(center + DVec3::Z),
-        b: Attachment::Body { body: 1, point: DVec3::ZERO },
+        b: Attachment::Body { body: BodyId::new(1), point: DVec3::ZERO },
         stiffness: 50.0,
         rest_length: 3.0,
         damping: 0.0,

@@ -47,7 +47,7 @@ fn the_energy_is_that_of_the_bodies_that_are_there() {
             masses.push(mass);
         }
         for body in [1, 2] {
-            let b = Attachment::Body { body, point: DVec3::ZERO };
+            let b = Attachment::Body { body: BodyId::new(body), point: DVec3::ZERO };
             let a = Attachment::World(ANCHOR);
             scene = scene.force(Force::Spring { a, b, stiffness: STIFFNESS, rest_length: 0.0, damping: 0.0 });
         }

@@ -41,14 +41,14 @@ fn scene(name: &str, duration_s: f64) -> SceneBuilder {
 }
 
 fn times_of(recorder: &Recorder, kind: EventKind) -> Vec<f64> {
-    recorder.events.iter().filter(|event| event.kind == kind).map(|event| event.t).collect()
+    recorder.events.iter().filter(|event| event.kind == kind).map(|event| event.t_s).collect()
 }
 
 /// The largest distance of a body in run `one` from where it is in run `other` displaced by `drift` (m/s) times the
 /// time.
 fn apart(one: &Recorder, other: &Recorder, body: usize, drift: DVec3) -> f64 {
     let place = |recorder: &Recorder, k: usize| recorder.samples[k][body].pose.translation;
-    let rows = one.times.iter().enumerate();
+    let rows = one.times_s.iter().enumerate();
     rows.map(|(k, &t)| (place(one, k) - place(other, k) - drift * t).length()).fold(0.0, f64::max)
 }
 
@@ -104,10 +104,10 @@ fn shaker_throws_a_ball_off_when_it_accelerates_down_by_more_than_gravity() {
     let worst = max_position_error(&recorder, 1, |t| {
         DVec3::Z * (RADIUS + if t < off { top(t) } else { flying(t.min(touch_s)) })
     });
-    assert!(worst < 1e-10 || recorder.times.last().unwrap() > &touch_s, "{worst:e}");
+    assert!(worst < 1e-10 || recorder.times_s.last().unwrap() > &touch_s, "{worst:e}");
     let impacts: Vec<_> = recorder.events.iter().filter(|event| event.kind == EventKind::Impact).collect();
     let approach = speed(touch_s) - (speed(off) - G * (touch_s - off));
-    assert!(impacts.len() == 1 && (impacts[0].t - touch_s).abs() < 1e-9, "{impacts:?} {touch_s}");
+    assert!(impacts.len() == 1 && (impacts[0].t_s - touch_s).abs() < 1e-9, "{impacts:?} {touch_s}");
     assert!((impacts[0].impulse / (mass * (1.0 + e) * approach) - 1.0).abs() < 1e-8, "{impacts:?}");
     let lost = 0.5 * mass * (1.0 - e * e) * approach * approach;
     assert!((report.ledger.impact.value() / lost - 1.0).abs() < 1e-8);
@@ -308,10 +308,10 @@ fn stops_and_effects_do_not_change_the_motion() {
         assert!(simulation.contacts().iter().all(|contact| contact.separation_m.abs() < 1e-11));
     }
     let report = simulation.run().unwrap();
-    let difference = report.bodies[1].1.pose.translation.z - whole.0.bodies[1].1.pose.translation.z;
+    let difference = report.bodies[1].state.pose.translation.z - whole.0.bodies[1].state.pose.translation.z;
     assert!(difference.abs() < 1e-9, "{difference:e}");
     let all = run(&scene, Effects::All).0;
-    assert!((all.bodies[1].1.pose.translation.z - whole.0.bodies[1].1.pose.translation.z).abs() < 1e-9);
+    assert!((all.bodies[1].state.pose.translation.z - whole.0.bodies[1].state.pose.translation.z).abs() < 1e-9);
     assert_closes(&report);
 }
 
@@ -396,7 +396,7 @@ fn ball_bounces_on_a_shaker_by_the_recurrence() {
         let (before, under) = (v - G * dt, speed(t0 + dt));
         let impulse = 0.6 * (1.0 + e) * (under - before);
         (t0, z, v) = (t0 + dt, top(t0 + dt), under + e * (under - before));
-        assert!((impact.t - t0).abs() < 1e-8 && (impact.impulse / impulse - 1.0).abs() < 1e-7, "{impact:?} {t0}");
+        assert!((impact.t_s - t0).abs() < 1e-8 && (impact.impulse / impulse - 1.0).abs() < 1e-7, "{impact:?} {t0}");
     }
     assert!(impacts.len() >= 8, "{}", impacts.len());
     assert_closes(&report);
@@ -413,7 +413,7 @@ fn press_on_a_body_without_a_way_out() {
     let ball = ball("ball", 1.0, RADIUS, DVec3::Z * RADIUS, DVec3::ZERO);
     let scene = scene("press", 1.5).body(floor()).body(press).body(ball).build().unwrap();
     let refused = Simulation::new(&scene).unwrap().run().unwrap_err();
-    let SimulationError::NoWayOut { t, body_a, body_b, overlap_m } = &refused else { panic!("{refused}") };
+    let SimulationError::NoWayOut { t_s: t, body_a, body_b, overlap_m } = &refused else { panic!("{refused}") };
     assert_eq!((body_a.as_str(), body_b.as_str()), ("press", "ball"));
     let met = (0.7 - 2.0 * RADIUS) / 0.5;
     assert!((t - met).abs() < 1e-2 && *overlap_m < 1e-2 * RADIUS, "{refused}");
@@ -466,7 +466,7 @@ fn balls_in_a_shaken_box() {
         builder = builder.body(ball(&format!("ball {k}"), 0.3, 0.1, place, DVec3::ZERO).material(elastic(0.7)));
     }
     let (report, recorder) = run(&builder.build().unwrap(), Effects::Planned);
-    for (&t, row) in recorder.times.iter().zip(&recorder.samples) {
+    for (&t, row) in recorder.times_s.iter().zip(&recorder.samples) {
         for own in &row[1..] {
             let seen = trajectory.pose(t).inverse_transform_point(own.pose.translation).abs().max_element();
             assert!(seen < 0.4 + 1e-9, "{t} {seen}");

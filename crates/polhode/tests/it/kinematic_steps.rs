@@ -32,7 +32,7 @@ fn box_on_a_conveyor_without_friction_stays() {
     let scene = scene.body(belt).body(brick("box", DVec3::splat(0.4), DVec3::Z * 0.2));
     let (report, recorder) = run_by(&scene, stepped(0.01));
     assert!(max_position_error(&recorder, 1, |_| DVec3::Z * 0.2) < 1e-13);
-    for (&t, row) in recorder.times.iter().zip(&recorder.samples) {
+    for (&t, row) in recorder.times_s.iter().zip(&recorder.samples) {
         assert_eq!((row[0].pose, row[0].velocity), (trajectory.pose(t), trajectory.velocity(t)), "{t}");
     }
     assert!(report.ledger.external.value().abs() < 1e-13 * report.ledger.scale_j, "{:?}", report.ledger);
@@ -121,7 +121,7 @@ fn pile_in_a_shaken_bin_goes_through_crowding() {
     assert!(report.certificate.max_penetration_of_limit <= 1.0, "{:?}", report.certificate);
     assert!(report.ledger.external.value().abs() > 1e-3, "{:?}", report.ledger);
     let trajectory = shaken_bin(0).build().unwrap().bodies()[0].trajectory().unwrap();
-    for (&t, row) in recorder.times.iter().zip(&recorder.samples) {
+    for (&t, row) in recorder.times_s.iter().zip(&recorder.samples) {
         for own in &row[1..] {
             let seen = trajectory.pose(t).inverse_transform_point(own.pose.translation);
             assert!(seen.x.abs() < 0.45 && seen.y.abs() < 0.45 && seen.z > 0.05, "{t} {seen}");

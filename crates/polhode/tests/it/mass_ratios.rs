@@ -187,7 +187,7 @@ fn a_heavy_box_that_falls_tilted_on_a_light_plate_comes_to_an_end() {
             .body(heavy_brick("plate", 1.0, DVec3::new(1.0, 0.8, 0.1), DVec3::Z * 0.05).material(rough()))
             .body(heavy_brick("box", ratio, DVec3::splat(0.5), place).pose(Pose::new(tilt, place)).material(rough()));
         let (report, _) = run(&scene.build().unwrap(), Effects::Planned);
-        let heights = report.bodies.iter().map(|(_, state)| state.pose.translation.z);
+        let heights = report.bodies.iter().map(|polhode::ReportedBody { state, .. }| state.pose.translation.z);
         assert!(heights.fold(0.0, f64::max) < place.z, "{ratio:e}: {report:?}");
         let (first, last) = (report.energy.initial_j, report.energy.final_j);
         assert!(last < first, "{ratio:e}: the energy went from {first} J to {last} J");

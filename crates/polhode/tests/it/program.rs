@@ -3,7 +3,7 @@
 
 use crate::support::{Sides, accurate, ball, brick, diamond, elastic, floor};
 use polhode::spatial::{DVec3, Pose, Velocity};
-use polhode::{ActionError, Effects, Recorder, Scene, SceneBuilder, Simulation, SimulationError};
+use polhode::{ActionError, BodyId, Effects, Recorder, Scene, SceneBuilder, Simulation, SimulationError};
 
 /// A pile that falls: bricks and balls that meet each other and the floor.
 fn pile() -> SceneBuilder {
@@ -21,7 +21,7 @@ fn pile() -> SceneBuilder {
 /// All numbers of a record, as bits.
 fn bits(record: &Recorder) -> Vec<u64> {
     let mut out = Vec::new();
-    for (t, row) in record.times.iter().zip(&record.samples) {
+    for (t, row) in record.times_s.iter().zip(&record.samples) {
         out.push(t.to_bits());
         for body in row {
             let [w, x, y, z] = body.pose.rotation.to_wxyz();
@@ -32,7 +32,7 @@ fn bits(record: &Recorder) -> Vec<u64> {
         }
     }
     for event in &record.events {
-        out.extend([event.t, event.impulse, event.energy_change_j].map(f64::to_bits));
+        out.extend([event.t_s, event.impulse, event.energy_change_j].map(f64::to_bits));
     }
     out
 }
@@ -93,9 +93,9 @@ fn an_unrelated_body_changes_no_bit() {
     let mut together = Recorder::default();
     let scene = pile().body(other).build().unwrap();
     Simulation::new(&scene).unwrap().run_observed(&mut together).unwrap();
-    assert!(together.events.iter().any(|event| event.body_b == Some(4) || event.body_a == 4));
+    assert!(together.events.iter().any(|event| event.body_b == Some(BodyId::new(4)) || event.body_a == BodyId::new(4)));
     together.samples.iter_mut().for_each(|row| row.truncate(4));
-    together.events.retain(|event| event.body_a != 4 && event.body_b != Some(4));
+    together.events.retain(|event| event.body_a != BodyId::new(4) && event.body_b != Some(BodyId::new(4)));
     assert_eq!(bits(&alone), bits(&together));
 }
 
@@ -120,7 +120,7 @@ fn the_order_of_islands_changes_no_bit() {
         }
         let report = Simulation::new(&builder.build().unwrap()).unwrap().run().unwrap();
         let mut found: Vec<_> =
-            report.bodies.iter().map(|(name, sample)| (name.clone(), format!("{sample:?}"))).collect();
+            report.bodies.iter().map(|body| (body.name.clone(), format!("{:?}", body.state))).collect();
         found.sort();
         found
     };

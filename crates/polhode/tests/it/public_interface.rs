@@ -56,8 +56,8 @@ fn pendulum() -> SceneBuilder {
     let pose = Pose::new(Rotation::from_rotation_vector(DVec3::Y * 1.3), DVec3::Z * 0.9);
     let rod = brick("rod", DVec3::new(0.1, 0.1, 0.6), DVec3::ZERO).pose(pose);
     let spring = Force::Spring {
-        a: Attachment::Body { body: 1, point: DVec3::Z * -0.3 },
-        b: Attachment::Body { body: 2, point: DVec3::Z * 0.05 },
+        a: Attachment::Body { body: BodyId::new(1), point: DVec3::Z * -0.3 },
+        b: Attachment::Body { body: BodyId::new(2), point: DVec3::Z * 0.05 },
         stiffness: 40.0,
         rest_length: 0.3,
         damping: 0.0,
@@ -105,7 +105,7 @@ fn scenes(tier: Tier) -> Vec<Scene> {
 
 /// All samples and events that an observer received, with all digits.
 fn record_text(recorder: &Recorder) -> String {
-    format!("{:?} {:?} {:?}", recorder.times, recorder.samples, recorder.events)
+    format!("{:?} {:?} {:?}", recorder.times_s, recorder.samples, recorder.events)
 }
 
 /// A report without its number of steps, to which calls of `advance_to` add while all bodies fly.
@@ -204,7 +204,7 @@ fn restored_simulations_go_on_with_the_same_bits() {
 /// Twelve balls with friction that fall into a bin and roll against each other: their crowds fall into parts, whose
 /// bodies have joined and left them at different times.
 fn rough_balls() -> SceneBuilder {
-    let rough = || Material::new("rough", 0.5, 0.5).unwrap();
+    let rough = || Material::new("rough").with_friction(0.5).unwrap().with_restitution(0.5).unwrap();
     let mut scene = Scene::builder("rough balls").duration_s(1.2).body(floor().material(rough()));
     for (k, inward) in [DVec3::X, -DVec3::X, DVec3::Y, -DVec3::Y].into_iter().enumerate() {
         let wall = Geometry::Shape(Shape::half_space(UnitVector::new(inward).unwrap()));

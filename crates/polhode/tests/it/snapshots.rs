@@ -10,7 +10,8 @@ use polhode::scene::{
 };
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation, SplitMix64, Velocity};
 use polhode::{
-    Body, Effects, Geometry, Recorder, Scene, SceneBuilder, Simulation, SimulationError, Snapshot, SnapshotError,
+    Body, BodyId, Effects, Geometry, Recorder, Scene, SceneBuilder, Simulation, SimulationError, Snapshot,
+    SnapshotError,
 };
 
 /// The samples and events of a run from the given indices on, and its report, with all digits.
@@ -18,7 +19,7 @@ fn record_text(recorder: &Recorder, (samples, events): (usize, usize), simulatio
     let report = simulation.run().unwrap();
     format!(
         "{:?} {:?} {:?} {report:?}",
-        &recorder.times[samples..],
+        &recorder.times_s[samples..],
         &recorder.samples[samples..],
         &recorder.events[events..]
     )
@@ -58,7 +59,7 @@ pub(crate) fn check_restored_runs(scene: &Scene, effects: Effects) {
         steps += 1;
         after_event += usize::from(event);
         if (event && after_event <= 5) || steps.is_power_of_two() {
-            stops.push((simulation.snapshot().to_bytes(), whole.times.len(), whole.events.len()));
+            stops.push((simulation.snapshot().to_bytes(), whole.times_s.len(), whole.events.len()));
         }
     }
     for (bytes, samples, events) in &stops {
@@ -122,8 +123,12 @@ fn chain(method: Method) -> Scene {
         builder = builder.body(body.material(elastic(0.5)));
     }
     for k in 0..3 {
-        let b = Attachment::Body { body: k + 1, point: DVec3::new(0.0, 0.02, 0.03) };
-        let a = if k == 0 { Attachment::World(DVec3::Z) } else { Attachment::Body { body: k, point: DVec3::ZERO } };
+        let b = Attachment::Body { body: BodyId::new(k + 1), point: DVec3::new(0.0, 0.02, 0.03) };
+        let a = if k == 0 {
+            Attachment::World(DVec3::Z)
+        } else {
+            Attachment::Body { body: BodyId::new(k), point: DVec3::ZERO }
+        };
         builder = builder.force(Force::Spring { a, b, stiffness: 60.0, rest_length: 0.3, damping: 0.0 });
     }
     builder.build().unwrap()
@@ -168,7 +173,7 @@ fn bouncing_bodies_go_on_with_the_same_bits() {
 fn bodies_in_air_go_on_with_the_same_bits() {
     for rotational in [0.0, 0.02] {
         let drag = Force::Drag {
-            body: 1,
+            body: BodyId::new(1),
             law: DragLaw::Quadratic,
             translational: 0.4,
             rotational,
@@ -207,7 +212,7 @@ fn chains_with_springs_go_on_with_the_same_bits() {
     }
     let mut free = Scene::builder("free chain").duration_s(0.7).output_interval_s(0.013);
     free = free.body(particle("a", 1.0, DVec3::ZERO, DVec3::X)).body(particle("b", 2.0, DVec3::X, DVec3::Y));
-    let [a, b] = [0, 1].map(|body| Attachment::Body { body, point: DVec3::ZERO });
+    let [a, b] = [0, 1].map(|body| Attachment::Body { body: BodyId::new(body), point: DVec3::ZERO });
     free = free.force(Force::Spring { a, b, stiffness: 90.0, rest_length: 0.3, damping: 0.0 });
     for integrator in Integrator::ALL {
         check_restored_runs(&free.clone().method(by(integrator)).build().unwrap(), Effects::Planned);
@@ -227,7 +232,7 @@ fn planar_pushed_and_resting_bodies_go_on_with_the_same_bits() {
     check_restored_runs(&planar.build().unwrap(), Effects::All);
     let force = DVec3::new(3.0, -1.0, 0.0);
     let push = Force::Applied {
-        body: 1,
+        body: BodyId::new(1),
         force,
         torque: DVec3::ZERO,
         frame: Frame::World,

@@ -48,7 +48,7 @@ fn body(simulation: &Simulation, name: &str) -> BodyId {
 
 /// The largest distance of the samples of two runs: of places (m), and of velocities (m/s).
 fn apart(one: &Recorder, other: &Recorder) -> f64 {
-    assert_eq!(one.times, other.times);
+    assert_eq!(one.times_s, other.times_s);
     let pairs = one.samples.iter().flatten().zip(other.samples.iter().flatten());
     let distance = |(a, b): (&polhode::BodySample, &polhode::BodySample)| {
         let place = (a.pose.translation - b.pose.translation).length();
