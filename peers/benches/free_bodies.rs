@@ -17,7 +17,7 @@ use polhode::dynamics::exact_rotation::drift;
 use polhode::dynamics::{BodyState, Dop853, Flight, FreeMotion};
 use polhode::scene::{DEFAULT_GRAVITY, Method};
 use polhode::spatial::{DVec3, Pose};
-use polhode::{Body, BodySample, Effects, Observer, Scene, Simulation};
+use polhode::{Body, BodySample, Observer, Scene, Simulation};
 use rapier3d::prelude::{PhysicsWorld, RigidBodyBuilder, RigidBodyHandle};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -102,9 +102,9 @@ fn scene(bodies: &[TumblingBody]) -> Option<Scene> {
 /// The facade from the start for one second, its report at the end included.
 fn simulation(scene: &Scene) -> Run {
     let mut newest = Newest::default();
-    let Ok(mut simulation) = Simulation::new(scene, Effects::Planned) else { return Run::default() };
+    let Ok(mut simulation) = Simulation::new(scene) else { return Run::default() };
     let begin = Instant::now();
-    let report = black_box(simulation.run(&mut newest));
+    let report = black_box(simulation.run_observed(&mut newest));
     let elapsed = begin.elapsed();
     drop(report);
     (newest.bodies.iter().map(|body| body.pose).collect(), elapsed)

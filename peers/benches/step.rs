@@ -19,7 +19,7 @@
 use polhode::contact::Shape;
 use polhode::scene::{DEFAULT_GRAVITY, Method};
 use polhode::spatial::{DVec3, Pose, Velocity};
-use polhode::{Body, BodyId, BodySample, Effects, Geometry, Observer, Scene, Simulation, Unobserved};
+use polhode::{Body, BodyId, BodySample, Geometry, Observer, Scene, Simulation};
 use rapier3d::prelude::{ColliderBuilder, PhysicsWorld, RigidBodyBuilder};
 use std::hint::black_box;
 use std::time::Instant;
@@ -121,12 +121,12 @@ enum Reading {
 
 /// Time of a step by `advance_to`, s.
 fn advance(scene: &Scene, reading: Reading) -> Option<f64> {
-    let mut simulation = Simulation::new(scene, Effects::Planned).ok()?;
+    let mut simulation = Simulation::new(scene).ok()?;
     let ids: Vec<BodyId> = scene.bodies().iter().filter_map(|body| simulation.body_id(body.name())).collect();
     let mut time = 0.0;
     for step in 1..=STEPS {
         let begin = Instant::now();
-        simulation.advance_to(f64::from(step) * STEP_S, &mut Unobserved).ok()?;
+        simulation.advance_to(f64::from(step) * STEP_S).ok()?;
         match reading {
             Reading::Nothing => {}
             Reading::Each => ids.iter().for_each(|&id| {
@@ -152,9 +152,9 @@ impl Observer for Looker {
 
 /// Time of a step of a run with samples, s.
 fn run(scene: &Scene) -> Option<f64> {
-    let mut simulation = Simulation::new(scene, Effects::Planned).ok()?;
+    let mut simulation = Simulation::new(scene).ok()?;
     let begin = Instant::now();
-    black_box(simulation.run(&mut Looker).ok()?);
+    black_box(simulation.run_observed(&mut Looker).ok()?);
     Some(begin.elapsed().as_secs_f64() / f64::from(STEPS))
 }
 

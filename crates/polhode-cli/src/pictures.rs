@@ -294,6 +294,7 @@ pub(crate) fn outcome(report: &RunReport) -> String {
         Outcome::Completed => "completed".to_owned(),
         Outcome::Degraded => "degraded".to_owned(),
         Outcome::Stopped => failed(&format!("stopped at t = {} s of {} s", report.simulated_s, report.duration_s)),
+        other => failed(other.name()),
     }
 }
 

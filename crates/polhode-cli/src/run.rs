@@ -190,9 +190,9 @@ impl Run {
         let name = self.loaded.scene.name().to_owned();
         let ended = match ended {
             Ok(_) if reached_s < duration_s && interrupt.has_come() => self.interrupted(interrupt),
-            Ok(report) => {
-                let plan = scene::with_origins(&self.loaded, &report.plan);
-                self.completed(&RunReport { plan, ..report }, interrupt)
+            Ok(mut report) => {
+                report.plan = scene::with_origins(&self.loaded, &report.plan);
+                self.completed(&report, interrupt)
             }
             Err(failure) => {
                 // A run that has diverged is worth looking at: what it had written is kept beside the name asked for.
@@ -234,7 +234,8 @@ impl Run {
         printed.map_err(|failure| (told, failure))?;
         match report.outcome {
             Outcome::Completed | Outcome::Stopped => Ok(()),
-            Outcome::Degraded => Err((told, Failure::Degraded(degraded(report)))),
+            // An outcome of which nothing else is known is not a good one.
+            _ => Err((told, Failure::Degraded(degraded(report)))),
         }
     }
 }
@@ -248,7 +249,7 @@ fn go_on(
 ) -> Result<RunReport, Failure> {
     loop {
         watch.stop_s = checkpoints.next_s(simulation.time());
-        let report = simulation.run(watch).map_err(|error| scene::failed(loaded, error))?;
+        let report = simulation.run_observed(watch).map_err(|error| scene::failed(loaded, error))?;
         // A run that has broken a promise says so whether it has ended or not.
         let has_ended = report.outcome == Outcome::Completed || simulation.time() >= loaded.scene.duration_s();
         let is_due = !has_ended && simulation.time() >= watch.stop_s;

@@ -129,7 +129,7 @@ pub(crate) fn change(option: &str, text: &str) -> Result<Override, Failure> {
 
 /// The scene, ready to run.
 pub(crate) fn prepare(loaded: &LoadedScene, args: &ChangeArgs) -> Result<Simulation, Failure> {
-    Simulation::new(&loaded.scene, effects(args)).map_err(|error| failed(loaded, error))
+    Simulation::with_effects(&loaded.scene, effects(args)).map_err(|error| failed(loaded, error))
 }
 
 /// The effects that are simulated.

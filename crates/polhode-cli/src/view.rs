@@ -129,7 +129,7 @@ fn at_instant(run: &ShownRun, args: &ViewArgs, t_s: f64) -> Result<Recording, Fa
     let (t, bodies) = match &run.motion {
         Motion::Simulated => {
             let mut simulation = scene::prepare(&run.loaded, &args.changes)?;
-            let reached = simulation.advance_to(t_s, &mut recording);
+            let reached = simulation.advance_to_observed(t_s, &mut recording);
             reached.map_err(|error| scene::failed(&run.loaded, error))?;
             (t_s, simulation.bodies())
         }
@@ -216,7 +216,7 @@ fn show(
 /// Runs to the end, to Ctrl-C or to a picture that is full, and looks at the energies on the way.
 fn shown_to_its_end(simulation: &mut Simulation, watch: &mut Watch<'_>) -> Result<RunReport, SimulationError> {
     loop {
-        let report = simulation.run(watch)?;
+        let report = simulation.run_observed(watch)?;
         let is_look = report.simulated_s < report.duration_s && watch.bar.wants_look() && !watch.is_stopped;
         if !is_look || watch.interrupt.has_come() {
             return Ok(report);

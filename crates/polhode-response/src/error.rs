@@ -7,6 +7,7 @@ use thiserror::Error;
 
 /// Why a contact problem cannot be built or solved as asked.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
 pub enum ResponseError {
     /// A body has no velocity components.
     #[error("a body needs at least 1 velocity component (6 in space, 3 in a plane), found width {0}")]

@@ -36,6 +36,7 @@ const INDEPENDENT_PIVOT: f64 = 1e-10;
 
 /// Which step gave the answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum LeastForceStage {
     /// No contact vanishes.
     NoneVanish,
@@ -49,6 +50,7 @@ pub enum LeastForceStage {
 
 /// The answer of the thesis's method.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct LeastForceSolution {
     /// `f`, not negative.
     pub forces: Vec<f64>,

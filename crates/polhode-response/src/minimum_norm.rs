@@ -46,6 +46,7 @@ const MULTIPLIER_ROUNDING: f64 = 1e-8;
 
 /// Forces of least norm.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct MinimumNormForces {
     /// `f`, not negative on unilateral rows.
     pub forces: Vec<f64>,

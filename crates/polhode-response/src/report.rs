@@ -14,6 +14,7 @@ pub enum SolverStatus {
 
 /// Which method gave the answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Method {
     /// One row: equation (14) in complementarity form. Also problems without rows.
     #[default]

@@ -31,6 +31,7 @@ pub struct SolverSettings {
 
 /// What a solve may do when its own active set does not succeed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum FallbackPolicy {
     /// Interior point in lifted form, then an active-set polish.
     #[default]

@@ -24,6 +24,7 @@ pub struct SolveSettings {
 
 /// Reactions of all rows.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Solution {
     /// `r`, one for each row: forces (N) or impulses (N s).
     pub reactions: Vec<f64>,

@@ -4,7 +4,7 @@
 //! 99 % of them, largest), the factorisations of a step (the same), the largest residual, and the time of the first
 //! step, which starts from nothing.
 
-use polhode::{Effects, Simulation, Unobserved};
+use polhode::Simulation;
 use polhode_scene::load;
 use std::error::Error;
 use std::path::Path;
@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn measure(path: &Path) -> Result<(), Box<dyn Error>> {
     let scene = load(path)?;
     let begun = Instant::now();
-    let mut simulation = Simulation::new(&scene, Effects::Planned)?;
+    let mut simulation = Simulation::new(&scene)?;
     let prepared = begun.elapsed().as_secs_f64();
     let (mut times, mut counts) = (Vec::new(), Vec::new());
     let mut last = 0;
@@ -32,7 +32,7 @@ fn measure(path: &Path) -> Result<(), Box<dyn Error>> {
             break "completed".to_owned();
         }
         let begun = Instant::now();
-        if let Err(error) = simulation.step(&mut Unobserved) {
+        if let Err(error) = simulation.step() {
             break error.to_string();
         }
         times.push(begun.elapsed().as_secs_f64());

@@ -185,7 +185,7 @@ impl Checkpoint {
     pub fn load(&self, path: &Path) -> Result<(LoadedScene, Simulation), CheckpointError> {
         let loaded = load_with(&self.scene, &self.overrides)?;
         let fault = |source| CheckpointError::Simulation { path: path.to_owned(), source: Box::new(source) };
-        let mut simulation = match Simulation::new(&loaded.scene, self.snapshot.effects()) {
+        let mut simulation = match Simulation::with_effects(&loaded.scene, self.snapshot.effects()) {
             Ok(simulation) => simulation,
             Err(SimulationError::Scene(error)) => return Err(loaded.explain(error).into()),
             Err(error) => return Err(fault(error)),

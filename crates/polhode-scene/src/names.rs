@@ -35,19 +35,12 @@ pub const fn rotation_rate(variable: RotationRate) -> &'static str {
 
 /// The word for an impact law.
 pub const fn impact(law: ImpactLaw) -> &'static str {
-    match law {
-        ImpactLaw::Propagation => "propagation",
-        ImpactLaw::Simultaneous => "simultaneous",
-        ImpactLaw::Reflection => "reflection",
-    }
+    law.name()
 }
 
 /// The word for a method of contact forces.
 pub const fn contact(method: ContactMethod) -> &'static str {
-    match method {
-        ContactMethod::LeastForce => "least-force",
-        ContactMethod::ActiveSet => "active-set",
-    }
+    method.name()
 }
 
 /// `on` or `off`.
@@ -60,9 +53,5 @@ pub const fn decision(decision: Decision) -> &'static str {
 
 /// How a run ended.
 pub const fn outcome(outcome: Outcome) -> &'static str {
-    match outcome {
-        Outcome::Completed => "completed",
-        Outcome::Stopped => "stopped",
-        Outcome::Degraded => "degraded",
-    }
+    outcome.name()
 }

@@ -64,7 +64,7 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
         "events": report.events,
         "warnings": report.warnings,
         "tolerated": report.tolerated.iter().map(tolerated_json).collect::<Vec<_>>(),
-        "bodies": report.bodies.iter().map(|(name, sample)| body_json(name, sample)).collect::<Vec<_>>(),
+        "bodies": report.bodies.iter().map(|body| body_json(&body.name, &body.state)).collect::<Vec<_>>(),
     })
 }
 
@@ -78,7 +78,7 @@ pub fn scene_report_json(loaded: &LoadedScene, report: &RunReport, wall_s: f64) 
 
 /// Two bodies at a time, s; null when there are none.
 fn pair_json(report: &RunReport, at: Option<PairAt>) -> Value {
-    let name = |body: BodyId| report.bodies.get(body.index()).map(|(name, _)| name.as_str());
+    let name = |body: BodyId| report.bodies.get(body.index()).map(|body| body.name.as_str());
     at.map_or(Value::Null, |at| json!({ "t_s": at.t_s, "body_a": name(at.body_a), "body_b": name(at.body_b) }))
 }
 
@@ -87,7 +87,7 @@ fn crowded_json(report: &RunReport) -> Value {
     if report.crowded.is_empty() {
         return Value::Null;
     }
-    let name = |body: BodyId| report.bodies.get(body.index()).map(|(name, _)| name.as_str());
+    let name = |body: BodyId| report.bodies.get(body.index()).map(|body| body.name.as_str());
     let error = report.crowding_error.map(|error| {
         json!({
             "position_m": error.position_m,
@@ -106,7 +106,7 @@ fn crowded_json(report: &RunReport) -> Value {
 
 /// What was tolerated; times in s.
 fn tolerated_json(tolerated: &Tolerated) -> Value {
-    let Tolerated { what, count, first_s, last_s } = tolerated;
+    let Tolerated { what, count, first_s, last_s, .. } = tolerated;
     json!({ "what": what, "count": count, "first_s": first_s, "last_s": last_s })
 }
 

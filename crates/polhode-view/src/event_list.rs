@@ -1,6 +1,6 @@
 //! Events in words, for the time line of a page.
 
-use polhode::{Event, EventKind};
+use polhode::{BodyId, Event, EventKind};
 use serde::Serialize;
 
 /// Events that a page lists at the most: what comes later is counted.
@@ -28,10 +28,10 @@ pub struct EventList {
 
 impl EventList {
     /// Adds an event of these bodies.
-    pub fn add(&mut self, event: &Event, name: impl Fn(usize) -> String) {
-        let bodies: Vec<usize> = std::iter::once(event.body_a).chain(event.body_b).collect();
+    pub fn add(&mut self, event: &Event, name: impl Fn(BodyId) -> String) {
+        let bodies: Vec<usize> = std::iter::once(event.body_a).chain(event.body_b).map(BodyId::index).collect();
         let kind = event.kind.word();
-        let same_time = self.events.iter().rev().take_while(|listed| listed.t == event.t);
+        let same_time = self.events.iter().rev().take_while(|listed| listed.t == event.t_s);
         if same_time.into_iter().any(|listed| listed.kind == kind && listed.bodies == bodies) {
             return;
         }
@@ -51,8 +51,9 @@ impl EventList {
             EventKind::Stick => format!("a contact of {a} and {b} sticks"),
             EventKind::Slide => format!("a contact of {a} and {b} begins to slide"),
             EventKind::Jam => format!("a contact of {a} and {b} jams"),
+            other => format!("{a} and {b}: {}", other.word()),
         };
-        self.events.push(ListedEvent { t: event.t, kind, bodies, text });
+        self.events.push(ListedEvent { t: event.t_s, kind, bodies, text });
     }
 
     /// All that are listed; the last one says how many are not.

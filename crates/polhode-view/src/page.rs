@@ -260,7 +260,8 @@ impl<W: Write> Observer for PageRun<W> {
 
     fn event(&mut self, event: &Event) {
         let bodies = &self.shown.bodies;
-        self.events.add(event, |body| bodies.get(body).map_or_else(|| format!("body {body}"), |b| b.name.clone()));
+        self.events
+            .add(event, |body| bodies.get(body.index()).map_or_else(|| format!("body {body}"), |b| b.name.clone()));
     }
 
     fn wants_frames(&self) -> bool {
@@ -282,7 +283,7 @@ fn details(frame: &Frame, moving: &[usize], quanta: Quanta) -> ChunkDetails {
         Some(MotionKind::Flight) => 1,
         Some(MotionKind::Integrated) => 2,
         Some(MotionKind::Rest) => 3,
-        Some(MotionKind::Given) | None => 0,
+        _ => 0,
     };
     let mut island_of = vec![NO_ISLAND; frame.bodies.len()];
     for (number, island) in frame.islands.iter().enumerate() {

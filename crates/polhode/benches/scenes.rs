@@ -14,7 +14,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use polhode::contact::Shape;
 use polhode::scene::{Joint, Material, PrescribedMotion};
 use polhode::spatial::{DVec3, Density, Inertia, Mass, MassProperties, Pose, UnitVector, Velocity};
-use polhode::{Body, Effects, Geometry, Scene, SceneBuilder, Simulation, Unobserved, mesh};
+use polhode::{Body, BodyId, Effects, Geometry, Scene, SceneBuilder, Simulation, mesh};
 use std::hint::black_box;
 
 fn floor() -> Body {
@@ -46,7 +46,7 @@ fn diamond(m: usize) -> Option<SceneBuilder> {
 
 /// A ball dropped from 1 m with restitution 0.8: infinitely many bounces in 4.06 s.
 fn bouncing_ball() -> Option<Scene> {
-    let rubber = Material::new("rubber", 0.0, 0.8).ok()?;
+    let rubber = Material::new("rubber").with_restitution(0.8).ok()?;
     let inertia = Inertia::from_diagonal(DVec3::splat(0.1)).ok()?;
     let ball = Body::movable("ball", MassProperties::new(Mass::new(1.0).ok()?, DVec3::ZERO, inertia))
         .geometry(Geometry::Shape(Shape::sphere(0.5).ok()?))
@@ -72,15 +72,15 @@ fn swinging_chain() -> Option<Scene> {
     for link in 0..30_usize {
         let top = down * (length * link as f64);
         let rod = brick(&format!("link {link}"), DVec3::new(0.02, 0.02, length), top + down * (0.5 * length))?;
-        let joint = Joint::hinge(link, top, UnitVector::Y);
-        builder = builder.body(rod).joint(if link > 0 { joint.with(link - 1) } else { joint });
+        let joint = Joint::hinge(BodyId::new(link), top, UnitVector::Y);
+        builder = builder.body(rod).joint(if link > 0 { joint.with(BodyId::new(link - 1)) } else { joint });
     }
     builder.build().ok()
 }
 
 /// A box on a rough floor that a rough wall pushes at constant speed.
 fn pushed_box() -> Option<Scene> {
-    let rough = Material::new("rough", 0.5, 0.0).ok()?;
+    let rough = Material::new("rough").with_friction(0.5).ok()?;
     let motion = PrescribedMotion::constant_velocity(Velocity::new(DVec3::X * 0.5, DVec3::ZERO)).ok()?;
     let wall = Body::kinematic("wall", motion)
         .geometry(Geometry::Shape(Shape::cuboid(DVec3::splat(0.1)).ok()?))
@@ -92,7 +92,7 @@ fn pushed_box() -> Option<Scene> {
 
 /// Prepares and runs a scene. Returns whether the run reached its end.
 fn run(scene: &Scene, effects: Effects) -> bool {
-    Simulation::new(scene, effects).and_then(|mut simulation| simulation.run(&mut Unobserved)).is_ok()
+    Simulation::with_effects(scene, effects).and_then(|mut simulation| simulation.run()).is_ok()
 }
 
 fn scenes(criterion: &mut Criterion) {

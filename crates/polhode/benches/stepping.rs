@@ -13,7 +13,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use polhode::contact::Shape;
 use polhode::scene::{Material, Method, Tier};
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, UnitVector, Velocity};
-use polhode::{Body, BodyId, Effects, Geometry, Scene, SceneBuilder, Simulation, Unobserved};
+use polhode::{Body, BodyId, Effects, Geometry, Scene, SceneBuilder, Simulation};
 use std::error::Error;
 use std::hint::black_box;
 
@@ -68,7 +68,7 @@ fn stacks() -> Made<SceneBuilder> {
 
 /// Three balls that bounce in a V of two planes until they rest.
 fn crowded() -> Made<Scene> {
-    let rubber = Material::new("rubber", 0.0, 0.5)?;
+    let rubber = Material::new("rubber").with_restitution(0.5)?;
     let wall = |name: &str, normal: DVec3| -> Made<Body> {
         let shape = Geometry::Shape(Shape::half_space(UnitVector::new(normal)?));
         Ok(Body::fixed(name).geometry(shape).material(rubber.clone()))
@@ -83,9 +83,9 @@ fn crowded() -> Made<Scene> {
 
 /// Steps to the end of the duration. Returns whether it was reached.
 fn step_to_the_end(scene: &Scene) -> bool {
-    let Ok(mut simulation) = Simulation::new(scene, Effects::Planned) else { return false };
+    let Ok(mut simulation) = Simulation::new(scene) else { return false };
     while simulation.time() < scene.duration_s() {
-        if simulation.step(&mut Unobserved).is_err() {
+        if simulation.step().is_err() {
             return false;
         }
     }
@@ -94,8 +94,8 @@ fn step_to_the_end(scene: &Scene) -> bool {
 
 /// Reads the positions of the bodies one by one, in the middle of a step.
 fn bench_reading(criterion: &mut Criterion, scene: &Scene) -> Made<()> {
-    let mut simulation = Simulation::new(scene, Effects::Planned)?;
-    simulation.advance_to(0.505, &mut Unobserved)?;
+    let mut simulation = Simulation::new(scene)?;
+    simulation.advance_to(0.505)?;
     let ids: Vec<BodyId> = scene.bodies().iter().filter_map(|body| simulation.body_id(body.name())).collect();
     criterion.bench_function("body of each: 30 boxes slide", |bencher| {
         bencher.iter(|| ids.iter().map(|&id| simulation.body(id).pose.translation.x).sum::<f64>());
@@ -118,9 +118,9 @@ fn bench_all(criterion: &mut Criterion) -> Made<()> {
     criterion.bench_function("crowded bounces", |bencher| bencher.iter(|| step_to_the_end(black_box(&crowded))));
     let method = Method { tier: Some(Tier::Stepped), step_s: Some(STEP_S), ..Method::default() };
     let scene = stacks()?.method(method).build()?;
-    let mut simulation = Simulation::new(&scene, Effects::All)?;
+    let mut simulation = Simulation::with_effects(&scene, Effects::All)?;
     criterion.bench_function("stepped: 5 x 5 stacks, a step", |bencher| {
-        bencher.iter(|| simulation.step(&mut Unobserved).is_ok());
+        bencher.iter(|| simulation.step().is_ok());
     });
     Ok(())
 }

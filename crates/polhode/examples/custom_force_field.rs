@@ -6,7 +6,7 @@ use polhode::dynamics::{BodyState, RigidBody};
 use polhode::mesh::solid_box;
 use polhode::scene::Force;
 use polhode::spatial::{DVec3, Mass, Pose};
-use polhode::{Body, Effects, Scene, Simulation, Unobserved};
+use polhode::{Body, Scene, Simulation};
 use std::sync::Arc;
 
 #[derive(Debug)]
@@ -43,9 +43,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let body = Body::movable("body", solid_box(DVec3::ONE, Mass::new(1.0)?)?).pose(Pose::from_translation(DVec3::Z));
     let scene = Scene::builder("trap").gravity(DVec3::ZERO).duration_s(3.0).body(body);
     let scene = scene.force(Force::Field(Arc::new(Trap { stiffness: 4.0 }))).build()?;
-    let mut simulation = Simulation::new(&scene, Effects::Planned)?;
-    let report = simulation.run(&mut Unobserved)?;
-    let height = report.bodies[0].1.pose.translation.z;
+    let mut simulation = Simulation::new(&scene)?;
+    let report = simulation.run()?;
+    let height = report.bodies[0].state.pose.translation.z;
     println!("height {height} m, numerical loss {:e} J", report.ledger.numerical.value());
     assert!((height - f64::cos(2.0 * 3.0)).abs() < 1e-9);
     Ok(())

@@ -4,7 +4,7 @@
 use polhode::contact::Shape;
 use polhode::mesh::solid_box;
 use polhode::spatial::{DVec3, Mass, Pose, Rotation, UnitVector};
-use polhode::{Body, Effects, Recorder, Scene, Simulation};
+use polhode::{Body, Recorder, Scene, Simulation};
 
 /// The FNV-1a hash of the bits of the positions and linear velocities of all samples.
 fn hash(record: &Recorder) -> u64 {
@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = Scene::builder("tumble").body(floor).body(brick).build()?;
     let run = || -> Result<u64, Box<dyn std::error::Error>> {
         let mut record = Recorder::default();
-        Simulation::new(&scene, Effects::Planned)?.run(&mut record)?;
+        Simulation::new(&scene)?.run_observed(&mut record)?;
         Ok(hash(&record))
     };
     let golden = run()?;

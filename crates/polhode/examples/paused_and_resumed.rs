@@ -3,7 +3,7 @@
 use polhode::contact::Shape;
 use polhode::mesh::solid_box;
 use polhode::spatial::{DVec3, Mass, Pose, Rotation, UnitVector};
-use polhode::{Body, Effects, Scene, Simulation, Snapshot, Unobserved};
+use polhode::{Body, Scene, Simulation, Snapshot};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let size = DVec3::new(0.3, 0.2, 0.1);
@@ -13,15 +13,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .pose(Pose::new(turn, DVec3::Z * 0.5));
     let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
     let scene = Scene::builder("tumble").body(floor).body(brick).build()?;
-    let mut simulation = Simulation::new(&scene, Effects::Planned)?;
-    simulation.advance_to(0.4, &mut Unobserved)?;
+    let mut simulation = Simulation::new(&scene)?;
+    simulation.advance_to(0.4)?;
     let bytes = simulation.snapshot().to_bytes();
     println!("paused at {} s: {} bytes", simulation.time(), bytes.len());
-    let whole = simulation.run(&mut Unobserved)?;
+    let whole = simulation.run()?;
 
-    let mut resumed = Simulation::new(&scene, Effects::Planned)?;
+    let mut resumed = Simulation::new(&scene)?;
     resumed.restore(&Snapshot::from_bytes(&bytes)?)?;
-    let rest = resumed.run(&mut Unobserved)?;
+    let rest = resumed.run()?;
     assert_eq!(rest.bodies, whole.bodies);
     assert_eq!(rest.ledger, whole.ledger);
     Ok(())

@@ -18,7 +18,7 @@ use crate::scene::TierFeature;
 use crate::simulation::Simulation;
 use crate::snapshot::content::{self, Content};
 use crate::solve::overlap::displacement;
-use crate::{BodyId, SimulationError, Unobserved};
+use crate::{BodyId, SimulationError};
 
 /// How many times longer its time steps are (no unit).
 const STEP_FACTOR: f64 = 2.0;
@@ -82,7 +82,7 @@ impl Simulation {
     /// Advances the companion to the present of the run.
     pub(crate) fn bring_companion(&mut self) {
         let t = self.time();
-        self.with_companion(|companion| companion.advance_to(t, &mut Unobserved));
+        self.with_companion(|companion| companion.advance_to(t));
     }
 
     /// Repeats an action of the program on the companion.

@@ -1,17 +1,29 @@
 //! The handle of a body.
 
-/// The handle of a body of a simulation: its index in the scene, which is also its index in samples, events, reports
-/// and queries. The index of a removed body is not given to another one.
+/// The handle of a body of a scene or simulation: its number in the order in which bodies were added, from 0. It is the same
+/// in scenes, simulations, samples, events, reports, frames and queries. The number of a removed body is not given to another
+/// one.
+///
+/// [`SceneBuilder::add_body`](crate::SceneBuilder::add_body) and
+/// [`Simulation::add_body`](crate::Simulation::add_body) return it, [`Scene::body_id`](crate::Scene::body_id) and
+/// [`Simulation::body_id`](crate::Simulation::body_id) find it by name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct BodyId(usize);
 
 impl BodyId {
-    pub(crate) const fn new(number: usize) -> Self {
+    /// The body of this number. Whether there is one is checked where the handle is used.
+    pub const fn new(number: usize) -> Self {
         Self(number)
     }
 
-    /// Index of the body in the scene, which is its place in samples.
+    /// Number of the body, which is its place in lists of all bodies.
     pub const fn index(self) -> usize {
         self.0
+    }
+}
+
+impl std::fmt::Display for BodyId {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.0.fmt(f)
     }
 }

@@ -1,8 +1,9 @@
 //! Geometric queries about the bodies of a simulation at its present time: the nearest body, overlaps, rays, distances.
 //!
-//! Answers give bodies by their indices in the scene. Bodies without a shape, and meshes of bodies that may not
+//! Bodies without a shape, and meshes of bodies that may not
 //! collide, are not found.
 
+use crate::body_id::BodyId;
 use crate::world::World;
 use polhode_contact::{Aabb, ClosestPoints, QueryError, QueryScene, Ray, RayHit, Shape, SurfacePoint, distance};
 use polhode_dynamics::BodyState;
@@ -13,14 +14,14 @@ use polhode_spatial::{DVec3, Pose};
 /// ```
 /// use polhode::contact::{Ray, Shape};
 /// use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, UnitVector};
-/// use polhode::{Body, Effects, Geometry, Scene, Simulation, Unobserved};
+/// use polhode::{Body, Geometry, Scene, Simulation};
 /// let properties = MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, Inertia::from_diagonal(DVec3::splat(0.1))?);
 /// let ball = Body::movable("ball", properties).geometry(Geometry::Shape(Shape::sphere(0.5)?));
 /// let floor = Body::fixed("floor").geometry(Geometry::Shape(Shape::half_space(UnitVector::Z)));
 /// let scene = Scene::builder("drop").duration_s(1.0).body(floor);
 /// let scene = scene.body(ball.pose(Pose::from_translation(DVec3::Z * 3.0))).build()?;
-/// let mut simulation = Simulation::new(&scene, Effects::Planned)?;
-/// simulation.run(&mut Unobserved)?;
+/// let mut simulation = Simulation::new(&scene)?;
+/// simulation.run()?;
 ///
 /// let queries = simulation.queries()?;
 /// let ray = Ray::new(DVec3::Z * 9.0, UnitVector::new(-DVec3::Z)?)?;
@@ -47,31 +48,31 @@ impl<'a> BodyQueries<'a> {
         Ok(Self { scene, members, names: world.bodies.iter().map(|body| body.name.as_str()).collect() })
     }
 
-    /// Name of a body by its index in the scene.
-    pub fn name(&self, body: usize) -> Option<&'a str> {
-        self.names.get(body).copied()
+    /// Name of a body.
+    pub fn name(&self, body: BodyId) -> Option<&'a str> {
+        self.names.get(body.index()).copied()
     }
 
-    /// Index of a body in the scene by its name.
-    pub fn index(&self, name: &str) -> Option<usize> {
-        self.names.iter().position(|own| *own == name)
+    /// The body of this name.
+    pub fn body_id(&self, name: &str) -> Option<BodyId> {
+        self.names.iter().position(|own| *own == name).map(BodyId::new)
     }
 
     /// The body nearest to a point (world, m), and the nearest point of its surface.
     ///
     /// # Errors
     /// When the point is not finite.
-    pub fn nearest(&self, point: DVec3) -> Result<Option<(usize, SurfacePoint)>, QueryError> {
+    pub fn nearest(&self, point: DVec3) -> Result<Option<(BodyId, SurfacePoint)>, QueryError> {
         Ok(self.scene.nearest(point)?.map(|(member, found)| (self.body(member), found)))
     }
 
     /// The body that a ray hits first within a distance (m), and the hit.
-    pub fn first_hit(&self, ray: &Ray, max_distance: f64) -> Option<(usize, RayHit)> {
+    pub fn first_hit(&self, ray: &Ray, max_distance: f64) -> Option<(BodyId, RayHit)> {
         self.scene.first_hit(ray, max_distance).map(|(member, hit)| (self.body(member), hit))
     }
 
     /// All bodies that a ray hits within a distance (m), sorted by distance.
-    pub fn all_hits(&self, ray: &Ray, max_distance: f64) -> Vec<(usize, RayHit)> {
+    pub fn all_hits(&self, ray: &Ray, max_distance: f64) -> Vec<(BodyId, RayHit)> {
         self.scene.all_hits(ray, max_distance).into_iter().map(|(member, hit)| (self.body(member), hit)).collect()
     }
 
@@ -79,7 +80,7 @@ impl<'a> BodyQueries<'a> {
     ///
     /// # Errors
     /// When the pose is not finite.
-    pub fn overlapping(&self, shape: &Shape, pose: &Pose) -> Result<Vec<usize>, QueryError> {
+    pub fn overlapping(&self, shape: &Shape, pose: &Pose) -> Result<Vec<BodyId>, QueryError> {
         Ok(self.scene.overlapping(shape, pose)?.into_iter().map(|member| self.body(member)).collect())
     }
 
@@ -87,7 +88,7 @@ impl<'a> BodyQueries<'a> {
     ///
     /// # Errors
     /// When the box is flat or unbounded.
-    pub fn overlapping_box(&self, aabb: &Aabb) -> Result<Vec<usize>, QueryError> {
+    pub fn overlapping_box(&self, aabb: &Aabb) -> Result<Vec<BodyId>, QueryError> {
         Ok(self.scene.overlapping_box(aabb)?.into_iter().map(|member| self.body(member)).collect())
     }
 
@@ -95,13 +96,13 @@ impl<'a> BodyQueries<'a> {
     ///
     /// # Errors
     /// For two half-spaces.
-    pub fn distance(&self, body_a: usize, body_b: usize) -> Result<Option<ClosestPoints>, QueryError> {
-        let (Some(a), Some(b)) = (self.member(body_a), self.member(body_b)) else { return Ok(None) };
+    pub fn distance(&self, body_a: BodyId, body_b: BodyId) -> Result<Option<ClosestPoints>, QueryError> {
+        let (Some(a), Some(b)) = (self.member(body_a.index()), self.member(body_b.index())) else { return Ok(None) };
         distance(a.1, &a.2, b.1, &b.2).map(Some)
     }
 
-    fn body(&self, member: usize) -> usize {
-        self.members.get(member).map_or(member, |(body, ..)| *body)
+    fn body(&self, member: usize) -> BodyId {
+        BodyId::new(self.members.get(member).map_or(member, |(body, ..)| *body))
     }
 
     fn member(&self, body: usize) -> Option<&(usize, &'a Shape, Pose)> {

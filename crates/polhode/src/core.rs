@@ -43,6 +43,6 @@ impl Core {
 
     /// The error of a contact problem at `t` (s) that could not be set up.
     pub(crate) fn response_error(t: f64, source: ResponseError) -> SimulationError {
-        SimulationError::ContactProblem { t, source }
+        SimulationError::ContactProblem { t_s: t, source }
     }
 }

@@ -3,6 +3,7 @@
 /// Energies of the whole scene, J. The potential energy is `-sum m g.p_WBcm`, zero at the world's origin, and that of
 /// the conservative force fields.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Energy {
     /// Total energy at t = 0.
     pub initial_j: f64,

@@ -25,43 +25,43 @@ pub enum SimulationError {
     Snapshot(#[from] SnapshotError),
     /// The state is no longer finite.
     #[error(
-        "the pose or velocity of body {body} is not finite at t = {t} s: the integration diverged; use a shorter \
+        "the pose or velocity of body {body} is not finite at t = {t_s} s: the integration diverged; use a shorter \
          method.step, or leave the integrator to the plan"
     )]
     Diverged {
         /// The body.
         body: String,
         /// When, s.
-        t: f64,
+        t_s: f64,
     },
     /// The total energy exceeds the largest number.
     #[error(
-        "the total energy is not a finite number at t = {t} s: masses, speeds, forces or coordinates of the scene are \
+        "the total energy is not a finite number at t = {t_s} s: masses, speeds, forces or coordinates of the scene are \
          too large; check their units"
     )]
     EnergyOverflow {
         /// When, s.
-        t: f64,
+        t_s: f64,
     },
     /// One step holds more events than `method.max_events_per_step` allows.
     #[error(
-        "more than {limit} events within one step at t = {t} s: raise method.max_events_per_step, shorten method.step, \
+        "more than {limit} events within one step at t = {t_s} s: raise method.max_events_per_step, shorten method.step, \
          or give the materials a restitution below 1"
     )]
     TooManyEvents {
         /// The limit.
         limit: u64,
         /// When, s.
-        t: f64,
+        t_s: f64,
     },
     /// A contact-force or impact problem could not be solved to its tolerance, even by the fallback.
     #[error(
-        "the solver found no contact forces or impulses at t = {t} s: the relative residual stays at {residual:e}; \
+        "the solver found no contact forces or impulses at t = {t_s} s: the relative residual stays at {residual:e}; \
          mass ratios or lengths of the scene may differ too much"
     )]
     ContactSolve {
         /// When, s.
-        t: f64,
+        t_s: f64,
         /// Residual reached, relative.
         residual: f64,
     },
@@ -69,41 +69,41 @@ pub enum SimulationError {
     #[error("the broad phase cannot find the pairs of bodies that may touch: {0}")]
     BroadPhase(#[source] BroadPhaseError),
     /// The integrator could not make a step.
-    #[error("the integrator cannot make a step from t = {t} s: {source}")]
+    #[error("the integrator cannot make a step from t = {t_s} s: {source}")]
     Integration {
         /// Start of the step, s.
-        t: f64,
+        t_s: f64,
         /// Why.
         source: IntegrationError,
     },
     /// The data of a contact problem are not valid.
-    #[error("the contact problem at t = {t} s cannot be set up: {source}")]
+    #[error("the contact problem at t = {t_s} s cannot be set up: {source}")]
     ContactProblem {
         /// When, s.
-        t: f64,
+        t_s: f64,
         /// Why.
         source: ResponseError,
     },
     /// Error control asks for a step that is too short to advance time.
     #[error(
-        "error control asks for a step shorter than {smallest_s:e} s at t = {t} s, which no longer advances time: \
+        "error control asks for a step shorter than {smallest_s:e} s at t = {t_s} s, which no longer advances time: \
          raise method.tolerance, or remove what changes so fast (a stiff spring, a body of very small inertia)"
     )]
     StepTooSmall {
         /// When, s.
-        t: f64,
+        t_s: f64,
         /// Shortest step allowed, s.
         smallest_s: f64,
     },
     /// A force of the scene is infinite or not a number at the position of a body: at the centre of attraction, for
     /// example.
     #[error(
-        "{force} on body {body} is not finite at t = {t} s: its formula is singular at the position of the body; move \
+        "{force} on body {body} is not finite at t = {t_s} s: its formula is singular at the position of the body; move \
          the body"
     )]
     ForceNotFinite {
         /// When, s.
-        t: f64,
+        t_s: f64,
         /// The body.
         body: String,
         /// The force: its index in the scene, counted from 0, and its kind.
@@ -112,13 +112,13 @@ pub enum SimulationError {
     /// A body has come so near to a singularity of a force that no step is short enough. The equations of motion
     /// determine no motion through such a point.
     #[error(
-        "{force} on body {body} grows without bound: it has reached {force_n:e} N at t = {t} s, where the body \
+        "{force} on body {body} grows without bound: it has reached {force_n:e} N at t = {t_s} s, where the body \
          approaches a point at which the formula of the force is singular; end the run before, or start the body so \
          that it misses that point"
     )]
     SingularForce {
         /// When, s.
-        t: f64,
+        t_s: f64,
         /// The body.
         body: String,
         /// The force: its index in the scene, counted from 0, and its kind.
@@ -128,13 +128,13 @@ pub enum SimulationError {
     },
     /// A prescribed motion presses a body into another one that cannot yield.
     #[error(
-        "{body_a} and {body_b} overlap by {} at t = {t} s, and no impulse can separate them: a prescribed motion leaves a \
+        "{body_a} and {body_b} overlap by {} at t = {t_s} s, and no impulse can separate them: a prescribed motion leaves a \
          body no room; give it room, or end the prescribed motion before",
         length(*overlap_m)
     )]
     NoWayOut {
         /// When, s.
-        t: f64,
+        t_s: f64,
         /// A body of the pair that overlaps most.
         body_a: String,
         /// The other one.
@@ -144,13 +144,13 @@ pub enum SimulationError {
     },
     /// Many steps have advanced time by almost nothing.
     #[error(
-        "no progress at t = {t} s: {steps} steps have advanced time by {advanced_s:e} s in all; the contacts of \
+        "no progress at t = {t_s} s: {steps} steps have advanced time by {advanced_s:e} s in all; the contacts of \
          {body_a} and {body_b} at {point} m change faster than steps can resolve: raise method.tolerance, change the \
          initial poses a little, or let method.crowding be \"step\""
     )]
     NoProgress {
         /// When, s.
-        t: f64,
+        t_s: f64,
         /// How many steps.
         steps: u64,
         /// Time by which they advanced in all, s.
@@ -172,12 +172,12 @@ pub enum SimulationError {
     },
     /// A time of impact could not be found.
     #[error(
-        "the search from t = {t} s for the time of impact of bodies {body_a} and {body_b} failed: {}",
+        "the search from t = {t_s} s for the time of impact of bodies {body_a} and {body_b} failed: {}",
         impact_fault(source)
     )]
     ImpactSearch {
         /// When, s.
-        t: f64,
+        t_s: f64,
         /// One body.
         body_a: String,
         /// The other body.

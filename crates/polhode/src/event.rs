@@ -1,9 +1,11 @@
 //! Events: impacts, and bodies that begin or cease to touch, to rest or to move.
 
+use crate::body_id::BodyId;
 use polhode_spatial::DVec3;
 
 /// The kind of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum EventKind {
     /// An impulse at one contact point.
     Impact,
@@ -45,15 +47,16 @@ impl EventKind {
 
 /// An event.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Event {
     /// Time, s.
-    pub t: f64,
+    pub t_s: f64,
     /// Kind.
     pub kind: EventKind,
-    /// Index of body A in the scene.
-    pub body_a: usize,
-    /// Index of body B in the scene; none for an event of a single body.
-    pub body_b: Option<usize>,
+    /// Body A.
+    pub body_a: BodyId,
+    /// Body B; none for an event of a single body.
+    pub body_b: Option<BodyId>,
     /// Position of the contact point or body, world, m.
     pub point: DVec3,
     /// Unit contact normal, from B to A, world; zero for an event without a contact.
@@ -62,4 +65,13 @@ pub struct Event {
     pub impulse: f64,
     /// Change of kinetic energy, J; negative when energy is lost.
     pub energy_change_j: f64,
+}
+
+impl Event {
+    /// An event of one body at `t_s`, at the world's origin, without a contact and without a change of energy: what else is
+    /// known is set afterwards.
+    pub const fn new(t_s: f64, kind: EventKind, body_a: BodyId) -> Self {
+        let (point, normal) = (DVec3::ZERO, DVec3::ZERO);
+        Self { t_s, kind, body_a, body_b: None, point, normal, impulse: 0.0, energy_change_j: 0.0 }
+    }
 }

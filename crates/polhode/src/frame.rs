@@ -13,6 +13,7 @@ use polhode_spatial::DVec3;
 
 /// How a body moves at a time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum MotionKind {
     /// Not by forces: it is fixed, kinematic or removed.
     Given,
@@ -29,6 +30,7 @@ pub enum MotionKind {
 /// The motion and the resultants of contact forces are unique. Where statics does not determine the single forces (four
 /// legs on a floor), those of least norm are given, and another method may give others for the same motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct ContactView {
     /// Body A.
     pub body_a: BodyId,
@@ -53,6 +55,7 @@ pub struct ContactView {
 
 /// The force that holds a body at its pivot.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct PivotView {
     /// The body.
     pub body: BodyId,
@@ -67,6 +70,7 @@ pub struct PivotView {
 /// In the tier `stepped` bodies are connected that may touch within a step; in the tier `thesis` all bodies form one
 /// island. Bodies in free flight, fixed and kinematic bodies are in no island.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct IslandView {
     /// The bodies, ascending.
     pub bodies: Vec<BodyId>,
@@ -75,6 +79,7 @@ pub struct IslandView {
 /// All bodies at one time, with contacts and islands: a frame of an animation, not a coordinate frame. The place of a
 /// body in the lists is its [`BodyId::index`].
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Frame {
     /// Time, s.
     pub t_s: f64,

@@ -12,6 +12,7 @@ use polhode_spatial::CompensatedSum;
 
 /// Energy booked by cause, J.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Ledger {
     /// Lost in impacts: `-p.(u- + u+)/2` from the impulses p and the relative velocities u before and after, also for
     /// impacts of kinematic bodies.

@@ -16,18 +16,18 @@
 //! use polhode::mesh::solid_sphere;
 //! use polhode::scene::Material;
 //! use polhode::spatial::{DVec3, Mass, Pose, UnitVector};
-//! use polhode::{Body, Effects, EventKind, Outcome, Recorder, Scene, Simulation};
+//! use polhode::{Body, EventKind, Outcome, Recorder, Scene, Simulation};
 //! let ball = Body::movable("ball", solid_sphere(0.1, Mass::new(2.0)?)?)
 //!     .geometry(Shape::sphere(0.1)?.into())
-//!     .material(Material::new("rubber", 0.0, 0.5)?)
+//!     .material(Material::new("rubber").with_restitution(0.5)?)
 //!     .pose(Pose::from_translation(DVec3::Z * 1.1));
 //! let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
 //! let scene = Scene::builder("bounce").duration_s(0.8).body(floor).body(ball).build()?;
 //! let mut recorder = Recorder::default();
-//! let report = Simulation::new(&scene, Effects::Planned)?.run(&mut recorder)?;
+//! let report = Simulation::new(&scene)?.run_observed(&mut recorder)?;
 //! assert_eq!(report.outcome, Outcome::Completed);
 //! let impacts: Vec<_> = recorder.events.iter().filter(|event| event.kind == EventKind::Impact).collect();
-//! assert!((impacts[0].t - (2.0_f64 / 9.81).sqrt()).abs() < 1e-14);
+//! assert!((impacts[0].t_s - (2.0_f64 / 9.81).sqrt()).abs() < 1e-14);
 //! // A fall by 1 m and a restitution of 0.5 leave a quarter of m g h.
 //! assert!((report.ledger.impact.value() - 0.75 * 2.0 * 9.81).abs() < 1e-12);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -38,14 +38,14 @@
 //!
 //! ```
 //! use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation};
-//! use polhode::{Body, Effects, Scene, Simulation, Unobserved};
+//! use polhode::{Body, Scene, Simulation};
 //! let bob = MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, Inertia::from_diagonal(DVec3::splat(1e-9))?);
 //! let tilt = Rotation::from_rotation_vector(DVec3::Y * 1e-4);
 //! let start = Pose::new(tilt, tilt.rotate(-DVec3::Z));
 //! let scene = Scene::builder("pendulum").body(Body::movable("bob", bob).pose(start).pivot(DVec3::ZERO)).build()?;
-//! let mut simulation = Simulation::new(&scene, Effects::Planned)?;
+//! let mut simulation = Simulation::new(&scene)?;
 //! let bob = simulation.body_id("bob").ok_or("no body of this name")?;
-//! simulation.advance_to(std::f64::consts::PI * (1.0_f64 / 9.81).sqrt(), &mut Unobserved)?;
+//! simulation.advance_to(std::f64::consts::PI * (1.0_f64 / 9.81).sqrt())?;
 //! let mirrored = start.translation * DVec3::new(-1.0, 1.0, 1.0);
 //! assert!((simulation.body(bob).pose.translation - mirrored).length() < 1e-8);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -57,17 +57,17 @@
 //! use polhode::contact::Shape;
 //! use polhode::mesh::solid_box;
 //! use polhode::spatial::{DVec3, Mass, Pose, UnitVector};
-//! use polhode::{Body, Decision, Effect, Effects, Scene, Simulation, Unobserved};
+//! use polhode::{Body, Decision, Effect, Scene, Simulation};
 //! let brick = Body::movable("brick", solid_box(DVec3::ONE, Mass::new(2.0)?)?)
 //!     .geometry(Shape::cuboid(DVec3::ONE)?.into())
 //!     .pose(Pose::from_translation(DVec3::Z * 0.75));
 //! let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
 //! let scene = Scene::builder("drop").body(floor).body(brick).build()?;
-//! let mut simulation = Simulation::new(&scene, Effects::Planned)?;
+//! let mut simulation = Simulation::new(&scene)?;
 //! let planar = simulation.plan().effects.iter().find(|decision| decision.effect == Effect::PlanarMotion);
 //! let planar = planar.ok_or("one decision for each effect")?;
 //! assert_eq!(planar.decision, Decision::On, "{}", planar.fact);
-//! let report = simulation.run(&mut Unobserved)?;
+//! let report = simulation.run()?;
 //! // The terms of the ledger explain the change of energy to rounding, and no limit of the promise was exceeded.
 //! assert!(report.ledger.closure_relative() < 1e-14);
 //! assert!(report.certificate.max_penetration_of_limit <= 1.0);
@@ -213,7 +213,9 @@ pub use ledger::Ledger;
 pub use momentum_ledger::{Momentum, MomentumLedger, MomentumSum};
 pub use observer::{Flow, Observer, Recorder, Unobserved};
 pub use plan::{Decision, Effect, EffectDecision, Plan};
-pub use report::{Certificate, CrowdedStretch, CrowdingError, Outcome, PairAt, PlanChange, RunReport, Tolerated};
+pub use report::{
+    Certificate, CrowdedStretch, CrowdingError, Outcome, PairAt, PlanChange, ReportedBody, RunReport, Tolerated,
+};
 pub use scene::{ApproximateParts, Body, Geometry, Scene, SceneBuilder, SceneError};
 pub use simulation::{Simulation, StepEnd, StepOutcome};
 pub use snapshot::{Snapshot, SnapshotError};

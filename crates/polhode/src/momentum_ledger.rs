@@ -70,6 +70,7 @@ impl MomentumSum {
 
 /// Momentum booked by cause.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct MomentumLedger {
     /// Q: the point of the world about which angular momentum is taken, m.
     pub about: DVec3,

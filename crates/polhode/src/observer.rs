@@ -15,8 +15,8 @@ pub enum Flow {
 
 /// Receives samples and events while a simulation runs.
 pub trait Observer {
-    /// All bodies at time `t` (s), in the order of the scene. The first is t = 0, the last exactly the duration.
-    fn sample(&mut self, t: f64, bodies: &[BodySample]);
+    /// All bodies at the time `t_s`, in the order of the scene. The first is t = 0, the last exactly the duration.
+    fn sample(&mut self, t_s: f64, bodies: &[BodySample]);
 
     /// An event, in order of time.
     fn event(&mut self, event: &Event) {
@@ -42,8 +42,8 @@ pub trait Observer {
     }
 
     /// Called after every step with the time reached, s.
-    fn progress(&mut self, t: f64) -> Flow {
-        let _ = t;
+    fn progress(&mut self, t_s: f64) -> Flow {
+        let _ = t_s;
         Flow::Continue
     }
 }
@@ -52,7 +52,7 @@ pub trait Observer {
 #[derive(Debug, Clone, Default)]
 pub struct Recorder {
     /// Times of the samples, s.
-    pub times: Vec<f64>,
+    pub times_s: Vec<f64>,
     /// Samples: one row of all bodies per time.
     pub samples: Vec<Vec<BodySample>>,
     /// Events.
@@ -60,8 +60,8 @@ pub struct Recorder {
 }
 
 impl Observer for Recorder {
-    fn sample(&mut self, t: f64, bodies: &[BodySample]) {
-        self.times.push(t);
+    fn sample(&mut self, t_s: f64, bodies: &[BodySample]) {
+        self.times_s.push(t_s);
         self.samples.push(bodies.to_vec());
     }
 
@@ -75,7 +75,7 @@ impl Observer for Recorder {
 pub struct Unobserved;
 
 impl Observer for Unobserved {
-    fn sample(&mut self, _t: f64, _bodies: &[BodySample]) {}
+    fn sample(&mut self, _t_s: f64, _bodies: &[BodySample]) {}
 
     fn wants_samples(&self) -> bool {
         false

@@ -18,6 +18,7 @@ use polhode_spatial::{DVec3, DisjointSets};
 
 /// An effect that the plan may leave out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Effect {
     /// Uniform gravity.
     Gravity,
@@ -74,6 +75,7 @@ pub enum Decision {
 
 /// The decision about one effect.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct EffectDecision {
     /// The effect.
     pub effect: Effect,
@@ -87,6 +89,7 @@ pub struct EffectDecision {
 
 /// Methods and effects of a run, with the reasons for them.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Plan {
     /// The tier.
     pub tier: Tier,

@@ -4,15 +4,13 @@
 //! use polhode::prelude::*;
 //! // A door of 20 kg on a hinge along z is pushed at its edge, and turns through one revolution.
 //! let slab = polhode::mesh::solid_box(DVec3::new(0.8, 0.04, 2.0), Mass::new(20.0)?)?;
-//! let scene = Scene::builder("door")
-//!     .body(Body::movable("door", slab).pose(Pose::from_translation(DVec3::X * 0.4)))
-//!     .joint(Joint::hinge(0, DVec3::ZERO, UnitVector::Z))
-//!     .build()?;
-//! let mut simulation = Simulation::new(&scene, Effects::Planned)?;
-//! let door = simulation.body_id("door").ok_or("no body of this name")?;
+//! let mut scene = Scene::builder("door");
+//! let door = scene.add_body(Body::movable("door", slab).pose(Pose::from_translation(DVec3::X * 0.4)));
+//! let scene = scene.joint(Joint::hinge(door, DVec3::ZERO, UnitVector::Z)).build()?;
+//! let mut simulation = Simulation::new(&scene)?;
 //! simulation.apply_impulse(door, DVec3::Y * 5.0, DVec3::X * 0.8)?;
 //! let rate = simulation.body(door).velocity.angular.z;
-//! simulation.advance_to(std::f64::consts::TAU / rate, &mut Unobserved)?;
+//! simulation.advance_to(std::f64::consts::TAU / rate)?;
 //! assert!((simulation.body(door).pose.translation - DVec3::X * 0.4).length() < 1e-9);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

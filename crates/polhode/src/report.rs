@@ -1,12 +1,13 @@
 //! The report of a run: outcome, plan, energies, ledger, certificate, warnings.
 
-use crate::body_sample::BodySample;
+pub use crate::body_sample::ReportedBody;
 pub use crate::energy::Energy;
 use crate::{BodyId, Ledger, Plan};
 use std::fmt;
 
 /// What is known for certain about the accuracy of a run: the largest value of each measure over all steps.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Certificate {
     /// Largest residual of a contact-force or impact problem (natural map, relative).
     pub max_residual: f64,
@@ -77,6 +78,7 @@ pub struct Certificate {
 
 /// A pair of bodies and a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct PairAt {
     /// Time, s.
     pub t_s: f64,
@@ -88,6 +90,7 @@ pub struct PairAt {
 
 /// A tolerated violation or a fallback: something that the run tolerated, skipped or approximated, once or more often.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Tolerated {
     /// What it was, with the names of the bodies.
     pub what: String,
@@ -112,6 +115,7 @@ impl fmt::Display for Tolerated {
 
 /// How a run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Outcome {
     /// The whole duration was simulated.
     Completed,
@@ -124,9 +128,21 @@ pub enum Outcome {
     Degraded,
 }
 
+impl Outcome {
+    /// The name used in reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Completed => "completed",
+            Self::Stopped => "stopped",
+            Self::Degraded => "degraded",
+        }
+    }
+}
+
 /// A stretch of time in which events followed each other so closely that time hardly advanced. The bodies were advanced
 /// through it by time steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct CrowdedStretch {
     /// Beginning of the stretch, s.
     pub from_s: f64,
@@ -146,6 +162,7 @@ pub struct CrowdedStretch {
 /// The estimated error at the end of a run that stretches of crowded events have caused, with all that followed from
 /// it: how far the run is from one with longer time steps in these stretches.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct CrowdingError {
     /// Largest distance of any point of a body from its place, m, bounded by the size of the body.
     pub position_m: f64,
@@ -159,6 +176,7 @@ pub struct CrowdingError {
 
 /// A change of the plan, which is derived again after every action of the program.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct PlanChange {
     /// Time of the action, s.
     pub t_s: f64,
@@ -170,6 +188,7 @@ pub struct PlanChange {
 
 /// The report of a run.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct RunReport {
     /// Name of the scene.
     pub scene: String,
@@ -204,8 +223,8 @@ pub struct RunReport {
     /// Tolerated violations and fallbacks, in the order of their first occurrence. Their counts add up to
     /// [`Certificate::fallbacks`].
     pub tolerated: Vec<Tolerated>,
-    /// Names and final states of the bodies, in the order of the scene.
-    pub bodies: Vec<(String, BodySample)>,
+    /// The bodies at the end, by [`BodyId::index`].
+    pub bodies: Vec<ReportedBody>,
 }
 
 impl RunReport {

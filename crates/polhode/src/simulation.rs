@@ -9,7 +9,7 @@ use crate::core::Core;
 use crate::executor::{Executor, OneThread};
 use crate::frame::{ContactView, Frame, IslandView, PivotView};
 use crate::free_method;
-use crate::observer::{BodySample, Flow, Observer};
+use crate::observer::{BodySample, Flow, Observer, Unobserved};
 use crate::pivot_form::PivotRows;
 use crate::plan::Findings;
 use crate::planar::{self, PlanarFinding};
@@ -33,6 +33,7 @@ const LEFT_OVER_RELATIVE: f64 = 1e-9;
 
 /// How a step ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum StepEnd {
     /// At its full length.
     Planned,
@@ -42,6 +43,7 @@ pub enum StepEnd {
 
 /// A step that has been made.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct StepOutcome {
     /// Time reached, s.
     pub t_s: f64,
@@ -62,17 +64,17 @@ impl StepOutcome {
 /// use polhode::contact::Shape;
 /// use polhode::mesh::solid_box;
 /// use polhode::spatial::{DVec3, Mass, Pose, UnitVector};
-/// use polhode::{Body, Effects, Scene, Simulation, Unobserved};
+/// use polhode::{Body, Scene, Simulation};
 /// let brick = Body::movable("brick", solid_box(DVec3::ONE, Mass::new(2.0)?)?)
 ///     .geometry(Shape::cuboid(DVec3::ONE)?.into())
 ///     .pose(Pose::from_translation(DVec3::Z * 0.75));
 /// let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
 /// let scene = Scene::builder("drop").body(floor).body(brick).build()?;
-/// let mut simulation = Simulation::new(&scene, Effects::Planned)?;
+/// let mut simulation = Simulation::new(&scene)?;
 /// let brick = simulation.body_id("brick").ok_or("no brick")?;
-/// simulation.advance_to(0.1, &mut Unobserved)?;
+/// simulation.advance_to(0.1)?;
 /// assert!((simulation.body(brick).velocity.linear.z + 0.981).abs() < 1e-14);
-/// simulation.advance_to(0.5, &mut Unobserved)?;
+/// simulation.advance_to(0.5)?;
 /// assert_eq!(simulation.contacts().len(), 4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -92,11 +94,20 @@ pub struct Simulation {
 }
 
 impl Simulation {
-    /// Prepares a simulation: derives the plan, finds the contacts of the start and checks that no bodies overlap.
+    /// Prepares a simulation of the effects that the plan chooses: derives the plan, finds the contacts of the start and
+    /// checks that no bodies overlap.
     ///
     /// # Errors
     /// When bodies overlap at the start, a force is not finite there, or the solver finds no contact forces.
-    pub fn new(scene: &Scene, effects: Effects) -> Result<Self, SimulationError> {
+    pub fn new(scene: &Scene) -> Result<Self, SimulationError> {
+        Self::with_effects(scene, Effects::Planned)
+    }
+
+    /// As [`Simulation::new`], with these effects.
+    ///
+    /// # Errors
+    /// See [`Simulation::new`].
+    pub fn with_effects(scene: &Scene, effects: Effects) -> Result<Self, SimulationError> {
         // The method or the duration may have been replaced after the scene was built.
         scene.check_times()?;
         let mut settings = Settings::resolve(scene.method());
@@ -161,7 +172,15 @@ impl Simulation {
     ///
     /// # Errors
     /// See [`SimulationError`].
-    pub fn step(&mut self, observer: &mut dyn Observer) -> Result<StepOutcome, SimulationError> {
+    pub fn step(&mut self) -> Result<StepOutcome, SimulationError> {
+        self.step_observed(&mut Unobserved)
+    }
+
+    /// As [`Simulation::step`], with an observer of samples and events.
+    ///
+    /// # Errors
+    /// See [`SimulationError`].
+    pub fn step_observed(&mut self, observer: &mut dyn Observer) -> Result<StepOutcome, SimulationError> {
         let (t, duration) = (self.core.t, self.scene.duration_s());
         let stride = self.tier.stride(&self.core);
         let left_over = duration - t - stride <= LEFT_OVER_RELATIVE * self.core.settings.step_s;
@@ -177,7 +196,15 @@ impl Simulation {
     ///
     /// # Errors
     /// When the time is not finite or lies in the past; then nothing has changed. See also [`SimulationError`].
-    pub fn advance_to(&mut self, t_s: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
+    pub fn advance_to(&mut self, t_s: f64) -> Result<(), SimulationError> {
+        self.advance_to_observed(t_s, &mut Unobserved)
+    }
+
+    /// As [`Simulation::advance_to`], with an observer of samples and events.
+    ///
+    /// # Errors
+    /// See [`Simulation::advance_to`].
+    pub fn advance_to_observed(&mut self, t_s: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
         if !(t_s.is_finite() && t_s >= self.core.t) {
             return Err(SimulationError::TimeInThePast { t_s, now_s: self.core.t });
         }
@@ -212,15 +239,23 @@ impl Simulation {
         Ok(StepOutcome { t_s: t, end })
     }
 
-    /// Runs to the end of the scene's duration, or until the observer stops it, and returns the report. A run that has
-    /// not kept the promise of its tier ends with [`Outcome::Degraded`].
+    /// Runs to the end of the scene's duration and returns the report. A run that has not kept the promise of its tier ends
+    /// with [`Outcome::Degraded`].
     ///
     /// # Errors
     /// See [`SimulationError`].
-    pub fn run(&mut self, observer: &mut dyn Observer) -> Result<RunReport, SimulationError> {
+    pub fn run(&mut self) -> Result<RunReport, SimulationError> {
+        self.run_observed(&mut Unobserved)
+    }
+
+    /// As [`Simulation::run`], with an observer of samples and events, which may stop the run.
+    ///
+    /// # Errors
+    /// See [`SimulationError`].
+    pub fn run_observed(&mut self, observer: &mut dyn Observer) -> Result<RunReport, SimulationError> {
         let mut outcome = Outcome::Completed;
         while !self.ended {
-            let step = self.step(observer)?;
+            let step = self.step_observed(observer)?;
             if observer.progress(step.t_s) == Flow::Stop && !self.ended {
                 outcome = Outcome::Stopped;
                 break;
@@ -256,11 +291,11 @@ impl Simulation {
     /// ```
     /// use polhode::mesh::solid_box;
     /// use polhode::spatial::{DVec3, Mass, Pose};
-    /// use polhode::{Body, Effects, Scene, Simulation};
+    /// use polhode::{Body, Scene, Simulation};
     /// // A pendulum of 2 kg that hangs at rest.
     /// let rod = Body::movable("rod", solid_box(DVec3::new(0.1, 0.1, 1.0), Mass::new(2.0)?)?).pivot(DVec3::Z * 0.5);
     /// let scene = Scene::builder("pendulum").body(rod.pose(Pose::IDENTITY)).build()?;
-    /// let simulation = Simulation::new(&scene, Effects::Planned)?;
+    /// let simulation = Simulation::new(&scene)?;
     /// assert!((simulation.pivots()[0].force_n - DVec3::Z * 19.62).length() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

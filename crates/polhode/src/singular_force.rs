@@ -23,7 +23,11 @@ pub(crate) fn not_finite(world: &World, t: f64, states: &[BodyState]) -> Option<
     let mut found = None;
     for_each_wrench(world, t, states, |force, body, wrench| {
         if found.is_none() && !is_finite(wrench) {
-            found = Some(SimulationError::ForceNotFinite { t, body: name(world, body), force: describe(world, force) });
+            found = Some(SimulationError::ForceNotFinite {
+                t_s: t,
+                body: name(world, body),
+                force: describe(world, force),
+            });
         }
     });
     found
@@ -48,7 +52,7 @@ pub(crate) fn explained(error: SimulationError, core: &Core, states: &[BodyState
         }
     });
     strongest.map_or(error, |(_, force, body, wrench)| SimulationError::SingularForce {
-        t,
+        t_s: t,
         body: name(world, body),
         force: describe(world, force),
         force_n: wrench.force.length(),

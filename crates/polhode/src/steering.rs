@@ -60,12 +60,12 @@ impl Simulation {
     ///     .geometry(Shape::cuboid(DVec3::ONE)?.into())
     ///     .pose(Pose::from_translation(DVec3::Z * 0.6));
     /// let scene = Scene::builder("lift").body(lift).body(load).duration_s(5.0).build()?;
-    /// let mut simulation = Simulation::new(&scene, Effects::Planned)?;
+    /// let mut simulation = Simulation::new(&scene)?;
     /// let [lift, load] = ["lift", "load"].map(|name| simulation.body_id(name));
     /// let (lift, load) = (lift.ok_or("no lift")?, load.ok_or("no load")?);
     /// let up = Pose::from_translation(DVec3::Z * 2.0);
     /// simulation.set_motion(lift, Steering::Pose { pose: up, within_s: 4.0 })?;
-    /// let report = simulation.run(&mut Unobserved)?;
+    /// let report = simulation.run()?;
     /// assert!((simulation.body(load).pose.translation.z - 2.6).abs() < 1e-12);
     /// assert!((report.ledger.external.value() - 50.0 * 9.81 * 2.0).abs() < 1e-9);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

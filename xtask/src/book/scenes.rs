@@ -1,7 +1,7 @@
 //! Blocks of TOML: scenes are loaded and planned.
 
 use super::page::Block;
-use polhode::{Effects, Simulation};
+use polhode::Simulation;
 use std::error::Error;
 use std::path::Path;
 
@@ -20,7 +20,7 @@ pub(super) fn plan(block: &Block, folder: &Path) -> Result<(), Box<dyn Error>> {
     let whole = if block.text.contains("format =") { block.text.clone() } else { format!("{FORMAT}{}", block.text) };
     let loaded = polhode_scene::load_text(&folder.join(name).to_string_lossy(), &whole, &[])?;
     if !loaded.scene.bodies().is_empty() {
-        Simulation::new(&loaded.scene, Effects::Planned)?;
+        Simulation::new(&loaded.scene)?;
     }
     Ok(())
 }

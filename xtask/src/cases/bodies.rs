@@ -17,7 +17,7 @@ pub(super) const GRAVITY: f64 = 9.81;
 /// A material of this restitution without friction. Two materials combine to the larger restitution, so that giving
 /// it to one of two bodies is enough.
 pub(super) fn bouncy(restitution: f64) -> Result<Material, Box<dyn Error>> {
-    Ok(Material::new(format!("e = {restitution}"), 0.0, restitution)?)
+    Ok(Material::new(format!("e = {restitution}")).with_restitution(restitution)?)
 }
 
 /// A solid box that moves.

@@ -50,7 +50,7 @@ fn end(scene: SceneBuilder, integrator: Integrator, duration_s: f64, steps: u32)
     let step_s = Some(duration_s / f64::from(steps));
     let method = Method { integrator: Some(integrator), step_s, ..Method::default() };
     let scene = scene.duration_s(duration_s).output_interval_s(duration_s).method(method).build()?;
-    Ok(Run::of(&scene, Effects::Planned)?.report.bodies.first().ok_or("no body")?.1)
+    Ok(Run::of(&scene, Effects::Planned)?.report.bodies.first().ok_or("no body")?.state)
 }
 
 fn free(moments: DVec3, spin: DVec3) -> Result<SceneBuilder, Box<dyn Error>> {

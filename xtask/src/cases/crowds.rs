@@ -15,7 +15,7 @@ use polhode::contact::Shape;
 use polhode::mesh::{Cone, Cylinder, Primitive, solid_box};
 use polhode::scene::{Material, Method};
 use polhode::spatial::{Mass, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, BodySample, CrowdingError, Effects, Observer, Outcome, RunReport, Scene, Simulation};
+use polhode::{Body, BodySample, CrowdingError, Observer, Outcome, ReportedBody, RunReport, Scene, Simulation};
 use std::error::Error;
 
 /// Random scenes with `--full`.
@@ -152,7 +152,8 @@ impl Thrown {
     fn new(number: u64) -> Result<Self, Box<dyn Error>> {
         let mut random = Random(number);
         let friction = random.between(0.1, 1.0);
-        let material = Material::new("rubber", friction, random.one_of(&[0.0, 0.0, 0.3, 0.6]))?;
+        let material =
+            Material::new("rubber").with_friction(friction)?.with_restitution(random.one_of(&[0.0, 0.0, 0.3, 0.6]))?;
         let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into()).material(material.clone());
         let mut scene = Scene::builder("thrown").gravity(-DVec3::Z * GRAVITY).duration_s(DURATION_S).body(floor);
         let mut solids = Vec::new();
@@ -185,7 +186,7 @@ impl Observer for Penetration<'_> {
 
 /// What a run of a scene gives.
 fn run(scene: &Scene, observer: &mut dyn Observer) -> Result<RunReport, Box<dyn Error>> {
-    Ok(Simulation::new(scene, Effects::Planned)?.run(observer)?)
+    Ok(Simulation::new(scene)?.run_observed(observer)?)
 }
 
 /// Every shipped scene that crowds, and some random ones, with several output intervals: the last states are the same.
@@ -250,7 +251,7 @@ fn are_others(alone: &RunReport, beside: &RunReport) -> bool {
 impl SmoothCylinder {
     /// It and its floor, with some more bodies.
     fn scene(self, far: Vec<Body>) -> Result<Scene, Box<dyn Error>> {
-        let material = Material::new("ice", 0.0, self.restitution)?;
+        let material = Material::new("ice").with_restitution(self.restitution)?;
         let pose = Pose::new(Rotation::from_rotation_vector(self.turn), self.place_m);
         let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into()).material(material.clone());
         let cylinder = Solid::Cylinder(self.radius_m, self.height_m).body("cylinder".to_owned(), Mass::new(1.0)?)?;
@@ -263,7 +264,7 @@ impl SmoothCylinder {
 
 /// A smooth ball that falls into a ring, beside its axis by `offset` (m), with some more bodies.
 fn ball_into_ring(offset: f64, far: Vec<Body>) -> Result<Scene, Box<dyn Error>> {
-    let material = Material::new("ice", 0.0, 0.5)?;
+    let material = Material::new("ice").with_restitution(0.5)?;
     let ring = Body::fixed("ring").geometry(Shape::torus(0.5, 0.1)?.into()).material(material.clone());
     let ball = Body::movable("ball", polhode::mesh::solid_sphere(0.5, Mass::new(1.0)?)?);
     let ball = ball.geometry(Shape::sphere(0.5)?.into()).pose(Pose::from_translation(DVec3::new(offset, 0.0, 1.0)));
@@ -274,7 +275,7 @@ fn ball_into_ring(offset: f64, far: Vec<Body>) -> Result<Scene, Box<dyn Error>> 
 
 /// A rough slab and a box on it, a kilometre away from the origin. They may touch nothing else.
 fn far_pair() -> Result<Vec<Body>, Box<dyn Error>> {
-    let rough = Material::new("sandpaper", 0.8, 0.0)?;
+    let rough = Material::new("sandpaper").with_friction(0.8)?;
     let at = |height: f64| Pose::from_translation(DVec3::new(1000.0, 0.0, height));
     let slab = Body::fixed("far slab").geometry(Shape::cuboid(DVec3::new(2.0, 2.0, 0.5))?.into()).pose(at(5.0));
     let brick = Body::movable("far brick", solid_box(DVec3::splat(0.5), Mass::new(1.0)?)?);
@@ -355,8 +356,8 @@ pub(super) fn estimates(context: &Context) -> CaseResult {
 fn ratio(scene: &Scene, report: &RunReport, estimate: &CrowdingError) -> Result<f64, Box<dyn Error>> {
     let method = Method { crowding_tolerance: Some(TOLERANCE / FINER), ..scene.method().clone() };
     let finer = run(&scene.clone().with_method(method), &mut polhode::Unobserved)?;
-    let error_m = |((_, own), (_, finer)): (&(String, BodySample), &(String, BodySample))| {
-        (own.pose.translation - finer.pose.translation).length()
+    let error_m = |(own, finer): (&ReportedBody, &ReportedBody)| {
+        (own.state.pose.translation - finer.state.pose.translation).length()
     };
     let error = report.bodies.iter().zip(&finer.bodies).map(error_m).fold(0.0, f64::max);
     Ok(error / estimate.position_m.max(SMALLEST_ERROR_M))

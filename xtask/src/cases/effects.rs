@@ -70,13 +70,13 @@ fn is_planar(run: &Run) -> bool {
 fn horizon(run: &Run) -> f64 {
     let is_chaotic = CHAOTIC_AFTER_IMPACT.contains(&run.scene.name());
     let impact = run.record.events.iter().find(|event| event.kind == EventKind::Impact && is_chaotic);
-    impact.map_or(HORIZON_S, |event| event.t.min(HORIZON_S))
+    impact.map_or(HORIZON_S, |event| event.t_s.min(HORIZON_S))
 }
 
 /// Largest difference of position (m), velocity (m/s), attitude (rad) and angular velocity (rad/s) of a body.
 fn largest_difference(a: &Run, b: &Run, until: f64) -> f64 {
     let mut largest = 0.0f64;
-    for ((t, sample_a), sample_b) in a.record.times.iter().zip(&a.record.samples).zip(&b.record.samples) {
+    for ((t, sample_a), sample_b) in a.record.times_s.iter().zip(&a.record.samples).zip(&b.record.samples) {
         if *t > until {
             break;
         }
@@ -95,13 +95,13 @@ fn largest_difference(a: &Run, b: &Run, until: f64) -> f64 {
 
 /// Time and body of the first sample in which two runs differ in a bit.
 fn first_difference(a: &Run, b: &Run) -> Option<String> {
-    if a.record.times.len() != b.record.times.len() {
-        return Some(format!("{} and {} samples", a.record.times.len(), b.record.times.len()));
+    if a.record.times_s.len() != b.record.times_s.len() {
+        return Some(format!("{} and {} samples", a.record.times_s.len(), b.record.times_s.len()));
     }
     for (number, (sample_a, sample_b)) in a.record.samples.iter().zip(&b.record.samples).enumerate() {
         for (body, (state_a, state_b)) in sample_a.iter().zip(sample_b).enumerate() {
-            if bits(state_a) != bits(state_b) || a.record.times[number] != b.record.times[number] {
-                return Some(format!("t = {} s, body {}", a.record.times[number], a.scene.bodies()[body].name()));
+            if bits(state_a) != bits(state_b) || a.record.times_s[number] != b.record.times_s[number] {
+                return Some(format!("t = {} s, body {}", a.record.times_s[number], a.scene.bodies()[body].name()));
             }
         }
     }

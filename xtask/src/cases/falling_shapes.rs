@@ -169,17 +169,18 @@ pub(super) fn times(_: &Context) -> CaseResult {
             let case = "falling shapes";
             let scene = Scene::builder("fall").body(floor).body(falling.body()?).duration_s(1.02 * expected).build()?;
             let mut record = Recorder::default();
-            let report = match Simulation::new(&scene, Effects::Planned)?.run(&mut record) {
+            let report = match Simulation::new(&scene)?.run_observed(&mut record) {
                 Ok(report) => report,
                 Err(error) => {
                     rows.push(Row::broken(case, &format!("{} on {name}: runs", falling.name), error.to_string()));
                     continue;
                 }
             };
-            let landing = record.events.iter().find(|event| event.kind == EventKind::Impact).map_or(f64::NAN, |e| e.t);
+            let landing =
+                record.events.iter().find(|event| event.kind == EventKind::Impact).map_or(f64::NAN, |e| e.t_s);
             let quantity = format!("{} on {name}: time to fall, relative error", falling.name);
             rows.push(Row::at_most(case, &quantity, TIME_TOLERANCE, (landing / expected - 1.0).abs()));
-            let sideways = report.bodies[1].1.pose.translation.truncate().length();
+            let sideways = report.bodies[1].state.pose.translation.truncate().length();
             rows.push(Row::at_most(case, &format!("{} on {name}: drift sideways, m", falling.name), STILL_M, sideways));
         }
     }

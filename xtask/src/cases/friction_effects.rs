@@ -47,7 +47,8 @@ fn painleve_rod(context: &Context) -> CaseResult {
     let sinking = (friction * coupling - normal) * stop;
     let impulse = stop + sinking / (normal - coupling * coupling / along);
     let jams = run.events(EventKind::Jam);
-    let jammed: Vec<String> = jams.iter().map(|event| run.report.bodies[event.body_a.max(1)].0.clone()).collect();
+    let jammed: Vec<String> =
+        jams.iter().map(|event| run.report.bodies[event.body_a.index().max(1)].name.clone()).collect();
     let measured = jams.first().map_or(f64::NAN, |event| event.impulse);
     Ok(vec![
         Row::exact(CASE, "painleve-rod: which rods jam", "rough", jammed.join(", ")),
@@ -69,8 +70,8 @@ fn rolling_balls(context: &Context) -> CaseResult {
     }
     let expected = BALL * radius * radius * spin / (0.005 * GRAVITY);
     let rests = run.events(EventKind::Rest);
-    let rest = rests.iter().find(|event| run.report.bodies[event.body_a].0 == "spinning");
-    let measured = rest.map_or(f64::NAN, |event| event.t);
+    let rest = rests.iter().find(|event| run.report.bodies[event.body_a.index()].name == "spinning");
+    let measured = rest.map_or(f64::NAN, |event| event.t_s);
     let quantity = "rolling-balls, spinning: when it stops, s";
     rows.push(Row::compared(CASE, quantity, expected, measured, Tolerance::Relative(RELATIVE)));
     Ok(rows)
@@ -81,8 +82,8 @@ fn super_ball(context: &Context) -> CaseResult {
     let run = context.shipped.run("super-ball")?;
     let bounces = run.events(EventKind::Impact);
     let [first, second, ..] = bounces.as_slice() else { return Err("super-ball: it does not bounce twice".into()) };
-    let between = |t: f64| t > first.t && t < second.t;
-    let sample = run.record.times.iter().position(|&t| between(t)).ok_or("super-ball: no sample between bounces")?;
+    let between = |t: f64| t > first.t_s && t < second.t_s;
+    let sample = run.record.times_s.iter().position(|&t| between(t)).ok_or("super-ball: no sample between bounces")?;
     let ball = run.scene.bodies().iter().position(|body| body.name() == "ball").ok_or("super-ball: no ball")?;
     let velocity = run.record.samples[sample][ball].velocity;
     let tolerance = Tolerance::Relative(RELATIVE);

@@ -16,7 +16,7 @@ use super::run::Run;
 use super::{CaseResult, Context};
 use crate::row::{Row, Tolerance};
 use glam::DVec3;
-use polhode::{Body, BodySample, Effects, EventKind, Scene, Simulation, Unobserved};
+use polhode::{Body, BodyId, BodySample, EventKind, Scene, Simulation};
 use polhode_scene::{Override, load_with};
 use std::error::Error;
 
@@ -62,7 +62,7 @@ fn ladders(context: &Context) -> CaseResult {
             let needed = threshold(MOST_FRICTION, LEAST_FRICTION, |friction| {
                 let scene = with_friction(friction)?;
                 let (index, _) = body_of(&scene, name)?;
-                let accelerations = Simulation::new(&scene, Effects::Planned)?.accelerations()?;
+                let accelerations = Simulation::new(&scene)?.accelerations()?;
                 let a = accelerations.get(index).ok_or("no acceleration")?;
                 Ok(a.linear.length() <= EQUILIBRIUM && a.angular.length() <= EQUILIBRIUM)
             })?;
@@ -94,7 +94,7 @@ fn friction_by_statics(scene: &Scene, name: &str) -> Result<f64, Box<dyn Error>>
     let body = body_of(scene, name)?.1;
     let properties = body.mass_properties().ok_or("no mass")?;
     let center = body.initial_pose().transform_point(properties.center_of_mass());
-    let simulation = Simulation::new(scene, Effects::Planned)?;
+    let simulation = Simulation::new(scene)?;
     let id = simulation.body_id(name).ok_or("no such body")?;
     let contacts = simulation.contacts();
     let points = contacts.iter().filter(|contact| contact.body_a == id || contact.body_b == id);
@@ -170,10 +170,11 @@ fn masse(context: &Context) -> CaseResult {
     let of_balls: Vec<_> = impacts.iter().filter(|event| event.normal.z.abs() < LEVEL).collect();
     let first = of_balls.first().ok_or("the balls do not meet")?;
     let is_of = |a: usize, b: usize| {
+        let (a, b) = (BodyId::new(a), BodyId::new(b));
         of_balls.iter().all(|event| [(a, Some(b)), (b, Some(a))].contains(&(event.body_a, event.body_b)))
     };
     let mut worst = 0.0f64;
-    for (t, sample) in run.record.times.iter().zip(&run.record.samples).filter(|(t, _)| **t <= first.t) {
+    for (t, sample) in run.record.times_s.iter().zip(&run.record.samples).filter(|(t, _)| **t <= first.t_s) {
         let expected = body.initial_pose().translation + start.linear * *t - deceleration * (0.5 * t * t);
         worst = worst.max((sample.get(cue).ok_or("no sample")?.pose.translation - expected).length());
     }
@@ -192,7 +193,7 @@ fn turntable(context: &Context) -> CaseResult {
     let (ball, _) = body_of(&run.scene, "ball")?;
     let (center, radius, rate) = (DVec3::new(0.75, 0.0, 0.1), 0.25, 2.0 / 7.0 * 7.0);
     let mut worst = 0.0f64;
-    for (t, sample) in run.record.times.iter().zip(&run.record.samples) {
+    for (t, sample) in run.record.times_s.iter().zip(&run.record.samples) {
         let (sine, cosine) = (rate * t).sin_cos();
         let expected = center + DVec3::new(cosine, sine, 0.0) * radius;
         worst = worst.max((sample.get(ball).ok_or("no sample")?.pose.translation - expected).length());
@@ -245,7 +246,7 @@ fn dominoes(context: &Context) -> CaseResult {
     let (first, _) = body_of(&run.scene, "domino 1")?;
     let mut pairs: Vec<(usize, usize)> = Vec::new();
     for event in run.events(EventKind::Impact) {
-        let pair = event.body_b.map(|b| (event.body_a.min(b), event.body_a.max(b)));
+        let pair = event.body_b.map(|b| (event.body_a.min(b).index(), event.body_a.max(b).index()));
         let Some(pair) = pair.filter(|(a, b)| (*a >= first) && (*b > first)) else { continue };
         if !pairs.contains(&pair) {
             pairs.push(pair);
@@ -267,9 +268,9 @@ fn tower(context: &Context) -> CaseResult {
     let scene = whole_tower()?;
     let blocks = scene.bodies().iter().filter(|body| body.mass_properties().is_some()).count();
     let whole = format!("SimBenchmark's tower of {blocks} blocks: movement in {TOWER_S} s, m");
-    let report = Simulation::new(&scene, Effects::Planned)?.run(&mut Unobserved)?;
+    let report = Simulation::new(&scene)?.run()?;
     let moved = scene.bodies().iter().zip(&report.bodies);
-    let moved = moved.map(|(body, (_, end))| (end.pose.translation - body.initial_pose().translation).length());
+    let moved = moved.map(|(body, end)| (end.state.pose.translation - body.initial_pose().translation).length());
     Ok(vec![
         Row::at_most(CASE, &shipped, STOOD_M, run.largest_movement_m()),
         Row::at_most(CASE, &whole, STOOD_M, moved.fold(0.0, f64::max)),

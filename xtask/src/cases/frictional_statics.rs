@@ -12,7 +12,7 @@ use polhode::contact::Shape;
 use polhode::mesh::solid_sphere;
 use polhode::scene::{Force, Frame, Material, PairRule, PrescribedMotion, Signal};
 use polhode::spatial::{Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Effects, Scene, Simulation};
+use polhode::{Body, BodyId, Scene, Simulation};
 use std::error::Error;
 
 /// Tolerance of thresholds, as in the catalogue of cases.
@@ -26,17 +26,17 @@ const THICK_MOMENT: f64 = 7e-4;
 
 /// A rule for two materials named after bodies.
 fn pair(a: &str, b: &str, friction: f64) -> Result<PairRule, Box<dyn Error>> {
-    Ok(PairRule::new([a.to_owned(), b.to_owned()], Some(friction), None)?)
+    Ok(PairRule::new([a.to_owned(), b.to_owned()]).with_friction(friction)?)
 }
 
-fn named(name: &str) -> Result<Material, Box<dyn Error>> {
-    Ok(Material::new(name, 0.0, 0.0)?)
+fn named(name: &str) -> Material {
+    Material::new(name)
 }
 
 /// A half-space with this outward normal through a point, with a material of its name.
 fn wall(name: &str, normal: DVec3, point: DVec3) -> Result<Body, Box<dyn Error>> {
     let shape = Shape::half_space(UnitVector::new(normal)?);
-    Ok(Body::fixed(name).geometry(shape.into()).pose(Pose::from_translation(point)).material(named(name)?))
+    Ok(Body::fixed(name).geometry(shape.into()).pose(Pose::from_translation(point)).material(named(name)))
 }
 
 /// A ladder of this length, 1 kg and 0.5 m of width at an angle (rad) to the floor, leaning at a wall to its left.
@@ -51,7 +51,7 @@ fn ladder(length: f64, angle: f64, floor: f64, at_wall: f64) -> Result<Scene, Bo
     let body = Body::movable("ladder", properties)
         .geometry(Shape::points(ends)?.into())
         .pose(Pose::new(Rotation::from_rotation_vector(DVec3::Y * angle), center))
-        .material(named("ladder")?);
+        .material(named("ladder"));
     Ok(Scene::builder("ladder")
         .body(body)
         .body(wall("floor", DVec3::Z, DVec3::ZERO)?)
@@ -124,7 +124,7 @@ impl Card {
             }
         };
         let body = Body::movable(if side < 0.0 { "left" } else { "right" }, properties).geometry(shape.into());
-        Ok(body.pose(Pose::new(turn, center)).material(named("card")?))
+        Ok(body.pose(Pose::new(turn, center)).material(named("card")))
     }
 
     /// The least friction of the floor that holds two cards of 1 kg.
@@ -154,7 +154,7 @@ pub(super) fn fc_14(context: &Context) -> CaseResult {
         threshold(1.0, 0.01, |friction| is_in_equilibrium(&card_house(card, lean, friction)?))
     };
     let scene = card_house(Card::Rod, 15.0f64.to_radians(), 0.5)?;
-    let simulation = Simulation::new(&scene, Effects::Planned)?;
+    let simulation = Simulation::new(&scene)?;
     let between = simulation.contacts().into_iter().filter(|contact| contact.body_b.index() < 2);
     let push: f64 = between.map(|contact| contact.normal_force_n).sum();
     let mut rows = vec![
@@ -199,7 +199,7 @@ fn squeezed(half: f64, friction: f64, is_wedge: bool) -> Result<Scene, Box<dyn E
         // Pressed along the line through both points of contact.
         let point = turn.inverse_rotate(touching - center);
         let press = Force::Applied {
-            body: index + 1,
+            body: BodyId::new(index + 1),
             force: DVec3::X * -side,
             torque: DVec3::ZERO,
             frame: Frame::World,
@@ -208,7 +208,7 @@ fn squeezed(half: f64, friction: f64, is_wedge: bool) -> Result<Scene, Box<dyn E
         };
         scene = scene.body(plate).force(press);
     }
-    Ok(scene.no_contact(vec![1, 2]).build()?)
+    Ok(scene.no_contact([1, 2].map(BodyId::new)).build()?)
 }
 
 /// Half the width of the wedge at half its height, m.
@@ -256,7 +256,7 @@ fn driven_wedge(half: f64, friction: f64, force: f64) -> Result<Scene, Box<dyn E
         scene = scene.body(wall);
     }
     let push = Force::Applied {
-        body: 0,
+        body: BodyId::new(0),
         force: DVec3::Y * -force,
         torque: DVec3::ZERO,
         frame: Frame::World,
@@ -275,8 +275,8 @@ pub(super) fn fc_15(context: &Context) -> CaseResult {
     "least friction that nips a ball between plates".clone_into(&mut roller.quantity);
     let mut wedge = context.reference.row("FC-15", "tan(10deg)", locks(true)?)?;
     "least friction that locks a wedge".clone_into(&mut wedge.quantity);
-    let mut simulation = Simulation::new(&driven_wedge(half, 0.1, 1.0)?, Effects::Planned)?;
-    simulation.advance_to(0.05, &mut polhode::Unobserved)?;
+    let mut simulation = Simulation::new(&driven_wedge(half, 0.1, 1.0)?)?;
+    simulation.advance_to(0.05)?;
     let at_left = simulation.contacts().into_iter().filter(|contact| contact.normal.x > 0.0);
     let force: f64 = at_left.map(|contact| contact.normal_force_n).sum();
     Ok(vec![

@@ -166,5 +166,5 @@ fn cradle(masses: &[f64], moving: usize, restitution: f64, law: ImpactLaw) -> Re
         builder = builder.body(ball.material(bouncy(restitution)?));
     }
     let run = Run::of(&builder.build()?, Effects::Planned)?;
-    Ok(run.report.bodies.iter().map(|(_, sample)| sample.velocity.linear.x).collect())
+    Ok(run.report.bodies.iter().map(|body| body.state.velocity.linear.x).collect())
 }

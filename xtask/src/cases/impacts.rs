@@ -92,8 +92,8 @@ pub(super) fn im_05(context: &Context) -> CaseResult {
         let thrown_up = tenth.impulse * restitution / (1.0 + restitution);
         let apex = thrown_up * thrown_up / (2.0 * GRAVITY);
         let name = |quantity: &str| format!("e={restitution}: {quantity}");
-        rows.push(context.reference.row("IM-05", &name("time of rest, s"), rest.t)?);
-        rows.push(context.reference.row("IM-05", &name("time of 10th impact, s"), tenth.t)?);
+        rows.push(context.reference.row("IM-05", &name("time of rest, s"), rest.t_s)?);
+        rows.push(context.reference.row("IM-05", &name("time of 10th impact, s"), tenth.t_s)?);
         rows.push(context.reference.row("IM-05", &name("apex after 10th impact, m"), apex)?);
     }
     Ok(rows)

@@ -143,7 +143,7 @@ fn return_error(scene: &Scene) -> Result<f64, Box<dyn Error>> {
         .duration_s(scene.duration_s())
         .output_interval_s(scene.output_interval_s())
         .method(scene.method().clone());
-    for (body, (_, end)) in scene.bodies().iter().zip(&there.report.bodies) {
+    for (body, polhode::ReportedBody { state: end, .. }) in scene.bodies().iter().zip(&there.report.bodies) {
         back = back.body(turned_round(body, end));
     }
     for force in scene.forces() {
@@ -151,7 +151,7 @@ fn return_error(scene: &Scene) -> Result<f64, Box<dyn Error>> {
     }
     let returned = Run::of(&back.build()?, Effects::Planned)?;
     let mut most = 0.0f64;
-    for (body, (_, end)) in scene.bodies().iter().zip(&returned.report.bodies) {
+    for (body, polhode::ReportedBody { state: end, .. }) in scene.bodies().iter().zip(&returned.report.bodies) {
         let start = body.initial_pose();
         let size = start.translation.length().max(1.0);
         let apart = (end.pose.translation - start.translation).length() / size;

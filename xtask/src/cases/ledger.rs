@@ -4,7 +4,7 @@ use super::run::Run;
 use super::{CaseResult, Context};
 use crate::row::Row;
 use polhode::scene::RestitutionLaw;
-use polhode::{Effects, Scene};
+use polhode::{BodyId, Effects, Scene};
 
 /// What may be left unexplained, relative to the largest energy of the run.
 const CLOSURE: f64 = 1e-12;
@@ -52,13 +52,13 @@ fn is_elastic(scene: &Scene) -> bool {
     let count = scene.bodies().len();
     let law = scene.method().restitution_law;
     let reverses_slips = law == Some(RestitutionLaw::ChatterjeeRuina { tangential_restitution: 1.0 });
-    let mut pairs =
-        (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b))).filter(|&(a, b)| scene.may_collide(a, b));
+    let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (BodyId::new(a), BodyId::new(b))));
+    let mut pairs = pairs.filter(|&(a, b)| scene.can_collide(a, b));
     let mut any = false;
     let all = pairs.all(|(a, b)| {
         any = true;
-        let material = scene.pair_material(a, b);
-        material.restitution() == 1.0 && (reverses_slips || material.friction() == 0.0)
+        let material = scene.material_between(a, b);
+        material.is_ok_and(|own| own.restitution() == 1.0 && (reverses_slips || own.friction() == 0.0))
     });
     any && all
 }

@@ -5,7 +5,7 @@
 
 use super::run::Run;
 use glam::DVec3;
-use polhode::{BodySample, Effects, Scene, Simulation, Unobserved};
+use polhode::{BodySample, Effects, Scene, Simulation};
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
 
@@ -18,8 +18,8 @@ const MOST_EVALUATIONS: usize = 60;
 /// When the scene does not run.
 pub(super) fn state_at(scene: &Scene, t: f64) -> Result<BodySample, Box<dyn Error>> {
     let scene = scene.clone().with_duration(t)?;
-    let report = Simulation::new(&scene, Effects::Planned)?.run(&mut Unobserved)?;
-    Ok(report.bodies.first().ok_or("the scene has no body")?.1)
+    let report = Simulation::new(&scene)?.run()?;
+    Ok(report.bodies.first().ok_or("the scene has no body")?.state)
 }
 
 /// Angular velocity in body axes, rad/s.
@@ -60,7 +60,7 @@ pub(super) fn zeros(
     let run = Run::of(scene, Effects::Planned)?;
     let values: Vec<f64> = run.record.samples.iter().filter_map(|bodies| bodies.first()).map(&function).collect();
     let mut found = Vec::new();
-    for (times, values) in run.record.times.windows(2).zip(values.windows(2)) {
+    for (times, values) in run.record.times_s.windows(2).zip(values.windows(2)) {
         let falls = values[0] > 0.0 && values[1] <= 0.0;
         let rises = values[0] < 0.0 && values[1] >= 0.0;
         if found.len() < count && (falls || (rises && crossing == Crossing::Any)) {

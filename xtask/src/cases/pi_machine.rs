@@ -4,7 +4,7 @@ use super::bodies::{ball_on_x, bouncy, half_space};
 use super::{CaseResult, Context};
 use glam::DVec3;
 use polhode::spatial::UnitVector;
-use polhode::{BodySample, Effects, Event, EventKind, Observer, Scene, Simulation};
+use polhode::{BodySample, Event, EventKind, Observer, Scene, Simulation};
 use std::error::Error;
 
 /// Collisions for mass ratios 100^N, N = 0 to 4.
@@ -39,6 +39,6 @@ fn collisions(mass_ratio: f64) -> Result<u64, Box<dyn Error>> {
         .output_interval_s(20.0)
         .build()?;
     let mut counter = ImpactCounter::default();
-    Simulation::new(&scene, Effects::Planned)?.run(&mut counter)?;
+    Simulation::new(&scene)?.run_observed(&mut counter)?;
     Ok(counter.0)
 }

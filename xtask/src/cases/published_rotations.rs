@@ -58,7 +58,7 @@ pub(super) fn osrf_boxes(context: &Context) -> CaseResult {
         let run = Run::of(&scene, Effects::Planned)?;
         let (energy, start) = (run.report.energy.initial_j, MOMENTS * spin);
         let mut off = [0.0f64; 4];
-        for (&t, sample) in run.record.times.iter().zip(run.record.samples.iter().filter_map(|all| all.first())) {
+        for (&t, sample) in run.record.times_s.iter().zip(run.record.samples.iter().filter_map(|all| all.first())) {
             let path = velocity * t + gravity * (0.5 * t * t);
             let momentum = angular_momentum(MOMENTS, sample);
             let kinetic = 5.0 * sample.velocity.linear.length_squared() + 0.5 * momentum.dot(sample.velocity.angular);

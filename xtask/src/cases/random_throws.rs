@@ -202,8 +202,10 @@ impl Throw {
         let (body, wall) = (thrown(&mut random)?, Wall::any(&mut random));
         let friction = random.between(0.0, 2.0).min(body.most_friction);
         let restitution = if random.below(2) == 0 { 0.0 } else { random.between(0.0, 1.0) };
-        let material =
-            Material::new("m", friction, restitution)?.with_static_friction(friction * random.between(1.0, 1.5))?;
+        let material = Material::new("m")
+            .with_friction(friction)?
+            .with_restitution(restitution)?
+            .with_static_friction(friction * random.between(1.0, 1.5))?;
         let touches = random.below(2) == 0;
         let n = wall.normal();
         // Until the end of the run, and until the contact.

@@ -6,7 +6,7 @@ use super::{CaseResult, Context};
 use crate::row::Row;
 use glam::DVec3;
 use polhode::spatial::{Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Decision, Effect, Effects, Scene, SceneBuilder, Simulation};
+use polhode::{Body, Decision, Effect, Scene, SceneBuilder, Simulation};
 use std::error::Error;
 
 /// By how much a scene misses what is looked for (rad, or relative).
@@ -26,7 +26,7 @@ pub(super) fn found_where_they_are(_context: &Context) -> CaseResult {
 }
 
 fn row(effect: Effect, name: &str, expected: bool, scene: SceneBuilder) -> Result<Row, Box<dyn Error>> {
-    let simulation = Simulation::new(&scene.build()?, Effects::Planned)?;
+    let simulation = Simulation::new(&scene.build()?)?;
     let found = simulation.plan().effects.iter().find(|decision| decision.effect == effect);
     let found = found.ok_or("the plan does not decide about it")?.decision == Decision::On;
     let words = |on: bool| if on { "found" } else { "not found" };

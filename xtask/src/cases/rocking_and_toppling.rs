@@ -71,7 +71,7 @@ fn other_blocks() -> CaseResult {
         let critical = width.atan2(height);
         let tip = part * critical;
         let run = Run::of(&rocking(half, tip, 3.0)?, Effects::Planned)?;
-        let impact = run.events(EventKind::Impact).first().ok_or("the block does not fall back")?.t;
+        let impact = run.events(EventKind::Impact).first().ok_or("the block does not fall back")?.t_s;
         let [before, after] = around(impact, |t| Ok(end_of(&rocking(half, tip, t)?)?.velocity))?;
         let (before, after) = (before.angular.length(), after.angular.length());
         let fallen = (critical - tip).cos() - critical.cos();
@@ -97,7 +97,7 @@ pub(super) fn fc_12(context: &Context) -> CaseResult {
     let rate = growth(0.1)?.sqrt();
     let scene = rocking_block(0.5 * critical, 2.0)?;
     let run = Run::of(&scene, Effects::Planned)?;
-    let impact = run.events(EventKind::Impact).first().ok_or("the block does not fall back")?.t;
+    let impact = run.events(EventKind::Impact).first().ok_or("the block does not fall back")?.t_s;
     let [before, after] = around(impact, |t| Ok(end_of(&rocking_block(0.5 * critical, t)?)?.velocity))?;
     let (fast, slow) = (before.angular.length(), after.angular.length());
     let ratio = slow / fast;
@@ -165,8 +165,9 @@ fn dominoes(tip: f64, rate: f64, duration_s: f64) -> Result<Scene, Box<dyn Error
 /// When the first domino strikes the next one, s.
 fn strike_of(scene: &Scene) -> Result<f64, Box<dyn Error>> {
     let impacts = Run::of(scene, Effects::Planned)?.events(EventKind::Impact);
-    let strike = impacts.iter().find(|event| event.body_a < 2 && event.body_b.is_some_and(|other| other < 2));
-    Ok(strike.ok_or("the domino does not strike the next one")?.t)
+    let strike =
+        impacts.iter().find(|event| event.body_a.index() < 2 && event.body_b.is_some_and(|other| other.index() < 2));
+    Ok(strike.ok_or("the domino does not strike the next one")?.t_s)
 }
 
 /// A domino topples onto the next one.

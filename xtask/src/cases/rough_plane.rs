@@ -9,7 +9,7 @@ use polhode::contact::Shape;
 use polhode::mesh::solid_sphere;
 use polhode::scene::Material;
 use polhode::spatial::{Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Acceleration, Body, BodySample, Effects, Scene, SceneBuilder, Simulation, Unobserved};
+use polhode::{Acceleration, Body, BodySample, Effects, Scene, SceneBuilder, Simulation};
 use std::error::Error;
 
 /// Halvings of an interval in the search for a threshold: to the last bit.
@@ -21,7 +21,7 @@ const EQUILIBRIUM: f64 = 1e-10;
 
 /// A material of this coefficient of friction, static and kinetic. Two materials combine to the geometric mean.
 pub(super) fn rough(friction: f64) -> Result<Material, Box<dyn Error>> {
-    Ok(Material::new(format!("mu = {friction}"), friction, 0.0)?)
+    Ok(Material::new(format!("mu = {friction}")).with_friction(friction)?)
 }
 
 /// A plane through the origin.
@@ -99,13 +99,13 @@ pub(super) fn sphere_of_inertia(radius: f64, inertia: f64) -> Result<Body, Box<d
 
 /// The acceleration of the first body at the start.
 pub(super) fn first_acceleration(scene: &Scene) -> Result<Acceleration, Box<dyn Error>> {
-    let accelerations = Simulation::new(scene, Effects::Planned)?.accelerations()?;
+    let accelerations = Simulation::new(scene)?.accelerations()?;
     Ok(*accelerations.first().ok_or("the scene has no body")?)
 }
 
 /// Whether no body of a scene accelerates at the start.
 pub(super) fn is_in_equilibrium(scene: &Scene) -> Result<bool, Box<dyn Error>> {
-    let accelerations = Simulation::new(scene, Effects::Planned)?.accelerations()?;
+    let accelerations = Simulation::new(scene)?.accelerations()?;
     Ok(accelerations.iter().all(|a| a.linear.length() <= EQUILIBRIUM && a.angular.length() <= EQUILIBRIUM))
 }
 
@@ -133,10 +133,10 @@ pub(super) fn threshold(
 
 /// The times at which steps of a run ended at events, with the states of the first body there.
 pub(super) fn events_of(scene: &Scene) -> Result<Vec<(f64, BodySample)>, Box<dyn Error>> {
-    let mut simulation = Simulation::new(scene, Effects::Planned)?;
+    let mut simulation = Simulation::new(scene)?;
     let mut found = Vec::new();
     while simulation.time() < scene.duration_s() {
-        let outcome = simulation.step(&mut Unobserved)?;
+        let outcome = simulation.step()?;
         if outcome.is_event() {
             found.push((outcome.t_s, *simulation.bodies().first().ok_or("the scene has no body")?));
         }
@@ -156,5 +156,5 @@ pub(super) fn first_event(
 /// The last state of the first body.
 pub(super) fn end_of(scene: &Scene) -> Result<BodySample, Box<dyn Error>> {
     let run = Run::of(scene, Effects::Planned)?;
-    Ok(run.report.bodies.first().ok_or("the scene has no body")?.1)
+    Ok(run.report.bodies.first().ok_or("the scene has no body")?.state)
 }

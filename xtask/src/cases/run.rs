@@ -28,7 +28,7 @@ impl Run {
     pub(crate) fn of(scene: &Scene, effects: Effects) -> Result<Self, Box<dyn Error>> {
         let mut record = Recorder::default();
         let start = Instant::now();
-        let report = Simulation::new(scene, effects)?.run(&mut record)?;
+        let report = Simulation::with_effects(scene, effects)?.run_observed(&mut record)?;
         let wall_s = start.elapsed().as_secs_f64();
         Ok(Self { scene: scene.clone(), report, record, wall_s })
     }
@@ -38,8 +38,8 @@ impl Run {
     /// # Errors
     /// When there is none.
     pub(super) fn last(&self, name: &str) -> Result<BodySample, Box<dyn Error>> {
-        let found = self.report.bodies.iter().find(|(body, _)| body == name);
-        Ok(found.ok_or_else(|| format!("no body {name}"))?.1)
+        let found = self.report.bodies.iter().find(|body| body.name == name);
+        Ok(found.ok_or_else(|| format!("no body {name}"))?.state)
     }
 
     /// Events of one kind, in order.

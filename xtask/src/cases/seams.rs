@@ -12,7 +12,7 @@ use glam::DVec3;
 use polhode::contact::{ConvexPolyhedron, Shape};
 use polhode::scene::Material;
 use polhode::spatial::{Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Effects, Outcome, Scene, Simulation, Unobserved};
+use polhode::{Body, Outcome, Scene, Simulation};
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
 
@@ -113,8 +113,8 @@ fn change(under: Vec<Body>, slider: &Slider, velocity: DVec3, way: f64) -> Resul
         scene = scene.body(body);
     }
     let scene = scene.body(slider.body(start, velocity)?).build()?;
-    let report = Simulation::new(&scene, Effects::Planned)?.run(&mut Unobserved)?;
-    let end = report.bodies.last().ok_or("no body")?.1.velocity.linear;
+    let report = Simulation::new(&scene)?.run()?;
+    let end = report.bodies.last().ok_or("no body")?.state.velocity.linear;
     let is_kept = report.outcome == Outcome::Completed;
     Ok(if is_kept { (end - velocity).length() / velocity.length() } else { f64::INFINITY })
 }
@@ -232,7 +232,7 @@ pub(super) fn surfaces(_: &Context) -> CaseResult {
 pub(super) fn friction(_: &Context) -> CaseResult {
     let mut rows = Vec::new();
     let laid = Tiles { count: 4, gap: 0.0, step: 0.0 };
-    let rough = Material::new("rough", 0.1, 0.0)?;
+    let rough = Material::new("rough").with_friction(0.1)?;
     let size = DVec3::new(f64::from(laid.count) * TILE.x, TILE.y, TILE.z);
     let plate = Body::fixed("plate").geometry(Shape::cuboid(size)?.into()).pose(Pose::from_translation(DVec3::new(
         0.5 * size.x,
@@ -247,8 +247,8 @@ pub(super) fn friction(_: &Context) -> CaseResult {
             for body in under {
                 scene = scene.body(body.material(rough.clone()));
             }
-            let report = Simulation::new(&scene.body(body).build()?, Effects::Planned)?.run(&mut Unobserved)?;
-            let last = report.bodies.last().ok_or("no body")?.1;
+            let report = Simulation::new(&scene.body(body).build()?)?.run()?;
+            let last = report.bodies.last().ok_or("no body")?.state;
             Ok([last.pose.translation, last.velocity.linear])
         };
         let quantity = format!("{} with friction, as on one plate", slider.name);

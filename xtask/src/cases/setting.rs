@@ -8,7 +8,7 @@ use glam::DVec3;
 use polhode::contact::{ConvexPolyhedron, HalfSpace, Shape, Sphere};
 use polhode::scene::{Geometry, Material};
 use polhode::spatial::{Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, BodySample, Effects, Scene};
+use polhode::{Body, BodyId, BodySample, Effects, Scene};
 use std::error::Error;
 
 /// How a scene is set in the world.
@@ -83,10 +83,13 @@ impl Setting {
             }
         };
         // What two materials do to each other is what the scene tells; of two bodies one may have it for both.
-        let partner = (0..scene.bodies().len()).find(|&other| scene.may_collide(index, other));
+        let own = BodyId::new(index);
+        let partner = (0..scene.bodies().len()).map(BodyId::new).find(|&other| scene.can_collide(own, other));
         if let Some(partner) = partner {
-            let pair = scene.pair_material(index, partner);
-            set = set.material(Material::new(body.name(), pair.friction(), pair.restitution())?);
+            let pair = scene.material_between(own, partner)?;
+            set = set.material(
+                Material::new(body.name()).with_friction(pair.friction())?.with_restitution(pair.restitution())?,
+            );
         }
         if let Some(pivot) = body.pivot_point() {
             set = set.pivot(self.point(pivot));
@@ -143,12 +146,12 @@ impl Setting {
 pub(super) fn largest_difference(scene: &Scene, setting: &Setting) -> Result<f64, Box<dyn Error>> {
     let original = Run::of(scene, Effects::Planned)?;
     let set = Run::of(&setting.apply(scene)?, Effects::Planned)?;
-    let (count, set_count) = (original.record.times.len(), set.record.times.len());
+    let (count, set_count) = (original.record.times_s.len(), set.record.times_s.len());
     if count != set_count {
         return Err(format!("{count} samples, and {set_count} in the other setting").into());
     }
     let mut most = 0.0f64;
-    for ((&t, before), after) in original.record.times.iter().zip(&original.record.samples).zip(&set.record.samples) {
+    for ((&t, before), after) in original.record.times_s.iter().zip(&original.record.samples).zip(&set.record.samples) {
         for ((body, before), after) in scene.bodies().iter().zip(before).zip(after) {
             let distance = setting.distance(t, before, after, body.is_fixed());
             most = if distance <= most { most } else { distance };

@@ -10,7 +10,7 @@ use glam::DVec3;
 use polhode::contact::Shape;
 use polhode::scene::{Force, Frame, Interpolation, MotionTable, PrescribedMotion, Signal};
 use polhode::spatial::{Pose, UnitVector, Velocity};
-use polhode::{Body, BodySample, Effects, Scene};
+use polhode::{Body, BodyId, BodySample, Effects, Scene};
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -141,7 +141,14 @@ fn plate_at_rest(duration_s: f64, friction: f64, is_moving: bool) -> Result<Scen
     let (radius, rate, _) = CIRCLE;
     let push = |force: DVec3, phase: f64| -> Result<Force, Box<dyn Error>> {
         let signal = Signal::sinusoid(1.0, rate / TAU, phase)?;
-        Ok(Force::Applied { body: 0, force, torque: DVec3::ZERO, frame: Frame::World, point: None, signal })
+        Ok(Force::Applied {
+            body: BodyId::new(0),
+            force,
+            torque: DVec3::ZERO,
+            frame: Frame::World,
+            point: None,
+            signal,
+        })
     };
     let strength = radius * rate * rate;
     let (start, velocity) =

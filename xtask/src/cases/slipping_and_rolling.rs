@@ -15,7 +15,7 @@ use polhode::contact::Shape;
 use polhode::mesh::solid_sphere;
 use polhode::scene::{Force, Frame, PairRule, PrescribedMotion, Signal};
 use polhode::spatial::{Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, BodySample, Effects, Scene, Simulation, Unobserved};
+use polhode::{Body, BodyId, BodySample, Effects, Scene, Simulation};
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
 
@@ -287,7 +287,7 @@ fn spool(angle: f64) -> Result<Scene, Box<dyn Error>> {
     let body = Plane::LEVEL.place(body, pose, Velocity::new(DVec3::ZERO, DVec3::ZERO));
     // A pull at the bottom of the inner cylinder to the right turns the spool against rolling to the right.
     let force = Force::Applied {
-        body: 0,
+        body: BodyId::new(0),
         force: DVec3::new(angle.cos(), 0.0, angle.sin()),
         torque: DVec3::Y * -0.5,
         frame: Frame::World,
@@ -320,12 +320,12 @@ fn rolling_error(direction: DVec3) -> Result<f64, Box<dyn Error>> {
     let box_rate = (pull - ground_force - count * ball_force) / box_mass;
     let ball_rate = ball_force / ball_mass;
     let scene = rolling_scene(direction * pull)?;
-    let mut simulation = Simulation::new(&scene, Effects::Planned)?;
+    let mut simulation = Simulation::new(&scene)?;
     let mut sum = 0.0;
     let steps = 4000;
     for step in 1..=steps {
         let t = f64::from(step) * SAMPLE_S;
-        simulation.advance_to(t, &mut Unobserved)?;
+        simulation.advance_to(t)?;
         let bodies = simulation.bodies();
         let [carrier, ball, ..] = bodies.as_slice() else { return Err("no bodies".into()) };
         sum += (ball.velocity.linear - direction * (ball_rate * t)).length_squared();
@@ -336,10 +336,10 @@ fn rolling_error(direction: DVec3) -> Result<f64, Box<dyn Error>> {
 
 /// The box with its balls on the ground, pulled by this force (N). All touch exactly.
 fn rolling_scene(pull: DVec3) -> Result<Scene, Box<dyn Error>> {
-    let material = |name: &str| polhode::scene::Material::new(name, 0.0, 0.0);
+    let material = |name: &str| polhode::scene::Material::new(name);
     let size = DVec3::new(20.0, 20.0, 1.0);
     let mut builder = Scene::builder("SimBenchmark rolling")
-        .body(cuboid("box", size, 10.0, DVec3::Z * 0.5)?.material(material("box")?))
+        .body(cuboid("box", size, 10.0, DVec3::Z * 0.5)?.material(material("box")))
         .duration_s(4.0);
     for i in 0..5 {
         for j in 0..5 {
@@ -347,13 +347,13 @@ fn rolling_scene(pull: DVec3) -> Result<Scene, Box<dyn Error>> {
             let ball = Body::movable(format!("ball {i} {j}"), solid_sphere(0.5, Mass::new(1.0)?)?)
                 .geometry(Shape::sphere(0.5)?.into())
                 .pose(Pose::from_translation(center))
-                .material(material("ball")?);
+                .material(material("ball"));
             builder = builder.body(ball);
         }
     }
-    let pair = |a: &str, b: &str, friction: f64| PairRule::new([a.to_owned(), b.to_owned()], Some(friction), None);
+    let pair = |a: &str, b: &str, friction: f64| PairRule::new([a.to_owned(), b.to_owned()]).with_friction(friction);
     let force = Force::Applied {
-        body: 0,
+        body: BodyId::new(0),
         force: pull,
         torque: DVec3::ZERO,
         frame: Frame::World,
@@ -361,7 +361,7 @@ fn rolling_scene(pull: DVec3) -> Result<Scene, Box<dyn Error>> {
         signal: Signal::ONE,
     };
     Ok(builder
-        .body(half_space("ground", UnitVector::Z).material(material("ground")?))
+        .body(half_space("ground", UnitVector::Z).material(material("ground")))
         .pair_rule(pair("ground", "box", 0.4)?)
         .pair_rule(pair("box", "ball", 0.8)?)
         .pair_rule(pair("ground", "ball", 0.5)?)

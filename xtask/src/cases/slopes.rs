@@ -99,7 +99,7 @@ pub(super) fn fc_01(context: &Context) -> CaseResult {
 /// Normal forces on the lower and on the upper edge of the box, of its weight.
 fn edge_forces(plane: Plane, friction: f64) -> Result<[f64; 2], Box<dyn Error>> {
     let scene = plane.with(plane.lying_box(SIZE, 0.0, DVec3::ZERO)?, friction)?.build()?;
-    let contacts = Simulation::new(&scene, Effects::Planned)?.contacts();
+    let contacts = Simulation::new(&scene)?.contacts();
     let edge = |is_lower: bool| -> f64 {
         let at_edge = contacts.iter().filter(|contact| (plane.local(contact.point_m).x > 0.0) == is_lower);
         at_edge.map(|contact| contact.normal_force_n).sum::<f64>() / GRAVITY

@@ -43,7 +43,7 @@ pub(super) fn rows(context: &Context) -> CaseResult {
 fn samples(run: &Run, name: &str) -> Result<Vec<(f64, BodySample)>, Box<dyn Error>> {
     let index = run.scene.bodies().iter().position(|body| body.name() == name);
     let index = index.ok_or_else(|| format!("no body {name}"))?;
-    let rows = run.record.times.iter().zip(&run.record.samples);
+    let rows = run.record.times_s.iter().zip(&run.record.samples);
     Ok(rows.filter_map(|(t, row)| row.get(index).map(|sample| (*t, *sample))).collect())
 }
 
@@ -107,7 +107,7 @@ fn tippe_top(context: &Context) -> CaseResult {
         let local = properties.inertia().matrix() * rotation.inverse_rotate(sample.velocity.angular);
         -rotation.rotate(local).dot(DVec3::Z * -radius - rotation.rotate(center))
     };
-    let stem_touches = run.events(EventKind::Impact).first().map_or(f64::INFINITY, |event| event.t);
+    let stem_touches = run.events(EventKind::Impact).first().map_or(f64::INFINITY, |event| event.t_s);
     let samples = samples(&run, "top")?;
     let numbers: Vec<f64> = samples.iter().filter(|(t, _)| *t < stem_touches).map(|(_, s)| jellett(s)).collect();
     let first = *numbers.first().ok_or("no sample")?;

@@ -4,7 +4,7 @@ use super::bodies::{BRICK, GRAVITY, cuboid, fixed_cuboid, half_space};
 use super::{CaseResult, Context};
 use glam::DVec3;
 use polhode::spatial::UnitVector;
-use polhode::{Acceleration, Effects, Scene, Simulation};
+use polhode::{Acceleration, Scene, Simulation};
 use std::error::Error;
 
 /// A stack counts as stable when no acceleration is larger than this part of gravity.
@@ -64,7 +64,7 @@ fn staircase(shift: f64, n: usize) -> Result<Scene, Box<dyn Error>> {
 }
 
 fn accelerations(scene: &Scene) -> Result<Vec<Acceleration>, Box<dyn Error>> {
-    Ok(Simulation::new(scene, Effects::Planned)?.accelerations()?)
+    Ok(Simulation::new(scene)?.accelerations()?)
 }
 
 /// The largest component of all accelerations, m/s^2 or rad/s^2.

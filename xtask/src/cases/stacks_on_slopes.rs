@@ -9,7 +9,7 @@ use super::{CaseResult, Context};
 use crate::row::Row;
 use glam::DVec3;
 use polhode::spatial::{Pose, Rotation, Velocity};
-use polhode::{Effects, Scene, Simulation, Unobserved};
+use polhode::{Scene, Simulation};
 use std::error::Error;
 
 const CASE: &str = "stacks on slopes";
@@ -86,8 +86,8 @@ fn stack(count: usize, ratio: f64, masses: Masses, placing: Placing) -> Result<S
 
 /// Whether all bodies are put to rest at once, and the residual of their forces.
 fn rests(scene: &Scene) -> Result<(bool, f64), Box<dyn Error>> {
-    let mut simulation = Simulation::new(scene, Effects::Planned)?;
-    simulation.step(&mut Unobserved)?;
+    let mut simulation = Simulation::new(scene)?;
+    simulation.step()?;
     let still = simulation.bodies().iter().all(|body| body.velocity == Velocity::ZERO);
     Ok((still && simulation.time() >= FIRST_S, simulation.frame().certificate.max_residual))
 }

@@ -7,7 +7,7 @@ use super::bodies::{GRAVITY, cuboid, fixed_cuboid};
 use super::{CaseResult, Context};
 use glam::DVec3;
 use polhode::spatial::Velocity;
-use polhode::{BodySample, Effects, EventKind, Recorder, Scene, Simulation};
+use polhode::{BodySample, EventKind, Recorder, Scene, Simulation};
 use std::error::Error;
 
 /// Length, depth, height of the box, m.
@@ -18,9 +18,9 @@ const TIPPING_S: f64 = 0.5;
 /// Tipping, detachment, and the states 0.2 s after the one and at the other.
 pub(super) fn rc_10(context: &Context) -> CaseResult {
     let mut record = Recorder::default();
-    Simulation::new(&scene(1.0)?, Effects::Planned)?.run(&mut record)?;
+    Simulation::new(&scene(1.0)?)?.run_observed(&mut record)?;
     let detached: Vec<f64> =
-        record.events.iter().filter(|event| event.kind == EventKind::Detach).map(|event| event.t).collect();
+        record.events.iter().filter(|event| event.kind == EventKind::Detach).map(|event| event.t_s).collect();
     let (Some(&tipping), Some(&leaving)) = (detached.first(), detached.last()) else {
         return Err("no contact detaches".into());
     };
@@ -63,10 +63,10 @@ fn scene(duration_s: f64) -> Result<Scene, Box<dyn Error>> {
 
 /// The box at a time, and the force of the edge on it, N per kg of the box.
 fn state_at(time: f64) -> Result<(BodySample, f64), Box<dyn Error>> {
-    let mut simulation = Simulation::new(&scene(time)?, Effects::Planned)?;
-    let report = simulation.run(&mut polhode::Unobserved)?;
+    let mut simulation = Simulation::new(&scene(time)?)?;
+    let report = simulation.run()?;
     let acceleration = simulation.accelerations()?[1].linear;
-    Ok((report.bodies[1].1, (acceleration + DVec3::Z * GRAVITY).length()))
+    Ok((report.bodies[1].state, (acceleration + DVec3::Z * GRAVITY).length()))
 }
 
 /// A box on the edge at the origin.

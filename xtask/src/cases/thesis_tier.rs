@@ -50,7 +50,7 @@ fn bound_row(case: &str, m: usize) -> Result<Row, Box<dyn Error>> {
     /// Rounding of an error of zero and a bound of zero, in the unit of both.
     const ROUNDING: f64 = 1e-6;
     let scene = diamond(m, Sides::Collide, 10.0)?;
-    let mut simulation = Simulation::new(&thesis(scene.clone()), Effects::Planned)?;
+    let mut simulation = Simulation::new(&thesis(scene.clone()))?;
     let mut excess = 0.0f64;
     let mut compared = 0;
     let mut states: Vec<BodySample> = scene
@@ -61,13 +61,13 @@ fn bound_row(case: &str, m: usize) -> Result<Row, Box<dyn Error>> {
     for _ in 0..STEPS {
         let thesis_accelerations = simulation.accelerations()?;
         let exact = at_state(&scene, &states)?;
-        let report = simulation.run(&mut OneStep)?;
-        if let Ok(exact) = Simulation::new(&exact, Effects::Planned).and_then(|mut s| s.accelerations()) {
+        let report = simulation.run_observed(&mut OneStep)?;
+        if let Ok(exact) = Simulation::new(&exact).and_then(|mut s| s.accelerations()) {
             let error = energy_norm(&scene, &states, &thesis_accelerations, &exact);
             excess = excess.max(error - report.certificate.max_acceleration_error_bound.unwrap_or(0.0));
             compared += 1;
         }
-        states = report.bodies.iter().map(|(_, sample)| *sample).collect();
+        states = report.bodies.iter().map(|body| body.state).collect();
     }
     if compared == 0 {
         return Err("no state of the tier thesis could be compared".into());

@@ -8,7 +8,7 @@ use super::{Amount, CaseResult, Context};
 use crate::random_scene::generate;
 use crate::row::Row;
 use crate::scene_units::Units;
-use polhode::{BodySample, Effects, Recorder, Simulation};
+use polhode::{BodySample, Recorder, Simulation};
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
@@ -27,7 +27,7 @@ fn samples(path: &Path, units: Units, most_s: f64) -> Result<Recorder, Box<dyn E
     let text = units.text(&std::fs::read_to_string(path)?, most_s)?;
     let loaded = polhode_scene::load_text(&path.display().to_string(), &text, &[])?;
     let mut record = Recorder::default();
-    Simulation::new(&loaded.scene, Effects::Planned)?.run(&mut record)?;
+    Simulation::new(&loaded.scene)?.run_observed(&mut record)?;
     Ok(record)
 }
 
@@ -42,13 +42,13 @@ fn is_same(units: Units, original: &BodySample, copy: &BodySample) -> bool {
 
 /// When the samples of a copy first are others, s of the original; none where they are the same.
 fn departure(units: Units, original: &Recorder, copy: &Recorder) -> Option<f64> {
-    let pairs = original.samples.iter().zip(&copy.samples).zip(&original.times);
+    let pairs = original.samples.iter().zip(&copy.samples).zip(&original.times_s);
     let is_other = |(before, after): (&Vec<BodySample>, &Vec<BodySample>)| {
         before.iter().zip(after).any(|(before, after)| !is_same(units, before, after))
     };
     let first = pairs.into_iter().find(|&((before, after), _)| is_other((before, after))).map(|(_, &t)| t);
     let is_shorter = original.samples.len() != copy.samples.len();
-    first.or_else(|| is_shorter.then(|| original.times.last().copied().unwrap_or_default()))
+    first.or_else(|| is_shorter.then(|| original.times_s.last().copied().unwrap_or_default()))
 }
 
 /// Writes the random scene of a seed into a folder, and returns its file.

@@ -101,7 +101,7 @@ fn body(bodies: &[BodySample]) -> Option<&BodySample> {
 fn rest_s(run: &Run) -> f64 {
     let turns = |bodies: &Vec<BodySample>| body(bodies).is_some_and(|body| body.velocity.angular != DVec3::ZERO);
     let last = run.record.samples.iter().rposition(turns).unwrap_or_default();
-    run.record.times.get(last).copied().unwrap_or(f64::NAN)
+    run.record.times_s.get(last).copied().unwrap_or(f64::NAN)
 }
 
 /// Heights of the origin of the body in the last second, m.
@@ -112,8 +112,8 @@ struct Heights {
 }
 
 fn last_heights(run: &Run) -> Heights {
-    let end_s = run.record.times.last().copied().unwrap_or_default();
-    let samples = run.record.times.iter().zip(&run.record.samples).filter(|(t, _)| **t >= end_s - LAST_S);
+    let end_s = run.record.times_s.last().copied().unwrap_or_default();
+    let samples = run.record.times_s.iter().zip(&run.record.samples).filter(|(t, _)| **t >= end_s - LAST_S);
     let heights: Vec<f64> =
         samples.filter_map(|(_, bodies)| body(bodies)).map(|body| body.pose.translation.z).collect();
     let (Some(&first), Some(&last)) = (heights.first(), heights.last()) else {

@@ -20,7 +20,7 @@ const SIZE: [u32; 2] = [320, 200];
 /// # Errors
 /// When the run has no sample within an output interval of the time.
 pub(super) fn draw(still: &Still, run: &Run) -> Result<Picture, Box<dyn Error>> {
-    let times = &run.record.times;
+    let times = &run.record.times_s;
     let apart = |sample: &usize| (times[*sample] - still.time_s).abs();
     let nearest = (0..times.len()).min_by(|a, b| apart(a).total_cmp(&apart(b)));
     let found = nearest.filter(|sample| apart(sample) <= run.scene.output_interval_s());

@@ -1,6 +1,6 @@
 //! Pages that play one scene, or two beside each other: what `polhode view` makes, with fewer frames.
 
-use polhode::{Effects, Outcome, Simulation};
+use polhode::{Outcome, Simulation};
 use polhode_scene::{LoadedScene, report_json};
 use polhode_view::{FrameSource, Page};
 use serde_json::Value;
@@ -32,7 +32,7 @@ pub(super) fn write(
         let interval_s = (1.0 / FRAMES_PER_SECOND).max(scene.duration_s() / MOST_FRAMES).min(scene.duration_s());
         let scene = scene.clone().with_output_interval(interval_s)?;
         let mut run = page.begin_run(&scene, scene.name(), FrameSource::Simulation)?;
-        let report = Simulation::new(&scene, Effects::Planned)?.run(&mut run)?;
+        let report = Simulation::new(&scene)?.run_observed(&mut run)?;
         let outcome = if report.outcome == Outcome::Degraded { "degraded" } else { "completed" };
         page = run.end(outcome)?;
         let mut json = report_json(&report, 0.0);

@@ -6,7 +6,7 @@
 use super::environment::is_blessed;
 use crate::cases::{CaseResult, Context, guarded};
 use crate::row::Row;
-use polhode::{Effects, Simulation};
+use polhode::Simulation;
 use polhode_view::Recording;
 use polhode_view::raster::{Picture, PictureSize};
 use polhode_view::still::{still, write_png};
@@ -78,8 +78,8 @@ impl GoldenStill {
     fn draw(&self, context: &Context) -> Result<Picture, Box<dyn Error>> {
         let scene = context.shipped.load(self.scene)?;
         let mut recording = Recording::for_still(&scene)?;
-        let mut simulation = Simulation::new(&scene, Effects::Planned)?;
-        simulation.advance_to(self.t_s, &mut recording)?;
+        let mut simulation = Simulation::new(&scene)?;
+        simulation.advance_to_observed(self.t_s, &mut recording)?;
         recording.end_at(self.t_s, &simulation.bodies())?;
         let last = recording.times().len().saturating_sub(1);
         Ok(still(&recording, last, PictureSize::new(SIZE[0], SIZE[1])?))

@@ -26,7 +26,7 @@ pub(super) fn text(run: &Run, hash: u64) -> String {
     let mut text = String::new();
     let energy = &run.report.energy;
     let _ =
-        writeln!(text, "scene {}, {} s, {} samples", run.report.scene, run.report.duration_s, run.record.times.len());
+        writeln!(text, "scene {}, {} s, {} samples", run.report.scene, run.report.duration_s, run.record.times_s.len());
     let _ = writeln!(
         text,
         "energy_j initial {} final {} kinetic {} potential {}",
@@ -45,7 +45,7 @@ pub(super) fn text(run: &Run, hash: u64) -> String {
         for (body, sample) in bodies.filter(|(body, _)| !body.is_fixed()) {
             let numbers: Vec<String> = components(sample).iter().map(|&component| number(component)).collect();
             let name = body.name().replace(char::is_whitespace, "_");
-            let _ = writeln!(text, "{} {name} {}", number(run.record.times[index]), numbers.join(" "));
+            let _ = writeln!(text, "{} {name} {}", number(run.record.times_s[index]), numbers.join(" "));
         }
     }
     text

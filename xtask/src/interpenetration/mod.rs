@@ -36,7 +36,7 @@ use crate::cases::Run;
 use box_tree::bounds;
 use glam::DVec3;
 use polhode::mesh::TriangleMesh;
-use polhode::{BodySample, Scene};
+use polhode::{BodyId, BodySample, Scene};
 use std::collections::BTreeMap;
 use std::error::Error;
 use surface::{Placed, Surface};
@@ -78,7 +78,7 @@ pub(crate) fn check(run: &Run, forms: &[Form]) -> Result<Findings, Box<dyn Error
     }
     let pairs: Vec<(usize, usize)> = (0..forms.len())
         .flat_map(|a| (a + 1..forms.len()).map(move |b| (a, b)))
-        .filter(|&(a, b)| scene.may_collide(a, b))
+        .filter(|&(a, b)| scene.can_collide(BodyId::new(a), BodyId::new(b)))
         .collect();
     let mut bodies = Vec::new();
     for (index, form) in forms.iter().enumerate() {
@@ -89,7 +89,7 @@ pub(crate) fn check(run: &Run, forms: &[Form]) -> Result<Findings, Box<dyn Error
     let mut hints = BTreeMap::new();
     let mut before: Option<&Vec<BodySample>> = None;
     let mut placed: Vec<Placed<'_>> = Vec::new();
-    for (&t, samples) in run.record.times.iter().zip(&run.record.samples) {
+    for (&t, samples) in run.record.times_s.iter().zip(&run.record.samples) {
         place(&bodies, samples, &mut placed);
         for &(a, b) in &pairs {
             let tolerance = tolerance(&placed[a], &placed[b]);

@@ -6,7 +6,7 @@ use polhode::Recorder;
 /// FNV-1a over all bits of all samples and events.
 pub fn strict_hash(record: &Recorder) -> u64 {
     let mut hash = Fnv::default();
-    for (time, bodies) in record.times.iter().zip(&record.samples) {
+    for (time, bodies) in record.times_s.iter().zip(&record.samples) {
         hash.number(*time);
         for sample in bodies {
             let q = sample.pose.rotation.to_wxyz();
@@ -16,7 +16,7 @@ pub fn strict_hash(record: &Recorder) -> u64 {
     }
     for event in &record.events {
         event.kind.word().bytes().for_each(|byte| hash.byte(byte));
-        let scalars = [event.t, event.impulse, event.energy_change_j];
+        let scalars = [event.t_s, event.impulse, event.energy_change_j];
         let vectors = event.point.to_array().into_iter().chain(event.normal.to_array());
         scalars.into_iter().chain(vectors).for_each(|x| hash.number(x));
     }

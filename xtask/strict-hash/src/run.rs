@@ -6,7 +6,7 @@
 //! once, if restoring a snapshot loses nothing.
 
 use crate::hash::strict_hash;
-use polhode::{Effects, Recorder, Scene, Simulation, SimulationError};
+use polhode::{Recorder, Scene, Simulation, SimulationError};
 use polhode_scene::SceneFileError;
 use std::path::Path;
 use thiserror::Error;
@@ -51,7 +51,7 @@ pub fn record_of(file: &Path, repeat: Repeat) -> Result<Recorder, Failure> {
     match repeat {
         Repeat::No => {
             let mut record = Recorder::default();
-            Simulation::new(&scene, Effects::Planned)?.run(&mut record)?;
+            Simulation::new(&scene)?.run_observed(&mut record)?;
             Ok(record)
         }
         Repeat::EachStep => with_repeated_steps(&scene),
@@ -59,7 +59,7 @@ pub fn record_of(file: &Path, repeat: Repeat) -> Result<Recorder, Failure> {
 }
 
 fn with_repeated_steps(scene: &Scene) -> Result<Recorder, Failure> {
-    let mut simulation = Simulation::new(scene, Effects::Planned)?;
+    let mut simulation = Simulation::new(scene)?;
     let mut record = Recorder::default();
     while !simulation.has_ended() {
         let t_s = simulation.time();
@@ -74,7 +74,7 @@ fn with_repeated_steps(scene: &Scene) -> Result<Recorder, Failure> {
         if simulation.snapshot().to_bytes() != after {
             return Err(Failure::Repeated { t_s, part: "snapshots of the end" });
         }
-        record.times.extend(second.times);
+        record.times_s.extend(second.times_s);
         record.samples.extend(second.samples);
         record.events.extend(second.events);
     }
@@ -84,7 +84,7 @@ fn with_repeated_steps(scene: &Scene) -> Result<Recorder, Failure> {
 /// Samples and events of one step.
 fn observed_step(simulation: &mut Simulation) -> Result<Recorder, SimulationError> {
     let mut record = Recorder::default();
-    simulation.step(&mut record)?;
+    simulation.step_observed(&mut record)?;
     Ok(record)
 }
 

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::text::{Table, number};
 use polhode::contact::{Aabb, BroadPhaseMethod, aabb_of};
 use polhode::spatial::Pose;
-use polhode::{BodySample, Geometry, Scene};
+use polhode::{BodyId, BodySample, Geometry, Scene};
 use polhode_scene::Override;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -60,7 +60,8 @@ impl BroadPhaseStudy {
             return Err(check("no body of the scene has a shape: there are no pairs to find"));
         }
         let found = pairs(&frames)?;
-        let may_collide = |&(i, j): &(u32, u32)| scene.may_collide(colliders[i as usize], colliders[j as usize]);
+        let body = |collider: u32| BodyId::new(colliders[collider as usize]);
+        let may_collide = |&(i, j): &(u32, u32)| scene.can_collide(body(i), body(j));
         let collidable = found.iter().flatten().filter(|pair| may_collide(pair)).count();
         let pairs = found.iter().map(Vec::len).sum();
         let rows = rows(&time(&frames, effort), frames.len());

@@ -70,7 +70,7 @@ impl Scales {
         let (mut travelled, mut speed_m_s, mut angular_speed) = (0.0_f64, 0.0_f64, 0.0_f64);
         let mut angles = vec![0.0_f64; sizes.len()];
         let mut before = 0.0;
-        for (&t, row) in reference.times.iter().zip(&reference.samples) {
+        for (&t, row) in reference.times_s.iter().zip(&reference.samples) {
             for (body, sample) in movable(&sizes, row) {
                 let start = reference.samples[0][body].pose.translation;
                 let (v, w) = (sample.velocity.linear.length(), sample.velocity.angular.length());
@@ -95,8 +95,8 @@ impl Scales {
     /// # Errors
     /// When the two are not about the same bodies at the same times.
     pub(crate) fn errors(&self, reference: &Recorder, run: &Recorder) -> Result<Errors, String> {
-        if reference.times != run.times {
-            let (a, b) = (reference.times.len(), run.times.len());
+        if reference.times_s != run.times_s {
+            let (a, b) = (reference.times_s.len(), run.times_s.len());
             return Err(format!("its {b} samples are not at the times of the reference's {a}"));
         }
         let mut errors = Errors::default();
@@ -156,7 +156,7 @@ mod tests {
         let turned = Pose { translation: DVec3::X * x, rotation: Rotation::from_rotation_vector(DVec3::Z * angle) };
         let velocity = Velocity { linear: DVec3::X * x, angular: DVec3::ZERO };
         let moved = BodySample { pose: turned, velocity };
-        Recorder { times: vec![0.0, 1.0], samples: vec![vec![rest, rest], vec![rest, moved]], events: Vec::new() }
+        Recorder { times_s: vec![0.0, 1.0], samples: vec![vec![rest, rest], vec![rest, moved]], events: Vec::new() }
     }
 
     #[test]
@@ -190,7 +190,7 @@ mod tests {
     fn other_times_are_refused() {
         let reference = run(10.0, 1.0);
         let mut run = run(10.0, 1.0);
-        run.times[1] = 2.0;
+        run.times_s[1] = 2.0;
         assert!(Scales::of(&scene(), &reference).errors(&reference, &run).is_err());
     }
 }

@@ -8,7 +8,7 @@ use super::source::Source;
 use crate::args::ProbeArgs;
 use crate::failure::Failure;
 use crate::scene;
-use polhode::{Effects, Unobserved};
+use polhode::Effects;
 use polhode_scene::Override;
 use std::io;
 use std::process::{Command, Stdio};
@@ -77,7 +77,7 @@ pub(crate) fn probe(args: &ProbeArgs) -> Result<(), Failure> {
     let loaded = scene::load(&args.scene)?;
     let mut simulation = scene::prepare(&loaded, &args.scene.changes)?;
     if args.run {
-        simulation.run(&mut Unobserved).map_err(|error| scene::failed(&loaded, error))?;
+        simulation.run().map_err(|error| scene::failed(&loaded, error))?;
     }
     Ok(())
 }

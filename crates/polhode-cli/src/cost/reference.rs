@@ -158,7 +158,7 @@ fn impact(source: &Source<'_>, scene: &Scene) -> Option<ImpactLaw> {
 }
 
 fn plan(source: &Source<'_>, scene: &Scene) -> Result<Plan, String> {
-    Ok(Simulation::new(scene, source.effects).map_err(|error| error.to_string())?.plan().clone())
+    Ok(Simulation::with_effects(scene, source.effects).map_err(|error| error.to_string())?.plan().clone())
 }
 
 /// What all tries for a reference have in common.

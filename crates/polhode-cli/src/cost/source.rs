@@ -62,7 +62,7 @@ impl<'a> Source<'a> {
             Outcome::Completed | Outcome::Degraded if report.simulated_s >= report.duration_s => {
                 Ok(Completed { record: watch.record, report, took })
             }
-            Outcome::Completed | Outcome::Degraded | Outcome::Stopped => {
+            _ => {
                 let (at, end, took) = (report.simulated_s, report.duration_s, took.as_secs_f64());
                 Err(format!("left out: stopped at {at:.3} of {end} s after {took:.1} s; --vary lets it run"))
             }
@@ -75,9 +75,9 @@ impl<'a> Source<'a> {
     /// # Errors
     /// Why the run failed, in a line.
     pub(crate) fn run(&self, scene: &Scene, observer: &mut dyn Observer) -> Result<(RunReport, Duration), String> {
-        let mut simulation = Simulation::new(scene, self.effects).map_err(|error| error.to_string())?;
+        let mut simulation = Simulation::with_effects(scene, self.effects).map_err(|error| error.to_string())?;
         let started = Instant::now();
-        let report = simulation.run(observer).map_err(|error| error.to_string())?;
+        let report = simulation.run_observed(observer).map_err(|error| error.to_string())?;
         Ok((report, started.elapsed()))
     }
 }

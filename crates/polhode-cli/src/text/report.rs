@@ -110,7 +110,7 @@ fn crowded(report: &RunReport) -> [String; 2] {
     let error = report.crowding_error.map_or_else(
         || "not known".to_owned(),
         |error| {
-            let name = error.body.and_then(|body| report.bodies.get(body.index())).map(|(name, _)| name.as_str());
+            let name = error.body.and_then(|body| report.bodies.get(body.index())).map(|body| body.name.as_str());
             format!(
                 "{} m{}, {} m/s, {} rad/s at the end (estimated)",
                 number(error.position_m),
@@ -194,7 +194,7 @@ fn measured(value: Option<f64>) -> String {
 
 /// Which bodies, and when.
 fn at(report: &RunReport, pair: Option<PairAt>) -> String {
-    let name = |body: BodyId| report.bodies.get(body.index()).map_or("", |(name, _)| name.as_str());
+    let name = |body: BodyId| report.bodies.get(body.index()).map_or("", |body| body.name.as_str());
     pair.map_or_else(String::new, |pair| {
         format!(": {} and {} at t = {} s", name(pair.body_a), name(pair.body_b), number(pair.t_s))
     })
@@ -240,7 +240,7 @@ fn momentum_ledger(ledger: &MomentumLedger) -> String {
 fn bodies(report: &RunReport) -> String {
     let mut table = Table::default();
     table.row(["body", "position, m", "orientation wxyz", "velocity, m/s", "angular velocity, rad/s"]);
-    for (name, sample) in report.bodies.iter().take(MOST_BODIES) {
+    for polhode::ReportedBody { name, state: sample, .. } in report.bodies.iter().take(MOST_BODIES) {
         let wxyz = sample.pose.rotation.to_wxyz().map(number).join(", ");
         table.cells(vec![
             name.clone(),

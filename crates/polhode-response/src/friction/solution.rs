@@ -5,6 +5,7 @@ use crate::report::SolverStatus;
 
 /// Which method gave the answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum FrictionMethod {
     /// Block Gauss-Seidel: one contact, or contacts that do not move each other, are solved by a sweep or two.
     #[default]
@@ -45,6 +46,7 @@ impl FrictionMethod {
 
 /// The certificate of one solve.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct FrictionReport {
     /// How it ended.
     pub status: SolverStatus,
@@ -69,6 +71,7 @@ impl FrictionReport {
 
 /// Reactions that satisfy Coulomb's law.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct FrictionSolution {
     /// `r`: for each block the normal reaction, then the tangential ones.
     pub reactions: Vec<f64>,

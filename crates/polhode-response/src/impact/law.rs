@@ -8,6 +8,7 @@ use crate::error::ResponseError;
 
 /// Which impact law.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum ImpactLaw {
     /// One contact at a time, in order (thesis, section 3.3).
     Propagation,

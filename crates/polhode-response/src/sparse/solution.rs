@@ -5,6 +5,7 @@ use crate::report::SolverStatus;
 
 /// Which method gave the answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum BodyMethod {
     /// No method was needed: reactions given, or none, are an answer.
     #[default]
@@ -34,6 +35,7 @@ impl BodyMethod {
 
 /// The certificate of one solve.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct BodyReport {
     /// How it ended.
     pub status: SolverStatus,
@@ -60,6 +62,7 @@ pub struct BodyReport {
 
 /// Reactions that satisfy the laws, and what they do.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct BodySolution {
     /// `r` of all rows.
     pub reactions: Vec<f64>,

@@ -3,7 +3,7 @@
 use super::fault::Fault;
 use crate::document::KeyPath;
 use crate::error::{Refusal, nearest};
-use polhode::Body;
+use polhode::{Body, BodyId};
 use std::collections::BTreeMap;
 
 /// The bodies of a scene and the names they go by.
@@ -23,9 +23,9 @@ impl<'a> Bodies<'a> {
         self.bodies
     }
 
-    /// The body of this name, given at `path`, and its number.
-    pub(super) fn get(&self, name: &str, path: &KeyPath) -> Result<(usize, &'a Body), Fault> {
-        let found = self.numbers.get(name).and_then(|&number| Some((number, self.bodies.get(number)?)));
+    /// The body of this name, given at `path`, and its handle.
+    pub(super) fn get(&self, name: &str, path: &KeyPath) -> Result<(BodyId, &'a Body), Fault> {
+        let found = self.numbers.get(name).and_then(|&number| Some((BodyId::new(number), self.bodies.get(number)?)));
         found.ok_or_else(|| {
             let names: Vec<_> = self.bodies.iter().map(Body::name).collect();
             let known = nearest(name, &names, "none, the scene has no bodies");
@@ -33,8 +33,8 @@ impl<'a> Bodies<'a> {
         })
     }
 
-    /// The number of the body of this name, which forces must move: on another one, `key` (a kind of force) does nothing.
-    pub(super) fn movable(&self, name: &str, key: &'static str, path: &KeyPath) -> Result<usize, Fault> {
+    /// The handle of the body of this name, which forces must move: on another one, `key` (a kind of force) does nothing.
+    pub(super) fn movable(&self, name: &str, key: &'static str, path: &KeyPath) -> Result<BodyId, Fault> {
         let (number, body) = self.get(name, path)?;
         if body.is_fixed() {
             let what = if body.motion().is_some() { "a body with a prescribed motion" } else { "a fixed body" };

@@ -9,9 +9,9 @@ use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{DragEntry, DragLawName, Exactly, ForceKind, FrameName, SceneFile};
 use glam::DVec3;
-use polhode::Body;
 use polhode::dynamics::field::point_gravity::GRAVITATION;
 use polhode::scene::{DragLaw, Force, Frame};
+use polhode::{Body, BodyId};
 
 /// Forces of the engine that a scene makes at the most: drag on every body, given many times over, must not fill the
 /// memory.
@@ -123,7 +123,7 @@ fn drag(entry: &DragEntry, bodies: &Bodies<'_>, path: &KeyPath) -> Result<Vec<Fo
 }
 
 /// Numbers of the bodies that a drag names, or of all that move.
-fn dragged(entry: &DragEntry, bodies: &Bodies<'_>, path: &KeyPath) -> Result<Vec<usize>, Fault> {
+fn dragged(entry: &DragEntry, bodies: &Bodies<'_>, path: &KeyPath) -> Result<Vec<BodyId>, Fault> {
     match (&entry.body, &entry.bodies) {
         (Some(_), Some(_)) => Err((path.key("bodies"), Refusal::Excludes { key: "bodies", other: "body" })),
         (Some(name), None) => Ok(vec![bodies.movable(name, "drag", &path.key("body"))?]),
@@ -147,7 +147,7 @@ fn dragged(entry: &DragEntry, bodies: &Bodies<'_>, path: &KeyPath) -> Result<Vec
         }
         (None, None) => {
             let movable = bodies.all().iter().enumerate().filter(|(_, body)| !body.is_fixed());
-            Ok(movable.map(|(number, _)| number).collect())
+            Ok(movable.map(|(number, _)| BodyId::new(number)).collect())
         }
     }
 }

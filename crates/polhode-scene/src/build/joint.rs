@@ -5,6 +5,7 @@ use super::fault::{Fault, Faults, vector};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{JointEntry, JointKindEntry, SceneFile, Vector};
+use polhode::BodyId;
 use polhode::scene::{Joint, JointKind};
 use polhode::spatial::UnitVector;
 
@@ -69,7 +70,7 @@ fn direction(entry: &Vector, path: &KeyPath) -> Result<UnitVector, Fault> {
 }
 
 /// The numbers of the bodies of a joint: one, and another or the world.
-fn pair(names: &[String], bodies: &Bodies<'_>, path: &KeyPath) -> Result<(usize, Option<usize>), Fault> {
+fn pair(names: &[String], bodies: &Bodies<'_>, path: &KeyPath) -> Result<(BodyId, Option<BodyId>), Fault> {
     let number = |index: usize, name: &String| Ok(bodies.get(name, &path.index(index))?.0);
     match names {
         [one] => Ok((number(0, one)?, None)),

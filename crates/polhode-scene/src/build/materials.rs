@@ -55,38 +55,36 @@ impl Materials {
         for (index, name) in entry.materials.0.iter().enumerate() {
             self.get(name, &path.key("materials").index(index))?;
         }
-        let (number, grain) = match &entry.friction {
-            None => (None, None),
-            Some(NumberOr::Number(friction)) => (Some(*friction), None),
-            Some(NumberOr::Table(grain)) => (None, Some(grain)),
+        let rule = PairRule::new(entry.materials.0.clone());
+        let rule = match &entry.friction {
+            None => Ok(rule),
+            Some(NumberOr::Number(friction)) => rule.with_friction(*friction),
+            Some(NumberOr::Table(grain)) => rule.with_grain(direction(grain), kinetic(grain)),
         };
-        PairRule::new(entry.materials.0.clone(), number, entry.restitution)
-            .and_then(|rule| match grain {
-                Some(grain) => rule.with_grain(direction(grain), kinetic(grain)),
-                None => Ok(rule),
-            })
-            .and_then(|rule| match &entry.static_friction {
-                Some(NumberOr::Number(static_friction)) => rule.with_static_friction(*static_friction),
-                Some(NumberOr::Table(table)) => rule.with_static_ellipse(at_rest(table)),
-                None => Ok(rule),
-            })
-            .and_then(|rule| rule.with_rotational_friction(entry.rolling_friction, entry.spinning_friction))
-            .map_err(|error| fault(error, path))
+        rule.and_then(|rule| match entry.restitution {
+            Some(restitution) => rule.with_restitution(restitution),
+            None => Ok(rule),
+        })
+        .and_then(|rule| match &entry.static_friction {
+            Some(NumberOr::Number(static_friction)) => rule.with_static_friction(*static_friction),
+            Some(NumberOr::Table(table)) => rule.with_static_ellipse(at_rest(table)),
+            None => Ok(rule),
+        })
+        .and_then(|rule| rule.with_rotational_friction(entry.rolling_friction, entry.spinning_friction))
+        .map_err(|error| fault(error, path))
     }
 }
 
 /// A material with its kinetic friction and restitution. A grain without a direction is refused as one of length zero
 /// is.
 fn with_friction(name: &str, entry: &MaterialEntry) -> Result<Material, SceneError> {
-    let restitution = entry.restitution.unwrap_or(0.0);
-    match &entry.friction {
-        None => Material::new(name, 0.0, restitution),
-        Some(NumberOr::Number(friction)) => Material::new(name, *friction, restitution),
-        Some(NumberOr::Table(grain)) => {
-            let material = Material::new(name, 0.0, restitution)?;
-            material.with_grain(direction(grain).unwrap_or_default(), kinetic(grain))
-        }
-    }
+    let material = Material::new(name);
+    let material = match &entry.friction {
+        None => material,
+        Some(NumberOr::Number(friction)) => material.with_friction(*friction)?,
+        Some(NumberOr::Table(grain)) => material.with_grain(direction(grain).unwrap_or_default(), kinetic(grain))?,
+    };
+    material.with_restitution(entry.restitution.unwrap_or(0.0))
 }
 
 fn kinetic(grain: &GrainEntry) -> FrictionEllipse {

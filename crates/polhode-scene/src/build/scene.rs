@@ -9,7 +9,7 @@ use crate::error::Refusal;
 use crate::format::{self, NoContactEntry, SceneFile};
 use crate::mesh_file::MeshFolder;
 use polhode::contact::ShapeError;
-use polhode::{Scene, SceneBuilder, SceneError};
+use polhode::{BodyId, Scene, SceneBuilder, SceneError};
 
 /// The scene that a file describes; `name` is used when the file gives none.
 ///
@@ -134,8 +134,8 @@ fn check_names(file: &SceneFile, faults: &mut Faults) {
     }
 }
 
-/// Numbers of the bodies of a group that does not collide.
-fn no_contact(group: &NoContactEntry, bodies: &Bodies<'_>, path: &KeyPath) -> Result<Vec<usize>, Fault> {
+/// The bodies of a group that does not collide.
+fn no_contact(group: &NoContactEntry, bodies: &Bodies<'_>, path: &KeyPath) -> Result<Vec<BodyId>, Fault> {
     let path = path.key("bodies");
     if group.bodies.len() < 2 {
         let accepted = "names of two or more bodies".to_owned();

@@ -103,7 +103,7 @@ fn position(end: Attachment, bodies: &Bodies<'_>) -> DVec3 {
     match end {
         Attachment::World(point) => point,
         Attachment::Body { body, point } => {
-            let pose = bodies.all().get(body).map(Body::initial_pose);
+            let pose = bodies.all().get(body.index()).map(Body::initial_pose);
             pose.map_or(point, |pose| pose.transform_point(point))
         }
     }

@@ -4,7 +4,7 @@
 
 use super::Sink;
 use crate::csv::{write_field, write_number};
-use polhode::Event;
+use polhode::{BodyId, Event};
 use std::io;
 
 /// Columns of the events file: time (s), kind, the two bodies (the second empty where there is none), the place (m) and
@@ -19,8 +19,8 @@ pub(super) fn begin(out: &mut dyn Sink) -> io::Result<()> {
 
 /// Writes one event; `bodies` are the names in the order of the scene.
 pub(super) fn row(out: &mut dyn Sink, event: &Event, bodies: &[String]) -> io::Result<()> {
-    let name = |body: usize| bodies.get(body).map_or("", String::as_str);
-    write!(out, "{:?},{},", event.t, event.kind.word())?;
+    let name = |body: BodyId| bodies.get(body.index()).map_or("", String::as_str);
+    write!(out, "{:?},{},", event.t_s, event.kind.word())?;
     write_field(out, name(event.body_a))?;
     out.write_all(b",")?;
     write_field(out, event.body_b.map_or("", name))?;

@@ -1,6 +1,7 @@
 //! Forces: what is accepted, what absent keys mean, and what is refused.
 
 use crate::{BASE, check, refused, scene};
+use polhode::BodyId;
 use polhode::dynamics::field::point_gravity::GRAVITATION;
 use polhode::scene::{Attachment, DragLaw, Force, Frame, Signal};
 use polhode::spatial::DVec3;
@@ -59,7 +60,7 @@ fn gravity() {
 #[test]
 fn applied() {
     match force("type.force = { body = \"brick\", force = [1, 2, 3] }") {
-        Force::Applied { body: 1, force, torque, frame, point, signal } => {
+        Force::Applied { body, force, torque, frame, point, signal } if body == BodyId::new(1) => {
             assert_eq!((force, torque, point), (DVec3::new(1.0, 2.0, 3.0), DVec3::ZERO, None));
             assert_eq!((frame, signal.at(7.0)), (Frame::World, 1.0));
         }
@@ -67,13 +68,13 @@ fn applied() {
     }
     match force("type.force = { body = \"brick\", force = [1, 2, 3], frame = \"body\", point = [0, 0, 1], signal = 2 }")
     {
-        Force::Applied { body: 1, frame, point, signal, .. } => {
+        Force::Applied { body, frame, point, signal, .. } if body == BodyId::new(1) => {
             assert_eq!((frame, point, signal.at(7.0)), (Frame::Body, Some(DVec3::Z), 2.0));
         }
         other => panic!("{other:?}"),
     }
     match force("type.torque = { body = \"brick\", torque = [1, 2, 3], frame = \"world\" }") {
-        Force::Applied { body: 1, force, torque, frame, point, .. } => {
+        Force::Applied { body, force, torque, frame, point, .. } if body == BodyId::new(1) => {
             assert_eq!((force, torque), (DVec3::ZERO, DVec3::new(1.0, 2.0, 3.0)));
             assert_eq!((frame, point), (Frame::World, None));
         }
@@ -103,7 +104,7 @@ fn drag() {
         let text =
             format!("{BASE}\n{second}\n[[forces]]\ntype.drag = {{ law = \"linear\", rotational = 1, {keys} }}\n");
         let number = |force: &Force| match force {
-            Force::Drag { body, .. } => *body,
+            Force::Drag { body, .. } => body.index(),
             other => panic!("{other:?}"),
         };
         scene(&text).forces().iter().map(number).collect::<Vec<_>>()
@@ -112,7 +113,7 @@ fn drag() {
     assert_eq!(dragged("bodies = [\"tile\", \"brick\"]"), [2, 1]);
     assert_eq!(dragged("wind = [0, 0, 0]"), [1, 2]);
     match force("type.drag = { law = \"quadratic\", translational = 0.1, wind = [1, 0, 0] }") {
-        Force::Drag { body: 1, law, translational, rotational, wind } => {
+        Force::Drag { body, law, translational, rotational, wind } if body == BodyId::new(1) => {
             assert_eq!((law, translational, rotational, wind), (DragLaw::Quadratic, 0.1, 0.0, DVec3::X));
         }
         other => panic!("{other:?}"),
@@ -125,7 +126,7 @@ fn drag() {
 fn springs() {
     match force("type.spring = { body = \"brick\", anchor = [0, 0, 4], stiffness = 5 }") {
         Force::Spring { a, b, stiffness, rest_length, damping } => {
-            assert_eq!(a, Attachment::Body { body: 1, point: DVec3::ZERO });
+            assert_eq!(a, Attachment::Body { body: BodyId::new(1), point: DVec3::ZERO });
             assert_eq!(b, Attachment::World(DVec3::Z * 4.0));
             assert_eq!((stiffness, rest_length, damping), (5.0, 6.0, 0.0));
         }
@@ -136,8 +137,8 @@ fn springs() {
     let turned = with(between).replace("position = [0, 0, 10]", "position = [0, 0, 10]\norientation = [0, 1, 0, 0]");
     match &scene(&turned).forces()[0] {
         Force::Spring { a, b, rest_length, damping, .. } => {
-            assert_eq!(*a, Attachment::Body { body: 0, point: DVec3::Y });
-            assert_eq!(*b, Attachment::Body { body: 1, point: DVec3::Z });
+            assert_eq!(*a, Attachment::Body { body: BodyId::new(0), point: DVec3::Y });
+            assert_eq!(*b, Attachment::Body { body: BodyId::new(1), point: DVec3::Z });
             // The brick stands on its head: its point is at (0, 0, 9).
             assert!((rest_length - f64::sqrt(82.0)).abs() < 1e-14, "{rest_length}");
             assert_eq!(*damping, 2.0);

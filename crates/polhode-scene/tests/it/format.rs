@@ -1,6 +1,7 @@
 //! What is accepted, and what absent keys mean.
 
 use crate::{BASE, scene};
+use polhode::BodyId;
 use polhode::scene::{
     BroadPhaseMethod, ContactMethod, DEFAULT_GRAVITY, ImpactLaw, Integrator, Orientation, Response, RotationRate, Tier,
 };
@@ -122,19 +123,19 @@ fn poses() {
 fn materials() {
     let text =
         BASE.replace("fixed = true", "fixed = true\nmaterial = \"rubber\"") + "[materials.rubber]\nrestitution = 0.9\n";
-    assert_eq!(scene(&text).pair_material(0, 1).restitution(), 0.9);
-    assert_eq!(scene(BASE).pair_material(0, 1).restitution(), 0.5);
+    assert_eq!(scene(&text).material_between(BodyId::new(0), BodyId::new(1)).unwrap().restitution(), 0.9);
+    assert_eq!(scene(BASE).material_between(BodyId::new(0), BodyId::new(1)).unwrap().restitution(), 0.5);
     let pair = format!("{text}[[pairs]]\nmaterials = [\"ice\", \"rubber\"]\nrestitution = 0.1\n");
-    assert_eq!(scene(&pair).pair_material(0, 1).restitution(), 0.1);
-    assert_eq!(scene(&pair).pair_material(1, 0).restitution(), 0.1);
+    assert_eq!(scene(&pair).material_between(BodyId::new(0), BodyId::new(1)).unwrap().restitution(), 0.1);
+    assert_eq!(scene(&pair).material_between(BodyId::new(1), BodyId::new(0)).unwrap().restitution(), 0.1);
 }
 
 /// Bodies of a `no_contact` group do not collide.
 #[test]
 fn no_contact() {
-    assert!(scene(BASE).may_collide(0, 1));
+    assert!(scene(BASE).can_collide(BodyId::new(0), BodyId::new(1)));
     let group = format!("{BASE}[[no_contact]]\nbodies = [\"floor\", \"brick\"]\n");
-    assert!(!scene(&group).may_collide(0, 1));
+    assert!(!scene(&group).can_collide(BodyId::new(0), BodyId::new(1)));
 }
 
 /// Title and description are on one line however they are broken in the file; without a title the name is it, and a

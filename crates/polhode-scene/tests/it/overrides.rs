@@ -1,6 +1,7 @@
 //! Values set from outside the file.
 
 use crate::BASE;
+use polhode::BodyId;
 use polhode::Scene;
 use polhode::scene::{Force, ImpactLaw, Integrator};
 use polhode::spatial::DVec3;
@@ -42,9 +43,18 @@ fn any_key() {
         set(&["bodies.brick.velocity=[1, 2, 3]"]).bodies()[1].initial_velocity().linear,
         DVec3::new(1.0, 2.0, 3.0)
     );
-    assert_eq!(set(&["materials.ice.restitution=0.25"]).pair_material(0, 1).restitution(), 0.25);
     assert_eq!(
-        set(&["materials.fire.restitution=0.1", "bodies.brick.material=fire"]).pair_material(0, 1).restitution(),
+        set(&["materials.ice.restitution=0.25"])
+            .material_between(BodyId::new(0), BodyId::new(1))
+            .unwrap()
+            .restitution(),
+        0.25
+    );
+    assert_eq!(
+        set(&["materials.fire.restitution=0.1", "bodies.brick.material=fire"])
+            .material_between(BodyId::new(0), BodyId::new(1))
+            .unwrap()
+            .restitution(),
         0.1
     );
     assert_eq!(set(&["name=a-name"]).name(), "a-name");

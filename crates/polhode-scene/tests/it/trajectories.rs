@@ -1,6 +1,6 @@
 //! A trajectory read back is the one that was written, to the last bit, whatever the kind of file.
 
-use polhode::{BodySample, Effects, Recorder, Scene, Simulation};
+use polhode::{BodySample, Recorder, Scene, Simulation};
 use polhode_scene::{Outputs, TrajectoryReader, load_text};
 
 const SCENE: &str = r#"
@@ -33,14 +33,14 @@ fn the_same_bits_come_back() {
     let scene = load_text("two.toml", SCENE, &[]).unwrap().scene;
     let paths = ["a.csv", "a.json", "a.npy"].map(|name| folder.path().join(name));
     let mut outputs = Outputs::create(&scene, &paths, None).unwrap();
-    Simulation::new(&scene, Effects::Planned).unwrap().run(&mut outputs).unwrap();
+    Simulation::new(&scene).unwrap().run_observed(&mut outputs).unwrap();
     outputs.finish().unwrap();
     let mut record = Recorder::default();
-    Simulation::new(&scene, Effects::Planned).unwrap().run(&mut record).unwrap();
+    Simulation::new(&scene).unwrap().run_observed(&mut record).unwrap();
     for path in &paths {
         let read = samples(&scene, path);
         let times: Vec<f64> = read.iter().map(|(t, _)| *t).collect();
-        assert_eq!(times, record.times);
+        assert_eq!(times, record.times_s);
         for ((_, bodies), expected) in read.iter().zip(&record.samples) {
             for (body, expected) in bodies.iter().zip(expected) {
                 assert_eq!(body.velocity, expected.velocity);

@@ -41,8 +41,8 @@ impl EventTimes {
         let Some(number) = KINDS.iter().position(|(kind, ..)| *kind == event.kind) else { return };
         let Some(kind) = self.kinds.get_mut(number) else { return };
         kind.count += 1;
-        if kind.times_s.last().is_none_or(|last| event.t - last >= self.apart_s) {
-            kind.times_s.push(event.t);
+        if kind.times_s.last().is_none_or(|last| event.t_s - last >= self.apart_s) {
+            kind.times_s.push(event.t_s);
         }
     }
 

@@ -3,7 +3,7 @@
 use polhode::contact::Shape;
 use polhode::mesh::solid_box;
 use polhode::spatial::{DVec3, Mass};
-use polhode::{Body, Effects, Flow, Scene, Simulation};
+use polhode::{Body, Flow, Scene, Simulation};
 use polhode_view::animation::{Pace, Watcher, write_apng, write_gif, write_webp};
 use polhode_view::raster::PictureSize;
 use polhode_view::{Recording, ViewError};
@@ -16,7 +16,7 @@ fn recording() -> Recording {
         .geometry(Shape::cuboid(DVec3::ONE).unwrap().into());
     let scene = Scene::builder("fall").body(brick).duration_s(0.2).output_interval_s(0.04).build().unwrap();
     let mut recording = Recording::new(&scene, 0.0).unwrap();
-    Simulation::new(&scene, Effects::Planned).unwrap().run(&mut recording).unwrap();
+    Simulation::new(&scene).unwrap().run_observed(&mut recording).unwrap();
     recording.end().unwrap();
     recording
 }

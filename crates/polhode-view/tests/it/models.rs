@@ -3,7 +3,7 @@
 use polhode::contact::Shape;
 use polhode::mesh::solid_box;
 use polhode::spatial::{DVec3, Mass, Pose, UnitVector, Velocity};
-use polhode::{Body, Effects, Scene, Simulation};
+use polhode::{Body, Scene, Simulation};
 use polhode_view::Recording;
 use polhode_view::glb::write_glb;
 use serde_json::Value;
@@ -28,7 +28,7 @@ fn model() -> (Value, Vec<u8>, usize) {
 /// The model of a run: its description, its numbers, and the number of frames.
 fn written(scene: &Scene) -> (Value, Vec<u8>, usize) {
     let mut recording = Recording::new(scene, 0.0).unwrap();
-    Simulation::new(scene, Effects::Planned).unwrap().run(&mut recording).unwrap();
+    Simulation::new(scene).unwrap().run_observed(&mut recording).unwrap();
     recording.end().unwrap();
     let mut bytes = Vec::new();
     write_glb(&recording, &mut bytes).unwrap();

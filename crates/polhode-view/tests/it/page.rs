@@ -6,7 +6,7 @@ use base64::engine::general_purpose::STANDARD;
 use polhode::contact::Shape;
 use polhode::mesh::solid_box;
 use polhode::spatial::{DVec3, Mass, Pose, UnitVector, Velocity};
-use polhode::{Body, BodySample, Effects, Observer, Recorder, Scene, Simulation};
+use polhode::{Body, BodyId, BodySample, Observer, Recorder, Scene, Simulation};
 use polhode_view::{FrameSource, Page, ViewError};
 use serde_json::Value;
 
@@ -23,7 +23,7 @@ fn tumbling(count: usize, duration_s: f64) -> Scene {
         let brick = brick.geometry(Shape::cuboid(size).unwrap().into()).velocity(velocity);
         scene = scene.body(brick.pose(Pose::from_translation(DVec3::new(2.0 * i as f64, 0.0, 0.0) + vector(0))));
     }
-    scene.no_contact((0..count).collect()).build().unwrap()
+    scene.no_contact((0..count).map(BodyId::new)).build().unwrap()
 }
 
 /// A brick that falls onto a floor.
@@ -38,7 +38,7 @@ fn falling() -> Scene {
 fn page_of(scene: &Scene) -> String {
     let page = Page::begin(Vec::new(), scene.name(), "").unwrap();
     let mut run = page.begin_run(scene, "run", FrameSource::Simulation).unwrap();
-    Simulation::new(scene, Effects::Planned).unwrap().run(&mut run).unwrap();
+    Simulation::new(scene).unwrap().run_observed(&mut run).unwrap();
     String::from_utf8(run.end("completed").unwrap().finish(&Value::Null).unwrap()).unwrap()
 }
 
@@ -58,11 +58,11 @@ fn numbers(value: &Value) -> Vec<f64> {
 fn frames_are_those_of_the_run() {
     let scene = tumbling(5, 8.0);
     let mut recorder = Recorder::default();
-    Simulation::new(&scene, Effects::Planned).unwrap().run(&mut recorder).unwrap();
+    Simulation::new(&scene).unwrap().run_observed(&mut recorder).unwrap();
     let page = page_of(&scene);
     let show: Value = serde_json::from_str(element(&page, "polhode-show")).unwrap();
     let frames = &show["runs"][0]["frames"];
-    assert_eq!(numbers(&frames["times"]), recorder.times);
+    assert_eq!(numbers(&frames["times"]), recorder.times_s);
     let quantum = frames["position_quantum_m"].as_f64().unwrap();
     let chunks = frames["chunks"].as_array().unwrap();
     assert!(chunks.len() > 1);
@@ -123,7 +123,7 @@ fn thinning() {
     let scene = falling();
     let page = Page::begin(Vec::new(), "x", "").unwrap();
     let mut run = page.begin_run(&scene, "run", FrameSource::Simulation).unwrap().with_least_interval(0.3);
-    Simulation::new(&scene, Effects::Planned).unwrap().run(&mut run).unwrap();
+    Simulation::new(&scene).unwrap().run_observed(&mut run).unwrap();
     let page = String::from_utf8(run.end("completed").unwrap().finish(&Value::Null).unwrap()).unwrap();
     let show: Value = serde_json::from_str(element(&page, "polhode-show")).unwrap();
     let times = numbers(&show["runs"][0]["frames"]["times"]);

@@ -4,7 +4,7 @@
 
 use polhode::mesh::solid_sphere;
 use polhode::spatial::{DVec3, Mass, Pose, Velocity};
-use polhode::{Body, BodySample, Effects, Observer, Scene, Simulation};
+use polhode::{Body, BodySample, Observer, Scene, Simulation};
 use polhode_view::plot::cost_chart::{CostCurve, CostPoint, OtherUnits, Rank, Target};
 use polhode_view::plot::dot_chart::{Cell, Dot, Row};
 use polhode_view::plot::time_chart::{AxisKind, Course, EventRow, Line, Panel, Reach, Stop};
@@ -279,7 +279,7 @@ fn a_run() {
     let draw = |asked: &[RunPlot], stopped: Option<&str>| {
         let mut plots = RunPlots::new(&scene, 0.0, asked);
         assert_eq!(plots.wants_frames(), asked != [RunPlot::Steps]);
-        Simulation::new(&scene, Effects::Planned).unwrap().run(&mut plots).unwrap();
+        Simulation::new(&scene).unwrap().run_observed(&mut plots).unwrap();
         plots.svg("tier accurate", stopped)
     };
     let all = draw(&RunPlot::ALL, None);

@@ -4,7 +4,7 @@ use polhode::contact::Shape;
 use polhode::mesh::{solid_box, solid_sphere};
 use polhode::scene::Force;
 use polhode::spatial::{DVec3, Mass, Pose, UnitVector, Velocity};
-use polhode::{Body, BodySample, Effects, Scene, Simulation};
+use polhode::{Body, BodySample, Scene, Simulation};
 use polhode_view::Recording;
 use polhode_view::camera::{Camera, PRESETS, Standpoint, Viewpoint};
 use polhode_view::raster::{Marks, Picture, PictureSize};
@@ -198,8 +198,8 @@ fn a_body_that_is_lost_on_its_path() {
         .build()
         .unwrap();
     let mut recording = Recording::for_still(&scene).unwrap();
-    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
-    simulation.advance_to(2000.0, &mut recording).unwrap();
+    let mut simulation = Simulation::new(&scene).unwrap();
+    simulation.advance_to_observed(2000.0, &mut recording).unwrap();
     recording.end_at(2000.0, &simulation.bodies()).unwrap();
     assert_eq!(recording.times().last(), Some(&2000.0));
     let last = recording.times().len() - 1;

@@ -12,6 +12,7 @@ mod occurrences;
 mod saved;
 mod stretches;
 
+use crate::body_id::BodyId;
 use crate::collision::contact_set::ContactId;
 use crate::event::EventKind;
 use crate::observer::Observer;
@@ -98,7 +99,7 @@ impl Accounts {
         if report.status == SolverStatus::Solved {
             Ok(())
         } else {
-            Err(SimulationError::ContactSolve { t, residual: report.residual })
+            Err(SimulationError::ContactSolve { t_s: t, residual: report.residual })
         }
     }
 
@@ -118,10 +119,10 @@ impl Accounts {
         for given in &report.impulses {
             let ImpulseKind::Impact { energy_change_j } = given.kind else { continue };
             let event = Event {
-                t: given.t,
+                t_s: given.t,
                 kind: EventKind::Impact,
-                body_a: given.id.a,
-                body_b: Some(given.id.b),
+                body_a: BodyId::new(given.id.a),
+                body_b: Some(BodyId::new(given.id.b)),
                 point: given.geometry.point,
                 normal: given.geometry.normal,
                 impulse: given.impulse,
@@ -209,7 +210,7 @@ impl Accounts {
         check_finite(world, states, t)?;
         let energy = self.books.observe(world, states);
         self.measures.numerical.note(world, states, t, &self.books.ledger);
-        if energy.final_j.is_finite() { Ok(energy) } else { Err(SimulationError::EnergyOverflow { t }) }
+        if energy.final_j.is_finite() { Ok(energy) } else { Err(SimulationError::EnergyOverflow { t_s: t }) }
     }
 
     /// Counts a step.
@@ -238,8 +239,8 @@ impl Accounts {
     /// Sends the observer all events up to `t` (s), in order of time. The computed end of bounces may be later than
     /// `t`; its event waits.
     pub(crate) fn emit_events(&mut self, t: f64, observer: &mut dyn Observer) {
-        self.events.sort_by(|x, y| x.t.total_cmp(&y.t));
-        let due = self.events.partition_point(|event| event.t <= t);
+        self.events.sort_by(|x, y| x.t_s.total_cmp(&y.t_s));
+        let due = self.events.partition_point(|event| event.t_s <= t);
         self.event_count += due as u64;
         for event in self.events.drain(..due) {
             observer.event(&event);
@@ -312,7 +313,7 @@ impl Accounts {
 /// When a state is not.
 pub(crate) fn check_finite(world: &World, states: &[BodyState], t: f64) -> Result<(), SimulationError> {
     match states.iter().position(|state| !state.is_finite()) {
-        Some(body) => Err(SimulationError::Diverged { body: world.bodies[body].name.clone(), t }),
+        Some(body) => Err(SimulationError::Diverged { body: world.bodies[body].name.clone(), t_s: t }),
         None => Ok(()),
     }
 }

@@ -5,6 +5,7 @@ use super::books::Books;
 use super::measures::Measures;
 use super::occurrences::Occurrences;
 use super::stretches::Stretches;
+use crate::body_id::BodyId;
 use crate::snapshot::numbers::{read_momentum, write_momentum};
 use crate::snapshot::{SnapshotError, content};
 use crate::{Certificate, CrowdedStretch, Event, EventKind, Ledger, MomentumLedger, MomentumSum};
@@ -184,7 +185,7 @@ fn restored_certificate(saved: &content::Certificate) -> Certificate {
 }
 
 fn save_event(event: &Event) -> content::Event {
-    let Event { t, kind, body_a, body_b, point, normal, impulse, energy_change_j } = *event;
+    let Event { t_s: t, kind, body_a, body_b, point, normal, impulse, energy_change_j } = *event;
     let kind = match kind {
         EventKind::Impact => content::EventKind::Impact,
         EventKind::ContactBegin => content::EventKind::ContactBegin,
@@ -197,6 +198,7 @@ fn save_event(event: &Event) -> content::Event {
         EventKind::Jam => content::EventKind::Jam,
     };
     let (point, normal) = (point.to_array(), normal.to_array());
+    let (body_a, body_b) = (body_a.index(), body_b.map(BodyId::index));
     content::Event { t, kind, body_a, body_b, point, normal, impulse, energy_change_j }
 }
 
@@ -216,10 +218,10 @@ fn restored_event(saved: &content::Event, bodies: usize) -> Result<Event, Snapsh
         content::EventKind::Jam => EventKind::Jam,
     };
     Ok(Event {
-        t: saved.t,
+        t_s: saved.t,
         kind,
-        body_a: saved.body_a,
-        body_b: saved.body_b,
+        body_a: BodyId::new(saved.body_a),
+        body_b: saved.body_b.map(BodyId::new),
         point: DVec3::from_array(saved.point),
         normal: DVec3::from_array(saved.normal),
         impulse: saved.impulse,

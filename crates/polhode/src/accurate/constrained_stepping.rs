@@ -83,7 +83,7 @@ impl Steps for IslandSteps<'_> {
     }
 
     fn too_small(&self, _last: Option<f64>) -> SimulationError {
-        SimulationError::StepTooSmall { t: self.t, smallest_s: self.smallest_s() }
+        SimulationError::StepTooSmall { t_s: self.t, smallest_s: self.smallest_s() }
     }
 }
 

@@ -102,7 +102,7 @@ mod tests {
 
     /// Balls on a floor in a row, which move along it with these speeds (m/s).
     fn row_of_balls(speeds: &[f64], friction: f64) -> (World, Vec<BodyState>) {
-        let material = Material::new("rubber", friction, 0.0).unwrap();
+        let material = Material::new("rubber").with_friction(friction).unwrap();
         let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
         let mut scene = Scene::builder("row").body(floor.material(material.clone()));
         for (k, &speed) in speeds.iter().enumerate() {

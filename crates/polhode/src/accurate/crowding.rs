@@ -575,6 +575,6 @@ fn no_way_out(
     let deepest = pairs.iter().filter_map(overlap).filter(is_large).max_by(|x, y| x.0.total_cmp(&y.0));
     deepest.map(|(overlap_m, (a, b))| {
         let [body_a, body_b] = [a, b].map(|body| core.world.bodies[body].name.clone());
-        SimulationError::NoWayOut { t, body_a, body_b, overlap_m }
+        SimulationError::NoWayOut { t_s: t, body_a, body_b, overlap_m }
     })
 }

@@ -262,7 +262,7 @@ impl Engine {
     fn check(&mut self, core: &mut Core, bodies: &[usize], held: &[ContactId], t: f64) -> Result<(), SimulationError> {
         for &body in bodies {
             if !self.states[body].is_finite() {
-                return Err(SimulationError::Diverged { body: core.world.bodies[body].name.clone(), t });
+                return Err(SimulationError::Diverged { body: core.world.bodies[body].name.clone(), t_s: t });
             }
             self.tracks[body].speed_scale =
                 self.tracks[body].speed_scale.max(core.world.point_speed(&self.states, body));
@@ -312,7 +312,7 @@ impl Engine {
         }
         let limit = core.settings.max_events_per_step;
         if pace.events() > limit {
-            return Err(SimulationError::TooManyEvents { limit, t: instant.t });
+            return Err(SimulationError::TooManyEvents { limit, t_s: instant.t });
         }
         Ok(advance.err())
     }
@@ -374,7 +374,7 @@ impl Engine {
             self.scratch[body] = self.states[body];
             self.tracks[body].speed_scale = speed_scale.max(core.world.point_speed(&self.states, body));
             if !self.states[body].is_finite() {
-                return Err(SimulationError::Diverged { body: core.world.bodies[body].name.clone(), t });
+                return Err(SimulationError::Diverged { body: core.world.bodies[body].name.clone(), t_s: t });
             }
         }
         let is = |mode: fn(&Mode) -> bool| -> Vec<usize> {

@@ -173,7 +173,7 @@ impl FreeStep {
                 // Only a failed step of the length that the scene allows shows that forces are too strong for
                 // splitting.
                 Err(_) if adapts_step(core) && h > core.settings.step_s => h = (0.5 * h).max(core.settings.step_s),
-                Err(source) => return Err(SimulationError::Integration { t: self.t, source }),
+                Err(source) => return Err(SimulationError::Integration { t_s: self.t, source }),
             }
         }
         let error = self.integrator.step_error().unwrap_or(f64::INFINITY);
@@ -223,7 +223,7 @@ impl FreeStep {
         // The integrator's own sum of steps may differ from the island's time by a rounding, at both ends of a step.
         self.integrator
             .states_within(&motion, t.min(self.integrator.time()).max(self.from), &mut states)
-            .map_err(|source| SimulationError::Integration { t: self.t, source })?;
+            .map_err(|source| SimulationError::Integration { t_s: self.t, source })?;
         Ok(states)
     }
 

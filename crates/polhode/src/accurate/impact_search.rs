@@ -345,7 +345,7 @@ impl Engine {
             true => return Ok(None),
         };
         let failed = |source| SimulationError::ImpactSearch {
-            t: start,
+            t_s: start,
             body_a: core.world.bodies[a].name.clone(),
             body_b: core.world.bodies[b].name.clone(),
             source,

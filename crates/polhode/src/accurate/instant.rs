@@ -71,7 +71,7 @@ impl Instant {
             .unwrap_or_else(|| [self.bodies.first(), self.bodies.last()].map(|body| body.copied().unwrap_or(0)));
         let [body_a, body_b] = members.map(name);
         let (steps, advanced_s) = (stuck.steps, stuck.advanced_s);
-        SimulationError::NoProgress { t: self.t, steps, advanced_s, body_a, body_b, point }
+        SimulationError::NoProgress { t_s: self.t, steps, advanced_s, body_a, body_b, point }
     }
 
     /// All contacts with their indices, as input of group formation.

@@ -8,6 +8,7 @@ use super::engine::{Engine, Mode};
 use super::hold::{Forces, FoundMode};
 use super::instant::Instant;
 use crate::SimulationError;
+use crate::body_id::BodyId;
 use crate::collision::contact_modes::ContactModes;
 use crate::collision::contact_set::{ContactId, FoundContact, Hold, Pair, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
@@ -155,7 +156,7 @@ impl Engine {
             .map_err(|source| Core::response_error(instant.t, source))?;
         let outcome = &struck.outcome;
         if outcome.status == ImpactStatus::NotSolved {
-            return Err(SimulationError::ContactSolve { t: instant.t, residual: outcome.residual });
+            return Err(SimulationError::ContactSolve { t_s: instant.t, residual: outcome.residual });
         }
         self.book_struck(core, instant, &group.contacts, &struck, EventKind::Impact);
         core.accounts.note_impact(&core.world, instant.t, law, &group.bodies, outcome);
@@ -301,7 +302,7 @@ impl Engine {
         let forces = Forces::solve(&core.world, instant.t, &self.states, &group.bodies, &members, &mut core.solver)
             .map_err(|source| Core::response_error(instant.t, source))?;
         if forces.jams {
-            return Err(SimulationError::ContactSolve { t: instant.t, residual: forces.solution.report.residual });
+            return Err(SimulationError::ContactSolve { t_s: instant.t, residual: forces.solution.report.residual });
         }
         core.accounts.note_solve(instant.t, &forces.solution.report)?;
         core.note_friction(instant.t, forces.violation, CONE_LIMIT);
@@ -504,7 +505,7 @@ impl Engine {
         let after = instant.held_pairs();
         for &(a, b) in before.difference(&after) {
             let mut event = body_event(instant.t, EventKind::ContactEnd, a, self.states[a].pose.translation);
-            event.body_b = Some(b);
+            event.body_b = Some(BodyId::new(b));
             if let Some(touch) = instant.touches.iter().find(|touch| (touch.id.a, touch.id.b) == (a, b)) {
                 event = contact_event(instant.t, EventKind::ContactEnd, touch);
             }
@@ -606,10 +607,10 @@ fn hold_of(instant: &Instant, touch: &Touch, forces: &Forces, row: usize) -> Hol
 
 fn contact_event(t: f64, kind: EventKind, touch: &Touch) -> Event {
     Event {
-        t,
+        t_s: t,
         kind,
-        body_a: touch.id.a,
-        body_b: Some(touch.id.b),
+        body_a: BodyId::new(touch.id.a),
+        body_b: Some(BodyId::new(touch.id.b)),
         point: touch.kinematics.geometry.point,
         normal: touch.kinematics.geometry.normal,
         impulse: 0.0,
@@ -618,5 +619,14 @@ fn contact_event(t: f64, kind: EventKind, touch: &Touch) -> Event {
 }
 
 fn body_event(t: f64, kind: EventKind, body: usize, point: DVec3) -> Event {
-    Event { t, kind, body_a: body, body_b: None, point, normal: DVec3::ZERO, impulse: 0.0, energy_change_j: 0.0 }
+    Event {
+        t_s: t,
+        kind,
+        body_a: BodyId::new(body),
+        body_b: None,
+        point,
+        normal: DVec3::ZERO,
+        impulse: 0.0,
+        energy_change_j: 0.0,
+    }
 }

@@ -14,6 +14,7 @@ use super::end::End;
 use super::kept::Kept;
 use super::row::RowsAt;
 use super::{cylindrical, fixed, hinge, planar, point, slider, universal};
+use crate::body_id::BodyId;
 use crate::scene::{Joint, JointKind};
 use polhode_spatial::{DVec3, Pose, Rotation, Velocity};
 
@@ -41,7 +42,7 @@ impl WorldJoint {
     /// A joint of a scene, where this is how bodies are held at the start. `length` is that of rows of rotation, m.
     pub(crate) fn new(number: usize, joint: &Joint, held: impl Fn(usize) -> HeldBody, length: f64) -> Self {
         let held = |body: Option<usize>| body.map(|body| (body, held(body)));
-        let [a, b] = [held(Some(joint.body())), held(joint.other())];
+        let [a, b] = [held(Some(joint.body().index())), held(joint.other().map(BodyId::index))];
         let end = |held: Option<(usize, HeldBody)>| match held {
             None | Some((_, HeldBody::Fixed)) => End::World(joint.anchor()),
             Some((body, HeldBody::Movable(pose))) => {

@@ -2,6 +2,7 @@
 
 use super::error::positive;
 use super::{Body, DEFAULT_GRAVITY, Force, Joint, Method, PairRule, Scene, SceneError, Tier, TierFeature, force};
+use crate::body_id::BodyId;
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
 
@@ -67,10 +68,16 @@ impl SceneBuilder {
         self
     }
 
-    /// One more body.
+    /// One more body. [`SceneBuilder::add_body`] returns its handle.
     pub fn body(mut self, body: Body) -> Self {
         self.scene.bodies.push(body);
         self
+    }
+
+    /// Adds a body and returns its handle, for joints, forces and [`SceneBuilder::no_contact`].
+    pub fn add_body(&mut self, body: Body) -> BodyId {
+        self.scene.bodies.push(body);
+        BodyId::new(self.scene.bodies.len() - 1)
     }
 
     /// One more force.
@@ -91,9 +98,9 @@ impl SceneBuilder {
         self
     }
 
-    /// Bodies that do not collide with each other, by their indices in the order in which they were added.
-    pub fn no_contact(mut self, bodies: Vec<usize>) -> Self {
-        self.scene.no_contact.push(bodies);
+    /// Bodies that do not collide with each other.
+    pub fn no_contact(mut self, bodies: impl IntoIterator<Item = BodyId>) -> Self {
+        self.scene.no_contact.push(bodies.into_iter().map(BodyId::index).collect());
         self
     }
 

@@ -1,10 +1,11 @@
 //! Forces on bodies besides uniform gravity and contact.
 //!
-//! A scene names bodies by their indices, and points in the bodies' own frames. The engine makes fields
+//! A scene names bodies by their handles, and points in the bodies' own frames. The engine makes fields
 //! ([`polhode_dynamics::field`]) from the forces once the moving frames of the bodies are known. A spring that is
 //! fastened to a fixed body is anchored in the world; any other force on a fixed body has no effect.
 
 use super::{Body, Integrator, SceneError};
+use crate::body_id::BodyId;
 use polhode_dynamics::field::{
     Account, Anchor, AppliedForce, AppliedTorque, Damper, Dependence, Drag, DragLaw, Field, FieldError, ForceResponse,
     Frame, MutualGravity, PointGravity, Signal, Spring, Wrench,
@@ -20,8 +21,8 @@ pub enum Attachment {
     World(DVec3),
     /// At a point of a body.
     Body {
-        /// Index of the body in the scene.
-        body: usize,
+        /// The body.
+        body: BodyId,
         /// `p_BQ`, m, in the body's own frame.
         point: DVec3,
     },
@@ -29,6 +30,7 @@ pub enum Attachment {
 
 /// A force on one body, all bodies, or between two.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub enum Force {
     /// Attraction of every body by a fixed point: `mu/d^2` (m/s^2).
     PointGravity {
@@ -44,8 +46,8 @@ pub enum Force {
     },
     /// A force and a torque on one body, constant or varying by a signal.
     Applied {
-        /// Index of the body in the scene.
-        body: usize,
+        /// The body.
+        body: BodyId,
         /// Force, N.
         force: DVec3,
         /// Torque, N m.
@@ -59,8 +61,8 @@ pub enum Force {
     },
     /// Drag on one body by a medium.
     Drag {
-        /// Index of the body in the scene.
-        body: usize,
+        /// The body.
+        body: BodyId,
         /// Linear or quadratic in the velocity.
         law: DragLaw,
         /// Coefficient of translation: N s/m, or N s^2/m^2.
@@ -119,10 +121,10 @@ impl Force {
                 fields.push(Box::new(MutualGravity::new(*constant)?.without(frames.removed())));
             }
             Self::Applied { body, force, torque, frame, point, signal } => {
-                let Some(index) = frames.movable(*body) else { return Ok(fields) };
+                let Some(index) = frames.movable(body.index()) else { return Ok(fields) };
                 let mut push = AppliedForce::new(index, *force, *frame)?.following(signal.clone());
                 if let Some(point) = point {
-                    push = push.at_point(frames.in_moving_frame(*body, *point))?;
+                    push = push.at_point(frames.in_moving_frame(body.index(), *point))?;
                 }
                 let turn = AppliedTorque::new(index, *torque, *frame)?.following(signal.clone());
                 if *force != DVec3::ZERO {
@@ -133,7 +135,7 @@ impl Force {
                 }
             }
             Self::Drag { body, law, translational, rotational, wind } => {
-                let Some(index) = frames.movable(*body) else { return Ok(fields) };
+                let Some(index) = frames.movable(body.index()) else { return Ok(fields) };
                 let mut drag = Drag::new(index, *law, *translational, *rotational)?;
                 if *wind != DVec3::ZERO {
                     drag = drag.in_wind(*wind)?;
@@ -171,7 +173,7 @@ impl Force {
     /// The bodies that the force names.
     fn bodies(&self) -> Vec<usize> {
         match self {
-            Self::Applied { body, .. } | Self::Drag { body, .. } => vec![*body],
+            Self::Applied { body, .. } | Self::Drag { body, .. } => vec![body.index()],
             Self::Spring { a, b, .. } => [a, b].iter().filter_map(|end| end.body()).collect(),
             Self::PointGravity { .. } | Self::MutualGravity { .. } | Self::Field(_) => Vec::new(),
         }
@@ -182,16 +184,16 @@ impl Attachment {
     fn body(&self) -> Option<usize> {
         match self {
             Self::World(_) => None,
-            Self::Body { body, .. } => Some(*body),
+            Self::Body { body, .. } => Some(body.index()),
         }
     }
 
     fn anchor(&self, frames: &impl MovingFrames) -> Anchor {
         match *self {
             Self::World(point) => Anchor::World(point),
-            Self::Body { body, point } => match frames.movable(body) {
-                Some(index) => Anchor::Body { body: index, point: frames.in_moving_frame(body, point) },
-                None => Anchor::World(frames.in_world(body, point)),
+            Self::Body { body, point } => match frames.movable(body.index()) {
+                Some(index) => Anchor::Body { body: index, point: frames.in_moving_frame(body.index(), point) },
+                None => Anchor::World(frames.in_world(body.index(), point)),
             },
         }
     }

@@ -4,6 +4,7 @@
 //! bodies that no force moves, or of a body with itself, is refused. One of two bodies may be kinematic: it drives the other one,
 //! and its work is in the ledger. Jointed bodies do not collide with each other.
 
+use crate::body_id::BodyId;
 use polhode_spatial::{DVec3, UnitVector};
 
 /// What a joint leaves free.
@@ -62,49 +63,49 @@ impl JointKind {
 /// use polhode::mesh::solid_box;
 /// use polhode::scene::Joint;
 /// use polhode::spatial::{DVec3, Mass, Pose, UnitVector};
-/// use polhode::{Body, Effects, Scene, Simulation, Unobserved};
+/// use polhode::{Body, Scene, Simulation};
 /// // Two rods of 1 m hang at each other, the upper one at the origin, and are let go level: a double pendulum.
 /// let rod = |name: &str, x: f64| -> Result<Body, Box<dyn std::error::Error>> {
 ///     let size = DVec3::new(1.0, 0.02, 0.02);
 ///     Ok(Body::movable(name, solid_box(size, Mass::new(1.0)?)?).pose(Pose::from_translation(DVec3::X * x)))
 /// };
-/// let scene = Scene::builder("double pendulum")
-///     .body(rod("upper", 0.5)?)
-///     .body(rod("lower", 1.5)?)
-///     .joint(Joint::hinge(0, DVec3::ZERO, UnitVector::Y))
-///     .joint(Joint::hinge(0, DVec3::X, UnitVector::Y).with(1))
+/// let mut builder = Scene::builder("double pendulum");
+/// let [upper, lower] = [builder.add_body(rod("upper", 0.5)?), builder.add_body(rod("lower", 1.5)?)];
+/// let scene = builder
+///     .joint(Joint::hinge(upper, DVec3::ZERO, UnitVector::Y))
+///     .joint(Joint::hinge(upper, DVec3::X, UnitVector::Y).with(lower))
 ///     .build()?;
-/// let mut simulation = Simulation::new(&scene, Effects::Planned)?;
-/// simulation.advance_to(0.5, &mut Unobserved)?;
-/// assert!(simulation.bodies()[0].pose.translation.z < -0.4);
+/// let mut simulation = Simulation::new(&scene)?;
+/// simulation.advance_to(0.5)?;
+/// assert!(simulation.body(upper).pose.translation.z < -0.4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Joint {
     kind: JointKind,
-    body: usize,
-    other: Option<usize>,
+    body: BodyId,
+    other: Option<BodyId>,
     anchor: DVec3,
 }
 
 impl Joint {
-    /// A joint of this kind of a body (by its number in the scene) with the world, at a point of the world (m) at the start.
-    pub const fn new(kind: JointKind, body: usize, anchor: DVec3) -> Self {
+    /// A joint of this kind of a body with the world, at a point of the world (m) at the start.
+    pub const fn new(kind: JointKind, body: BodyId, anchor: DVec3) -> Self {
         Self { kind, body, other: None, anchor }
     }
 
     /// A ball joint of a body with the world, at a point of the world (m) at the start.
-    pub const fn ball(body: usize, anchor: DVec3) -> Self {
+    pub const fn ball(body: BodyId, anchor: DVec3) -> Self {
         Self::new(JointKind::Ball, body, anchor)
     }
 
     /// A hinge of a body with the world, through a point (m) along an axis, both world, at the start.
-    pub const fn hinge(body: usize, anchor: DVec3, axis: UnitVector) -> Self {
+    pub const fn hinge(body: BodyId, anchor: DVec3, axis: UnitVector) -> Self {
         Self::new(JointKind::Hinge { axis }, body, anchor)
     }
 
     /// The same joint with another body in the place of the world.
-    pub const fn with(self, other: usize) -> Self {
+    pub const fn with(self, other: BodyId) -> Self {
         Self { other: Some(other), ..self }
     }
 
@@ -113,13 +114,13 @@ impl Joint {
         self.kind
     }
 
-    /// The body that it holds, by its number in the scene.
-    pub const fn body(&self) -> usize {
+    /// The body that it holds.
+    pub const fn body(&self) -> BodyId {
         self.body
     }
 
     /// The other body; none for the world.
-    pub const fn other(&self) -> Option<usize> {
+    pub const fn other(&self) -> Option<BodyId> {
         self.other
     }
 
@@ -130,11 +131,12 @@ impl Joint {
 
     /// The bodies that it holds together, but for the world.
     pub(crate) fn bodies(&self) -> impl Iterator<Item = usize> {
-        std::iter::once(self.body).chain(self.other)
+        std::iter::once(self.body).chain(self.other).map(BodyId::index)
     }
 
     /// Whether it holds these two bodies together.
     pub(crate) fn joins(&self, a: usize, b: usize) -> bool {
+        let (a, b) = (BodyId::new(a), BodyId::new(b));
         self.other.is_some_and(|other| (self.body, other) == (a, b) || (self.body, other) == (b, a))
     }
 }

@@ -7,6 +7,7 @@ pub use polhode_dynamics::integrator::{Method as Integrator, Orientation, Rotati
 
 /// The law that determines the impulses of an impact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum ImpactLaw {
     /// One contact after the other until none approaches (thesis 3.3).
     Propagation,
@@ -30,6 +31,7 @@ impl ImpactLaw {
 
 /// How the forces of resting contacts are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum ContactMethod {
     /// The thesis's linear programme of least total force, with its guesses of which contacts open and bear no force.
     LeastForce,
@@ -37,9 +39,20 @@ pub enum ContactMethod {
     ActiveSet,
 }
 
+impl ContactMethod {
+    /// The name used in scenes and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::LeastForce => "least-force",
+            Self::ActiveSet => "active-set",
+        }
+    }
+}
+
 /// How bodies that touch act on each other. The members besides [`Response::Constraint`] are the models that the thesis
 /// tries first (section 3.3) and rejects: they are wrong, each in its own way, and only the tier `thesis` has them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Response {
     /// By forces that keep contacts from closing, and by impulses where bodies approach.
     #[default]

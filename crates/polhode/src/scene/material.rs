@@ -17,17 +17,35 @@ pub struct Material {
 }
 
 impl Material {
-    /// A material of this name, with one coefficient for static and kinetic friction. The empty name is that of a body
-    /// without a material: friction 0, restitution 0.
+    /// A material of this name without friction and restitution. The empty name is that of a body without a material.
+    ///
+    /// ```
+    /// use polhode::scene::Material;
+    /// let rubber = Material::new("rubber").with_friction(0.8)?.with_restitution(0.6)?;
+    /// assert_eq!((rubber.friction(), rubber.static_friction(), rubber.restitution()), (0.8, 0.8, 0.6));
+    /// # Ok::<(), polhode::SceneError>(())
+    /// ```
+    pub fn new(name: impl Into<String>) -> Self {
+        Self { name: name.into(), ..Self::default() }
+    }
+
+    /// The same material with this coefficient of friction, kinetic and static, in all directions.
     ///
     /// # Errors
-    /// When friction is negative or restitution outside [0, 1], or one is not finite.
-    pub fn new(name: impl Into<String>, friction: f64, restitution: f64) -> Result<Self, SceneError> {
-        let name = name.into();
-        check_friction(&name, friction)?;
-        check_restitution(&name, restitution)?;
+    /// When it is negative or not finite.
+    pub fn with_friction(self, friction: f64) -> Result<Self, SceneError> {
+        check_friction(&self.name, friction)?;
         let friction = FrictionEllipse::circle(friction);
-        Ok(Self { name, friction, static_friction: friction, restitution, ..Self::default() })
+        Ok(Self { friction, static_friction: friction, grain: None, ..self })
+    }
+
+    /// The same material with this coefficient of restitution.
+    ///
+    /// # Errors
+    /// When it is outside [0, 1].
+    pub fn with_restitution(self, restitution: f64) -> Result<Self, SceneError> {
+        check_restitution(&self.name, restitution)?;
+        Ok(Self { restitution, ..self })
     }
 
     /// The same material with a grain: `direction`, of any length, in the frame of each body that is made of it, and the
@@ -162,19 +180,35 @@ pub struct PairRule {
 }
 
 impl PairRule {
-    /// A rule for the materials of these names, in either order; `None` keeps the default rule. Friction is both static
-    /// and kinetic.
+    /// A rule for the materials of these names, in either order. What it is not given follows the default rule.
+    pub fn new(materials: [String; 2]) -> Self {
+        Self {
+            materials,
+            friction: None,
+            static_friction: None,
+            restitution: None,
+            rolling_friction: None,
+            spinning_friction: None,
+        }
+    }
+
+    /// The same rule with this coefficient of friction, kinetic and static.
     ///
     /// # Errors
-    /// As [`Material::new`].
-    pub fn new(materials: [String; 2], friction: Option<f64>, restitution: Option<f64>) -> Result<Self, SceneError> {
-        let name = materials.join(" on ");
-        friction.map_or(Ok(()), |f| check_friction(&name, f))?;
-        restitution.map_or(Ok(()), |e| check_restitution(&name, e))?;
-        let (rolling_friction, spinning_friction) = (None, None);
-        let static_friction = friction.map(FrictionEllipse::circle);
-        let friction = friction.map(GivenFriction::Circle);
-        Ok(Self { materials, friction, static_friction, restitution, rolling_friction, spinning_friction })
+    /// As [`Material::with_friction`].
+    pub fn with_friction(self, friction: f64) -> Result<Self, SceneError> {
+        check_friction(&self.name(), friction)?;
+        let static_friction = Some(FrictionEllipse::circle(friction));
+        Ok(Self { friction: Some(GivenFriction::Circle(friction)), static_friction, ..self })
+    }
+
+    /// The same rule with this coefficient of restitution.
+    ///
+    /// # Errors
+    /// As [`Material::with_restitution`].
+    pub fn with_restitution(self, restitution: f64) -> Result<Self, SceneError> {
+        check_restitution(&self.name(), restitution)?;
+        Ok(Self { restitution: Some(restitution), ..self })
     }
 
     /// The same rule with coefficients of friction along and across a grain, both static and kinetic. `direction` is in

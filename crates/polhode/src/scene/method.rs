@@ -11,6 +11,7 @@ use polhode_response::RestitutionLaw;
 
 /// What a run does at crowded events: events of an island that follow each other so closely that time hardly advances.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Crowding {
     /// It advances the island by time steps at the level of velocities until the events are fewer.
     #[default]

@@ -54,6 +54,7 @@ pub use motion::{
 pub use polhode_dynamics::field::{DragLaw, Frame, Signal};
 pub use polhode_response::RestitutionLaw;
 
+use crate::body_id::BodyId;
 use polhode_spatial::DVec3;
 
 /// Standard gravity of the scene format, m/s^2.
@@ -179,8 +180,33 @@ impl Scene {
         &self.forces
     }
 
-    /// Friction and restitution of a pair of bodies (indices into [`Scene::bodies`]).
-    pub fn pair_material(&self, a: usize, b: usize) -> Material {
+    /// Friction and restitution of a pair of bodies of the scene.
+    ///
+    /// # Errors
+    /// When the scene has no such body.
+    pub fn material_between(&self, a: BodyId, b: BodyId) -> Result<Material, SceneError> {
+        self.known(a)?;
+        self.known(b)?;
+        Ok(self.pair_material(a.index(), b.index()))
+    }
+
+    /// Whether two bodies of the scene may collide: forces move at least one, both have a shape, no joint holds them
+    /// together, and no `no_contact` group names both.
+    pub fn can_collide(&self, a: BodyId, b: BodyId) -> bool {
+        self.known(a).is_ok() && self.known(b).is_ok() && self.may_collide(a.index(), b.index())
+    }
+
+    /// The handle of the body with this name.
+    pub fn body_id(&self, name: &str) -> Option<BodyId> {
+        self.bodies.iter().position(|body| body.name == name).map(BodyId::new)
+    }
+
+    fn known(&self, body: BodyId) -> Result<(), SceneError> {
+        if body.index() < self.bodies.len() { Ok(()) } else { Err(SceneError::UnknownBody(body.index())) }
+    }
+
+    /// Friction and restitution of a pair of bodies by their numbers.
+    pub(crate) fn pair_material(&self, a: usize, b: usize) -> Material {
         let (ma, mb) = (&self.bodies[a].material, &self.bodies[b].material);
         let mut combined = ma.combined(mb);
         for rule in &self.pair_rules {
@@ -235,7 +261,7 @@ impl Scene {
 
     /// Whether two bodies may collide: forces move at least one, both have a shape, no joint holds them together, and no
     /// `no_contact` group names both.
-    pub fn may_collide(&self, a: usize, b: usize) -> bool {
+    pub(crate) fn may_collide(&self, a: usize, b: usize) -> bool {
         let (body_a, body_b) = (&self.bodies[a], &self.bodies[b]);
         a != b
             && !(body_a.is_fixed() && body_b.is_fixed())

@@ -87,7 +87,7 @@ impl Scene {
     /// The pairs of bodies that joints alone keep from colliding, each once.
     fn joined_pairs(&self, groups_of: &[Vec<usize>]) -> BTreeSet<(usize, usize)> {
         let pairs = self.joints.iter().filter_map(|joint| {
-            let (a, b) = (joint.body(), joint.other()?);
+            let (a, b) = (joint.body().index(), joint.other()?.index());
             Some((a.min(b), a.max(b)))
         });
         // One at least of the bodies of a joint moves.
@@ -207,7 +207,7 @@ const fn among(count: usize) -> usize {
 #[allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 mod tests {
     use crate::scene::{Material, PairRule};
-    use crate::{Body, Scene};
+    use crate::{Body, BodyId, Scene};
     use polhode_contact::Shape;
     use polhode_mesh::primitives::solid_box;
     use polhode_spatial::{DVec3, Mass, SplitMix64};
@@ -226,16 +226,16 @@ mod tests {
                 let properties = solid_box(DVec3::ONE, Mass::new(1.0).unwrap()).unwrap();
                 let own = if random(3) == 0 { Body::fixed(name) } else { Body::movable(name, properties) };
                 let kind = random(3);
-                let material = Material::new(format!("m{kind}"), 0.0, 0.25 * kind as f64).unwrap();
+                let material = Material::new(format!("m{kind}")).with_restitution(0.25 * kind as f64).unwrap();
                 let own = own.material(material);
                 let shape = Shape::cuboid(DVec3::ONE).unwrap();
                 builder = builder.body(if random(5) == 0 { own } else { own.geometry(shape.into()) });
             }
             for _ in 0..random(4) {
-                let members = (0..random(5)).map(|_| random(count)).collect();
+                let members: Vec<_> = (0..random(5)).map(|_| BodyId::new(random(count))).collect();
                 builder = builder.no_contact(members);
             }
-            let rule = PairRule::new(["m1".to_owned(), "m2".to_owned()], None, Some(0.9)).unwrap();
+            let rule = PairRule::new(["m1".to_owned(), "m2".to_owned()]).with_restitution(0.9).unwrap();
             let scene = builder.pair_rule(rule).build().unwrap();
             let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
             let pairs: Vec<_> = pairs.filter(|&(a, b)| scene.may_collide(a, b)).collect();

@@ -31,19 +31,19 @@ use serde::{Deserialize, Serialize};
 ///
 /// ```
 /// use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Velocity};
-/// use polhode::{Body, Effects, Scene, Simulation, Snapshot, Unobserved};
+/// use polhode::{Body, Scene, Simulation, Snapshot};
 /// let inertia = Inertia::from_diagonal(DVec3::new(1.0, 2.0, 3.0))?;
 /// let body = Body::movable("nut", MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, inertia))
 ///     .velocity(Velocity::new(DVec3::ZERO, DVec3::new(0.01, 2.0, 0.01)));
 /// let scene = Scene::builder("nut").duration_s(10.0).body(body).build()?;
-/// let mut simulation = Simulation::new(&scene, Effects::Planned)?;
-/// simulation.advance_to(4.0, &mut Unobserved)?;
+/// let mut simulation = Simulation::new(&scene)?;
+/// simulation.advance_to(4.0)?;
 /// let bytes = simulation.snapshot().to_bytes();
-/// let whole = simulation.run(&mut Unobserved)?;
-/// let mut other = Simulation::new(&scene, Effects::Planned)?;
+/// let whole = simulation.run()?;
+/// let mut other = Simulation::new(&scene)?;
 /// other.restore(&Snapshot::from_bytes(&bytes)?)?;
 /// assert_eq!(other.time(), 4.0);
-/// assert_eq!(other.run(&mut Unobserved)?.bodies, whole.bodies);
+/// assert_eq!(other.run()?.bodies, whole.bodies);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

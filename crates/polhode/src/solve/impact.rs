@@ -1,5 +1,6 @@
 //! Impacts: the impact law acts on approaching contacts, together with all contacts connected to them.
 
+use crate::body_id::BodyId;
 use crate::collision::contact_set::{ContactId, Touch};
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, Reaction, apply_reactions, bilateral_support};
@@ -371,10 +372,10 @@ pub(crate) fn raised_energy(law: &str) -> String {
 pub(crate) fn impulse_event(t: f64, kind: EventKind, touch: &Touch, application: &Application) -> Event {
     let geometry = touch.kinematics.geometry;
     Event {
-        t,
+        t_s: t,
         kind,
-        body_a: touch.id.a,
-        body_b: Some(touch.id.b),
+        body_a: BodyId::new(touch.id.a),
+        body_b: Some(BodyId::new(touch.id.b)),
         point: geometry.point,
         normal: geometry.normal,
         impulse: application.impulse,

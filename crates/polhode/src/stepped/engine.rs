@@ -279,10 +279,10 @@ impl SteppedEngine {
             let nearest = geometries.min_by(|g, other| g.separation.total_cmp(&other.separation));
             let moving = if core.world.bodies[a].moves() { a } else { b };
             Event {
-                t: core.t,
+                t_s: core.t,
                 kind,
-                body_a: a,
-                body_b: Some(b),
+                body_a: BodyId::new(a),
+                body_b: Some(BodyId::new(b)),
                 point: nearest.map_or(self.states[moving].pose.translation, |geometry| geometry.point),
                 normal: nearest.map_or(DVec3::ZERO, |geometry| geometry.normal),
                 impulse: 0.0,

@@ -152,7 +152,7 @@ impl ThesisEngine {
         integrator.start(&motion, core.t, &core.world.movable_states(&self.states));
         for _ in 0..2 {
             let step = integrator.step(&motion, 0.5 * h);
-            step.map_err(|source| SimulationError::Integration { t: core.t, source })?;
+            step.map_err(|source| SimulationError::Integration { t_s: core.t, source })?;
         }
         Ok(all_states(core, &self.states, integrator.states(), core.t + h))
     }
@@ -296,7 +296,7 @@ impl ThesisEngine {
         if loaded || self.integrator.states() != states {
             self.integrator.start(&motion, core.t, &states);
         }
-        self.integrator.step(&motion, h).map_err(|source| SimulationError::Integration { t: core.t, source })
+        self.integrator.step(&motion, h).map_err(|source| SimulationError::Integration { t_s: core.t, source })
     }
 
     /// Gives the observer the samples within the step that has just been integrated, computed by a shorter step under
@@ -314,7 +314,7 @@ impl ThesisEngine {
             engine
                 .integrator
                 .states_within(&motion, within, &mut movable)
-                .map_err(|source| SimulationError::Integration { t: core.t, source })?;
+                .map_err(|source| SimulationError::Integration { t_s: core.t, source })?;
             Ok(Some(Arc::new(all_states(core, &engine.states, &movable, t))))
         })
     }

@@ -1,8 +1,10 @@
 //! Bodies as they are reported: poses of their own origins, velocities and accelerations of their centres of mass.
 
+use super::body::WorldBody;
 use super::model::World;
 use crate::Acceleration;
-use crate::body_sample::BodySample;
+use crate::body_id::BodyId;
+use crate::body_sample::{BodySample, ReportedBody};
 use crate::prescribed_state;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::{DVec3, Pose, Velocity};
@@ -47,8 +49,13 @@ impl World {
     }
 
     /// Names of all bodies and their states as they are reported.
-    pub(crate) fn named_samples(&self, states: &[BodyState]) -> Vec<(String, BodySample)> {
+    pub(crate) fn named_samples(&self, states: &[BodyState]) -> Vec<ReportedBody> {
         let named = self.bodies.iter().zip(states).enumerate();
-        named.map(|(index, (body, state))| (body.name.clone(), self.sample(index, state))).collect()
+        let reported = |(index, (body, state)): (usize, (&WorldBody, &BodyState))| ReportedBody {
+            body: BodyId::new(index),
+            name: body.name.clone(),
+            state: self.sample(index, state),
+        };
+        named.map(reported).collect()
     }
 }

@@ -5,7 +5,7 @@ use crate::support::{accurate, ball, elastic, floor};
 use polhode::dynamics::integrator::Method as Integrator;
 use polhode::scene::{Attachment, DragLaw, Force, Frame, Method, Signal, Tier};
 use polhode::spatial::{DVec3, Velocity};
-use polhode::{Scene, SceneBuilder};
+use polhode::{BodyId, Scene, SceneBuilder};
 use std::sync::atomic::{AtomicU32, Ordering};
 
 /// Numbers that are not finite, that overflow or underflow when squared, and zero.
@@ -39,13 +39,13 @@ fn scene(force: Force) -> SceneBuilder {
 }
 
 fn applied(force: DVec3, torque: DVec3, point: Option<DVec3>, signal: Signal) -> Force {
-    Force::Applied { body: 1, force, torque, frame: Frame::Body, point, signal }
+    Force::Applied { body: BodyId::new(1), force, torque, frame: Frame::Body, point, signal }
 }
 
 fn spring(stiffness: f64, rest_length: f64, damping: f64, point: DVec3) -> Force {
     Force::Spring {
         a: Attachment::World(point),
-        b: Attachment::Body { body: 1, point },
+        b: Attachment::Body { body: BodyId::new(1), point },
         stiffness,
         rest_length,
         damping,
@@ -71,13 +71,34 @@ fn strange_forces_end_in_an_error_or_a_finite_motion() {
             ("mutual", Force::MutualGravity { constant: x }),
             (
                 "drag",
-                Force::Drag { body: 1, law: DragLaw::Quadratic, translational: x, rotational: 0.1, wind: DVec3::X },
+                Force::Drag {
+                    body: BodyId::new(1),
+                    law: DragLaw::Quadratic,
+                    translational: x,
+                    rotational: 0.1,
+                    wind: DVec3::X,
+                },
             ),
             (
                 "spin",
-                Force::Drag { body: 1, law: DragLaw::Linear, translational: 0.1, rotational: x, wind: DVec3::ZERO },
+                Force::Drag {
+                    body: BodyId::new(1),
+                    law: DragLaw::Linear,
+                    translational: 0.1,
+                    rotational: x,
+                    wind: DVec3::ZERO,
+                },
             ),
-            ("wind", Force::Drag { body: 1, law: DragLaw::Quadratic, translational: 0.1, rotational: 0.1, wind: v }),
+            (
+                "wind",
+                Force::Drag {
+                    body: BodyId::new(1),
+                    law: DragLaw::Quadratic,
+                    translational: 0.1,
+                    rotational: 0.1,
+                    wind: v,
+                },
+            ),
         ];
         for (what, force) in forces {
             check_survival(&format!("{what} = {x}"), scene(force.clone()));
@@ -149,7 +170,7 @@ fn oscillation_keeps_its_tolerance() {
             .build()
             .unwrap();
         let (report, _) = try_run(&scene, 1_000_000).unwrap();
-        let found = report.bodies[1].1.pose.translation.x;
+        let found = report.bodies[1].state.pose.translation.x;
         assert!((found - f64::cos(21.0)).abs() < allowed, "{tolerance}: {:e}", found - f64::cos(21.0));
     }
 }

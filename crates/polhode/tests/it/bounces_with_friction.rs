@@ -21,7 +21,7 @@ fn a_ball_that_stops_bouncing_while_it_slides_loses_what_friction_allows() {
     for _ in 0..8 {
         let (mu, restitution) = (0.05 + 0.1 * random.uniform(), 0.2 + 0.4 * random.uniform());
         let (radius, height, duration) = (0.02 + 0.2 * random.uniform(), 0.03 + 0.03 * random.uniform(), 0.8);
-        let material = Material::new("rough", mu, restitution).unwrap();
+        let material = Material::new("rough").with_friction(mu).unwrap().with_restitution(restitution).unwrap();
         let thrown = ball("ball", 1.0, radius, DVec3::Z * (radius + height), DVec3::X * 6.0).material(material.clone());
         let scene = Scene::builder("bounces")
             .method(accurate())
@@ -31,7 +31,7 @@ fn a_ball_that_stops_bouncing_while_it_slides_loses_what_friction_allows() {
             .build()
             .unwrap();
         let (report, _) = run(&scene, Effects::Planned);
-        let end = report.bodies[1].1.velocity;
+        let end = report.bodies[1].state.velocity;
         let (speed, spin) = (6.0 - mu * G * duration, 2.5 * mu * G * duration / radius);
         let off = (end.linear - DVec3::X * speed).length().max((end.angular - DVec3::Y * spin).length() * radius);
         assert!(off < ACCEPTED_M_S, "mu {mu}, e {restitution}, r {radius}: {off:e} m/s");

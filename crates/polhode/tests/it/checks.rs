@@ -5,7 +5,7 @@ use polhode::dynamics::integrator::Method as Integrator;
 use polhode::observer::Flow;
 use polhode::scene::Method;
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Velocity};
-use polhode::{Body, BodySample, Effects, Event, Observer, Recorder, RunReport, Scene, Simulation, SimulationError};
+use polhode::{Body, BodySample, Event, Observer, Recorder, RunReport, Scene, Simulation, SimulationError};
 
 /// The largest closure error of a ledger, relative to its scale: compensated sums leave some roundings.
 pub(crate) const CLOSURE: f64 = 1e-12;
@@ -43,13 +43,13 @@ pub(crate) fn assert_closes(report: &RunReport) {
 
 /// The largest distance of a recorded body from the position that `expected` gives for its time, m.
 pub(crate) fn max_position_error(recorder: &Recorder, body: usize, expected: impl Fn(f64) -> DVec3) -> f64 {
-    let rows = recorder.times.iter().zip(&recorder.samples);
+    let rows = recorder.times_s.iter().zip(&recorder.samples);
     rows.map(|(&t, row)| (row[body].pose.translation - expected(t)).length()).fold(0.0, f64::max)
 }
 
 /// The largest difference of the velocity of its centre of mass from what `expected` gives for its time, m/s.
 pub(crate) fn max_velocity_error(recorder: &Recorder, body: usize, expected: impl Fn(f64) -> DVec3) -> f64 {
-    let rows = recorder.times.iter().zip(&recorder.samples);
+    let rows = recorder.times_s.iter().zip(&recorder.samples);
     rows.map(|(&t, row)| (row[body].velocity.linear - expected(t)).length()).fold(0.0, f64::max)
 }
 
@@ -95,6 +95,6 @@ impl Observer for Budget {
 /// Runs a scene for at most so many steps. Returns the error of a scene that is refused or of a run that fails.
 pub(crate) fn try_run(scene: &Scene, steps: u32) -> Result<(RunReport, Recorder), SimulationError> {
     let mut budget = Budget { recorder: Recorder::default(), steps_left: steps };
-    let report = Simulation::new(scene, Effects::Planned)?.run(&mut budget)?;
+    let report = Simulation::new(scene)?.run_observed(&mut budget)?;
     Ok((report, budget.recorder))
 }

@@ -3,7 +3,7 @@
 use crate::support::{brick, floor};
 use polhode::scene::{Attachment, Force, Method, Tier};
 use polhode::spatial::{DVec3, Velocity};
-use polhode::{Effects, Scene, Simulation, Unobserved};
+use polhode::{BodyId, Scene, Simulation};
 
 /// Step, s.
 const STEP_S: f64 = 0.01;
@@ -20,7 +20,7 @@ fn a_spring_that_presses_a_body_on_the_floor_gives_the_integrator_nothing() {
     let slides = Velocity::new(DVec3::X, DVec3::ZERO);
     let spring = Force::Spring {
         a: Attachment::World(center + DVec3::Z),
-        b: Attachment::Body { body: 1, point: DVec3::ZERO },
+        b: Attachment::Body { body: BodyId::new(1), point: DVec3::ZERO },
         stiffness: 50.0,
         rest_length: 3.0,
         damping: 0.0,
@@ -34,7 +34,7 @@ fn a_spring_that_presses_a_body_on_the_floor_gives_the_integrator_nothing() {
         .method(method)
         .build()
         .unwrap();
-    let report = Simulation::new(&scene, Effects::Planned).unwrap().run(&mut Unobserved).unwrap();
+    let report = Simulation::new(&scene).unwrap().run().unwrap();
     let ledger = &report.ledger;
     assert!(ledger.impact.value().abs() < SMALL_J, "impacts took {} J", ledger.impact.value());
     assert!(ledger.numerical.value().abs() < SMALL_J, "the integrator took {} J", ledger.numerical.value());
@@ -62,7 +62,7 @@ fn the_weight_of_a_body_on_a_pivot_that_lies_on_the_floor_gives_the_integrator_n
         .method(method)
         .build()
         .unwrap();
-    let report = Simulation::new(&scene, Effects::Planned).unwrap().run(&mut Unobserved).unwrap();
+    let report = Simulation::new(&scene).unwrap().run().unwrap();
     let ledger = &report.ledger;
     assert!(ledger.impact.value().abs() < OF_IMPACTS_J, "impacts took {} J", ledger.impact.value());
     assert!(ledger.numerical.value().abs() < OF_INTEGRATOR_J, "the integrator took {} J", ledger.numerical.value());

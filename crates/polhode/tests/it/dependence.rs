@@ -5,7 +5,7 @@ use polhode::dynamics::field::{Account, Dependence, Field, Wrench};
 use polhode::dynamics::{BodyState, RigidBody};
 use polhode::scene::Force;
 use polhode::spatial::DVec3;
-use polhode::{Effects, Scene, Simulation, Unobserved};
+use polhode::{Scene, Simulation};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -47,10 +47,10 @@ fn height_half_a_second_after(says: Dependence) -> f64 {
         .force(Force::Field(Arc::clone(&hoist) as Arc<dyn Field>))
         .build()
         .unwrap();
-    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
-    simulation.advance_to(0.5, &mut Unobserved).unwrap();
+    let mut simulation = Simulation::new(&scene).unwrap();
+    simulation.advance_to(0.5).unwrap();
     hoist.pull.store((2.0 * G).to_bits(), Ordering::Relaxed);
-    simulation.advance_to(1.0, &mut Unobserved).unwrap();
+    simulation.advance_to(1.0).unwrap();
     let id = simulation.body_id("box").unwrap();
     simulation.body(id).pose.translation.z - 0.5
 }

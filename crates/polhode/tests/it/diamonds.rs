@@ -33,7 +33,7 @@ fn five_diamond_accelerates_as_the_exact_problem_says() {
         ),
     ] {
         let scene = diamond(5, sides).build().unwrap();
-        let accelerations = Simulation::new(&scene, Effects::Planned).unwrap().accelerations().unwrap();
+        let accelerations = Simulation::new(&scene).unwrap().accelerations().unwrap();
         let right = scene.bodies().iter().position(|body| body.name() == "r5c5").unwrap();
         let found = accelerations[right];
         // Anticlockwise about the axis that points away from the reader of the plane x-z is -y.

@@ -7,7 +7,7 @@ use crate::support::{accurate, ball, brick, floor, run};
 use polhode::dynamics::System;
 use polhode::scene::{Interpolation, Joint, Method, MotionTable, PrescribedMotion, SceneError, Tier};
 use polhode::spatial::{DVec3, Pose, UnitVector, Velocity};
-use polhode::{Body, Effects, RunReport, Scene, SceneBuilder, Simulation, Steering, Unobserved};
+use polhode::{Body, BodyId, Effects, RunReport, Scene, SceneBuilder, Simulation, Steering};
 use std::f64::consts::TAU;
 
 const G: f64 = 9.81;
@@ -32,9 +32,9 @@ fn slider_crank(method: Method, duration_s: f64) -> SceneBuilder {
         .body(crank)
         .body(rod)
         .body(block)
-        .joint(Joint::hinge(1, pin, UnitVector::Y).with(0))
-        .joint(Joint::hinge(1, end, UnitVector::Y).with(2))
-        .joint(Joint::new(polhode::scene::JointKind::Slider { axis: UnitVector::X }, 2, end))
+        .joint(Joint::hinge(BodyId::new(1), pin, UnitVector::Y).with(BodyId::new(0)))
+        .joint(Joint::hinge(BodyId::new(1), end, UnitVector::Y).with(BodyId::new(2)))
+        .joint(Joint::new(polhode::scene::JointKind::Slider { axis: UnitVector::X }, BodyId::new(2), end))
 }
 
 /// Where the block is at a time, m.
@@ -50,7 +50,7 @@ fn a_crank_drives_a_slider() {
     for method in [accurate(), Method { tier: Some(Tier::Stepped), step_s: Some(2e-3), ..Method::default() }] {
         let is_accurate = method.tier == Some(Tier::Accurate);
         let (report, recorder) = run(&slider_crank(method, 0.73).build().unwrap(), Effects::Planned);
-        for (row, &t) in recorder.samples.iter().zip(&recorder.times) {
+        for (row, &t) in recorder.samples.iter().zip(&recorder.times_s) {
             let off = (row[2].pose.translation - DVec3::X * block_at(t)).length();
             assert!(off < 1e-11, "t = {t}: {off:e} m off");
         }
@@ -108,7 +108,7 @@ fn sine(t: f64) -> f64 {
 #[track_caller]
 fn assert_angle(report: &RunReport, pivot_z: f64, angle: f64) {
     let place = down(angle) * (0.5 * ROD.1) + DVec3::Z * pivot_z;
-    let off = (report.bodies[1].1.pose.translation - place).length();
+    let off = (report.bodies[1].state.pose.translation - place).length();
     assert!(off < 1e-9, "{off:e} m off");
     assert_held(report);
 }
@@ -120,9 +120,9 @@ fn a_pivot_that_moves_drives_a_pendulum() {
     let rate = TAU * FREQUENCY;
     integrate(&mut Shaken { acceleration: sine }, 1.0, &mut state);
     for joint in [
-        Joint::hinge(1, DVec3::ZERO, UnitVector::Y).with(0),
-        Joint::hinge(0, DVec3::ZERO, UnitVector::Y).with(1),
-        Joint::ball(0, DVec3::ZERO).with(1),
+        Joint::hinge(BodyId::new(1), DVec3::ZERO, UnitVector::Y).with(BodyId::new(0)),
+        Joint::hinge(BodyId::new(0), DVec3::ZERO, UnitVector::Y).with(BodyId::new(1)),
+        Joint::ball(BodyId::new(0), DVec3::ZERO).with(BodyId::new(1)),
     ] {
         let motion = PrescribedMotion::sine(DVec3::Z * AMPLITUDE, DVec3::ZERO, FREQUENCY, 0.0).unwrap();
         let (report, _) = run(&shaken(motion, AMPLITUDE * rate, joint).build().unwrap(), Effects::Planned);
@@ -139,12 +139,12 @@ fn time_steps_of_a_driven_pendulum_are_of_second_order() {
     let place = down(state[0]) * (0.5 * ROD.1);
     let error = |step_s: f64| {
         let motion = PrescribedMotion::sine(DVec3::Z * AMPLITUDE, DVec3::ZERO, FREQUENCY, 0.0).unwrap();
-        let joint = Joint::hinge(1, DVec3::ZERO, UnitVector::Y).with(0);
+        let joint = Joint::hinge(BodyId::new(1), DVec3::ZERO, UnitVector::Y).with(BodyId::new(0));
         let method = Method { tier: Some(Tier::Stepped), step_s: Some(step_s), ..Method::default() };
         let scene = shaken(motion, AMPLITUDE * TAU * FREQUENCY, joint).method(method).build().unwrap();
         let (report, _) = run(&scene, Effects::Planned);
         assert_closes(&report);
-        (report.bodies[1].1.pose.translation - place).length()
+        (report.bodies[1].state.pose.translation - place).length()
     };
     let errors = [2e-3, 1e-3, 5e-4].map(error);
     for pair in errors.windows(2) {
@@ -172,7 +172,7 @@ fn a_pivot_by_table_drives_a_pendulum() {
     for (acceleration, span) in [(still as fn(f64) -> f64, 0.2), (lifted, 0.3), (still, 0.5)] {
         integrate(&mut Shaken { acceleration }, span, &mut state);
     }
-    let joint = Joint::hinge(1, DVec3::ZERO, UnitVector::Y).with(0);
+    let joint = Joint::hinge(BodyId::new(1), DVec3::ZERO, UnitVector::Y).with(BodyId::new(0));
     let (report, _) = run(&shaken(motion, 0.0, joint).build().unwrap(), Effects::Planned);
     assert_angle(&report, 0.1, state[0]);
 }
@@ -186,7 +186,7 @@ fn a_driven_linkage_that_is_struck_closes_its_ledgers() {
             .body(floor().pose(Pose::from_translation(DVec3::Z * -0.5)));
         let (report, _) = run(&scene.build().unwrap(), Effects::Planned);
         assert_closes(&report);
-        let off = (report.bodies[2].1.pose.translation - DVec3::X * block_at(0.5)).length();
+        let off = (report.bodies[2].state.pose.translation - DVec3::X * block_at(0.5)).length();
         assert!(off < 1e-4, "{off:e}");
     }
 }
@@ -196,7 +196,9 @@ fn a_driven_linkage_that_is_struck_closes_its_ledgers() {
 fn joints_that_drive_nothing_or_jump_are_refused() {
     let still = || PrescribedMotion::constant_velocity(Velocity::ZERO).unwrap();
     let pair = Scene::builder("pair").body(Body::kinematic("a", still())).body(Body::kinematic("b", still()));
-    for joint in [Joint::ball(0, DVec3::ZERO), Joint::ball(0, DVec3::ZERO).with(1)] {
+    for joint in
+        [Joint::ball(BodyId::new(0), DVec3::ZERO), Joint::ball(BodyId::new(0), DVec3::ZERO).with(BodyId::new(1))]
+    {
         assert!(matches!(pair.clone().joint(joint).build(), Err(SceneError::Joint { number: 0, .. })));
     }
     let table = MotionTable {
@@ -205,7 +207,7 @@ fn joints_that_drive_nothing_or_jump_are_refused() {
         interpolation: Interpolation::Linear,
         ..MotionTable::default()
     };
-    let joint = Joint::hinge(1, DVec3::ZERO, UnitVector::Y).with(0);
+    let joint = Joint::hinge(BodyId::new(1), DVec3::ZERO, UnitVector::Y).with(BodyId::new(0));
     let jumps = shaken(PrescribedMotion::table(&table).unwrap(), 0.0, joint).build();
     assert!(matches!(jumps, Err(SceneError::MotionJumps { .. })), "{jumps:?}");
     // The pendulum must start with the velocity of its pivot.
@@ -227,20 +229,20 @@ fn a_program_steers_a_crank() {
             .body(Body::kinematic("crank", still.clone()))
             .body(rod("rod", ROD, (pin + end) * 0.5, std::f64::consts::FRAC_PI_2))
             .body(brick("block", DVec3::splat(0.05), end))
-            .joint(Joint::hinge(1, pin, UnitVector::Y).with(0))
-            .joint(Joint::hinge(1, end, UnitVector::Y).with(2))
-            .joint(Joint::new(polhode::scene::JointKind::Slider { axis: UnitVector::X }, 2, end));
-        let mut simulation = Simulation::new(&scene.build().unwrap(), Effects::Planned).unwrap();
+            .joint(Joint::hinge(BodyId::new(1), pin, UnitVector::Y).with(BodyId::new(0)))
+            .joint(Joint::hinge(BodyId::new(1), end, UnitVector::Y).with(BodyId::new(2)))
+            .joint(Joint::new(polhode::scene::JointKind::Slider { axis: UnitVector::X }, BodyId::new(2), end));
+        let mut simulation = Simulation::new(&scene.build().unwrap()).unwrap();
         let [crank, block] = ["crank", "block"].map(|name| simulation.body_id(name).unwrap());
-        simulation.advance_to(0.1, &mut Unobserved).unwrap();
+        simulation.advance_to(0.1).unwrap();
         assert!((simulation.body(block).pose.translation - end).length() < 1e-12, "{tier:?}");
         let turning = Steering::Velocity(Velocity::new(DVec3::ZERO, DVec3::Y * RATE));
         simulation.set_motion(crank, turning).unwrap();
-        simulation.advance_to(0.34, &mut Unobserved).unwrap();
+        simulation.advance_to(0.34).unwrap();
         let off = (simulation.body(block).pose.translation - DVec3::X * block_at(0.24)).length();
         assert!(off < 1e-11, "{tier:?}: {off:e} m off");
         simulation.set_motion(crank, Steering::Pose { pose: Pose::IDENTITY, within_s: 0.4 }).unwrap();
-        let report = simulation.run(&mut Unobserved).unwrap();
+        let report = simulation.run().unwrap();
         assert!((simulation.body(block).pose.translation - end).length() < 1e-11, "{tier:?}");
         assert_closes(&report);
         // Only what time steps lose of the motion of the rod is left.

@@ -4,7 +4,7 @@
 use crate::support::{ball, floor};
 use polhode::scene::{Attachment, Force, Method, Tier};
 use polhode::spatial::{DVec3, Pose, SplitMix64, Velocity};
-use polhode::{BodyId, Effects, Scene, Simulation, Unobserved};
+use polhode::{BodyId, Scene, Simulation};
 
 const G: f64 = 9.81;
 const STIFFNESS: f64 = 40.0;
@@ -47,11 +47,11 @@ fn the_energy_is_that_of_the_bodies_that_are_there() {
             masses.push(mass);
         }
         for body in [1, 2] {
-            let b = Attachment::Body { body, point: DVec3::ZERO };
+            let b = Attachment::Body { body: BodyId::new(body), point: DVec3::ZERO };
             let a = Attachment::World(ANCHOR);
             scene = scene.force(Force::Spring { a, b, stiffness: STIFFNESS, rest_length: 0.0, damping: 0.0 });
         }
-        let mut simulation = Simulation::new(&scene.build().unwrap(), Effects::Planned).unwrap();
+        let mut simulation = Simulation::new(&scene.build().unwrap()).unwrap();
         let known = |(number, &mass): (usize, &f64)| {
             let id = simulation.body_id(&format!("ball {number}")).unwrap();
             Known { id, mass, on_spring: number < 2 }
@@ -59,7 +59,7 @@ fn the_energy_is_that_of_the_bodies_that_are_there() {
         let mut balls: Vec<Known> = masses.iter().enumerate().map(known).collect();
         for action in 0..20 {
             let t = simulation.time() + 0.013;
-            simulation.advance_to(t, &mut Unobserved).unwrap();
+            simulation.advance_to(t).unwrap();
             let place = (random.uniform() * balls.len() as f64) as usize;
             let what = (4.0 * random.uniform()) as usize;
             let at =
@@ -81,7 +81,7 @@ fn the_energy_is_that_of_the_bodies_that_are_there() {
             assert!((found - exact).abs() < 1e-9, "{tier:?} {seed} {action}: {found} instead of {exact}");
         }
         let t = simulation.time() + 0.05;
-        simulation.advance_to(t, &mut Unobserved).unwrap();
+        simulation.advance_to(t).unwrap();
         let frame = simulation.frame();
         assert!(frame.ledger.closure_relative() < 1e-10, "{tier:?} {seed}: {:e}", frame.ledger.closure_relative());
     }

@@ -9,9 +9,7 @@ use crate::support::{ball, brick, floor, run_even_degraded};
 use polhode::contact::Shape;
 use polhode::scene::{Attachment, DragLaw, Force, Integrator, Method, Tier};
 use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
-use polhode::{
-    Body, Effects, Geometry, Outcome, RunReport, Scene, SceneBuilder, Simulation, SimulationError, Unobserved,
-};
+use polhode::{Body, BodyId, Effects, Geometry, Outcome, RunReport, Scene, SceneBuilder, Simulation, SimulationError};
 
 const G: f64 = 9.81;
 
@@ -36,7 +34,7 @@ fn run(scene: &SceneBuilder, method: Method) -> RunReport {
 /// How far the last body is along a direction from where the scene has it, m.
 fn way(scene: &SceneBuilder, report: &RunReport, along: DVec3) -> f64 {
     let start = scene.clone().build().unwrap().bodies().last().unwrap().initial_pose().translation;
-    (report.bodies.last().unwrap().1.pose.translation - start).dot(along)
+    (report.bodies.last().unwrap().state.pose.translation - start).dot(along)
 }
 
 /// A box thrown up an incline of 30 degrees stops after `v^2/(2 g (sin + mu_k cos))` = 0.060 m and stays where the static
@@ -54,7 +52,7 @@ fn a_slip_that_ends_within_a_step_is_held_by_static_friction() {
             let report = run(&scene, stepped(step));
             let found = way(&scene, &report, up);
             assert!((found - stops).abs() < 20.0 * step * step, "{step}, {azimuth}: {found} instead of {stops}");
-            assert!(report.bodies[1].1.velocity.linear.length() < 1e-9, "{step}, {azimuth}");
+            assert!(report.bodies[1].state.velocity.linear.length() < 1e-9, "{step}, {azimuth}");
         }
         let (scene, up) = thrown_up(slope, 0.3, (0.5, 0.4), 1.0);
         let scene = scene.duration_s(0.5).output_interval_s(0.5);
@@ -72,7 +70,7 @@ fn alone(force: Force, mass: f64, at: DVec3, velocity: DVec3, gravity: DVec3) ->
 }
 
 fn drag(law: DragLaw, translational: f64) -> Force {
-    Force::Drag { body: 0, law, translational, rotational: 0.0, wind: DVec3::ZERO }
+    Force::Drag { body: BodyId::new(0), law, translational, rotational: 0.0, wind: DVec3::ZERO }
 }
 
 /// Under linear drag alone the velocity decays as `e^(-c t/m)` at any step; in a fall it reaches `m g/c` exactly, and
@@ -85,17 +83,17 @@ fn drag_is_exact_at_any_step() {
         let scene = alone(drag(DragLaw::Linear, c), mass, DVec3::ZERO, DVec3::X, DVec3::ZERO).duration_s(0.005);
         let report = run(&scene, stepped(step));
         let exact = libm::exp(-5.0 * strength);
-        assert!((report.bodies[0].1.velocity.linear.x - exact).abs() < 1e-13 + 1e-12 * exact, "{strength}");
+        assert!((report.bodies[0].state.velocity.linear.x - exact).abs() < 1e-13 + 1e-12 * exact, "{strength}");
         assert_eq!(report.outcome, Outcome::Completed, "{:?}", report.warnings);
 
         let gravity = -DVec3::Z * G;
         let scene = alone(drag(DragLaw::Linear, c), mass, DVec3::ZERO, DVec3::ZERO, gravity).duration_s(0.05);
-        let found = run(&scene, stepped(step)).bodies[0].1.velocity.linear.z;
+        let found = run(&scene, stepped(step)).bodies[0].state.velocity.linear.z;
         let exact = G * step / strength * libm::expm1(-50.0 * strength);
         assert!((found - exact).abs() < 1e-12 * exact.abs() + 1e-15, "{strength}: {found} {exact}");
 
         let scene = alone(drag(DragLaw::Quadratic, c), mass, DVec3::ZERO, DVec3::X, DVec3::ZERO).duration_s(0.005);
-        let found = run(&scene, stepped(step)).bodies[0].1.velocity.linear.x;
+        let found = run(&scene, stepped(step)).bodies[0].state.velocity.linear.x;
         let exact = 1.0 / (1.0 + 5.0 * strength);
         assert!((found - exact).abs() < 1e-12, "{strength}: {found} {exact}");
     }
@@ -112,7 +110,7 @@ fn springs_are_stable_at_any_step() {
             let stiffness = strength * mass / (step * step);
             let spring =
                 |a, b, rest_length| Force::Spring { a, b, stiffness, rest_length, damping: damping * mass / step };
-            let on = |body, point| Attachment::Body { body, point };
+            let on = |body, point| Attachment::Body { body: BodyId::new(body), point };
             let world = spring(Attachment::World(DVec3::Z * 0.1), on(0, DVec3::ZERO), 0.1);
             let one = alone(world, mass, DVec3::X * 1e-3, DVec3::ZERO, DVec3::ZERO);
             let between = spring(on(0, DVec3::ZERO), on(1, DVec3::ZERO), 0.1);
@@ -139,7 +137,7 @@ fn a_run_that_blows_up_is_degraded_and_says_which_step_would_do() {
     let (step, mass) = (1e-3, 1e-3);
     let spring = Force::Spring {
         a: Attachment::World(DVec3::Z * 0.1),
-        b: Attachment::Body { body: 0, point: DVec3::ZERO },
+        b: Attachment::Body { body: BodyId::new(0), point: DVec3::ZERO },
         stiffness: 20.0 * mass / (step * step),
         rest_length: 0.05,
         damping: 0.0,
@@ -166,7 +164,7 @@ fn a_run_that_blows_up_is_degraded_and_says_which_step_would_do() {
             };
             let scene = alone(spring.clone(), mass, DVec3::Z * 1e-3, DVec3::ZERO, DVec3::ZERO).duration_s(0.05);
             let built = scene.clone().method(by(step)).build().unwrap();
-            let Ok(report) = Simulation::new(&built, Effects::Planned).unwrap().run(&mut Unobserved) else { continue };
+            let Ok(report) = Simulation::new(&built).unwrap().run() else { continue };
             let what = format!("{integrator:?} {tier:?}: {:?}", report.warnings);
             assert_eq!(report.outcome, Outcome::Degraded, "{what}");
             let said = report.warnings.iter().find(|warning| warning.contains("would do")).expect(&what);
@@ -190,9 +188,9 @@ fn queries_of_accelerations_and_forces_have_friction() {
     for method in [stepped(1e-3), Method { tier: Some(Tier::Accurate), ..Method::default() }] {
         let (scene, up) = thrown_up(slope, 0.4, (1.0, 1.0), 0.0);
         let scene = scene.duration_s(1.0).method(method.clone()).build().unwrap();
-        let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+        let mut simulation = Simulation::new(&scene).unwrap();
         for t in [0.0, 1e-3, 0.5] {
-            simulation.advance_to(t, &mut Unobserved).unwrap();
+            simulation.advance_to(t).unwrap();
             let found = simulation.accelerations().unwrap()[1];
             assert!(found.linear.length() < 1e-11 && found.angular.length() < 1e-10, "{t}: {found:?}");
             let on_box = |contact: &polhode::ContactView| {
@@ -204,9 +202,9 @@ fn queries_of_accelerations_and_forces_have_friction() {
         }
         let (scene, _) = thrown_up(slope, 0.4, (0.2, 0.2), -1.0);
         let scene = scene.duration_s(1.0).method(method).build().unwrap();
-        let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+        let mut simulation = Simulation::new(&scene).unwrap();
         for t in [0.0, 0.25] {
-            simulation.advance_to(t, &mut Unobserved).unwrap();
+            simulation.advance_to(t).unwrap();
             let found = simulation.accelerations().unwrap()[1].linear;
             let exact = up * -(G * (slope.sin() - 0.2 * slope.cos()));
             assert!((found - exact).length() < 1e-9, "{t}: {found} {exact}");
@@ -222,7 +220,7 @@ fn every_tier_refuses_a_start_with_overlap() {
     let scene = scene.body(brick("b", DVec3::splat(0.2), DVec3::Z * 0.28)).build().unwrap();
     let refused = [Tier::Accurate, Tier::Stepped, Tier::Thesis].map(|tier| {
         let scene = scene.clone().with_method(Method { tier: Some(tier), ..Method::default() });
-        let error = Simulation::new(&scene, Effects::Planned).unwrap_err();
+        let error = Simulation::new(&scene).unwrap_err();
         assert!(matches!(error, SimulationError::Scene(_)), "{error}");
         error.to_string()
     });
@@ -235,7 +233,7 @@ fn every_tier_refuses_a_start_with_overlap() {
 #[test]
 fn a_step_that_is_too_long_is_told() {
     let tilted = Rotation::from_rotation_vector(DVec3::new(0.3, 0.2, 0.0));
-    let material = || polhode::scene::Material::new("m", 0.4, 0.2).unwrap();
+    let material = || polhode::scene::Material::new("m").with_friction(0.4).unwrap().with_restitution(0.2).unwrap();
     let falling = brick("box", DVec3::new(0.4, 0.3, 0.2), DVec3::ZERO).material(material());
     let falling = falling.pose(Pose::new(tilted, DVec3::Z * 0.6));
     let scene = Scene::builder("drop").duration_s(10.0).body(floor().material(material())).body(falling);
@@ -261,7 +259,7 @@ fn the_estimated_error_holds() {
         let scene = alone(drag(DragLaw::Quadratic, 0.3), 1.0, DVec3::ZERO, DVec3::new(3.0, 0.0, 1.0), -DVec3::Z * G);
         let scene = scene.duration_s(2.0);
         let [found, finer] = [step, 1e-3].map(|step| run(&scene, stepped(step)));
-        let [a, b] = [&found, &finer].map(|report| report.bodies[0].1.pose.translation);
+        let [a, b] = [&found, &finer].map(|report| report.bodies[0].state.pose.translation);
         // The size of the body is twice its largest radius of gyration.
         let size = 2.0 * 0.4f64.sqrt();
         let (error, estimate) = ((a - b).length() / size, found.certificate.estimated_error.unwrap());

@@ -24,11 +24,11 @@ fn dzhanibekov_orientation_does_not_depend_on_how_it_is_asked_for() {
         dzhanibekov().method(Method { step_s: Some(100.0), ..accurate() }).output_interval_s(100.0).build().unwrap();
     let sampled = dzhanibekov().method(accurate()).output_interval_s(100.0 / 6000.0).build().unwrap();
     let (report, recorder) = run(&one_step, Effects::Planned);
-    assert_eq!(recorder.times, [0.0, 100.0]);
+    assert_eq!(recorder.times_s, [0.0, 100.0]);
     let (many, samples) = run(&sampled, Effects::Planned);
-    assert_eq!(samples.times.len(), 6001);
+    assert_eq!(samples.times_s.len(), 6001);
     assert_eq!(report.bodies, many.bodies);
-    let q = report.bodies[0].1.pose.rotation.to_wxyz();
+    let q = report.bodies[0].state.pose.rotation.to_wxyz();
     let sign = (q[0] * reference[0] + q[1] * reference[1] + q[3] * reference[3]).signum();
     for (found, expected) in q.iter().zip(reference) {
         assert!((found * sign - expected).abs() < 1e-10, "{q:?}");

@@ -9,7 +9,7 @@ use polhode::dynamics::integrator::Method as Integrator;
 use polhode::dynamics::{BodyState, RigidBody};
 use polhode::scene::{Attachment, DragLaw, Force, Frame, Method, Signal};
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation, Velocity};
-use polhode::{Body, Effects, Recorder, RunReport, Scene, SceneBuilder};
+use polhode::{Body, BodyId, Effects, Recorder, RunReport, Scene, SceneBuilder};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
 
@@ -22,7 +22,7 @@ fn space(name: &str, duration_s: f64, interval_s: f64) -> SceneBuilder {
 const CENTER_OF_MASS: DVec3 = DVec3::new(0.1, -0.05, 0.2);
 
 fn at(body: usize, point: DVec3) -> Attachment {
-    Attachment::Body { body, point }
+    Attachment::Body { body: BodyId::new(body), point }
 }
 
 /// A Kepler orbit: eccentricity, semi-major axis, gravitational parameter and mean anomaly at the start.
@@ -79,7 +79,7 @@ fn orbit_about_a_point_is_keplers_ellipse() {
                 .unwrap();
             let (report, recorder) = run(&scene, Effects::Planned);
             let (mut worst, mut moment) = (0.0f64, 0.0f64);
-            for (&t, row) in recorder.times.iter().zip(&recorder.samples) {
+            for (&t, row) in recorder.times_s.iter().zip(&recorder.samples) {
                 let found = row[0].pose.transform_point(CENTER_OF_MASS) - center;
                 worst = worst.max((found - orbit.at(t).0).length());
                 moment = moment.max((found.cross(row[0].velocity.linear) - place.cross(velocity)).length());
@@ -210,7 +210,7 @@ fn springs_beside_the_centre_turn_a_body_as_a_pendulum() {
     let (report, recorder) = run(&scene, Effects::Planned);
     let w = f64::sqrt(2.0 * stiffness / mass);
     let angles = [amplitude, 0.0, -amplitude, 0.0, amplitude];
-    for ((&t, row), angle) in recorder.times.iter().zip(&recorder.samples).zip(angles) {
+    for ((&t, row), angle) in recorder.times_s.iter().zip(&recorder.samples).zip(angles) {
         let center = row[0].pose.transform_point(CENTER_OF_MASS);
         assert!((center - start * (w * t).cos()).length() < 1e-9);
         assert!(row[0].pose.rotation.angle_to(Rotation::from_rotation_vector(DVec3::Z * angle)) < 1e-9);
@@ -263,12 +263,12 @@ fn linear_drag_ends_at_the_wind_and_the_terminal_speed() {
         let inertia = Inertia::from_diagonal(DVec3::splat(moment)).unwrap();
         let body = Body::movable("body", MassProperties::new(Mass::new(mass).unwrap(), DVec3::ZERO, inertia))
             .velocity(Velocity::new(v0, w0));
-        let drag = Force::Drag { body: 0, law: DragLaw::Linear, translational: c, rotational: k, wind };
+        let drag = Force::Drag { body: BodyId::new(0), law: DragLaw::Linear, translational: c, rotational: k, wind };
         let scene = space("drag", 4.0, 0.19).gravity(gravity).body(body).force(drag).build().unwrap();
         let (report, recorder) = run(&scene, Effects::Planned);
         let end = wind + gravity * (mass / c);
         let worst = max_velocity_error(&recorder, 0, |t| end + (v0 - end) * (-c * t / mass).exp());
-        let spin = recorder.samples.iter().zip(&recorder.times);
+        let spin = recorder.samples.iter().zip(&recorder.times_s);
         let spin = spin.map(|(row, t)| (row[0].velocity.angular - w0 * (-k * t / moment).exp()).length());
         assert!(worst < 1e-10 && spin.fold(0.0, f64::max) < 1e-10, "{worst:e}");
         let still = wind == DVec3::ZERO;
@@ -283,7 +283,13 @@ fn linear_drag_ends_at_the_wind_and_the_terminal_speed() {
 #[test]
 fn quadratic_drag_slows_by_its_closed_forms() {
     let (mass, c, v0) = (1.9, 0.31, DVec3::new(4.0, -3.0, 12.0));
-    let drag = Force::Drag { body: 0, law: DragLaw::Quadratic, translational: c, rotational: 0.0, wind: DVec3::ZERO };
+    let drag = Force::Drag {
+        body: BodyId::new(0),
+        law: DragLaw::Quadratic,
+        translational: c,
+        rotational: 0.0,
+        wind: DVec3::ZERO,
+    };
     let slide =
         space("slide", 5.0, 0.3).body(particle("body", mass, DVec3::ZERO, v0)).force(drag.clone()).build().unwrap();
     let (report, recorder) = run(&slide, Effects::Planned);
@@ -323,7 +329,7 @@ fn pushed(load: Force, duration_s: f64, spin: DVec3) -> (RunReport, Recorder) {
 const MASS: f64 = 2.3;
 
 fn load(force: DVec3, torque: DVec3, frame: Frame, point: Option<DVec3>, signal: Signal) -> Force {
-    Force::Applied { body: 0, force, torque, frame, point, signal }
+    Force::Applied { body: BodyId::new(0), force, torque, frame, point, signal }
 }
 
 /// A constant force in the world accelerates a body from rest, without gravity, although nothing moves at the start.
@@ -354,7 +360,7 @@ fn force_at_a_point_turns_a_body() {
     let applied = load(DVec3::X * 1.4, DVec3::ZERO, Frame::Body, Some(point), Signal::ONE);
     let (_, recorder) = pushed(applied, 2.0, DVec3::ZERO);
     let rate = -1.4 * 0.4 / 0.5;
-    for (&t, row) in recorder.times.iter().zip(&recorder.samples) {
+    for (&t, row) in recorder.times_s.iter().zip(&recorder.samples) {
         assert!((row[0].velocity.angular - DVec3::Z * (rate * t)).length() < 1e-10);
         let turn = Rotation::from_rotation_vector(DVec3::Z * (0.5 * rate * t * t));
         assert!(row[0].pose.rotation.angle_to(turn) < 1e-10, "{t}");
@@ -367,7 +373,7 @@ fn torque_along_the_axis_adds_to_the_spin() {
     for frame in [Frame::World, Frame::Body] {
         let applied = load(DVec3::ZERO, DVec3::Z * -0.7, frame, None, Signal::ONE);
         let (_, recorder) = pushed(applied, 3.0, DVec3::Z * 2.0);
-        for (&t, row) in recorder.times.iter().zip(&recorder.samples) {
+        for (&t, row) in recorder.times_s.iter().zip(&recorder.samples) {
             assert!((row[0].velocity.angular - DVec3::Z * (2.0 - 0.7 * t / 0.5)).length() < 1e-11);
         }
     }
@@ -416,7 +422,7 @@ fn pushed_body_turns_freely() {
     let push = Signal::sinusoid(3.0, 0.4, 0.2).unwrap();
     let pushed = run_with(Some(load(DVec3::new(1.0, 2.0, -1.0), DVec3::ZERO, Frame::Body, None, push)));
     let free = run_with(None);
-    for (time, (a, b)) in pushed.times.iter().zip(pushed.samples.iter().zip(&free.samples)) {
+    for (time, (a, b)) in pushed.times_s.iter().zip(pushed.samples.iter().zip(&free.samples)) {
         let angle = a[0].pose.rotation.angle_to(b[0].pose.rotation);
         assert!(angle < 1e-13, "{time} s: {angle:e}");
     }
@@ -435,7 +441,7 @@ fn comet_leaves_splitting_near_its_sun() {
     let planned = comet(Method::default());
     assert!(planned.warnings.iter().any(|warning| warning.contains("dop853 continues")), "{:?}", planned.warnings);
     let exact = comet(Method { integrator: Some(Integrator::Dop853), tolerance: Some(1e-13), ..Method::default() });
-    let apart = (planned.bodies[0].1.pose.translation - exact.bodies[0].1.pose.translation).length();
+    let apart = (planned.bodies[0].state.pose.translation - exact.bodies[0].state.pose.translation).length();
     assert!(apart < 1e-6, "{apart:e}");
     for report in [&planned, &exact] {
         let momentum = &report.ledger.momentum;

@@ -3,7 +3,7 @@
 use polhode::contact::Shape;
 use polhode::mesh::solid_box;
 use polhode::spatial::{DVec3, Mass, Pose, UnitVector, Velocity};
-use polhode::{Body, BodySample, Effects, Frame, Observer, Scene, Simulation};
+use polhode::{Body, BodySample, Frame, Observer, Scene, Simulation};
 
 #[derive(Default)]
 struct Frames(Vec<Frame>);
@@ -33,7 +33,7 @@ fn scene() -> Scene {
 #[test]
 fn frames_hold_the_ledger_and_certificate_at_their_time() {
     let mut frames = Frames::default();
-    let report = Simulation::new(&scene(), Effects::Planned).unwrap().run(&mut frames).unwrap();
+    let report = Simulation::new(&scene()).unwrap().run_observed(&mut frames).unwrap();
     let last = frames.0.last().unwrap();
     assert_eq!((last.ledger, last.certificate, last.steps), (report.ledger, report.certificate, report.steps));
     assert!(last.ledger.impact.value() > 1.0, "the floor takes energy");
@@ -50,7 +50,7 @@ fn frames_hold_the_ledger_and_certificate_at_their_time() {
 fn frames_come_at_the_output_interval() {
     let mut frames = Frames::default();
     let scene = scene().with_output_interval(0.25).unwrap();
-    Simulation::new(&scene, Effects::Planned).unwrap().run(&mut frames).unwrap();
+    Simulation::new(&scene).unwrap().run_observed(&mut frames).unwrap();
     let times: Vec<f64> = frames.0.iter().map(|frame| frame.t_s).collect();
     assert_eq!(times, [0.0, 0.25, 0.5, 0.75, 1.0]);
     for refused in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-300] {

@@ -52,7 +52,7 @@ fn rod_without_a_system_of_forces_jams() {
         let sinking = -(normal - friction * coupling) * stop;
         let expected = stop + sinking / (normal - coupling * coupling / along);
         assert!((jam.impulse / expected - 1.0).abs() < 1e-12, "{} {expected}", jam.impulse);
-        assert!(jam.t == 0.0 && report.crowded.is_empty(), "{report:?}");
+        assert!(jam.t_s == 0.0 && report.crowded.is_empty(), "{report:?}");
     }
 }
 
@@ -61,7 +61,7 @@ fn rod_without_a_system_of_forces_jams() {
 #[test]
 fn report_warns_of_a_law_that_raises_the_energy() {
     let angle = 45f64.to_radians();
-    let material = Material::new("rough", 1.0, 1.0).unwrap();
+    let material = Material::new("rough").with_friction(1.0).unwrap().with_restitution(1.0).unwrap();
     for (law, gain) in [(RestitutionLaw::Whittaker, Some(0.1125)), (RestitutionLaw::Stronge, None)] {
         let method = Method { restitution_law: Some(law), ..accurate() };
         // A rod of 1 m: all lengths and speeds of the rod of 2 m by a half would do; K is that of 1 kg for both.
@@ -84,7 +84,7 @@ fn report_warns_of_a_law_that_raises_the_energy() {
 #[test]
 fn super_ball_reverses_its_slip() {
     for (tangential_restitution, speed, spin) in [(1.0, 3.0 / 7.0, 10.0 / 7.0), (0.0, 5.0 / 7.0, 5.0 / 7.0)] {
-        let material = Material::new("rubber", 10.0, 1.0).unwrap();
+        let material = Material::new("rubber").with_friction(10.0).unwrap().with_restitution(1.0).unwrap();
         let inertia = Inertia::from_diagonal(DVec3::splat(0.4)).unwrap();
         let ball = Body::movable("ball", MassProperties::new(Mass::new(1.0).unwrap(), DVec3::ZERO, inertia))
             .geometry(Shape::sphere(1.0).unwrap().into())
@@ -97,7 +97,7 @@ fn super_ball_reverses_its_slip() {
             let scene = Scene::builder("super ball").method(method).gravity(DVec3::ZERO).body(ball.clone());
             let scene = scene.body(floor().material(material.clone())).duration_s(0.01).build().unwrap();
             let (report, _) = run(&scene, Effects::Planned);
-            let (_, end) = &report.bodies[0];
+            let end = &report.bodies[0].state;
             let expected = Velocity::new(DVec3::new(speed, 0.0, 1.0), DVec3::Y * spin);
             assert!((end.velocity.linear - expected.linear).length() < 1e-14, "{end:?}");
             assert!((end.velocity.angular - expected.angular).length() < 1e-14, "{end:?}");
@@ -116,7 +116,7 @@ fn static_friction_holds_in_time_steps() {
         let body = lying(DVec3::new(0.4, 0.3, 0.1), 0.0, DVec3::X * speed);
         let scene = on_slope(slope(angle, 0.0), body, &material).method(method).duration_s(0.5).build().unwrap();
         let (report, _) = run(&scene, Effects::Planned);
-        let end = report.bodies[0].1.velocity.linear.length();
+        let end = report.bodies[0].state.velocity.linear.length();
         let expected = if speed == 0.0 { 0.0 } else { speed + 0.5 * G * (angle.sin() - 0.3 * angle.cos()) };
         assert!((end - expected).abs() < 1e-9, "{end} {expected}");
     }

@@ -6,7 +6,7 @@ use crate::support::{accurate, ball, brick, floor, run};
 use polhode::contact::Shape;
 use polhode::scene::{Force, Frame, Material, PairRule, PrescribedMotion, Signal};
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Effects, Scene, Simulation, Unobserved};
+use polhode::{Body, BodyId, Effects, Scene, Simulation};
 
 const G: f64 = 9.81;
 
@@ -43,7 +43,7 @@ fn conveyor_takes_a_box_along() {
         belt * t + slip * slipping - slip.normalize() * (0.2 * G * slipping * slipping) + DVec3::Z * 0.05
     });
     assert!(worst < 1e-12, "{worst:e}");
-    assert!((report.bodies[0].1.velocity.linear - belt).length() < 1e-13);
+    assert!((report.bodies[0].state.velocity.linear - belt).length() < 1e-13);
     // The slip lost is heat; the belt's work is the rest of what the box gained.
     let heat = 0.5 * 2.0 * slip.length_squared();
     assert!((report.ledger.friction.value() / heat - 1.0).abs() < 1e-11, "{} {heat}", report.ledger.friction.value());
@@ -118,7 +118,7 @@ fn block_on_a_plank_ends_with_its_speed() {
     let plank = heavy_brick("plank", heavy, DVec3::new(6.0, 1.0, 0.1), DVec3::Z * 0.05).material(rough(friction));
     let scene = Scene::builder("plank").method(accurate()).body(block).body(plank).body(floor()).duration_s(1.5);
     let (report, _) = run(&scene.build().unwrap(), Effects::Planned);
-    let [block, plank] = [report.bodies[0].1, report.bodies[1].1];
+    let [block, plank] = [report.bodies[0].state, report.bodies[1].state];
     let common = light * speed / (light + heavy);
     assert!((block.velocity.linear - DVec3::X * common).length() < 1e-13);
     assert!((plank.velocity.linear - DVec3::X * common).length() < 1e-13);
@@ -135,13 +135,13 @@ fn block_on_a_plank_ends_with_its_speed() {
 fn box_under_rolling_balls_is_pulled() {
     for direction in [DVec3::Y, DVec3::new(0.5, 0.75_f64.sqrt(), 0.0)] {
         let (box_mass, ball_mass, count, pull) = (10.0, 1.0, 9.0, 150.0);
-        let named = |name: &str| Material::new(name, 0.0, 0.0).unwrap();
+        let named = |name: &str| Material::new(name);
         let pair = |a: &str, b: &str, friction: f64| {
-            PairRule::new([a.to_owned(), b.to_owned()], Some(friction), None).unwrap()
+            PairRule::new([a.to_owned(), b.to_owned()]).with_friction(friction).unwrap()
         };
         let size = DVec3::new(20.0, 20.0, 1.0);
         let force = Force::Applied {
-            body: 0,
+            body: BodyId::new(0),
             force: direction * pull,
             torque: DVec3::ZERO,
             frame: Frame::World,
@@ -164,11 +164,11 @@ fn box_under_rolling_balls_is_pulled() {
         let ground = 0.4 * (box_mass + count * ball_mass) * G;
         let on_balls = (pull - ground) / box_mass / (3.5 / ball_mass + count / box_mass);
         let (box_rate, ball_rate) = ((pull - ground - count * on_balls) / box_mass, on_balls / ball_mass);
-        let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+        let mut simulation = Simulation::new(&scene).unwrap();
         let mut sum = 0.0;
         for step in 1..=50 {
             let t = 0.01 * f64::from(step);
-            simulation.advance_to(t, &mut Unobserved).unwrap();
+            simulation.advance_to(t).unwrap();
             let bodies = simulation.bodies();
             sum += (bodies[0].velocity.linear - direction * (box_rate * t)).length_squared();
             sum += (bodies[2].velocity.linear - direction * (ball_rate * t)).length_squared();
@@ -189,7 +189,7 @@ fn a_wall_that_pushes_a_rough_box_lifts_it_by_no_more_than_its_friction() {
             let along = Rotation::from_rotation_vector(DVec3::Z * heading);
             let ahead = along.rotate(DVec3::X);
             let motion = PrescribedMotion::constant_velocity(Velocity::new(ahead * speed, DVec3::ZERO)).unwrap();
-            let named = |name: &str| Material::new(name, floor_friction, 0.0).unwrap();
+            let named = |name: &str| Material::new(name).with_friction(floor_friction).unwrap();
             let pushed = ["wall", "box"].map(str::to_owned);
             let start = Pose::new(along, DVec3::Z * (0.5 * edge));
             let behind = Pose::new(along, ahead * -edge + DVec3::Z * (0.51 * edge));
@@ -204,12 +204,12 @@ fn a_wall_that_pushes_a_rough_box_lifts_it_by_no_more_than_its_friction() {
                         .material(named("wall")),
                 )
                 .body(floor().material(named("floor")))
-                .pair_rule(PairRule::new(pushed, Some(wall_friction), None).unwrap())
+                .pair_rule(PairRule::new(pushed).with_friction(wall_friction).unwrap())
                 .build()
                 .unwrap();
             let (report, _) = run(&scene, Effects::Planned);
             let way = ahead * (speed * duration);
-            assert!((report.bodies[0].1.pose.translation - start.translation - way).length() < 1e-12);
+            assert!((report.bodies[0].state.pose.translation - start.translation - way).length() < 1e-12);
             let alone = floor_friction * G * speed * duration;
             let product: f64 = floor_friction * wall_friction;
             let most = if product < 1.0 { alone / (1.0 - product) } else { f64::INFINITY };

@@ -8,14 +8,14 @@ use crate::snapshots;
 use crate::support::{accurate, run};
 use polhode::scene::{FrictionEllipse, Material, Method, PairRule, SceneError, Tier};
 use polhode::spatial::{DVec3, Pose, Rotation, Velocity};
-use polhode::{Effects, EventKind, Scene, SceneBuilder};
+use polhode::{BodyId, Effects, EventKind, Scene, SceneBuilder};
 
 const G: f64 = 9.81;
 
 /// A material with these coefficients along and across this direction of its body.
 fn planks(along: f64, across: f64, direction: DVec3) -> Material {
     let ellipse = FrictionEllipse { along, across };
-    Material::new("planks", 0.0, 0.0).expect("a material").with_grain(direction, ellipse).expect("a grain")
+    Material::new("planks").with_grain(direction, ellipse).expect("a grain")
 }
 
 fn stepped() -> Method {
@@ -89,13 +89,13 @@ fn oblique_slides_deflect() {
         let scene = scene.build().expect("a scene");
         let (report, recorder) = run(&scene, Effects::Planned);
         let start = recorder.samples[0][0].pose.translation;
-        let rows = recorder.times.iter().zip(&recorder.samples).filter(|(t, _)| **t <= 0.3);
+        let rows = recorder.times_s.iter().zip(&recorder.samples).filter(|(t, _)| **t <= 0.3);
         let worst = rows.fold(0.0, |worst: f64, (&t, row)| {
             let moved = row[0].pose.translation - start;
             worst.max((moved - slid(velocity, (along, across), t)).length())
         });
         assert!(worst < 1e-10, "{worst:e}");
-        assert!(report.bodies[0].1.velocity.is_zero(), "{:?}", report.bodies[0].1.velocity);
+        assert!(report.bodies[0].state.velocity.is_zero(), "{:?}", report.bodies[0].state.velocity);
         assert!((report.ledger.friction.value() / 2.0 - 1.0).abs() < 1e-10, "{}", report.ledger.friction.value());
         assert_closes(&report);
     }
@@ -127,7 +127,7 @@ fn tilted_grain_acts_along_its_projection() {
 #[test]
 fn static_friction_along_a_grain_is_its_own() {
     let kinetic = FrictionEllipse { along: 0.04, across: 0.36 };
-    let smooth = Material::new("planks", 0.0, 0.0).expect("a material").with_grain(DVec3::X, kinetic).expect("a grain");
+    let smooth = Material::new("planks").with_grain(DVec3::X, kinetic).expect("a grain");
     let ellipse = FrictionEllipse { along: 0.09, across: 0.49 };
     let materials = [
         (smooth.clone().with_static_ellipse(ellipse).expect("an ellipse"), 0.3),
@@ -208,7 +208,7 @@ fn impacts_know_the_grain() {
     let (report, recorder) = run(&scene.output_interval_s(1e-6).build().expect("a scene"), Effects::Planned);
     assert!(recorder.events.iter().any(|event| event.kind == EventKind::Impact));
     // The slip loses 7/2 of what the centre loses. It does not stop, and dx/dy = (mu_1/mu_2)^2 x/y on the way.
-    let given = report.bodies[0].1.velocity.linear - DVec3::new(3.0, 2.0, 0.0);
+    let given = report.bodies[0].state.velocity.linear - DVec3::new(3.0, 2.0, 0.0);
     let slip = DVec3::new(3.0, 2.0, 0.0) + given * 3.5;
     let expected = 3.0 * f64::powf(slip.y / 2.0, (along / across) * (along / across));
     assert!((slip.x - expected).abs() < 1e-5 && given.x < 0.0 && given.y < -0.2, "{slip} {expected}");
@@ -225,24 +225,24 @@ fn two_grains_in_a_contact_are_refused() {
         let with = Scene::builder("two grains").body(bodies[0].clone().material(wood.clone()));
         with.body(bodies[1].clone().material(other))
     };
-    let boards = Material::new("boards", 0.0, 0.0).expect("a material");
+    let boards = Material::new("boards");
     let boards = boards.with_grain(DVec3::Y, FrictionEllipse { along: 0.1, across: 0.3 }).expect("a grain");
     let error = scene(boards.clone()).build().expect_err("whose grain is not clear");
     assert!(matches!(error, SceneError::TwoGrains { .. }) && error.to_string().contains("boards"), "{error}");
     let names = ["boards".to_owned(), "planks".to_owned()];
-    let rule = PairRule::new(names, Some(0.3), None).expect("a rule");
+    let rule = PairRule::new(names).with_friction(0.3).expect("a rule");
     let decided = scene(boards.clone()).pair_rule(rule.clone()).build().expect("one number decides");
-    assert_eq!(decided.pair_material(0, 1).grain_direction(), None);
+    assert_eq!(decided.material_between(BodyId::new(0), BodyId::new(1)).unwrap().grain_direction(), None);
     let ellipse = FrictionEllipse { along: 0.2, across: 0.5 };
     let decided = scene(boards).pair_rule(rule.with_grain(Some(DVec3::Y), ellipse).expect("a grain"));
-    let pair = decided.build().expect("a direction decides").pair_material(0, 1);
+    let pair = decided.build().expect("a direction decides").material_between(BodyId::new(0), BodyId::new(1)).unwrap();
     assert_eq!((pair.grain_direction(), pair.friction_ellipse()), (Some(DVec3::Y), ellipse));
 }
 
 /// Coefficients that no ellipse has are refused.
 #[test]
 fn impossible_ellipses_are_refused() {
-    let plain = || Material::new("planks", 0.0, 0.0).expect("a material");
+    let plain = || Material::new("planks");
     for (along, across) in [(0.0, 0.5), (0.5, -0.1), (f64::NAN, 0.5), (0.5, f64::INFINITY), (1e-5, 0.5)] {
         let error = plain().with_grain(DVec3::X, FrictionEllipse { along, across });
         assert!(matches!(error, Err(SceneError::FrictionEllipse { .. })), "{along} {across}");

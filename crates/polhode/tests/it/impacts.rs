@@ -4,7 +4,7 @@ use crate::support::{accurate, ball, brick, elastic, floor, run};
 use polhode::contact::Shape;
 use polhode::scene::{Crowding, Method};
 use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Effects, EventKind, Geometry, Recorder, Scene, Simulation, SimulationError};
+use polhode::{Body, Effects, EventKind, Geometry, Scene, Simulation, SimulationError};
 
 /// Case IM-05: a ball whose bounces accumulate comes to rest at the exact time, and its tenth impact is at the time
 /// that the geometric series gives.
@@ -22,11 +22,11 @@ fn bouncing_ball_comes_to_rest_at_its_exact_time() {
             .unwrap();
         let (report, recorder) = run(&scene, Effects::Planned);
         let impacts: Vec<_> = recorder.events.iter().filter(|event| event.kind == EventKind::Impact).collect();
-        assert!((impacts[9].t / tenth - 1.0).abs() < 1e-12, "{}", impacts[9].t);
+        assert!((impacts[9].t_s / tenth - 1.0).abs() < 1e-12, "{}", impacts[9].t_s);
         let rests: Vec<_> = recorder.events.iter().filter(|event| event.kind == EventKind::Rest).collect();
         assert_eq!(rests.len(), 1);
-        assert!((rests[0].t / rest - 1.0).abs() < 1e-9, "{}", rests[0].t);
-        assert!(report.bodies[1].1.velocity.is_zero());
+        assert!((rests[0].t_s / rest - 1.0).abs() < 1e-9, "{}", rests[0].t_s);
+        assert!(report.bodies[1].state.velocity.is_zero());
         assert!(report.ledger.closure_relative() < 1e-12);
     }
 }
@@ -68,8 +68,8 @@ fn a_run_that_makes_no_progress_says_where() {
         .body(ball("ball", 1.0, 0.1, DVec3::Z * 0.11, DVec3::Z * 100.0).material(elastic(1.0)))
         .build()
         .unwrap();
-    let error = Simulation::new(&scene, Effects::Planned).unwrap().run(&mut Recorder::default()).unwrap_err();
-    let SimulationError::NoProgress { t, steps, advanced_s, body_b, .. } = &error else { panic!("{error}") };
+    let error = Simulation::new(&scene).unwrap().run().unwrap_err();
+    let SimulationError::NoProgress { t_s: t, steps, advanced_s, body_b, .. } = &error else { panic!("{error}") };
     assert_eq!((*steps, body_b.as_str()), (256, "ball"));
     assert!(*advanced_s < 1.0 && (t - advanced_s).abs() < 1e-3, "{error}");
     assert!(error.to_string().contains("no progress"), "{error}");
@@ -92,7 +92,7 @@ fn a_plank_that_stands_on_another_with_one_end_does_not_swing_through_it() {
         .velocity(Velocity::new(angular.cross(from_end), angular));
     let scene = Scene::builder("planks").method(accurate()).duration_s(0.05).body(lower).body(upper).build().unwrap();
     let (_, recorder) = run(&scene, Effects::Planned);
-    for (t, bodies) in recorder.times.iter().zip(&recorder.samples) {
+    for (t, bodies) in recorder.times_s.iter().zip(&recorder.samples) {
         let lowest =
             [-0.5, 0.5].map(|end| bodies[1].pose.transform_point(DVec3::new(end * length, 0.0, -0.5 * thickness)).z);
         assert!(lowest.into_iter().all(|z| z > -1e-11), "{t} s: {lowest:?}");
@@ -112,7 +112,7 @@ fn a_box_that_slides_on_a_floor_is_stopped_by_a_wall_of_the_same_body() {
         .velocity(Velocity::new(DVec3::X * 1000.0, DVec3::ZERO));
     let scene = Scene::builder("room").method(accurate()).duration_s(0.05).body(room).body(slider).build().unwrap();
     let (_, recorder) = run(&scene, Effects::Planned);
-    for (t, bodies) in recorder.times.iter().zip(&recorder.samples) {
+    for (t, bodies) in recorder.times_s.iter().zip(&recorder.samples) {
         let reach = bodies[1].pose.translation.x + 0.25;
         assert!(reach < 5.55 + 1e-11, "{t} s: {reach} m");
     }
@@ -139,7 +139,7 @@ fn bounces_ended_at_one_instant_leave_no_contact_approaching() {
             .unwrap();
         let (report, recorder) = run(&scene, Effects::Planned);
         let impacts = recorder.events.iter().filter(|event| event.kind == EventKind::Impact);
-        let times: Vec<f64> = impacts.map(|event| event.t).collect();
+        let times: Vec<f64> = impacts.map(|event| event.t_s).collect();
         assert!(times.len() > 4 && times.iter().all(|&t| t == times[0]), "e = {e}: {times:?}");
         assert!(report.certificate.max_penetration_m < 2e-15, "e = {e}: {:?}", report.certificate);
         assert!(report.warnings.is_empty(), "{:?}", report.warnings);
@@ -163,7 +163,7 @@ fn elastic_bounces_too_low_to_be_seen_are_not_followed_one_by_one() {
     let (report, recorder) = dropped_from(unseen);
     assert!(recorder.events.len() < 1000, "{}", recorder.events.len());
     assert!(!report.crowded.is_empty());
-    let height = report.bodies[1].1.pose.translation.z - radius;
+    let height = report.bodies[1].state.pose.translation.z - radius;
     assert!((-1e-15..=unseen).contains(&height), "{height}");
     let (report, recorder) = dropped_from(1e-3);
     assert!(recorder.events.len() > 15, "{}", recorder.events.len());

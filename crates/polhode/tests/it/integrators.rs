@@ -5,7 +5,7 @@ use crate::support::{elastic, floor, run, run_even_degraded};
 use polhode::dynamics::integrator::Method as Integrator;
 use polhode::scene::{Attachment, DragLaw, Force, Method, Orientation, RotationRate, Tier};
 use polhode::spatial::{DVec3, Pose, Rotation, Velocity};
-use polhode::{Body, BodySample, Effects, EventKind, Scene, SceneBuilder, SceneError};
+use polhode::{Body, BodyId, BodySample, Effects, EventKind, Scene, SceneBuilder, SceneError};
 
 /// How far the observed order may fall short of the order p: halving the step gains at least `2^(p - 0.4)`.
 const ORDER_SHORTFALL: f64 = 0.4;
@@ -37,7 +37,7 @@ fn end(scene: SceneBuilder, method: Method) -> BodySample {
     let run = if is_crude { run_even_degraded } else { run };
     let (report, _) = run(&scene.method(method).build().unwrap(), Effects::Planned);
     assert_closes(&report);
-    report.bodies[1].1
+    report.bodies[1].state
 }
 
 fn apart(a: &BodySample, b: &BodySample) -> f64 {
@@ -128,7 +128,7 @@ fn stepped_bodies_strike_the_floor() {
             let allowed = 0.5 * f64::powf(spin * step.unwrap_or(0.0), order + 1.0) + 1e-12;
             let depth = report.certificate.max_penetration_m;
             assert!(depth <= allowed, "{integrator:?}: {depth:e} {allowed:e}");
-            recorder.events.iter().find(|event| event.kind == EventKind::Impact).unwrap().t
+            recorder.events.iter().find(|event| event.kind == EventKind::Impact).unwrap().t_s
         };
         let exact = first(Method::default());
         for integrator in Integrator::ALL {
@@ -161,7 +161,7 @@ fn body_that_turns_often_a_step_strikes_in_time() {
     let first = |method: Method| {
         let (report, recorder) = try_run(&scene(method), 200_000).unwrap();
         assert!(report.certificate.max_penetration_m <= 1e-12, "{:e}", report.certificate.max_penetration_m);
-        recorder.events.iter().find(|event| event.kind == EventKind::Impact).unwrap().t
+        recorder.events.iter().find(|event| event.kind == EventKind::Impact).unwrap().t_s
     };
     let exact = first(Method::default());
     for integrator in [Integrator::Exact, Integrator::Splitting4, Integrator::MoserVeselov4, Integrator::Rk4] {
@@ -176,8 +176,13 @@ fn body_that_turns_often_a_step_strikes_in_time() {
 #[test]
 fn drag_is_refused_by_splittings() {
     for integrator in Integrator::ALL {
-        let drag =
-            Force::Drag { body: 0, law: DragLaw::Linear, translational: 0.3, rotational: 0.01, wind: DVec3::ZERO };
+        let drag = Force::Drag {
+            body: BodyId::new(0),
+            law: DragLaw::Linear,
+            translational: 0.3,
+            rotational: 0.01,
+            wind: DVec3::ZERO,
+        };
         let built = Scene::builder("drag")
             .duration_s(0.05)
             .method(by(integrator, 0.01))
@@ -244,18 +249,24 @@ fn thesis_takes_any_integrator() {
 fn plan_chooses_by_the_forces() {
     let held = |force: Option<Force>| {
         let scene = force.into_iter().fold(tumbling(), SceneBuilder::force).build().unwrap();
-        let simulation = polhode::Simulation::new(&scene, Effects::Planned).unwrap();
+        let simulation = polhode::Simulation::new(&scene).unwrap();
         let plan = (simulation.plan().integrator, simulation.plan().integrator_reason.clone());
         (plan, run(&scene, Effects::Planned).0.certificate.max_step_error.unwrap_or(0.0))
     };
     let spring = |stiffness| Force::Spring {
-        a: Attachment::Body { body: 0, point: DVec3::ZERO },
-        b: Attachment::Body { body: 1, point: DVec3::X * 0.2 },
+        a: Attachment::Body { body: BodyId::new(0), point: DVec3::ZERO },
+        b: Attachment::Body { body: BodyId::new(1), point: DVec3::X * 0.2 },
         stiffness,
         rest_length: 0.0,
         damping: 0.0,
     };
-    let drag = Force::Drag { body: 1, law: DragLaw::Linear, translational: 0.5, rotational: 0.1, wind: DVec3::ZERO };
+    let drag = Force::Drag {
+        body: BodyId::new(1),
+        law: DragLaw::Linear,
+        translational: 0.5,
+        rotational: 0.1,
+        wind: DVec3::ZERO,
+    };
     let ((chosen, _), error) = held(None);
     assert_eq!((chosen, error), (Integrator::Exact, 0.0));
     for (force, expected, reason) in [

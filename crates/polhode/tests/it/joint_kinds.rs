@@ -7,7 +7,7 @@ use polhode::dynamics::{Rk4, System};
 use polhode::mesh::solid_box;
 use polhode::scene::{Joint, JointKind, Method, SceneError, Tier};
 use polhode::spatial::{DVec3, Mass, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Effects, RunReport, Scene, SceneBuilder};
+use polhode::{Body, BodyId, Effects, RunReport, Scene, SceneBuilder};
 
 const G: f64 = 9.81;
 
@@ -40,8 +40,9 @@ fn held(builder: SceneBuilder) -> RunReport {
 fn slider_leaves_the_way_along_its_axis() {
     let axis = unit(DVec3::new(0.6, 0.48, -0.64));
     let body = brick("sledge", DVec3::new(0.2, 0.3, 0.1), DVec3::new(0.1, -0.2, 0.4));
-    let report = held(scene("slider").body(body).joint(Joint::new(JointKind::Slider { axis }, 0, DVec3::ZERO)));
-    let end = report.bodies[0].1;
+    let report =
+        held(scene("slider").body(body).joint(Joint::new(JointKind::Slider { axis }, BodyId::new(0), DVec3::ZERO)));
+    let end = report.bodies[0].state;
     let fallen = axis.get() * (0.5 * 0.64 * G * report.duration_s * report.duration_s);
     assert!((end.pose.translation - DVec3::new(0.1, -0.2, 0.4) - fallen).length() < 1e-10);
     assert!(end.pose.rotation.to_rotation_vector().length() < 1e-11);
@@ -55,11 +56,12 @@ fn cylindrical_joint_leaves_the_rotation_about_its_axis_and_the_way_along_it() {
     let turning = DVec3::Z * rate;
     let body = brick("nut", DVec3::new(0.2, 0.3, 0.1), start).velocity(Velocity::new(turning.cross(start), turning));
     let axis = UnitVector::Z;
-    let report = held(scene("nut").body(body).joint(Joint::new(JointKind::Cylindrical { axis }, 0, DVec3::ZERO)));
+    let report =
+        held(scene("nut").body(body).joint(Joint::new(JointKind::Cylindrical { axis }, BodyId::new(0), DVec3::ZERO)));
     let t = report.duration_s;
     let wanted = Rotation::from_rotation_vector(turning * t).rotate(start) - DVec3::Z * (0.5 * G * t * t);
-    assert!((report.bodies[0].1.pose.translation - wanted).length() < 1e-10);
-    assert!((report.bodies[0].1.velocity.angular - turning).length() < 1e-10);
+    assert!((report.bodies[0].state.pose.translation - wanted).length() < 1e-10);
+    assert!((report.bodies[0].state.velocity.angular - turning).length() < 1e-10);
 }
 
 /// A body in a sloping plane slides down it, and goes on turning about its normal; its centre is the point that slides.
@@ -68,12 +70,13 @@ fn planar_joint_leaves_the_plane_and_the_rotation_about_its_normal() {
     let normal = unit(DVec3::new(0.6, 0.0, 0.8));
     let (turning, along) = (normal.get() * 4.0, DVec3::Y * 0.7);
     let body = brick("puck", DVec3::new(0.2, 0.3, 0.1), DVec3::ZERO).velocity(Velocity::new(along, turning));
-    let report = held(scene("puck").body(body).joint(Joint::new(JointKind::Planar { normal }, 0, DVec3::ZERO)));
+    let report =
+        held(scene("puck").body(body).joint(Joint::new(JointKind::Planar { normal }, BodyId::new(0), DVec3::ZERO)));
     let t = report.duration_s;
     let gravity = DVec3::Z * -G;
     let down = gravity - normal.get() * normal.get().dot(gravity);
-    assert!((report.bodies[0].1.pose.translation - along * t - down * (0.5 * t * t)).length() < 1e-10);
-    assert!((report.bodies[0].1.velocity.angular - turning).length() < 1e-10);
+    assert!((report.bodies[0].state.pose.translation - along * t - down * (0.5 * t * t)).length() < 1e-10);
+    assert!((report.bodies[0].state.velocity.angular - turning).length() < 1e-10);
 }
 
 /// A bead that slides on an arm that turns freely: `r'' = r w^2`, and `(I + m r^2) w` stays.
@@ -111,8 +114,8 @@ fn slider_on_a_body_that_turns_bears_the_forces_of_its_rotation() {
         .gravity(DVec3::ZERO)
         .body(heavy("arm", 2.0, long, DVec3::ZERO).velocity(Velocity::new(DVec3::ZERO, turning)))
         .body(heavy("bead", 0.5, small, center).velocity(Velocity::new(turning.cross(center), turning)))
-        .joint(Joint::hinge(0, DVec3::ZERO, UnitVector::Z))
-        .joint(Joint::new(JointKind::Slider { axis: UnitVector::X }, 1, center).with(0));
+        .joint(Joint::hinge(BodyId::new(0), DVec3::ZERO, UnitVector::Z))
+        .joint(Joint::new(JointKind::Slider { axis: UnitVector::X }, BodyId::new(1), center).with(BodyId::new(0)));
     let report = held(scene.duration_s(0.4));
     let (arm, own) = (2.0 / 12.0 * (1.0 + 4e-4), 0.5 / 6.0 * 0.0016);
     let momentum = (arm + own + 0.5 * start * start) * rate;
@@ -123,7 +126,7 @@ fn slider_on_a_body_that_turns_bears_the_forces_of_its_rotation() {
         let Ok(()) = method.step(&mut system, h * f64::from(step), h, &mut state);
     }
     let wanted = DVec3::new(state[2].cos(), state[2].sin(), 0.0) * state[0];
-    let found = report.bodies[1].1.pose.translation;
+    let found = report.bodies[1].state.pose.translation;
     assert!((found - wanted).length() < 1e-9, "{found:?} {wanted:?}");
 }
 
@@ -145,11 +148,11 @@ fn universal_joint_turns_shafts_as_cardan_said() {
         .gravity(DVec3::ZERO)
         .body(one)
         .body(two)
-        .joint(Joint::hinge(0, DVec3::ZERO, UnitVector::X))
-        .joint(Joint::hinge(1, DVec3::ZERO, unit(other)))
-        .joint(Joint::new(JointKind::Universal { axes }, 0, DVec3::ZERO).with(1));
+        .joint(Joint::hinge(BodyId::new(0), DVec3::ZERO, UnitVector::X))
+        .joint(Joint::hinge(BodyId::new(1), DVec3::ZERO, unit(other)))
+        .joint(Joint::new(JointKind::Universal { axes }, BodyId::new(0), DVec3::ZERO).with(BodyId::new(1)));
     let report = held(scene);
-    let [one, two] = [report.bodies[0].1.pose.rotation, report.bodies[1].1.pose.rotation * tilt.inverse()];
+    let [one, two] = [report.bodies[0].state.pose.rotation, report.bodies[1].state.pose.rotation * tilt.inverse()];
     let turned = |rotation: Rotation, about: DVec3| {
         let vector = rotation.to_rotation_vector();
         assert!(vector.cross(about).length() < 1e-10, "{vector:?}");
@@ -171,13 +174,13 @@ fn fixed_joint_makes_one_body_of_two() {
     let halves = scene("halves")
         .body(half("left", DVec3::X * -0.15))
         .body(half("right", DVec3::X * 0.15))
-        .joint(Joint::new(JointKind::Fixed, 0, DVec3::new(0.02, 0.05, -0.01)).with(1));
+        .joint(Joint::new(JointKind::Fixed, BodyId::new(0), DVec3::new(0.02, 0.05, -0.01)).with(BodyId::new(1)));
     let two = held(halves);
     let whole = heavy("whole", 2.0, DVec3::new(0.6, 0.2, 0.1), DVec3::ZERO).velocity(velocity(DVec3::ZERO));
     let (one, _) = run(&scene("whole").body(whole).build().unwrap(), Effects::Planned);
-    let whole = one.bodies[0].1.pose;
+    let whole = one.bodies[0].state.pose;
     for (body, center) in [DVec3::X * -0.15, DVec3::X * 0.15].into_iter().enumerate() {
-        let found = two.bodies[body].1.pose;
+        let found = two.bodies[body].state.pose;
         assert!((found.translation - whole.transform_point(center)).length() < 1e-9);
         let turn = (found.rotation * whole.rotation.inverse()).to_rotation_vector();
         assert!(turn.length() < 1e-9, "{turn:?}");
@@ -203,8 +206,8 @@ fn a_chain_of_all_kinds_holds_in_both_tiers() {
             let at = number as f64 * 0.2;
             let size = DVec3::new(0.18, 0.04, 0.03);
             builder = builder.body(heavy(&format!("link {number}"), 0.4, size, DVec3::X * (at + 0.1)));
-            let joint = Joint::new(kind, number, DVec3::X * at);
-            builder = builder.joint(if number > 0 { joint.with(number - 1) } else { joint });
+            let joint = Joint::new(kind, BodyId::new(number), DVec3::X * at);
+            builder = builder.joint(if number > 0 { joint.with(BodyId::new(number - 1)) } else { joint });
         }
         let (report, _) = run(&builder.build().unwrap(), Effects::Planned);
         assert!(report.ledger.impact.value().abs() < 1e-12 * report.ledger.scale_j, "{tier:?}: {:?}", report.ledger);
@@ -218,6 +221,7 @@ fn a_chain_of_all_kinds_holds_in_both_tiers() {
 fn axes_of_a_universal_joint_are_at_right_angles() {
     let axes = [UnitVector::X, unit(DVec3::new(0.1, 1.0, 0.0))];
     let body = brick("cross", DVec3::splat(0.1), DVec3::ZERO);
-    let built = scene("skew").body(body).joint(Joint::new(JointKind::Universal { axes }, 0, DVec3::ZERO)).build();
+    let built =
+        scene("skew").body(body).joint(Joint::new(JointKind::Universal { axes }, BodyId::new(0), DVec3::ZERO)).build();
     assert!(matches!(built, Err(SceneError::Joint { number: 0, .. })));
 }

@@ -7,7 +7,7 @@ use crate::support::{accurate, run};
 use polhode::mesh::solid_box;
 use polhode::scene::Joint;
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, UnitVector};
-use polhode::{Body, Effects, RunReport, Scene};
+use polhode::{Body, BodyId, Effects, RunReport, Scene};
 
 /// Joints do no work.
 #[track_caller]
@@ -38,11 +38,12 @@ fn chain_of_four_rods_falls_as_the_equations_of_lagrange_say() {
     for (duration, angles) in references {
         let mut builder = Scene::builder("chain").method(accurate()).duration_s(duration);
         for number in 0..4_usize {
-            let joint = Joint::hinge(number, DVec3::X * number as f64, UnitVector::Y);
-            builder = builder.body(rod(number)).joint(if number > 0 { joint.with(number - 1) } else { joint });
+            let joint = Joint::hinge(BodyId::new(number), DVec3::X * number as f64, UnitVector::Y);
+            builder =
+                builder.body(rod(number)).joint(if number > 0 { joint.with(BodyId::new(number - 1)) } else { joint });
         }
         let (report, _) = run(&builder.build().unwrap(), Effects::Planned);
-        for ((_, body), angle) in report.bodies.iter().zip(angles) {
+        for (polhode::ReportedBody { state: body, .. }, angle) in report.bodies.iter().zip(angles) {
             let along = body.pose.rotation.rotate(DVec3::X);
             let off = (along - DVec3::new(angle.sin(), 0.0, -angle.cos())).length();
             assert!(off < 1e-11, "t = {duration} s: {off:e}");
@@ -76,11 +77,11 @@ fn bricard_loop_moves_as_its_one_equation_says() {
         for at in 0..6 {
             let [before, after] = [corners[(at + 5) % 6], corners[(at + 1) % 6]];
             let axis = UnitVector::new((corners[at] - before).cross(after - corners[at])).unwrap();
-            let joint = Joint::hinge(at.min(4), corners[at], axis);
-            builder = builder.joint(if (1..5).contains(&at) { joint.with(at - 1) } else { joint });
+            let joint = Joint::hinge(BodyId::new(at.min(4)), corners[at], axis);
+            builder = builder.joint(if (1..5).contains(&at) { joint.with(BodyId::new(at - 1)) } else { joint });
         }
         let (report, _) = run(&builder.build().unwrap(), Effects::Planned);
-        let third = report.bodies[2].1.pose.transform_point(DVec3::Z * 0.5);
+        let third = report.bodies[2].state.pose.transform_point(DVec3::Z * 0.5);
         assert!((third - DVec3::from_array(corner)).length() < 1e-12, "t = {duration} s: {third:?}");
         assert_held(&report);
     }

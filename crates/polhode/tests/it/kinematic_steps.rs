@@ -6,7 +6,7 @@ use crate::support::{accurate, ball, brick, elastic};
 use polhode::contact::Shape;
 use polhode::scene::{Method, PrescribedMotion};
 use polhode::spatial::{DVec3, Motion, Pose, Velocity};
-use polhode::{Body, Effects, Geometry, Scene, SceneBuilder, Simulation, Steering, Unobserved};
+use polhode::{Body, Geometry, Scene, SceneBuilder, Simulation, Steering};
 use std::f64::consts::PI;
 
 const G: f64 = 9.81;
@@ -32,7 +32,7 @@ fn box_on_a_conveyor_without_friction_stays() {
     let scene = scene.body(belt).body(brick("box", DVec3::splat(0.4), DVec3::Z * 0.2));
     let (report, recorder) = run_by(&scene, stepped(0.01));
     assert!(max_position_error(&recorder, 1, |_| DVec3::Z * 0.2) < 1e-13);
-    for (&t, row) in recorder.times.iter().zip(&recorder.samples) {
+    for (&t, row) in recorder.times_s.iter().zip(&recorder.samples) {
         assert_eq!((row[0].pose, row[0].velocity), (trajectory.pose(t), trajectory.velocity(t)), "{t}");
     }
     assert!(report.ledger.external.value().abs() < 1e-13 * report.ledger.scale_j, "{:?}", report.ledger);
@@ -121,7 +121,7 @@ fn pile_in_a_shaken_bin_goes_through_crowding() {
     assert!(report.certificate.max_penetration_of_limit <= 1.0, "{:?}", report.certificate);
     assert!(report.ledger.external.value().abs() > 1e-3, "{:?}", report.ledger);
     let trajectory = shaken_bin(0).build().unwrap().bodies()[0].trajectory().unwrap();
-    for (&t, row) in recorder.times.iter().zip(&recorder.samples) {
+    for (&t, row) in recorder.times_s.iter().zip(&recorder.samples) {
         for own in &row[1..] {
             let seen = trajectory.pose(t).inverse_transform_point(own.pose.translation);
             assert!(seen.x.abs() < 0.45 && seen.y.abs() < 0.45 && seen.z > 0.05, "{t} {seen}");
@@ -134,14 +134,14 @@ fn pile_in_a_shaken_bin_goes_through_crowding() {
 #[test]
 fn pile_in_a_steered_bin_stays_in_it() {
     let scene = shaken_bin(16).method(accurate()).build().unwrap();
-    let mut whole = Simulation::new(&scene, Effects::Planned).unwrap();
-    let mut resumed = Simulation::new(&scene, Effects::Planned).unwrap();
+    let mut whole = Simulation::new(&scene).unwrap();
+    let mut resumed = Simulation::new(&scene).unwrap();
     let bin = whole.body_id("bin").unwrap();
     let steer = |simulation: &mut Simulation, k: u32| {
         let t = 0.05 * f64::from(k + 1);
         let pose = Pose::from_translation(DVec3::new(0.02, 0.0, 0.01) * (4.0 * PI * t).sin());
         simulation.set_motion(bin, Steering::Pose { pose, within_s: 0.05 }).unwrap();
-        simulation.advance_to(t, &mut Unobserved).unwrap();
+        simulation.advance_to(t).unwrap();
         let inverse = simulation.body(bin).pose.inverse();
         for own in &simulation.bodies()[1..] {
             let seen = inverse.transform_point(own.pose.translation);
@@ -157,10 +157,10 @@ fn pile_in_a_steered_bin_stays_in_it() {
             steer(&mut resumed, k);
         }
     }
-    let report = whole.run(&mut Unobserved).unwrap();
+    let report = whole.run().unwrap();
     assert!(!report.crowded.is_empty() && report.crowding_error.is_some(), "{:?}", report.warnings);
     assert!(report.certificate.max_penetration_of_limit <= 1.0, "{:?}", report.certificate);
-    assert_eq!(report.ledger, resumed.run(&mut Unobserved).unwrap().ledger);
+    assert_eq!(report.ledger, resumed.run().unwrap().ledger);
     assert_eq!(whole.bodies(), resumed.bodies());
 }
 
@@ -171,13 +171,13 @@ fn pile_in_a_shaken_bin_by_fixed_steps() {
     let (report, _) = run_by(&scene, stepped(0.005));
     assert!(report.ledger.external.value().abs() > 1e-3, "{:?}", report.ledger);
     let scene = scene.method(stepped(0.005)).build().unwrap();
-    let mut whole = Simulation::new(&scene, Effects::Planned).unwrap();
-    whole.advance_to(0.4, &mut Unobserved).unwrap();
+    let mut whole = Simulation::new(&scene).unwrap();
+    whole.advance_to(0.4).unwrap();
     let snapshot = whole.snapshot();
-    let mut resumed = Simulation::new(&scene, Effects::Planned).unwrap();
+    let mut resumed = Simulation::new(&scene).unwrap();
     resumed.restore(&snapshot).unwrap();
     for simulation in [&mut whole, &mut resumed] {
-        simulation.advance_to(0.9, &mut Unobserved).unwrap();
+        simulation.advance_to(0.9).unwrap();
     }
     assert_eq!(whole.frame(), resumed.frame());
 }

@@ -60,7 +60,7 @@ fn deepest(recorder: &Recorder) -> f64 {
 #[test]
 fn a_chain_that_has_fallen_taut_rests() {
     let (report, recorder) = run(&chain(6, DVec3::NEG_Y, 1.0), Effects::Planned);
-    for (number, (_, sample)) in report.bodies.iter().enumerate() {
+    for (number, polhode::ReportedBody { state: sample, .. }) in report.bodies.iter().enumerate() {
         let taut = DVec3::NEG_Y * (2.0 * (RING[0] - RING[1]) * number as f64);
         assert!(sample.pose.translation.distance(taut) < 1e-10, "{number}: {}", sample.pose.translation);
         assert_eq!((sample.velocity.linear, sample.velocity.angular), (DVec3::ZERO, DVec3::ZERO), "{number}");

@@ -37,7 +37,7 @@ fn a_rim_of_many_points_slides_as_far_as_one_of_few() {
         let scene =
             on_slope(Rotation::IDENTITY, ring, &rough(friction)).method(method).duration_s(0.6).build().unwrap();
         let (report, _) = run(&scene, Effects::Planned);
-        let end = &report.bodies[0].1;
+        let end = &report.bodies[0].state;
         let x = end.pose.translation.x;
         assert!((x - distance).abs() < allowed, "{points}: {x} for {distance}");
         assert!((end.pose.translation.z - 0.02).abs() < 1e-9, "{points}: {end:?}");

@@ -5,7 +5,7 @@ use crate::friction::{rough, slope};
 use crate::support::{accurate, floor, run};
 use polhode::contact::Shape;
 use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Effects, Geometry, Recorder, RunReport, Scene, Simulation, Unobserved};
+use polhode::{Body, Effects, Geometry, Recorder, RunReport, Scene, Simulation};
 
 /// A box of 1 kg on the floor; a box of `ratio` kg, turned by `turn` (rad) about the vertical, slides on it.
 fn slide(ratio: f64, turn: f64, on_top: bool) -> (RunReport, Recorder) {
@@ -24,7 +24,7 @@ fn slide(ratio: f64, turn: f64, on_top: bool) -> (RunReport, Recorder) {
     let top = DVec3::new(0.0, 0.0, 0.9);
     let scene = if on_top { scene.body(heavy_brick("top", 3.0, DVec3::new(0.4, 0.4, 0.2), top)) } else { scene };
     let mut recorder = Recorder::default();
-    let report = Simulation::new(&scene.build().unwrap(), Effects::Planned).unwrap().run(&mut recorder).unwrap();
+    let report = Simulation::new(&scene.build().unwrap()).unwrap().run_observed(&mut recorder).unwrap();
     (report, recorder)
 }
 
@@ -93,8 +93,8 @@ fn rests(masses: &[f64], (angle, azimuth, twist): (f64, f64, f64)) -> (bool, f64
     let ground = Body::fixed("ground").geometry(Shape::half_space(normal).into()).material(material.clone());
     let scene = Scene::builder("stack").method(accurate()).body(ground);
     let scene = boxes.fold(scene, |scene, body| scene.body(on_plane(body)));
-    let mut simulation = Simulation::new(&scene.build().unwrap(), Effects::Planned).unwrap();
-    simulation.step(&mut Unobserved).unwrap();
+    let mut simulation = Simulation::new(&scene.build().unwrap()).unwrap();
+    simulation.step().unwrap();
     let still = simulation.bodies().iter().all(|body| body.velocity == Velocity::ZERO);
     (still && simulation.time() >= 1e-3, simulation.frame().certificate.max_residual)
 }
@@ -187,7 +187,7 @@ fn a_heavy_box_that_falls_tilted_on_a_light_plate_comes_to_an_end() {
             .body(heavy_brick("plate", 1.0, DVec3::new(1.0, 0.8, 0.1), DVec3::Z * 0.05).material(rough()))
             .body(heavy_brick("box", ratio, DVec3::splat(0.5), place).pose(Pose::new(tilt, place)).material(rough()));
         let (report, _) = run(&scene.build().unwrap(), Effects::Planned);
-        let heights = report.bodies.iter().map(|(_, state)| state.pose.translation.z);
+        let heights = report.bodies.iter().map(|polhode::ReportedBody { state, .. }| state.pose.translation.z);
         assert!(heights.fold(0.0, f64::max) < place.z, "{ratio:e}: {report:?}");
         let (first, last) = (report.energy.initial_j, report.energy.final_j);
         assert!(last < first, "{ratio:e}: the energy went from {first} J to {last} J");

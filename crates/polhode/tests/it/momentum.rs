@@ -4,7 +4,7 @@ use crate::checks::{assert_closes, heavy_brick, particle};
 use crate::support::{accurate, ball, elastic, floor, run};
 use polhode::scene::{Attachment, Force, Frame, Signal};
 use polhode::spatial::{DVec3, Pose, Rotation, Velocity};
-use polhode::{Effects, Scene};
+use polhode::{BodyId, Effects, Scene};
 
 /// Two balls collide in free space: no account receives momentum, and the total does not change.
 #[test]
@@ -33,7 +33,7 @@ fn applied_force_is_booked_as_its_impulse() {
         .duration_s(2.0)
         .body(particle("body", 1.9, DVec3::X, DVec3::ZERO))
         .force(Force::Applied {
-            body: 0,
+            body: BodyId::new(0),
             force,
             torque: DVec3::Z * 0.3,
             frame: Frame::World,
@@ -60,10 +60,10 @@ fn spring_between_bodies_gives_no_momentum() {
         .duration_s(3.0)
         .body(heavy_brick("a", 1.0, DVec3::new(0.5, 0.3, 0.2), DVec3::ZERO).velocity(Velocity::new(DVec3::Y, DVec3::X)))
         .body(heavy_brick("b", 2.0, DVec3::new(0.2, 0.4, 0.3), DVec3::X * 1.5))
-        .no_contact(vec![0, 1])
+        .no_contact([0, 1].map(BodyId::new))
         .force(Force::Spring {
-            a: Attachment::Body { body: 0, point: DVec3::new(0.2, 0.1, 0.0) },
-            b: Attachment::Body { body: 1, point: DVec3::new(-0.1, 0.0, 0.1) },
+            a: Attachment::Body { body: BodyId::new(0), point: DVec3::new(0.2, 0.1, 0.0) },
+            b: Attachment::Body { body: BodyId::new(1), point: DVec3::new(-0.1, 0.0, 0.1) },
             stiffness: 25.0,
             rest_length: 0.8,
             damping: 0.7,
@@ -92,7 +92,7 @@ fn floor_gives_the_impulse_of_the_weight() {
         .build()
         .unwrap();
     let (report, _) = run(&scene, Effects::Planned);
-    assert!(report.bodies[1].1.velocity.linear.z.abs() < 1e-12);
+    assert!(report.bodies[1].state.velocity.linear.z.abs() < 1e-12);
     let support = report.ledger.momentum.support.value().linear;
     let weight = 2.1 * 9.81 * 3.0;
     let lost = report.ledger.momentum.rest.value().linear + report.ledger.momentum.projection.value().linear;

@@ -44,7 +44,7 @@ fn belt_takes_a_box_along() {
             speed * t + slip * slipping - slip.normalize() * (0.2 * G * slipping * slipping) + DVec3::Z * 0.05
         });
         assert!(worst < tolerance, "{worst:e}");
-        assert!((report.bodies[0].1.velocity.linear - speed).length() < 0.1 * tolerance);
+        assert!((report.bodies[0].state.velocity.linear - speed).length() < 0.1 * tolerance);
         let heat = 0.5 * 2.0 * slip.length_squared();
         let lost = report.ledger.friction.value();
         assert!((lost / heat - 1.0).abs() < 10.0 * tolerance, "{lost} {heat}");
@@ -99,7 +99,7 @@ fn ball_on_a_belt_comes_to_roll() {
         .material(rough(0.4));
     let scene = scene(ball, belt(DVec3::X * speed)).build().expect("a scene");
     let (report, _) = run(&scene, Effects::Planned);
-    let velocity = report.bodies[0].1.velocity;
+    let velocity = report.bodies[0].state.velocity;
     assert!((velocity.linear - DVec3::X * (speed * k / (1.0 + k))).length() < 1e-12, "{velocity:?}");
     assert_closes(&report);
 }

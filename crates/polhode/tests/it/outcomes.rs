@@ -52,7 +52,7 @@ impl Observer for StopAt {
 fn stopped_run_is_degraded_by_what_it_has_done() {
     let end = |tolerance: f64, stop_s: f64| {
         let scene = ball_on_ring(tolerance).build().unwrap();
-        let report = Simulation::new(&scene, Effects::Planned).unwrap().run(&mut StopAt(stop_s)).unwrap();
+        let report = Simulation::new(&scene).unwrap().run_observed(&mut StopAt(stop_s)).unwrap();
         assert!(report.simulated_s < 3.0);
         report.outcome
     };

@@ -8,7 +8,7 @@ use polhode::contact::Shape;
 use polhode::dynamics::integrator::Method as Integrator;
 use polhode::scene::Method;
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation, Velocity};
-use polhode::{Body, Decision, Effect, Effects, EventKind, Recorder, Scene, SceneBuilder, Simulation, Unobserved};
+use polhode::{Body, Decision, Effect, Effects, EventKind, Recorder, Scene, SceneBuilder, Simulation};
 
 const G: f64 = 9.81;
 const PIVOT: DVec3 = DVec3::new(0.3, -0.2, 1.1);
@@ -38,7 +38,7 @@ fn tops() -> [(&'static str, Body); 4] {
 }
 
 fn largest_difference(a: &Recorder, b: &Recorder) -> (f64, f64) {
-    assert_eq!(a.times, b.times);
+    assert_eq!(a.times_s, b.times_s);
     let rows = a.samples.iter().flatten().zip(b.samples.iter().flatten());
     rows.fold((0.0, 0.0), |(place, speed): (f64, f64), (a, b)| {
         let apart = (a.pose.translation - b.pose.translation).length() + a.pose.rotation.angle_to(b.pose.rotation);
@@ -90,11 +90,11 @@ fn rk4_moves_a_top_on_rows_at_order_four() {
     let (_, body) = tops().into_iter().nth(1).unwrap();
     let scene = |method| Scene::builder("top").method(method).duration_s(0.4).body(body.clone()).build().unwrap();
     let precise = Method { tolerance: Some(1e-13), ..by(Integrator::Dop853, 0.01) };
-    let exact = run(&scene(precise), Effects::Planned).0.bodies[0].1.pose;
+    let exact = run(&scene(precise), Effects::Planned).0.bodies[0].state.pose;
     let errors = [0.008, 0.004, 0.002].map(|step| {
         let (report, _) = run(&scene(by(Integrator::Rk4, step)), Effects::All);
         assert_closes(&report);
-        report.bodies[0].1.pose.rotation.angle_to(exact.rotation)
+        report.bodies[0].state.pose.rotation.angle_to(exact.rotation)
     });
     for pair in errors.windows(2) {
         let order = (pair[0] / pair[1]).log2();
@@ -140,7 +140,7 @@ fn the_pivot_bears_what_the_centre_of_percussion_says() {
         let given = report.ledger.momentum.support.value().linear;
         let expected = impulse * (1.0 - MASS * ARM * depth / moment);
         assert!((given.x - expected).abs() < 1e-11, "{depth}: {given} {expected}");
-        assert!((report.bodies[0].1.velocity.angular.y - impulse * depth / moment).abs() < 1e-11);
+        assert!((report.bodies[0].state.velocity.angular.y - impulse * depth / moment).abs() < 1e-11);
         assert_closes(&report);
     }
 }
@@ -159,9 +159,9 @@ fn a_rod_rebounds_from_a_post() {
     let (report, recorder) = run(&weightless("post", 0.4).body(post).body(swinging).build().unwrap(), Effects::Planned);
     let struck: Vec<_> = recorder.events.iter().filter(|event| event.kind == EventKind::Impact).collect();
     assert_eq!(struck.len(), 1);
-    assert!((struck[0].t - 0.3 / w).abs() < 1e-11, "{}", struck[0].t);
+    assert!((struck[0].t_s - 0.3 / w).abs() < 1e-11, "{}", struck[0].t_s);
     assert!((struck[0].impulse - (1.0 + e) * w * moment / depth).abs() < 1e-11, "{}", struck[0].impulse);
-    let after = report.bodies[1].1;
+    let after = report.bodies[1].state;
     assert!((after.velocity.angular + DVec3::Y * (e * w)).length() < 1e-11, "{after:?}");
     assert!((after.pose.transform_point(DVec3::Z * ARM) - PIVOT).length() < 1e-14);
     assert_closes(&report);
@@ -170,9 +170,9 @@ fn a_rod_rebounds_from_a_post() {
     let pusher = pusher.pose(Pose::from_translation(place - DVec3::X * 0.07));
     let scene = weightless("pusher", 0.11).body(pusher).body(rod_at(0.0)).build().unwrap();
     let (report, recorder) = run(&scene, Effects::Planned);
-    assert!((recorder.events[0].t - 0.1).abs() < 1e-12);
+    assert!((recorder.events[0].t_s - 0.1).abs() < 1e-12);
     let expected = DVec3::NEG_Y * ((1.0 + e) * 0.7 / depth);
-    assert!((report.bodies[1].1.velocity.angular - expected).length() < 1e-11, "{:?}", report.bodies[1]);
+    assert!((report.bodies[1].state.velocity.angular - expected).length() < 1e-11, "{:?}", report.bodies[1]);
     assert_closes(&report);
 }
 
@@ -195,8 +195,8 @@ fn a_plank_rests_on_a_pivot_and_a_post() {
             .body(ball("ball", weight, radius, above, DVec3::ZERO))
             .build()
             .unwrap();
-        let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
-        simulation.advance_to(0.5, &mut Unobserved).unwrap();
+        let mut simulation = Simulation::new(&scene).unwrap();
+        simulation.advance_to(0.5).unwrap();
         let forces: Vec<f64> = simulation.contacts().iter().map(|contact| contact.normal_force_n).collect();
         let expected = [(mass + 0.3 * weight) * G / post_at, weight * G];
         assert_eq!(forces.len(), 2);
@@ -206,9 +206,13 @@ fn a_plank_rests_on_a_pivot_and_a_post() {
         let pivots = simulation.pivots();
         let weight_borne = DVec3::Z * ((mass + weight) * G - expected[0]);
         assert!((pivots[0].force_n - weight_borne).length() < 1e-11, "{pivots:?} {weight_borne}");
-        let report = simulation.run(&mut Unobserved).unwrap();
-        assert!(report.bodies.iter().all(|(_, body)| body.velocity.is_zero()), "{:?}", report.bodies);
-        assert_eq!(report.bodies[1].1.pose, *scene.bodies()[1].initial_pose());
+        let report = simulation.run().unwrap();
+        assert!(
+            report.bodies.iter().all(|polhode::ReportedBody { state: body, .. }| body.velocity.is_zero()),
+            "{:?}",
+            report.bodies
+        );
+        assert_eq!(report.bodies[1].state.pose, *scene.bodies()[1].initial_pose());
         let borne = report.ledger.momentum.support.value();
         assert!((borne.linear - DVec3::Z * ((mass + weight) * G)).length() < 1e-11, "{borne:?}");
         assert_closes(&report);
@@ -232,8 +236,8 @@ fn a_falling_rod_pushes_a_box() {
         scene.build().unwrap()
     };
     let (report, recorder) = run(&scene(accurate()), Effects::Planned);
-    let parted: Vec<f64> = recorder.events.iter().filter(|e| e.kind == EventKind::ContactEnd).map(|e| e.t).collect();
-    for (t, row) in recorder.times.iter().zip(&recorder.samples) {
+    let parted: Vec<f64> = recorder.events.iter().filter(|e| e.kind == EventKind::ContactEnd).map(|e| e.t_s).collect();
+    for (t, row) in recorder.times_s.iter().zip(&recorder.samples) {
         if parted.first().is_some_and(|parted| t >= parted) {
             break;
         }
@@ -249,7 +253,7 @@ fn a_falling_rod_pushes_a_box() {
     assert_closes(&report);
     for (method, tolerance) in [(by(Integrator::Exact, 0.01), 1e-6), (by(Integrator::Rk4, 0.005), 1e-6)] {
         let (other, events) = run(&scene(method), Effects::Planned);
-        let apart = (other.bodies[2].1.pose.translation - report.bodies[2].1.pose.translation).length();
+        let apart = (other.bodies[2].state.pose.translation - report.bodies[2].state.pose.translation).length();
         assert!(apart < tolerance, "{apart:e}");
         assert_eq!(events.events.len(), recorder.events.len());
         assert_closes(&other);
@@ -290,7 +294,7 @@ fn two_tops_lean_on_each_other() {
     assert!(numerical_relative(&report) < 1e-11, "{:e}", numerical_relative(&report));
     assert_closes(&report);
     let (reduced, _) = run(&scene.with_method(by(Integrator::Exact, 0.001)), Effects::Planned);
-    let apart = (reduced.bodies[0].1.pose.translation - report.bodies[0].1.pose.translation).length();
+    let apart = (reduced.bodies[0].state.pose.translation - report.bodies[0].state.pose.translation).length();
     assert!(apart < 1e-6, "{apart:e}");
 }
 
@@ -301,9 +305,9 @@ fn programs_act_on_bodies_that_rows_hold() {
     let scene =
         Scene::builder("acted on").method(accurate()).duration_s(1.0).body(floor()).body(rod(Rotation::IDENTITY));
     let scene = scene.gravity(DVec3::ZERO).build().unwrap();
-    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+    let mut simulation = Simulation::new(&scene).unwrap();
     let id = simulation.body_id("rod").unwrap();
-    simulation.advance_to(0.1, &mut Unobserved).unwrap();
+    simulation.advance_to(0.1).unwrap();
     simulation.apply_impulse(id, DVec3::X * 0.5, PIVOT - DVec3::Z * 0.7).unwrap();
     let w = -0.5 * 0.7 / swing_moment();
     let now = simulation.body(id);
@@ -315,13 +319,13 @@ fn programs_act_on_bodies_that_rows_hold() {
     assert!(simulation.set_pose(id, away).is_err());
     let turn = Rotation::from_rotation_vector(DVec3::X * 0.2);
     simulation.set_pose(id, Pose::new(turn, PIVOT - turn.rotate(DVec3::Z * ARM))).unwrap();
-    simulation.advance_to(0.437, &mut Unobserved).unwrap();
+    simulation.advance_to(0.437).unwrap();
     let snapshot = simulation.snapshot();
-    let mut other = Simulation::new(&scene, Effects::Planned).unwrap();
+    let mut other = Simulation::new(&scene).unwrap();
     other.restore(&snapshot).unwrap();
-    let report = simulation.run(&mut Unobserved).unwrap();
-    assert_eq!(other.run(&mut Unobserved).unwrap().bodies, report.bodies);
-    assert!((report.bodies[1].1.pose.transform_point(DVec3::Z * ARM) - PIVOT).length() < 1e-13);
+    let report = simulation.run().unwrap();
+    assert_eq!(other.run().unwrap().bodies, report.bodies);
+    assert!((report.bodies[1].state.pose.transform_point(DVec3::Z * ARM) - PIVOT).length() < 1e-13);
     assert_closes(&report);
 }
 

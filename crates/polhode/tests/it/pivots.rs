@@ -68,7 +68,7 @@ fn pendulum_accelerates_as_its_equation_says() {
     let (d, theta, w) = (0.37, 0.8, 1.7);
     let body = hanging(DVec3::Z * d, about_y(theta)).velocity(Velocity::new(DVec3::ZERO, DVec3::Y * w));
     let scene = Scene::builder("pendulum").body(body).build().unwrap();
-    let found = Simulation::new(&scene, Effects::Planned).unwrap().accelerations().unwrap()[0];
+    let found = Simulation::new(&scene).unwrap().accelerations().unwrap()[0];
     let alpha = DVec3::Y * (-BRICK_MASS * G * d * theta.sin() / swing_moment(d));
     let arm = about_y(theta).rotate(DVec3::NEG_Z * d);
     assert!((found.angular - alpha).length() < 1e-13, "{found:?} {alpha}");
@@ -76,7 +76,7 @@ fn pendulum_accelerates_as_its_equation_says() {
     // The pivot bears what the weight does not explain, as a constraint and in the reduced motion.
     let borne = (found.linear + DVec3::Z * G) * BRICK_MASS;
     for effects in [Effects::Planned, Effects::All] {
-        let pivots = Simulation::new(&scene, effects).unwrap().pivots();
+        let pivots = Simulation::with_effects(&scene, effects).unwrap().pivots();
         assert_eq!(pivots.len(), 1);
         assert!((pivots[0].force_n - borne).length() < 1e-12, "{pivots:?} {borne}");
         assert!((pivots[0].point_m - HOOK).length() < 1e-15);
@@ -100,7 +100,7 @@ fn symmetric_top_precesses_steadily() {
         .velocity(Velocity::new(DVec3::ZERO, DVec3::Z * w + axis * spin));
     let scene = Scene::builder("top").duration_s(5.0).output_interval_s(0.3).body(body).build().unwrap();
     let (report, recorder) = run(&scene, Effects::Planned);
-    for (&t, row) in recorder.times.iter().zip(&recorder.samples) {
+    for (&t, row) in recorder.times_s.iter().zip(&recorder.samples) {
         let expected = Rotation::from_rotation_vector(DVec3::Z * (w * t)).rotate(axis);
         let found = row[0].pose.rotation.rotate(DVec3::Z);
         assert!((found - expected).length() < 1e-10, "{t}: {:e}", (found - expected).length());
@@ -132,7 +132,7 @@ fn pivot_off_the_principal_axes_keeps_energy_and_vertical_momentum() {
     assert!(numerical_relative(&report) < 1e-12);
     assert_closes(&report);
     let (split, _) = run(&scene.with_method(by(Integrator::Splitting6, 1e-3)), Effects::Planned);
-    let apart = split.bodies[0].1.pose.rotation.angle_to(report.bodies[0].1.pose.rotation);
+    let apart = split.bodies[0].state.pose.rotation.angle_to(report.bodies[0].state.pose.rotation);
     assert!(apart < 1e-9, "{apart:e}");
 }
 
@@ -174,8 +174,8 @@ fn ball_strikes_a_pivoted_rod() {
         let impulse = (1.0 + e) * v / (1.0 / m + d * d / moment);
         let events: Vec<_> = recorder.events.iter().filter(|event| event.kind == EventKind::Impact).collect();
         assert_eq!(events.len(), 1);
-        assert!((events[0].t - gap / v).abs() < 1e-13 && (events[0].impulse / impulse - 1.0).abs() < 1e-12);
-        let (rod, ball) = (report.bodies[0].1, report.bodies[1].1);
+        assert!((events[0].t_s - gap / v).abs() < 1e-13 && (events[0].impulse / impulse - 1.0).abs() < 1e-12);
+        let (rod, ball) = (report.bodies[0].state, report.bodies[1].state);
         assert!((rod.velocity.angular - DVec3::Y * (impulse * d / moment)).length() < 1e-12, "{rod:?}");
         assert!((ball.velocity.linear.x - (impulse / m - v)).abs() < 1e-12, "{ball:?}");
         let momentum = moment * rod.velocity.angular.y - m * d * (ball.velocity.linear.x);
@@ -208,7 +208,7 @@ fn pendulum_bounces_off_a_wall() {
         .unwrap();
     let (report, recorder) = run(&scene, Effects::Planned);
     let mut times: Vec<f64> =
-        recorder.events.iter().filter(|event| event.kind == EventKind::Impact).map(|event| event.t).collect();
+        recorder.events.iter().filter(|event| event.kind == EventKind::Impact).map(|event| event.t_s).collect();
     times.dedup();
     assert_eq!(times.len(), 5, "{times:?}");
     for (number, t) in times.iter().enumerate() {
@@ -235,7 +235,7 @@ fn pendulum_comes_to_rest_on_a_stop() {
         .build()
         .unwrap();
     let (report, recorder) = run(&scene, Effects::Planned);
-    assert!(report.bodies[0].1.velocity.is_zero(), "{:?} {:?}", report.bodies[0], recorder.events.last());
+    assert!(report.bodies[0].state.velocity.is_zero(), "{:?} {:?}", report.bodies[0], recorder.events.last());
     assert_closes(&report);
 }
 

@@ -51,13 +51,13 @@ fn box_in_a_tilted_plane_moves_as_in_space() {
         let (planned, found) = run(&scene, Effects::Planned);
         let (all, reference) = run(&scene, Effects::All);
         assert!(is_planar(&planned) && !is_planar(&all), "{:?}", planned.plan.effects);
-        let (a, b) = (planned.bodies[1].1, all.bodies[1].1);
+        let (a, b) = (planned.bodies[1].state, all.bodies[1].state);
         assert!((a.pose.translation - b.pose.translation).length() < 1e-12, "{a:?} {b:?}");
         assert!(a.pose.rotation.angle_to(b.pose.rotation) < 1e-12, "{a:?} {b:?}");
         assert_eq!(found.events.len(), reference.events.len());
         for (x, y) in found.events.iter().zip(&reference.events) {
             // Each impact of the rattling magnifies the error of those before, by the ratio of the speeds.
-            assert!(x.kind == y.kind && (x.t - y.t).abs() < 1e-11, "{x:?} {y:?}");
+            assert!(x.kind == y.kind && (x.t_s - y.t_s).abs() < 1e-11, "{x:?} {y:?}");
         }
         assert_closes(&planned);
     }
@@ -89,7 +89,7 @@ fn asymmetric_fixed_body_makes_motion_in_space() {
         let (planned, _) = run(&scene, Effects::Planned);
         assert_eq!(is_planar(&planned), planar, "{y}");
         let (all, _) = run(&scene, Effects::All);
-        let (a, b) = (planned.bodies[1].1, all.bodies[1].1);
+        let (a, b) = (planned.bodies[1].state, all.bodies[1].state);
         assert!((a.pose.translation - b.pose.translation).length() < 1e-11, "{y}: {a:?} {b:?}");
     }
 }
@@ -113,7 +113,7 @@ fn several_bodies_in_one_plane_move_as_in_space() {
     let (all, reference) = run(&scene, Effects::All);
     assert!(is_planar(&planned));
     // Every impact magnifies the rounding errors; the first half second holds three impacts.
-    let half = found.times.iter().position(|&t| t >= 0.5).unwrap();
+    let half = found.times_s.iter().position(|&t| t >= 0.5).unwrap();
     for (a, b) in found.samples[half].iter().zip(&reference.samples[half]) {
         assert!((a.pose.translation - b.pose.translation).length() < 1e-11, "{a:?} {b:?}");
     }
@@ -165,7 +165,7 @@ fn a_corner_in_the_plane_of_motion_lands_as_in_space() {
         let (all, reference) = run(&scene, Effects::All);
         assert!(is_planar(&planned) && !is_planar(&all), "{:?}", planned.plan.effects);
         let impacts = |events: &[polhode::Event]| -> Vec<f64> {
-            events.iter().filter(|event| event.kind == polhode::EventKind::Impact).map(|event| event.t).collect()
+            events.iter().filter(|event| event.kind == polhode::EventKind::Impact).map(|event| event.t_s).collect()
         };
         let (impacts, expected) = (impacts(&found.events), impacts(&reference.events));
         assert!(expected.len() >= 2, "{expected:?}");

@@ -7,7 +7,7 @@ use polhode::scene::{
     Attachment, Force, Interpolation, MotionError, MotionTable, PrescribedMotion, SampledOrientations, Trajectory,
 };
 use polhode::spatial::{DVec3, Motion, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Geometry, Scene, SceneError};
+use polhode::{Body, BodyId, Geometry, Scene, SceneError};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -615,7 +615,9 @@ fn kinematic_bodies() {
             .body(ball("ball", 1.0, 0.5, DVec3::Z * 5.0, DVec3::ZERO))
             .build()
             .unwrap();
-        assert!(!scene.may_collide(0, 1) && scene.may_collide(1, 2));
+        assert!(
+            !scene.can_collide(BodyId::new(0), BodyId::new(1)) && scene.can_collide(BodyId::new(1), BodyId::new(2))
+        );
     }
 }
 
@@ -649,8 +651,8 @@ fn tables_and_initial_poses() {
 #[test]
 fn springs_on_kinematic_bodies() {
     let spring = Force::Spring {
-        a: Attachment::Body { body: 0, point: DVec3::ZERO },
-        b: Attachment::Body { body: 1, point: DVec3::ZERO },
+        a: Attachment::Body { body: BodyId::new(0), point: DVec3::ZERO },
+        b: Attachment::Body { body: BodyId::new(1), point: DVec3::ZERO },
         stiffness: 1.0,
         rest_length: 1.0,
         damping: 0.0,

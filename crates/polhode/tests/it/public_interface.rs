@@ -6,10 +6,7 @@ use crate::support::{accurate, ball, brick, elastic, floor};
 use polhode::contact::Shape;
 use polhode::scene::{Attachment, Force, Interpolation, Material, Method, MotionTable, PrescribedMotion, Tier};
 use polhode::spatial::{DVec3, Pose, Rotation, SplitMix64, UnitVector, Velocity};
-use polhode::{
-    Body, BodyId, Effects, Geometry, MotionKind, Recorder, RunReport, Scene, SceneBuilder, Simulation, Snapshot,
-    Unobserved,
-};
+use polhode::{Body, BodyId, Geometry, MotionKind, Recorder, RunReport, Scene, SceneBuilder, Simulation, Snapshot};
 
 const G: f64 = 9.81;
 const TIERS: [Tier; 3] = [Tier::Accurate, Tier::Stepped, Tier::Thesis];
@@ -19,7 +16,7 @@ fn by(tier: Tier) -> Method {
 }
 
 fn start(scene: &Scene) -> Simulation {
-    Simulation::new(scene, Effects::Planned).unwrap()
+    Simulation::new(scene).unwrap()
 }
 
 /// Two bricks and a ball that fall on a moving slab, whose top is at z = 0 at the start.
@@ -44,7 +41,7 @@ fn a_simulation_runs_in_another_thread() {
     for tier in TIERS {
         let scene = on_slab("threads", motion.clone()).method(by(tier)).build().unwrap();
         let run = |mut simulation: Simulation| {
-            simulation.run(&mut Unobserved).unwrap();
+            simulation.run().unwrap();
             simulation.snapshot().to_bytes()
         };
         let here = run(start(&scene));
@@ -59,8 +56,8 @@ fn pendulum() -> SceneBuilder {
     let pose = Pose::new(Rotation::from_rotation_vector(DVec3::Y * 1.3), DVec3::Z * 0.9);
     let rod = brick("rod", DVec3::new(0.1, 0.1, 0.6), DVec3::ZERO).pose(pose);
     let spring = Force::Spring {
-        a: Attachment::Body { body: 1, point: DVec3::Z * -0.3 },
-        b: Attachment::Body { body: 2, point: DVec3::Z * 0.05 },
+        a: Attachment::Body { body: BodyId::new(1), point: DVec3::Z * -0.3 },
+        b: Attachment::Body { body: BodyId::new(2), point: DVec3::Z * 0.05 },
         stiffness: 40.0,
         rest_length: 0.3,
         damping: 0.0,
@@ -108,12 +105,14 @@ fn scenes(tier: Tier) -> Vec<Scene> {
 
 /// All samples and events that an observer received, with all digits.
 fn record_text(recorder: &Recorder) -> String {
-    format!("{:?} {:?} {:?}", recorder.times, recorder.samples, recorder.events)
+    format!("{:?} {:?} {:?}", recorder.times_s, recorder.samples, recorder.events)
 }
 
 /// A report without its number of steps, to which calls of `advance_to` add while all bodies fly.
 fn report_text(report: &RunReport) -> String {
-    format!("{:?}", RunReport { steps: 0, ..report.clone() })
+    let mut report = report.clone();
+    report.steps = 0;
+    format!("{report:?}")
 }
 
 /// The answers to all queries at the present time, with all digits.
@@ -128,12 +127,12 @@ fn query_text(simulation: &Simulation) -> String {
 fn steps_and_stops_change_no_bit() {
     for scene in TIERS.into_iter().flat_map(scenes) {
         let (mut whole, mut stepped, mut cut) = (Recorder::default(), Recorder::default(), Recorder::default());
-        let report = start(&scene).run(&mut whole).unwrap();
+        let report = start(&scene).run_observed(&mut whole).unwrap();
         let mut simulation = start(&scene);
         while simulation.time() < scene.duration_s() {
-            simulation.step(&mut stepped).unwrap();
+            simulation.step_observed(&mut stepped).unwrap();
         }
-        assert_eq!(report_text(&simulation.run(&mut stepped).unwrap()), report_text(&report));
+        assert_eq!(report_text(&simulation.run_observed(&mut stepped).unwrap()), report_text(&report));
         assert!(record_text(&whole) == record_text(&stepped), "{}", scene.name());
         if scene.method().tier != Some(Tier::Accurate) {
             continue;
@@ -143,11 +142,11 @@ fn steps_and_stops_change_no_bit() {
         times.sort_by(f64::total_cmp);
         let mut simulation = start(&scene);
         for t in times {
-            simulation.advance_to(t, &mut cut).unwrap();
-            simulation.advance_to(t, &mut cut).unwrap();
+            simulation.advance_to_observed(t, &mut cut).unwrap();
+            simulation.advance_to_observed(t, &mut cut).unwrap();
             assert_eq!(simulation.time(), t);
         }
-        assert_eq!(report_text(&simulation.run(&mut cut).unwrap()), report_text(&report));
+        assert_eq!(report_text(&simulation.run_observed(&mut cut).unwrap()), report_text(&report));
         assert!(record_text(&whole) == record_text(&cut), "{}", scene.name());
     }
 }
@@ -155,16 +154,16 @@ fn steps_and_stops_change_no_bit() {
 /// What a program does: it pushes, strikes, throws and moves a body, adds another one and takes it away.
 fn act(simulation: &mut Simulation) -> BodyId {
     let ball = simulation.body_id("ball").unwrap();
-    simulation.advance_to(0.05, &mut Unobserved).unwrap();
+    simulation.advance_to(0.05).unwrap();
     simulation.set_force(ball, DVec3::new(0.2, 0.1, 0.3), DVec3::new(0.01, 0.0, 0.02)).unwrap();
-    simulation.advance_to(0.07, &mut Unobserved).unwrap();
+    simulation.advance_to(0.07).unwrap();
     let at = simulation.body(ball).pose.translation;
     simulation.apply_impulse(ball, DVec3::new(0.1, 0.2, 0.4), at + DVec3::X * 0.05).unwrap();
-    simulation.advance_to(0.1, &mut Unobserved).unwrap();
+    simulation.advance_to(0.1).unwrap();
     simulation.set_velocity(ball, Velocity::new(DVec3::Z, DVec3::X)).unwrap();
     simulation.set_pose(ball, Pose::from_translation(DVec3::new(0.05, 0.1, 2.0))).unwrap();
     let added = add(simulation);
-    simulation.advance_to(0.12, &mut Unobserved).unwrap();
+    simulation.advance_to(0.12).unwrap();
     simulation.remove_body(added).unwrap();
     added
 }
@@ -188,12 +187,12 @@ fn restored_simulations_go_on_with_the_same_bits() {
             }
             let from = one.time();
             let t = from + (scene.duration_s() - from) * random.uniform();
-            one.advance_to(t, &mut Unobserved).unwrap();
+            one.advance_to(t).unwrap();
             let kept = Snapshot::from_bytes(&one.snapshot().to_bytes()).unwrap();
             other.restore(&kept).unwrap();
             assert_eq!(query_text(&one), query_text(&other), "{} {t}", scene.name());
             let (mut first, mut second) = (Recorder::default(), Recorder::default());
-            let (one, other) = (one.run(&mut first).unwrap(), other.run(&mut second).unwrap());
+            let (one, other) = (one.run_observed(&mut first).unwrap(), other.run_observed(&mut second).unwrap());
             assert_eq!(format!("{one:?}"), format!("{other:?}"), "{} {t}", scene.name());
             assert!(record_text(&first) == record_text(&second), "{} {t}", scene.name());
             let closure = (one.ledger.closure_relative(), one.ledger.momentum.closure_relative());
@@ -205,7 +204,7 @@ fn restored_simulations_go_on_with_the_same_bits() {
 /// Twelve balls with friction that fall into a bin and roll against each other: their crowds fall into parts, whose
 /// bodies have joined and left them at different times.
 fn rough_balls() -> SceneBuilder {
-    let rough = || Material::new("rough", 0.5, 0.5).unwrap();
+    let rough = || Material::new("rough").with_friction(0.5).unwrap().with_restitution(0.5).unwrap();
     let mut scene = Scene::builder("rough balls").duration_s(1.2).body(floor().material(rough()));
     for (k, inward) in [DVec3::X, -DVec3::X, DVec3::Y, -DVec3::Y].into_iter().enumerate() {
         let wall = Geometry::Shape(Shape::half_space(UnitVector::new(inward).unwrap()));
@@ -233,7 +232,7 @@ fn runs_restored_in_crowded_stretches_have_the_same_bits() {
 
 fn restored_in_stretches(scene: &Scene) {
     let mut whole = Recorder::default();
-    let report = start(scene).run(&mut whole).unwrap();
+    let report = start(scene).run_observed(&mut whole).unwrap();
     assert!(report.crowded.len() > 1, "{:?}", report.crowded);
     let (mut simulation, mut record) = (start(scene), Recorder::default());
     for stretch in &report.crowded {
@@ -242,7 +241,7 @@ fn restored_in_stretches(scene: &Scene) {
             if t < simulation.time() {
                 continue;
             }
-            simulation.advance_to(t, &mut record).unwrap();
+            simulation.advance_to_observed(t, &mut record).unwrap();
             let kept = Snapshot::from_bytes(&simulation.snapshot().to_bytes()).unwrap();
             let views = query_text(&simulation);
             simulation = start(scene);
@@ -250,7 +249,7 @@ fn restored_in_stretches(scene: &Scene) {
             assert_eq!(query_text(&simulation), views, "{t}");
         }
     }
-    assert_eq!(report_text(&simulation.run(&mut record).unwrap()), report_text(&report));
+    assert_eq!(report_text(&simulation.run_observed(&mut record).unwrap()), report_text(&report));
     assert!(record_text(&whole) == record_text(&record));
 }
 
@@ -264,9 +263,9 @@ fn energies_and_momenta_are_sums_over_bodies() {
             scene = scene.body(ball(name, mass, radius, place, DVec3::new(mass - 2.5, 2.0, 3.0)));
         }
         let mut simulation = start(&scene.build().unwrap());
-        let about = simulation.run(&mut Unobserved).unwrap().ledger.momentum.about;
+        let about = simulation.run().unwrap().ledger.momentum.about;
         for t in [1.0, 1.1, 1.35] {
-            simulation.advance_to(t, &mut Unobserved).unwrap();
+            simulation.advance_to(t).unwrap();
             let (mut kinetic, mut potential, mut linear, mut angular) = (0.0, 0.0, DVec3::ZERO, DVec3::ZERO);
             for (name, mass, radius, _) in bodies {
                 let now = simulation.body(simulation.body_id(name).unwrap());
@@ -305,7 +304,7 @@ fn contacts_bear_the_weight() {
         let mut simulation = stacks(tier);
         let floor = simulation.body_id("floor").unwrap();
         for t in [0.0, 0.2, 0.203] {
-            simulation.advance_to(t, &mut Unobserved).unwrap();
+            simulation.advance_to(t).unwrap();
             let contacts = simulation.contacts();
             let on_floor = contacts.iter().filter(|contact| contact.body_a == floor || contact.body_b == floor);
             let (forces, torques): (Vec<f64>, Vec<DVec3>) = on_floor
@@ -332,16 +331,16 @@ fn stacks_are_islands() {
         let islands =
             |simulation: &Simulation| simulation.islands().into_iter().map(|island| island.bodies).collect::<Vec<_>>();
         assert_eq!(islands(&simulation), [[a0, a1], [b0, b1]], "{tier:?}");
-        simulation.advance_to(0.1, &mut Unobserved).unwrap();
+        simulation.advance_to(0.1).unwrap();
         assert_eq!(islands(&simulation), [[a0, a1], [b0, b1]], "{tier:?}");
         for body in [a0, b0] {
             simulation.set_force(body, DVec3::X * 0.5, DVec3::ZERO).unwrap();
         }
-        simulation.advance_to(0.2, &mut Unobserved).unwrap();
+        simulation.advance_to(0.2).unwrap();
         assert_eq!(islands(&simulation), [[a0, a1], [b0, b1]], "{tier:?}");
         let height = simulation.body(a1).pose.translation.z;
         simulation.remove_body(a0).unwrap();
-        simulation.advance_to(0.3, &mut Unobserved).unwrap();
+        simulation.advance_to(0.3).unwrap();
         if tier == Tier::Accurate {
             assert_eq!(islands(&simulation), [[b0, b1]]);
             assert_eq!(simulation.frame().motions[a1.index()], MotionKind::Flight);
@@ -365,7 +364,7 @@ fn frames_give_kinds_of_motion_from_the_start() {
 fn plans_count_the_bodies_that_are_there() {
     let scene = Scene::builder("counts").method(accurate()).body(floor());
     let mut simulation = start(&scene.body(ball("ball", 1.0, 0.1, DVec3::Z, DVec3::ZERO)).build().unwrap());
-    simulation.advance_to(0.25, &mut Unobserved).unwrap();
+    simulation.advance_to(0.25).unwrap();
     let added = add(&mut simulation);
     simulation.remove_body(added).unwrap();
     let facts: Vec<&str> = simulation.plan().effects.iter().map(|effect| effect.fact.as_str()).collect();
@@ -382,12 +381,12 @@ fn struck_ball_bounces() {
         let scene = scene.body(ball("ball", 2.0, 0.1, DVec3::Z * 0.1, DVec3::ZERO).material(elastic(0.5)));
         let mut simulation = start(&scene.build().unwrap());
         let id = simulation.body_id("ball").unwrap();
-        simulation.advance_to(0.2, &mut Unobserved).unwrap();
+        simulation.advance_to(0.2).unwrap();
         simulation.apply_impulse(id, DVec3::Z * -4.0, DVec3::Z * 0.2).unwrap();
-        simulation.advance_to(0.25, &mut Unobserved).unwrap();
+        simulation.advance_to(0.25).unwrap();
         let rise = simulation.body(id).pose.translation.z - 0.1;
         assert!((rise - (0.05 - 0.5 * G * 0.0025)).abs() < 1e-9, "{tier:?} {rise}");
-        let ledger = simulation.run(&mut Unobserved).unwrap().ledger;
+        let ledger = simulation.run().unwrap().ledger;
         assert!((ledger.external.value() - 4.0).abs() < 1e-12 && ledger.closure_relative() < 1e-12);
     }
 }
@@ -397,10 +396,10 @@ fn struck_ball_bounces() {
 fn stack_falls_without_its_floor() {
     for tier in TIERS {
         let mut simulation = stacks(tier);
-        simulation.advance_to(0.1, &mut Unobserved).unwrap();
+        simulation.advance_to(0.1).unwrap();
         let floor = simulation.body_id("floor").unwrap();
         simulation.remove_body(floor).unwrap();
-        simulation.advance_to(0.5, &mut Unobserved).unwrap();
+        simulation.advance_to(0.5).unwrap();
         for (name, z) in [("a0", 0.1), ("a1", 0.3), ("b0", 0.1), ("b1", 0.3)] {
             let fallen = z - simulation.body(simulation.body_id(name).unwrap()).pose.translation.z;
             assert!((fallen - 0.5 * G * 0.16).abs() < 1e-9, "{tier:?} {name} {fallen}");

@@ -5,10 +5,7 @@ use polhode::contact::Shape;
 use polhode::mesh::solid_box;
 use polhode::scene::{Method, MotionError, MotionTable, PrescribedMotion, SampledOrientations, SceneError, Tier};
 use polhode::spatial::{DVec3, Mass, Pose, Rotation, Velocity};
-use polhode::{
-    ActionError, Body, BodyId, Effects, Geometry, Scene, Simulation, SimulationError, Snapshot, SnapshotError,
-    Unobserved,
-};
+use polhode::{ActionError, Body, BodyId, Geometry, Scene, Simulation, SimulationError, Snapshot, SnapshotError};
 
 const TIERS: [Tier; 3] = [Tier::Accurate, Tier::Stepped, Tier::Thesis];
 
@@ -32,11 +29,11 @@ fn scene(tier: Tier) -> Scene {
 
 /// A run of the scene at 0.35 s whose body "gone" has been removed, and the handle of that body.
 fn running(tier: Tier) -> (Simulation, BodyId) {
-    let mut simulation = Simulation::new(&scene(tier), Effects::Planned).unwrap();
-    simulation.advance_to(0.2, &mut Unobserved).unwrap();
+    let mut simulation = Simulation::new(&scene(tier)).unwrap();
+    simulation.advance_to(0.2).unwrap();
     let gone = simulation.body_id("gone").unwrap();
     simulation.remove_body(gone).unwrap();
-    simulation.advance_to(0.35, &mut Unobserved).unwrap();
+    simulation.advance_to(0.35).unwrap();
     (simulation, gone)
 }
 
@@ -84,7 +81,7 @@ fn handles_of_removed_unknown_and_immovable_bodies() {
         for act in actions(gone) {
             assert_eq!(refused_action(&mut simulation, act), ActionError::RemovedBody("gone".to_owned()));
         }
-        let mut larger = Simulation::new(&scene(tier), Effects::Planned).unwrap();
+        let mut larger = Simulation::new(&scene(tier)).unwrap();
         let beyond = larger.add_body(ball("more", 1.0, 0.1, DVec3::splat(5.0), DVec3::ZERO)).unwrap();
         for act in actions(beyond) {
             let error = refused_action(&mut simulation, act);
@@ -120,7 +117,7 @@ fn numbers_that_are_not_finite() {
         }
         not_finite(&|own| own.apply_impulse(id, DVec3::X * f64::MAX, DVec3::splat(1e9)));
         not_finite(&|own| own.set_velocity(id, Velocity::new(DVec3::X * 1e200, DVec3::ZERO)));
-        simulation.advance_to(0.5, &mut Unobserved).unwrap();
+        simulation.advance_to(0.5).unwrap();
     }
 }
 
@@ -129,7 +126,7 @@ fn times_in_the_past() {
     for tier in TIERS {
         let (mut simulation, _) = running(tier);
         for t_s in [0.0, 0.35_f64.next_down(), -1.0].into_iter().chain(STRANGE) {
-            let error = refused(&mut simulation, |own| own.advance_to(t_s, &mut Unobserved));
+            let error = refused(&mut simulation, |own| own.advance_to(t_s));
             assert!(matches!(error, SimulationError::TimeInThePast { now_s: 0.35, .. }), "{t_s}: {error}");
         }
     }
@@ -212,7 +209,7 @@ fn kinematic_motions_that_are_not_finite() {
         );
         let added = Body::kinematic("wall", motion).geometry(shape()).pose(Pose::from_translation(DVec3::splat(10.0)));
         simulation.add_body(added).unwrap();
-        simulation.advance_to(0.6, &mut Unobserved).unwrap();
+        simulation.advance_to(0.6).unwrap();
     }
 }
 
@@ -230,8 +227,8 @@ fn snapshots_of_others() {
         let mut more = running(tier).0;
         let brick = Body::movable("more", solid_box(DVec3::ONE, Mass::new(1.0).unwrap()).unwrap());
         more.add_body(brick.pose(Pose::from_translation(DVec3::splat(9.0)))).unwrap();
-        let mut before = Simulation::new(&scene(tier), Effects::Planned).unwrap();
-        before.advance_to(0.2, &mut Unobserved).unwrap();
+        let mut before = Simulation::new(&scene(tier)).unwrap();
+        before.advance_to(0.2).unwrap();
         for other in [more.snapshot(), before.snapshot()] {
             let error = refused(&mut simulation, |own| own.restore(&other));
             assert!(matches!(error, SimulationError::Snapshot(_)), "{error}");
@@ -253,8 +250,8 @@ fn signed(mut bytes: Vec<u8>) -> Vec<u8> {
 #[test]
 fn every_byte_of_a_snapshot_inverted() {
     for tier in TIERS {
-        let mut simulation = Simulation::new(&scene(tier), Effects::Planned).unwrap();
-        simulation.advance_to(0.3, &mut Unobserved).unwrap();
+        let mut simulation = Simulation::new(&scene(tier)).unwrap();
+        simulation.advance_to(0.3).unwrap();
         let own = simulation.snapshot();
         let bytes = own.to_bytes();
         for place in 0..bytes.len() {
@@ -263,7 +260,7 @@ fn every_byte_of_a_snapshot_inverted() {
             Snapshot::from_bytes(&altered).unwrap_err();
             let Ok(snapshot) = Snapshot::from_bytes(&signed(altered)) else { continue };
             if simulation.restore(&snapshot).is_ok() {
-                let _ = simulation.step(&mut Unobserved);
+                let _ = simulation.step();
                 simulation.restore(&own).unwrap();
             }
             assert!(simulation.snapshot().to_bytes() == bytes, "{tier:?}: byte {place}");

@@ -17,7 +17,7 @@ const K: f64 = 0.4;
 
 /// A material of these frictions of rolling and spinning, m.
 fn felt(friction: f64, rolling: f64, spinning: f64) -> Material {
-    Material::new("felt", friction, 0.0).unwrap().with_rotational_friction(rolling, spinning).unwrap()
+    Material::new("felt").with_friction(friction).unwrap().with_rotational_friction(rolling, spinning).unwrap()
 }
 
 fn rolling(speed: f64) -> Body {
@@ -32,13 +32,13 @@ fn stepped() -> Method {
 fn path(scene: &Scene) -> (f64, DVec3, Vec<(f64, EventKind)>) {
     let (report, recorder) = run(scene, Effects::Planned);
     // The momentum of a body that never moves has no scale.
-    if !report.bodies[0].1.velocity.is_zero() {
+    if !report.bodies[0].state.velocity.is_zero() {
         assert_closes(&report);
     }
     let start = scene.bodies()[0].initial_pose().translation;
     let moved = recorder.samples.last().unwrap()[0].pose.translation - start;
-    let events = recorder.events.iter().map(|event| (event.t, event.kind)).collect();
-    (moved.length(), report.bodies[0].1.velocity.angular, events)
+    let events = recorder.events.iter().map(|event| (event.t_s, event.kind)).collect();
+    (moved.length(), report.bodies[0].state.velocity.angular, events)
 }
 
 /// A ball that rolls without slip slows down at `c g / (R (1 + k))` and stays where it halts, after `v^2 / 2a`. What
@@ -55,12 +55,12 @@ fn ball_rolls_to_a_halt() {
         let (report, recorder) = run(&scene, Effects::Planned);
         let moved = recorder.samples.last().unwrap()[0].pose.translation.x;
         assert!((moved / distance - 1.0).abs() < tolerance, "{moved} {distance}");
-        assert!(report.bodies[0].1.velocity.is_zero(), "{:?}", report.bodies[0].1);
+        assert!(report.bodies[0].state.velocity.is_zero(), "{:?}", report.bodies[0].state);
         assert_closes(&report);
         let lost = report.ledger.friction.value() / (0.5 * (1.0 + K) * speed * speed);
         assert!((lost - 1.0).abs() < tolerance.max(1e-9), "{lost}");
         if exact {
-            let rest = recorder.events.iter().find(|event| event.kind == EventKind::Rest).unwrap().t;
+            let rest = recorder.events.iter().find(|event| event.kind == EventKind::Rest).unwrap().t_s;
             assert!((rest / time - 1.0).abs() < 1e-11, "{rest} {time}");
         }
     }
@@ -114,7 +114,7 @@ fn sliding_ball_begins_to_roll_against_friction_of_rolling() {
     let time = speed / (mu * G + RADIUS * spin_rate);
     let scene = on_slope(Rotation::IDENTITY, body, &felt(mu, friction, 0.0)).duration_s(0.9 * time);
     let (report, _) = run(&scene.clone().build().unwrap(), Effects::Planned);
-    let (t, end) = (0.9 * time, report.bodies[0].1.velocity);
+    let (t, end) = (0.9 * time, report.bodies[0].state.velocity);
     assert!((end.linear.x - (speed - mu * G * t)).abs() < 1e-11, "{end:?}");
     assert!((end.angular.y - spin_rate * t).abs() < 1e-10, "{end:?}");
     let (_, _, events) = path(&scene.duration_s(1.1 * time).build().unwrap());
@@ -150,7 +150,8 @@ fn run_goes_on_with_the_same_bits() {
 #[test]
 fn ball_that_bounces_loses_spin() {
     let (e, drop, friction) = (0.5, 0.8, 0.003);
-    let rubber = Material::new("rubber", 0.9, e).expect("a material");
+    let rubber =
+        Material::new("rubber").with_friction(0.9).expect("a material").with_restitution(e).expect("a material");
     let rubber = rubber.with_rotational_friction(friction, 2.0 * friction).expect("lengths");
     let impulse = (1.0 + e) * drop;
     let change = friction * impulse / (RADIUS * (1.0 + K));
@@ -162,7 +163,7 @@ fn ball_that_bounces_loses_spin() {
             let scene = on_slope(Rotation::IDENTITY, body, &rubber).method(method.clone());
             let scene = scene.gravity(DVec3::ZERO).duration_s(0.01).build().expect("a scene");
             let (report, _) = run(&scene, Effects::Planned);
-            let after = report.bodies[0].1.velocity;
+            let after = report.bodies[0].state.velocity;
             let less = |value: f64, change: f64| value.signum() * (value.abs() - change).max(0.0);
             let (speed_after, spin_after) = (less(speed, change), less(spin, spin_change));
             let expected = DVec3::new(speed_after, 0.0, e * drop);

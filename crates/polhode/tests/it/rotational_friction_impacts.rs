@@ -56,7 +56,11 @@ fn friction_of_rolling_gives_no_energy_at_impacts() {
         let mut numbers = Numbers(SplitMix64::new(seed));
         let kind = (seed % 5) as usize;
         let restitution = [0.0, 0.5, 1.0][(seed / 5 % 3) as usize];
-        let felt = Material::new("felt", numbers.between(0.1, 1.5), restitution).expect("a material");
+        let felt = Material::new("felt")
+            .with_friction(numbers.between(0.1, 1.5))
+            .expect("a material")
+            .with_restitution(restitution)
+            .expect("a material");
         let felt = felt.with_rotational_friction(numbers.between(0.0, 0.01), numbers.between(0.0, 0.02));
         let felt = felt.expect("lengths of friction");
         let turn = Rotation::from_rotation_vector(numbers.vector(3.0));
@@ -80,7 +84,11 @@ fn several_contacts_with_friction_of_rolling_give_no_energy() {
         let mut numbers = Numbers(SplitMix64::new(1000 + seed));
         let law = if seed % 2 == 0 { ImpactLaw::Simultaneous } else { ImpactLaw::Propagation };
         let restitution = [0.0, 0.4, 1.0][(seed % 3) as usize];
-        let felt = Material::new("felt", numbers.between(0.1, 1.5), restitution).expect("a material");
+        let felt = Material::new("felt")
+            .with_friction(numbers.between(0.1, 1.5))
+            .expect("a material")
+            .with_restitution(restitution)
+            .expect("a material");
         let felt = felt.with_rotational_friction(numbers.between(0.0, 0.005), numbers.between(0.0, 0.01));
         let felt = felt.expect("lengths of friction");
         let lower = body_of((seed % 5) as usize, "lower").pose(Pose::from_translation(DVec3::Z * 0.12));
@@ -107,7 +115,11 @@ fn contact_that_a_pivot_leaves_no_freedom_is_no_error() {
     for law in [ImpactLaw::Simultaneous, ImpactLaw::Propagation] {
         for (friction, rolling) in [(0.4, 0.0), (0.4, 0.002), (0.0, 0.0)] {
             for restitution in [0.0, 0.5, 1.0] {
-                let felt = Material::new("felt", friction, restitution).expect("a material");
+                let felt = Material::new("felt")
+                    .with_friction(friction)
+                    .expect("a material")
+                    .with_restitution(restitution)
+                    .expect("a material");
                 let felt = felt.with_rotational_friction(rolling, 2.0 * rolling).expect("lengths of friction");
                 let held =
                     ball("held", 1.0, 0.1, DVec3::new(0.3, 0.2, 0.1), DVec3::ZERO).pivot(DVec3::new(0.3, 0.2, 0.1));

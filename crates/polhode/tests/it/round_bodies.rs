@@ -27,7 +27,8 @@ fn capsules_that_have_met_without_restitution_part() {
         .build()
         .unwrap();
     let (report, _) = run(&scene, Effects::Planned);
-    let momentum: DVec3 = report.bodies.iter().map(|(_, sample)| sample.velocity.linear).sum();
+    let momentum: DVec3 =
+        report.bodies.iter().map(|polhode::ReportedBody { state: sample, .. }| sample.velocity.linear).sum();
     assert!((momentum + DVec3::Z * 2.0).length() < 1e-14, "{momentum}");
     assert!(report.certificate.max_penetration_m < 1e-12);
 }
@@ -42,7 +43,7 @@ fn ball_that_has_met_the_inside_of_a_ring_goes_through() {
         .build()
         .unwrap();
     let (report, _) = run(&scene, Effects::Planned);
-    let end = report.bodies[1].1.pose.translation;
+    let end = report.bodies[1].state.pose.translation;
     assert!(end.z < -1.0 && end.x < 0.0 && (end.x - 2.0 * end.y).abs() < 1e-12, "{end}");
 }
 
@@ -57,7 +58,7 @@ fn bodies_on_the_axis_of_a_ring_rest_on_it() {
         let scene = Scene::builder("on a ring").duration_s(2.0).body(lower).body(upper).build().unwrap();
         let (report, _) = run(&scene, Effects::Planned);
         assert!(report.certificate.max_penetration_m < 1e-12);
-        report.bodies[1].1.pose.translation
+        report.bodies[1].state.pose.translation
     };
     for aside in [0.0, 1e-12, 1e-9] {
         let end = on_ring(ball("ball", 1.0, 0.35, DVec3::new(aside, 0.0, 0.9), DVec3::ZERO));
@@ -269,7 +270,7 @@ fn a_chain_of_rings_hangs_together() {
         assert!(report.certificate.max_penetration_m < 1e-12, "{:?}", report.certificate);
         assert!(report.ledger.numerical.value().abs() < 1e-10, "{:?}", report.ledger);
         // Taut, each link hangs half a metre below the one above it; swinging, a little less.
-        let lowest = report.bodies[3].1.pose.translation.z;
+        let lowest = report.bodies[3].state.pose.translation.z;
         assert!((-1.5..-1.2).contains(&lowest), "{lowest}");
     }
 }

@@ -42,7 +42,7 @@ fn after(shape: Shape, height: f64, velocity: DVec3, step: f64, tier: Tier) -> D
         .body(tile("second", 0.5, step))
         .body(slider(shape, height, velocity));
     let (report, _) = run(&scene.build().unwrap(), Effects::Planned);
-    report.bodies[2].1.velocity.linear
+    report.bodies[2].state.velocity.linear
 }
 
 #[test]
@@ -75,7 +75,7 @@ fn elastic_ball_does_not_bounce_at_a_seam() {
         .body(tile("second", 0.5, 0.0))
         .body(ball("ball", 1.0, 0.05, DVec3::new(-0.4, 0.0, 0.05), DVec3::X));
     let (report, _) = run(&scene.build().unwrap(), Effects::Planned);
-    assert_eq!(report.bodies[2].1.velocity.linear, DVec3::X);
+    assert_eq!(report.bodies[2].state.velocity.linear, DVec3::X);
     assert!(report.events < 10, "{}", report.events);
 }
 
@@ -86,5 +86,5 @@ fn uncovered_edge_is_an_edge() {
     let scene = Scene::builder("edge").method(accurate()).duration_s(0.6).body(floor).body(tile("second", 0.5, 0.0));
     let ball = ball("ball", 1.0, 0.05, DVec3::new(-0.4, 0.0, 0.03), DVec3::X * 0.5);
     let (report, _) = run(&scene.duration_s(1.0).body(ball).build().unwrap(), Effects::Planned);
-    assert!(report.bodies[2].1.velocity.linear.x < 0.4, "{:?}", report.bodies[2].1.velocity);
+    assert!(report.bodies[2].state.velocity.linear.x < 0.4, "{:?}", report.bodies[2].state.velocity);
 }

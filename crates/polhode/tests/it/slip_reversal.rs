@@ -8,7 +8,7 @@ use crate::friction::{lying, on_slope, rough};
 use crate::support::{accurate, brick, floor, run};
 use polhode::scene::{Force, Frame, Signal};
 use polhode::spatial::{DVec3, Rotation, SplitMix64, Velocity};
-use polhode::{Effects, EventKind, Scene};
+use polhode::{BodyId, Effects, EventKind, Scene};
 
 const G: f64 = 9.81;
 
@@ -24,7 +24,7 @@ fn slip_that_reverses_loses_nothing() {
             .velocity(Velocity::new(DVec3::X * speed, DVec3::ZERO))
             .material(rough(mu));
         let force = Force::Applied {
-            body: 1,
+            body: BodyId::new(1),
             force: DVec3::X * pull,
             torque: DVec3::ZERO,
             frame: Frame::World,
@@ -44,7 +44,7 @@ fn slip_that_reverses_loses_nothing() {
         let (report, _) = run(&scene, Effects::Planned);
         let reversal = speed / (mu * G + (pull + mu * mass * G));
         let expected = speed + mu * G * (0.2 - 2.0 * reversal);
-        let found = report.bodies[2].1.velocity.linear.x;
+        let found = report.bodies[2].state.velocity.linear.x;
         assert!((found - expected).abs() < 1e-12 * (1.0 + speed), "{found} {expected} {speed}");
     }
 }
@@ -59,7 +59,7 @@ fn slip_ends_at_its_instant() {
         let body = lying(DVec3::new(0.5, 0.4, 0.02), random.uniform(), DVec3::X * speed);
         let scene = on_slope(Rotation::IDENTITY, body, &rough(mu)).duration_s(1.5 * time).build().unwrap();
         let (_, recorder) = run(&scene, Effects::Planned);
-        let sticks = recorder.events.iter().find(|event| event.kind == EventKind::Stick).unwrap().t;
+        let sticks = recorder.events.iter().find(|event| event.kind == EventKind::Stick).unwrap().t_s;
         assert!((sticks / time - 1.0).abs() < 1e-12, "{sticks} {time}");
     }
 }

@@ -10,16 +10,16 @@ use polhode::scene::{
 };
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation, SplitMix64, Velocity};
 use polhode::{
-    Body, Effects, Geometry, Recorder, Scene, SceneBuilder, Simulation, SimulationError, Snapshot, SnapshotError,
-    Unobserved,
+    Body, BodyId, Effects, Geometry, Recorder, Scene, SceneBuilder, Simulation, SimulationError, Snapshot,
+    SnapshotError,
 };
 
 /// The samples and events of a run from the given indices on, and its report, with all digits.
 fn record_text(recorder: &Recorder, (samples, events): (usize, usize), simulation: &mut Simulation) -> String {
-    let report = simulation.run(&mut Unobserved).unwrap();
+    let report = simulation.run().unwrap();
     format!(
         "{:?} {:?} {:?} {report:?}",
-        &recorder.times[samples..],
+        &recorder.times_s[samples..],
         &recorder.samples[samples..],
         &recorder.events[events..]
     )
@@ -29,7 +29,7 @@ fn record_text(recorder: &Recorder, (samples, events): (usize, usize), simulatio
 fn finish(simulation: &mut Simulation, recorder: &mut Recorder, duration_s: f64) -> usize {
     let mut steps = 0;
     while simulation.time() < duration_s {
-        simulation.step(recorder).unwrap();
+        simulation.step_observed(recorder).unwrap();
         steps += 1;
     }
     steps
@@ -37,7 +37,7 @@ fn finish(simulation: &mut Simulation, recorder: &mut Recorder, duration_s: f64)
 
 /// A simulation that is restored from the bytes of a snapshot.
 fn restored(scene: &Scene, effects: Effects, bytes: &[u8]) -> Simulation {
-    let mut simulation = Simulation::new(scene, effects).unwrap();
+    let mut simulation = Simulation::with_effects(scene, effects).unwrap();
     let snapshot = Snapshot::from_bytes(bytes).unwrap();
     simulation.restore(&snapshot).unwrap();
     assert_eq!(simulation.snapshot(), snapshot, "a restored simulation gives the snapshot that it was restored from");
@@ -50,16 +50,16 @@ pub(crate) fn check_restored_runs(scene: &Scene, effects: Effects) {
     let name = scene.name();
     let duration = scene.duration_s();
     let mut whole = Recorder::default();
-    let mut simulation = Simulation::new(scene, effects).unwrap();
+    let mut simulation = Simulation::with_effects(scene, effects).unwrap();
     let mut stops = vec![(simulation.snapshot().to_bytes(), 0, 0)];
     let mut after_event = 0;
     let mut steps = 0u32;
     while simulation.time() < duration {
-        let event = simulation.step(&mut whole).unwrap().is_event();
+        let event = simulation.step_observed(&mut whole).unwrap().is_event();
         steps += 1;
         after_event += usize::from(event);
         if (event && after_event <= 5) || steps.is_power_of_two() {
-            stops.push((simulation.snapshot().to_bytes(), whole.times.len(), whole.events.len()));
+            stops.push((simulation.snapshot().to_bytes(), whole.times_s.len(), whole.events.len()));
         }
     }
     for (bytes, samples, events) in &stops {
@@ -73,8 +73,8 @@ pub(crate) fn check_restored_runs(scene: &Scene, effects: Effects) {
     let mut random = SplitMix64::new(name.len() as u64);
     for _ in 0..3 {
         let t = duration * random.uniform();
-        let mut simulation = Simulation::new(scene, effects).unwrap();
-        simulation.advance_to(t, &mut Unobserved).unwrap();
+        let mut simulation = Simulation::with_effects(scene, effects).unwrap();
+        simulation.advance_to(t).unwrap();
         let bytes = simulation.snapshot().to_bytes();
         let mut runs = [(simulation, Recorder::default()), (restored(scene, effects, &bytes), Recorder::default())];
         let [one, other] = &mut runs;
@@ -123,8 +123,12 @@ fn chain(method: Method) -> Scene {
         builder = builder.body(body.material(elastic(0.5)));
     }
     for k in 0..3 {
-        let b = Attachment::Body { body: k + 1, point: DVec3::new(0.0, 0.02, 0.03) };
-        let a = if k == 0 { Attachment::World(DVec3::Z) } else { Attachment::Body { body: k, point: DVec3::ZERO } };
+        let b = Attachment::Body { body: BodyId::new(k + 1), point: DVec3::new(0.0, 0.02, 0.03) };
+        let a = if k == 0 {
+            Attachment::World(DVec3::Z)
+        } else {
+            Attachment::Body { body: BodyId::new(k), point: DVec3::ZERO }
+        };
         builder = builder.force(Force::Spring { a, b, stiffness: 60.0, rest_length: 0.3, damping: 0.0 });
     }
     builder.build().unwrap()
@@ -169,7 +173,7 @@ fn bouncing_bodies_go_on_with_the_same_bits() {
 fn bodies_in_air_go_on_with_the_same_bits() {
     for rotational in [0.0, 0.02] {
         let drag = Force::Drag {
-            body: 1,
+            body: BodyId::new(1),
             law: DragLaw::Quadratic,
             translational: 0.4,
             rotational,
@@ -208,7 +212,7 @@ fn chains_with_springs_go_on_with_the_same_bits() {
     }
     let mut free = Scene::builder("free chain").duration_s(0.7).output_interval_s(0.013);
     free = free.body(particle("a", 1.0, DVec3::ZERO, DVec3::X)).body(particle("b", 2.0, DVec3::X, DVec3::Y));
-    let [a, b] = [0, 1].map(|body| Attachment::Body { body, point: DVec3::ZERO });
+    let [a, b] = [0, 1].map(|body| Attachment::Body { body: BodyId::new(body), point: DVec3::ZERO });
     free = free.force(Force::Spring { a, b, stiffness: 90.0, rest_length: 0.3, damping: 0.0 });
     for integrator in Integrator::ALL {
         check_restored_runs(&free.clone().method(by(integrator)).build().unwrap(), Effects::Planned);
@@ -228,7 +232,7 @@ fn planar_pushed_and_resting_bodies_go_on_with_the_same_bits() {
     check_restored_runs(&planar.build().unwrap(), Effects::All);
     let force = DVec3::new(3.0, -1.0, 0.0);
     let push = Force::Applied {
-        body: 1,
+        body: BodyId::new(1),
         force,
         torque: DVec3::ZERO,
         frame: Frame::World,
@@ -253,14 +257,14 @@ fn a_slab_that_begins_to_move_later_moves_after_a_restore_too() {
     let scene = Scene::builder("lift").method(accurate()).duration_s(1.5).body(slab).body(brick).build().unwrap();
     check_restored_runs(&scene, Effects::Planned);
 
-    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
-    simulation.advance_to(0.1, &mut Unobserved).unwrap();
+    let mut simulation = Simulation::new(&scene).unwrap();
+    simulation.advance_to(0.1).unwrap();
     let mut continued = restored(&scene, Effects::Planned, &simulation.snapshot().to_bytes());
     // At the very time at which the motion begins, whether or not the run has passed it.
-    continued.advance_to(0.5, &mut Unobserved).unwrap();
+    continued.advance_to(0.5).unwrap();
     let mut continued = restored(&scene, Effects::Planned, &continued.snapshot().to_bytes());
-    continued.run(&mut Unobserved).unwrap();
-    simulation.run(&mut Unobserved).unwrap();
+    continued.run().unwrap();
+    simulation.run().unwrap();
     assert_eq!(continued.bodies(), simulation.bodies());
 }
 
@@ -283,13 +287,13 @@ fn the_thesis_tier_goes_on_with_the_same_bits() {
 #[test]
 fn a_run_beyond_its_end_goes_on_with_the_same_bits() {
     let scene = thrown_brick(0.2).duration_s(0.5).build().unwrap();
-    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+    let mut simulation = Simulation::new(&scene).unwrap();
     for stop in [0.5, 0.8] {
-        simulation.advance_to(stop, &mut Unobserved).unwrap();
+        simulation.advance_to(stop).unwrap();
         let mut other = restored(&scene, Effects::Planned, &simulation.snapshot().to_bytes());
         for _ in 0..9 {
-            simulation.step(&mut Unobserved).unwrap();
-            other.step(&mut Unobserved).unwrap();
+            simulation.step().unwrap();
+            other.step().unwrap();
         }
         assert_eq!(simulation.snapshot().to_bytes(), other.snapshot().to_bytes());
     }
@@ -305,8 +309,8 @@ fn refusal(result: Result<(), SimulationError>) -> SnapshotError {
 #[test]
 fn bytes_that_are_cut_short_or_altered_are_refused() {
     let scene = thrown_brick(0.5).build().unwrap();
-    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
-    simulation.advance_to(0.6, &mut Unobserved).unwrap();
+    let mut simulation = Simulation::new(&scene).unwrap();
+    simulation.advance_to(0.6).unwrap();
     let bytes = simulation.snapshot().to_bytes();
     assert_eq!(Snapshot::from_bytes(&bytes).unwrap(), simulation.snapshot());
     for length in 0..bytes.len() {
@@ -331,27 +335,27 @@ fn bytes_that_are_cut_short_or_altered_are_refused() {
 #[test]
 fn snapshots_of_other_scenes_and_effects_are_refused_and_change_nothing() {
     let scene = thrown_brick(0.5).build().unwrap();
-    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
-    simulation.advance_to(0.3, &mut Unobserved).unwrap();
+    let mut simulation = Simulation::new(&scene).unwrap();
+    simulation.advance_to(0.3).unwrap();
     let before = simulation.snapshot().to_bytes();
     let nearly_the_same = thrown_brick(0.5 + f64::EPSILON).build().unwrap();
     let rk4 = thrown_brick(0.5).method(by(Integrator::Rk4)).build().unwrap();
     for other in [nearly_the_same, rk4] {
-        let other = Simulation::new(&other, Effects::Planned).unwrap().snapshot();
+        let other = Simulation::new(&other).unwrap().snapshot();
         let error = refusal(simulation.restore(&other));
         assert!(matches!(error, SnapshotError::OtherScene { .. }), "{error}");
         assert_eq!(simulation.snapshot().to_bytes(), before);
     }
-    let all = Simulation::new(&scene, Effects::All).unwrap().snapshot();
+    let all = Simulation::with_effects(&scene, Effects::All).unwrap().snapshot();
     assert!(matches!(refusal(simulation.restore(&all)), SnapshotError::OtherEffects { .. }));
     assert_eq!(simulation.snapshot().to_bytes(), before);
     let mut untouched = restored(&scene, Effects::Planned, &before);
-    simulation.advance_to(1.0, &mut Unobserved).unwrap();
-    untouched.advance_to(1.0, &mut Unobserved).unwrap();
+    simulation.advance_to(1.0).unwrap();
+    untouched.advance_to(1.0).unwrap();
     assert_eq!(simulation.snapshot().to_bytes(), untouched.snapshot().to_bytes());
     // Another duration is no other scene: nothing before the end depends on it, and a run can be extended.
     let longer = thrown_brick(0.5).duration_s(2.0).build().unwrap();
-    let mut longer = Simulation::new(&longer, Effects::Planned).unwrap();
+    let mut longer = Simulation::new(&longer).unwrap();
     longer.restore(&simulation.snapshot()).unwrap();
     assert_eq!(longer.snapshot().to_bytes(), simulation.snapshot().to_bytes());
 }
@@ -372,8 +376,8 @@ fn forged_content_does_not_panic() {
     let scenes =
         [thrown_brick(0.0).build().unwrap(), chain(by(Integrator::Rk4)), diamond(2, Sides::Touch).build().unwrap()];
     for scene in scenes {
-        let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
-        simulation.advance_to(0.45, &mut Unobserved).unwrap();
+        let mut simulation = Simulation::new(&scene).unwrap();
+        simulation.advance_to(0.45).unwrap();
         let bytes = simulation.snapshot().to_bytes();
         let before = simulation.snapshot();
         let mut random = SplitMix64::new(7);

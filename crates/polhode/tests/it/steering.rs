@@ -7,8 +7,7 @@ use polhode::contact::Shape;
 use polhode::scene::{Interpolation, Method, MotionTable, PrescribedMotion, SampledOrientations, Tier};
 use polhode::spatial::{DVec3, Pose, Rotation, Velocity};
 use polhode::{
-    ActionError, Body, BodyId, Effects, Geometry, Outcome, Recorder, RunReport, Scene, Simulation, SimulationError,
-    Steering, Unobserved,
+    ActionError, Body, BodyId, Geometry, Outcome, Recorder, RunReport, Scene, Simulation, SimulationError, Steering,
 };
 
 const G: f64 = 9.81;
@@ -31,15 +30,15 @@ fn scene(tier: Tier, slab: Body, load: Body) -> Scene {
 
 /// Advances to these times and does what the program does there; then runs to the end.
 fn run(scene: &Scene, program: &[(f64, Steering)]) -> (RunReport, Recorder) {
-    let mut simulation = Simulation::new(scene, Effects::Planned).unwrap();
+    let mut simulation = Simulation::new(scene).unwrap();
     let mut recorder = Recorder::default();
     for &(t, steering) in program {
         if t > simulation.time() {
-            simulation.advance_to(t, &mut recorder).unwrap();
+            simulation.advance_to_observed(t, &mut recorder).unwrap();
         }
         simulation.set_motion(body(&simulation, "slab"), steering).unwrap();
     }
-    let report = simulation.run(&mut recorder).unwrap();
+    let report = simulation.run_observed(&mut recorder).unwrap();
     (report, recorder)
 }
 
@@ -49,7 +48,7 @@ fn body(simulation: &Simulation, name: &str) -> BodyId {
 
 /// The largest distance of the samples of two runs: of places (m), and of velocities (m/s).
 fn apart(one: &Recorder, other: &Recorder) -> f64 {
-    assert_eq!(one.times, other.times);
+    assert_eq!(one.times_s, other.times_s);
     let pairs = one.samples.iter().flatten().zip(other.samples.iter().flatten());
     let distance = |(a, b): (&polhode::BodySample, &polhode::BodySample)| {
         let place = (a.pose.translation - b.pose.translation).length();
@@ -97,10 +96,10 @@ fn a_pose_is_a_table_of_two_samples() {
             run(&scene(tier, slab(still()), load()), &[(from, Steering::Pose { pose: end, within_s: until - from })]);
         // A program that advances to a time ends a step there, in both runs.
         let given = scene(tier, slab(PrescribedMotion::table(&table).unwrap()), load());
-        let mut simulation = Simulation::new(&given, Effects::Planned).unwrap();
+        let mut simulation = Simulation::new(&given).unwrap();
         let mut recorder = Recorder::default();
-        simulation.advance_to(from, &mut recorder).unwrap();
-        let expected = simulation.run(&mut recorder).unwrap();
+        simulation.advance_to_observed(from, &mut recorder).unwrap();
+        let expected = simulation.run_observed(&mut recorder).unwrap();
         assert!(apart(&steered, &recorder) < 1e-12, "{tier:?} {:e}", apart(&steered, &recorder));
         let work = report.ledger.external.value();
         assert!((work - expected.ledger.external.value()).abs() < 1e-11, "{tier:?} {work}");
@@ -121,19 +120,19 @@ fn a_pose_is_a_table_of_two_samples() {
 fn a_halted_lift_leaves_its_load_the_speed() {
     let speed = 1.2;
     let load = heavy_brick("load", 2.0, DVec3::splat(0.4), DVec3::Z * 0.2);
-    let mut simulation = Simulation::new(&scene(Tier::Accurate, slab(still()), load), Effects::Planned).unwrap();
+    let mut simulation = Simulation::new(&scene(Tier::Accurate, slab(still()), load)).unwrap();
     let [slab, load] = ["slab", "load"].map(|name| body(&simulation, name));
-    simulation.advance_to(0.1, &mut Unobserved).unwrap();
+    simulation.advance_to(0.1).unwrap();
     simulation.set_motion(slab, Steering::Velocity(Velocity::new(DVec3::Z * speed, DVec3::ZERO))).unwrap();
-    simulation.advance_to(0.3, &mut Unobserved).unwrap();
+    simulation.advance_to(0.3).unwrap();
     assert!((simulation.body(load).velocity.linear.z - speed).abs() < 1e-12);
     simulation.set_motion(slab, Steering::HALT).unwrap();
     let height = simulation.body(load).pose.translation.z;
     assert!((height - 0.2 - speed * 0.2).abs() < 1e-12);
-    simulation.advance_to(0.3 + speed / G, &mut Unobserved).unwrap();
+    simulation.advance_to(0.3 + speed / G).unwrap();
     let flown = simulation.body(load).pose.translation.z - height;
     assert!((flown - speed * speed / (2.0 * G)).abs() < 1e-12, "{flown}");
-    let report = simulation.run(&mut Unobserved).unwrap();
+    let report = simulation.run().unwrap();
     assert_eq!(simulation.body(load).velocity, Velocity::ZERO);
     assert_closes(&report);
     // The load was struck once by the slab: the impulse m v at the speed v, half of which becomes kinetic energy.
@@ -146,14 +145,14 @@ fn a_halted_lift_leaves_its_load_the_speed() {
 #[test]
 fn a_new_target_is_taken_smoothly() {
     let load = heavy_brick("load", 2.0, DVec3::splat(0.4), DVec3::Z * 0.2);
-    let mut simulation = Simulation::new(&scene(Tier::Accurate, slab(still()), load), Effects::Planned).unwrap();
+    let mut simulation = Simulation::new(&scene(Tier::Accurate, slab(still()), load)).unwrap();
     let slab = body(&simulation, "slab");
     let to = |z: f64, angle: f64| Steering::Pose {
         pose: Pose::new(Rotation::from_rotation_vector(DVec3::Z * angle), DVec3::Z * z),
         within_s: 0.5,
     };
     simulation.set_motion(slab, to(0.3, 0.5)).unwrap();
-    simulation.advance_to(0.2, &mut Unobserved).unwrap();
+    simulation.advance_to(0.2).unwrap();
     let (before, accelerations) = (simulation.body(slab), simulation.accelerations().unwrap());
     assert!(before.velocity.linear.z > 0.5 && before.velocity.angular.z > 0.5);
     simulation.set_motion(slab, to(0.1, -0.3)).unwrap();
@@ -164,7 +163,7 @@ fn a_new_target_is_taken_smoothly() {
     for (one, other) in accelerations.iter().zip(&now) {
         assert!((one.linear - other.linear).length() < 1e-11, "{one:?} {other:?}");
     }
-    simulation.advance_to(0.9, &mut Unobserved).unwrap();
+    simulation.advance_to(0.9).unwrap();
     let end = simulation.body(slab);
     assert_eq!(end.velocity, Velocity::ZERO);
     assert!((end.pose.translation - DVec3::Z * 0.1).length() < 1e-15);
@@ -178,24 +177,24 @@ fn a_snapshot_keeps_the_motion() {
     for tier in Tier::ALL {
         let sine = PrescribedMotion::sine(DVec3::Z * 0.01, DVec3::ZERO, 1.0, 0.0).unwrap();
         let scene = scene(tier, slab(sine), heavy_brick("load", 2.0, DVec3::splat(0.4), DVec3::Z * 0.2));
-        let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
+        let mut simulation = Simulation::new(&scene).unwrap();
         let slab = body(&simulation, "slab");
-        simulation.advance_to(0.1, &mut Unobserved).unwrap();
+        simulation.advance_to(0.1).unwrap();
         let unsteered = simulation.snapshot();
         let pose = Pose::from_translation(DVec3::Z * 0.2);
         simulation.set_motion(slab, Steering::Pose { pose, within_s: 0.4 }).unwrap();
-        simulation.advance_to(0.3, &mut Unobserved).unwrap();
+        simulation.advance_to(0.3).unwrap();
         let snapshot = simulation.snapshot();
-        let mut again = Simulation::new(&scene, Effects::Planned).unwrap();
+        let mut again = Simulation::new(&scene).unwrap();
         again.restore(&snapshot).unwrap();
-        let (first, second) = (simulation.run(&mut Unobserved).unwrap(), again.run(&mut Unobserved).unwrap());
+        let (first, second) = (simulation.run().unwrap(), again.run().unwrap());
         assert_eq!(simulation.bodies(), again.bodies(), "{tier:?}");
         assert_eq!(first.ledger, second.ledger, "{tier:?}");
         again.restore(&unsteered).unwrap();
-        again.run(&mut Unobserved).unwrap();
-        let mut never = Simulation::new(&scene, Effects::Planned).unwrap();
-        never.advance_to(0.1, &mut Unobserved).unwrap();
-        never.run(&mut Unobserved).unwrap();
+        again.run().unwrap();
+        let mut never = Simulation::new(&scene).unwrap();
+        never.advance_to(0.1).unwrap();
+        never.run().unwrap();
         assert_eq!(again.bodies(), never.bodies(), "{tier:?}");
     }
 }
@@ -207,11 +206,11 @@ fn a_steered_body_meets_what_it_did_not_touch() {
     let load = ball("ball", 1.0, RADIUS, DVec3::Z * (RADIUS + 0.5), DVec3::ZERO).material(elastic(0.0));
     let builder = Scene::builder("meets").gravity(DVec3::ZERO).duration_s(2.0).body(slab(still())).body(load);
     let scene = builder.build().unwrap();
-    let mut simulation = Simulation::new(&scene, Effects::Planned).unwrap();
-    simulation.advance_to(0.4, &mut Unobserved).unwrap();
+    let mut simulation = Simulation::new(&scene).unwrap();
+    simulation.advance_to(0.4).unwrap();
     let slab = body(&simulation, "slab");
     simulation.set_motion(slab, Steering::Velocity(Velocity::new(DVec3::Z, DVec3::ZERO))).unwrap();
-    let report = simulation.run(&mut Unobserved).unwrap();
+    let report = simulation.run().unwrap();
     assert_eq!(report.outcome, Outcome::Completed);
     // The slab meets the ball at 0.9 s and carries it with it for 1.1 s.
     let place = simulation.body(body(&simulation, "ball")).pose.translation.z;
@@ -225,7 +224,7 @@ fn what_cannot_be_is_refused() {
     let load = heavy_brick("load", 2.0, DVec3::splat(0.4), DVec3::Z * 0.5);
     let floor = floor().pose(Pose::from_translation(DVec3::Z * -2.0));
     let builder = Scene::builder("refused").duration_s(0.1).body(floor).body(slab(still())).body(load);
-    let mut simulation = Simulation::new(&builder.build().unwrap(), Effects::Planned).unwrap();
+    let mut simulation = Simulation::new(&builder.build().unwrap()).unwrap();
     let [floor, slab, load] = ["floor", "slab", "load"].map(|name| body(&simulation, name));
     let before = simulation.snapshot();
     let mut refusal = |body, steering| match simulation.set_motion(body, steering) {

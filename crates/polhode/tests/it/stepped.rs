@@ -5,7 +5,7 @@ use crate::support::{accurate, ball, brick, elastic, floor};
 use polhode::contact::Shape;
 use polhode::scene::{Attachment, DragLaw, Force, Method, Tier};
 use polhode::spatial::{DVec3, Pose, Rotation, SplitMix64, UnitVector, Velocity};
-use polhode::{Body, Effects, EventKind, Recorder, RunReport, Scene, SceneBuilder, Simulation};
+use polhode::{Body, BodyId, Effects, EventKind, Recorder, RunReport, Scene, SceneBuilder, Simulation};
 
 const G: f64 = 9.81;
 
@@ -17,7 +17,7 @@ pub(crate) fn stepped(step_s: f64) -> Method {
 pub(crate) fn run_by(scene: &SceneBuilder, method: Method) -> (RunReport, Recorder) {
     let scene = scene.clone().method(method).build().unwrap();
     let mut recorder = Recorder::default();
-    let report = Simulation::new(&scene, Effects::Planned).unwrap().run(&mut recorder).unwrap();
+    let report = Simulation::new(&scene).unwrap().run_observed(&mut recorder).unwrap();
     assert_closes(&report);
     (report, recorder)
 }
@@ -34,7 +34,7 @@ fn assert_energy_never_rises(recorder: &Recorder, bodies: std::ops::Range<usize>
         row[bodies.clone()].iter().map(of).sum()
     };
     let energies: Vec<f64> = recorder.samples.iter().map(energy).collect();
-    for (pair, t) in energies.windows(2).zip(&recorder.times) {
+    for (pair, t) in energies.windows(2).zip(&recorder.times_s) {
         assert!(pair[1] <= pair[0] + 1e-13 * pair[0].abs(), "t = {t}: {pair:?}");
     }
 }
@@ -91,18 +91,23 @@ fn free_flight_has_no_error_from_the_step() {
 fn force_fields_are_of_second_order() {
     let spring = Force::Spring {
         a: Attachment::World(DVec3::Z * 2.0),
-        b: Attachment::Body { body: 0, point: DVec3::new(0.1, 0.0, 0.0) },
+        b: Attachment::Body { body: BodyId::new(0), point: DVec3::new(0.1, 0.0, 0.0) },
         stiffness: 40.0,
         rest_length: 0.4,
         damping: 0.0,
     };
-    let drag =
-        Force::Drag { body: 0, law: DragLaw::Quadratic, translational: 0.3, rotational: 0.01, wind: DVec3::X * 0.5 };
+    let drag = Force::Drag {
+        body: BodyId::new(0),
+        law: DragLaw::Quadratic,
+        translational: 0.3,
+        rotational: 0.01,
+        wind: DVec3::X * 0.5,
+    };
     let bob = particle("bob", 1.5, DVec3::new(0.3, 0.0, 1.0), DVec3::new(0.0, 0.8, 0.0));
     let swinging = Scene::builder("swing").duration_s(1.0).output_interval_s(0.5).body(bob).force(spring);
     for scene in [swinging.clone(), swinging.force(drag)] {
-        let exact = run_by(&scene, accurate()).0.bodies[0].1.pose.translation;
-        let error = |step: f64| (run(&scene, step).0.bodies[0].1.pose.translation - exact).length();
+        let exact = run_by(&scene, accurate()).0.bodies[0].state.pose.translation;
+        let error = |step: f64| (run(&scene, step).0.bodies[0].state.pose.translation - exact).length();
         let (coarse, fine) = (error(0.004), error(0.002));
         assert!((coarse / fine - 4.0).abs() < 0.1, "{coarse:e} {fine:e}");
     }
@@ -117,8 +122,8 @@ fn contact_that_turns_is_of_second_order() {
     let start = DVec3::new(angle.sin(), 0.0, angle.cos()) * sum;
     let scene = Scene::builder("dome").duration_s(0.4).output_interval_s(0.2).body(dome);
     let scene = scene.body(ball("ball", 1.0, 0.1, start, DVec3::ZERO));
-    let exact = run_by(&scene, accurate()).0.bodies[1].1.pose.translation;
-    let error = |step: f64| (run(&scene, step).0.bodies[1].1.pose.translation - exact).length();
+    let exact = run_by(&scene, accurate()).0.bodies[1].state.pose.translation;
+    let error = |step: f64| (run(&scene, step).0.bodies[1].state.pose.translation - exact).length();
     let errors = [0.01, 0.005, 0.0025].map(error);
     assert!(errors[0] < 1e-3 && errors[0] / errors[1] > 3.0 && errors[1] / errors[2] > 3.0, "{errors:?}");
 }
@@ -150,7 +155,7 @@ fn bouncing_ball_loses_energy_only_and_follows_the_closed_form() {
         let (report, recorder) = run(&scene, step);
         assert_energy_never_rises(&recorder, 1..2);
         let first = recorder.events.iter().find(|event| event.kind == EventKind::Impact).unwrap();
-        assert!((first.t - fall).abs() < 1e-4 * step, "{}", first.t - fall);
+        assert!((first.t_s - fall).abs() < 1e-4 * step, "{}", first.t_s - fall);
         assert!(report.energy.final_j - G * 0.1 < 1e-9, "it rests");
         max_position_error(&recorder, 1, |t| {
             if t < 1.2 { DVec3::Z * height(t) } else { DVec3::Z * recorder_height(&recorder, t) }
@@ -162,7 +167,7 @@ fn bouncing_ball_loses_energy_only_and_follows_the_closed_form() {
 }
 
 fn recorder_height(recorder: &Recorder, t: f64) -> f64 {
-    let row = recorder.times.iter().position(|time| *time == t).unwrap();
+    let row = recorder.times_s.iter().position(|time| *time == t).unwrap();
     recorder.samples[row][1].pose.translation.z
 }
 
@@ -276,8 +281,8 @@ fn in_order(scene: &SceneBuilder, order: impl Fn(&mut Vec<Body>)) -> SceneBuilde
 fn falls_keep_their_symmetries() {
     let scene = |count, mirror| bin(0.3, scattered(5), count, mirror).duration_s(0.8).output_interval_s(0.1);
     let places = |report: &RunReport| -> Vec<(String, DVec3)> {
-        let bodies = report.bodies.iter().filter(|(name, _)| name.starts_with('b'));
-        let mut places: Vec<_> = bodies.map(|(name, body)| (name.clone(), body.pose.translation)).collect();
+        let bodies = report.bodies.iter().filter(|body| body.name.starts_with('b'));
+        let mut places: Vec<_> = bodies.map(|body| (body.name.clone(), body.state.pose.translation)).collect();
         places.sort_by(|a, b| a.0.cmp(&b.0));
         places
     };
@@ -304,7 +309,7 @@ fn skipping_rest_gives_the_same_bits() {
     let scene = scene.method(stepped(1e-3)).build().unwrap();
     let by = |effects| {
         let mut recorder = Recorder::default();
-        let report = Simulation::new(&scene, effects).unwrap().run(&mut recorder).unwrap();
+        let report = Simulation::with_effects(&scene, effects).unwrap().run_observed(&mut recorder).unwrap();
         (report.ledger, report.certificate, recorder.samples, recorder.events)
     };
     let (planned, all) = (by(Effects::Planned), by(Effects::All));
@@ -323,6 +328,6 @@ fn landing_box_begins_contact_and_rests() {
     assert!(kinds.iter().filter(|kind| **kind == EventKind::ContactBegin).count() == 1, "{kinds:?}");
     assert!(!kinds.contains(&EventKind::ContactEnd), "{kinds:?}");
     assert!(report.energy.kinetic_j == 0.0, "{:?}", report.energy);
-    assert!((report.bodies[1].1.pose.translation.z - 0.1).abs() < 1e-12);
+    assert!((report.bodies[1].state.pose.translation.z - 0.1).abs() < 1e-12);
     assert!((report.ledger.impact.value() - G * 0.2).abs() < 1e-9, "all of the fall is lost");
 }

@@ -3,7 +3,7 @@
 use polhode::contact::Shape;
 use polhode::scene::{Material, Method, Tier};
 use polhode::spatial::{DVec3, Density, Inertia, Mass, MassProperties, Pose, UnitVector, Velocity};
-use polhode::{Body, Effects, Geometry, Outcome, Recorder, RunReport, Scene, SceneBuilder, Simulation, mesh};
+use polhode::{Body, BodyId, Effects, Geometry, Outcome, Recorder, RunReport, Scene, SceneBuilder, Simulation, mesh};
 
 /// Runs a scene, which must keep what its method promises, and keeps everything.
 #[track_caller]
@@ -16,7 +16,7 @@ pub(crate) fn run(scene: &Scene, effects: Effects) -> (RunReport, Recorder) {
 /// Runs a scene, whether it keeps its promise or not, and keeps everything.
 pub(crate) fn run_even_degraded(scene: &Scene, effects: Effects) -> (RunReport, Recorder) {
     let mut recorder = Recorder::default();
-    let report = Simulation::new(scene, effects).unwrap().run(&mut recorder).unwrap();
+    let report = Simulation::with_effects(scene, effects).unwrap().run_observed(&mut recorder).unwrap();
     (report, recorder)
 }
 
@@ -26,7 +26,7 @@ pub(crate) fn accurate() -> Method {
 
 /// A material of this restitution without friction.
 pub(crate) fn elastic(restitution: f64) -> Material {
-    Material::new("elastic", 0.0, restitution).unwrap()
+    Material::new("elastic").with_restitution(restitution).unwrap()
 }
 
 /// The floor: the half-space below z = 0.
@@ -73,7 +73,7 @@ pub(crate) fn diamond(m: usize, sides: Sides) -> SceneBuilder {
         }
         number += count;
         if sides == Sides::Ignore {
-            builder = builder.no_contact(members);
+            builder = builder.no_contact(members.into_iter().map(BodyId::new));
         }
     }
     builder

@@ -19,8 +19,8 @@ fn box_leaves_the_table_when_the_edge_force_is_zero() {
     let (report, recorder) = run(&scene, Effects::Planned);
     let detached: Vec<_> = recorder.events.iter().filter(|event| event.kind == EventKind::Detach).collect();
     assert_eq!(detached.len(), 4, "{:?}", recorder.events);
-    assert!((detached[0].t - 0.5).abs() < 1e-9, "{}", detached[0].t);
-    assert!((detached[3].t - 0.5 - 0.406_228_978_0).abs() < 2e-9, "{}", detached[3].t);
+    assert!((detached[0].t_s - 0.5).abs() < 1e-9, "{}", detached[0].t_s);
+    assert!((detached[3].t_s - 0.5 - 0.406_228_978_0).abs() < 2e-9, "{}", detached[3].t_s);
     assert!(report.ledger.closure_relative() < 1e-12);
 }
 
@@ -63,7 +63,7 @@ fn a_body_that_lies_along_an_edge_holds_on_to_it_until_the_edge_would_have_to_pu
             .velocity(Velocity::new(DVec3::new(speed, 0.05, 0.0), DVec3::ZERO));
         let builder = Scene::builder("over-an-edge").method(accurate()).duration_s(0.3);
         let (report, _) = run(&builder.body(table).body(roller).build().unwrap(), Effects::Planned);
-        let velocity = report.bodies[1].1.velocity;
+        let velocity = report.bodies[1].state.velocity;
         assert!((velocity.linear.x - leaves_with).abs() < 1e-9, "{shape:?}: {velocity:?}, {leaves_with}");
         assert!((velocity.linear.y - 0.05).abs() < 1e-12, "{shape:?}: {velocity:?}");
         assert!(velocity.angular.length() < 1e-9, "{shape:?}: {velocity:?}");

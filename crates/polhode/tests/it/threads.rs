@@ -6,7 +6,7 @@ use crate::support::{ball, brick, floor};
 use polhode::contact::Shape;
 use polhode::scene::{Material, PrescribedMotion};
 use polhode::spatial::{DVec3, Pose, Rotation, SplitMix64};
-use polhode::{Body, Effects, Executor, Geometry, OneThread, Scene, Simulation, Task, Unobserved};
+use polhode::{Body, Executor, Geometry, OneThread, Scene, Simulation, Task};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
@@ -79,9 +79,9 @@ impl Executor for Backwards {
 }
 
 fn end_by(scene: &Scene, executor: Arc<dyn Executor>) -> (Vec<u8>, String) {
-    let mut simulation = Simulation::new(scene, Effects::Planned).unwrap();
+    let mut simulation = Simulation::new(scene).unwrap();
     simulation.set_executor(executor);
-    let report = simulation.run(&mut Unobserved).unwrap();
+    let report = simulation.run().unwrap();
     (simulation.snapshot().to_bytes(), format!("{:?} {:?}", report.ledger, report.certificate))
 }
 

@@ -25,7 +25,7 @@ fn scene(friction: f64, bodies: impl IntoIterator<Item = Body>) -> SceneBuilder 
 /// Asserts that the first body has fallen freely, keeping what else it had, and that friction kept its law.
 #[track_caller]
 fn assert_fell(report: &RunReport, start: DVec3, velocity: DVec3) {
-    let end = &report.bodies[0].1;
+    let end = &report.bodies[0].state;
     let t = report.duration_s;
     let place = start + velocity * t - DVec3::Z * (0.5 * G * t * t);
     let speed = velocity - DVec3::Z * (G * t);
@@ -79,7 +79,7 @@ fn book_thrown_at_a_wall_slides_down() {
         let (report, _) = run(&scene, Effects::Planned);
         // It hits after 0.1 s, 0.05 g lower, and falls for 0.4 s.
         let place = turn.rotate(DVec3::X * 0.025) - DVec3::Z * (0.5 * G * (0.01 + 0.16));
-        let end = &report.bodies[0].1;
+        let end = &report.bodies[0].state;
         assert!((end.pose.translation - place).length() < 1e-11, "{:?} {place:?}", end.pose);
         assert!((end.velocity.linear + DVec3::Z * (G * 0.4)).length() < 1e-11, "{:?}", end.velocity);
         assert!(report.certificate.max_friction_violation_of_limit <= 1.0, "{:?}", report.certificate);

@@ -38,7 +38,7 @@ impl Units {
 
 /// Friction with a length of rolling and one of spinning (m, of the scene's units).
 fn felt(units: Units, friction: f64, restitution: f64, rolling: f64, spinning: f64) -> Material {
-    let felt = Material::new("felt", friction, restitution).unwrap();
+    let felt = Material::new("felt").with_friction(friction).unwrap().with_restitution(restitution).unwrap();
     felt.with_rotational_friction(rolling * units.length, spinning * units.length).unwrap()
 }
 
@@ -53,7 +53,7 @@ fn assert_same_bits(tier: Tier, duration_s: f64, bodies: impl Fn(Units) -> Vec<B
             .output_interval_s(duration_s * units.time);
         let scene = bodies(units).into_iter().fold(builder, polhode::SceneBuilder::body).build().unwrap();
         let (report, _) = run_even_degraded(&scene, Effects::Planned);
-        let numbers = report.bodies.iter().flat_map(|(_, body)| {
+        let numbers = report.bodies.iter().flat_map(|polhode::ReportedBody { state: body, .. }| {
             let place = body.pose.translation / units.length;
             let linear = body.velocity.linear * (units.time / units.length);
             let angular = body.velocity.angular * units.time;
@@ -112,7 +112,7 @@ fn tumbling_body_with_friction_of_rolling_has_the_same_bits() {
 fn sliding_boxes_have_the_same_bits() {
     for tier in [Tier::Accurate, Tier::Stepped] {
         assert_same_bits(tier, 0.4, |units| {
-            let rough = Material::new("rough", 0.35, 0.2).unwrap();
+            let rough = Material::new("rough").with_friction(0.35).unwrap().with_restitution(0.2).unwrap();
             let size = DVec3::new(0.5, 0.4, 0.125);
             let one = |name: &str, z: f64, speed: f64| {
                 let shape = Shape::cuboid(size * units.length).unwrap();

@@ -146,18 +146,18 @@ impl Trial {
 }
 
 fn run(scene: &Scene, effects: Effects, observer: &mut Bounded) -> Result<RunReport, SimulationError> {
-    let mut simulation = Simulation::new(scene, effects)?;
-    let report = simulation.run(observer)?;
+    let mut simulation = Simulation::with_effects(scene, effects)?;
+    let report = simulation.run_observed(observer)?;
     if !observer.is_paused || report.outcome == Outcome::Completed || observer.is_stopped {
         return Ok(report);
     }
     observer.pause_s = f64::INFINITY;
     let bytes = simulation.snapshot().to_bytes();
-    let mut continued = Simulation::new(scene, effects)?;
+    let mut continued = Simulation::with_effects(scene, effects)?;
     if let Ok(snapshot) = Snapshot::from_bytes(&bytes) {
         continued.restore(&snapshot)?;
     }
-    continued.run(observer)
+    continued.run_observed(observer)
 }
 
 fn ending(report: &RunReport, observer: &mut Bounded) -> Ending {

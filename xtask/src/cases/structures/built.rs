@@ -26,7 +26,7 @@ pub(crate) struct Built {
 impl Built {
     /// Nothing yet, on the ground z = 0, with this friction between all bodies.
     pub(super) fn on_the_ground(friction: f64) -> Result<Self, Box<dyn Error>> {
-        let material = Material::new("stone", friction, 0.0)?;
+        let material = Material::new("stone").with_friction(friction)?;
         let ground = Body::fixed("ground").geometry(Shape::half_space(UnitVector::Z).into());
         let axes = [DVec3::X, DVec3::Y, DVec3::Z];
         let block = Block::cuboid(DVec3::Z * (-0.5 * GROUND.z), GROUND, axes, None);

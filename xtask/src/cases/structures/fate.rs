@@ -4,7 +4,7 @@
 //! start. Its fall is run until it shows where the case asks for that.
 
 use crate::cases::run::movement_m;
-use polhode::{Acceleration, BodySample, Effects, Scene, Simulation, Unobserved};
+use polhode::{Acceleration, BodySample, Scene, Simulation};
 
 /// How long a structure has to stand, s.
 const DURATION_S: f64 = 10.0;
@@ -58,7 +58,7 @@ pub(crate) fn fate(scene: &Scene, until: Until) -> Fate {
 }
 
 fn run(scene: &Scene, until: Until) -> Result<Fate, polhode::SimulationError> {
-    let mut simulation = Simulation::new(scene, Effects::Planned)?;
+    let mut simulation = Simulation::new(scene)?;
     if until == Until::Acceleration {
         let accelerations = simulation.accelerations()?;
         let accelerates = |a: &Acceleration| a.linear.length().max(a.angular.length()) > ACCELERATES;
@@ -68,7 +68,7 @@ fn run(scene: &Scene, until: Until) -> Result<Fate, polhode::SimulationError> {
     }
     let start = simulation.bodies();
     for _ in 0..MOST_STEPS {
-        let t_s = simulation.step(&mut Unobserved)?.t_s;
+        let t_s = simulation.step()?.t_s;
         let now = simulation.bodies();
         if movement_m(scene, &start, &now) > DISPLACED_M {
             return Ok(Fate::Falls(t_s));

@@ -249,7 +249,7 @@ impl Structure {
 
     /// Its scene.
     pub(crate) fn scene(&self) -> Result<Scene, Box<dyn Error>> {
-        let material = Material::new("brick", self.friction, 0.0)?;
+        let material = Material::new("brick").with_friction(self.friction)?;
         let up = UnitVector::new(self.incline.rotate(DVec3::Z))?;
         let ground = Body::fixed("ground").geometry(Shape::half_space(up).into()).material(material.clone());
         let mut scene = Scene::builder("structure").body(ground);

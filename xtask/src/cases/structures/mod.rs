@@ -23,7 +23,7 @@ use crate::statics::{Verdict, judge};
 use built::Built;
 use fate::{Fate, Until, fate};
 use generate::{Structure, structure};
-use polhode::{Effects, Simulation, Unobserved};
+use polhode::Simulation;
 use std::error::Error;
 
 const CASE: &str = "structures";
@@ -176,8 +176,8 @@ fn stands(built: &Built) -> Result<bool, Box<dyn Error>> {
 
 /// The residual of the forces of a standing structure.
 fn residual(built: &Built) -> Result<f64, Box<dyn Error>> {
-    let mut simulation = Simulation::new(&built.scene()?, Effects::Planned)?;
-    simulation.advance_to(0.1, &mut Unobserved)?;
+    let mut simulation = Simulation::new(&built.scene()?)?;
+    simulation.advance_to(0.1)?;
     Ok(simulation.frame().certificate.max_residual)
 }
 

@@ -6,6 +6,7 @@
 /// they differ in where the restitution ends. The last two are algebra on the velocity before. Without friction, and
 /// where slip neither stops nor turns, all measures of restitution agree.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub enum RestitutionLaw {
     /// The normal impulse gives back `e^2` of the work that it took (Stronge 1990). Never raises the energy.
     #[default]
@@ -41,6 +42,7 @@ impl RestitutionLaw {
 
 /// How several contacts that are struck at once share the impact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum MultipleImpactLaw {
     /// All together: the normal velocities that the generalised reflection gives, and Coulomb's law for all contacts at
     /// the velocities afterwards, by the cone problem. Symmetric, and carries momentum through a row of balls.

@@ -36,6 +36,7 @@ impl MultipleImpactStatus {
 
 /// What an impact with friction at several contacts did.
 #[derive(Debug, Clone, Default, PartialEq)]
+#[non_exhaustive]
 pub struct MultipleImpact {
     /// Impulse of each row, N s.
     pub impulses: Vec<f64>,

@@ -4,6 +4,7 @@ use super::phase::ImpactPhase;
 
 /// How an impact at one contact ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum FrictionalImpactStatus {
     /// The contact does not approach, and does not jam: nothing to do.
     #[default]
@@ -19,6 +20,7 @@ pub enum FrictionalImpactStatus {
 
 /// What an impact with friction at one contact did. Vectors are in the order normal, first tangent, second tangent.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct FrictionalImpact {
     /// Impulse on A, N s: `p_n >= 0`, `|p_t| <= mu p_n`.
     pub impulse: [f64; 3],

@@ -2,6 +2,7 @@
 
 /// What the contact does in a phase.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum PhaseKind {
     /// It slips, and friction acts against the slip.
     Slip,

@@ -5,6 +5,7 @@ use std::fmt;
 
 /// The farthest that a coordinate of a table comes from the range of the two samples before and after it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Excursion {
     /// What leaves the range: a coordinate of the position, or of the rotation vector from the sample before.
     pub coordinate: &'static str,

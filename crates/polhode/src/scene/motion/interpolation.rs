@@ -2,6 +2,7 @@
 
 /// What is between the samples of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
+#[non_exhaustive]
 pub enum Interpolation {
     /// The spline, slowed down at the samples next to which it would leave the range of two neighbouring samples: every
     /// coordinate rises, falls or stays between two samples as the samples do. Velocity and acceleration are

@@ -43,6 +43,7 @@ use polhode_spatial::{DVec3, MotionBounds, Pose, Rotation, Velocity};
 
 /// The orientations of a table.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum SampledOrientations {
     /// Rotations of the body's axes into the world's.
     Rotations(Vec<Rotation>),
