@@ -8,6 +8,7 @@
 //! | `snapshot`, `restore`: 30 boxes slide | bodies in motion as plain data, and back |
 //! | `crowded bounces` | the time steps of a stretch in which events crowd: balls that bounce in a corner |
 //! | `stepped: 5 x 5 stacks, a step` | one step of tier `stepped`, contact search and impulses included |
+//! | `stepped: rough pyramid, a step` | the same of 55 cubes with friction, in the velocities of bodies, while they stand |
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use polhode::contact::Shape;
@@ -25,6 +26,9 @@ const BOXES: usize = 30;
 const STACKS: usize = 5;
 const STACKED: usize = 5;
 const STEP_S: f64 = 1e-3;
+/// Rows of the rough pyramid, and its step, s.
+const ROUGH_ROWS: usize = 10;
+const ROUGH_STEP_S: f64 = 1.0 / 60.0;
 
 fn floor() -> Body {
     Body::fixed("floor").geometry(Geometry::Shape(Shape::half_space(UnitVector::Z)))
@@ -62,6 +66,17 @@ fn stacks() -> Made<SceneBuilder> {
         let (row, column, level) = (k % STACKS, k / STACKS % STACKS, k / STACKS / STACKS);
         let place = DVec3::new(2.0 * row as f64, 2.0 * column as f64, 0.5 + level as f64);
         builder = builder.body(cube(format!("box {k}"), place)?);
+    }
+    Ok(builder)
+}
+
+/// Cubes with friction, ten in the lowest row, one fewer in each above.
+fn rough_pyramid() -> Made<SceneBuilder> {
+    let rough = Material::new("rough", 0.5, 0.0)?;
+    let mut builder = Scene::builder("rough pyramid").duration_s(1e3).body(floor().material(rough.clone()));
+    for (row, column) in (0..ROUGH_ROWS).flat_map(|row| (0..ROUGH_ROWS - row).map(move |column| (row, column))) {
+        let place = DVec3::new(1.1 * (column as f64 + 0.5 * row as f64), 0.0, row as f64 + 0.5);
+        builder = builder.body(cube(format!("{row} {column}"), place)?.material(rough.clone()));
     }
     Ok(builder)
 }
@@ -121,6 +136,12 @@ fn bench_all(criterion: &mut Criterion) -> Made<()> {
     let mut simulation = Simulation::with_effects(&scene, Effects::All)?;
     criterion.bench_function("stepped: 5 x 5 stacks, a step", |bencher| {
         bencher.iter(|| simulation.step().is_ok());
+    });
+    let method = Method { tier: Some(Tier::Stepped), step_s: Some(ROUGH_STEP_S), ..Method::default() };
+    let scene = rough_pyramid()?.method(method).build()?;
+    let mut simulation = Simulation::new(&scene, Effects::All)?;
+    criterion.bench_function("stepped: rough pyramid, a step", |bencher| {
+        bencher.iter(|| simulation.step(&mut Unobserved).is_ok());
     });
     Ok(())
 }

@@ -24,7 +24,8 @@ const MOST_INTERIOR_STEPS: usize = 25;
 /// Steps of Newton's method right after the interior point: where it leads to the end it takes one to three.
 const FIRST_NEWTON_STEPS: usize = 4;
 
-/// Steps of the smoothing Newton method, and of Newton's method, in one turn.
+/// Steps of the smoothing Newton method in its first turn and in each later one, and of Newton's method in one turn.
+const FIRST_SMOOTHING_STEPS: usize = 10;
 const SMOOTHING_STEPS: usize = 20;
 const NEWTON_STEPS: usize = 20;
 
@@ -160,11 +161,13 @@ impl Chain<'_> {
         }
         let end = InteriorEnd { ratios: point.ratios(), weights: point.weights(), gap: point.gap() };
         let mut smoothing = Smoothing::new(self.problem, self.elimination, self.measure, &loads, end, near.clone());
+        let mut steps = FIRST_SMOOTHING_STEPS;
         while !self.is_reached() && !self.is_enough() && self.left() > 0 {
             let before = self.system.factorisations;
-            let limits = SmoothingLimits { most: SMOOTHING_STEPS.min(self.left()), tolerance: self.settings.tolerance };
+            let limits = SmoothingLimits { most: steps.min(self.left()), tolerance: self.settings.tolerance };
             smoothing.run(self.system, &mut near, limits);
             self.report.smoothing += self.system.factorisations - before;
+            steps = SMOOTHING_STEPS;
             self.take(&near, BodyMethod::Smoothing);
             if !self.is_reached() {
                 self.finish_with_newton(near.clone(), NEWTON_STEPS, PATIENCE_BETWEEN);

@@ -22,8 +22,8 @@ use polhode_response::sparse::{BodySettings, BodySolver};
 use polhode_response::{Blocks, BlocksSolution, Delassus, ResponseError, SolverStatus};
 use std::collections::BTreeMap;
 
-/// From so many contacts in a group on the velocities of bodies are solved for (30 to 100).
-pub(crate) const LEAST_IN_BODIES: usize = 48;
+/// From so many contacts in a group on the velocities of bodies are solved for (8 to 50).
+pub(crate) const LEAST_IN_BODIES: usize = 16;
 
 /// Most rows whose matrix is formed where the velocities of bodies were not solved for exactly enough (200 to 600).
 const MOST_ROWS_IN_PLACE: usize = 400;
@@ -168,4 +168,72 @@ fn solve_for_rows(
         solved.report.status = SolverStatus::Solved;
     }
     Ok(solved)
+}
+
+#[cfg(test)]
+mod tests {
+    //! With the matrix of all rows and in the velocities of bodies: the same motion of one pile, some of whose cubes move.
+    #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+    use super::*;
+    use crate::interaction::assembly::TangentRow;
+    use crate::interaction::friction_blocks::push_contact;
+    use crate::pivot_form::PivotRows;
+    use crate::scene::Material;
+    use crate::world::World;
+    use crate::{Body, Geometry, Scene};
+    use polhode_contact::Shape;
+    use polhode_dynamics::BodyState;
+    use polhode_mesh::solid_box;
+    use polhode_spatial::{DVec3, Mass, Pose, UnitVector, Velocity};
+
+    /// Ten cubes in a pyramid that fall for a step under gravity; those above slide along.
+    fn pile() -> (World, Vec<BodyState>) {
+        let material = Material::new("rough", 0.5, 0.0).unwrap();
+        let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
+        let mut scene = Scene::builder("pile").body(floor.material(material.clone()));
+        for (row, column) in (0..4).flat_map(|row| (0..4 - row).map(move |column| (row, column))) {
+            let place = DVec3::new((f64::from(column) + 0.5 * f64::from(row)) * 1.1, 0.0, f64::from(row) + 0.5);
+            let shape = Geometry::Shape(Shape::cuboid(DVec3::ONE).unwrap());
+            let fall = DVec3::new(0.05 * f64::from(row * column), 0.02 * f64::from(row), -9.81 / 60.0);
+            let cube =
+                Body::movable(format!("{row} {column}"), solid_box(DVec3::ONE, Mass::new(1.0).unwrap()).unwrap());
+            let cube = cube.geometry(shape).pose(Pose::from_translation(place));
+            scene = scene.body(cube.velocity(Velocity::new(fall, DVec3::ZERO)).material(material.clone()));
+        }
+        World::new(&scene.build().unwrap(), PivotRows::default()).unwrap()
+    }
+
+    #[test]
+    fn rows_and_bodies_give_one_motion() {
+        let (world, states) = pile();
+        let bodies: Vec<usize> = (1..states.len()).collect();
+        let pairs = (0..states.len()).flat_map(|a| (a + 1..states.len()).map(move |b| (a, b)));
+        let touches: Vec<_> = pairs.flat_map(|(a, b)| world.contacts_of_pair(&states, a, b, 1e-9)).collect();
+        let geometries = touches.iter().map(|touch| (touch.id, touch.kinematics.geometry));
+        let mut assembly = Assembly::new(&world, &states, &bodies, geometries).unwrap();
+        let mut constants: Vec<f64> = touches.iter().map(|touch| touch.kinematics.separation_rate).collect();
+        let mut blocks = Blocks::default();
+        for (normal, touch) in touches.iter().enumerate() {
+            let terms = world.tangential_kinematics(&states, touch.id).unwrap();
+            let ellipse = world.friction_at(&states, touch.id, terms.basis).unwrap().at_rest;
+            let first = assembly.problem.len();
+            let row = |tangent| TangentRow::new(touch.id, &touch.kinematics.geometry, &terms, tangent);
+            assembly.push_tangents(&states, terms.basis.map(row).into_iter()).unwrap();
+            constants.extend(terms.basis.map(|tangent| tangent.dot(terms.slip_velocity)));
+            push_contact(&mut blocks, ellipse, normal, first..assembly.problem.len());
+        }
+        assert!(touches.len() >= LEAST_IN_BODIES, "{} contacts", touches.len());
+        let mut solvers = ConeSolvers::default();
+        let mut problem = solvers.problem(&assembly, &constants, touches.len(), 1.0 / 60.0);
+        assert!(problem.is_in_bodies());
+        let in_bodies = problem.solve(&blocks, |_| None).unwrap();
+        assert!(problem.factorisations() > 0 && in_bodies.report.residual < 1e-11, "{:?}", in_bodies.report);
+        let delassus = assembly.problem.delassus();
+        let for_rows = blocks.solve(&delassus, &constants, None, &exact()).unwrap();
+        assert_eq!(for_rows.report.status, SolverStatus::Solved);
+        let motions = [&in_bodies, &for_rows].map(|solved| assembly.problem.response(&solved.reactions).unwrap());
+        for (a, b) in motions[0].iter().zip(&motions[1]) {
+            assert!((a - b).abs() < 1e-9, "{a} in bodies, {b} with the matrix");
+        }
+    }
 }

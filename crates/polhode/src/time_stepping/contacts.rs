@@ -252,8 +252,5 @@ pub(super) fn slips_at_start(world: &World, states: &[BodyState], near: &[NearCo
         world.friction_of(near.id.a, near.id.b)?;
         Some(world.tangential_kinematics(states, near.id)?.slip_velocity.length())
     };
-    if !world.has_friction() {
-        return vec![0.0; near.len()];
-    }
     near.iter().map(|near| slip(near).unwrap_or(0.0)).collect()
 }

@@ -48,6 +48,7 @@ mod queries_of_all_tiers;
 mod refusals;
 mod rotational_friction;
 mod rotational_friction_impacts;
+mod rough_piles;
 mod round_bodies;
 mod seams;
 mod slip_reversal;
