@@ -72,7 +72,7 @@ fn stacks() -> Made<SceneBuilder> {
 
 /// Cubes with friction, ten in the lowest row, one fewer in each above.
 fn rough_pyramid() -> Made<SceneBuilder> {
-    let rough = Material::new("rough", 0.5, 0.0)?;
+    let rough = Material::new("rough").with_friction(0.5)?;
     let mut builder = Scene::builder("rough pyramid").duration_s(1e3).body(floor().material(rough.clone()));
     for (row, column) in (0..ROUGH_ROWS).flat_map(|row| (0..ROUGH_ROWS - row).map(move |column| (row, column))) {
         let place = DVec3::new(1.1 * (column as f64 + 0.5 * row as f64), 0.0, row as f64 + 0.5);
@@ -139,9 +139,9 @@ fn bench_all(criterion: &mut Criterion) -> Made<()> {
     });
     let method = Method { tier: Some(Tier::Stepped), step_s: Some(ROUGH_STEP_S), ..Method::default() };
     let scene = rough_pyramid()?.method(method).build()?;
-    let mut simulation = Simulation::new(&scene, Effects::All)?;
+    let mut simulation = Simulation::with_effects(&scene, Effects::All)?;
     criterion.bench_function("stepped: rough pyramid, a step", |bencher| {
-        bencher.iter(|| simulation.step(&mut Unobserved).is_ok());
+        bencher.iter(|| simulation.step().is_ok());
     });
     Ok(())
 }

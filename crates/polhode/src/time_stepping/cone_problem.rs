@@ -175,9 +175,9 @@ mod tests {
     //! With the matrix of all rows and in the velocities of bodies: the same motion of one pile, some of whose cubes move.
     #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
     use super::*;
-    use crate::interaction::assembly::TangentRow;
-    use crate::interaction::friction_blocks::push_contact;
     use crate::pivot_form::PivotRows;
+    use crate::rows::assembly::TangentRow;
+    use crate::rows::friction_blocks::push_contact;
     use crate::scene::Material;
     use crate::world::World;
     use crate::{Body, Geometry, Scene};
@@ -188,7 +188,7 @@ mod tests {
 
     /// Ten cubes in a pyramid that fall for a step under gravity; those above slide along.
     fn pile() -> (World, Vec<BodyState>) {
-        let material = Material::new("rough", 0.5, 0.0).unwrap();
+        let material = Material::new("rough").with_friction(0.5).unwrap();
         let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
         let mut scene = Scene::builder("pile").body(floor.material(material.clone()));
         for (row, column) in (0..4).flat_map(|row| (0..4 - row).map(move |column| (row, column))) {

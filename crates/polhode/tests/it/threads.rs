@@ -14,7 +14,7 @@ use std::sync::Arc;
 fn heaps() -> Scene {
     let mut random = SplitMix64::new(7);
     let mut number = |from: f64, to: f64| from + (to - from) * random.uniform();
-    let rough = Material::new("rough", 0.4, 0.3).unwrap();
+    let rough = Material::new("rough").with_friction(0.4).unwrap().with_restitution(0.3).unwrap();
     let motion = PrescribedMotion::sine(DVec3::new(0.02, 0.0, 0.02), DVec3::ZERO, 3.0, 0.0).unwrap();
     let platform = Body::kinematic("platform", motion)
         .geometry(Geometry::Shape(Shape::cuboid(DVec3::new(20.0, 2.0, 0.2)).unwrap()))
