@@ -34,7 +34,7 @@ fn pyramid(rows: usize) -> Vec<Body> {
 
 /// On a floor, everything with the same friction.
 fn on_a_floor(cubes: Vec<Body>, duration_s: f64) -> SceneBuilder {
-    let rough = Material::new("rough", FRICTION, 0.0).unwrap();
+    let rough = Material::new("rough").with_friction(FRICTION).unwrap();
     let scene = Scene::builder("pile").duration_s(duration_s).output_interval_s(STEP_S);
     let scene = scene.body(floor().material(rough.clone()));
     cubes.into_iter().fold(scene, |scene, cube| scene.body(cube.material(rough.clone())))
@@ -51,7 +51,7 @@ fn hit(rows: usize) -> Vec<Body> {
 fn run(scene: &SceneBuilder) -> (RunReport, Recorder) {
     let scene = scene.clone().method(stepped(STEP_S)).build().unwrap();
     let mut recorder = Recorder::default();
-    let report = Simulation::new(&scene, Effects::Planned).unwrap().run(&mut recorder).unwrap();
+    let report = Simulation::new(&scene).unwrap().run_observed(&mut recorder).unwrap();
     assert_closes(&report);
     assert!(report.certificate.factorisations > 0, "no group is large: {:?}", report.certificate);
     (report, recorder)
@@ -73,7 +73,7 @@ fn a_pyramid_slides_as_one() {
     let along = Velocity::new(DVec3::X * speed, DVec3::ZERO);
     let cubes = pyramid(4).into_iter().map(|cube| cube.velocity(along)).collect();
     let (_, recorder) = run(&on_a_floor(cubes, 0.3));
-    for (&t, sample) in recorder.times.iter().zip(&recorder.samples) {
+    for (&t, sample) in recorder.times_s.iter().zip(&recorder.samples) {
         let way = speed * t - 0.5 * FRICTION * G * t * t;
         for (now, start) in sample.iter().zip(&recorder.samples[0]).skip(1) {
             let moved = now.pose.translation - start.pose.translation;
@@ -107,7 +107,7 @@ fn the_order_of_bodies_changes_no_motion() {
     let places = |cubes: Vec<Body>| {
         let (report, _) = run(&on_a_floor(cubes, 0.1));
         let mut places: Vec<_> =
-            report.bodies.iter().map(|(name, body)| (name.clone(), body.pose.translation)).collect();
+            report.bodies.iter().map(|body| (body.name.clone(), body.state.pose.translation)).collect();
         places.sort_by(|a, b| a.0.cmp(&b.0));
         places
     };
