@@ -66,6 +66,12 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
                  after it amplify that to 4e-5, which the run that is disturbed at the start does not show",
     },
     KnownFailure {
+        case: "random scenes",
+        quantity: "seeds whose copies are other runs, of 2000",
+        reason: "of 50 seeds from 300 on three: impacts of boxes that stand on others and resist rolling or spinning. Several motions obey \
+                 their laws there, and which one is found depends on the axes: flat contacts are points, not patches",
+    },
+    KnownFailure {
         case: "friction elsewhere",
         quantity: "tippe top, moved by 1e6 m",
         reason: "so far from the origin rounding makes the steps of slow slips short, and islands whose sliding steps have a small mean \
