@@ -11,11 +11,13 @@
 //! |---|---|
 //! | `engine` | a run, one step of it, and queries at the present |
 //! | `islands` | the islands of a step |
+//! | `instant_forces` | what forces and accelerations at one instant are |
 //! | `present_forces` | forces and accelerations at one instant, for queries |
 //! | `forces_of_many` | the same of many contacts with friction |
 
 mod engine;
 mod forces_of_many;
+mod instant_forces;
 mod islands;
 mod present_forces;
 
