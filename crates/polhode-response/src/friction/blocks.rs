@@ -12,13 +12,14 @@ use crate::error::ResponseError;
 use crate::friction::block_matrix::BlockMatrix;
 use crate::friction::linearisation::ContactStatus;
 use crate::friction::problem::FrictionProblem;
+use crate::friction::rows_behind::RowsBehind;
 use crate::friction::settings::FrictionSettings;
 use crate::friction::solution::{FrictionMethod, FrictionSolution};
 use crate::friction::solver::solve_friction;
 use crate::law::{Law, Resistance};
 use crate::problem::ContactProblem;
 use crate::report::{Method, SolverReport};
-use crate::sparse::from_blocks::RowsInBodies;
+use std::sync::Arc;
 
 /// A rotation that a contact may resist beside its slip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -163,7 +164,12 @@ impl Blocks {
             let entry = delassus.get(self.rows[i], self.rows[j]);
             if self.scales.is_empty() { entry } else { entry * (self.scales[i] * self.scales[j]) }
         })?;
-        let rows = delassus.rows().map(|rows| RowsInBodies::new(rows.clone(), self.clone()));
+        let behind = |rows: &Arc<ContactProblem>| RowsBehind {
+            problem: rows.clone(),
+            rows: self.rows.clone(),
+            scales: self.scales().collect(),
+        };
+        let rows = delassus.rows().map(behind);
         Ok(FrictionProblem::new(self.laws.clone(), matrix, self.velocities_in_blocks(constants))?.with_rows(rows))
     }
 

@@ -34,6 +34,7 @@ mod newton;
 mod node_laws;
 mod node_matrix;
 pub(crate) mod problem;
+pub(crate) mod rows_behind;
 mod settings;
 mod single_contact;
 mod solution;

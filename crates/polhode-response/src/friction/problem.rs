@@ -9,8 +9,8 @@ use crate::dense::kernels::largest;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::block_matrix::BlockMatrix;
 use crate::friction::coulomb_cone::natural_map;
+use crate::friction::rows_behind::RowsBehind;
 use crate::law::{Law, MOST_ROWS};
-use crate::sparse::from_blocks::RowsInBodies;
 
 /// A contact that no reaction moves is measured by this fraction of the largest inverse mass (no unit): with it a reaction
 /// there shows in the residual, however small.
@@ -32,7 +32,7 @@ pub struct FrictionProblem {
     /// `1 / rho` of each block.
     inverse_masses: Vec<f64>,
     /// The rows of the bodies behind it, where they are known and many.
-    in_bodies: Option<RowsInBodies>,
+    rows_behind: Option<RowsBehind>,
 }
 
 impl FrictionProblem {
@@ -78,17 +78,17 @@ impl FrictionProblem {
             if normal > 0.0 { normal } else { least }
         };
         let inverse_masses = (0..matrix.len()).map(inverse_mass).collect();
-        Ok(Self { matrix, constant, blocks, inverse_masses, in_bodies: None })
+        Ok(Self { matrix, constant, blocks, inverse_masses, rows_behind: None })
     }
 
     /// The same problem, the rows of whose bodies are known.
-    pub(crate) fn with_rows(self, rows: Option<RowsInBodies>) -> Self {
-        Self { in_bodies: rows, ..self }
+    pub(crate) fn with_rows(self, rows: Option<RowsBehind>) -> Self {
+        Self { rows_behind: rows, ..self }
     }
 
     /// The rows of the bodies behind it.
-    pub(crate) fn in_bodies(&self) -> Option<&RowsInBodies> {
-        self.in_bodies.as_ref()
+    pub(crate) fn rows_behind(&self) -> Option<&RowsBehind> {
+        self.rows_behind.as_ref()
     }
 
     /// Number of blocks.

@@ -10,6 +10,7 @@
 
 use crate::error::{ResponseError, check_length};
 use crate::friction::coulomb_cone::put_parts_into_discs;
+use crate::friction::rows_behind::RowsBehind;
 use crate::friction::{Blocks, BlocksSolution, FrictionMethod, FrictionReport, FrictionSettings, FrictionSolution};
 use crate::law::Law;
 use crate::problem::ContactProblem;
@@ -21,7 +22,6 @@ use crate::sparse::problem::{BodyProblem, BodyRows};
 use crate::sparse::settings::BodySettings;
 use crate::sparse::solution::{BodyMethod, BodyReport, BodySolution};
 use crate::sparse::solver::BodySolver;
-use std::sync::Arc;
 
 /// The residual of an impact of many contacts that counts as solved (no unit, 1e-9 to 1e-7).
 const ACCEPTED_OF_MANY: f64 = 1e-8;
@@ -134,62 +134,49 @@ impl Blocks {
     }
 }
 
-/// Rows of bodies and the blocks for which laws are stated: what is behind the matrix of a problem with friction.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct RowsInBodies {
-    problem: Arc<ContactProblem>,
-    blocks: Blocks,
-}
-
-impl RowsInBodies {
-    pub(crate) const fn new(problem: Arc<ContactProblem>, blocks: Blocks) -> Self {
-        Self { problem, blocks }
+/// Solves the cone problem of an impact with these laws, in the velocities of the bodies behind its rows; constant terms and
+/// start are in the order of the laws.
+///
+/// # Errors
+/// See the top of the module.
+pub(crate) fn solve_behind(
+    (laws, behind): (&[Law], &RowsBehind),
+    constants: &[f64],
+    start: &[f64],
+    (solver, settings): (&mut BodySolver, &FrictionSettings),
+) -> Result<FrictionSolution, ResponseError> {
+    let mut blocks = Blocks::default();
+    let mut first = 0;
+    for law in laws {
+        let own = first..first + law.rows();
+        first = own.end;
+        let (rows, scales) = (&behind.rows[own.clone()], &behind.scales[own]);
+        blocks.push_scaled(*law, rows.iter().copied(), scales.iter().copied());
     }
-
-    /// Those of some blocks.
-    pub(crate) fn of_blocks(&self, chosen: &[usize]) -> Self {
-        let mut blocks = Blocks::default();
-        for &block in chosen {
-            self.blocks.push_to(&mut blocks, block);
-        }
-        Self { problem: self.problem.clone(), blocks }
-    }
-
-    /// Solves the cone problem of an impact; constant terms and start are in the order of the blocks.
-    ///
-    /// # Errors
-    /// See the top of the module.
-    pub(crate) fn solve(
-        &self,
-        constants: &[f64],
-        start: &[f64],
-        (solver, settings): (&mut BodySolver, &FrictionSettings),
-    ) -> Result<FrictionSolution, ResponseError> {
-        let is_one_of_many = settings.fallback == FallbackPolicy::Refuse;
-        let limits = BodySettings {
-            tolerance: settings.tolerance,
-            acceptance: settings.acceptance.max(ACCEPTED_OF_MANY),
-            factorisations: if is_one_of_many { FACTORISATIONS_OF_AN_ATTEMPT } else { FACTORISATIONS_OF_AN_IMPACT },
-            ..BodySettings::default()
-        };
-        let start = Some(start).filter(|start| start.iter().any(|reaction| *reaction != 0.0));
-        let solved = self.blocks.solved_in_bodies(&self.problem, constants, start, (solver, &limits))?;
-        let report = FrictionReport {
-            status: solved.report.status,
-            method: FrictionMethod::Newton,
-            newton_steps: solved.report.factorisations,
-            residual: solved.report.residual,
-            ..FrictionReport::default()
-        };
-        Ok(FrictionSolution {
-            reactions: solved.reactions,
-            velocities: solved.rates,
-            statuses: solved.statuses,
-            parts: solved.parts,
-            squeeze: Vec::new(),
-            report,
-        })
-    }
+    let is_one_of_many = settings.fallback == FallbackPolicy::Refuse;
+    let limits = BodySettings {
+        tolerance: settings.tolerance,
+        acceptance: settings.acceptance.max(ACCEPTED_OF_MANY),
+        factorisations: if is_one_of_many { FACTORISATIONS_OF_AN_ATTEMPT } else { FACTORISATIONS_OF_AN_IMPACT },
+        ..BodySettings::default()
+    };
+    let start = Some(start).filter(|start| start.iter().any(|reaction| *reaction != 0.0));
+    let solved = blocks.solved_in_bodies(&behind.problem, constants, start, (solver, &limits))?;
+    let report = FrictionReport {
+        status: solved.report.status,
+        method: FrictionMethod::Newton,
+        newton_steps: solved.report.factorisations,
+        residual: solved.report.residual,
+        ..FrictionReport::default()
+    };
+    Ok(FrictionSolution {
+        reactions: solved.reactions,
+        velocities: solved.rates,
+        statuses: solved.statuses,
+        parts: solved.parts,
+        squeeze: Vec::new(),
+        report,
+    })
 }
 
 /// A problem in the velocities of bodies.

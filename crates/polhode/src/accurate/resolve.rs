@@ -568,15 +568,14 @@ impl Engine {
         core.world.point_speed(&self.states, body) <= STOPPED_RELATIVE * speed_scale
     }
 
-    /// Evaluates every contact of the instant at the current states and drops those that no longer exist.
+    /// Evaluates every contact of the instant at the current states. One whose features no longer define it stays as it was: groups
+    /// know contacts by their places, and the location of contact changes ends a step where such a contact begins.
     pub(super) fn refresh_kinematics(&self, core: &Core, instant: &mut Instant) {
-        instant.touches.retain_mut(|touch| match core.world.kinematics(&self.states, touch.id) {
-            Some(kinematics) => {
+        for touch in &mut instant.touches {
+            if let Some(kinematics) = core.world.kinematics(&self.states, touch.id) {
                 touch.kinematics = kinematics;
-                true
             }
-            None => false,
-        });
+        }
     }
 }
 

@@ -1,8 +1,8 @@
 //! A run by fixed time steps: one step, and queries at the present.
 
+use super::instant_forces::{BodyAcceleration, PresentForces};
 use super::island_steps::advance_islands;
 use super::islands::{Island, IslandSearch, islands};
-use super::present_forces::{BodyAcceleration, PresentForces};
 use crate::accounting::books::Received;
 use crate::accounting::long_steps::Movement;
 use crate::collision::contact_set::{ContactId, Touch};

@@ -4,7 +4,7 @@
 //! contacts are redundant the forces are some of those that are possible, not the least ones: their sum on each body, and the
 //! accelerations, are unique as far as Coulomb's law makes them so. Memory and time grow with contacts and bodies.
 
-use super::present_forces::{BodyAcceleration, PresentForces};
+use super::instant_forces::{BodyAcceleration, PresentForces};
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::FrictionMode;
 use crate::rows::assembly::{Assembly, TangentRow};

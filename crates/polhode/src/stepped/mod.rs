@@ -13,12 +13,14 @@
 //! | `engine` | a run, one step of it, and queries at the present |
 //! | `islands` | the islands of a step |
 //! | `island_steps` | their time steps, on the threads that the program gives |
+//! | `instant_forces` | what forces and accelerations at one instant are |
 //! | `present_forces` | forces and accelerations at one instant, for queries |
 //! | `forces_of_many` | the same of many contacts with friction |
 
 mod engine;
 mod facts;
 mod forces_of_many;
+mod instant_forces;
 mod island_steps;
 mod islands;
 mod present_forces;

@@ -2,6 +2,7 @@
 //! friction of contacts that stick or slide. They are queries; no step uses them.
 
 use super::forces_of_many::forces_of_many;
+use super::instant_forces::{BodyAcceleration, PresentForces};
 use crate::collision::contact_modes::ContactModes;
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::{FrictionMode, Slide};
@@ -16,27 +17,6 @@ use polhode_spatial::DVec3;
 /// A slip below this part of the speed that gravity gives in a step is none (no unit, 1e-6 to 1e-4): steps leave contacts
 /// that stick with the residual of their problem, at most 1e-6 of it.
 const STICKING_RELATIVE: f64 = 1e-5;
-
-/// Forces on body A of some contacts, in their order, and accelerations of their bodies.
-#[derive(Debug, Clone, Default)]
-pub(super) struct PresentForces {
-    /// Along the normals, N.
-    pub(super) normal: Vec<f64>,
-    /// Of friction, world, N.
-    pub(super) friction: Vec<DVec3>,
-    /// Of bodies: linear, m/s^2, and angular, rad/s^2.
-    pub(super) accelerations: Vec<BodyAcceleration>,
-}
-
-/// Acceleration of one body, of the origin of its moving frame.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct BodyAcceleration {
-    pub(super) body: usize,
-    /// m/s^2.
-    pub(super) linear: DVec3,
-    /// rad/s^2.
-    pub(super) angular: DVec3,
-}
 
 impl PresentForces {
     /// Those of these contacts between `bodies` (movable, ascending).

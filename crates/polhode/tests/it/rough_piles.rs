@@ -93,17 +93,12 @@ fn a_pyramid_that_is_hit_gains_no_energy() {
     assert!(report.certificate.max_friction_violation_of_limit < 1.0, "{:?}", report.certificate);
 }
 
-/// A pyramid whose rows slide on each other, each faster than the one below it.
-fn sheared(rows: usize) -> Vec<Body> {
-    let along = |cube: Body, height: f64| cube.velocity(Velocity::new(DVec3::Y * height, DVec3::ZERO));
-    let heights: Vec<f64> = (0..rows).flat_map(|row| vec![0.5 * row as f64; rows - row]).collect();
-    pyramid(rows).into_iter().zip(heights).map(|(cube, height)| along(cube, height)).collect()
-}
-
-/// The same bodies in another order move the same, as far as the residual of a step lets them. Rows slide on each other, so that
-/// friction has one direction: where bodies are wedged it may hold them in several ways, and the order decides which one is found.
+/// The same bodies in another order move the same, as far as the residual of a step lets them. The pyramid slides as one: where
+/// bodies are wedged friction may hold them in several ways, and the order decides which of them is found.
 #[test]
 fn the_order_of_bodies_changes_no_motion() {
+    let along = Velocity::new(DVec3::new(1.0, 0.5, 0.0), DVec3::ZERO);
+    let sliding = || pyramid(5).into_iter().map(|cube| cube.velocity(along)).collect::<Vec<Body>>();
     let places = |cubes: Vec<Body>| {
         let (report, _) = run(&on_a_floor(cubes, 0.1));
         let mut places: Vec<_> =
@@ -111,10 +106,10 @@ fn the_order_of_bodies_changes_no_motion() {
         places.sort_by(|a, b| a.0.cmp(&b.0));
         places
     };
-    let home = places(sheared(5));
-    let reversed = places(sheared(5).into_iter().rev().collect());
+    let home = places(sliding());
+    let reversed = places(sliding().into_iter().rev().collect());
     for (a, b) in home.iter().zip(&reversed) {
-        assert!(a.0 == b.0 && (a.1 - b.1).length() < 1e-7, "{a:?} {b:?}");
+        assert!(a.0 == b.0 && (a.1 - b.1).length() < 1e-8, "{a:?} {b:?}");
     }
 }
 

@@ -21,6 +21,9 @@ pub(crate) use verdict::{Copies, Verdict};
 const CASE: &str = "random scenes";
 /// Scenes of a full run, and of a plain one.
 const SCENES: u64 = 2000;
+/// Seeds beyond those of the plain run in which a panic was found.
+const FOUND: &[u64] = &[522];
+
 const FEW_SCENES: u64 = 100;
 /// Share of the scenes that may end degraded or failed, and that may be slow.
 const MOST_FAILED: f64 = 0.02;
@@ -59,17 +62,31 @@ pub(crate) fn verdicts(
     Ok(verdicts)
 }
 
+/// Seeds, one after the other.
+fn or_none(seeds: &[String]) -> String {
+    if seeds.is_empty() { "none".to_owned() } else { seeds.join(" ") }
+}
+
 /// Random scenes are judged.
 pub(super) fn scenes(context: &Context) -> CaseResult {
     let (count, copies) = match context.amount {
         Amount::Full => (SCENES, Copies::All),
         Amount::Part => (FEW_SCENES, Copies::One),
     };
+    let mut found = Vec::new();
+    for &seed in FOUND {
+        found.extend(
+            verdicts(seed..seed + 1, Copies::One, |_| {})?
+                .iter()
+                .filter(|own| own.panics())
+                .map(|own| own.seed.to_string()),
+        );
+    }
     let verdicts = verdicts(0..count, copies, |_| {})?;
     let list = |is_meant: &dyn Fn(&Verdict) -> bool| {
         let seeds: Vec<String> =
             verdicts.iter().filter(|verdict| is_meant(verdict)).map(|verdict| verdict.seed.to_string()).collect();
-        if seeds.is_empty() { "none".to_owned() } else { seeds.join(" ") }
+        or_none(&seeds)
     };
     let share = |is_meant: &dyn Fn(&Verdict) -> bool| {
         verdicts.iter().filter(|verdict| is_meant(verdict)).count() as f64 / count as f64
@@ -84,6 +101,7 @@ pub(super) fn scenes(context: &Context) -> CaseResult {
         Row::exact(CASE, &named("seeds that end well and break a law"), "none", list(&|v| v.breaks_a_law())),
         Row::exact(CASE, &named("seeds whose copies are other runs"), "none", list(&|v| v.differs())),
         Row::exact(CASE, &named("seeds that panic"), "none", list(&|v| v.panics())),
+        Row::exact(CASE, "seeds that panicked once and do again", "none", or_none(&found)),
         Row::exact(CASE, &named("seeds that are refused"), "none", list(&|v| v.is_refused())),
         Row::at_most(CASE, &named("share that is degraded or fails"), MOST_FAILED, share(&|v| v.fails())),
         Row::at_most(CASE, &named("share that takes very many steps"), MOST_SLOW, share(&|v| v.is_slow())),

@@ -4,10 +4,12 @@ use super::multiple_outcome::MultipleImpactStatus;
 use crate::dense::kernels::compensated_dot;
 use crate::error::ResponseError;
 use crate::friction::coulomb_cone::put_parts_into_discs;
+use crate::friction::rows_behind::RowsBehind;
 use crate::friction::{BlockMatrix, FrictionProblem, FrictionSettings, FrictionSolution, solve_friction};
 use crate::law::Law;
 use crate::report::SolverStatus;
 use crate::sparse::BodySolver;
+use crate::sparse::from_blocks::solve_behind;
 use std::ops::Range;
 
 /// A rise of energy above this fraction of `sum |p_i| (|u_i-| + |u_i+|) / 2` is real (no unit): cone problems are solved
@@ -110,7 +112,9 @@ impl Part {
         let start: Vec<f64> = rows.iter().map(|&row| start.map_or(0.0, |start| start[row])).collect();
         let system = (&mut self.bodies, &self.settings);
         // Bodies that some force cannot move have no factor.
-        let in_bodies = problem.in_bodies().and_then(|rows| rows.solve(problem.constant(), &start, system).ok());
+        let in_bodies = problem
+            .rows_behind()
+            .and_then(|behind| solve_behind((problem.blocks(), behind), problem.constant(), &start, system).ok());
         let solution = match in_bodies {
             Some(solution) => solution,
             None => solve_friction(&problem, Some(&start), &self.settings)?,
@@ -229,6 +233,7 @@ fn chosen_blocks(
     let blocks: Vec<Law> = chosen.iter().map(|&block| contacts.blocks()[block]).collect();
     let sizes: Vec<usize> = blocks.iter().map(|block| block.rows()).collect();
     let constant = chosen.iter().flat_map(|&block| constant[contacts.range(block)].iter().copied()).collect();
-    let rows = contacts.in_bodies().map(|rows| rows.of_blocks(chosen));
+    let of_rows = |behind: &RowsBehind| behind.of_rows(chosen.iter().flat_map(|&block| contacts.range(block)));
+    let rows = contacts.rows_behind().map(of_rows);
     Ok(FrictionProblem::new(blocks, BlockMatrix::from_blocks(&sizes, entries)?, constant)?.with_rows(rows))
 }
