@@ -191,7 +191,7 @@ impl Engine {
         let known = pairs.iter().flat_map(|&pair| self.contacts.of_pair(pair)).copied();
         let touches = known.filter_map(|touch| {
             let kinematics = core.world.kinematics(&self.states, touch.id)?;
-            Some(Touch { kinematics, ..touch })
+            Some(Touch { kinematics, is_defined: true, ..touch })
         });
         Ok(Instant {
             t,

@@ -112,7 +112,7 @@ impl Engine {
             found.extend(contacts.into_iter().map(|contact| {
                 let FoundContact { id, kinematics } = contact;
                 match instant.touches.binary_search_by(|known| known.id.cmp(&id)) {
-                    Ok(index) => Touch { id, kinematics, known: true, ..instant.touches[index] },
+                    Ok(index) => Touch { id, kinematics, known: true, is_defined: true, ..instant.touches[index] },
                     Err(_) => Touch::from(contact),
                 }
             }));
@@ -287,7 +287,7 @@ impl Engine {
 
     /// Whether the bodies of a contact approach each other there.
     fn approaches(&self, core: &Core, instant: &Instant, touch: &Touch) -> bool {
-        touch.kinematics.separation_rate < -self.sustained_speed(core, instant.speed_scale, touch)
+        touch.is_defined && touch.kinematics.separation_rate < -self.sustained_speed(core, instant.speed_scale, touch)
     }
 
     pub(super) fn forces(
@@ -525,7 +525,7 @@ impl Engine {
     }
 
     pub(super) fn is_sustained(&self, core: &Core, speed_scale: f64, touch: &Touch) -> bool {
-        touch.kinematics.separation_rate.abs() <= self.sustained_speed(core, speed_scale, touch)
+        touch.is_defined && touch.kinematics.separation_rate.abs() <= self.sustained_speed(core, speed_scale, touch)
     }
 
     /// Whether the forces on a body remain constant while it rests: none depends on time, and the bodies coupled to it
@@ -568,13 +568,13 @@ impl Engine {
         core.world.point_speed(&self.states, body) <= STOPPED_RELATIVE * speed_scale
     }
 
-    /// Evaluates every contact of the instant at the current states. One whose features no longer define it stays as it was: groups
-    /// know contacts by their places, and the location of contact changes ends a step where such a contact begins.
+    /// Evaluates every contact of the instant at the current states. One whose features no longer define it keeps its place,
+    /// by which groups know it, but neither holds nor approaches.
     pub(super) fn refresh_kinematics(&self, core: &Core, instant: &mut Instant) {
         for touch in &mut instant.touches {
-            if let Some(kinematics) = core.world.kinematics(&self.states, touch.id) {
-                touch.kinematics = kinematics;
-            }
+            let kinematics = core.world.kinematics(&self.states, touch.id);
+            touch.is_defined = kinematics.is_some();
+            touch.kinematics = kinematics.unwrap_or(touch.kinematics);
         }
     }
 }

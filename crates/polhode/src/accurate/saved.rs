@@ -174,7 +174,7 @@ fn restored_contacts(world: &World, saved: &[content::Touch]) -> Result<Contacts
         let (id, kinematics) = (restored_id(world, &touch.id)?, read_kinematics(touch.kinematics));
         let friction = touch.friction.map(restored_friction);
         let modes = ContactModes { friction, rotation: restored_rotation(touch.rotation) };
-        Ok(Touch { id, kinematics, hold, known: touch.known, modes })
+        Ok(Touch { id, kinematics, hold, known: touch.known, is_defined: true, modes })
     };
     let touches = saved.iter().map(touch).collect::<Result<Vec<_>, SnapshotError>>()?;
     if !touches.is_sorted_by(|x, y| x.id < y.id) {

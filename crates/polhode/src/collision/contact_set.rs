@@ -75,20 +75,22 @@ pub(crate) struct Touch {
     pub(crate) hold: Hold,
     /// Whether `hold` has been decided; it has not for a contact that has just been found.
     pub(crate) known: bool,
+    /// Whether its features define a contact in the present states; where they do not, `kinematics` are of states before.
+    pub(crate) is_defined: bool,
     pub(crate) modes: ContactModes,
 }
 
 impl Touch {
     /// An active contact.
     pub(crate) fn held(id: ContactId, kinematics: ContactKinematics, modes: ContactModes) -> Self {
-        Self { id, kinematics, hold: Hold::Held, known: true, modes }
+        Self { id, kinematics, hold: Hold::Held, known: true, is_defined: true, modes }
     }
 }
 
 /// A contact that has just been found is open until its status is decided.
 impl From<FoundContact> for Touch {
     fn from(FoundContact { id, kinematics }: FoundContact) -> Self {
-        Self { id, kinematics, hold: Hold::Open, known: false, modes: ContactModes::default() }
+        Self { id, kinematics, hold: Hold::Open, known: false, is_defined: true, modes: ContactModes::default() }
     }
 }
 
