@@ -24,15 +24,16 @@ const MOST_INTERIOR_STEPS: usize = 25;
 /// Steps of Newton's method right after the interior point: where it leads to the end it takes one to three.
 const FIRST_NEWTON_STEPS: usize = 4;
 
-/// Steps of the smoothing Newton method in its first turn and in each later one, and of Newton's method in one turn.
-const FIRST_SMOOTHING_STEPS: usize = 10;
-const SMOOTHING_STEPS: usize = 20;
+/// Steps of the smoothing Newton method in one turn, and in one after so many factorisations that an accepted answer would be
+/// enough; steps of Newton's method in one turn.
+const SMOOTHING_STEPS: usize = 10;
+const LATE_SMOOTHING_STEPS: usize = 20;
 const NEWTON_STEPS: usize = 20;
 
-/// Steps in which the residual must halve: where the smoothing method goes on otherwise, at first and after it, and where
-/// nothing does.
+/// Steps in which the residual must halve: where the smoothing method goes on otherwise, the same that late, and where nothing
+/// does.
 const PATIENCE: usize = 3;
-const PATIENCE_BETWEEN: usize = 6;
+const LATE_PATIENCE: usize = 6;
 const LONG_PATIENCE: usize = 20;
 
 /// The solver, with the elimination of the last problem: it is kept as long as the same bodies are coupled by the
@@ -161,16 +162,17 @@ impl Chain<'_> {
         }
         let end = InteriorEnd { ratios: point.ratios(), weights: point.weights(), gap: point.gap() };
         let mut smoothing = Smoothing::new(self.problem, self.elimination, self.measure, &loads, end, near.clone());
-        let mut steps = FIRST_SMOOTHING_STEPS;
         while !self.is_reached() && !self.is_enough() && self.left() > 0 {
             let before = self.system.factorisations;
+            let is_late = before >= self.settings.enough;
+            let (steps, patience) =
+                if is_late { (LATE_SMOOTHING_STEPS, LATE_PATIENCE) } else { (SMOOTHING_STEPS, PATIENCE) };
             let limits = SmoothingLimits { most: steps.min(self.left()), tolerance: self.settings.tolerance };
             smoothing.run(self.system, &mut near, limits);
             self.report.smoothing += self.system.factorisations - before;
-            steps = SMOOTHING_STEPS;
             self.take(&near, BodyMethod::Smoothing);
             if !self.is_reached() {
-                self.finish_with_newton(near.clone(), NEWTON_STEPS, PATIENCE_BETWEEN);
+                self.finish_with_newton(near.clone(), NEWTON_STEPS, patience);
             }
         }
     }
