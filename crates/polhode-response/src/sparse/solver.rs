@@ -36,6 +36,10 @@ const PATIENCE: usize = 3;
 const LATE_PATIENCE: usize = 6;
 const LONG_PATIENCE: usize = 20;
 
+/// A late step of Newton's method whose shortest trial leaves more than this of the largest function of the last ones is not
+/// taken (no unit, 2 to 10): among rows that all but depend on each other it leads away from where the last ones came to.
+const TOO_FAR: f64 = 4.0;
+
 /// The solver, with the elimination of the last problem: it is kept as long as the same bodies are coupled by the
 /// same rows.
 ///
@@ -164,9 +168,8 @@ impl Chain<'_> {
         let mut smoothing = Smoothing::new(self.problem, self.elimination, self.measure, &loads, end, near.clone());
         while !self.is_reached() && !self.is_enough() && self.left() > 0 {
             let before = self.system.factorisations;
-            let is_late = before >= self.settings.enough;
             let (steps, patience) =
-                if is_late { (LATE_SMOOTHING_STEPS, LATE_PATIENCE) } else { (SMOOTHING_STEPS, PATIENCE) };
+                if self.is_late() { (LATE_SMOOTHING_STEPS, LATE_PATIENCE) } else { (SMOOTHING_STEPS, PATIENCE) };
             let limits = SmoothingLimits { most: steps.min(self.left()), tolerance: self.settings.tolerance };
             smoothing.run(self.system, &mut near, limits);
             self.report.smoothing += self.system.factorisations - before;
@@ -186,7 +189,9 @@ impl Chain<'_> {
     }
 
     fn newton_limits(&self, most: usize) -> NewtonLimits {
-        NewtonLimits { most: most.min(self.left()), patience: PATIENCE, tolerance: self.settings.tolerance }
+        let too_far = if self.is_late() { TOO_FAR } else { f64::INFINITY };
+        let (most, tolerance) = (most.min(self.left()), self.settings.tolerance);
+        NewtonLimits { most, patience: PATIENCE, tolerance, too_far }
     }
 
     fn left(&self) -> usize {
@@ -197,9 +202,14 @@ impl Chain<'_> {
         self.best.rank <= self.settings.tolerance
     }
 
-    /// Whether the methods have had their turns, and the answer is accepted.
+    /// Whether the methods have had their turns.
+    fn is_late(&self) -> bool {
+        self.system.factorisations >= self.settings.enough
+    }
+
+    /// Whether they have, and the answer is accepted.
     fn is_enough(&self) -> bool {
-        self.system.factorisations >= self.settings.enough && self.best.rank <= self.settings.acceptance
+        self.is_late() && self.best.rank <= self.settings.acceptance
     }
 
     fn take(&mut self, iterate: &Iterate, method: BodyMethod) {
