@@ -46,9 +46,9 @@ fn rows_of(scene: &BodyScene, has_grain: bool) -> Rows {
     for ((contact, normal), [first, second]) in contacts.iter().zip(&normals).zip(&tangents) {
         let rows = [*normal, *first, *second];
         if has_grain {
-            blocks.push_scaled(contact.law, rows, [1.0, 1.0, ACROSS])
+            blocks.push_scaled(contact.law, rows, [1.0, 1.0, ACROSS]);
         } else {
-            blocks.push(contact.law, rows)
+            blocks.push(contact.law, rows);
         }
     }
     // Two held rows a block: some of them of two joints.
