@@ -36,6 +36,9 @@ const PATIENCE: usize = 3;
 const LATE_PATIENCE: usize = 6;
 const LONG_PATIENCE: usize = 20;
 
+/// Balanced residual of an answer that is enough, in units of what is accepted (no unit, 1 to 10).
+const ENOUGH_BALANCED: f64 = 1.0;
+
 /// A late step of Newton's method whose shortest trial leaves more than this of the largest function of the last ones is not
 /// taken (no unit, 2 to 10): among rows that all but depend on each other it leads away from where the last ones came to.
 const TOO_FAR: f64 = 4.0;
@@ -207,9 +210,12 @@ impl Chain<'_> {
         self.system.factorisations >= self.settings.enough
     }
 
-    /// Whether they have, and the answer is accepted.
+    /// Whether they have, and the answer is accepted, its velocities included.
     fn is_enough(&self) -> bool {
-        self.is_late() && self.best.rank <= self.settings.acceptance
+        let is_accepted = self.best.rank <= self.settings.acceptance;
+        self.is_late()
+            && is_accepted
+            && self.measure.balanced(self.problem, &self.best) <= ENOUGH_BALANCED * self.settings.acceptance
     }
 
     fn take(&mut self, iterate: &Iterate, method: BodyMethod) {
