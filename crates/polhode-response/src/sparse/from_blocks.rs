@@ -272,7 +272,8 @@ fn report_of(report: &BodyReport) -> SolverReport {
         status: report.status,
         method,
         iterations: report.factorisations,
-        residual: report.residual,
+        // In units of velocity, as that of the other solver is: the larger of both is told.
+        residual: report.residual.max(report.balanced_residual),
         ..SolverReport::default()
     }
 }

@@ -44,9 +44,7 @@ const SHARE_AFTER_WHOLE: f64 = 0.7;
 /// What a step leaves of the function's square when it went well (no unit).
 const WENT_WELL: f64 = 0.25;
 
-/// A step whose shortest trial leaves more than this of the largest function of the last ones is not taken (no unit, 2
-/// to 10); the damping is multiplied by this then, to at most this (no units).
-const TOO_FAR: f64 = 4.0;
+/// What the damping is multiplied by after a step that went too far, to at most this (no units).
 const SHARE_AFTER_TOO_FAR: f64 = 10.0;
 const LARGEST_SHARE: f64 = 1e6;
 
@@ -71,6 +69,8 @@ pub(crate) struct NewtonLimits {
     pub(crate) patience: usize,
     /// The residual to reach.
     pub(crate) tolerance: f64,
+    /// A step whose shortest trial leaves more than this of the largest function of the last ones is not taken (no unit).
+    pub(crate) too_far: f64,
 }
 
 /// The method for one problem.
@@ -143,7 +143,7 @@ impl<'a> BodyNewton<'a> {
             if !square.is_finite() {
                 return;
             }
-            if square > TOO_FAR * recent {
+            if square > limits.too_far * recent {
                 // Rows that all but depend on each other: reactions went far for what little they had to undo.
                 share = (SHARE_AFTER_TOO_FAR * share).min(LARGEST_SHARE);
                 best.keep(&trial);

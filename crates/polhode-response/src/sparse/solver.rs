@@ -24,16 +24,24 @@ const MOST_INTERIOR_STEPS: usize = 25;
 /// Steps of Newton's method right after the interior point: where it leads to the end it takes one to three.
 const FIRST_NEWTON_STEPS: usize = 4;
 
-/// Steps of the smoothing Newton method in its first turn and in each later one, and of Newton's method in one turn.
-const FIRST_SMOOTHING_STEPS: usize = 10;
-const SMOOTHING_STEPS: usize = 20;
+/// Steps of the smoothing Newton method in one turn, and in one after so many factorisations that an accepted answer would be
+/// enough; steps of Newton's method in one turn.
+const SMOOTHING_STEPS: usize = 10;
+const LATE_SMOOTHING_STEPS: usize = 20;
 const NEWTON_STEPS: usize = 20;
 
-/// Steps in which the residual must halve: where the smoothing method goes on otherwise, at first and after it, and where
-/// nothing does.
+/// Steps in which the residual must halve: where the smoothing method goes on otherwise, the same that late, and where nothing
+/// does.
 const PATIENCE: usize = 3;
-const PATIENCE_BETWEEN: usize = 6;
+const LATE_PATIENCE: usize = 6;
 const LONG_PATIENCE: usize = 20;
+
+/// Balanced residual of an answer that is enough, in units of what is accepted (no unit, 1 to 10).
+const ENOUGH_BALANCED: f64 = 1.0;
+
+/// A late step of Newton's method whose shortest trial leaves more than this of the largest function of the last ones is not
+/// taken (no unit, 2 to 10): among rows that all but depend on each other it leads away from where the last ones came to.
+const TOO_FAR: f64 = 4.0;
 
 /// The solver, with the elimination of the last problem: it is kept as long as the same bodies are coupled by the
 /// same rows.
@@ -161,16 +169,16 @@ impl Chain<'_> {
         }
         let end = InteriorEnd { ratios: point.ratios(), weights: point.weights(), gap: point.gap() };
         let mut smoothing = Smoothing::new(self.problem, self.elimination, self.measure, &loads, end, near.clone());
-        let mut steps = FIRST_SMOOTHING_STEPS;
         while !self.is_reached() && !self.is_enough() && self.left() > 0 {
             let before = self.system.factorisations;
+            let (steps, patience) =
+                if self.is_late() { (LATE_SMOOTHING_STEPS, LATE_PATIENCE) } else { (SMOOTHING_STEPS, PATIENCE) };
             let limits = SmoothingLimits { most: steps.min(self.left()), tolerance: self.settings.tolerance };
             smoothing.run(self.system, &mut near, limits);
             self.report.smoothing += self.system.factorisations - before;
-            steps = SMOOTHING_STEPS;
             self.take(&near, BodyMethod::Smoothing);
             if !self.is_reached() {
-                self.finish_with_newton(near.clone(), NEWTON_STEPS, PATIENCE_BETWEEN);
+                self.finish_with_newton(near.clone(), NEWTON_STEPS, patience);
             }
         }
     }
@@ -184,7 +192,9 @@ impl Chain<'_> {
     }
 
     fn newton_limits(&self, most: usize) -> NewtonLimits {
-        NewtonLimits { most: most.min(self.left()), patience: PATIENCE, tolerance: self.settings.tolerance }
+        let too_far = if self.is_late() { TOO_FAR } else { f64::INFINITY };
+        let (most, tolerance) = (most.min(self.left()), self.settings.tolerance);
+        NewtonLimits { most, patience: PATIENCE, tolerance, too_far }
     }
 
     fn left(&self) -> usize {
@@ -195,9 +205,17 @@ impl Chain<'_> {
         self.best.rank <= self.settings.tolerance
     }
 
-    /// Whether the methods have had their turns, and the answer is accepted.
+    /// Whether the methods have had their turns.
+    fn is_late(&self) -> bool {
+        self.system.factorisations >= self.settings.enough
+    }
+
+    /// Whether they have, and the answer is accepted, its velocities included.
     fn is_enough(&self) -> bool {
-        self.system.factorisations >= self.settings.enough && self.best.rank <= self.settings.acceptance
+        let is_accepted = self.best.rank <= self.settings.acceptance;
+        self.is_late()
+            && is_accepted
+            && self.measure.balanced(self.problem, &self.best) <= ENOUGH_BALANCED * self.settings.acceptance
     }
 
     fn take(&mut self, iterate: &Iterate, method: BodyMethod) {
