@@ -14,10 +14,11 @@ use crate::world::{Loads, World};
 use polhode_contact::TangentialKinematics;
 use polhode_dynamics::BodyState;
 use polhode_response::sparse::{BodySettings, BodySolver};
-use polhode_response::{Blocks, Law, ResponseError};
+use polhode_response::{Blocks, Law, ResponseError, SolverStatus};
 use polhode_spatial::DVec3;
 
-/// The forces of `contacts`, with their modes, between `bodies` (movable, ascending) at `t` (s) under these loads.
+/// The forces of `contacts`, with their modes, between `bodies` (movable, ascending) at `t` (s) under these loads; none where they
+/// were not found.
 ///
 /// # Errors
 /// When a number is not finite.
@@ -27,7 +28,7 @@ pub(super) fn forces_of_many(
     bodies: &[usize],
     contacts: &[Touch],
     loads: &Loads,
-) -> Result<PresentForces, ResponseError> {
+) -> Result<Option<PresentForces>, ResponseError> {
     let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let mut assembly = Assembly::new(world, states, bodies, rows)?;
     let free = assembly.free_accelerations(world, states, loads);
@@ -50,6 +51,9 @@ pub(super) fn forces_of_many(
     let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
     let system = (&mut BodySolver::default(), &BodySettings::default());
     let (solved, _) = blocks.solve_in_bodies(&assembly.problem, &constants, None, system)?;
+    if solved.report.status != SolverStatus::Solved {
+        return Ok(None);
+    }
     let mut friction = vec![DVec3::ZERO; contacts.len()];
     for ((row, force), owner) in assembly.of_tangents(&solved.reactions).zip(owners) {
         friction[owner] += row.along.normal * force;
@@ -59,11 +63,11 @@ pub(super) fn forces_of_many(
         *acceleration += free;
     }
     let body = |(body, linear, angular): (usize, DVec3, DVec3)| BodyAcceleration { body, linear, angular };
-    Ok(PresentForces {
+    Ok(Some(PresentForces {
         normal: solved.reactions.iter().take(contacts.len()).copied().collect(),
         friction,
         accelerations: assembly.split(&accelerations).map(body).collect(),
-    })
+    }))
 }
 
 /// The rows of a contact along its tangents, and its law.

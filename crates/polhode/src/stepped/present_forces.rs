@@ -33,8 +33,11 @@ impl PresentForces {
         let loads = world.loads_on(core.t, states, bodies);
         let body = |(body, linear, angular): (usize, DVec3, DVec3)| BodyAcceleration { body, linear, angular };
         let contacts: Vec<Touch> = contacts.iter().map(|touch| with_modes(core, states, touch)).collect();
-        if contacts.len() >= LEAST_IN_BODIES && !world.has_rotational_friction() {
-            return forces_of_many(world, (core.t, states), bodies, &contacts, &loads);
+        if contacts.len() >= LEAST_IN_BODIES
+            && !world.has_rotational_friction()
+            && let Some(found) = forces_of_many(world, (core.t, states), bodies, &contacts, &loads)?
+        {
+            return Ok(found);
         }
         let mut solver = ComplementaritySolver::default();
         let found = Accelerations::solve(world, (core.t, states), bodies, &contacts, &loads, &mut solver)?;
