@@ -140,9 +140,12 @@ mod tests {
         assert_eq!(parts(&[30.0, 30.0], 0.5, 1e-3), [(vec![1], 1), (vec![2], 1)]);
     }
 
-    /// Without friction a crowd stays together.
+    /// Friction changes no part.
     #[test]
-    fn without_friction_there_is_one_part() {
-        assert_eq!(parts(&[0.0, 0.0], 0.0, 1e-6), [(vec![1, 2], 3)]);
+    fn crowds_without_friction_fall_into_the_same_parts() {
+        let speeds = [1.0, 0.0, 0.0, -10.0];
+        for h in [1e-3, 1e-4, 1e-6] {
+            assert_eq!(parts(&speeds, 0.0, h), parts(&speeds, 0.5, h));
+        }
     }
 }
