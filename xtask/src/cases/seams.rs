@@ -160,7 +160,7 @@ pub(super) fn tiles(context: &Context) -> CaseResult {
                     continue;
                 }
                 let change = largest(Tiles { count: tiles, gap, step }, &slider, speed, angles);
-                let quantity = format!("{}, step {step:e} m, gap {gap:e} m, {speed} m/s", slider.name);
+                let quantity = format!("{}, step {step:e} m, gap {gap:e} m, {speed} m/s, {tiles} tiles", slider.name);
                 rows.push(match change {
                     Ok(change) => Row::at_most(CASE, &quantity, KEPT, change),
                     Err(error) => Row::broken(CASE, &quantity, error.to_string()),
