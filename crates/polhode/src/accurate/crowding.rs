@@ -12,8 +12,8 @@
 //! called its crowd. A body of another island that may touch the crowd within a time step joins it. For the impact
 //! search of other islands, a body moves within one time step along a straight line at constant angular velocity.
 //!
-//! With friction, stretches are common. Bodies of a crowd that cannot touch each other within a step then make steps of
-//! their own (`crowd_parts.rs`), and a part without any body whose events crowded leaves the stretch.
+//! Bodies of a crowd that cannot touch each other within a step make steps of their own (`crowd_parts.rs`), and a part without
+//! any body whose events crowded leaves the stretch.
 //!
 //! Where the error of a step does not fall with its length, as where rounding decides which of two contacts gives way,
 //! shorter steps add up to a larger error. If no step down to the shortest one is exact enough, the one of those tried
@@ -350,8 +350,8 @@ impl Engine {
         }
     }
 
-    /// Whether another body, whose box overlaps that of a body of a crowd, may touch it within `h` seconds. Without
-    /// friction between the two the boxes decide: stretches are rare then. `seen` keeps the states of other bodies at `t`.
+    /// Whether another body, whose box overlaps that of a body of a crowd, may touch it within `h` seconds. `seen` keeps the
+    /// states of other bodies at `t`.
     ///
     /// # Errors
     /// When the state of the other body cannot be evaluated.
