@@ -267,6 +267,8 @@ impl Engine {
         let CrowdPart { bodies, pairs, .. } = part;
         for &body in &bodies {
             let until = match self.tracks[body].mode {
+                // Apart from all others it stays for the rest of the stretch of those that it came with.
+                _ if pairs.is_empty() => next.until,
                 Mode::Crowded(own) => own.until,
                 _ => t,
             };
