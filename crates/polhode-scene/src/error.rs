@@ -5,7 +5,7 @@ use polhode::SceneError;
 use polhode::contact::{ApproximateError, ShapeError};
 use polhode::dynamics::field::FieldError;
 use polhode::mesh::{MeshError, MeshFormat, PrimitiveError, ReadError};
-use polhode::scene::{MotionError, OverlapAtStart};
+use polhode::scene::{LimitsError, MotionError, OverlapAtStart};
 use polhode::spatial::{InertiaError, MassPropertiesError, RotationError, UnitVectorError};
 use std::fmt::{self, Write as _};
 use std::io;
@@ -271,6 +271,9 @@ pub enum Refusal {
     /// A prescribed motion is refused.
     #[error(transparent)]
     Motion(#[from] MotionError),
+    /// Limits of a joint are refused.
+    #[error(transparent)]
+    Limits(#[from] LimitsError),
     /// A mesh file is refused.
     #[error(transparent)]
     MeshFile(#[from] MeshFileError),

@@ -2,6 +2,7 @@
 
 use crate::BodyId;
 use crate::body_sample::BodySample;
+use crate::collision::contact_id::Feature;
 use crate::collision::contact_set::Touch;
 use crate::energy::Energy;
 use crate::ledger::Ledger;
@@ -112,10 +113,12 @@ impl World {
         views: &mut Vec<ContactView>,
     ) {
         let (id, geometry) = (touch.id, touch.kinematics.geometry);
+        // The force of a stop is part of the load of its joint.
+        let Feature::Shapes(feature) = id.feature else { return };
         let view = ContactView {
             body_a: BodyId::new(id.a),
             body_b: BodyId::new(id.b),
-            feature: id.feature,
+            feature,
             point_m: geometry.point,
             normal: geometry.normal,
             separation_m: geometry.separation,

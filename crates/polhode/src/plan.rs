@@ -232,7 +232,8 @@ fn has_loop(world: &World) -> bool {
     // The world is one more body.
     let ground = world.bodies.len();
     let mut sets = DisjointSets::new(ground + 1);
-    world.joints.iter().any(|joint| {
+    // A rope has no row: it closes nothing.
+    world.joints.iter().filter(|joint| joint.rows() > 0).any(|joint| {
         let mut ends = joint.bodies().chain([ground]);
         let (a, b) = (ends.next().unwrap_or(ground), ends.next().unwrap_or(ground));
         let closes = sets.smallest(a) == sets.smallest(b);
@@ -247,7 +248,9 @@ fn joint_decision(world: &World) -> EffectDecision {
     if !world.joints.is_empty() {
         let rows: usize = world.joints.iter().map(WorldJoint::rows).sum();
         let form = if has_loop(world) { "some of them close loops" } else { "none of them closes a loop" };
-        let fact = format!("{} joints with {rows} constraint rows, {form}", world.joints.len());
+        let stops: usize = world.joints.iter().map(WorldJoint::stops).sum();
+        let limits = if stops > 0 { format!(", {stops} limits") } else { String::new() };
+        let fact = format!("{} joints with {rows} constraint rows{limits}, {form}", world.joints.len());
         return decision(Effect::Joints, true, fact, SOLVED);
     }
     let pivots = present(world).filter(|(_, body)| body.pivot_point().is_some()).count();

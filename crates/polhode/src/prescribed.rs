@@ -18,7 +18,7 @@
 //! external work. The change of energy that an impact law reports is computed from relative velocities and does not
 //! include this work.
 
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use crate::prescribed_state::state_at;
 use crate::scene::Trajectory;
 use crate::world::World;
@@ -193,6 +193,7 @@ impl World {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::collision::contact_id::Feature;
     use crate::collision::contact_set::Touch;
     use crate::pivot_form::PivotRows;
     use crate::rows::assembly::Assembly;
@@ -368,7 +369,7 @@ mod tests {
         Ok(())
     }
 
-    fn first_feature(world: &World) -> Result<polhode_contact::ContactFeature, Box<dyn Error>> {
+    fn first_feature(world: &World) -> Result<Feature, Box<dyn Error>> {
         let states = [TABLE, BODY].map(|body| BodyState::at_rest(Pose::from_translation(DVec3::Z * body as f64)));
         let touches = world.contacts_of_pair(&states, TABLE, BODY, 10.0);
         Ok(touches.first().ok_or("no contact")?.id.feature)

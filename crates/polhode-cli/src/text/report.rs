@@ -196,6 +196,10 @@ fn measured(value: Option<f64>) -> String {
 fn at(report: &RunReport, pair: Option<PairAt>) -> String {
     let name = |body: BodyId| report.bodies.get(body.index()).map_or("", |body| body.name.as_str());
     pair.map_or_else(String::new, |pair| {
+        // A joint with the world has one body.
+        if pair.body_a == pair.body_b {
+            return format!(": {} at t = {} s", name(pair.body_a), number(pair.t_s));
+        }
         format!(": {} and {} at t = {} s", name(pair.body_a), name(pair.body_b), number(pair.t_s))
     })
 }

@@ -1,13 +1,13 @@
 //! Joints.
 
 use super::bodies::Bodies;
-use super::fault::{Fault, Faults, vector};
+use super::fault::{Fault, Faults, positive, vector};
 use crate::document::KeyPath;
 use crate::error::Refusal;
-use crate::format::{JointEntry, JointKindEntry, SceneFile, Vector};
+use crate::format::{Exactly, JointEntry, JointKindEntry, LimitsEntry, RopeEntry, SceneFile, Vector};
 use polhode::BodyId;
-use polhode::scene::{Joint, JointKind};
-use polhode::spatial::UnitVector;
+use polhode::scene::{Coordinate, Joint, JointKind, Limits, LimitsError};
+use polhode::spatial::{DVec3, UnitVector};
 
 /// The joints of the file.
 pub(super) fn build(file: &SceneFile, bodies: &Bodies<'_>, faults: &mut Faults) -> Vec<Joint> {
@@ -17,51 +17,121 @@ pub(super) fn build(file: &SceneFile, bodies: &Bodies<'_>, faults: &mut Faults) 
     file.joints.iter().enumerate().filter_map(of_entry).collect()
 }
 
-/// What an entry gives beside its kind: the names of its bodies, its anchor, and its path.
-struct Held<'a> {
+/// What an entry gives: the names of its bodies, its anchor, the path of its keys, what it leaves free, and limits of that.
+struct Entry<'a> {
     names: &'a [String],
     anchor: &'a Vector,
+    /// Under which key the anchor is.
+    anchor_path: KeyPath,
     path: KeyPath,
+    kind: JointKind,
+    limits: Vec<(Coordinate, Limits)>,
+}
+
+impl<'a> Entry<'a> {
+    fn new(names: &'a [String], anchor: &'a Vector, path: KeyPath, kind: JointKind) -> Self {
+        Self { names, anchor, anchor_path: path.key("anchor"), path, kind, limits: Vec::new() }
+    }
+
+    /// With the limits of a coordinate, if there are any.
+    fn with(mut self, coordinate: Coordinate, entry: Option<&LimitsEntry>) -> Result<Self, Fault> {
+        if let Some(LimitsEntry { range: Exactly([lower, upper]), restitution }) = entry {
+            let path = self.path.key(coordinate.name());
+            self.limits.push((coordinate, limits((*lower, *upper), *restitution, &path)?));
+        }
+        Ok(self)
+    }
 }
 
 fn joint(kind: &JointKindEntry, bodies: &Bodies<'_>, path: &KeyPath) -> Result<Joint, Fault> {
-    let at = |key: &'static str, names, anchor| Held { names, anchor, path: path.key(key) };
-    let along = |held: &Held<'_>, key: &'static str, vector| direction(vector, &held.path.key(key));
-    let (held, kind) = match kind {
-        JointKindEntry::Ball(entry) => (at("ball", &entry.bodies, &entry.anchor), JointKind::Ball),
-        JointKindEntry::Fixed(entry) => (at("fixed", &entry.bodies, &entry.anchor), JointKind::Fixed),
-        JointKindEntry::Hinge(entry) => {
-            let held = at("hinge", &entry.bodies, &entry.anchor);
-            let axis = along(&held, "axis", &entry.axis)?;
-            (held, JointKind::Hinge { axis })
-        }
-        JointKindEntry::Slider(entry) => {
-            let held = at("slider", &entry.bodies, &entry.anchor);
-            let axis = along(&held, "axis", &entry.axis)?;
-            (held, JointKind::Slider { axis })
-        }
-        JointKindEntry::Cylindrical(entry) => {
-            let held = at("cylindrical", &entry.bodies, &entry.anchor);
-            let axis = along(&held, "axis", &entry.axis)?;
-            (held, JointKind::Cylindrical { axis })
-        }
-        JointKindEntry::Planar(entry) => {
-            let held = at("planar", &entry.bodies, &entry.anchor);
-            let normal = along(&held, "normal", &entry.normal)?;
-            (held, JointKind::Planar { normal })
-        }
-        JointKindEntry::Universal(entry) => {
-            let held = at("universal", &entry.bodies, &entry.anchor);
-            let path = held.path.key("axes");
-            let [first, second] = &entry.axes.0;
-            let axes = [direction(first, &path.index(0))?, direction(second, &path.index(1))?];
-            (held, JointKind::Universal { axes })
-        }
-    };
-    let anchor = vector(held.anchor, &held.path.key("anchor"))?;
-    let (body, other) = pair(held.names, bodies, &held.path.key("bodies"))?;
-    let joint = Joint::new(kind, body, anchor);
+    let entry = entry(kind, path)?;
+    let anchor = vector(entry.anchor, &entry.anchor_path)?;
+    let (body, other) = pair(entry.names, bodies, &entry.path.key("bodies"))?;
+    let mut joint = Joint::new(entry.kind, body, anchor);
+    for (coordinate, limits) in entry.limits {
+        joint = joint.with_limits(coordinate, limits);
+    }
     Ok(other.map_or(joint, |other| joint.with(other)))
+}
+
+fn entry<'a>(kind: &'a JointKindEntry, path: &KeyPath) -> Result<Entry<'a>, Fault> {
+    let axis = |vector, path: &KeyPath| direction(vector, &path.key("axis"));
+    Ok(match kind {
+        JointKindEntry::Ball(own) => Entry::new(&own.bodies, &own.anchor, path.key("ball"), JointKind::Ball),
+        JointKindEntry::Fixed(own) => Entry::new(&own.bodies, &own.anchor, path.key("fixed"), JointKind::Fixed),
+        JointKindEntry::Hinge(own) => {
+            let path = path.key("hinge");
+            let kind = JointKind::Hinge { axis: axis(&own.axis, &path)? };
+            Entry::new(&own.bodies, &own.anchor, path, kind).with(Coordinate::Angle, own.angle.as_ref())?
+        }
+        JointKindEntry::Slider(own) => {
+            let path = path.key("slider");
+            let kind = JointKind::Slider { axis: axis(&own.axis, &path)? };
+            Entry::new(&own.bodies, &own.anchor, path, kind)
+                .with(Coordinate::Displacement, own.displacement.as_ref())?
+        }
+        JointKindEntry::Cylindrical(own) => {
+            let path = path.key("cylindrical");
+            let kind = JointKind::Cylindrical { axis: axis(&own.axis, &path)? };
+            let entry = Entry::new(&own.bodies, &own.anchor, path, kind);
+            let entry = entry.with(Coordinate::Angle, own.angle.as_ref())?;
+            entry.with(Coordinate::Displacement, own.displacement.as_ref())?
+        }
+        JointKindEntry::Planar(own) => {
+            let path = path.key("planar");
+            let normal = direction(&own.normal, &path.key("normal"))?;
+            Entry::new(&own.bodies, &own.anchor, path, JointKind::Planar { normal })
+        }
+        JointKindEntry::Universal(own) => {
+            let path = path.key("universal");
+            let of_axes = path.key("axes");
+            let [first, second] = &own.axes.0;
+            let axes = [direction(first, &of_axes.index(0))?, direction(second, &of_axes.index(1))?];
+            Entry::new(&own.bodies, &own.anchor, path, JointKind::Universal { axes })
+        }
+        JointKindEntry::Rod(own) => {
+            let (ends, path) = (Ends::of(&own.anchors, &path.key("rod"))?, path.key("rod"));
+            Entry {
+                anchor_path: ends.path,
+                ..Entry::new(&own.bodies, ends.first, path, JointKind::Rod { to: ends.to })
+            }
+        }
+        JointKindEntry::Rope(own) => {
+            let (ends, path) = (Ends::of(&own.anchors, &path.key("rope"))?, path.key("rope"));
+            let limits = (Coordinate::Distance, rope_limits(own, &ends, &path)?);
+            let entry = Entry::new(&own.bodies, ends.first, path, JointKind::Rope { to: ends.to });
+            Entry { anchor_path: ends.path, limits: vec![limits], ..entry }
+        }
+    })
+}
+
+/// The anchors of a rod or a rope: the first one and its path, and where the second one is.
+struct Ends<'a> {
+    first: &'a Vector,
+    path: KeyPath,
+    to: DVec3,
+}
+
+impl<'a> Ends<'a> {
+    fn of(Exactly([first, second]): &'a Exactly<Vector, 2>, path: &KeyPath) -> Result<Self, Fault> {
+        let path = path.key("anchors");
+        Ok(Self { first, to: vector(second, &path.index(1))?, path: path.index(0) })
+    }
+}
+
+/// The limits of the distance that a rope allows: its length, which without that key is the distance at the start.
+fn rope_limits(entry: &RopeEntry, ends: &Ends<'_>, path: &KeyPath) -> Result<Limits, Fault> {
+    let length = match entry.length {
+        Some(length) => positive(length, &path.key("length"))?,
+        None => (vector(ends.first, &ends.path)? - ends.to).length(),
+    };
+    limits((f64::NEG_INFINITY, length), entry.restitution, path)
+}
+
+/// Limits of a coordinate.
+fn limits((lower, upper): (f64, f64), restitution: f64, path: &KeyPath) -> Result<Limits, Fault> {
+    let refused = |error: LimitsError| (path.clone(), error.into());
+    Limits::new(lower, upper).and_then(|limits| limits.with_restitution(restitution)).map_err(refused)
 }
 
 /// A direction of any length but zero.

@@ -114,6 +114,7 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
             KeyPath::of(&["method", "integrator"])
         }
         SceneError::Joint { number, .. }
+        | SceneError::JointBeyondLimits { number, .. }
         | SceneError::JointMoves { number, .. }
         | SceneError::JointTurns { number, .. } => KeyPath::element("joints", *number),
         SceneError::FrictionInTier { .. } | SceneError::JointsInTier { .. } => KeyPath::of(&["method", "tier"]),

@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Kinds of joint, for messages.
-pub(crate) const JOINTS: &str = "ball, hinge, universal, fixed, slider, cylindrical or planar";
+pub(crate) const JOINTS: &str = "ball, hinge, universal, fixed, slider, cylindrical, planar, rod or rope";
 
 /// A joint: what holds two bodies, or a body and the world, together.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -23,17 +23,21 @@ pub enum JointKindEntry {
     /// A point of both bodies: all rotations about it are free.
     Ball(PointJointEntry),
     /// A point and an axis of both bodies: the rotation about the axis is free.
-    Hinge(AxisJointEntry),
+    Hinge(HingeEntry),
     /// A point of both bodies, and an axis of each at right angles: the rotations about both are free.
     Universal(UniversalJointEntry),
     /// The bodies move as one.
     Fixed(PointJointEntry),
     /// A line of the second body, or of the world, on which a point of the first slides without a rotation.
-    Slider(AxisJointEntry),
+    Slider(SliderEntry),
     /// An axis of both bodies: the rotation about it and the displacement along it are free.
-    Cylindrical(AxisJointEntry),
+    Cylindrical(CylindricalEntry),
     /// A plane of the second body, or of the world, in which a point of the first slides; both keep its normal.
     Planar(PlanarJointEntry),
+    /// A rod without mass: the distance of a point of each stays.
+    Rod(RodEntry),
+    /// A rope without mass between a point of each.
+    Rope(RopeEntry),
 }
 
 /// A joint at a point.
@@ -47,10 +51,22 @@ pub struct PointJointEntry {
     pub anchor: Vector,
 }
 
-/// A joint along an axis.
+/// Limits of a coordinate of a joint: a stop at each.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct AxisJointEntry {
+pub struct LimitsEntry {
+    /// The smallest and the largest value; the coordinate is zero at t = 0. rad of an angle, m of a displacement.
+    pub range: Exactly<f64, 2>,
+    /// Coefficient of restitution at both.
+    #[serde(default)]
+    #[schemars(range(min = 0.0, max = 1.0))]
+    pub restitution: f64,
+}
+
+/// A hinge.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HingeEntry {
     /// Names of the two bodies; of one that is held by the world.
     #[schemars(length(min = 1, max = 2))]
     pub bodies: Vec<String>,
@@ -58,6 +74,69 @@ pub struct AxisJointEntry {
     pub anchor: Vector,
     /// The direction of the axis at t = 0, world; of any length but zero.
     pub axis: Vector,
+    /// Limits of the angle of the first body about the axis, relative to the second one or the world; less than one revolution.
+    pub angle: Option<LimitsEntry>,
+}
+
+/// A slider.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SliderEntry {
+    /// Names of the two bodies; of one that is held by the world.
+    #[schemars(length(min = 1, max = 2))]
+    pub bodies: Vec<String>,
+    /// A point of the axis at t = 0, m, world.
+    pub anchor: Vector,
+    /// The direction of the axis at t = 0, world; of any length but zero.
+    pub axis: Vector,
+    /// Limits of the displacement of the first body along the axis.
+    pub displacement: Option<LimitsEntry>,
+}
+
+/// A rod.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RodEntry {
+    /// Names of the two bodies; of one that is held by the world.
+    #[schemars(length(min = 1, max = 2))]
+    pub bodies: Vec<String>,
+    /// The points at its ends at t = 0, m, world: that of the first body, that of the second one or of the world.
+    pub anchors: Exactly<Vector, 2>,
+}
+
+/// A rope.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RopeEntry {
+    /// Names of the two bodies; of one that is held by the world.
+    #[schemars(length(min = 1, max = 2))]
+    pub bodies: Vec<String>,
+    /// The points at its ends at t = 0, m, world: that of the first body, that of the second one or of the world.
+    pub anchors: Exactly<Vector, 2>,
+    /// Its length, m; without this key it is taut at t = 0.
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    pub length: Option<f64>,
+    /// Coefficient of restitution when it becomes taut.
+    #[serde(default)]
+    #[schemars(range(min = 0.0, max = 1.0))]
+    pub restitution: f64,
+}
+
+/// A cylindrical joint.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CylindricalEntry {
+    /// Names of the two bodies; of one that is held by the world.
+    #[schemars(length(min = 1, max = 2))]
+    pub bodies: Vec<String>,
+    /// A point of the axis at t = 0, m, world.
+    pub anchor: Vector,
+    /// The direction of the axis at t = 0, world; of any length but zero.
+    pub axis: Vector,
+    /// Limits of the angle of the first body about the axis, relative to the second one or the world; less than one revolution.
+    pub angle: Option<LimitsEntry>,
+    /// Limits of its displacement along the axis.
+    pub displacement: Option<LimitsEntry>,
 }
 
 /// A universal joint.

@@ -45,7 +45,10 @@ pub use force::{
 pub use friction::{FrictionEntry, GrainEntry, NumberOr, StaticFrictionEntry, StaticGrainEntry};
 pub use integrator::IntegratorName;
 pub(crate) use joint::JOINTS;
-pub use joint::{AxisJointEntry, JointEntry, JointKindEntry, PlanarJointEntry, PointJointEntry, UniversalJointEntry};
+pub use joint::{
+    CylindricalEntry, HingeEntry, JointEntry, JointKindEntry, LimitsEntry, PlanarJointEntry, PointJointEntry, RodEntry,
+    RopeEntry, SliderEntry, UniversalJointEntry,
+};
 pub use method::{
     ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,
     RotationRateName,

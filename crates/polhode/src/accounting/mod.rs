@@ -13,7 +13,7 @@ mod saved;
 mod stretches;
 
 use crate::body_id::BodyId;
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use crate::event::EventKind;
 use crate::observer::Observer;
 use crate::scene::ImpactLaw;
@@ -122,7 +122,7 @@ impl Accounts {
                 t_s: given.t,
                 kind: EventKind::Impact,
                 body_a: BodyId::new(given.id.a),
-                body_b: Some(BodyId::new(given.id.b)),
+                body_b: given.id.second().map(BodyId::new),
                 point: given.geometry.point,
                 normal: given.geometry.normal,
                 impulse: given.impulse,

@@ -5,7 +5,7 @@ use super::pace::is_instant;
 use super::system::received;
 use crate::accounting::books::Received;
 use crate::collision::active_contacts::ActiveContacts;
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use crate::core::Core;
 use crate::world::World;
 use polhode_dynamics::state::WIDTH;
@@ -32,9 +32,13 @@ pub(super) struct ConstrainedStep {
 }
 
 impl ConstrainedStep {
-    /// The pairs with held contacts, ascending.
-    pub(super) fn held_pairs(&self) -> Vec<(usize, usize)> {
+    /// The pairs whose contacts may close within the step: those with held contacts, and those with stops, ascending.
+    pub(super) fn watched_pairs(&self, world: &World) -> Vec<(usize, usize)> {
         let mut pairs: Vec<_> = self.active.held().iter().map(|id| (id.a, id.b)).collect();
+        if world.has_stops() {
+            pairs.extend(world.stop_pairs_among(&self.bodies));
+            pairs.sort_unstable();
+        }
         pairs.dedup();
         pairs
     }

@@ -13,7 +13,7 @@ use super::stage_method::{MethodStep, StageMethod};
 use super::system::ContactSystem;
 use crate::SimulationError;
 use crate::collision::active_contacts::ActiveContacts;
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use crate::core::Core;
 use crate::solve::cone_violation::{CONE_LIMIT, ConeViolation};
 use crate::world::World;

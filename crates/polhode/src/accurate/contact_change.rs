@@ -1,6 +1,6 @@
 //! What changes at the contacts of an island where its active set ceases to be valid.
 
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use crate::collision::turn::Turn;
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};

@@ -334,6 +334,7 @@ impl Engine {
                     }
                     pairs.insert((body.min(other), body.max(other)));
                 }
+                pairs.extend(core.world.stop_partners(body).map(|other| (body.min(other), body.max(other))));
                 let coupled = core.world.couplings_of(body).flatten();
                 joins.extend(coupled.copied().filter(|other| instant.bodies.binary_search(other).is_err()));
             }

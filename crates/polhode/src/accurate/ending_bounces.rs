@@ -61,7 +61,7 @@ impl Engine {
         let is_open = |i: &usize| candidates.binary_search(i).is_err() && !going_on.contains(i);
         for contact in group.contacts.iter().copied().filter(is_open) {
             let touch = instant.touches[contact];
-            let restitution = core.world.scene.pair_material(touch.id.a, touch.id.b).restitution();
+            let restitution = core.world.restitution_of(touch.id);
             let speed = touch.kinematics.separation_rate;
             let acceleration = forces.relative_acceleration(&core.world, &self.states, &touch);
             if restitution >= 1.0 || speed <= 0.0 || acceleration >= 0.0 {

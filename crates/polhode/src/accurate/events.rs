@@ -16,7 +16,8 @@ use super::pace::{NoAdvance, Pace, StepEnd};
 use crate::SimulationError;
 use crate::accounting::books::Balance;
 use crate::collision::active_contacts::ActiveContacts;
-use crate::collision::contact_set::{ContactId, FoundContact, Hold, Touch};
+use crate::collision::contact_id::ContactId;
+use crate::collision::contact_set::{FoundContact, Hold, Touch};
 use crate::core::Core;
 use crate::rows::assembly::free_acceleration;
 use crate::rows::groups::coupled_groups;
@@ -119,8 +120,7 @@ impl Engine {
             for coupled in core.world.couplings_of(body) {
                 open.extend(coupled.iter().copied());
             }
-            let mut partners: Vec<usize> = self.near.partners(body).to_vec();
-            partners.extend(self.contacts.partners(body));
+            let mut partners: Vec<usize> = self.partners(core, body).collect();
             partners.sort_unstable();
             partners.dedup();
             for other in partners {
@@ -134,6 +134,12 @@ impl Engine {
             }
         }
         Ok(affected.into_iter().collect())
+    }
+
+    /// The bodies that a body may meet or touches, itself where it has stops with the world; some are repeated.
+    pub(super) fn partners<'a>(&'a self, core: &'a Core, body: usize) -> impl Iterator<Item = usize> + 'a {
+        let near = self.near.partners(body).iter().copied().chain(self.contacts.partners(body));
+        near.chain(core.world.stop_partners(body))
     }
 
     /// Whether two bodies touch at `t`.
@@ -185,7 +191,7 @@ impl Engine {
         let mut pairs = BTreeSet::new();
         let concerns = |other: usize| bodies.binary_search(&other).is_ok() || !core.world.bodies[other].moves();
         for &body in &bodies {
-            let partners = self.near.partners(body).iter().copied().chain(self.contacts.partners(body));
+            let partners = self.partners(core, body);
             pairs.extend(partners.filter(|&other| concerns(other)).map(|o| (body.min(o), body.max(o))));
         }
         let known = pairs.iter().flat_map(|&pair| self.contacts.of_pair(pair)).copied();
@@ -339,18 +345,19 @@ impl Engine {
     /// `chi''` of a contact at `t` (s) without contact forces, m/s^2.
     fn free_separation_rate_change(&self, core: &Core, t: f64, contact: &FoundContact) -> f64 {
         let (world, states, id) = (&core.world, &self.states, contact.id);
-        let movable: Vec<usize> = [id.a, id.b].into_iter().filter(|&body| world.bodies[body].moves()).collect();
+        let members = id.members().map(|(body, _)| body);
+        let movable: Vec<usize> = members.filter(|&body| world.bodies[body].moves()).collect();
         let loads = world.loads_on(t, states, &movable);
         let geometry = &contact.kinematics.geometry;
-        let [a, b] = [id.a, id.b].map(|body| {
+        let at_point = |body: usize| {
             if !movable.contains(&body) {
                 return DVec3::ZERO;
             }
             let (linear, angular) = free_acceleration(world, states, &loads, body);
             linear + angular.cross(geometry.point - states[body].pose.translation)
-        });
+        };
         let driven = world.prescribed_acceleration_of(t, states, id, geometry);
-        geometry.normal.dot(a - b) + contact.kinematics.acceleration_bias + driven
+        geometry.normal.dot(id.relative(at_point)) + contact.kinematics.acceleration_bias + driven
     }
 
     /// Continues the motion of the bodies of a resolved instant.

@@ -13,8 +13,8 @@
 //! much, or contacts resist rotations, the least ones are taken without a look at the cones.
 
 use crate::collision::active_contacts::ActiveContacts;
+use crate::collision::contact_id::ContactId;
 use crate::collision::contact_modes::ContactModes;
-use crate::collision::contact_set::ContactId;
 use crate::collision::friction_mode::FrictionMode;
 use crate::collision::turn::Turn;
 use crate::constraint::bilateral::{Bilateral, Reaction};

@@ -4,7 +4,8 @@
 //! force holds; a contact whose bodies accelerate apart breaks. The accelerations are unique, the forces may not be
 //! (erratum E13).
 
-use crate::collision::contact_set::{ContactId, Touch};
+use crate::collision::contact_id::ContactId;
+use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::FrictionMode;
 use crate::collision::turn::Turn;
 use crate::rows::assembly::Assembly;
@@ -228,7 +229,7 @@ impl Forces {
         let mut moment_sums = vec![0.0; world.bodies.len()];
         for (index, (touch, normal)) in contacts.iter().zip(&self.solution.forces).enumerate() {
             let force = self.friction(index).map_or(*normal, |friction| normal + friction.force.length());
-            for body in [touch.id.a, touch.id.b] {
+            for (body, _) in touch.id.members() {
                 let arm = touch.kinematics.geometry.point - states[body].pose.translation;
                 force_sums[body] += force;
                 moment_sums[body] += force * arm.length();

@@ -3,7 +3,8 @@
 use super::contact_change::ContactChange;
 use super::pace::NoAdvance;
 use crate::SimulationError;
-use crate::collision::contact_set::{ContactId, Hold, Touch};
+use crate::collision::contact_id::ContactId;
+use crate::collision::contact_set::{Hold, Touch};
 use crate::core::Core;
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};

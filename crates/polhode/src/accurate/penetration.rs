@@ -10,7 +10,8 @@
 
 use super::constrained_step::ConstrainedStep;
 use super::engine::Engine;
-use crate::collision::contact_set::{ContactId, Pair};
+use crate::collision::contact_id::ContactId;
+use crate::collision::contact_set::Pair;
 use crate::constraint::locator::{Side, close_in};
 use crate::core::Core;
 use polhode_dynamics::BodyState;
@@ -105,7 +106,7 @@ impl Engine {
         tolerated: &'a BTreeSet<ContactId>,
     ) -> impl Iterator<Item = Penetration> + 'a {
         let of_pair = move |pair| self.penetration_of_pair(core, step, pair, states, tolerated);
-        step.held_pairs().into_iter().map(of_pair)
+        step.watched_pairs(&core.world).into_iter().map(of_pair)
     }
 
     fn penetration_of_pair(
@@ -166,7 +167,7 @@ impl Engine {
     ) -> Option<(f64, f64)> {
         step.states_at(&core.world, start, states);
         let mut closing = Vec::new();
-        for (a, b) in step.held_pairs() {
+        for (a, b) in step.watched_pairs(&core.world) {
             let travel =
                 (core.world.point_speed(&self.states, a) + core.world.point_speed(&self.states, b)) * (end - start);
             let reach = travel + core.world.touch_distance(states, a, b);

@@ -11,7 +11,7 @@
 use super::engine::Engine;
 use crate::SimulationError;
 use crate::accounting::books::Balance;
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use crate::constraint::bilateral::Bilateral;
 use crate::core::Core;
 use crate::solve::overlap::Overlaps;
@@ -65,7 +65,7 @@ impl Engine {
     ) -> Result<bool, SimulationError> {
         let mut pairs = BTreeSet::new();
         for &body in bodies {
-            let partners = self.near.partners(body).iter().copied().chain(self.contacts.partners(body));
+            let partners = self.partners(core, body);
             pairs.extend(partners.map(|other| (body.min(other), body.max(other))));
         }
         let pairs: Vec<_> = pairs.into_iter().collect();

@@ -9,8 +9,9 @@ use super::hold::{Forces, FoundMode};
 use super::instant::Instant;
 use crate::SimulationError;
 use crate::body_id::BodyId;
+use crate::collision::contact_id::ContactId;
 use crate::collision::contact_modes::ContactModes;
-use crate::collision::contact_set::{ContactId, FoundContact, Hold, Pair, Touch};
+use crate::collision::contact_set::{FoundContact, Hold, Pair, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::core::Core;
 use crate::event::{Event, EventKind};
@@ -505,7 +506,7 @@ impl Engine {
         let after = instant.held_pairs();
         for &(a, b) in before.difference(&after) {
             let mut event = body_event(instant.t, EventKind::ContactEnd, a, self.states[a].pose.translation);
-            event.body_b = Some(BodyId::new(b));
+            event.body_b = (b != a).then(|| BodyId::new(b));
             if let Some(touch) = instant.touches.iter().find(|touch| (touch.id.a, touch.id.b) == (a, b)) {
                 event = contact_event(instant.t, EventKind::ContactEnd, touch);
             }
@@ -609,7 +610,7 @@ fn contact_event(t: f64, kind: EventKind, touch: &Touch) -> Event {
         t_s: t,
         kind,
         body_a: BodyId::new(touch.id.a),
-        body_b: Some(BodyId::new(touch.id.b)),
+        body_b: touch.id.second().map(BodyId::new),
         point: touch.kinematics.geometry.point,
         normal: touch.kinematics.geometry.normal,
         impulse: 0.0,

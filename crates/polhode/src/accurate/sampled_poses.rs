@@ -44,8 +44,12 @@ impl Engine {
             if overlaps.is_empty() {
                 continue;
             }
-            let pairs: Vec<(usize, usize)> =
-                overlaps.into_iter().chain(step.held_pairs()).collect::<BTreeSet<_>>().into_iter().collect();
+            let pairs: Vec<(usize, usize)> = overlaps
+                .into_iter()
+                .chain(step.watched_pairs(&core.world))
+                .collect::<BTreeSet<_>>()
+                .into_iter()
+                .collect();
             let found = Overlaps::find(&core.world, &apart, &pairs);
             let problem = (&mut core.solver, &mut Delassus::default());
             found

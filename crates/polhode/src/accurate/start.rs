@@ -99,6 +99,7 @@ impl Engine {
         }
         let mut pairs = Vec::new();
         boxes.all_pairs(&core.world, |a, b| pairs.push((a, b)))?;
+        pairs.extend(core.world.stop_pairs());
         Ok(pairs)
     }
 

@@ -19,7 +19,7 @@ use super::held_forces::{self, FrictionContact, HeldForces};
 use crate::Momentum;
 use crate::accounting::books::{Received, given_by_fields, gravity_at};
 use crate::collision::active_contacts::ActiveContacts;
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use crate::constraint::bilateral::bilateral_support;
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::impact::support;
@@ -136,7 +136,7 @@ impl<'a> ContactSystem<'a> {
     fn note_magnitudes(&mut self, held: &HeldForces) {
         let mut sums = vec![[0.0; 2]; self.bodies.len()];
         for (id, geometry, force) in self.contact_forces(held) {
-            for body in [id.a, id.b] {
+            for (body, _) in id.members() {
                 if let Ok(index) = self.bodies.binary_search(&body) {
                     let arm = geometry.point - self.states[body].pose.translation;
                     sums[index][0] += force.abs();
@@ -194,7 +194,8 @@ impl<'a> ContactSystem<'a> {
             }
         }
         for (id, geometry, force) in self.contact_forces(held) {
-            for (body, signed) in [(id.a, force), (id.b, -force)] {
+            for (body, sign) in id.members() {
+                let signed = force * sign;
                 let vector = geometry.normal * signed;
                 let moment = (geometry.point - self.states[body].pose.translation).cross(vector);
                 self.add_load(body, vector, moment, rates);

@@ -1,7 +1,8 @@
 //! The active contacts of an island, each with its modes.
 
+use super::contact_id::ContactId;
 use super::contact_modes::ContactModes;
-use super::contact_set::{ContactId, Touch};
+use super::contact_set::Touch;
 use super::friction_mode::{FrictionMode, Slide};
 use super::turn::{RotationModes, Turn};
 use crate::world::World;

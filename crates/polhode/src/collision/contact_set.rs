@@ -3,6 +3,7 @@
 //! Bodies and features identify a contact, so that its status is kept from one event to the next while its geometry is
 //! evaluated anew in every state. Between events the set of contacts is frozen; at an event it is detected again.
 
+use super::contact_id::{ContactId, Feature};
 use super::contact_modes::ContactModes;
 use super::friction_mode::{FrictionCoefficients, RotationalFriction};
 use super::turn::Turn;
@@ -10,9 +11,7 @@ use crate::plane_of_motion::PlaneOfMotion;
 use crate::prescribed_state;
 use crate::scene::{FrictionEllipse, GrainOf};
 use crate::world::{TOUCH_RELATIVE, World};
-use polhode_contact::{
-    ContactFeature, ContactKinematics, Manifold, Shape, TangentialKinematics, counterpart, separation,
-};
+use polhode_contact::{ContactKinematics, Manifold, Shape, TangentialKinematics, counterpart, separation};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Velocity};
 
@@ -24,14 +23,6 @@ const COUNTERPART_FRACTION: f64 = 0.25;
 /// The sine of the angle between a grain and the normal of a contact below which it stands on end (no unit, 1e-12 to
 /// 1e-6): the direction of its projection would be rounding.
 const GRAIN_ON_END: f64 = 1e-9;
-
-/// Identity of a contact point: two bodies (by index, A before B) and the features that touch.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct ContactId {
-    pub(crate) a: usize,
-    pub(crate) b: usize,
-    pub(crate) feature: ContactFeature,
-}
 
 /// Whether a touching contact is active until the next event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -158,10 +149,14 @@ impl World {
     }
 
     pub(super) fn kinematics_in_space(&self, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
+        let feature = match id.feature {
+            Feature::Shapes(feature) => feature,
+            Feature::Stop(stop) => return self.stop_kinematics(states, stop),
+        };
         let (shape_a, shape_b) = self.shapes(id.a, id.b)?;
         let (state_a, state_b) = (&states[id.a], &states[id.b]);
         polhode_contact::kinematics(
-            id.feature,
+            feature,
             shape_a,
             &state_a.pose,
             &self.velocity(id.a, state_a),
@@ -173,7 +168,7 @@ impl World {
 
     /// The coefficients of friction of two bodies; none without friction.
     pub(crate) fn friction_of(&self, a: usize, b: usize) -> Option<FrictionCoefficients> {
-        if !self.has_friction() {
+        if !self.has_friction() || !self.stops_of_pair((a, b)).is_empty() {
             return None;
         }
         let material = self.scene.pair_material(a, b);
@@ -213,7 +208,7 @@ impl World {
 
     /// The friction of rolling and spinning of two bodies; none without either.
     pub(crate) fn rotational_friction_of(&self, a: usize, b: usize) -> Option<RotationalFriction> {
-        if !self.has_rotational_friction() {
+        if !self.has_rotational_friction() || !self.stops_of_pair((a, b)).is_empty() {
             return None;
         }
         let material = self.scene.pair_material(a, b);
@@ -230,11 +225,12 @@ impl World {
     /// Slip of a contact and the terms of its derivative, in motion in space; none as for [`Self::kinematics`]. Of
     /// contacts with a grain the first tangent is along it.
     pub(crate) fn tangential_kinematics(&self, states: &[BodyState], id: ContactId) -> Option<TangentialKinematics> {
+        let Feature::Shapes(feature) = id.feature else { return None };
         let (shape_a, shape_b) = self.shapes(id.a, id.b)?;
         let (state_a, state_b) = (&states[id.a], &states[id.b]);
         let (velocity_a, velocity_b) = (self.velocity(id.a, state_a), self.velocity(id.b, state_b));
         let (a, b) = ((shape_a, &state_a.pose, &velocity_a), (shape_b, &state_b.pose, &velocity_b));
-        let found = polhode_contact::kinematics_with_tangential(id.feature, a.0, a.1, a.2, b.0, b.1, b.2);
+        let found = polhode_contact::kinematics_with_tangential(feature, a.0, a.1, a.2, b.0, b.1, b.2);
         let mut terms = found.map(|(_, terms)| terms)?;
         if self.has_moving_surfaces() {
             self.add_surface_slip(states, id, &mut terms);
@@ -264,6 +260,9 @@ impl World {
 
     /// The separation of one pair, m, and its contacts as [`Self::contacts_of_pair`] gives them.
     pub(crate) fn pair(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> Pair {
+        if let Some(stops) = self.pair_of_stops(states, (a, b), reach) {
+            return stops;
+        }
         let found = self.manifold_with_counterparts(states, (a, b), reach);
         found.map_or_else(Pair::far, |found| self.pair_of(states, (a, b), reach, found))
     }
@@ -276,10 +275,25 @@ impl World {
         reach: f64,
         depth: f64,
     ) -> Option<Pair> {
-        let (separation, contacts) = self.manifold_with_counterparts(states, (a, b), reach)?;
         let penetrates = |separation: f64| separation < -depth;
+        if let Some(stops) = self.pair_of_stops(states, (a, b), reach) {
+            return penetrates(stops.separation).then_some(stops);
+        }
+        let (separation, contacts) = self.manifold_with_counterparts(states, (a, b), reach)?;
         let is_deep = contacts.iter().any(|contact| penetrates(contact.kinematics.geometry.separation));
         (is_deep || penetrates(separation)).then(|| self.pair_of(states, (a, b), reach, (separation, contacts)))
+    }
+
+    /// The stops of two bodies of a joint; none of bodies without stops.
+    fn pair_of_stops(&self, states: &[BodyState], pair: (usize, usize), reach: f64) -> Option<Pair> {
+        if !self.has_stops() || self.stops_of_pair(pair).is_empty() {
+            return None;
+        }
+        let contacts = self.stops_within(states, pair, reach).into_iter();
+        let contacts: Vec<FoundContact> =
+            contacts.map(|found| FoundContact { kinematics: self.in_plane(found.kinematics), ..found }).collect();
+        let separations = contacts.iter().map(|found| found.kinematics.geometry.separation);
+        Some(Pair { separation: separations.fold(f64::INFINITY, f64::min), contacts, is_passing: false })
     }
 
     fn pair_of(
@@ -298,6 +312,9 @@ impl World {
     /// The separation of one pair, m, and its contacts with a separation of at most `reach` (m) by the poses of its
     /// bodies alone: also those at which the bodies pass each other.
     pub(crate) fn pair_at_poses(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> Pair {
+        if let Some(stops) = self.pair_of_stops(states, (a, b), reach) {
+            return stops;
+        }
         let Some((separation, contacts)) = self.manifold_with_counterparts(states, (a, b), reach) else {
             return Pair::far();
         };
@@ -324,7 +341,7 @@ impl World {
         features.sort_unstable();
         features.dedup();
         let found = features.into_iter().filter_map(|feature| {
-            let id = ContactId { a, b, feature };
+            let id = ContactId { a, b, feature: Feature::Shapes(feature) };
             Some(FoundContact { id, kinematics: self.kinematics_in_space(states, id)? })
         });
         Some((separation, found.collect()))
@@ -337,7 +354,7 @@ impl World {
         (a, b): (usize, usize),
         reach: f64,
         found: Vec<FoundContact>,
-        passing: &[ContactFeature],
+        passing: &[Feature],
     ) -> Vec<FoundContact> {
         // A contact that has left its features is dropped, even if collision detection keeps it as the last one of its
         // pair.

@@ -16,7 +16,8 @@
 //! surface, within the touch distance for crossings and within rounding for seams. A compound may cover the edge of one of its parts alone. Where a body covers the
 //! plane alone and is touched by an edge or a face, it has no border there.
 
-use super::contact_set::{ContactId, Touch};
+use super::contact_id::{ContactId, Feature};
+use super::contact_set::Touch;
 use crate::world::World;
 use polhode_contact::{ContactFeature, DVec3, Side, SurfaceFeature, closest_point};
 use polhode_dynamics::BodyState;
@@ -116,7 +117,8 @@ const fn lying_on(touch: &Touch, side: Side) -> Lying<'_> {
 /// The body whose rim crosses an edge at a contact, on the body of that edge; none for another contact.
 fn crossed_edge(touch: &Touch) -> Option<Lying<'_>> {
     use SurfaceFeature::{Edge, RimEntry, RimExit};
-    match touch.id.feature {
+    let Feature::Shapes(feature) = touch.id.feature else { return None };
+    match feature {
         ContactFeature::Elements { a: RimExit(_) | RimEntry(_), b: Edge(_) } => Some(lying_on(touch, Side::A)),
         ContactFeature::Elements { a: Edge(_), b: RimExit(_) | RimEntry(_) } => Some(lying_on(touch, Side::B)),
         _ => None,
@@ -125,7 +127,9 @@ fn crossed_edge(touch: &Touch) -> Option<Lying<'_>> {
 
 /// Whether a body touches by a point that moves with it: a vertex, a sphere or a point of a rim. The load that it takes is
 /// taken by no other contact.
-fn is_extreme(feature: ContactFeature, side: Side) -> bool {
+fn is_extreme(feature: Feature, side: Side) -> bool {
+    // A stop is on no surface.
+    let Feature::Shapes(feature) = feature else { return true };
     match feature {
         ContactFeature::EdgeEdge { .. } => false,
         ContactFeature::VertexFace { vertex_of, .. } => vertex_of == side,

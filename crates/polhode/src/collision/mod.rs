@@ -16,6 +16,7 @@
 
 pub(crate) mod active_contacts;
 pub(crate) mod boxes;
+pub(crate) mod contact_id;
 pub(crate) mod contact_modes;
 pub(crate) mod contact_set;
 mod covered_borders;

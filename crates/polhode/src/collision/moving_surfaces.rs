@@ -10,7 +10,7 @@
 //! the contact, `u` the slip): the drives of the surfaces give `-f.w`. Assumes that a surface moves steadily, and that no
 //! momentum of what moves matters.
 
-use super::contact_set::ContactId;
+use super::contact_id::ContactId;
 use crate::world::World;
 use polhode_contact::{ContactGeometry, TangentialKinematics};
 use polhode_dynamics::BodyState;

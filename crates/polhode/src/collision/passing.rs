@@ -5,9 +5,10 @@
 //! a face at that border (`polhode_contact::Passing`, where the rule stands): the contacts with the plane of
 //! this face take the place of those that would collide.
 
-use super::contact_set::{ContactId, FoundContact};
+use super::contact_id::{ContactId, Feature};
+use super::contact_set::FoundContact;
 use crate::world::World;
-use polhode_contact::{ContactFeature, ContactKinematics, Moving, Passing};
+use polhode_contact::{ContactKinematics, Moving, Passing};
 use polhode_dynamics::BodyState;
 use polhode_spatial::Velocity;
 
@@ -24,7 +25,7 @@ impl World {
         states: &[BodyState],
         (a, b): (usize, usize),
         contacts: &mut Vec<FoundContact>,
-    ) -> Vec<ContactFeature> {
+    ) -> Vec<Feature> {
         let mut passing = Vec::new();
         if contacts.iter().all(|contact| contact.kinematics.separation_rate >= 0.0) {
             return passing;
@@ -34,11 +35,12 @@ impl World {
         let sustained = self.sustained_rate((a, b), &velocities);
         let mut in_place = |FoundContact { id, kinematics }: &FoundContact| {
             let collides = kinematics.separation_rate < -sustained;
-            collides.then(|| bodies.in_place_of(id.feature, kinematics.geometry.normal)).flatten()
+            let Feature::Shapes(feature) = id.feature else { return None };
+            collides.then(|| bodies.in_place_of(feature, kinematics.geometry.normal)).flatten()
         };
         contacts.retain(|contact| match in_place(contact) {
             Some(features) => {
-                passing.extend(features);
+                passing.extend(features.into_iter().map(Feature::Shapes));
                 false
             }
             None => true,
@@ -79,10 +81,11 @@ impl World {
     pub(crate) fn pass_each_other(&self, states: &[BodyState], id: ContactId, kinematics: &ContactKinematics) -> bool {
         let pair = (id.a, id.b);
         let velocities = [id.a, id.b].map(|body| self.velocity(body, &states[body]));
+        let Feature::Shapes(feature) = id.feature else { return false };
         kinematics.separation_rate < -self.sustained_rate(pair, &velocities)
             && self
                 .passing(states, pair, &velocities)
-                .and_then(|mut bodies| bodies.in_place_of(id.feature, kinematics.geometry.normal))
+                .and_then(|mut bodies| bodies.in_place_of(feature, kinematics.geometry.normal))
                 .is_some()
     }
 

@@ -8,14 +8,19 @@
 //! | fixed | a point and the attitude (`fixed.rs`) | nothing |
 //! | slider | a line and the attitude (`slider.rs`) | the displacement along the line |
 //! | cylindrical | an axis (`cylindrical.rs`) | the rotation about it and the displacement along it |
+//! | rod | the distance of two points | all but displacements along their line |
+//! | rope | nothing: limits of a distance are stops | all |
 //! | planar | a point in a plane, and its normal (`planar.rs`) | displacements in it and the rotation about the normal |
 
+use super::coordinate::Measured;
 use super::end::End;
 use super::kept::Kept;
 use super::row::RowsAt;
+use super::stop::{Reversed, Stop};
 use super::{cylindrical, fixed, hinge, planar, point, slider, universal};
 use crate::body_id::BodyId;
-use crate::scene::{Joint, JointKind};
+use crate::scene::{Coordinate, Joint, JointKind};
+use polhode_contact::ContactKinematics;
 use polhode_spatial::{DVec3, Pose, Rotation, Velocity};
 
 /// How a joint holds a body at the start: the pose of its moving frame, if that can change.
@@ -34,6 +39,8 @@ pub(crate) struct WorldJoint {
     a: End,
     b: End,
     kept: Kept,
+    /// Limits of its coordinates.
+    stops: Vec<Stop>,
     /// Length of its rows of rotation, m.
     length: f64,
 }
@@ -43,14 +50,10 @@ impl WorldJoint {
     pub(crate) fn new(number: usize, joint: &Joint, held: impl Fn(usize) -> HeldBody, length: f64) -> Self {
         let held = |body: Option<usize>| body.map(|body| (body, held(body)));
         let [a, b] = [held(Some(joint.body().index())), held(joint.other().map(BodyId::index))];
-        let end = |held: Option<(usize, HeldBody)>| match held {
-            None | Some((_, HeldBody::Fixed)) => End::World(joint.anchor()),
-            Some((body, HeldBody::Movable(pose))) => {
-                End::Body { body, arm: pose.inverse_transform_point(joint.anchor()) }
-            }
-            Some((body, HeldBody::Kinematic(pose))) => {
-                End::Driver { body, arm: pose.inverse_transform_point(joint.anchor()) }
-            }
+        let end = |held: Option<(usize, HeldBody)>, anchor: DVec3| match held {
+            None | Some((_, HeldBody::Fixed)) => End::World(anchor),
+            Some((body, HeldBody::Movable(pose))) => End::Body { body, arm: pose.inverse_transform_point(anchor) },
+            Some((body, HeldBody::Kinematic(pose))) => End::Driver { body, arm: pose.inverse_transform_point(anchor) },
         };
         let attitude = |held: Option<(usize, HeldBody)>| match held {
             None | Some((_, HeldBody::Fixed)) => Rotation::IDENTITY,
@@ -65,8 +68,11 @@ impl WorldJoint {
             JointKind::Slider { axis } => slider::kept(axis.get(), attitudes),
             JointKind::Cylindrical { axis } => cylindrical::kept(axis.get(), attitudes),
             JointKind::Planar { normal } => planar::kept(normal.get(), attitudes),
+            JointKind::Rod { to } => Kept::distance((joint.anchor() - to).length()),
+            JointKind::Rope { .. } => Kept::nothing(),
         };
-        Self { number, a: end(a), b: end(b), kept, length }
+        let stops = stops(joint, attitudes, length);
+        Self { number, a: end(a, joint.anchor()), b: end(b, joint.other_anchor()), kept, stops, length }
     }
 
     /// The movable bodies that it holds.
@@ -79,13 +85,42 @@ impl WorldJoint {
         self.a.driver().or_else(|| self.b.driver())
     }
 
+    /// Its movable bodies and its kinematic one, A <= B; the same body twice if it holds a body to the world.
+    pub(crate) fn pair(&self) -> (usize, usize) {
+        let mut held = self.bodies();
+        let first = held.next().unwrap_or_default();
+        let second = held.next().or_else(|| self.driver()).unwrap_or(first);
+        (first.min(second), first.max(second))
+    }
+
+    /// How many stops it has.
+    pub(crate) fn stops(&self) -> usize {
+        self.stops.len()
+    }
+
+    pub(super) fn stop(&self, place: usize) -> Option<&Stop> {
+        self.stops.get(place)
+    }
+
+    /// One of its stops where bodies have these poses of their moving frames, and velocities.
+    pub(super) fn stop_at(
+        &self,
+        place: usize,
+        motion: impl Fn(usize) -> (Pose, Velocity),
+    ) -> Option<ContactKinematics> {
+        let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
+        let is_first = self.a.body().or_else(|| self.a.driver()) == Some(self.pair().0);
+        let reversed = if is_first { Reversed::No } else { Reversed::Yes };
+        self.stop(place)?.at(|measured, near| measured.at(&a, &b, self.length, near), reversed)
+    }
+
     /// How many rows it has.
     pub(crate) fn rows(&self) -> usize {
         self.kept.rows()
     }
 
     /// Its number in the scene.
-    pub(super) fn number(&self) -> usize {
+    pub(crate) fn number(&self) -> usize {
         self.number
     }
 
@@ -94,6 +129,20 @@ impl WorldJoint {
         let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
         self.kept.rows_at(a, b, self.length)
     }
+}
+
+/// The stops of a joint of bodies with these attitudes; `length` is that of its rows of rotation, m.
+fn stops(joint: &Joint, attitudes: (Rotation, Rotation), length: f64) -> Vec<Stop> {
+    let of_coordinate = |&coordinate: &Coordinate| {
+        let (measured, unit) = match (coordinate, joint.kind().axis()) {
+            (Coordinate::Angle, Some(axis)) => (Measured::angle(axis.get(), attitudes), length),
+            (Coordinate::Displacement, Some(axis)) => (Measured::displacement(axis.get(), attitudes.1), 1.0),
+            (Coordinate::Distance, _) => (Measured::Distance, 1.0),
+            (Coordinate::Angle | Coordinate::Displacement, None) => return None,
+        };
+        joint.limits(coordinate).map(|limits| Stop::of(measured, limits, unit))
+    };
+    joint.kind().coordinates().iter().filter_map(of_coordinate).flatten().collect()
 }
 
 /// Length of the rows of rotation of a joint between bodies of these sizes: that of the smaller one, m.

@@ -3,7 +3,7 @@
 use super::end::EndKinematics;
 use super::perpendicular::Perpendicular;
 use super::row::RowsAt;
-use super::{line, point};
+use super::{coordinate, line, point};
 use polhode_spatial::{DVec3, Rotation};
 
 /// Along which directions the point of A stays at that of B.
@@ -12,6 +12,8 @@ enum StaysAlong {
     All,
     /// Unit vectors fixed in B, in its axes.
     Some(Vec<DVec3>),
+    /// Along the line through both: their distance stays this, m.
+    Line(f64),
 }
 
 /// What a joint keeps.
@@ -33,6 +35,16 @@ impl Kept {
         Self { displacement: StaysAlong::Some(directions), rotation: Vec::new() }
     }
 
+    /// Nothing.
+    pub(super) fn nothing() -> Self {
+        Self { displacement: StaysAlong::Some(Vec::new()), rotation: Vec::new() }
+    }
+
+    /// A point of A stays at this distance (m) from one of B.
+    pub(super) fn distance(distance: f64) -> Self {
+        Self { displacement: StaysAlong::Line(distance), rotation: Vec::new() }
+    }
+
     /// These pairs of directions of the world, the first fixed in A and the second in B, stay perpendicular too.
     pub(super) fn with_rotation<const N: usize>(
         mut self,
@@ -48,6 +60,7 @@ impl Kept {
         let displacement = match &self.displacement {
             StaysAlong::All => point::ROWS,
             StaysAlong::Some(directions) => directions.len(),
+            StaysAlong::Line(_) => 1,
         };
         displacement + self.rotation.len()
     }
@@ -67,6 +80,11 @@ impl Kept {
             StaysAlong::Some(directions) => {
                 b = b.at_point(a.point);
                 directions.iter().map(|&direction| line::row(direction, gap, &a, &b)).collect()
+            }
+            StaysAlong::Line(distance) => {
+                let row = coordinate::distance(&a, &b).map(|at| at.row(*distance));
+                b = b.at_point(a.point);
+                row.into_iter().collect()
             }
         };
         rows.extend(self.rotation.iter().map(|pair| pair.row(&a, &b, length)));

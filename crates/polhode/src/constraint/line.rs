@@ -21,6 +21,12 @@ pub(super) fn row(direction: DVec3, gap: DVec3, a: &EndKinematics, b: &EndKinema
         kind: RowKind::Along(direction),
         gap: direction.dot(gap),
         rate: direction.dot(slip),
-        bias: direction.dot(a.acceleration - b.acceleration) + 2.0 * b.angular.cross(direction).dot(slip),
+        bias: bias(direction, a, b),
     }
+}
+
+/// The bias of the row of a direction (unit vector, world) that is fixed in B, m/s^2.
+pub(super) fn bias(direction: DVec3, a: &EndKinematics, b: &EndKinematics) -> f64 {
+    let slip = a.velocity - b.velocity;
+    direction.dot(a.acceleration - b.acceleration) + 2.0 * b.angular.cross(direction).dot(slip)
 }

@@ -5,6 +5,7 @@
 //! | contact | push; with its tangents a cone, or a slide | separation; margin of its features; margin to contact break |
 //! | pivot | hold, three rows | none: it never breaks |
 //! | joint | hold, rows of its kind (`joint.rs`) | none: it never breaks |
+//! | stop: a limit of a joint (`stop.rs`) | push, as a contact without friction | separation; margin to contact break |
 //!
 //! Whoever adds a kind of joint adds one file, its line in the list of `joint.rs`, and its data in `scene/joint.rs`.
 //!
@@ -12,6 +13,7 @@
 //! finds the time.
 
 pub(crate) mod bilateral;
+mod coordinate;
 mod cylindrical;
 mod end;
 mod fixed;
@@ -26,9 +28,12 @@ mod planar;
 mod point;
 pub(crate) mod row;
 mod slider;
+mod stop;
+pub(crate) mod stop_id;
+mod stops;
 mod universal;
 
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use polhode_contact::ContactKinematics;
 
 /// Identity of a constraint: contacts before pivots, each in its own order.

@@ -5,7 +5,7 @@
 //! (thesis 3.4, equations 15-18). Immovable bodies have no entry (erratum E17). In planar motion a velocity has three
 //! coordinates instead of six, and everything else is the same.
 
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::row::Member;
@@ -324,7 +324,7 @@ impl ContactRows<'_> {
             Some((index, self.coordinates.of_parts(normal, moment)))
         };
         let width = self.coordinates.width();
-        match (block(id.a, 1.0), block(id.b, -1.0)) {
+        match (block(id.a, 1.0), id.second().and_then(|second| block(second, -1.0))) {
             (Some((a, row_a)), Some((b, row_b))) => push(&[(a, &row_a[..width]), (b, &row_b[..width])]),
             (Some((index, row)), None) | (None, Some((index, row))) => push(&[(index, &row[..width])]),
             (None, None) => push(&[]),
@@ -398,7 +398,8 @@ pub(crate) fn apply_impulses<'a>(
     impulses: impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)>,
 ) {
     for (id, geometry, impulse) in impulses {
-        for (body, signed) in [(id.a, impulse), (id.b, -impulse)] {
+        for (body, sign) in id.members() {
+            let signed = impulse * sign;
             if let Some(rigid) = &world.bodies[body].rigid {
                 let state = &mut states[body];
                 let vector = geometry.normal * signed;

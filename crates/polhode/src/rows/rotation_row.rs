@@ -4,7 +4,7 @@
 //! `M / l` a force (N): rows of rotations and of contacts stand in one problem, whose norms and thresholds would otherwise
 //! add newtons to newton metres and depend on the unit of length. It is a power of two, so that it rounds nothing.
 
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;

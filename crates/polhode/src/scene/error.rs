@@ -150,6 +150,25 @@ pub enum SceneError {
         /// Their relative angular velocity across the axis, rad/s.
         across_rad_s: f64,
     },
+    /// A joint begins beyond a limit of one of its coordinates.
+    #[error(
+        "joint {number} begins at a {coordinate} of {start} {unit}, beyond its limits from {lower} to {upper}: limits that contain \
+         the start are needed"
+    )]
+    JointBeyondLimits {
+        /// Its number.
+        number: usize,
+        /// The coordinate.
+        coordinate: &'static str,
+        /// Its unit.
+        unit: &'static str,
+        /// Its value at the start.
+        start: f64,
+        /// The lower limit.
+        lower: f64,
+        /// The upper limit.
+        upper: f64,
+    },
     /// Joints in a tier that has none.
     #[error("joints are not yet available in tier `{tier}`: use tier {instead}")]
     JointsInTier {

@@ -4,6 +4,7 @@
 //! bodies that no force moves, or of a body with itself, is refused. One of two bodies may be kinematic: it drives the other one,
 //! and its work is in the ledger. Jointed bodies do not collide with each other.
 
+use super::freedom::{Coordinate, Limits, LimitsError};
 use crate::body_id::BodyId;
 use polhode_spatial::{DVec3, UnitVector};
 
@@ -40,6 +41,17 @@ pub enum JointKind {
         /// The normal of the plane at the start, world. The plane is fixed in the other body or in the world.
         normal: UnitVector,
     },
+    /// All motions that keep the distance of the anchor of the body from one of the other body, or of the world: a rod without
+    /// mass.
+    Rod {
+        /// The anchor of the other body at the start, world, m.
+        to: DVec3,
+    },
+    /// All motions. What limits the distance of its anchors ([`Coordinate::Distance`]) is a rope without mass.
+    Rope {
+        /// The anchor of the other body at the start, world, m.
+        to: DVec3,
+    },
 }
 
 impl JointKind {
@@ -53,6 +65,27 @@ impl JointKind {
             Self::Slider { .. } => "slider",
             Self::Cylindrical { .. } => "cylindrical",
             Self::Planar { .. } => "planar",
+            Self::Rod { .. } => "rod",
+            Self::Rope { .. } => "rope",
+        }
+    }
+
+    /// The axis of its coordinates at the start, world.
+    pub(crate) const fn axis(self) -> Option<UnitVector> {
+        match self {
+            Self::Hinge { axis } | Self::Slider { axis } | Self::Cylindrical { axis } => Some(axis),
+            _ => None,
+        }
+    }
+
+    /// The coordinates along which it leaves its bodies free, those that can have limits.
+    pub const fn coordinates(self) -> &'static [Coordinate] {
+        match self {
+            Self::Hinge { .. } => &[Coordinate::Angle],
+            Self::Slider { .. } => &[Coordinate::Displacement],
+            Self::Cylindrical { .. } => &[Coordinate::Angle, Coordinate::Displacement],
+            Self::Rope { .. } => &[Coordinate::Distance],
+            Self::Ball | Self::Universal { .. } | Self::Fixed | Self::Planar { .. } | Self::Rod { .. } => &[],
         }
     }
 }
@@ -86,12 +119,25 @@ pub struct Joint {
     body: BodyId,
     other: Option<BodyId>,
     anchor: DVec3,
+    limits: JointLimits,
+}
+
+/// The limits of the coordinates of a joint.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct JointLimits {
+    angle: Option<Limits>,
+    displacement: Option<Limits>,
+    distance: Option<Limits>,
+}
+
+impl JointLimits {
+    const NONE: Self = Self { angle: None, displacement: None, distance: None };
 }
 
 impl Joint {
     /// A joint of this kind of a body with the world, at a point of the world (m) at the start.
     pub const fn new(kind: JointKind, body: BodyId, anchor: DVec3) -> Self {
-        Self { kind, body, other: None, anchor }
+        Self { kind, body, other: None, anchor, limits: JointLimits::NONE }
     }
 
     /// A ball joint of a body with the world, at a point of the world (m) at the start.
@@ -102,6 +148,42 @@ impl Joint {
     /// A hinge of a body with the world, through a point (m) along an axis, both world, at the start.
     pub const fn hinge(body: BodyId, anchor: DVec3, axis: UnitVector) -> Self {
         Self::new(JointKind::Hinge { axis }, body, anchor)
+    }
+
+    /// A rope of this length (m) from a point of a body to a point of the world (m), at the start. It holds them when taut.
+    ///
+    /// # Errors
+    /// When the length is not positive.
+    pub fn rope(body: BodyId, anchor: DVec3, to: DVec3, length: f64) -> Result<Self, LimitsError> {
+        let limits = Limits::new(f64::NEG_INFINITY, length)?;
+        Ok(Self::new(JointKind::Rope { to }, body, anchor).with_limits(Coordinate::Distance, limits))
+    }
+
+    /// The same joint with limits of one of its coordinates ([`JointKind::coordinates`]).
+    pub const fn with_limits(mut self, coordinate: Coordinate, limits: Limits) -> Self {
+        match coordinate {
+            Coordinate::Angle => self.limits.angle = Some(limits),
+            Coordinate::Displacement => self.limits.displacement = Some(limits),
+            Coordinate::Distance => self.limits.distance = Some(limits),
+        }
+        self
+    }
+
+    /// The limits of a coordinate, if it has any.
+    pub const fn limits(&self, coordinate: Coordinate) -> Option<Limits> {
+        match coordinate {
+            Coordinate::Angle => self.limits.angle,
+            Coordinate::Displacement => self.limits.displacement,
+            Coordinate::Distance => self.limits.distance,
+        }
+    }
+
+    /// The point of the world at which it holds the other body, or the world, at the start, m.
+    pub const fn other_anchor(&self) -> DVec3 {
+        match self.kind {
+            JointKind::Rod { to } | JointKind::Rope { to } => to,
+            _ => self.anchor,
+        }
     }
 
     /// The same joint with another body in the place of the world.

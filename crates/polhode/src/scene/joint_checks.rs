@@ -1,7 +1,7 @@
 //! Checks of the joints of a scene: that their bodies exist and can be held, that they do not part at the start, and that the
 //! method solves for them.
 
-use super::{Integrator, IntegratorChoice, Joint, JointKind, Scene, SceneError, Tier, TierFeature};
+use super::{Coordinate, Integrator, IntegratorChoice, Joint, JointKind, Scene, SceneError, Tier, TierFeature};
 use crate::constraint::joint::{HeldBody, WorldJoint};
 use crate::constraint::row::RowKind;
 use polhode_spatial::{Motion, Pose, Velocity};
@@ -12,6 +12,9 @@ const JOINT_VELOCITY_RELATIVE: f64 = 1e-9;
 
 /// Cosine of the angle of two axes below which they are at right angles (no unit, 1e-12 to 1e-6): the digits of a file.
 const RIGHT_ANGLE: f64 = 1e-9;
+
+/// How far a distance at the start may be beyond its limit, relative to itself: the digits of a file (no unit, 1e-15 to 1e-9).
+const START_AT_LIMIT: f64 = 1e-12;
 
 impl Scene {
     /// Joints between bodies, or of bodies with the world.
@@ -32,7 +35,7 @@ impl Scene {
             if joint.other() == Some(joint.body()) {
                 return Err(refused("it holds a body at itself: two bodies, or one and the world, are needed"));
             }
-            if !joint.anchor().is_finite() {
+            if !(joint.anchor().is_finite() && joint.other_anchor().is_finite()) {
                 return Err(refused("its anchor has a component that is not finite: finite numbers are needed"));
             }
             let mut bodies = joint.bodies().map(|body| &self.bodies[body]);
@@ -46,6 +49,7 @@ impl Scene {
                     "its axes are not at right angles: two axes whose directions are perpendicular are needed",
                 ));
             }
+            check_limits(number, joint)?;
             self.check_joint_velocity(number, joint)?;
         }
         Ok(())
@@ -115,5 +119,45 @@ impl Scene {
             return Err(SceneError::JointTurns { number, across_rad_s: across });
         }
         Ok(())
+    }
+}
+
+/// Checks the limits of a joint: that it has such coordinates, and that they are within their limits at the start.
+fn check_limits(number: usize, joint: &Joint) -> Result<(), SceneError> {
+    let refused = |reason| SceneError::Joint { number, reason };
+    let own = joint.kind().coordinates();
+    for coordinate in [Coordinate::Angle, Coordinate::Displacement, Coordinate::Distance] {
+        let Some(limits) = joint.limits(coordinate) else { continue };
+        if !own.contains(&coordinate) {
+            return Err(refused(
+                "it has limits of a coordinate that it does not leave free: a hinge has an angle, a slider a displacement, a \
+                 cylindrical joint both, a rope a distance",
+            ));
+        }
+        let (lower, upper) = (limits.lower(), limits.upper());
+        // An angle is known up to whole revolutions.
+        if coordinate == Coordinate::Angle && upper - lower >= 2.0 * std::f64::consts::PI {
+            return Err(refused(
+                "its angle has no range below one revolution: two limits less than 2 pi apart are needed",
+            ));
+        }
+        let start = match coordinate {
+            Coordinate::Angle | Coordinate::Displacement => 0.0,
+            Coordinate::Distance => (joint.anchor() - joint.other_anchor()).length(),
+        };
+        let rounding = START_AT_LIMIT * start;
+        if !(lower - rounding..=upper + rounding).contains(&start) {
+            let (name, unit) = (coordinate.name(), coordinate.unit());
+            return Err(SceneError::JointBeyondLimits { number, coordinate: name, unit, start, lower, upper });
+        }
+    }
+    match joint.kind() {
+        JointKind::Rod { to } if to == joint.anchor() => {
+            Err(refused("its anchors are one point: a rod between two points is needed, or a ball joint"))
+        }
+        JointKind::Rope { .. } if joint.limits(Coordinate::Distance).is_none() => {
+            Err(refused("it has no length: limits of its distance are needed"))
+        }
+        _ => Ok(()),
     }
 }

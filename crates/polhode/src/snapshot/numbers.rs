@@ -2,6 +2,8 @@
 
 use super::SnapshotError;
 use crate::Momentum;
+use crate::collision::contact_id;
+use crate::constraint::stop_id::StopId;
 use polhode_contact::{ContactFeature, ContactGeometry, ContactKinematics, Side, SurfaceFeature};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::state::WIDTH;
@@ -50,7 +52,7 @@ pub(crate) struct Contact {
     pub(crate) feature: Feature,
 }
 
-/// [`ContactFeature`].
+/// [`contact_id::Feature`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) enum Feature {
     VertexFace { vertex_of: Body, vertex: u32, face: u32 },
@@ -59,6 +61,7 @@ pub(crate) enum Feature {
     SphereSphere,
     Spheres { center_a: u32, center_b: u32 },
     Elements { a: Part, b: Part },
+    Stop { joint: u64, stop: u64 },
 }
 
 /// [`Side`].
@@ -149,20 +152,33 @@ impl From<ContactFeature> for Feature {
     }
 }
 
-impl From<Feature> for ContactFeature {
-    fn from(feature: Feature) -> Self {
+impl From<contact_id::Feature> for Feature {
+    fn from(feature: contact_id::Feature) -> Self {
         match feature {
-            Feature::VertexFace { vertex_of, vertex, face } => {
-                Self::VertexFace { vertex_of: vertex_of.into(), vertex, face }
-            }
-            Feature::EdgeEdge { edge_a, edge_b } => Self::EdgeEdge { edge_a, edge_b },
-            Feature::Smooth { center_of, center, against } => {
-                Self::Smooth { center_of: center_of.into(), center, against: against.into() }
-            }
-            Feature::SphereSphere => Self::SphereSphere,
-            Feature::Spheres { center_a, center_b } => Self::Spheres { center_a, center_b },
-            Feature::Elements { a, b } => Self::Elements { a: a.into(), b: b.into() },
+            contact_id::Feature::Shapes(feature) => feature.into(),
+            contact_id::Feature::Stop(StopId { joint, stop }) => Self::Stop { joint: joint as u64, stop: stop as u64 },
         }
+    }
+}
+
+impl From<Feature> for contact_id::Feature {
+    fn from(feature: Feature) -> Self {
+        use ContactFeature as Of;
+        Self::Shapes(match feature {
+            Feature::Stop { joint, stop } => {
+                return Self::Stop(StopId { joint: joint as usize, stop: stop as usize });
+            }
+            Feature::VertexFace { vertex_of, vertex, face } => {
+                Of::VertexFace { vertex_of: vertex_of.into(), vertex, face }
+            }
+            Feature::EdgeEdge { edge_a, edge_b } => Of::EdgeEdge { edge_a, edge_b },
+            Feature::Smooth { center_of, center, against } => {
+                Of::Smooth { center_of: center_of.into(), center, against: against.into() }
+            }
+            Feature::SphereSphere => Of::SphereSphere,
+            Feature::Spheres { center_a, center_b } => Of::Spheres { center_a, center_b },
+            Feature::Elements { a, b } => Of::Elements { a: a.into(), b: b.into() },
+        })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::numbers::{Contact, read_state};
 use super::{SnapshotError, content};
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::{ContactId, Feature};
 use crate::world::World;
 use polhode_dynamics::{Flight, RigidBody};
 use polhode_spatial::DVec3;
@@ -18,8 +18,13 @@ pub(crate) fn save_contact(id: ContactId) -> Contact {
 /// When it is not of two bodies that can touch.
 pub(crate) fn restored_id(world: &World, saved: &Contact) -> Result<ContactId, SnapshotError> {
     let Contact { a, b, feature } = *saved;
-    if a < b && b < world.bodies.len() && world.shapes(a, b).is_some() {
-        Ok(ContactId { a, b, feature: feature.into() })
+    let feature = feature.into();
+    let can_touch = match feature {
+        Feature::Shapes(_) => a < b && b < world.bodies.len() && world.shapes(a, b).is_some(),
+        Feature::Stop(stop) => world.stops_of_pair((a, b)).contains(&stop),
+    };
+    if can_touch {
+        Ok(ContactId { a, b, feature })
     } else {
         Err(SnapshotError::Invalid("a contact is not of two bodies that can touch"))
     }

@@ -9,7 +9,8 @@
 //! and kinetic friction differ, the contacts that cannot stick under the static coefficient slide under the kinetic
 //! one, and the problem is solved again until no further contact begins to slide.
 
-use crate::collision::contact_set::{ContactId, Hold, Touch};
+use crate::collision::contact_id::ContactId;
+use crate::collision::contact_set::{Hold, Touch};
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::collision::turn::Turn;
 use crate::rows::assembly::{Assembly, TangentRow};

@@ -19,7 +19,7 @@
 //! rolling and spinning, whose moments of friction are smaller by their length than those of the slip. Where the rounds
 //! do not converge, as where a slip presses its own contact, nothing is given back.
 
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use crate::rows::assembly::{TangentRow, apply_impulses};
 use crate::solve::projection::{Removal, RemovedVelocities, project_velocities};
 use crate::states_of::{set_states, states_of};

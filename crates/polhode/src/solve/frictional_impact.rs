@@ -9,7 +9,8 @@
 //! An impact without a collision has the same impulses, but no approach: contacts slide, and no finite forces satisfy
 //! Coulomb's law (Painleve).
 
-use crate::collision::contact_set::{ContactId, Touch};
+use crate::collision::contact_id::ContactId;
+use crate::collision::contact_set::Touch;
 use crate::collision::turn::Turn;
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{push_contact, push_held, with_rotations};
@@ -100,8 +101,7 @@ pub(crate) fn solve(
     };
     let settings = settings_for(world.velocity_rounding(states, bodies), &before);
     let blocks = with_rotations(blocks, &rotations);
-    let mut restitution: Vec<f64> =
-        contacts.iter().map(|touch| world.scene.pair_material(touch.id.a, touch.id.b).restitution()).collect();
+    let mut restitution: Vec<f64> = contacts.iter().map(|touch| world.restitution_of(touch.id)).collect();
     // Pivots have no restitution.
     restitution.resize(blocks.len(), 0.0);
     let in_order = law == ImpactLaw::Propagation;
@@ -135,11 +135,11 @@ pub(crate) fn solve(
 /// Rate of separation of two bodies at the point of a contact, m/s.
 pub(crate) fn rate_of_separation(world: &World, states: &[BodyState], touch: &Touch) -> f64 {
     let geometry = &touch.kinematics.geometry;
-    let [a, b] = [touch.id.a, touch.id.b].map(|body| {
+    let at_point = |body: usize| {
         let velocity = world.velocity(body, &states[body]);
         velocity.linear + velocity.angular.cross(geometry.point - states[body].pose.translation)
-    });
-    geometry.normal.dot(a - b)
+    };
+    geometry.normal.dot(touch.id.relative(at_point))
 }
 
 /// What friction took of the change of energy of an impact, J; negative when energy is lost. Works of impulses that act together

@@ -1,7 +1,8 @@
 //! Impacts: the impact law acts on approaching contacts, together with all contacts connected to them.
 
 use crate::body_id::BodyId;
-use crate::collision::contact_set::{ContactId, Touch};
+use crate::collision::contact_id::ContactId;
+use crate::collision::contact_set::Touch;
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, Reaction, apply_reactions, bilateral_support};
 use crate::event::{Event, EventKind};
@@ -31,7 +32,8 @@ pub(crate) fn support<'a>(
 ) -> Momentum {
     let mut sum = MomentumSum::default();
     for (id, geometry, p) in contacts {
-        let sign = match (world.carries_momentum(id.a), world.carries_momentum(id.b)) {
+        let second = id.second().is_some_and(|second| world.carries_momentum(second));
+        let sign = match (world.carries_momentum(id.a), second) {
             (true, false) => 1.0,
             (false, true) => -1.0,
             _ => continue,
@@ -192,8 +194,7 @@ pub(crate) fn strike(
     let rows = members.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let assembly = Assembly::new(world, states, &group.bodies, rows)?;
     let mut before: Vec<f64> = members.iter().map(|touch| touch.kinematics.separation_rate).collect();
-    let mut restitution: Vec<f64> =
-        members.iter().map(|touch| world.scene.pair_material(touch.id.a, touch.id.b).restitution()).collect();
+    let mut restitution: Vec<f64> = members.iter().map(|touch| world.restitution_of(touch.id)).collect();
     before.extend(assembly.bilateral_rates());
     // Bilateral constraints have no restitution.
     restitution.resize(before.len(), 0.0);
@@ -375,7 +376,7 @@ pub(crate) fn impulse_event(t: f64, kind: EventKind, touch: &Touch, application:
         t_s: t,
         kind,
         body_a: BodyId::new(touch.id.a),
-        body_b: Some(BodyId::new(touch.id.b)),
+        body_b: touch.id.second().map(BodyId::new),
         point: geometry.point,
         normal: geometry.normal,
         impulse: application.impulse,

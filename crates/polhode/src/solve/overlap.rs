@@ -8,7 +8,7 @@
 //! oscillate. Pivots remain in place, velocities are unchanged. A round moves bodies by at most `sqrt(d r)`, with the
 //! largest penetration d and the size r; the next round removes the remainder.
 
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use crate::rows::assembly::{Assembly, largest_change};
 use crate::rows::groups::groups;
 use crate::states_of::states_of;
@@ -65,12 +65,13 @@ impl Earlier {
     /// The contact at its old point, with its separation updated by the displacement of the bodies since then.
     fn carried(&self, states: &[BodyState]) -> Overlap {
         let Overlap { id, mut geometry } = self.overlap;
-        let [a, b] = [(id.a, &self.poses[0]), (id.b, &self.poses[1])].map(|(body, then)| {
+        let displacement = |body: usize| {
+            let then = if body == id.a { &self.poses[0] } else { &self.poses[1] };
             let now = &states[body].pose;
             let arm = geometry.point - then.translation;
             now.translation - then.translation + (now.rotation * then.rotation.inverse()).rotate(arm) - arm
-        });
-        geometry.separation += geometry.normal.dot(a - b);
+        };
+        geometry.separation += geometry.normal.dot(id.relative(displacement));
         Overlap { id, geometry }
     }
 }

@@ -4,7 +4,7 @@
 //! `dv = M^-1 J^T l`, `G l = -J v`. Both are the smallest changes that satisfy the constraints. Neither acts on the
 //! motion as a force. The ledger books their change of energy.
 
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use crate::collision::turn::Turn;
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, apply_reactions};

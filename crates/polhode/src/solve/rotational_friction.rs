@@ -15,7 +15,7 @@
 //! spinning together ([`polhode_response::friction::Law::Resist`]). A rotation that turns already has one row, along
 //! its direction.
 
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use crate::world::World;
 use crate::{Momentum, MomentumSum};
 use polhode_dynamics::BodyState;

@@ -5,7 +5,8 @@ use super::island_steps::advance_islands;
 use super::islands::{Island, IslandSearch, islands};
 use crate::accounting::books::Received;
 use crate::accounting::long_steps::Movement;
-use crate::collision::contact_set::{ContactId, Touch};
+use crate::collision::contact_id::ContactId;
+use crate::collision::contact_set::Touch;
 use crate::core::Core;
 use crate::error_estimate::{EVERY, ErrorEstimate};
 use crate::event::{Event, EventKind};
@@ -121,7 +122,7 @@ impl SteppedEngine {
         let mut engine = Self::unbegun(core, states);
         let refused = SnapshotError::Invalid("it does not say how each body moves");
         let are_bodies = |list: &Vec<usize>| list.iter().all(|&body| body < bodies);
-        let are_pairs = saved.touching.iter().all(|&(a, b)| a < b && b < bodies);
+        let are_pairs = saved.touching.iter().all(|&(a, b)| a <= b && b < bodies);
         if saved.flights.len() != bodies || !saved.islands.iter().all(are_bodies) || !are_pairs {
             return Err(refused);
         }
@@ -282,7 +283,7 @@ impl SteppedEngine {
                 t_s: core.t,
                 kind,
                 body_a: BodyId::new(a),
-                body_b: Some(BodyId::new(b)),
+                body_b: (b != a).then(|| BodyId::new(b)),
                 point: nearest.map_or(self.states[moving].pose.translation, |geometry| geometry.point),
                 normal: nearest.map_or(DVec3::ZERO, |geometry| geometry.normal),
                 impulse: 0.0,

@@ -1,7 +1,7 @@
 //! The contacts that may act within a step, with their kinematics at its start.
 
 use super::drift;
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use crate::rows::assembly::free_acceleration;
 use crate::states_of::{set_states, states_of};
 use crate::world::World;
@@ -60,7 +60,7 @@ impl NearContact {
     /// Whether the impact law acts on the contact at the start of a step of `h`: it closes within `instant` (s), or it
     /// closes later in the step and has restitution. Without restitution it would be stopped before it touches.
     pub(super) fn is_struck(&self, world: &World, h: f64, instant: f64) -> bool {
-        let bounces = || world.scene.pair_material(self.id.a, self.id.b).restitution() > 0.0;
+        let bounces = || world.restitution_of(self.id) > 0.0;
         self.impact_time(h).is_some_and(|time| time <= instant || bounces())
     }
 
@@ -104,7 +104,7 @@ impl<'a> FreeAccelerations<'a> {
             let (linear, angular) = self.of(body);
             linear + angular.cross(geometry.point - states[body].pose.translation)
         };
-        let relative = geometry.normal.dot(at_point(id.a) - at_point(id.b)) + kinematics.acceleration_bias;
+        let relative = geometry.normal.dot(id.relative(at_point)) + kinematics.acceleration_bias;
         relative + self.world.prescribed_acceleration_of(self.t, states, id, geometry)
     }
 
@@ -129,11 +129,11 @@ pub(super) fn with_rate_at_point(
     kinematics: ContactKinematics,
 ) -> ContactKinematics {
     let point = kinematics.geometry.point;
-    let [a, b] = [id.a, id.b].map(|body| {
+    let at_point = |body: usize| {
         let velocity = world.velocity(body, &states[body]);
         velocity.linear + velocity.angular.cross(point - states[body].pose.translation)
-    });
-    ContactKinematics { separation_rate: kinematics.geometry.normal.dot(a - b), ..kinematics }
+    };
+    ContactKinematics { separation_rate: kinematics.geometry.normal.dot(id.relative(at_point)), ..kinematics }
 }
 
 /// The contacts of `pairs` that may close within `h` seconds, sorted: those within reach now, and those at which the

@@ -4,14 +4,13 @@
 //! lengths start from them too. They are part of the state of a run: solutions are the same to the residual of the solver,
 //! but not to the last bit, wherever they start.
 
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::{ContactId, Feature};
 use crate::constraint::ConstraintId;
 use crate::rows::assembly::Assembly;
 use crate::snapshot::SnapshotError;
 use crate::snapshot::content;
 use crate::snapshot::parts::{restored_id, save_contact};
 use crate::world::World;
-use polhode_contact::ContactFeature;
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
 
@@ -30,7 +29,7 @@ struct ContactForce {
 #[derive(Debug, Clone, Default)]
 pub(super) struct LastForces {
     /// Of the contacts of each pair, by their features.
-    by_pair: BTreeMap<(usize, usize), BTreeMap<ContactFeature, ContactForce>>,
+    by_pair: BTreeMap<(usize, usize), BTreeMap<Feature, ContactForce>>,
     /// Of the rows of each bilateral constraint, N.
     bilaterals: BTreeMap<ConstraintId, Vec<f64>>,
 }
@@ -123,8 +122,8 @@ impl LastForces {
 
     /// As plain data.
     pub(super) fn save(&self) -> content::LastForces {
-        let of_pair = |(&(a, b), contacts): (&(usize, usize), &BTreeMap<ContactFeature, ContactForce>)| {
-            let saved = |(&feature, force): (&ContactFeature, &ContactForce)| {
+        let of_pair = |(&(a, b), contacts): (&(usize, usize), &BTreeMap<Feature, ContactForce>)| {
+            let saved = |(&feature, force): (&Feature, &ContactForce)| {
                 let ContactForce { normal, along, moment } = *force;
                 let (along, moment) = (along.to_array(), moment.to_array());
                 content::LastForce { id: save_contact(ContactId { a, b, feature }), normal, along, moment }

@@ -1,7 +1,7 @@
 //! The middle of a time step, where its impulses act, and what is done about slips that end within the step.
 
 use super::kick::Kick;
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 
 /// What is done about slips that end within a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! Report of a time step.
 
 use crate::accounting::books::Books;
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use crate::solve::cone_violation::ConeViolation;
 use polhode_contact::ContactGeometry;
 use polhode_spatial::DVec3;

@@ -12,7 +12,7 @@
 //! symmetric splitting of Strang 1968 (docs/REFERENCES.md).
 
 use super::kick::Kick;
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
@@ -35,11 +35,11 @@ impl Kicked<'_> {
 
     /// By how much the kick has changed the rate of a contact along the normal of its geometry, m/s.
     fn rate(&self, id: ContactId, geometry: &ContactGeometry) -> f64 {
-        let [a, b] = [id.a, id.b].map(|body| {
+        let change = |body: usize| {
             let (linear, angular) = self.change(body);
             linear + angular.cross(geometry.point - self.states[body].pose.translation)
-        });
-        geometry.normal.dot(a - b)
+        };
+        geometry.normal.dot(id.relative(change))
     }
 
     /// The work that impulses along the normals of these geometries (N s) share with the kick, J.

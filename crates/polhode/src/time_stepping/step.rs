@@ -11,12 +11,11 @@ use super::report::{Stop, TimeStepReport};
 use crate::Momentum;
 use crate::MomentumSum;
 use crate::accounting::books::Received;
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::{ContactId, Feature};
 use crate::scene::ImpactLaw;
 use crate::snapshot::{SnapshotError, content};
 use crate::states_of::{set_states, states_of};
 use crate::world::World;
-use polhode_contact::ContactFeature;
 use polhode_dynamics::BodyState;
 use polhode_response::{ComplementaritySolver, Delassus, ResponseError};
 use polhode_spatial::DVec3;
@@ -37,7 +36,7 @@ const REST_RELATIVE: f64 = 1e-12;
 /// The contacts that carried an impulse in the last step of their pair: the warm start of the next problem.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Carried {
-    by_pair: BTreeMap<(usize, usize), Vec<ContactFeature>>,
+    by_pair: BTreeMap<(usize, usize), Vec<Feature>>,
 }
 
 impl Carried {
@@ -98,7 +97,7 @@ impl TimeStepper {
 
     /// The contacts that carried an impulse in the last step of their pair, in order.
     pub(crate) fn carried(&self) -> impl Iterator<Item = ContactId> + '_ {
-        let of_pair = |(&(a, b), features): (&(usize, usize), &Vec<ContactFeature>)| {
+        let of_pair = |(&(a, b), features): (&(usize, usize), &Vec<Feature>)| {
             features.iter().map(move |&feature| ContactId { a, b, feature }).collect::<Vec<_>>()
         };
         self.carried.by_pair.iter().flat_map(of_pair)
@@ -287,7 +286,7 @@ fn rest_exactly(
 ) {
     let mut given = vec![h * world.gravity().length(); bodies.len()];
     for impulse in &report.impulses {
-        for body in [impulse.id.a, impulse.id.b] {
+        for (body, _) in impulse.id.members() {
             if let (Ok(index), Some(rigid)) = (bodies.binary_search(&body), &world.bodies[body].rigid) {
                 given[index] += impulse.impulse / rigid.mass();
             }

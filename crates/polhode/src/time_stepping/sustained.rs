@@ -35,7 +35,7 @@ use super::rigid_terms::{Term, make_nearly_flush_rigid, make_rigid};
 use super::shared_work::{ContactWork, Kicked};
 use super::step::TimeStepper;
 use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use crate::constraint::bilateral::{Bilateral, Reaction, bilateral_support};
 use crate::rows::assembly::Assembly;
 use crate::rows::groups::{Group, coupled_groups};

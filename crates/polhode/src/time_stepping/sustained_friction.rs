@@ -22,7 +22,7 @@
 
 use super::cone_problem::ConeSolvers;
 use super::report::Stop;
-use crate::collision::contact_set::ContactId;
+use crate::collision::contact_id::ContactId;
 use crate::collision::friction_mode::FrictionCoefficients;
 use crate::collision::turn::Turn;
 use crate::constraint::bilateral::{Bilateral, Reaction};

@@ -10,6 +10,7 @@ use super::field_index::{FieldBuffers, FieldIndex};
 use super::steered::Steered;
 use crate::collision::narrow_phase::NarrowPhase;
 use crate::constraint::joint::{HeldBody, WorldJoint, row_length};
+use crate::constraint::stop_id::StopId;
 use crate::pivot_form::{PivotForm, PivotRows};
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::scene::{Body, MovingFrames, Scene, SceneError};
@@ -75,6 +76,8 @@ pub(crate) struct World {
     pub(crate) joints_of: BTreeMap<usize, Vec<usize>>,
     /// The kinematic bodies that joints hold, ascending.
     pub(crate) joint_drivers: Vec<usize>,
+    /// The stops of joints, by their pairs of bodies.
+    pub(crate) stops: BTreeMap<(usize, usize), Vec<StopId>>,
     /// For which pivoted bodies there are such rows.
     pub(crate) pivot_rows: PivotRows,
     /// Force fields over the movable bodies.
@@ -154,6 +157,7 @@ impl World {
             joints: Vec::new(),
             joints_of: BTreeMap::new(),
             joint_drivers: Vec::new(),
+            stops: BTreeMap::new(),
             pivot_rows,
             fields: Arc::from(Vec::new()),
             is_loaded_at_all: false,
@@ -204,6 +208,13 @@ impl World {
         }
         let drivers: BTreeSet<usize> = self.joints.iter().filter_map(WorldJoint::driver).collect();
         self.joint_drivers = drivers.into_iter().collect();
+        self.stops.clear();
+        for joint in &self.joints {
+            let own = (0..joint.stops()).map(|stop| StopId { joint: joint.number(), stop });
+            if joint.stops() > 0 {
+                self.stops.entry(joint.pair()).or_default().extend(own);
+            }
+        }
         let is_held = |body: &usize| self.bodies[*body].held.is_some() || self.joints_of.contains_key(body);
         self.held_by_rows = (0..self.bodies.len()).filter(is_held).collect();
     }

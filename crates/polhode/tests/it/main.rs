@@ -27,6 +27,7 @@ mod impulse_models;
 mod integrators;
 mod invariance;
 mod joint_kinds;
+mod joint_limits;
 mod joint_references;
 mod joints;
 mod kinematic;

@@ -1,0 +1,82 @@
+//! Stops: limits of the coordinates of joints, as contacts of the two bodies.
+//!
+//! At a stop the coordinate `q` (`coordinate.rs`) has reached its limit. Its separation is `q - q_lower` or `q_upper - q`, and its
+//! row is that of the coordinate. It closes, strikes, holds, presses and opens by the same rules as a contact of two shapes
+//! (thesis 3.4: `0 <= f _|_ chi'' >= 0`); only what touches is different, and it has no friction.
+//!
+//! Jointed bodies do not collide, so that a pair of bodies has either contacts of its shapes or stops. A joint with the world
+//! has its stops between the body and itself: `ContactId::members` says which bodies a contact has.
+//!
+//! An engine looks at every stop at the start and the end of each step and between them; two crossings between two looks
+//! are not seen.
+
+use super::coordinate::{CoordinateAt, Measured};
+use crate::scene::Limits;
+use polhode_contact::{ContactGeometry, ContactKinematics};
+
+/// On which side of a stop the coordinate is free.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum FreeSide {
+    Above,
+    Below,
+}
+
+impl FreeSide {
+    fn sign(self) -> f64 {
+        match self {
+            Self::Above => 1.0,
+            Self::Below => -1.0,
+        }
+    }
+}
+
+/// A limit of a coordinate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Stop {
+    measured: Measured,
+    /// m; of an angle the length of its arc.
+    limit: f64,
+    side: FreeSide,
+    /// Middle of the range, within half a revolution of which angles are, m.
+    middle: f64,
+    pub(super) restitution: f64,
+}
+
+impl Stop {
+    /// The stops of a coordinate whose values (m) are those of its limits times `unit` (m, or 1).
+    pub(super) fn of(measured: Measured, limits: Limits, unit: f64) -> impl Iterator<Item = Self> {
+        let (lower, upper) = (limits.lower() * unit, limits.upper() * unit);
+        let middle = 0.5 * (lower + upper);
+        let stop = move |limit: f64, side| {
+            let restitution = limits.restitution();
+            limit.is_finite().then_some(Self { measured, limit, side, middle, restitution })
+        };
+        [stop(lower, FreeSide::Above), stop(upper, FreeSide::Below)].into_iter().flatten()
+    }
+
+    /// Where the stop acts in given states; none where the coordinate has no direction.
+    pub(super) fn at(
+        &self,
+        coordinate: impl FnOnce(&Measured, f64) -> Option<CoordinateAt>,
+        is_reversed: Reversed,
+    ) -> Option<ContactKinematics> {
+        let CoordinateAt { value, rate, bias, point, direction } = coordinate(&self.measured, self.middle)?;
+        let sign = self.side.sign();
+        let normal = match is_reversed {
+            Reversed::No => direction * sign,
+            Reversed::Yes => direction * -sign,
+        };
+        Some(ContactKinematics {
+            geometry: ContactGeometry { point, normal, separation: (value - self.limit) * sign, margin: f64::INFINITY },
+            separation_rate: rate * sign,
+            acceleration_bias: bias * sign,
+        })
+    }
+}
+
+/// Whether the first body of a contact is the second one of its joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Reversed {
+    No,
+    Yes,
+}
