@@ -7,7 +7,7 @@
 //! ends.
 
 use super::constrained_step::{ConstrainedStep, StepEndStates, end_of, step_limit, unpack};
-use super::engine::Engine;
+use super::motions::Motions;
 use super::pace::is_instant;
 use super::stage_method::{MethodStep, StageMethod};
 use super::system::ContactSystem;
@@ -52,7 +52,7 @@ struct MadeStep {
 
 /// The steps of bodies with their held contacts from `t` (s).
 struct IslandSteps<'a> {
-    engine: &'a mut Engine,
+    motions: &'a mut Motions,
     core: &'a mut Core,
     bodies: &'a [usize],
     active: &'a ActiveContacts,
@@ -79,7 +79,7 @@ impl Steps for IslandSteps<'_> {
     }
 
     fn attempt(&mut self, length_s: f64) -> Result<Attempt<Self::Step>, SimulationError> {
-        Ok(self.engine.attempt_step(self.core, self.bodies, self.active, (self.t, length_s)))
+        Ok(self.motions.attempt_step(self.core, self.bodies, self.active, (self.t, length_s)))
     }
 
     fn too_small(&self, _last: Option<f64>) -> SimulationError {
@@ -87,7 +87,7 @@ impl Steps for IslandSteps<'_> {
     }
 }
 
-impl Engine {
+impl Motions {
     /// Integrates bodies with their held contacts from `t` over the longest step that the error control accepts.
     ///
     /// # Errors
@@ -103,7 +103,7 @@ impl Engine {
         let proposed = bodies.iter().map(|&body| self.tracks[body].proposed_step_s).fold(longest, f64::min);
         let mut control = StepControl::proposing(proposed);
         let limit_s = step_limit(core, (bodies, active.held()), t);
-        let mut steps = IslandSteps { engine: self, core, bodies, active, t, limit_s };
+        let mut steps = IslandSteps { motions: self, core, bodies, active, t, limit_s };
         let Accepted { step, length_s, error } = control.next_step(&mut steps)?;
         let next = control.proposed_s().min(longest);
         for &body in bodies {

@@ -23,9 +23,10 @@
 
 use super::crowd_parts::{CrowdPart, SWEEP_FACTOR, may_touch_within};
 use super::crowd_step::{Crowd, CrowdStep, motions};
-use super::engine::{Engine, Mode};
+use super::engine::Engine;
 use super::instant::Instant;
 use super::island::{Island, Step};
+use super::motions::{Mode, Motions};
 use super::pace::{NoAdvance, Pace};
 use crate::SimulationError;
 use crate::collision::active_contacts::ActiveContacts;
@@ -160,35 +161,26 @@ impl Engine {
             return Err(instant.no_progress(core, stuck));
         }
         let longest = core.settings.step_s;
-        let last = instant.bodies.iter().map(|&body| self.tracks[body].last_stretch_s).fold(0.0, f64::max);
+        let last = instant.bodies.iter().map(|&body| self.motions.tracks[body].last_stretch_s).fold(0.0, f64::max);
         let span = (2.0 * last).clamp(longest, LONGEST_STRETCH * longest);
         for &body in &instant.bodies {
-            self.tracks[body].last_stretch_s = span;
+            self.motions.tracks[body].last_stretch_s = span;
         }
         let number = core.accounts.begin_crowding(instant.t, instant.bodies.len(), CROWD);
         let spare_error = (1.0 - EVEN_SHARE) * core.settings.crowd_error_allowed() * span / longest;
         let step_s = FIRST_STEP * longest * core.settings.crowd_step_factor;
         let crowd = Crowd { until: instant.t + span, step_s, number, spare_error };
         for &body in &instant.bodies {
-            self.book_flight(core, body, instant.t);
-            self.tracks[body].mode = Mode::Crowded(crowd);
+            self.motions.book_flight(core, body, instant.t);
+            self.motions.tracks[body].mode = Mode::Crowded(crowd);
         }
         self.crowd_step(core, instant, crowd)
-    }
-
-    /// The stretch that bodies of the instant are in, if there is one: of several, their union.
-    pub(super) fn ongoing_stretch(&self, instant: &Instant) -> Option<Crowd> {
-        let crowds = instant.bodies.iter().filter_map(|&body| match self.tracks[body].mode {
-            Mode::Crowded(crowd) => Some(crowd),
-            _ => None,
-        });
-        crowds.reduce(|one, other| one.together_with(&other))
     }
 
     /// Latest end of a time step from `t`, s.
     fn limit_of_crowd_step(&self, core: &Core, t: f64) -> f64 {
         let longest = core.settings.step_s * core.settings.crowd_step_factor;
-        core.horizon(t).min(t + longest).min(self.end_of_kinematic_boxes(core, t))
+        core.horizon(t).min(t + longest).min(self.schedule.end_of_kinematic_boxes(core, t))
     }
 
     /// Makes one time step of the bodies of an instant and of all bodies that may meet them within it: of each part by
@@ -203,21 +195,21 @@ impl Engine {
         let limit = self.limit_of_crowd_step(core, t);
         let pairs = self.gather(core, &mut instant, crowd.step_s.min(limit - t))?;
         for pair in instant.pairs.iter().chain(&pairs) {
-            self.contacts.set(*pair, Vec::new());
+            self.schedule.contacts.set(*pair, Vec::new());
         }
-        let crowd = self.ongoing_stretch(&instant).unwrap_or(crowd);
+        let crowd = self.motions.ongoing_stretch(&instant).unwrap_or(crowd);
         let whole = CrowdPart { bodies: instant.bodies.clone(), pairs: pairs.clone(), crowd, refused: 0 };
-        let mut states = std::mem::take(&mut self.scratch);
-        set_states(&mut states, &instant.bodies, &states_of(&self.states, &instant.bodies));
+        let mut states = std::mem::take(&mut self.motions.scratch);
+        set_states(&mut states, &instant.bodies, &states_of(&self.motions.states, &instant.bodies));
         let parts = whole.divided(&core.world, &states);
-        self.restore_scratch(core, states, &instant.bodies);
+        self.motions.restore_scratch(core, states, &instant.bodies);
         let (mut staying, leaving): (Vec<_>, Vec<_>) =
-            parts.into_iter().partition(|part| self.belongs_to_stretch(&part.bodies, t));
+            parts.into_iter().partition(|part| self.motions.belongs_to_stretch(&part.bodies, t));
         let mut firsts = Vec::new();
         while let Some(part) = staying.pop() {
-            firsts.extend(self.step_of_part(core, part, (t, limit), &mut staying)?);
+            firsts.extend(self.motions.step_of_part(core, part, (t, limit), &mut staying)?);
         }
-        let islands = firsts.iter().filter_map(|&first| self.island(first));
+        let islands = firsts.iter().filter_map(|&first| self.motions.island(first));
         let mut bodies: Vec<usize> = islands.flat_map(|island| island.bodies.iter().copied()).collect();
         bodies.sort_unstable();
         self.look_ahead(core, &bodies, &firsts, t)?;
@@ -226,6 +218,134 @@ impl Engine {
             self.end_stretch(core, left)?;
         }
         Ok(())
+    }
+
+    /// Adds to an instant all bodies that may meet its bodies within `h` seconds. Returns the pairs that may meet.
+    fn gather(
+        &mut self,
+        core: &mut Core,
+        instant: &mut Instant,
+        h: f64,
+    ) -> Result<Vec<(usize, usize)>, SimulationError> {
+        let t = instant.t;
+        // The states of bodies of other islands at `t`: within a time step each costs as much as the step.
+        let mut seen = BTreeMap::new();
+        loop {
+            for &body in &instant.bodies {
+                self.motions.book_flight(core, body, t);
+                if !matches!(self.motions.tracks[body].mode, Mode::Crowded(_)) {
+                    self.motions.tracks[body].mode = Mode::Constrained;
+                }
+                self.set_crowd_box(core, body, h);
+            }
+            let mut pairs = BTreeSet::new();
+            let mut joins = BTreeSet::new();
+            for &body in &instant.bodies {
+                for other in self.schedule.near_boxes(core, body) {
+                    if core.world.bodies[other].moves() && instant.bodies.binary_search(&other).is_err() {
+                        if !self.motions.may_join(core, (body, other), (t, h), &mut seen)? {
+                            continue;
+                        }
+                        joins.insert(other);
+                    }
+                    pairs.insert((body.min(other), body.max(other)));
+                }
+                pairs.extend(core.world.stop_partners(body).map(|other| (body.min(other), body.max(other))));
+                let coupled = core.world.couplings_of(body).flatten();
+                joins.extend(coupled.copied().filter(|other| instant.bodies.binary_search(other).is_err()));
+            }
+            if joins.is_empty() {
+                return Ok(pairs.into_iter().collect());
+            }
+            let mut more = self.affected_bodies(core, t, &joins.into_iter().collect::<Vec<_>>())?;
+            more.retain(|body| instant.bodies.binary_search(body).is_err());
+            let more = self.end_islands(core, t, more)?;
+            for &body in &more.bodies {
+                self.motions.scratch[body] = self.motions.states[body];
+            }
+            instant.bodies.extend(more.bodies);
+            instant.bodies.sort_unstable();
+            instant.pairs.extend(more.pairs);
+        }
+    }
+
+    /// Sets the bounding box of a body of a crowd: the region it may reach within `h` seconds.
+    fn set_crowd_box(&mut self, core: &Core, body: usize, h: f64) {
+        let travel = reach(core, &self.motions.states, body, h);
+        let shape = core.world.bodies[body].shape.as_ref();
+        let aabb =
+            shape.map(|shape| aabb_of(shape, &self.motions.states[body].pose).and_then(|aabb| aabb.inflated(travel)));
+        self.schedule.set_box(body, aabb.and_then(Result::ok));
+    }
+
+    /// Removes the penetration that the time steps of a stretch have left, of all pairs: a step checks only those that
+    /// move in it. The removal is booked but is not measured as drift.
+    fn remove_overlap_at_end(&mut self, core: &mut Core, instant: &Instant) -> Result<(), SimulationError> {
+        let failed = |source: ResponseError| Core::response_error(instant.t, source);
+        let overlaps = Overlaps::find(&core.world, &self.motions.states, &instant.pairs);
+        if !overlaps.is_excess {
+            return Ok(());
+        }
+        let deepest = overlaps.deepest;
+        let before = core.accounts.books.balance(&core.world, &self.motions.states, &instant.bodies);
+        let (of, problem) = ((&instant.bodies[..], &instant.pairs[..]), (&mut core.solver, &mut Delassus::default()));
+        overlaps.remove(&core.world, &mut self.motions.states, of, problem).map_err(failed)?;
+        let after = core.accounts.books.balance(&core.world, &self.motions.states, &instant.bodies);
+        let taken_j = core.accounts.books.projection(before, after, 0.0);
+        if let Some(id) = deepest {
+            core.note_crowd_projection(instant.t, (id.a, id.b), taken_j);
+        }
+        Ok(())
+    }
+
+    /// Ends the time step of a crowd. Then the next step begins, or the stretch ends.
+    ///
+    /// # Errors
+    /// When a time step is not possible, or the instant at the end of the stretch cannot be resolved.
+    pub(super) fn next_crowd_step(&mut self, core: &mut Core, first: usize, t: f64) -> Result<(), SimulationError> {
+        let bodies = self.motions.island(first).map(|island| island.bodies.clone()).unwrap_or_default();
+        let instant = self.end_islands(core, t, bodies)?;
+        for &body in &instant.bodies {
+            self.motions.scratch[body] = self.motions.states[body];
+        }
+        let Some(crowd) = self.motions.ongoing_stretch(&instant) else { return Ok(()) };
+        if t < crowd.until && !core.is_end_of_run(t) {
+            return self.crowd_step(core, instant, crowd);
+        }
+        self.end_stretch(core, instant)
+    }
+
+    /// Ends the stretch for the bodies of an instant: events are located again.
+    ///
+    /// # Errors
+    /// When the instant cannot be resolved.
+    fn end_stretch(&mut self, core: &mut Core, mut instant: Instant) -> Result<(), SimulationError> {
+        let t = instant.t;
+        for &body in &instant.bodies {
+            self.motions.tracks[body].mode = Mode::Constrained;
+        }
+        self.remove_overlap_at_end(core, &instant)?;
+        match self.resolve(core, &mut instant) {
+            Ok(()) => self.continue_motion(core, instant),
+            Err(SimulationError::ContactSolve { .. }) if core.is_end_of_run(t) => {
+                // Only the forces of the last instant are unknown, not the motion.
+                core.accounts.tolerate(t, "contact forces at the end of the run were not found");
+                instant.touches.clear();
+                self.continue_motion(core, instant)
+            }
+            Err(error) => self.begin_stretch_if_unsolved(core, instant, error),
+        }
+    }
+}
+
+impl Motions {
+    /// The stretch that bodies of the instant are in, if there is one: of several, their union.
+    pub(super) fn ongoing_stretch(&self, instant: &Instant) -> Option<Crowd> {
+        let crowds = instant.bodies.iter().filter_map(|&body| match self.tracks[body].mode {
+            Mode::Crowded(crowd) => Some(crowd),
+            _ => None,
+        });
+        crowds.reduce(|one, other| one.together_with(&other))
     }
 
     /// Whether the stretch goes on at `t` (s) for a part of a crowd: the events of one of its bodies crowded.
@@ -304,55 +424,6 @@ impl Engine {
         Ok(CrowdStep { t, end, start, states, pairs, report, stepper: before, motions })
     }
 
-    /// Adds to an instant all bodies that may meet its bodies within `h` seconds. Returns the pairs that may meet.
-    fn gather(
-        &mut self,
-        core: &mut Core,
-        instant: &mut Instant,
-        h: f64,
-    ) -> Result<Vec<(usize, usize)>, SimulationError> {
-        let t = instant.t;
-        // The states of bodies of other islands at `t`: within a time step each costs as much as the step.
-        let mut seen = BTreeMap::new();
-        loop {
-            for &body in &instant.bodies {
-                self.book_flight(core, body, t);
-                if !matches!(self.tracks[body].mode, Mode::Crowded(_)) {
-                    self.tracks[body].mode = Mode::Constrained;
-                }
-                self.set_crowd_box(core, body, h);
-            }
-            let mut pairs = BTreeSet::new();
-            let mut joins = BTreeSet::new();
-            for &body in &instant.bodies {
-                for other in self.near_boxes(core, body) {
-                    if core.world.bodies[other].moves() && instant.bodies.binary_search(&other).is_err() {
-                        if !self.may_join(core, (body, other), (t, h), &mut seen)? {
-                            continue;
-                        }
-                        joins.insert(other);
-                    }
-                    pairs.insert((body.min(other), body.max(other)));
-                }
-                pairs.extend(core.world.stop_partners(body).map(|other| (body.min(other), body.max(other))));
-                let coupled = core.world.couplings_of(body).flatten();
-                joins.extend(coupled.copied().filter(|other| instant.bodies.binary_search(other).is_err()));
-            }
-            if joins.is_empty() {
-                return Ok(pairs.into_iter().collect());
-            }
-            let mut more = self.affected_bodies(core, t, &joins.into_iter().collect::<Vec<_>>())?;
-            more.retain(|body| instant.bodies.binary_search(body).is_err());
-            let more = self.end_islands(core, t, more)?;
-            for &body in &more.bodies {
-                self.scratch[body] = self.states[body];
-            }
-            instant.bodies.extend(more.bodies);
-            instant.bodies.sort_unstable();
-            instant.pairs.extend(more.pairs);
-        }
-    }
-
     /// Whether another body, whose box overlaps that of a body of a crowd, may touch it within `h` seconds. `seen` keeps the
     /// states of other bodies at `t`.
     ///
@@ -376,14 +447,6 @@ impl Engine {
         Ok(joins)
     }
 
-    /// Sets the bounding box of a body of a crowd: the region it may reach within `h` seconds.
-    fn set_crowd_box(&mut self, core: &Core, body: usize, h: f64) {
-        let travel = reach(core, &self.states, body, h);
-        let shape = core.world.bodies[body].shape.as_ref();
-        let aabb = shape.map(|shape| aabb_of(shape, &self.states[body].pose).and_then(|aabb| aabb.inflated(travel)));
-        self.set_box(body, aabb.and_then(Result::ok));
-    }
-
     /// States at `t` of the bodies of a crowd's step, and the report of the step up to then.
     pub(super) fn crowd_end(
         &mut self,
@@ -400,65 +463,6 @@ impl Engine {
         let states = states_of(&scratch, bodies);
         self.restore_scratch(core, scratch, bodies);
         made.map(|report| (states, report)).map_err(|source| Core::response_error(step.t, source))
-    }
-
-    /// Removes the penetration that the time steps of a stretch have left, of all pairs: a step checks only those that
-    /// move in it. The removal is booked but is not measured as drift.
-    fn remove_overlap_at_end(&mut self, core: &mut Core, instant: &Instant) -> Result<(), SimulationError> {
-        let failed = |source: ResponseError| Core::response_error(instant.t, source);
-        let overlaps = Overlaps::find(&core.world, &self.states, &instant.pairs);
-        if !overlaps.is_excess {
-            return Ok(());
-        }
-        let deepest = overlaps.deepest;
-        let before = core.accounts.books.balance(&core.world, &self.states, &instant.bodies);
-        let (of, problem) = ((&instant.bodies[..], &instant.pairs[..]), (&mut core.solver, &mut Delassus::default()));
-        overlaps.remove(&core.world, &mut self.states, of, problem).map_err(failed)?;
-        let after = core.accounts.books.balance(&core.world, &self.states, &instant.bodies);
-        let taken_j = core.accounts.books.projection(before, after, 0.0);
-        if let Some(id) = deepest {
-            core.note_crowd_projection(instant.t, (id.a, id.b), taken_j);
-        }
-        Ok(())
-    }
-
-    /// Ends the time step of a crowd. Then the next step begins, or the stretch ends.
-    ///
-    /// # Errors
-    /// When a time step is not possible, or the instant at the end of the stretch cannot be resolved.
-    pub(super) fn next_crowd_step(&mut self, core: &mut Core, first: usize, t: f64) -> Result<(), SimulationError> {
-        let bodies = self.island(first).map(|island| island.bodies.clone()).unwrap_or_default();
-        let instant = self.end_islands(core, t, bodies)?;
-        for &body in &instant.bodies {
-            self.scratch[body] = self.states[body];
-        }
-        let Some(crowd) = self.ongoing_stretch(&instant) else { return Ok(()) };
-        if t < crowd.until && !core.is_end_of_run(t) {
-            return self.crowd_step(core, instant, crowd);
-        }
-        self.end_stretch(core, instant)
-    }
-
-    /// Ends the stretch for the bodies of an instant: events are located again.
-    ///
-    /// # Errors
-    /// When the instant cannot be resolved.
-    fn end_stretch(&mut self, core: &mut Core, mut instant: Instant) -> Result<(), SimulationError> {
-        let t = instant.t;
-        for &body in &instant.bodies {
-            self.tracks[body].mode = Mode::Constrained;
-        }
-        self.remove_overlap_at_end(core, &instant)?;
-        match self.resolve(core, &mut instant) {
-            Ok(()) => self.continue_motion(core, instant),
-            Err(SimulationError::ContactSolve { .. }) if core.is_end_of_run(t) => {
-                // Only the forces of the last instant are unknown, not the motion.
-                core.accounts.tolerate(t, "contact forces at the end of the run were not found");
-                instant.touches.clear();
-                self.continue_motion(core, instant)
-            }
-            Err(error) => self.begin_stretch_if_unsolved(core, instant, error),
-        }
     }
 }
 

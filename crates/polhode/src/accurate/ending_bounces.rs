@@ -63,12 +63,12 @@ impl Engine {
             let touch = instant.touches[contact];
             let restitution = core.world.restitution_of(touch.id);
             let speed = touch.kinematics.separation_rate;
-            let acceleration = forces.relative_acceleration(&core.world, &self.states, &touch);
+            let acceleration = forces.relative_acceleration(&core.world, &self.motions.states, &touch);
             if restitution >= 1.0 || speed <= 0.0 || acceleration >= 0.0 {
                 continue;
             }
             let height = speed * speed / (-2.0 * acceleration);
-            let touch_distance = core.world.touch_distance(&self.states, touch.id.a, touch.id.b);
+            let touch_distance = core.world.touch_distance(&self.motions.states, touch.id.a, touch.id.b);
             if height <= NEGLIGIBLE_HEIGHT * touch_distance {
                 let rest = instant.t + 2.0 * speed / (-acceleration * (1.0 - restitution));
                 bounces.push(SmallBounce { contact, speed, lifting: -acceleration * touch_distance, rest });
@@ -86,7 +86,7 @@ impl Engine {
         group: &Group,
         (candidates, bounces): (&[usize], &[SmallBounce]),
     ) -> Result<Vec<usize>, SimulationError> {
-        self.end_flights(core, instant.t, &group.bodies);
+        self.motions.end_flights(core, instant.t, &group.bodies);
         if self.end_together(core, instant, group, (candidates, bounces))? {
             return Ok(bounces.iter().map(|bounce| bounce.contact).collect());
         }
@@ -117,18 +117,18 @@ impl Engine {
         let speed = |touch: &Touch| touch.kinematics.separation_rate.abs();
         let fastest = contacts.iter().map(|&i| instant.touches[i]).max_by(|x, y| speed(x).total_cmp(&speed(y)));
         let Some(fastest) = fastest else { return Ok(false) };
-        let start = states_of(&self.states, &group.bodies);
-        let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
+        let start = states_of(&self.motions.states, &group.bodies);
+        let before = core.accounts.books.balance(&core.world, &self.motions.states, &group.bodies);
         let largest = |of: fn(&SmallBounce) -> f64| bounces.iter().map(of).fold(0.0, f64::max);
         let w = largest(|bounce| bounce.speed);
-        let ended = bounce_friction::end_bounces(&core.world, &mut self.states, &group.bodies, (&ids, w))
+        let ended = bounce_friction::end_bounces(&core.world, &mut self.motions.states, &group.bodies, (&ids, w))
             .map_err(|source| Core::response_error(instant.t, source))?;
-        let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
+        let after = core.accounts.books.balance(&core.world, &self.motions.states, &group.bodies);
         let taken = before.lost_until(after, ended.work_j) - ended.friction_j;
         let mass = |&body: &usize| core.world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
         let mass = group.bodies.iter().map(mass).sum::<f64>();
         if taken > mass * (0.5 * w * w + largest(|bounce| bounce.lifting)) {
-            set_states(&mut self.states, &group.bodies, &start);
+            set_states(&mut self.motions.states, &group.bodies, &start);
             return Ok(false);
         }
         core.book_ended_bounces(instant.t, &group.bodies, &fastest, (before, after), &ended);

@@ -16,6 +16,7 @@ use super::constrained_step::{ConstrainedStep, StepEndStates};
 use super::engine::Engine;
 use super::hold::Forces;
 use super::instant::Instant;
+use super::motions::Motions;
 use crate::SimulationError;
 use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::Touch;
@@ -63,7 +64,7 @@ pub(super) fn fading_slips(core: &Core, step: &ConstrainedStep, states: &[BodySt
     fading
 }
 
-impl Engine {
+impl Motions {
     /// Whether a step that has been repeated up to the time at which these slips vanish ends elsewhere. Its last stages
     /// lie where slips are as small as the errors of stages, so that the directions of friction there may be any. Up to
     /// that time the longer step, which goes on beyond it, is the better one.
@@ -85,7 +86,9 @@ impl Engine {
         self.restore_scratch(core, states, &step.bodies);
         misses
     }
+}
 
+impl Engine {
     /// Ends the slips of candidates whose way to a stop is negligible under these forces. Returns whether there are any.
     ///
     /// # Errors
@@ -108,10 +111,10 @@ impl Engine {
                 }
                 continue;
             };
-            let Some(terms) = core.world.tangential_kinematics(&self.states, touch.id) else { continue };
+            let Some(terms) = core.world.tangential_kinematics(&self.motions.states, touch.id) else { continue };
             let (speed, deceleration) = (terms.slip_velocity.length(), -friction.growth_along(direction));
             let fades = instant.change.fading.contains(&touch.id);
-            if fades && ends_at_once(&core.world, &self.states, touch.id, speed, deceleration) {
+            if fades && ends_at_once(&core.world, &self.motions.states, touch.id, speed, deceleration) {
                 ending.push((touch.id, speed / deceleration));
             }
         }
@@ -127,24 +130,24 @@ impl Engine {
         }
         sticking.extend(&ended);
         let ids: Vec<_> = members.iter().map(|touch| touch.id).collect();
-        self.end_flights(core, instant.t, &group.bodies);
-        let sliding: Vec<BodyState> = group.bodies.iter().map(|&body| self.states[body]).collect();
-        let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
+        self.motions.end_flights(core, instant.t, &group.bodies);
+        let sliding: Vec<BodyState> = group.bodies.iter().map(|&body| self.motions.states[body]).collect();
+        let before = core.accounts.books.balance(&core.world, &self.motions.states, &group.bodies);
         let of = (&ids[..], &sticking[..], &[][..]);
         let slowed =
-            projection::project_velocities(&core.world, &mut self.states, &group.bodies, of, Removal::Complete)
+            projection::project_velocities(&core.world, &mut self.motions.states, &group.bodies, of, Removal::Complete)
                 .map_err(|source| Core::response_error(instant.t, source))?;
         let newly: Vec<ContactId> = ended.iter().copied().filter(|&id| instant.change.stopping.insert(id)).collect();
         self.refresh_kinematics(core, instant);
         let holds = self.friction_holds(core, instant, group, (candidates, &ended));
         if !matches!(holds, Ok(true)) {
-            set_states(&mut self.states, &group.bodies, &sliding);
+            set_states(&mut self.motions.states, &group.bodies, &sliding);
             instant.change.stopping.retain(|id| !newly.contains(id));
             instant.change.fading.retain(|id| !ended.contains(id));
             self.refresh_kinematics(core, instant);
             return holds;
         }
-        let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
+        let after = core.accounts.books.balance(&core.world, &self.motions.states, &group.bodies);
         core.accounts.books.rest(before, after, slowed.work_j);
         let end = instant.t + soonest;
         instant.slip_ends.extend(newly.into_iter().map(|id| (id, end)));

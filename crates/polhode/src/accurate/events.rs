@@ -7,11 +7,12 @@
 
 use super::agenda::Due;
 use super::contact_change::ContactChange;
-use super::engine::{Engine, Mode};
+use super::engine::Engine;
 use super::free_stepping::{FreeStep, free_end};
 use super::impact_search::Search;
 use super::instant::Instant;
 use super::island::{Island, Step};
+use super::motions::{Mode, Motions};
 use super::pace::{NoAdvance, Pace, StepEnd};
 use crate::SimulationError;
 use crate::accounting::books::Balance;
@@ -44,16 +45,16 @@ impl Engine {
     ) -> Result<(), SimulationError> {
         let affected = self.affected_bodies(core, t, found_for)?;
         let mut instant = self.end_islands(core, t, affected)?;
-        if let Some(crowd) = self.ongoing_stretch(&instant) {
+        if let Some(crowd) = self.motions.ongoing_stretch(&instant) {
             for &body in &instant.bodies {
-                self.scratch[body] = self.states[body];
+                self.motions.scratch[body] = self.motions.states[body];
             }
             return self.crowd_step(core, instant, crowd);
         }
         match self.note_events(core, &instant, found_for)? {
             Some(stuck) => {
                 for &body in &instant.bodies {
-                    self.scratch[body] = self.states[body];
+                    self.motions.scratch[body] = self.motions.states[body];
                 }
                 self.begin_stretch(core, instant, stuck)
             }
@@ -77,7 +78,7 @@ impl Engine {
         }
         core.accounts.tolerate(instant.t, UNSOLVED);
         for &body in &instant.bodies {
-            self.scratch[body] = self.states[body];
+            self.motions.scratch[body] = self.motions.states[body];
         }
         self.begin_stretch(core, instant, NoAdvance { steps: 0, advanced_s: 0.0 })
     }
@@ -92,10 +93,10 @@ impl Engine {
         first: usize,
         t: f64,
     ) -> Result<(), SimulationError> {
-        let bodies = self.island(first).map(|island| island.bodies.clone()).unwrap_or_default();
+        let bodies = self.motions.island(first).map(|island| island.bodies.clone()).unwrap_or_default();
         let instant = self.end_islands(core, t, bodies)?;
         for &body in &instant.bodies {
-            self.scratch[body] = self.states[body];
+            self.motions.scratch[body] = self.motions.states[body];
         }
         core.accounts.tolerate(t, UNSOLVED);
         self.begin_stretch(core, instant, NoAdvance { steps: 0, advanced_s: 0.0 })
@@ -114,13 +115,13 @@ impl Engine {
             if !affected.insert(body) {
                 continue;
             }
-            if let Some(island) = self.island_of(body) {
+            if let Some(island) = self.motions.island_of(body) {
                 open.extend(island.bodies.iter().copied());
             }
             for coupled in core.world.couplings_of(body) {
                 open.extend(coupled.iter().copied());
             }
-            let mut partners: Vec<usize> = self.partners(core, body).collect();
+            let mut partners: Vec<usize> = self.schedule.partners(core, body).collect();
             partners.sort_unstable();
             partners.dedup();
             for other in partners {
@@ -128,7 +129,7 @@ impl Engine {
                     continue;
                 }
                 let pair = (body.min(other), body.max(other));
-                if self.contacts.are_held(pair) || self.touch_at(core, pair, t)? {
+                if self.schedule.contacts.are_held(pair) || self.motions.touch_at(core, pair, t)? {
                     open.push(other);
                 }
             }
@@ -136,12 +137,351 @@ impl Engine {
         Ok(affected.into_iter().collect())
     }
 
-    /// The bodies that a body may meet or touches, itself where it has stops with the world; some are repeated.
-    pub(super) fn partners<'a>(&'a self, core: &'a Core, body: usize) -> impl Iterator<Item = usize> + 'a {
-        let near = self.near.partners(body).iter().copied().chain(self.contacts.partners(body));
-        near.chain(core.world.stop_partners(body))
+    /// Ends the islands of these bodies at `t`: sets their states to those of that time and books their motion.
+    pub(super) fn end_islands(
+        &mut self,
+        core: &mut Core,
+        t: f64,
+        bodies: Vec<usize>,
+    ) -> Result<Instant, SimulationError> {
+        core.world.prescribe(t, &mut self.motions.states);
+        let mut change = ContactChange { t, ..ContactChange::default() };
+        let firsts: BTreeSet<usize> = bodies.iter().filter_map(|&body| self.motions.tracks[body].island).collect();
+        let mut ended = Vec::with_capacity(firsts.len());
+        for first in firsts {
+            let Some(mut island) = self.remove_island(first) else { continue };
+            // Contacts break, stop and begin to slide at the time located for them, not at an earlier event.
+            if island.changes && island.due <= t {
+                change.include(&island.change);
+            }
+            let balance = self.motions.end_motion(core, &mut island, t)?;
+            ended.push((island, balance));
+        }
+        for &body in &bodies {
+            self.motions.tracks[body].island = None;
+            if let Mode::Flight(flight) = &self.motions.tracks[body].mode {
+                self.motions.states[body] = flight.state(t);
+            }
+            self.motions.book_rest(core, body, t);
+        }
+        // All bodies are at `t` now, so the projection can detect neighbours that it would push a body into.
+        for (island, balance) in ended {
+            self.finish_step(core, &island, balance, t)?;
+        }
+        let mut pairs = BTreeSet::new();
+        let concerns = |other: usize| bodies.binary_search(&other).is_ok() || !core.world.bodies[other].moves();
+        for &body in &bodies {
+            let partners = self.schedule.partners(core, body);
+            pairs.extend(partners.filter(|&other| concerns(other)).map(|o| (body.min(o), body.max(o))));
+        }
+        let known = pairs.iter().flat_map(|&pair| self.schedule.contacts.of_pair(pair)).copied();
+        let touches = known.filter_map(|touch| {
+            let kinematics = core.world.kinematics(&self.motions.states, touch.id)?;
+            Some(Touch { kinematics, is_defined: true, ..touch })
+        });
+        Ok(Instant {
+            t,
+            touches: touches.collect(),
+            pairs: pairs.into_iter().collect(),
+            change,
+            woken: BTreeSet::new(),
+            rest_times: BTreeMap::new(),
+            slip_ends: BTreeMap::new(),
+            speed_scale: bodies.iter().fold(0.0, |most, &body| self.motions.tracks[body].speed_scale.max(most)),
+            bodies,
+        })
     }
 
+    /// Projects the held contacts of an island whose motion has ended at `t` (s), and checks its bodies.
+    fn finish_step(
+        &mut self,
+        core: &mut Core,
+        island: &Island,
+        ended: Option<Balance>,
+        t: f64,
+    ) -> Result<(), SimulationError> {
+        if let Some(balance) = ended {
+            let held = island.active.held();
+            // A contact that has just stopped sticks from now on, if at all.
+            let sticking = island.active.sticking();
+            let turns = island.active.held_turns();
+            let projected = Projected { touching: held, held, sticking: &sticking, turns: &turns };
+            self.project_held_contacts(core, &island.bodies, projected, t, balance)?;
+        }
+        self.motions.check(core, &island.bodies, island.active.held(), t)
+    }
+
+    /// Counts an event for all bodies it affects. Returns how little time has advanced, if it no longer does.
+    fn note_events(
+        &mut self,
+        core: &mut Core,
+        instant: &Instant,
+        found_for: &[usize],
+    ) -> Result<Option<NoAdvance>, SimulationError> {
+        let longest = core.settings.step_s;
+        let moving =
+            instant.bodies.iter().copied().filter(|&body| !matches!(self.motions.tracks[body].mode, Mode::Rest));
+        let moving: Vec<usize> = moving.collect();
+        let mut pace = self.motions.pace_of(core, &moving);
+        let end = match found_for {
+            &[a, b]
+                if core.world.scene.pair_material(a, b).restitution() >= 1.0
+                    && !self.ends_unseen_bounce(core, (a, b), (instant.t, instant.t - pace.started_at())) =>
+            {
+                StepEnd::AtElasticImpact
+            }
+            _ => StepEnd::AtEvent,
+        };
+        let mut advance = pace.note_end(instant.t, end, longest);
+        let may_crowd = core.settings.crowding.steps();
+        if pace.is_backing_off() && may_crowd {
+            // Steps that tolerate violations would break Coulomb's law; time steps keep it.
+            advance = advance.and_then(|()| Err(pace.stalled(instant.t)));
+        } else if pace.begins_to_back_off() {
+            let what =
+                "contact changes repeat at one instant: remaining violations are tolerated for a short time (backoff)";
+            core.accounts.warn_of_tolerated(instant.t, what);
+        }
+        for &body in &instant.bodies {
+            self.motions.tracks[body].pace = pace;
+        }
+        let limit = core.settings.max_events_per_step;
+        if pace.events() > limit {
+            return Err(SimulationError::TooManyEvents { limit, t_s: instant.t });
+        }
+        Ok(advance.err())
+    }
+
+    /// Whether an impact of two bodies at `t` (s) ends a bounce of this length (s) that is too low to be seen. Its height is
+    /// `w T / 4`, w the speed of approach and T the length. Where a body rocks on its edge, or spins on it, such bounces
+    /// follow each other without an end, whatever the restitution. One that never left the touch distance is not seen; nor
+    /// is one below the error of a stretch of crowded events if forces have turned it round, `a T >= w` with the
+    /// acceleration `a` towards each other. Bodies that go to and fro between others fly without one.
+    fn ends_unseen_bounce(&self, core: &Core, (a, b): (usize, usize), (t, length_s): (f64, f64)) -> bool {
+        let (world, states) = (&core.world, &self.motions.states);
+        let touch = world.touch_distance(states, a, b);
+        let touches = world.contacts_of_pair(states, a, b, touch);
+        let approach = |touch: &FoundContact| -touch.kinematics.separation_rate;
+        let Some(fastest) = touches.iter().max_by(|x, y| approach(x).total_cmp(&approach(y))) else { return true };
+        let height = 0.25 * approach(fastest) * length_s;
+        if height <= touch {
+            return true;
+        }
+        let is_turned = || -self.free_separation_rate_change(core, t, fastest) * length_s >= approach(fastest);
+        height <= core.settings.crowding_tolerance * world.pair_size(a, b) && is_turned()
+    }
+
+    /// `chi''` of a contact at `t` (s) without contact forces, m/s^2.
+    fn free_separation_rate_change(&self, core: &Core, t: f64, contact: &FoundContact) -> f64 {
+        let (world, states, id) = (&core.world, &self.motions.states, contact.id);
+        let members = id.members().map(|(body, _)| body);
+        let movable: Vec<usize> = members.filter(|&body| world.bodies[body].moves()).collect();
+        let loads = world.loads_on(t, states, &movable);
+        let geometry = &contact.kinematics.geometry;
+        let at_point = |body: usize| {
+            if !movable.contains(&body) {
+                return DVec3::ZERO;
+            }
+            let (linear, angular) = free_acceleration(world, states, &loads, body);
+            linear + angular.cross(geometry.point - states[body].pose.translation)
+        };
+        let driven = world.prescribed_acceleration_of(t, states, id, geometry);
+        geometry.normal.dot(id.relative(at_point)) + contact.kinematics.acceleration_bias + driven
+    }
+
+    /// Continues the motion of the bodies of a resolved instant.
+    pub(super) fn continue_motion(&mut self, core: &mut Core, instant: Instant) -> Result<(), SimulationError> {
+        let (t, bodies) = (instant.t, instant.bodies.clone());
+        let firsts = self.form_islands(core, instant)?;
+        self.look_ahead(core, &bodies, &firsts, t)
+    }
+
+    /// Stores the contacts of a resolved instant and forms the islands of its bodies. Returns the first body of each
+    /// island.
+    pub(super) fn form_islands(&mut self, core: &mut Core, instant: Instant) -> Result<Vec<usize>, SimulationError> {
+        let Instant { t, bodies, pairs, touches, speed_scale, change, .. } = instant;
+        for pair in pairs {
+            self.schedule.contacts.set(pair, Vec::new());
+        }
+        for of_pair in touches.chunk_by(|x, y| (x.id.a, x.id.b) == (y.id.a, y.id.b)) {
+            self.schedule.contacts.set((of_pair[0].id.a, of_pair[0].id.b), of_pair.to_vec());
+        }
+        for &body in &bodies {
+            self.motions.scratch[body] = self.motions.states[body];
+            self.motions.tracks[body].speed_scale = speed_scale.max(core.world.point_speed(&self.motions.states, body));
+            if !self.motions.states[body].is_finite() {
+                return Err(SimulationError::Diverged { body: core.world.bodies[body].name.clone(), t_s: t });
+            }
+        }
+        let is = |mode: fn(&Mode) -> bool| -> Vec<usize> {
+            bodies.iter().copied().filter(|&body| mode(&self.motions.tracks[body].mode)).collect()
+        };
+        let (constrained, stepped) = (is(|m| matches!(m, Mode::Constrained)), is(|m| matches!(m, Mode::Stepped)));
+        let moved = |body: usize| constrained.binary_search(&body).is_ok();
+        let held = touches.iter().enumerate().filter(|(_, touch)| touch.hold == Hold::Held);
+        let held = held.filter(|(_, touch)| moved(touch.id.a) || moved(touch.id.b));
+        let held = held.map(|(index, touch)| (index, touch.id.a, touch.id.b));
+        let mut firsts = Vec::new();
+        for group in coupled_groups(&core.world, held, &constrained) {
+            let active: ActiveContacts = group.contacts.iter().map(|&i| &touches[i]).collect();
+            // Slips that end take short steps, whose length says nothing about the motion afterwards.
+            if !change.stopping.is_empty() && !active.slides() {
+                for &body in &group.bodies {
+                    self.motions.tracks[body].proposed_step_s = core.settings.step_s;
+                }
+            }
+            firsts.extend(self.begin_island(core, group.bodies, active, t)?);
+        }
+        for group in coupled_groups(&core.world, std::iter::empty(), &stepped) {
+            firsts.extend(self.begin_island(core, group.bodies, ActiveContacts::default(), t)?);
+        }
+        Ok(firsts)
+    }
+
+    /// Forms an island with its first step. Returns its first body.
+    fn begin_island(
+        &mut self,
+        core: &mut Core,
+        bodies: Vec<usize>,
+        active: ActiveContacts,
+        t: f64,
+    ) -> Result<Option<usize>, SimulationError> {
+        let pace = self.motions.pace_of(core, &bodies);
+        for &body in &bodies {
+            self.motions.tracks[body].pace = pace;
+        }
+        let step = self.first_step(core, &bodies, &active, t)?;
+        Ok(self.motions.insert_island(Island::beginning(bodies, active, t, step)))
+    }
+
+    /// The first step of an island.
+    fn first_step(
+        &mut self,
+        core: &mut Core,
+        bodies: &[usize],
+        active: &ActiveContacts,
+        t: f64,
+    ) -> Result<Step, SimulationError> {
+        if core.is_end_of_run(t) && !self.goes_on {
+            return Ok(Step::Waiting(t));
+        }
+        if bodies.iter().all(|&body| matches!(self.motions.tracks[body].mode, Mode::Stepped)) {
+            let first = FreeStep::first(core, bodies, &self.motions.states, t);
+            return self.motions.free_or_constrained(core, bodies, t, first);
+        }
+        match self.motions.constrained_step(core, bodies, active, t) {
+            // A contact point moves or jumps faster than any step can follow.
+            Err(SimulationError::StepTooSmall { .. })
+                if !active.held().is_empty() && core.settings.crowding.steps() =>
+            {
+                Ok(Step::Waiting(t))
+            }
+            step => Ok(Step::Constrained(Box::new(step?))),
+        }
+    }
+
+    /// Begins steps of the islands that have none, because the run has ended.
+    ///
+    /// # Errors
+    /// When no step is possible.
+    pub(super) fn continue_after_end_of_run(&mut self, core: &mut Core) -> Result<(), SimulationError> {
+        self.goes_on = true;
+        for first in self.motions.waiting_islands() {
+            let Some(island) = self.motions.take_island(first) else { continue };
+            let (bodies, t) = (island.bodies.clone(), island.t);
+            core.world.prescribe(t, &mut self.motions.states);
+            let step = self.first_step(core, &bodies, &island.active, t)?;
+            self.motions.insert_island(Island { step, ..island });
+            self.look_ahead(core, &bodies, &[first], t)?;
+        }
+        Ok(())
+    }
+
+    /// Ends the step of an island at `t` without an event, and begins the next one.
+    ///
+    /// # Errors
+    /// When no step is possible.
+    pub(super) fn next_step(&mut self, core: &mut Core, first: usize, t: f64) -> Result<(), SimulationError> {
+        let Some(mut island) = self.remove_island(first) else { return Ok(()) };
+        core.world.prescribe(t, &mut self.motions.states);
+        let balance = self.motions.end_motion(core, &mut island, t)?;
+        self.finish_step(core, &island, balance, t)?;
+        let Island { bodies, mut active, step, .. } = island;
+        let mut pace = self.motions.pace_of(core, &bodies);
+        let longest = core.settings.step_s;
+        let slides = active.slides();
+        let end = if slides { StepEnd::AsPlannedSliding } else { StepEnd::AsPlanned };
+        let mut advance = pace.note_end(t, end, longest);
+        if slides {
+            advance = advance.and(pace.note_mean_sliding_step(t, longest));
+        } else if !active.held().is_empty() {
+            advance = advance.and(pace.note_mean_step(t, longest));
+        }
+        for &body in &bodies {
+            self.motions.tracks[body].pace = pace;
+            self.motions.scratch[body] = self.motions.states[body];
+        }
+        if let Err(stuck) = advance {
+            let instant = self.end_islands(core, t, bodies)?;
+            return self.begin_stretch(core, instant, stuck);
+        }
+        let step = match step {
+            Step::Free(step) if !core.is_end_of_run(t) => {
+                let next = step.next(core);
+                self.motions.free_or_constrained(core, &bodies, t, next)?
+            }
+            _ => {
+                active.renew_directions(&core.world, &self.motions.states);
+                self.first_step(core, &bodies, &active, t)?
+            }
+        };
+        let of_island = bodies.clone();
+        let island = Island::beginning(bodies, active, t, step);
+        let firsts: Vec<usize> = self.motions.insert_island(island).into_iter().collect();
+        self.look_ahead(core, &of_island, &firsts, t)
+    }
+
+    /// Locates the next events after `t` of these bodies and of the islands that they form.
+    pub(super) fn look_ahead(
+        &mut self,
+        core: &mut Core,
+        bodies: &[usize],
+        firsts: &[usize],
+        t: f64,
+    ) -> Result<(), SimulationError> {
+        if bodies.iter().any(|&body| matches!(self.motions.tracks[body].mode, Mode::Flight(_))) {
+            self.schedule.begin_flight_boxes(core, t);
+        }
+        self.schedule.renew_boxes(core, &self.motions, bodies, t)?;
+        for &first in firsts {
+            let Some(mut island) = self.motions.take_island(first) else { continue };
+            island.due = island.end();
+            if let Step::Waiting(_) = island.step {
+                // No step was found before the end of the run: time steps advance the island.
+                island.is_unsolved = self.goes_on || !core.is_end_of_run(t);
+                island.due = if island.is_unsolved { t } else { f64::INFINITY };
+            }
+            if let Step::Constrained(step) = &island.step {
+                let pace = self.motions.pace_of(core, &island.bodies);
+                match self.motions.locate_contact_change(core, step, step.end, &pace) {
+                    Ok(Some(change)) => {
+                        (island.due, island.changes, island.change) = (change.t, true, change);
+                    }
+                    Ok(None) => {}
+                    Err(SimulationError::ContactSolve { .. }) if core.settings.crowding.steps() => {
+                        (island.due, island.is_unsolved) = (t, true);
+                    }
+                    Err(error) => return Err(error),
+                }
+            }
+            self.schedule.agenda.add(island.due, Due::Island(first));
+            self.motions.insert_island(island);
+        }
+        self.schedule.search_pairs(core, &self.motions, bodies, t, Search::All)
+    }
+}
+
+impl Motions {
     /// Whether two bodies touch at `t`.
     pub(super) fn touch_at(&mut self, core: &Core, (a, b): (usize, usize), t: f64) -> Result<bool, SimulationError> {
         let Some((shape_a, shape_b)) = core.world.shapes(a, b) else { return Ok(false) };
@@ -155,61 +495,6 @@ impl Engine {
         let touch = !apart && !core.world.contacts_of_pair(&states, a, b, reach).is_empty();
         self.restore_scratch(core, states, &[a, b]);
         Ok(touch)
-    }
-
-    /// Ends the islands of these bodies at `t`: sets their states to those of that time and books their motion.
-    pub(super) fn end_islands(
-        &mut self,
-        core: &mut Core,
-        t: f64,
-        bodies: Vec<usize>,
-    ) -> Result<Instant, SimulationError> {
-        core.world.prescribe(t, &mut self.states);
-        let mut change = ContactChange { t, ..ContactChange::default() };
-        let firsts: BTreeSet<usize> = bodies.iter().filter_map(|&body| self.tracks[body].island).collect();
-        let mut ended = Vec::with_capacity(firsts.len());
-        for first in firsts {
-            let Some(mut island) = self.remove_island(first) else { continue };
-            // Contacts break, stop and begin to slide at the time located for them, not at an earlier event.
-            if island.changes && island.due <= t {
-                change.include(&island.change);
-            }
-            let balance = self.end_motion(core, &mut island, t)?;
-            ended.push((island, balance));
-        }
-        for &body in &bodies {
-            self.tracks[body].island = None;
-            if let Mode::Flight(flight) = &self.tracks[body].mode {
-                self.states[body] = flight.state(t);
-            }
-            self.book_rest(core, body, t);
-        }
-        // All bodies are at `t` now, so the projection can detect neighbours that it would push a body into.
-        for (island, balance) in ended {
-            self.finish_step(core, &island, balance, t)?;
-        }
-        let mut pairs = BTreeSet::new();
-        let concerns = |other: usize| bodies.binary_search(&other).is_ok() || !core.world.bodies[other].moves();
-        for &body in &bodies {
-            let partners = self.partners(core, body);
-            pairs.extend(partners.filter(|&other| concerns(other)).map(|o| (body.min(o), body.max(o))));
-        }
-        let known = pairs.iter().flat_map(|&pair| self.contacts.of_pair(pair)).copied();
-        let touches = known.filter_map(|touch| {
-            let kinematics = core.world.kinematics(&self.states, touch.id)?;
-            Some(Touch { kinematics, is_defined: true, ..touch })
-        });
-        Ok(Instant {
-            t,
-            touches: touches.collect(),
-            pairs: pairs.into_iter().collect(),
-            change,
-            woken: BTreeSet::new(),
-            rest_times: BTreeMap::new(),
-            slip_ends: BTreeMap::new(),
-            speed_scale: bodies.iter().fold(0.0, |most, &body| self.tracks[body].speed_scale.max(most)),
-            bodies,
-        })
     }
 
     /// Advances the bodies of an island to `t`, within its step or at its end, and books the smooth motion up to there.
@@ -245,25 +530,6 @@ impl Engine {
         Ok(Some(integrated))
     }
 
-    /// Projects the held contacts of an island whose motion has ended at `t` (s), and checks its bodies.
-    fn finish_step(
-        &mut self,
-        core: &mut Core,
-        island: &Island,
-        ended: Option<Balance>,
-        t: f64,
-    ) -> Result<(), SimulationError> {
-        if let Some(balance) = ended {
-            let held = island.active.held();
-            // A contact that has just stopped sticks from now on, if at all.
-            let sticking = island.active.sticking();
-            let turns = island.active.held_turns();
-            let projected = Projected { touching: held, held, sticking: &sticking, turns: &turns };
-            self.project_held_contacts(core, &island.bodies, projected, t, balance)?;
-        }
-        self.check(core, &island.bodies, island.active.held(), t)
-    }
-
     /// Checks that the bodies of an island are finite, and measures penetration and speed.
     fn check(&mut self, core: &mut Core, bodies: &[usize], held: &[ContactId], t: f64) -> Result<(), SimulationError> {
         for &body in bodies {
@@ -281,274 +547,6 @@ impl Engine {
             }
         }
         Ok(())
-    }
-
-    /// Counts an event for all bodies it affects. Returns how little time has advanced, if it no longer does.
-    fn note_events(
-        &mut self,
-        core: &mut Core,
-        instant: &Instant,
-        found_for: &[usize],
-    ) -> Result<Option<NoAdvance>, SimulationError> {
-        let longest = core.settings.step_s;
-        let moving = instant.bodies.iter().copied().filter(|&body| !matches!(self.tracks[body].mode, Mode::Rest));
-        let moving: Vec<usize> = moving.collect();
-        let mut pace = self.pace_of(core, &moving);
-        let end = match found_for {
-            &[a, b]
-                if core.world.scene.pair_material(a, b).restitution() >= 1.0
-                    && !self.ends_unseen_bounce(core, (a, b), (instant.t, instant.t - pace.started_at())) =>
-            {
-                StepEnd::AtElasticImpact
-            }
-            _ => StepEnd::AtEvent,
-        };
-        let mut advance = pace.note_end(instant.t, end, longest);
-        let may_crowd = core.settings.crowding.steps();
-        if pace.is_backing_off() && may_crowd {
-            // Steps that tolerate violations would break Coulomb's law; time steps keep it.
-            advance = advance.and_then(|()| Err(pace.stalled(instant.t)));
-        } else if pace.begins_to_back_off() {
-            let what =
-                "contact changes repeat at one instant: remaining violations are tolerated for a short time (backoff)";
-            core.accounts.warn_of_tolerated(instant.t, what);
-        }
-        for &body in &instant.bodies {
-            self.tracks[body].pace = pace;
-        }
-        let limit = core.settings.max_events_per_step;
-        if pace.events() > limit {
-            return Err(SimulationError::TooManyEvents { limit, t_s: instant.t });
-        }
-        Ok(advance.err())
-    }
-
-    /// Whether an impact of two bodies at `t` (s) ends a bounce of this length (s) that is too low to be seen. Its height is
-    /// `w T / 4`, w the speed of approach and T the length. Where a body rocks on its edge, or spins on it, such bounces
-    /// follow each other without an end, whatever the restitution. One that never left the touch distance is not seen; nor
-    /// is one below the error of a stretch of crowded events if forces have turned it round, `a T >= w` with the
-    /// acceleration `a` towards each other. Bodies that go to and fro between others fly without one.
-    fn ends_unseen_bounce(&self, core: &Core, (a, b): (usize, usize), (t, length_s): (f64, f64)) -> bool {
-        let (world, states) = (&core.world, &self.states);
-        let touch = world.touch_distance(states, a, b);
-        let touches = world.contacts_of_pair(states, a, b, touch);
-        let approach = |touch: &FoundContact| -touch.kinematics.separation_rate;
-        let Some(fastest) = touches.iter().max_by(|x, y| approach(x).total_cmp(&approach(y))) else { return true };
-        let height = 0.25 * approach(fastest) * length_s;
-        if height <= touch {
-            return true;
-        }
-        let is_turned = || -self.free_separation_rate_change(core, t, fastest) * length_s >= approach(fastest);
-        height <= core.settings.crowding_tolerance * world.pair_size(a, b) && is_turned()
-    }
-
-    /// `chi''` of a contact at `t` (s) without contact forces, m/s^2.
-    fn free_separation_rate_change(&self, core: &Core, t: f64, contact: &FoundContact) -> f64 {
-        let (world, states, id) = (&core.world, &self.states, contact.id);
-        let members = id.members().map(|(body, _)| body);
-        let movable: Vec<usize> = members.filter(|&body| world.bodies[body].moves()).collect();
-        let loads = world.loads_on(t, states, &movable);
-        let geometry = &contact.kinematics.geometry;
-        let at_point = |body: usize| {
-            if !movable.contains(&body) {
-                return DVec3::ZERO;
-            }
-            let (linear, angular) = free_acceleration(world, states, &loads, body);
-            linear + angular.cross(geometry.point - states[body].pose.translation)
-        };
-        let driven = world.prescribed_acceleration_of(t, states, id, geometry);
-        geometry.normal.dot(id.relative(at_point)) + contact.kinematics.acceleration_bias + driven
-    }
-
-    /// Continues the motion of the bodies of a resolved instant.
-    pub(super) fn continue_motion(&mut self, core: &mut Core, instant: Instant) -> Result<(), SimulationError> {
-        let (t, bodies) = (instant.t, instant.bodies.clone());
-        let firsts = self.form_islands(core, instant)?;
-        self.look_ahead(core, &bodies, &firsts, t)
-    }
-
-    /// Stores the contacts of a resolved instant and forms the islands of its bodies. Returns the first body of each
-    /// island.
-    pub(super) fn form_islands(&mut self, core: &mut Core, instant: Instant) -> Result<Vec<usize>, SimulationError> {
-        let Instant { t, bodies, pairs, touches, speed_scale, change, .. } = instant;
-        for pair in pairs {
-            self.contacts.set(pair, Vec::new());
-        }
-        for of_pair in touches.chunk_by(|x, y| (x.id.a, x.id.b) == (y.id.a, y.id.b)) {
-            self.contacts.set((of_pair[0].id.a, of_pair[0].id.b), of_pair.to_vec());
-        }
-        for &body in &bodies {
-            self.scratch[body] = self.states[body];
-            self.tracks[body].speed_scale = speed_scale.max(core.world.point_speed(&self.states, body));
-            if !self.states[body].is_finite() {
-                return Err(SimulationError::Diverged { body: core.world.bodies[body].name.clone(), t_s: t });
-            }
-        }
-        let is = |mode: fn(&Mode) -> bool| -> Vec<usize> {
-            bodies.iter().copied().filter(|&body| mode(&self.tracks[body].mode)).collect()
-        };
-        let (constrained, stepped) = (is(|m| matches!(m, Mode::Constrained)), is(|m| matches!(m, Mode::Stepped)));
-        let moved = |body: usize| constrained.binary_search(&body).is_ok();
-        let held = touches.iter().enumerate().filter(|(_, touch)| touch.hold == Hold::Held);
-        let held = held.filter(|(_, touch)| moved(touch.id.a) || moved(touch.id.b));
-        let held = held.map(|(index, touch)| (index, touch.id.a, touch.id.b));
-        let mut firsts = Vec::new();
-        for group in coupled_groups(&core.world, held, &constrained) {
-            let active: ActiveContacts = group.contacts.iter().map(|&i| &touches[i]).collect();
-            // Slips that end take short steps, whose length says nothing about the motion afterwards.
-            if !change.stopping.is_empty() && !active.slides() {
-                for &body in &group.bodies {
-                    self.tracks[body].proposed_step_s = core.settings.step_s;
-                }
-            }
-            firsts.extend(self.begin_island(core, group.bodies, active, t)?);
-        }
-        for group in coupled_groups(&core.world, std::iter::empty(), &stepped) {
-            firsts.extend(self.begin_island(core, group.bodies, ActiveContacts::default(), t)?);
-        }
-        Ok(firsts)
-    }
-
-    /// Forms an island with its first step. Returns its first body.
-    fn begin_island(
-        &mut self,
-        core: &mut Core,
-        bodies: Vec<usize>,
-        active: ActiveContacts,
-        t: f64,
-    ) -> Result<Option<usize>, SimulationError> {
-        let pace = self.pace_of(core, &bodies);
-        for &body in &bodies {
-            self.tracks[body].pace = pace;
-        }
-        let step = self.first_step(core, &bodies, &active, t)?;
-        Ok(self.insert_island(Island::beginning(bodies, active, t, step)))
-    }
-
-    /// The first step of an island.
-    fn first_step(
-        &mut self,
-        core: &mut Core,
-        bodies: &[usize],
-        active: &ActiveContacts,
-        t: f64,
-    ) -> Result<Step, SimulationError> {
-        if core.is_end_of_run(t) && !self.goes_on {
-            return Ok(Step::Waiting(t));
-        }
-        if bodies.iter().all(|&body| matches!(self.tracks[body].mode, Mode::Stepped)) {
-            let first = FreeStep::first(core, bodies, &self.states, t);
-            return self.free_or_constrained(core, bodies, t, first);
-        }
-        match self.constrained_step(core, bodies, active, t) {
-            // A contact point moves or jumps faster than any step can follow.
-            Err(SimulationError::StepTooSmall { .. })
-                if !active.held().is_empty() && core.settings.crowding.steps() =>
-            {
-                Ok(Step::Waiting(t))
-            }
-            step => Ok(Step::Constrained(Box::new(step?))),
-        }
-    }
-
-    /// Begins steps of the islands that have none, because the run has ended.
-    ///
-    /// # Errors
-    /// When no step is possible.
-    pub(super) fn continue_after_end_of_run(&mut self, core: &mut Core) -> Result<(), SimulationError> {
-        self.goes_on = true;
-        for first in self.waiting_islands() {
-            let Some(island) = self.take_island(first) else { continue };
-            let (bodies, t) = (island.bodies.clone(), island.t);
-            core.world.prescribe(t, &mut self.states);
-            let step = self.first_step(core, &bodies, &island.active, t)?;
-            self.insert_island(Island { step, ..island });
-            self.look_ahead(core, &bodies, &[first], t)?;
-        }
-        Ok(())
-    }
-
-    /// Ends the step of an island at `t` without an event, and begins the next one.
-    ///
-    /// # Errors
-    /// When no step is possible.
-    pub(super) fn next_step(&mut self, core: &mut Core, first: usize, t: f64) -> Result<(), SimulationError> {
-        let Some(mut island) = self.remove_island(first) else { return Ok(()) };
-        core.world.prescribe(t, &mut self.states);
-        let balance = self.end_motion(core, &mut island, t)?;
-        self.finish_step(core, &island, balance, t)?;
-        let Island { bodies, mut active, step, .. } = island;
-        let mut pace = self.pace_of(core, &bodies);
-        let longest = core.settings.step_s;
-        let slides = active.slides();
-        let end = if slides { StepEnd::AsPlannedSliding } else { StepEnd::AsPlanned };
-        let mut advance = pace.note_end(t, end, longest);
-        if slides {
-            advance = advance.and(pace.note_mean_sliding_step(t, longest));
-        } else if !active.held().is_empty() {
-            advance = advance.and(pace.note_mean_step(t, longest));
-        }
-        for &body in &bodies {
-            self.tracks[body].pace = pace;
-            self.scratch[body] = self.states[body];
-        }
-        if let Err(stuck) = advance {
-            let instant = self.end_islands(core, t, bodies)?;
-            return self.begin_stretch(core, instant, stuck);
-        }
-        let step = match step {
-            Step::Free(step) if !core.is_end_of_run(t) => {
-                let next = step.next(core);
-                self.free_or_constrained(core, &bodies, t, next)?
-            }
-            _ => {
-                active.renew_directions(&core.world, &self.states);
-                self.first_step(core, &bodies, &active, t)?
-            }
-        };
-        let of_island = bodies.clone();
-        let island = Island::beginning(bodies, active, t, step);
-        let firsts: Vec<usize> = self.insert_island(island).into_iter().collect();
-        self.look_ahead(core, &of_island, &firsts, t)
-    }
-
-    /// Locates the next events after `t` of these bodies and of the islands that they form.
-    pub(super) fn look_ahead(
-        &mut self,
-        core: &mut Core,
-        bodies: &[usize],
-        firsts: &[usize],
-        t: f64,
-    ) -> Result<(), SimulationError> {
-        if bodies.iter().any(|&body| matches!(self.tracks[body].mode, Mode::Flight(_))) {
-            self.begin_flight_boxes(core, t);
-        }
-        self.renew_boxes(core, bodies, t)?;
-        for &first in firsts {
-            let Some(mut island) = self.take_island(first) else { continue };
-            island.due = island.end();
-            if let Step::Waiting(_) = island.step {
-                // No step was found before the end of the run: time steps advance the island.
-                island.is_unsolved = self.goes_on || !core.is_end_of_run(t);
-                island.due = if island.is_unsolved { t } else { f64::INFINITY };
-            }
-            if let Step::Constrained(step) = &island.step {
-                let pace = self.pace_of(core, &island.bodies);
-                match self.locate_contact_change(core, step, step.end, &pace) {
-                    Ok(Some(change)) => {
-                        (island.due, island.changes, island.change) = (change.t, true, change);
-                    }
-                    Ok(None) => {}
-                    Err(SimulationError::ContactSolve { .. }) if core.settings.crowding.steps() => {
-                        (island.due, island.is_unsolved) = (t, true);
-                    }
-                    Err(error) => return Err(error),
-                }
-            }
-            self.agenda.add(island.due, Due::Island(first));
-            self.insert_island(island);
-        }
-        self.search_pairs(core, bodies, t, Search::All)
     }
 
     /// The pace of the slowest of some movable bodies.

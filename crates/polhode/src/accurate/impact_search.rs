@@ -9,11 +9,12 @@
 //! too, because they could pass through each other between two checks.
 
 use super::agenda::Due;
-use super::engine::{Engine, Mode};
 use super::island::Step;
 use super::locate::PENETRATION_CHECKS;
+use super::motions::{Mode, Motions};
 use super::near_pairs::Watch;
 use super::penetration::PENETRATING_RELATIVE;
+use super::schedule::Schedule;
 use crate::SimulationError;
 use crate::collision::boxes::Boxes;
 use crate::core::Core;
@@ -57,7 +58,7 @@ impl BodyMotion<'_> {
     }
 }
 
-impl Engine {
+impl Motions {
     /// Motion of a body.
     pub(super) fn motion<'a>(&'a self, core: &'a Core, body: usize) -> BodyMotion<'a> {
         let still = || BodyMotion::Still(Still(self.states[body].pose));
@@ -83,13 +84,91 @@ impl Engine {
         }
     }
 
-    /// The time up to which the motion of a body is known, s.
-    fn known_until(&self, body: usize) -> f64 {
+    /// Whether the time steps of one crowd handle this pair.
+    fn is_within_crowd(&self, core: &Core, a: usize, b: usize) -> bool {
+        let crowded = |body: usize| matches!(self.tracks[body].mode, Mode::Crowded(_));
+        let given = |body: usize| !core.world.bodies[body].moves();
+        match (crowded(a), crowded(b)) {
+            (true, true) => self.tracks[a].island == self.tracks[b].island,
+            (true, false) => given(b),
+            (false, true) => given(a),
+            (false, false) => false,
+        }
+    }
+
+    /// Whether a body does not move over an interval (s).
+    fn is_still(&self, core: &Core, body: usize, (start, end): (f64, f64)) -> bool {
         match &self.tracks[body].mode {
+            Mode::Fixed | Mode::Rest => true,
+            Mode::Prescribed => core.world.stands_still(body, start, end),
+            Mode::Flight(_) | Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => false,
+        }
+    }
+
+    /// Whether two bodies penetrate measurably at `t` (s) if they continue their present motion.
+    fn penetrates_at(&self, core: &Core, (a, b): (usize, usize), t: f64) -> bool {
+        let [pose_a, pose_b] = [a, b].map(|body| self.motion(core, body).get().pose(t));
+        core.world.shapes(a, b).is_some_and(|(shape_a, shape_b)| {
+            separation(shape_a, &pose_a, shape_b, &pose_b) < -PENETRATING_RELATIVE * core.world.pair_size(a, b)
+        })
+    }
+
+    /// The time of the first impact of a pair in `(start, end]`.
+    fn first_impact(
+        &self,
+        core: &Core,
+        (a, b): (usize, usize),
+        (start, end): (f64, f64),
+    ) -> Result<Option<f64>, SimulationError> {
+        let Some((shape_a, shape_b)) = core.world.shapes(a, b) else { return Ok(None) };
+        let (motion_a, motion_b) = (self.motion(core, a), self.motion(core, b));
+        let (motion_a, motion_b) = (motion_a.get(), motion_b.get());
+        let is_held = self.are_held(a, b);
+        let search = match is_held {
+            false => time_of_impact,
+            true if is_fast(core, [(a, motion_a), (b, motion_b)], (start, end)) => time_of_further_impact,
+            true => return Ok(None),
+        };
+        let failed = |source| SimulationError::ImpactSearch {
+            t_s: start,
+            body_a: core.world.bodies[a].name.clone(),
+            body_b: core.world.bodies[b].name.clone(),
+            source,
+        };
+        let has_parts =
+            [shape_a, shape_b].iter().any(|shape| matches!(shape, Shape::Compound(_) | Shape::TriangleMesh(_)));
+        let (mut from, mut left) = (start, if is_held || has_parts { 0 } else { SEARCHES_FROM_TOUCH });
+        loop {
+            match search(shape_a, motion_a, shape_b, motion_b, from, end, &ImpactSearch::default()) {
+                // The search has found no impact up to `t`, but close to touch it takes ever smaller steps. It is
+                // restarted at `t`, except for held pairs and for bodies of several parts, of which only the parts
+                // searched are known to be apart.
+                Err(ImpactError::EvaluationLimit { t, .. }) if t > from && left > 0 => {
+                    (from, left) = (t, left - 1);
+                }
+                found => return found.map_err(failed),
+            }
+        }
+    }
+
+    /// Whether a contact holds two bodies together.
+    fn are_held(&self, a: usize, b: usize) -> bool {
+        let island = self.island_of(a).or_else(|| self.island_of(b));
+        island.is_some_and(|island| {
+            let first = island.active.held().partition_point(|id| (id.a, id.b) < (a, b));
+            island.active.held().get(first).is_some_and(|id| (id.a, id.b) == (a, b))
+        })
+    }
+}
+
+impl Schedule {
+    /// The time up to which the motion of a body is known, s.
+    fn known_until(&self, motions: &Motions, body: usize) -> f64 {
+        match &motions.tracks[body].mode {
             Mode::Fixed | Mode::Rest => f64::INFINITY,
             Mode::Flight(_) | Mode::Prescribed => self.near.flight_end,
             Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => {
-                self.island_of(body).map_or(f64::INFINITY, |island| island.due)
+                motions.island_of(body).map_or(f64::INFINITY, |island| island.due)
             }
         }
     }
@@ -122,10 +201,15 @@ impl Engine {
     ///
     /// # Errors
     /// When a search does not end.
-    pub(super) fn renew_flight_boxes(&mut self, core: &mut Core, t: f64) -> Result<(), SimulationError> {
-        let flies = |engine: &Self, body: usize| matches!(engine.tracks[body].mode, Mode::Flight(_) | Mode::Prescribed);
+    pub(super) fn renew_flight_boxes(
+        &mut self,
+        core: &mut Core,
+        motions: &Motions,
+        t: f64,
+    ) -> Result<(), SimulationError> {
+        let flies = |body: usize| matches!(motions.tracks[body].mode, Mode::Flight(_) | Mode::Prescribed);
         let collides = |body: usize| core.world.bodies[body].shape.is_some();
-        let flying: Vec<usize> = (0..self.tracks.len()).filter(|&body| collides(body) && flies(self, body)).collect();
+        let flying: Vec<usize> = (0..motions.tracks.len()).filter(|&body| collides(body) && flies(body)).collect();
         if flying.is_empty() {
             // The next flight that begins sets a new end.
             self.near.flight_end = f64::NEG_INFINITY;
@@ -133,34 +217,40 @@ impl Engine {
         }
         self.near.flight_end = Self::next_flight_end(core, t);
         self.agenda.add(self.near.flight_end, Due::FlightBoxes);
-        self.renew_boxes(core, &flying, t)?;
-        self.search_pairs(core, &flying, t, Search::Ended)
+        self.renew_boxes(core, motions, &flying, t)?;
+        self.search_pairs(core, motions, &flying, t, Search::Ended)
     }
 
     /// Sets new boxes of these bodies, whose motions are known from `t` on, and finds the pairs with overlapping boxes.
     ///
     /// # Errors
     /// When there are more bodies than the broad phase can number.
-    pub(super) fn renew_boxes(&mut self, core: &Core, bodies: &[usize], t: f64) -> Result<(), SimulationError> {
+    pub(super) fn renew_boxes(
+        &mut self,
+        core: &Core,
+        motions: &Motions,
+        bodies: &[usize],
+        t: f64,
+    ) -> Result<(), SimulationError> {
         if !core.world.may_collide_at_all() {
             return Ok(());
         }
         let mut near = std::mem::replace(&mut self.near.boxes, Boxes::new(&core.settings, 0));
         // The boxes of a crowd remain those of its collection (`gather`).
-        for &body in bodies.iter().filter(|&&body| !matches!(self.tracks[body].mode, Mode::Crowded(_))) {
-            let interval = match &self.tracks[body].mode {
+        for &body in bodies.iter().filter(|&&body| !matches!(motions.tracks[body].mode, Mode::Crowded(_))) {
+            let interval = match &motions.tracks[body].mode {
                 Mode::Fixed | Mode::Rest => (t, t),
                 Mode::Flight(_) | Mode::Prescribed => (t, self.near.flight_end),
                 Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => {
-                    self.island_of(body).map_or((t, t), |own| (own.t, own.end()))
+                    motions.island_of(body).map_or((t, t), |own| (own.t, own.end()))
                 }
             };
-            let margin = core.world.touch_distance(&self.states, body, body);
-            near.set(&core.world, body, self.motion(core, body).get(), interval, margin);
+            let margin = core.world.touch_distance(&motions.states, body, body);
+            near.set(&core.world, body, motions.motion(core, body).get(), interval, margin);
         }
         // Pairs of a body and its partner; sorted below.
         let mut found: Vec<(usize, usize)> = Vec::new();
-        let moves = |body: usize| !matches!(self.tracks[body].mode, Mode::Fixed | Mode::Rest);
+        let moves = |body: usize| !matches!(motions.tracks[body].mode, Mode::Fixed | Mode::Rest);
         if bodies.len() < MANY_NEW_BOXES {
             for &body in bodies {
                 let own = moves(body);
@@ -231,6 +321,7 @@ impl Engine {
     pub(super) fn search_pairs(
         &mut self,
         core: &mut Core,
+        motions: &Motions,
         bodies: &[usize],
         t: f64,
         search: Search,
@@ -246,33 +337,39 @@ impl Engine {
                 if search == Search::Ended && self.near.watches.get(&(a, b)).is_some_and(|watch| watch.until > t) {
                     continue;
                 }
-                self.search_pair(core, a, b, t)?;
+                self.search_pair(core, motions, (a, b), t)?;
             }
         }
         Ok(())
     }
 
     /// Searches one pair for its impact after `t`.
-    fn search_pair(&mut self, core: &mut Core, a: usize, b: usize, t: f64) -> Result<(), SimulationError> {
+    fn search_pair(
+        &mut self,
+        core: &mut Core,
+        motions: &Motions,
+        (a, b): (usize, usize),
+        t: f64,
+    ) -> Result<(), SimulationError> {
         self.forget_watch(a, b);
-        if self.is_within_crowd(core, a, b) {
+        if motions.is_within_crowd(core, a, b) {
             return Ok(());
         }
-        let until = self.known_until(a).min(self.known_until(b));
+        let until = self.known_until(motions, a).min(self.known_until(motions, b));
         if until <= t || !until.is_finite() {
             return Ok(());
         }
-        if self.is_still(core, a, (t, until)) && self.is_still(core, b, (t, until)) {
+        if motions.is_still(core, a, (t, until)) && motions.is_still(core, b, (t, until)) {
             self.near.watches.insert((a, b), Watch { until, impact: f64::INFINITY });
             return Ok(());
         }
-        let found = self.first_impact(core, (a, b), (t, until))?;
-        let (pace, longest) = (self.pace_of(core, &[a, b]), core.settings.step_s);
+        let found = motions.first_impact(core, (a, b), (t, until))?;
+        let (pace, longest) = (motions.pace_of(core, &[a, b]), core.settings.step_s);
         let impact = match found {
             Some(found) => {
                 let retry = pace.retry_time(longest).min(until);
                 let is_postponed = pace.is_backing_off() && pace.is_stall(found, longest);
-                if is_postponed && !self.penetrates_at(core, (a, b), retry) {
+                if is_postponed && !motions.penetrates_at(core, (a, b), retry) {
                     let names = core.world.pair_names(a, b);
                     core.accounts.tolerate(found, format!("an impact of {names} was postponed for a short time"));
                     retry
@@ -287,18 +384,6 @@ impl Engine {
         Ok(())
     }
 
-    /// Whether the time steps of one crowd handle this pair.
-    fn is_within_crowd(&self, core: &Core, a: usize, b: usize) -> bool {
-        let crowded = |body: usize| matches!(self.tracks[body].mode, Mode::Crowded(_));
-        let given = |body: usize| !core.world.bodies[body].moves();
-        match (crowded(a), crowded(b)) {
-            (true, true) => self.tracks[a].island == self.tracks[b].island,
-            (true, false) => given(b),
-            (false, true) => given(a),
-            (false, false) => false,
-        }
-    }
-
     /// Sets the box of a body.
     pub(super) fn set_box(&mut self, body: usize, aabb: Option<Aabb>) {
         self.near.boxes.put(body, aabb);
@@ -309,70 +394,6 @@ impl Engine {
         let mut found = Vec::new();
         self.near.boxes.near(&core.world, body, |other| found.push(other));
         found
-    }
-
-    /// Whether a body does not move over an interval (s).
-    fn is_still(&self, core: &Core, body: usize, (start, end): (f64, f64)) -> bool {
-        match &self.tracks[body].mode {
-            Mode::Fixed | Mode::Rest => true,
-            Mode::Prescribed => core.world.stands_still(body, start, end),
-            Mode::Flight(_) | Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => false,
-        }
-    }
-
-    /// Whether two bodies penetrate measurably at `t` (s) if they continue their present motion.
-    fn penetrates_at(&self, core: &Core, (a, b): (usize, usize), t: f64) -> bool {
-        let [pose_a, pose_b] = [a, b].map(|body| self.motion(core, body).get().pose(t));
-        core.world.shapes(a, b).is_some_and(|(shape_a, shape_b)| {
-            separation(shape_a, &pose_a, shape_b, &pose_b) < -PENETRATING_RELATIVE * core.world.pair_size(a, b)
-        })
-    }
-
-    /// The time of the first impact of a pair in `(start, end]`.
-    fn first_impact(
-        &self,
-        core: &Core,
-        (a, b): (usize, usize),
-        (start, end): (f64, f64),
-    ) -> Result<Option<f64>, SimulationError> {
-        let Some((shape_a, shape_b)) = core.world.shapes(a, b) else { return Ok(None) };
-        let (motion_a, motion_b) = (self.motion(core, a), self.motion(core, b));
-        let (motion_a, motion_b) = (motion_a.get(), motion_b.get());
-        let is_held = self.are_held(a, b);
-        let search = match is_held {
-            false => time_of_impact,
-            true if is_fast(core, [(a, motion_a), (b, motion_b)], (start, end)) => time_of_further_impact,
-            true => return Ok(None),
-        };
-        let failed = |source| SimulationError::ImpactSearch {
-            t_s: start,
-            body_a: core.world.bodies[a].name.clone(),
-            body_b: core.world.bodies[b].name.clone(),
-            source,
-        };
-        let has_parts =
-            [shape_a, shape_b].iter().any(|shape| matches!(shape, Shape::Compound(_) | Shape::TriangleMesh(_)));
-        let (mut from, mut left) = (start, if is_held || has_parts { 0 } else { SEARCHES_FROM_TOUCH });
-        loop {
-            match search(shape_a, motion_a, shape_b, motion_b, from, end, &ImpactSearch::default()) {
-                // The search has found no impact up to `t`, but close to touch it takes ever smaller steps. It is
-                // restarted at `t`, except for held pairs and for bodies of several parts, of which only the parts
-                // searched are known to be apart.
-                Err(ImpactError::EvaluationLimit { t, .. }) if t > from && left > 0 => {
-                    (from, left) = (t, left - 1);
-                }
-                found => return found.map_err(failed),
-            }
-        }
-    }
-
-    /// Whether a contact holds two bodies together.
-    fn are_held(&self, a: usize, b: usize) -> bool {
-        let island = self.island_of(a).or_else(|| self.island_of(b));
-        island.is_some_and(|island| {
-            let first = island.active.held().partition_point(|id| (id.a, id.b) < (a, b));
-            island.active.held().get(first).is_some_and(|id| (id.a, id.b) == (a, b))
-        })
     }
 }
 

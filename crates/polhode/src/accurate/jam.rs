@@ -7,9 +7,10 @@
 //!
 //! Fails where a jam has no impulse either: the caller then advances the bodies by time steps.
 
-use super::engine::{Engine, Mode};
+use super::engine::Engine;
 use super::hold::Forces;
 use super::instant::Instant;
+use super::motions::Mode;
 use crate::SimulationError;
 use crate::collision::contact_set::Touch;
 use crate::core::Core;
@@ -43,7 +44,7 @@ impl Engine {
 
     /// Applies the impulses of a jam, if the contacts of a group jam. Returns whether they do.
     fn strike_jam(&mut self, core: &mut Core, instant: &mut Instant, group: &Group) -> Result<bool, SimulationError> {
-        let sustained = |&i: &usize| self.is_sustained(core, instant.speed_scale, &instant.touches[i]);
+        let sustained = |&i: &usize| self.motions.is_sustained(core, instant.speed_scale, &instant.touches[i]);
         let members: Vec<usize> = group.contacts.iter().copied().filter(sustained).collect();
         let touches: Vec<Touch> =
             members.iter().map(|&i| self.with_friction_mode(core, instant, &instant.touches[i])).collect();
@@ -51,20 +52,20 @@ impl Engine {
             return Ok(false);
         }
         for &body in &group.bodies {
-            self.book_flight(core, body, instant.t);
+            self.motions.book_flight(core, body, instant.t);
         }
-        let loads = core.world.loads_on(instant.t, &self.states, &group.bodies);
+        let loads = core.world.loads_on(instant.t, &self.motions.states, &group.bodies);
         let law = (core.settings.impact, Cause::Jam(instant.t, &loads));
-        let struck = strike_with_friction(&core.world, &mut self.states, &group.bodies, &touches, law)
+        let struck = strike_with_friction(&core.world, &mut self.motions.states, &group.bodies, &touches, law)
             .map_err(|source| Core::response_error(instant.t, source))?;
         if matches!(struck.outcome.status, ImpactStatus::NoApproach | ImpactStatus::NotSolved) {
             return Ok(false);
         }
         for &body in &group.bodies {
-            if matches!(self.tracks[body].mode, Mode::Rest) {
+            if matches!(self.motions.tracks[body].mode, Mode::Rest) {
                 instant.woken.insert(body);
             }
-            self.tracks[body].mode = Mode::Constrained;
+            self.motions.tracks[body].mode = Mode::Constrained;
         }
         self.book_struck(core, instant, &members, &struck, EventKind::Jam);
         self.refresh_kinematics(core, instant);

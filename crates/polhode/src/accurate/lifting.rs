@@ -31,19 +31,19 @@ impl Engine {
             };
             let (of_a, of_b) = (inverse_mass(a), inverse_mass(b));
             let bodies: Vec<usize> = [(a, of_a), (b, of_b)].iter().filter(|(_, m)| *m > 0.0).map(|(i, _)| *i).collect();
-            let has_pivot = core.world.bilaterals(&self.states, &bodies).next().is_some();
-            if depth <= core.world.rounding(&self.states, a, b) || bodies.is_empty() || has_pivot {
+            let has_pivot = core.world.bilaterals(&self.motions.states, &bodies).next().is_some();
+            if depth <= core.world.rounding(&self.motions.states, a, b) || bodies.is_empty() || has_pivot {
                 continue;
             }
-            self.end_flights(core, instant.t, &bodies);
-            let before = core.accounts.books.balance(&core.world, &self.states, &bodies);
+            self.motions.end_flights(core, instant.t, &bodies);
+            let before = core.accounts.books.balance(&core.world, &self.motions.states, &bodies);
             let rise = deepest.kinematics.geometry.normal * (depth / (of_a + of_b));
-            self.states[a].pose.translation += rise * of_a;
-            self.states[b].pose.translation -= rise * of_b;
-            let after = core.accounts.books.balance(&core.world, &self.states, &bodies);
+            self.motions.states[a].pose.translation += rise * of_a;
+            self.motions.states[b].pose.translation -= rise * of_b;
+            let after = core.accounts.books.balance(&core.world, &self.motions.states, &bodies);
             let farthest = Some(ConstraintId::Contact(deepest.id));
             let done = Projection { moved_m: depth, farthest, ..Projection::default() };
-            core.book_lift(instant.t, &self.states, &done, (before, after));
+            core.book_lift(instant.t, &self.motions.states, &done, (before, after));
             self.refresh_kinematics(core, instant);
         }
     }

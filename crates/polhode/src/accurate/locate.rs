@@ -9,9 +9,10 @@
 use super::constrained_step::ConstrainedStep;
 use super::contact_change::ContactChange;
 use super::ending_slips::fading_slips;
-use super::engine::Engine;
 use super::hold::Forces;
+use super::motions::Motions;
 use super::pace::Pace;
+use super::step_search::StepSearch;
 use crate::SimulationError;
 use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::Touch;
@@ -41,7 +42,7 @@ const MOST_VIOLATIONS: usize = 16;
 /// Intervals of a step at whose ends held contacts are checked for leaving their features, and others for penetration.
 pub(super) const PENETRATION_CHECKS: u32 = 8;
 
-impl Engine {
+impl Motions {
     /// The first time in a step, up to `limit` (s), at which its active set ceases to be valid.
     ///
     /// # Errors
@@ -54,47 +55,50 @@ impl Engine {
         pace: &Pace,
     ) -> Result<Option<ContactChange>, SimulationError> {
         let mut states = std::mem::take(&mut self.scratch);
-        let change = self.change_within(core, step, limit, pace, &mut states);
+        let mut search =
+            StepSearch { core, step, start: &self.states, states: &mut states, tolerated: BTreeSet::new() };
+        let change = search.change_within(limit, pace);
         self.restore_scratch(core, states, &step.bodies);
         change
     }
+}
 
-    fn change_within(
-        &self,
-        core: &mut Core,
-        step: &ConstrainedStep,
-        mut limit: f64,
-        pace: &Pace,
-        states: &mut [BodyState],
-    ) -> Result<Option<ContactChange>, SimulationError> {
-        let longest = core.settings.step_s;
-        let mut tolerated = BTreeSet::new();
+impl StepSearch<'_> {
+    /// The first time up to `limit` (s) at which the active set ceases to be valid.
+    ///
+    /// # Errors
+    /// When contact forces cannot be found.
+    fn change_within(&mut self, mut limit: f64, pace: &Pace) -> Result<Option<ContactChange>, SimulationError> {
+        let longest = self.core.settings.step_s;
         let mut found = None;
-        let mut violated = self.first_violation(core, step, limit, &tolerated, states)?;
+        let mut violated = self.first_violation(limit)?;
         while let Some(t) = violated.filter(|&t| pace.is_backing_off() && pace.is_stall(t, longest)) {
-            let before = tolerated.len();
-            tolerated.extend(self.violations(core, step, t, &tolerated, states)?);
-            if tolerated.len() == before {
+            let before = self.tolerated.len();
+            let violations = self.violations(t)?;
+            self.tolerated.extend(violations);
+            if self.tolerated.len() == before {
                 break;
             }
             limit = limit.min(pace.retry_time(longest));
             found = Some(ContactChange { t: limit, ..ContactChange::default() });
-            violated = self.first_violation(core, step, limit, &tolerated, states)?;
+            violated = self.first_violation(limit)?;
         }
-        let mut pairs: Vec<_> = tolerated.iter().map(|id: &ContactId| (id.a, id.b)).collect();
+        let mut pairs: Vec<_> = self.tolerated.iter().map(|id: &ContactId| (id.a, id.b)).collect();
         pairs.dedup();
         for (a, b) in pairs {
-            let names = core.world.pair_names(a, b);
-            core.accounts
-                .tolerate(step.t, format!("contacts of {names} that no longer hold were tolerated for a short time"));
+            let names = self.core.world.pair_names(a, b);
+            self.core.accounts.tolerate(
+                self.step.t,
+                format!("contacts of {names} that no longer hold were self.tolerated for a short time"),
+            );
         }
         match violated {
-            Some(violated) => self.locate_change(core, step, violated, &tolerated, states).map(Some),
-            None if found.is_none() && limit >= step.end => {
-                step.states_at(&core.world, step.end, states);
-                let fading = fading_slips(core, step, states);
+            Some(violated) => self.locate_change(violated).map(Some),
+            None if found.is_none() && limit >= self.step.end => {
+                self.step.states_at(&self.core.world, self.step.end, self.states);
+                let fading = fading_slips(self.core, self.step, self.states);
                 let any = !fading.is_empty();
-                Ok(any.then(|| ContactChange { t: step.end, fading, ..ContactChange::default() }))
+                Ok(any.then(|| ContactChange { t: self.step.end, fading, ..ContactChange::default() }))
             }
             None => Ok(found),
         }
@@ -103,34 +107,27 @@ impl Engine {
     /// The time of the change that is visible at `violated` (s): when the penetrating contact closes, or when the force
     /// of the breaking contact reaches zero. The contact that penetrates at `violated` need not be the first one. If
     /// another contact penetrates at the time found, that contact is located in turn.
-    fn locate_change(
-        &self,
-        core: &mut Core,
-        step: &ConstrainedStep,
-        mut violated: f64,
-        tolerated: &BTreeSet<ContactId>,
-        states: &mut [BodyState],
-    ) -> Result<ContactChange, SimulationError> {
+    fn locate_change(&mut self, mut violated: f64) -> Result<ContactChange, SimulationError> {
         let at = |t: f64| ContactChange { t, ..ContactChange::default() };
         loop {
-            let Some(closing) = self.closing_time(core, step, violated, states) else {
-                let stopping = stopping_contacts(core, step, violated, states);
-                step.states_at(&core.world, violated, states);
-                let settling: BTreeSet<_> = settled(core, step, violated, states).collect();
+            let Some(closing) = self.closing_time(violated) else {
+                let stopping = stopping_contacts(self.core, self.step, violated, self.states);
+                self.step.states_at(&self.core.world, violated, self.states);
+                let settling: BTreeSet<_> = settled(self.core, self.step, violated, self.states).collect();
                 if !(stopping.is_empty() && settling.is_empty()) {
                     return Ok(ContactChange { t: violated, stopping, settling, ..ContactChange::default() });
                 }
-                if stopped(core, step, violated, states).next().is_some() {
+                if stopped(self.core, self.step, violated, self.states).next().is_some() {
                     // Slips that have only turned go on in their new directions.
                     return Ok(at(violated));
                 }
-                return breaking(core, step, violated, states);
+                return breaking(self.core, self.step, violated, self.states);
             };
-            step.states_at(&core.world, closing, states);
-            if closing >= violated || self.penetrating(core, step, states, tolerated).is_none() {
+            self.step.states_at(&self.core.world, closing, self.states);
+            if closing >= violated || self.penetrating().is_none() {
                 return Ok(at(closing));
             }
-            match self.first_violation(core, step, closing, tolerated, states)? {
+            match self.first_violation(closing)? {
                 Some(earlier) if earlier < violated => violated = earlier,
                 _ => return Ok(at(closing)),
             }
@@ -139,32 +136,24 @@ impl Engine {
 
     /// The first violation: the end of an interval of 1e-13 of the step, at whose start the set is valid and at whose
     /// end it is violated.
-    fn first_violation(
-        &self,
-        core: &mut Core,
-        step: &ConstrainedStep,
-        limit: f64,
-        tolerated: &BTreeSet<ContactId>,
-        states: &mut [BodyState],
-    ) -> Result<Option<f64>, SimulationError> {
-        let start = step.t;
-        let (mut valid, mut violated) =
-            match self.first_violation_interval(core, step, start, limit, tolerated, states)? {
-                Some(interval) => interval,
-                None if self.violations(core, step, limit, tolerated, states)?.is_empty() => return Ok(None),
-                None => (start, limit),
-            };
-        if valid > start && !self.violations(core, step, valid, tolerated, states)?.is_empty() {
+    fn first_violation(&mut self, limit: f64) -> Result<Option<f64>, SimulationError> {
+        let start = self.step.t;
+        let (mut valid, mut violated) = match self.first_violation_interval(start, limit)? {
+            Some(interval) => interval,
+            None if self.violations(limit)?.is_empty() => return Ok(None),
+            None => (start, limit),
+        };
+        if valid > start && !self.violations(valid)?.is_empty() {
             (valid, violated) = (start, valid);
         }
         loop {
-            violated = self.first_violation_in(core, step, (valid, violated), tolerated, states)?;
+            violated = self.first_violation_in((valid, violated))?;
             // Another pair may have begun to overlap earlier.
-            step.states_at(&core.world, violated, states);
-            if !self.penetrates_undetected(core, step, states, tolerated) {
+            self.step.states_at(&self.core.world, violated, self.states);
+            if !self.penetrates_undetected() {
                 return Ok(Some(violated));
             }
-            match self.contact_penetrating_within(core, step, (start, violated), tolerated, states) {
+            match self.contact_penetrating_within((start, violated)) {
                 Some(t) if t < violated => (valid, violated) = (start, t),
                 _ => return Ok(Some(violated)),
             }
@@ -175,43 +164,33 @@ impl Engine {
     /// penetrates. Bodies that rock on each other may penetrate and separate again within a step, which a check at its
     /// end alone would miss. It would also miss that a moving kinematic body loses contact for a short time: if one
     /// moves, forces are checked too.
-    fn first_violation_interval(
-        &self,
-        core: &mut Core,
-        step: &ConstrainedStep,
-        start: f64,
-        limit: f64,
-        tolerated: &BTreeSet<ContactId>,
-        states: &mut [BodyState],
-    ) -> Result<Option<(f64, f64)>, SimulationError> {
-        let is_moved = |body| !core.world.stands_still(body, start, limit);
-        let driven = step.active.held().iter().flat_map(|id| [id.a, id.b]).any(is_moved)
-            || core.world.drivers_of(&step.bodies).any(is_moved);
+    fn first_violation_interval(&mut self, start: f64, limit: f64) -> Result<Option<(f64, f64)>, SimulationError> {
+        let is_moved = |body| !self.core.world.stands_still(body, start, limit);
+        let driven = self.step.active.held().iter().flat_map(|id| [id.a, id.b]).any(is_moved)
+            || self.core.world.drivers_of(&self.step.bodies).any(is_moved);
         let first_check = start + (limit - start) / f64::from(PENETRATION_CHECKS);
-        if let Some(interval) = self.approach_interval(core, step, (start, first_check), tolerated, states) {
+        if let Some(interval) = self.approach_interval((start, first_check)) {
             return Ok(Some(interval));
         }
         let mut before = start;
         for k in 1..=PENETRATION_CHECKS {
             let t = start + (limit - start) * (f64::from(k) / f64::from(PENETRATION_CHECKS));
-            step.states_at(&core.world, t, states);
+            self.step.states_at(&self.core.world, t, self.states);
             // Contact points may leave their features long before other contacts penetrate.
-            let mut held = step.active.held().iter().filter(|id| !tolerated.contains(id));
-            if k < PENETRATION_CHECKS && held.any(|&id| held_kinematics(core, states, id).is_none()) {
+            let mut held = self.step.active.held().iter().filter(|id| !self.tolerated.contains(id));
+            if k < PENETRATION_CHECKS && held.any(|&id| held_kinematics(self.core, self.states, id).is_none()) {
                 return Ok(Some((before, t)));
             }
-            let penetration = self.first_penetration(core, step, states, tolerated);
+            let penetration = self.first_penetration();
             // The caller checks the end of the step for all violations.
             if penetration.contact.is_some() && k < PENETRATION_CHECKS {
                 return Ok(Some((before, t)));
             }
             let is_undetected = penetration.contact.is_none() && penetration.is_undetected();
-            if is_undetected
-                && let Some(t) = self.contact_penetrating_within(core, step, (before, t), tolerated, states)
-            {
+            if is_undetected && let Some(t) = self.contact_penetrating_within((before, t)) {
                 return Ok(Some((before, t)));
             }
-            if driven && k < PENETRATION_CHECKS && !self.violations(core, step, t, tolerated, states)?.is_empty() {
+            if driven && k < PENETRATION_CHECKS && !self.violations(t)?.is_empty() {
                 return Ok(Some((before, t)));
             }
             before = t;
@@ -221,35 +200,35 @@ impl Engine {
 
     /// The contacts that violate the active set at time `t` of the step, without the tolerated ones. Only the first
     /// kind of violation found is returned.
-    fn violations(
-        &self,
-        core: &mut Core,
-        step: &ConstrainedStep,
-        t: f64,
-        tolerated: &BTreeSet<ContactId>,
-        states: &mut [BodyState],
-    ) -> Result<Vec<ContactId>, SimulationError> {
-        step.states_at(&core.world, t, states);
-        let mut touches = Vec::with_capacity(step.active.held().len());
+    fn violations(&mut self, t: f64) -> Result<Vec<ContactId>, SimulationError> {
+        self.step.states_at(&self.core.world, t, self.states);
+        let mut touches = Vec::with_capacity(self.step.active.held().len());
         let mut left = Vec::new();
-        for &id in step.active.held() {
-            let is_tolerated = tolerated.contains(&id);
-            let kinematics =
-                if is_tolerated { core.world.kinematics(states, id) } else { held_kinematics(core, states, id) };
+        for &id in self.step.active.held() {
+            let is_tolerated = self.tolerated.contains(&id);
+            let kinematics = if is_tolerated {
+                self.core.world.kinematics(self.states, id)
+            } else {
+                held_kinematics(self.core, self.states, id)
+            };
             match kinematics {
-                Some(kinematics) => touches.push(held_touch(step, id, kinematics)),
+                Some(kinematics) => touches.push(held_touch(self.step, id, kinematics)),
                 None => left.push(id),
             }
         }
         if left.is_empty() {
-            left.extend(self.penetrating(core, step, states, tolerated));
+            left.extend(self.penetrating());
         }
         if left.is_empty() {
-            left.extend(stopped(core, step, t, states).filter(|id| !tolerated.contains(id)));
-            left.extend(settled(core, step, t, states).map(|(id, _)| id).filter(|id| !tolerated.contains(id)));
+            left.extend(stopped(self.core, self.step, t, self.states).filter(|id| !self.tolerated.contains(id)));
+            left.extend(
+                settled(self.core, self.step, t, self.states)
+                    .map(|(id, _)| id)
+                    .filter(|id| !self.tolerated.contains(id)),
+            );
         }
         if left.is_empty() {
-            left = breaking_contacts(core, step, t, states, &touches, tolerated)?;
+            left = breaking_contacts(self.core, self.step, t, self.states, &touches, &self.tolerated)?;
         }
         Ok(left)
     }
@@ -257,20 +236,13 @@ impl Engine {
     /// The time of the first violation between a valid time and a violated one. The violation at the end is traced back
     /// to its start, and only there all other conditions are checked again: in a large group that check is most of the
     /// work.
-    fn first_violation_in(
-        &self,
-        core: &mut Core,
-        step: &ConstrainedStep,
-        (valid, mut violated): (f64, f64),
-        tolerated: &BTreeSet<ContactId>,
-        states: &mut [BodyState],
-    ) -> Result<f64, SimulationError> {
-        let mut violation = self.violation_at(core, step, violated, tolerated, states)?;
+    fn first_violation_in(&mut self, (valid, mut violated): (f64, f64)) -> Result<f64, SimulationError> {
+        let mut violation = self.violation_at(violated)?;
         for _ in 0..MOST_VIOLATIONS {
             let bracket = close_in((valid, violated), |t| {
                 let is_violated = match violation {
-                    Some(violation) => self.is_violated(core, step, violation, t, tolerated, states)?,
-                    None => !self.violations(core, step, t, tolerated, states)?.is_empty(),
+                    Some(violation) => self.is_violated(violation, t)?,
+                    None => !self.violations(t)?.is_empty(),
                 };
                 Ok::<_, SimulationError>(if is_violated { Side::After } else { Side::Before })
             })?;
@@ -278,7 +250,7 @@ impl Engine {
             if violation.is_none() || bracket.before <= valid {
                 break;
             }
-            match self.violation_at(core, step, bracket.before, tolerated, states)? {
+            match self.violation_at(bracket.before)? {
                 Some(earlier) => (violated, violation) = (bracket.before, Some(earlier)),
                 None => break,
             }
@@ -287,18 +259,11 @@ impl Engine {
     }
 
     /// A violation at a time, if there is one.
-    fn violation_at(
-        &self,
-        core: &mut Core,
-        step: &ConstrainedStep,
-        t: f64,
-        tolerated: &BTreeSet<ContactId>,
-        states: &mut [BodyState],
-    ) -> Result<Option<Violation>, SimulationError> {
-        let Some(&id) = self.violations(core, step, t, tolerated, states)?.first() else { return Ok(None) };
+    fn violation_at(&mut self, t: f64) -> Result<Option<Violation>, SimulationError> {
+        let Some(&id) = self.violations(t)?.first() else { return Ok(None) };
         let kind = [Violation::Leaves(id), Violation::Penetrates(id.a, id.b), Violation::Stops, Violation::Breaks];
         for violation in kind {
-            if self.is_violated(core, step, violation, t, tolerated, states)? {
+            if self.is_violated(violation, t)? {
                 return Ok(Some(violation));
             }
         }
@@ -306,32 +271,27 @@ impl Engine {
     }
 
     /// Whether this violation is present at a time.
-    fn is_violated(
-        &self,
-        core: &mut Core,
-        step: &ConstrainedStep,
-        violation: Violation,
-        t: f64,
-        tolerated: &BTreeSet<ContactId>,
-        states: &mut [BodyState],
-    ) -> Result<bool, SimulationError> {
-        step.states_at(&core.world, t, states);
+    fn is_violated(&mut self, violation: Violation, t: f64) -> Result<bool, SimulationError> {
+        self.step.states_at(&self.core.world, t, self.states);
         match violation {
             Violation::Leaves(id) => {
-                let is_held = step.active.holds(id) && !tolerated.contains(&id);
-                Ok(is_held && held_kinematics(core, states, id).is_none())
+                let is_held = self.step.active.holds(id) && !self.tolerated.contains(&id);
+                Ok(is_held && held_kinematics(self.core, self.states, id).is_none())
             }
-            Violation::Penetrates(a, b) => Ok(self.penetrates(core, step, (a, b), states, tolerated)),
-            Violation::Stops => Ok(stopped(core, step, t, states)
-                .chain(settled(core, step, t, states).map(|(id, _)| id))
-                .any(|id| !tolerated.contains(&id))),
+            Violation::Penetrates(a, b) => Ok(self.penetrates((a, b))),
+            Violation::Stops => Ok(stopped(self.core, self.step, t, self.states)
+                .chain(settled(self.core, self.step, t, self.states).map(|(id, _)| id))
+                .any(|id| !self.tolerated.contains(&id))),
             Violation::Breaks => {
-                let touches = step.active.held().iter().map(|&id| {
-                    let kinematics = core.world.kinematics(states, id)?;
-                    Some(held_touch(step, id, kinematics))
+                let touches = self.step.active.held().iter().map(|&id| {
+                    let kinematics = self.core.world.kinematics(self.states, id)?;
+                    Some(held_touch(self.step, id, kinematics))
                 });
                 match touches.collect::<Option<Vec<_>>>() {
-                    Some(touches) => Ok(!breaking_contacts(core, step, t, states, &touches, tolerated)?.is_empty()),
+                    Some(touches) => {
+                        Ok(!breaking_contacts(self.core, self.step, t, self.states, &touches, &self.tolerated)?
+                            .is_empty())
+                    }
                     // A contact has left its features.
                     None => Ok(true),
                 }
@@ -341,23 +301,23 @@ impl Engine {
 
     /// When a contact that had a gap at the start of the step closes within it: the time of zero separation, which is
     /// before the time at which the penetration is detected.
-    fn closing_time(
-        &self,
-        core: &Core,
-        step: &ConstrainedStep,
-        violated: f64,
-        states: &mut [BodyState],
-    ) -> Option<f64> {
-        step.states_at(&core.world, violated, states);
-        let id = self.penetrating(core, step, states, &BTreeSet::new())?;
+    fn closing_time(&mut self, violated: f64) -> Option<f64> {
+        self.step.states_at(&self.core.world, violated, self.states);
+        // Also a tolerated contact may close.
+        let tolerated = std::mem::take(&mut self.tolerated);
+        let penetrating = self.penetrating();
+        self.tolerated = tolerated;
+        let id = penetrating?;
+        let touch = TOUCH_RELATIVE * self.core.world.pair_size(id.a, id.b);
+        let start = self.step.t;
         let mut separation = |t: f64| {
-            step.states_at(&core.world, t, states);
-            core.world.kinematics(states, id).map(|kinematics| ContactEvent::Closing.value(&kinematics))
+            self.step.states_at(&self.core.world, t, self.states);
+            self.core.world.kinematics(self.states, id).map(|kinematics| ContactEvent::Closing.value(&kinematics))
         };
-        if separation(step.t)? <= TOUCH_RELATIVE * core.world.pair_size(id.a, id.b) {
+        if separation(start)? <= touch {
             return None;
         }
-        let bracket = close_in((step.t, violated), |t| separation(t).map(Side::of).ok_or(()));
+        let bracket = close_in((start, violated), |t| separation(t).map(Side::of).ok_or(()));
         bracket.ok().map(|bracket| bracket.after)
     }
 }

@@ -8,14 +8,10 @@
 //!
 //! Limit: a penetration that begins and ends between two checks is not found.
 
-use super::constrained_step::ConstrainedStep;
-use super::engine::Engine;
+use super::step_search::StepSearch;
 use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::Pair;
 use crate::constraint::locator::{Side, close_in};
-use crate::core::Core;
-use polhode_dynamics::BodyState;
-use std::collections::BTreeSet;
 use std::convert::Infallible;
 
 /// Depth at which an open contact counts as penetrating, relative to size: a quarter of the promised limit of
@@ -42,40 +38,22 @@ impl Penetration {
     }
 }
 
-impl Engine {
+impl StepSearch<'_> {
     /// An open contact of the group's touching pairs that penetrates and closes.
-    pub(super) fn penetrating(
-        &self,
-        core: &Core,
-        step: &ConstrainedStep,
-        states: &[BodyState],
-        tolerated: &BTreeSet<ContactId>,
-    ) -> Option<ContactId> {
-        self.penetrations(core, step, states, tolerated).find_map(|penetration| penetration.contact)
+    pub(super) fn penetrating(&self) -> Option<ContactId> {
+        self.penetrations().find_map(|penetration| penetration.contact)
     }
 
     /// Whether some pair of the group overlaps at a point that none of its contacts shows.
-    pub(super) fn penetrates_undetected(
-        &self,
-        core: &Core,
-        step: &ConstrainedStep,
-        states: &[BodyState],
-        tolerated: &BTreeSet<ContactId>,
-    ) -> bool {
-        self.penetrations(core, step, states, tolerated).any(|penetration| penetration.is_undetected())
+    pub(super) fn penetrates_undetected(&self) -> bool {
+        self.penetrations().any(|penetration| penetration.is_undetected())
     }
 
     /// The penetration of the first pair of the group with a penetrating contact. Without such a pair, the largest
     /// overlap that no contact shows.
-    pub(super) fn first_penetration(
-        &self,
-        core: &Core,
-        step: &ConstrainedStep,
-        states: &[BodyState],
-        tolerated: &BTreeSet<ContactId>,
-    ) -> Penetration {
+    pub(super) fn first_penetration(&self) -> Penetration {
         let mut excess_depths = 0.0_f64;
-        for penetration in self.penetrations(core, step, states, tolerated) {
+        for penetration in self.penetrations() {
             if penetration.contact.is_some() {
                 return penetration;
             }
@@ -86,93 +64,67 @@ impl Engine {
     }
 
     /// Whether an open contact of one pair penetrates and closes.
-    pub(super) fn penetrates(
-        &self,
-        core: &Core,
-        step: &ConstrainedStep,
-        pair: (usize, usize),
-        states: &[BodyState],
-        tolerated: &BTreeSet<ContactId>,
-    ) -> bool {
-        self.penetration_of_pair(core, step, pair, states, tolerated).contact.is_some()
+    pub(super) fn penetrates(&self, pair: (usize, usize)) -> bool {
+        self.penetration_of_pair(pair).contact.is_some()
     }
 
     /// The penetrations of the group's touching pairs, in their order.
-    fn penetrations<'a>(
-        &'a self,
-        core: &'a Core,
-        step: &'a ConstrainedStep,
-        states: &'a [BodyState],
-        tolerated: &'a BTreeSet<ContactId>,
-    ) -> impl Iterator<Item = Penetration> + 'a {
-        let of_pair = move |pair| self.penetration_of_pair(core, step, pair, states, tolerated);
-        step.watched_pairs(&core.world).into_iter().map(of_pair)
+    fn penetrations(&self) -> impl Iterator<Item = Penetration> + '_ {
+        let of_pair = move |pair| self.penetration_of_pair(pair);
+        self.step.watched_pairs(&self.core.world).into_iter().map(of_pair)
     }
 
-    fn penetration_of_pair(
-        &self,
-        core: &Core,
-        step: &ConstrainedStep,
-        (a, b): (usize, usize),
-        states: &[BodyState],
-        tolerated: &BTreeSet<ContactId>,
-    ) -> Penetration {
-        let depth = PENETRATING_RELATIVE * core.world.pair_size(a, b) + core.world.rounding(states, a, b);
+    fn penetration_of_pair(&self, (a, b): (usize, usize)) -> Penetration {
+        let depth =
+            PENETRATING_RELATIVE * self.core.world.pair_size(a, b) + self.core.world.rounding(self.states, a, b);
         // The same reach as in the resolution of the event, so that both find the same contacts.
-        let reach = core.world.touch_distance(states, a, b);
-        let Some(pair) = core.world.penetrating_pair(states, (a, b), reach, depth) else {
+        let reach = self.core.world.touch_distance(self.states, a, b);
+        let Some(pair) = self.core.world.penetrating_pair(self.states, (a, b), reach, depth) else {
             return Penetration { contact: None, excess_depths: 0.0 };
         };
         let Pair { separation, contacts, .. } = pair;
         // A separating contact is left open, because it ends the penetration by itself, unless the penetration began
         // within the step.
-        let began_in_step = || separation < -depth && !self.overlapped(core, (a, b), depth);
+        let began_in_step = || separation < -depth && !self.overlapped((a, b), depth);
         let closing = contacts.iter().filter(|touch| {
             touch.kinematics.geometry.separation < -depth
-                && (touch.kinematics.separation_rate < 0.0 || self.was_clear(core, touch.id, depth) || began_in_step())
+                && (touch.kinematics.separation_rate < 0.0 || self.was_clear(touch.id, depth) || began_in_step())
         });
-        let not_held = |id: &ContactId| !step.active.holds(*id) && !tolerated.contains(id);
+        let not_held = |id: &ContactId| !self.step.active.holds(*id) && !self.tolerated.contains(id);
         let contact = closing.map(|touch| touch.id).find(not_held);
         if contact.is_some() || separation >= -depth {
             return Penetration { contact, excess_depths: 0.0 };
         }
-        let held = step.active.held().iter().filter(|id| (id.a, id.b) == (a, b));
-        let held = held.filter_map(|&id| Some(core.world.kinematics(states, id)?.geometry.separation));
+        let held = self.step.active.held().iter().filter(|id| (id.a, id.b) == (a, b));
+        let held = held.filter_map(|&id| Some(self.core.world.kinematics(self.states, id)?.geometry.separation));
         let found = contacts.iter().map(|touch| touch.kinematics.geometry.separation);
         let shown = held.chain(found).fold(0.0, f64::min);
         Penetration { contact, excess_depths: (shown - separation) / depth }
     }
 
     /// Whether a contact had a gap at the start of the step.
-    fn was_clear(&self, core: &Core, id: ContactId, depth: f64) -> bool {
-        core.world.kinematics(&self.states, id).is_some_and(|k| k.geometry.separation > depth)
+    fn was_clear(&self, id: ContactId, depth: f64) -> bool {
+        self.core.world.kinematics(self.start, id).is_some_and(|k| k.geometry.separation > depth)
     }
 
     /// Whether two bodies overlapped at the start of the step. If one has passed into the other since then, its nearest
     /// features may be on the far side, where there was never a gap.
-    fn overlapped(&self, core: &Core, (a, b): (usize, usize), depth: f64) -> bool {
-        core.world.separation_without_memory(&self.states, a, b).is_some_and(|separation| separation < -depth)
+    fn overlapped(&self, (a, b): (usize, usize), depth: f64) -> bool {
+        self.core.world.separation_without_memory(self.start, a, b).is_some_and(|separation| separation < -depth)
     }
 
     /// An interval from `start` at whose end a contact penetrates that approaches at `start` and would close before
     /// `end` (s). If it separated again before the next check, the penetration would be missed. It is checked after the
     /// predicted time to closing, and after two, four, eight times as long.
-    pub(super) fn approach_interval(
-        &self,
-        core: &Core,
-        step: &ConstrainedStep,
-        (start, end): (f64, f64),
-        tolerated: &BTreeSet<ContactId>,
-        states: &mut [BodyState],
-    ) -> Option<(f64, f64)> {
-        step.states_at(&core.world, start, states);
+    pub(super) fn approach_interval(&mut self, (start, end): (f64, f64)) -> Option<(f64, f64)> {
+        self.step.states_at(&self.core.world, start, self.states);
         let mut closing = Vec::new();
-        for (a, b) in step.watched_pairs(&core.world) {
-            let travel =
-                (core.world.point_speed(&self.states, a) + core.world.point_speed(&self.states, b)) * (end - start);
-            let reach = travel + core.world.touch_distance(states, a, b);
-            let contacts = core.world.contacts_of_pair(states, a, b, reach);
-            let open = contacts.iter().filter(|touch| !step.active.holds(touch.id));
+        for (a, b) in self.step.watched_pairs(&self.core.world) {
+            let travel = (self.core.world.point_speed(self.start, a) + self.core.world.point_speed(self.start, b))
+                * (end - start);
+            let reach = travel + self.core.world.touch_distance(self.states, a, b);
+            let contacts = self.core.world.contacts_of_pair(self.states, a, b, reach);
+            let open = contacts.iter().filter(|touch| !self.step.active.holds(touch.id));
             let wait = open.filter_map(|touch| {
                 let (gap, rate) = (touch.kinematics.geometry.separation, touch.kinematics.separation_rate);
                 (gap > 0.0 && rate < 0.0).then(|| gap / -rate).filter(|&wait| start + wait < end)
@@ -183,8 +135,8 @@ impl Engine {
         for (wait, pair) in closing {
             let mut t = start + wait;
             while t > start && t < end {
-                step.states_at(&core.world, t, states);
-                if self.penetrates(core, step, pair, states, tolerated) {
+                self.step.states_at(&self.core.world, t, self.states);
+                if self.penetrates(pair) {
                     return Some((start, t));
                 }
                 t = start + 2.0 * (t - start);
@@ -195,17 +147,10 @@ impl Engine {
 
     /// A time within an interval at which the contact that began to penetrate is found. At larger depths its point may
     /// have left its features, and nothing else shows where the penetration began.
-    pub(super) fn contact_penetrating_within(
-        &self,
-        core: &Core,
-        step: &ConstrainedStep,
-        interval: (f64, f64),
-        tolerated: &BTreeSet<ContactId>,
-        states: &mut [BodyState],
-    ) -> Option<f64> {
+    pub(super) fn contact_penetrating_within(&mut self, interval: (f64, f64)) -> Option<f64> {
         let closed_in = close_in(interval, |t| {
-            step.states_at(&core.world, t, states);
-            let penetration = self.first_penetration(core, step, states, tolerated);
+            self.step.states_at(&self.core.world, t, self.states);
+            let penetration = self.first_penetration();
             Ok::<_, Infallible>(match penetration.contact {
                 Some(_) => Side::Here,
                 None if penetration.excess_depths > 1.0 => Side::After,

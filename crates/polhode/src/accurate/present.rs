@@ -1,8 +1,9 @@
 //! Queries at the present: the state of a body, the touching contacts, the groups that they form.
 
-use super::engine::{Engine, Mode, Track};
+use super::engine::Engine;
 use super::hold::Forces;
 use super::island::Step;
+use super::motions::{Mode, Motions, Track};
 use super::present_crowds::StepKey;
 use crate::collision::contact_set::{Hold, Touch};
 use crate::core::Core;
@@ -12,7 +13,7 @@ use crate::rows::groups::{coupled_groups, groups};
 use crate::{Effects, SimulationError};
 use polhode_dynamics::BodyState;
 
-impl Engine {
+impl Motions {
     /// State of a body at the present; the states of others are not evaluated.
     pub(super) fn present_state(&self, core: &Core, body: usize) -> BodyState {
         let t = core.t;
@@ -56,17 +57,21 @@ impl Engine {
             _ => core.world.sample(body, state),
         }
     }
+}
 
+impl Engine {
     /// The touching contacts of the last evaluation, evaluated in these states.
     pub(super) fn present_contacts(&self, core: &Core, states: &[BodyState]) -> Vec<Touch> {
         let present = |touch: &Touch| Some(Touch { kinematics: core.world.kinematics(states, touch.id)?, ..*touch });
-        self.contacts.all().filter_map(present).collect()
+        self.schedule.contacts.all().filter_map(present).collect()
     }
 
     /// Bodies connected by contacts that neither approach nor separate, and those contacts.
     pub(super) fn present_groups(&self, core: &Core, states: &[BodyState]) -> Vec<(Vec<usize>, Vec<Touch>)> {
         let mut contacts = self.present_contacts(core, states);
-        let scale_of = |touch: &Touch| self.tracks[touch.id.a].speed_scale.max(self.tracks[touch.id.b].speed_scale);
+        let scale_of = |touch: &Touch| {
+            self.motions.tracks[touch.id.a].speed_scale.max(self.motions.tracks[touch.id.b].speed_scale)
+        };
         if !self.begun {
             for touch in &mut contacts {
                 touch.modes.friction = self.slide_of(core, scale_of(touch), touch);
@@ -76,7 +81,7 @@ impl Engine {
         let sustained = |touch: &Touch| {
             let scale = scale_of(touch);
             // Within the step of an island, its contacts are the held ones.
-            if self.begun { touch.hold == Hold::Held } else { self.is_sustained(core, scale, touch) }
+            if self.begun { touch.hold == Hold::Held } else { self.motions.is_sustained(core, scale, touch) }
         };
         let kept = contacts.iter().enumerate().filter(|(_, touch)| sustained(touch));
         let mut found: Vec<(Vec<usize>, Vec<Touch>)> =
@@ -102,17 +107,17 @@ impl Engine {
         };
         if !self.begun {
             let held: Vec<Touch> =
-                self.present_groups(core, &self.states).into_iter().flat_map(|(_, held)| held).collect();
+                self.present_groups(core, &self.motions.states).into_iter().flat_map(|(_, held)| held).collect();
             let loaded =
                 world.movable.iter().copied().filter(|&body| world.bodies[body].moves() && world.is_loaded(body));
             return joins(&held.iter().collect::<Vec<_>>(), &loaded.collect::<Vec<_>>());
         }
-        let rests = |body: usize| matches!(self.tracks[body].mode, Mode::Rest);
+        let rests = |body: usize| matches!(self.motions.tracks[body].mode, Mode::Rest);
         let connects = |touch: &&Touch| touch.hold == Hold::Held && rests(touch.id.a) && rests(touch.id.b);
-        let connecting: Vec<&Touch> = self.contacts.all().filter(connects).collect();
+        let connecting: Vec<&Touch> = self.schedule.contacts.all().filter(connects).collect();
         let resting: Vec<usize> = world.movable.iter().copied().filter(|&body| rests(body)).collect();
         let mut found = joins(&connecting, &resting);
-        found.extend(self.islands.values().map(|island| island.bodies.clone()));
+        found.extend(self.motions.islands.values().map(|island| island.bodies.clone()));
         found.sort_unstable();
         found
     }
@@ -125,7 +130,7 @@ impl Engine {
             Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => MotionKind::Integrated,
             Mode::Rest => MotionKind::Rest,
         };
-        let mut kinds: Vec<MotionKind> = self.tracks.iter().map(kind).collect();
+        let mut kinds: Vec<MotionKind> = self.motions.tracks.iter().map(kind).collect();
         if !self.begun {
             for body in (0..kinds.len()).filter(|&body| core.world.bodies[body].moves()) {
                 kinds[body] = MotionKind::Flight;
@@ -142,8 +147,8 @@ impl Engine {
         if core.effects == Effects::Planned {
             return Ok(());
         }
-        let rest = |body: usize| matches!(self.tracks[body].mode, Mode::Rest);
-        let known: Vec<Touch> = self.contacts.all().copied().collect();
+        let rest = |body: usize| matches!(self.motions.tracks[body].mode, Mode::Rest);
+        let known: Vec<Touch> = self.schedule.contacts.all().copied().collect();
         let resting = known
             .iter()
             .enumerate()
@@ -154,8 +159,10 @@ impl Engine {
             pairs.dedup();
             let mut contacts = Vec::with_capacity(group.contacts.len());
             for (a, b) in pairs {
-                let reach = core.world.touch_distance(&self.states, a, b);
-                contacts.extend(core.world.contacts_of_pair(&self.states, a, b, reach).into_iter().map(Touch::from));
+                let reach = core.world.touch_distance(&self.motions.states, a, b);
+                contacts.extend(
+                    core.world.contacts_of_pair(&self.motions.states, a, b, reach).into_iter().map(Touch::from),
+                );
             }
             for touch in &mut contacts {
                 // Contacts that were known keep their status as a warm start.
@@ -163,8 +170,9 @@ impl Engine {
                     touch.hold = known[index].hold;
                 }
             }
-            let forces = Forces::solve(&core.world, core.t, &self.states, &group.bodies, &contacts, &mut core.solver)
-                .map_err(|source| Core::response_error(core.t, source))?;
+            let forces =
+                Forces::solve(&core.world, core.t, &self.motions.states, &group.bodies, &contacts, &mut core.solver)
+                    .map_err(|source| Core::response_error(core.t, source))?;
             core.accounts.note_solve(core.t, &forces.solution.report)?;
         }
         Ok(())

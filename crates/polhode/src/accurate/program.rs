@@ -3,9 +3,10 @@
 //! The islands of the affected bodies end at the present. The program changes states, forces or bodies. Then touching
 //! contacts are found again, impacts are resolved, and islands are formed as after any event.
 
-use super::engine::{Engine, Mode, Track};
+use super::engine::Engine;
 use super::impact_search::Search;
 use super::instant::Instant;
+use super::motions::{Mode, Track};
 use super::pace::Pace;
 use crate::SimulationError;
 use crate::core::Core;
@@ -24,11 +25,12 @@ impl Engine {
         let mut found_for: BTreeSet<usize> = bodies.iter().copied().collect();
         // An immovable body affects the bodies it touches.
         for &body in bodies.iter().filter(|&&body| !core.world.bodies[body].moves()) {
-            found_for.extend(self.contacts.partners(body));
+            found_for.extend(self.schedule.contacts.partners(body));
             // Time steps of crowds were made with the motion that it had: it may come near any of them.
             if core.world.trajectory(body).is_some() {
                 found_for.extend(
-                    (0..self.tracks.len()).filter(|&other| matches!(self.tracks[other].mode, Mode::Crowded(_))),
+                    (0..self.motions.tracks.len())
+                        .filter(|&other| matches!(self.motions.tracks[other].mode, Mode::Crowded(_))),
                 );
             }
         }
@@ -36,8 +38,8 @@ impl Engine {
         let affected = self.affected_bodies(core, t, &found_for.into_iter().collect::<Vec<_>>())?;
         let mut instant = self.end_islands(core, t, affected)?;
         for &body in &instant.bodies {
-            self.book_flight(core, body, t);
-            let mode = &mut self.tracks[body].mode;
+            self.motions.book_flight(core, body, t);
+            let mode = &mut self.motions.tracks[body].mode;
             if matches!(mode, Mode::Rest) {
                 instant.woken.insert(body);
             }
@@ -58,10 +60,10 @@ impl Engine {
         instant.pairs.retain(|&(a, b)| !gone(a) && !gone(b));
         instant.touches.retain(|touch| !gone(touch.id.a) && !gone(touch.id.b));
         for &body in &instant.bodies {
-            self.scratch[body] = self.states[body];
-            self.tracks[body].pace = Pace::starting_at(instant.t);
-            self.tracks[body].proposed_step_s = core.settings.step_s;
-            instant.speed_scale = instant.speed_scale.max(core.world.point_speed(&self.states, body));
+            self.motions.scratch[body] = self.motions.states[body];
+            self.motions.tracks[body].pace = Pace::starting_at(instant.t);
+            self.motions.tracks[body].proposed_step_s = core.settings.step_s;
+            instant.speed_scale = instant.speed_scale.max(core.world.point_speed(&self.motions.states, body));
         }
         for &body in moved {
             self.find_touched(core, &mut instant, body)?;
@@ -72,12 +74,12 @@ impl Engine {
         // A body that no force moves makes no step, but its box is new.
         let unmoved: Vec<usize> = moved.iter().copied().filter(|&body| !core.world.bodies[body].moves()).collect();
         for &body in &unmoved {
-            self.expect_corner(core, body, t);
+            self.schedule.expect_corner(core, body, t);
         }
         if !unmoved.is_empty() {
-            self.begin_flight_boxes(core, t);
-            self.renew_boxes(core, &unmoved, t)?;
-            self.search_pairs(core, &unmoved, t, Search::All)?;
+            self.schedule.begin_flight_boxes(core, t);
+            self.schedule.renew_boxes(core, &self.motions, &unmoved, t)?;
+            self.schedule.search_pairs(core, &self.motions, &unmoved, t, Search::All)?;
         }
         Ok(())
     }
@@ -88,7 +90,7 @@ impl Engine {
         let mut pairs: BTreeSet<(usize, usize)> = instant.pairs.iter().copied().collect();
         for other in others.collect::<Vec<_>>() {
             let pair = (body.min(other), body.max(other));
-            if !self.touch_at(core, pair, instant.t)? {
+            if !self.motions.touch_at(core, pair, instant.t)? {
                 continue;
             }
             pairs.insert(pair);
@@ -110,25 +112,25 @@ impl Engine {
 
     /// Makes room for a body that has been added to the world.
     pub(super) fn make_room(&mut self, core: &Core, state: BodyState) {
-        let body = self.states.len();
-        self.states.push(state);
-        self.scratch.push(state);
+        let body = self.motions.states.len();
+        self.motions.states.push(state);
+        self.motions.scratch.push(state);
         let size = core.world.bodies[body].size;
-        self.tracks.push(Track::new(core, body));
-        self.tracks[body].speed_scale =
-            core.world.point_speed(&self.states, body).max((core.world.gravity().length() * size).sqrt());
-        self.contacts.make_room();
-        self.near.make_room();
+        self.motions.tracks.push(Track::new(core, body));
+        self.motions.tracks[body].speed_scale =
+            core.world.point_speed(&self.motions.states, body).max((core.world.gravity().length() * size).sqrt());
+        self.schedule.contacts.make_room();
+        self.schedule.near.make_room();
     }
 
     /// Forgets a body that is about to be removed from the world.
     pub(super) fn forget_body(&mut self, body: usize) {
-        self.remove_from_pairs(body);
-        let partners: Vec<usize> = self.contacts.partners(body).collect();
+        self.schedule.remove_from_pairs(body);
+        let partners: Vec<usize> = self.schedule.contacts.partners(body).collect();
         for other in partners {
-            self.contacts.set((body.min(other), body.max(other)), Vec::new());
+            self.schedule.contacts.set((body.min(other), body.max(other)), Vec::new());
         }
-        self.tracks[body].mode = Mode::Fixed;
-        self.tracks[body].island = None;
+        self.motions.tracks[body].mode = Mode::Fixed;
+        self.motions.tracks[body].island = None;
     }
 }

@@ -4,9 +4,10 @@
 //! resolve; determine the active set (which contacts hold); project the held contacts onto zero separation; give every
 //! body its mode until the next event; report. Only the bodies of the instant (`instant.rs`) take part.
 
-use super::engine::{Engine, Mode};
+use super::engine::Engine;
 use super::hold::{Forces, FoundMode};
 use super::instant::Instant;
+use super::motions::{Mode, Motions};
 use crate::SimulationError;
 use crate::body_id::BodyId;
 use crate::collision::contact_id::ContactId;
@@ -94,7 +95,7 @@ impl Engine {
     /// Finds the contacts of all pairs that touched or are near each other, except between bodies that have not moved.
     /// Returns the pairs that pass each other along a face, ascending.
     fn detect(&mut self, core: &mut Core, instant: &mut Instant) -> Vec<(usize, usize)> {
-        let still = |body: usize| matches!(self.tracks[body].mode, Mode::Rest | Mode::Fixed);
+        let still = |body: usize| matches!(self.motions.tracks[body].mode, Mode::Rest | Mode::Fixed);
         let mut found = Vec::with_capacity(instant.touches.len());
         let mut passing = Vec::new();
         for &(a, b) in &instant.pairs {
@@ -102,11 +103,11 @@ impl Engine {
                 found.extend(instant.touches.iter().filter(|touch| (touch.id.a, touch.id.b) == (a, b)).copied());
                 continue;
             }
-            let reach = core.world.touch_distance(&self.states, a, b);
-            let Pair { separation, contacts, is_passing } = core.world.pair(&self.states, a, b, reach);
+            let reach = core.world.touch_distance(&self.motions.states, a, b);
+            let Pair { separation, contacts, is_passing } = core.world.pair(&self.motions.states, a, b, reach);
             // The overlap of two bodies may be larger than the penetration of each contact.
             let rate = contacts.iter().fold(0.0, |rate, contact| contact.kinematics.separation_rate.min(rate));
-            core.note_separation(instant.t, &self.states, (a, b), (separation, rate));
+            core.note_separation(instant.t, &self.motions.states, (a, b), (separation, rate));
             if is_passing {
                 passing.push((a, b));
             }
@@ -119,7 +120,7 @@ impl Engine {
             }));
         }
         found.sort_by_key(|touch| touch.id);
-        core.world.remove_covered_borders(&self.states, &mut found);
+        core.world.remove_covered_borders(&self.motions.states, &mut found);
         instant.touches = found;
         // A contact point outside its features measures no penetration, nor does one with the plane of a face that the
         // bodies are about to pass onto.
@@ -127,7 +128,7 @@ impl Engine {
             touch.kinematics.geometry.margin >= 0.0 && passing.binary_search(&(touch.id.a, touch.id.b)).is_err()
         };
         for touch in instant.touches.iter().filter(measures) {
-            core.note_contact(instant.t, &self.states, (touch.id.a, touch.id.b), &touch.kinematics);
+            core.note_contact(instant.t, &self.motions.states, (touch.id.a, touch.id.b), &touch.kinematics);
         }
         passing
     }
@@ -145,16 +146,17 @@ impl Engine {
 
     fn strike_group(&mut self, core: &mut Core, instant: &mut Instant, group: &Group) -> Result<(), SimulationError> {
         for &body in &group.bodies {
-            self.book_flight(core, body, instant.t);
-            if matches!(self.tracks[body].mode, Mode::Rest) {
+            self.motions.book_flight(core, body, instant.t);
+            if matches!(self.motions.tracks[body].mode, Mode::Rest) {
                 instant.woken.insert(body);
             }
-            self.tracks[body].mode = Mode::Constrained;
+            self.motions.tracks[body].mode = Mode::Constrained;
         }
         let law = core.settings.impact;
         let settings = ImpactSettings::default();
-        let struck = strike(&core.world, &mut self.states, group, &instant.touches, law, &settings, &mut core.solver)
-            .map_err(|source| Core::response_error(instant.t, source))?;
+        let struck =
+            strike(&core.world, &mut self.motions.states, group, &instant.touches, law, &settings, &mut core.solver)
+                .map_err(|source| Core::response_error(instant.t, source))?;
         let outcome = &struck.outcome;
         if outcome.status == ImpactStatus::NotSolved {
             return Err(SimulationError::ContactSolve { t_s: instant.t, residual: outcome.residual });
@@ -180,11 +182,11 @@ impl Engine {
     ) {
         let outcome = &struck.outcome;
         let members: Vec<Touch> = contacts.iter().map(|&i| instant.touches[i]).collect();
-        let work = struck.work(&core.world, &self.states, &members);
+        let work = struck.work(&core.world, &self.motions.states, &members);
         let about = core.accounts.books.ledger.momentum.about;
         let given = struck.support(&core.world, about, &members);
         core.accounts.books.impact((outcome.energy_change, struck.friction_j), given, work);
-        core.note_friction(instant.t, struck.cone_violation(&core.world, &self.states, &members), CONE_LIMIT);
+        core.note_friction(instant.t, struck.cone_violation(&core.world, &self.motions.states, &members), CONE_LIMIT);
         let largest = outcome.applications.iter().fold(0.0, |most: f64, one| most.max(one.impulse.abs()));
         let is_event = |impulse: f64| impulse.abs() > NEGLIGIBLE_IMPULSE * largest;
         let applications = outcome.applications.iter().zip(&struck.constraints);
@@ -195,7 +197,7 @@ impl Engine {
             let touch = instant.touches[index];
             core.accounts.add_contact_event(
                 &core.world,
-                &self.states,
+                &self.motions.states,
                 impulse_event(instant.t, kind, &touch, application),
                 touch.id,
             );
@@ -215,7 +217,7 @@ impl Engine {
         let mut moving = groups(&core.world, instant.numbered());
         moving.retain(|group| {
             let ids: Vec<ContactId> = group.contacts.iter().map(|&i| instant.touches[i].id).collect();
-            group.bodies.iter().any(|&body| !matches!(self.tracks[body].mode, Mode::Rest))
+            group.bodies.iter().any(|&body| !matches!(self.motions.tracks[body].mode, Mode::Rest))
                 || !allow_rest(core, instant.t, &ids)
         });
         moving
@@ -258,7 +260,7 @@ impl Engine {
         instant: &mut Instant,
         group: &Group,
     ) -> Result<(Vec<usize>, Forces, bool), SimulationError> {
-        let sustained = |&i: &usize| self.is_sustained(core, instant.speed_scale, &instant.touches[i]);
+        let sustained = |&i: &usize| self.motions.is_sustained(core, instant.speed_scale, &instant.touches[i]);
         let mut candidates: Vec<usize> = group.contacts.iter().copied().filter(sustained).collect();
         let mut forces = self.forces(core, instant, group, &candidates)?;
         if self.end_slips(core, instant, group, (&candidates, &forces))? {
@@ -288,7 +290,8 @@ impl Engine {
 
     /// Whether the bodies of a contact approach each other there.
     fn approaches(&self, core: &Core, instant: &Instant, touch: &Touch) -> bool {
-        touch.is_defined && touch.kinematics.separation_rate < -self.sustained_speed(core, instant.speed_scale, touch)
+        touch.is_defined
+            && touch.kinematics.separation_rate < -self.motions.sustained_speed(core, instant.speed_scale, touch)
     }
 
     pub(super) fn forces(
@@ -300,8 +303,9 @@ impl Engine {
     ) -> Result<Forces, SimulationError> {
         let with_mode = |&i: &usize| self.with_friction_mode(core, instant, &instant.touches[i]);
         let members: Vec<Touch> = candidates.iter().map(with_mode).collect();
-        let forces = Forces::solve(&core.world, instant.t, &self.states, &group.bodies, &members, &mut core.solver)
-            .map_err(|source| Core::response_error(instant.t, source))?;
+        let forces =
+            Forces::solve(&core.world, instant.t, &self.motions.states, &group.bodies, &members, &mut core.solver)
+                .map_err(|source| Core::response_error(instant.t, source))?;
         if forces.jams {
             return Err(SimulationError::ContactSolve { t_s: instant.t, residual: forces.solution.report.residual });
         }
@@ -332,9 +336,9 @@ impl Engine {
     /// The friction of a contact that has a slip; none without a slip or friction.
     pub(super) fn slide_of(&self, core: &Core, speed_scale: f64, touch: &Touch) -> Option<FrictionMode> {
         core.world.friction_of(touch.id.a, touch.id.b)?;
-        let slip = core.world.tangential_kinematics(&self.states, touch.id)?.slip_velocity;
+        let slip = core.world.tangential_kinematics(&self.motions.states, touch.id)?.slip_velocity;
         let speed = slip.length();
-        let slides = speed > self.sustained_speed(core, speed_scale, touch);
+        let slides = speed > self.motions.sustained_speed(core, speed_scale, touch);
         let noise = slip_noise(core, speed_scale, touch);
         slides.then(|| FrictionMode::Sliding(Slide { direction: slip / speed, speed, noise }))
     }
@@ -344,7 +348,7 @@ impl Engine {
         if touch.known && touch.hold == Hold::Held && hold == Hold::Open {
             core.accounts.add_contact_event(
                 &core.world,
-                &self.states,
+                &self.motions.states,
                 contact_event(instant.t, EventKind::Detach, &touch),
                 touch.id,
             );
@@ -371,7 +375,7 @@ impl Engine {
             let ended = instant.slip_ends.get(&touch.id).copied();
             let t = ended.filter(|_| kind == EventKind::Stick).unwrap_or(instant.t);
             let event = contact_event(t, kind, &touch);
-            core.accounts.add_contact_event(&core.world, &self.states, event, touch.id);
+            core.accounts.add_contact_event(&core.world, &self.motions.states, event, touch.id);
         }
         instant.touches[i].modes.friction = mode;
     }
@@ -386,14 +390,14 @@ impl Engine {
         forces: &Forces,
     ) -> Result<(), SimulationError> {
         let members: Vec<Touch> = candidates.iter().map(|&i| instant.touches[i]).collect();
-        let balanced = forces.balanced_bodies(&core.world, &self.states, &members);
+        let balanced = forces.balanced_bodies(&core.world, &self.motions.states, &members);
         let held = group.contacts.iter().filter(|&&i| instant.touches[i].hold == Hold::Held);
         let components = groups(&core.world, held.map(|&i| (i, instant.touches[i].id.a, instant.touches[i].id.b)));
         for component in components {
-            self.end_flights(core, instant.t, &component.bodies);
+            self.motions.end_flights(core, instant.t, &component.bodies);
             let ids: Vec<_> = component.contacts.iter().map(|&i| instant.touches[i].id).collect();
             let touching = self.with_overlaps(core, instant, &ids, &component);
-            let before = core.accounts.books.balance(&core.world, &self.states, &component.bodies);
+            let before = core.accounts.books.balance(&core.world, &self.motions.states, &component.bodies);
             let turns = component.contacts.iter().flat_map(|&i| instant.touches[i].held_turns());
             let turns: Vec<_> = turns.collect();
             let sticks = |i: &&usize| instant.touches[**i].modes.friction == Some(FrictionMode::Sticking);
@@ -406,13 +410,13 @@ impl Engine {
                 && core.world.drivers_of(&component.bodies).all(stands)
                 && component.bodies.iter().all(|&body| {
                     balanced.contains(&body)
-                        && self.is_slow(core, scale, body)
+                        && self.motions.is_slow(core, scale, body)
                         && self.forces_stay_constant(core, scale, body)
                 });
             for &body in &component.bodies {
                 if rests {
                     self.stop(core, instant, body);
-                } else if let Mode::Rest = std::mem::replace(&mut self.tracks[body].mode, Mode::Constrained) {
+                } else if let Mode::Rest = std::mem::replace(&mut self.motions.tracks[body].mode, Mode::Constrained) {
                     instant.woken.insert(body);
                 }
             }
@@ -426,19 +430,20 @@ impl Engine {
     fn remove_overlaps(&mut self, core: &mut Core, instant: &mut Instant) -> Result<(), SimulationError> {
         for group in groups(&core.world, instant.numbered()) {
             let touches: Vec<Touch> = group.contacts.iter().map(|&i| instant.touches[i]).collect();
-            let overlaps = |touch: &Touch| is_excess(&core.world, &self.states, touch.id, &touch.kinematics.geometry);
+            let overlaps =
+                |touch: &Touch| is_excess(&core.world, &self.motions.states, touch.id, &touch.kinematics.geometry);
             if !touches.iter().any(overlaps) {
                 continue;
             }
-            self.end_flights(core, instant.t, &group.bodies);
+            self.motions.end_flights(core, instant.t, &group.bodies);
             let mut pairs: Vec<_> = touches.iter().map(|touch| (touch.id.a, touch.id.b)).collect();
             pairs.dedup();
-            let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
+            let before = core.accounts.books.balance(&core.world, &self.motions.states, &group.bodies);
             let (bodies, solver) = (&group.bodies, &mut core.solver);
-            let done = projection::remove_overlap(&core.world, &mut self.states, bodies, &pairs, solver)
+            let done = projection::remove_overlap(&core.world, &mut self.motions.states, bodies, &pairs, solver)
                 .map_err(|source| Core::response_error(instant.t, source))?;
-            let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-            core.book_projection(instant.t, &self.states, &done, (before, after));
+            let after = core.accounts.books.balance(&core.world, &self.motions.states, &group.bodies);
+            core.book_projection(instant.t, &self.motions.states, &done, (before, after));
             self.refresh_kinematics(core, instant);
         }
         Ok(())
@@ -450,36 +455,27 @@ impl Engine {
         let within = |body: usize| component.bodies.binary_search(&body).is_ok() || !core.world.bodies[body].moves();
         let overlaps = instant.touches.iter().filter(|touch| {
             touch.hold == Hold::Open
-                && touch.kinematics.geometry.separation < -core.world.rounding(&self.states, touch.id.a, touch.id.b)
+                && touch.kinematics.geometry.separation
+                    < -core.world.rounding(&self.motions.states, touch.id.a, touch.id.b)
                 && within(touch.id.a)
                 && within(touch.id.b)
         });
         held.iter().copied().chain(overlaps.map(|touch| touch.id)).collect()
     }
 
-    /// Ends the free flight of some bodies.
-    pub(super) fn end_flights(&mut self, core: &mut Core, t: f64, bodies: &[usize]) {
-        for &body in bodies {
-            self.book_flight(core, body, t);
-            if matches!(self.tracks[body].mode, Mode::Flight(_) | Mode::Stepped) {
-                self.tracks[body].mode = Mode::Constrained;
-            }
-        }
-    }
-
     /// Sets a body in equilibrium exactly to rest and books its remaining kinetic energy.
     fn stop(&mut self, core: &mut Core, instant: &mut Instant, body: usize) {
-        let before = core.accounts.books.balance(&core.world, &self.states, &[body]);
-        self.states[body].linear_velocity = DVec3::ZERO;
-        self.states[body].angular_momentum = DVec3::ZERO;
-        let after = core.accounts.books.balance(&core.world, &self.states, &[body]);
+        let before = core.accounts.books.balance(&core.world, &self.motions.states, &[body]);
+        self.motions.states[body].linear_velocity = DVec3::ZERO;
+        self.motions.states[body].angular_momentum = DVec3::ZERO;
+        let after = core.accounts.books.balance(&core.world, &self.motions.states, &[body]);
         core.accounts.books.rest(before, after, 0.0);
-        let rested = matches!(self.tracks[body].mode, Mode::Rest);
-        self.tracks[body].mode = Mode::Rest;
+        let rested = matches!(self.motions.tracks[body].mode, Mode::Rest);
+        self.motions.tracks[body].mode = Mode::Rest;
         instant.woken.remove(&body);
         let t = instant.rest_times.remove(&body).unwrap_or(instant.t);
         if !rested && instant.t > 0.0 {
-            core.accounts.add_event(body_event(t, EventKind::Rest, body, self.states[body].pose.translation));
+            core.accounts.add_event(body_event(t, EventKind::Rest, body, self.motions.states[body].pose.translation));
         }
     }
 
@@ -488,12 +484,12 @@ impl Engine {
         let held = instant.touches.iter().filter(|touch| touch.hold == Hold::Held);
         let held: BTreeSet<usize> = held.flat_map(|touch| [touch.id.a, touch.id.b]).collect();
         for &body in &instant.bodies {
-            if matches!(self.tracks[body].mode, Mode::Constrained | Mode::Rest) && !held.contains(&body) {
-                self.begin_free_motion(core, body, instant.t);
+            if matches!(self.motions.tracks[body].mode, Mode::Constrained | Mode::Rest) && !held.contains(&body) {
+                self.motions.begin_free_motion(core, body, instant.t);
             }
         }
         for body in std::mem::take(&mut instant.woken) {
-            let place = self.states[body].pose.translation;
+            let place = self.motions.states[body].pose.translation;
             core.accounts.add_event(body_event(instant.t, EventKind::Wake, body, place));
         }
     }
@@ -505,7 +501,7 @@ impl Engine {
         }
         let after = instant.held_pairs();
         for &(a, b) in before.difference(&after) {
-            let mut event = body_event(instant.t, EventKind::ContactEnd, a, self.states[a].pose.translation);
+            let mut event = body_event(instant.t, EventKind::ContactEnd, a, self.motions.states[a].pose.translation);
             event.body_b = (b != a).then(|| BodyId::new(b));
             if let Some(touch) = instant.touches.iter().find(|touch| (touch.id.a, touch.id.b) == (a, b)) {
                 event = contact_event(instant.t, EventKind::ContactEnd, touch);
@@ -515,6 +511,65 @@ impl Engine {
         for pair in after.difference(before) {
             if let Some(touch) = instant.touches.iter().find(|touch| (touch.id.a, touch.id.b) == *pair) {
                 core.accounts.add_event(contact_event(instant.t, EventKind::ContactBegin, touch));
+            }
+        }
+    }
+
+    /// Whether the forces on a body remain constant while it rests: none depends on time, and the bodies coupled to it
+    /// by forces rest too or are slow enough to rest.
+    fn forces_stay_constant(&self, core: &Core, speed_scale: f64, body: usize) -> bool {
+        let couplings = core.world.couplings_of(body);
+        let still = |&other: &usize| {
+            matches!(self.motions.tracks[other].mode, Mode::Rest) || self.motions.is_slow(core, speed_scale, other)
+        };
+        !core.world.is_driven(body) && couplings.flatten().all(still)
+    }
+
+    /// Wakes resting bodies that a force couples to a moving body, and the bodies that rest in contact with them.
+    fn wake_coupled(&mut self, core: &Core, instant: &mut Instant) {
+        let rests = |engine: &Self, body: usize| matches!(engine.motions.tracks[body].mode, Mode::Rest);
+        loop {
+            let mut wake = BTreeSet::new();
+            for coupled in &core.world.couplings {
+                if coupled.iter().any(|&body| !rests(self, body)) {
+                    wake.extend(coupled.iter().copied().filter(|&body| rests(self, body)));
+                }
+            }
+            for touch in instant.touches.iter().filter(|touch| touch.hold == Hold::Held) {
+                for (body, other) in [(touch.id.a, touch.id.b), (touch.id.b, touch.id.a)] {
+                    if matches!(self.motions.tracks[other].mode, Mode::Constrained) && rests(self, body) {
+                        wake.insert(body);
+                    }
+                }
+            }
+            if wake.is_empty() {
+                return;
+            }
+            for body in wake {
+                self.motions.tracks[body].mode = Mode::Constrained;
+                instant.woken.insert(body);
+            }
+        }
+    }
+
+    /// Evaluates every contact of the instant at the current states. One whose features no longer define it keeps its place,
+    /// by which groups know it, but neither holds nor approaches.
+    pub(super) fn refresh_kinematics(&self, core: &Core, instant: &mut Instant) {
+        for touch in &mut instant.touches {
+            let kinematics = core.world.kinematics(&self.motions.states, touch.id);
+            touch.is_defined = kinematics.is_some();
+            touch.kinematics = kinematics.unwrap_or(touch.kinematics);
+        }
+    }
+}
+
+impl Motions {
+    /// Ends the free flight of some bodies.
+    pub(super) fn end_flights(&mut self, core: &mut Core, t: f64, bodies: &[usize]) {
+        for &body in bodies {
+            self.book_flight(core, body, t);
+            if matches!(self.tracks[body].mode, Mode::Flight(_) | Mode::Stepped) {
+                self.tracks[body].mode = Mode::Constrained;
             }
         }
     }
@@ -529,54 +584,8 @@ impl Engine {
         touch.is_defined && touch.kinematics.separation_rate.abs() <= self.sustained_speed(core, speed_scale, touch)
     }
 
-    /// Whether the forces on a body remain constant while it rests: none depends on time, and the bodies coupled to it
-    /// by forces rest too or are slow enough to rest.
-    fn forces_stay_constant(&self, core: &Core, speed_scale: f64, body: usize) -> bool {
-        let couplings = core.world.couplings_of(body);
-        let still =
-            |&other: &usize| matches!(self.tracks[other].mode, Mode::Rest) || self.is_slow(core, speed_scale, other);
-        !core.world.is_driven(body) && couplings.flatten().all(still)
-    }
-
-    /// Wakes resting bodies that a force couples to a moving body, and the bodies that rest in contact with them.
-    fn wake_coupled(&mut self, core: &Core, instant: &mut Instant) {
-        let rests = |engine: &Self, body: usize| matches!(engine.tracks[body].mode, Mode::Rest);
-        loop {
-            let mut wake = BTreeSet::new();
-            for coupled in &core.world.couplings {
-                if coupled.iter().any(|&body| !rests(self, body)) {
-                    wake.extend(coupled.iter().copied().filter(|&body| rests(self, body)));
-                }
-            }
-            for touch in instant.touches.iter().filter(|touch| touch.hold == Hold::Held) {
-                for (body, other) in [(touch.id.a, touch.id.b), (touch.id.b, touch.id.a)] {
-                    if matches!(self.tracks[other].mode, Mode::Constrained) && rests(self, body) {
-                        wake.insert(body);
-                    }
-                }
-            }
-            if wake.is_empty() {
-                return;
-            }
-            for body in wake {
-                self.tracks[body].mode = Mode::Constrained;
-                instant.woken.insert(body);
-            }
-        }
-    }
-
     fn is_slow(&self, core: &Core, speed_scale: f64, body: usize) -> bool {
         core.world.point_speed(&self.states, body) <= STOPPED_RELATIVE * speed_scale
-    }
-
-    /// Evaluates every contact of the instant at the current states. One whose features no longer define it keeps its place,
-    /// by which groups know it, but neither holds nor approaches.
-    pub(super) fn refresh_kinematics(&self, core: &Core, instant: &mut Instant) {
-        for touch in &mut instant.touches {
-            let kinematics = core.world.kinematics(&self.states, touch.id);
-            touch.is_defined = kinematics.is_some();
-            touch.kinematics = kinematics.unwrap_or(touch.kinematics);
-        }
     }
 }
 

@@ -5,8 +5,8 @@
 //! projected onto touch, by the smallest displacement in the metric of mass. The step, and the states from which the run
 //! continues, stay as they are.
 
-use super::engine::Engine;
 use super::island::Step;
+use super::motions::Motions;
 use crate::SimulationError;
 use crate::core::Core;
 use crate::solve::overlap::Overlaps;
@@ -15,7 +15,7 @@ use polhode_response::Delassus;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-impl Engine {
+impl Motions {
     /// These states at `t` (s), with the bodies of integrated islands moved out of each other where they overlap by more
     /// than is promised.
     ///

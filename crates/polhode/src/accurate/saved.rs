@@ -8,12 +8,12 @@ use super::agenda::{Agenda, Due};
 use super::contact_change::ContactChange;
 use super::contacts::Contacts;
 use super::crowd_step::Crowd;
-use super::engine::{Engine, Mode, Track};
+use super::engine::Engine;
 use super::free_stepping::FreeStep;
 use super::island::{Island, Step};
+use super::motions::{Mode, Motions, Track};
 use super::near_pairs::NearPairs;
-use super::present_crowds::PresentCrowds;
-use super::state_cache::StateCache;
+use super::schedule::Schedule;
 use crate::SimulationError;
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_id::ContactId;
@@ -42,15 +42,15 @@ impl Engine {
             rotation: save_rotation(&touch.modes.rotation),
         };
         content::Accurate {
-            states: numbers::write_states(&self.states),
-            tracks: self.tracks.iter().map(save_track).collect(),
-            islands: self.islands.values().map(save_island).collect(),
-            contacts: self.contacts.all().map(touch).collect(),
-            near: self.near.save(),
-            spins: self.spins.iter().map(|(&body, spin)| (body, save_flight(spin))).collect(),
+            states: numbers::write_states(&self.motions.states),
+            tracks: self.motions.tracks.iter().map(save_track).collect(),
+            islands: self.motions.islands.values().map(save_island).collect(),
+            contacts: self.schedule.contacts.all().map(touch).collect(),
+            near: self.schedule.near.save(),
+            spins: self.motions.spins.iter().map(|(&body, spin)| (body, save_flight(spin))).collect(),
             begun: self.begun,
             goes_on: self.goes_on,
-            observed_s: self.observed_s,
+            observed_s: self.motions.observed_s,
         }
     }
 
@@ -62,30 +62,33 @@ impl Engine {
         let world = &core.world;
         let states = read_states(&saved.states, world.bodies.len())?;
         let mut engine = Self {
-            scratch: states.clone(),
-            states,
-            tracks: restored_tracks(world, &saved.tracks)?,
-            islands: BTreeMap::new(),
-            contacts: restored_contacts(world, &saved.contacts)?,
-            near: NearPairs::restored(core, &saved.near)?,
-            agenda: Agenda::default(),
-            spins: restored_spins(world, &saved.spins)?,
+            motions: Motions {
+                tracks: restored_tracks(world, &saved.tracks)?,
+                spins: restored_spins(world, &saved.spins)?,
+                observed_s: saved.observed_s,
+                ..Motions::new(core, states)
+            },
+            schedule: Schedule {
+                contacts: restored_contacts(world, &saved.contacts)?,
+                near: NearPairs::restored(core, &saved.near)?,
+                agenda: Agenda::default(),
+            },
             begun: saved.begun,
             goes_on: saved.goes_on,
-            observed_s: saved.observed_s,
-            state_cache: StateCache::default(),
-            present_crowds: PresentCrowds::default(),
             interrupted: None,
         };
         for island in &saved.islands {
-            let island = engine.restored_island(core, island)?;
-            engine.insert_island(island);
+            let island = engine.motions.restored_island(core, island)?;
+            engine.motions.insert_island(island);
         }
         engine.rebuild_agenda(core);
         // A run that had ended goes on to a longer duration: the islands that begin no step at its end begin one. Those that
         // wait for time steps on the way are unsolved.
         let waits_for_end = |island: &Island| matches!(island.step, Step::Waiting(_)) && !island.is_unsolved;
-        if core.t < core.world.scene.duration_s() && !engine.goes_on && engine.islands.values().any(waits_for_end) {
+        if core.t < core.world.scene.duration_s()
+            && !engine.goes_on
+            && engine.motions.islands.values().any(waits_for_end)
+        {
             engine.continue_after_end_of_run(core)?;
             engine.goes_on = false;
         }
@@ -98,18 +101,20 @@ impl Engine {
         if self.begun {
             for &body in core.world.prescribed() {
                 // A corner at the time of the snapshot may be due still. One that has been passed changes nothing.
-                self.expect_corner(core, body, core.t.next_down());
+                self.schedule.expect_corner(core, body, core.t.next_down());
             }
         }
-        for (&first, island) in &self.islands {
-            self.agenda.add(island.due, Due::Island(first));
+        for (&first, island) in &self.motions.islands {
+            self.schedule.agenda.add(island.due, Due::Island(first));
         }
-        for (t, (a, b)) in self.near.impacts() {
-            self.agenda.add(t, Due::Impact(a, b));
+        for (t, (a, b)) in self.schedule.near.impacts() {
+            self.schedule.agenda.add(t, Due::Impact(a, b));
         }
-        self.agenda.add(self.near.flight_end, Due::FlightBoxes);
+        self.schedule.agenda.add(self.schedule.near.flight_end, Due::FlightBoxes);
     }
+}
 
+impl Motions {
     fn restored_island(&mut self, core: &mut Core, saved: &content::Island) -> Result<Island, SimulationError> {
         self.check_island(&core.world, &saved.bodies)?;
         let (bodies, t) = (saved.bodies.clone(), saved.t);

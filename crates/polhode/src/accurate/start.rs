@@ -1,8 +1,9 @@
 //! The first instant: finds touching contacts. That no bodies overlap by more has been checked (`crate::start_overlap`).
 
 use super::contact_change::ContactChange;
-use super::engine::{Engine, Mode};
+use super::engine::Engine;
 use super::instant::Instant;
+use super::motions::Mode;
 use crate::SimulationError;
 use crate::collision::boxes::Boxes;
 use crate::collision::contact_set::{Hold, Touch};
@@ -19,28 +20,29 @@ impl Engine {
     /// # Errors
     /// When contacts within the touch distance cannot be projected.
     pub(super) fn find_initial_contacts(&mut self, core: &mut Core) -> Result<(), SimulationError> {
-        for body in 0..self.tracks.len() {
-            self.begin_free_motion(core, body, core.t);
+        for body in 0..self.motions.tracks.len() {
+            self.motions.begin_free_motion(core, body, core.t);
             let gravity_speed = (core.world.gravity().length() * core.world.bodies[body].size).sqrt();
-            self.tracks[body].speed_scale = core.world.point_speed(&self.states, body).max(gravity_speed);
+            self.motions.tracks[body].speed_scale =
+                core.world.point_speed(&self.motions.states, body).max(gravity_speed);
         }
         let mut contacts = Vec::new();
         for (a, b) in self.initial_pairs(core)? {
-            let touch_distance = core.world.touch_distance(&self.states, a, b);
-            let of_pair = core.world.contacts_of_pair(&self.states, a, b, touch_distance);
+            let touch_distance = core.world.touch_distance(&self.motions.states, a, b);
+            let of_pair = core.world.contacts_of_pair(&self.motions.states, a, b, touch_distance);
             contacts.extend(of_pair.into_iter().map(Touch::from));
         }
         contacts.sort_by_key(|touch| touch.id);
         self.separate_overlaps(core, &mut contacts)?;
         for touch in &mut contacts {
-            let scale = self.tracks[touch.id.a].speed_scale.max(self.tracks[touch.id.b].speed_scale);
+            let scale = self.motions.tracks[touch.id.a].speed_scale.max(self.motions.tracks[touch.id.b].speed_scale);
             // Every contact that neither approaches nor separates is a first guess for an active contact.
-            if self.is_sustained(core, scale, touch) {
+            if self.motions.is_sustained(core, scale, touch) {
                 touch.hold = Hold::Held;
             }
         }
         for of_pair in contacts.chunk_by(|x, y| (x.id.a, x.id.b) == (y.id.a, y.id.b)) {
-            self.contacts.set((of_pair[0].id.a, of_pair[0].id.b), of_pair.to_vec());
+            self.schedule.contacts.set((of_pair[0].id.a, of_pair[0].id.b), of_pair.to_vec());
         }
         Ok(())
     }
@@ -50,8 +52,9 @@ impl Engine {
     /// # Errors
     /// When an impact or the contact forces cannot be solved.
     pub(super) fn resolve_start(&mut self, core: &mut Core) -> Result<(), SimulationError> {
-        let movable: Vec<usize> = (0..self.tracks.len()).filter(|&body| core.world.bodies[body].moves()).collect();
-        let touches: Vec<Touch> = self.contacts.all().copied().collect();
+        let movable: Vec<usize> =
+            (0..self.motions.tracks.len()).filter(|&body| core.world.bodies[body].moves()).collect();
+        let touches: Vec<Touch> = self.schedule.contacts.all().copied().collect();
         let numbered = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b));
         let mut firsts = Vec::new();
         for group in coupled_groups(&core.world, numbered, &movable) {
@@ -61,14 +64,14 @@ impl Engine {
             firsts.extend(self.form_islands(core, instant)?);
         }
         if !core.world.prescribed().is_empty() {
-            self.begin_flight_boxes(core, core.t);
+            self.schedule.begin_flight_boxes(core, core.t);
         }
         for &body in core.world.prescribed() {
-            self.expect_corner(core, body, core.t);
+            self.schedule.expect_corner(core, body, core.t);
         }
-        let unmoved = |body: &usize| matches!(self.tracks[*body].mode, Mode::Fixed | Mode::Prescribed);
-        let unmoved: Vec<usize> = (0..self.tracks.len()).filter(unmoved).collect();
-        self.renew_boxes(core, &unmoved, core.t)?;
+        let unmoved = |body: &usize| matches!(self.motions.tracks[*body].mode, Mode::Fixed | Mode::Prescribed);
+        let unmoved: Vec<usize> = (0..self.motions.tracks.len()).filter(unmoved).collect();
+        self.schedule.renew_boxes(core, &self.motions, &unmoved, core.t)?;
         self.look_ahead(core, &movable, &firsts, core.t)
     }
 
@@ -76,7 +79,7 @@ impl Engine {
     fn start_of(&self, core: &Core, bodies: Vec<usize>, touches: Vec<Touch>) -> Instant {
         let mut pairs: Vec<_> = touches.iter().map(|touch| (touch.id.a, touch.id.b)).collect();
         pairs.dedup();
-        let speed_scale = bodies.iter().fold(0.0, |most, &body| self.tracks[body].speed_scale.max(most));
+        let speed_scale = bodies.iter().fold(0.0, |most, &body| self.motions.tracks[body].speed_scale.max(most));
         Instant {
             t: core.t,
             bodies,
@@ -92,9 +95,9 @@ impl Engine {
 
     /// Pairs whose boxes, enlarged by the touch distance, overlap.
     fn initial_pairs(&self, core: &Core) -> Result<Vec<(usize, usize)>, SimulationError> {
-        let mut boxes = Boxes::new(&core.settings, self.states.len());
-        for (body, state) in self.states.iter().enumerate() {
-            let margin = core.world.touch_distance(&self.states, body, body);
+        let mut boxes = Boxes::new(&core.settings, self.motions.states.len());
+        for (body, state) in self.motions.states.iter().enumerate() {
+            let margin = core.world.touch_distance(&self.motions.states, body, body);
             boxes.set(&core.world, body, &Still(state.pose), (core.t, core.t), margin);
         }
         let mut pairs = Vec::new();
@@ -106,7 +109,7 @@ impl Engine {
     /// Moves bodies that overlap within the touch distance until they just touch, with a warning.
     fn separate_overlaps(&mut self, core: &mut Core, contacts: &mut Vec<Touch>) -> Result<(), SimulationError> {
         let overlapping = |touch: &&Touch| {
-            touch.kinematics.geometry.separation < -core.world.rounding(&self.states, touch.id.a, touch.id.b)
+            touch.kinematics.geometry.separation < -core.world.rounding(&self.motions.states, touch.id.a, touch.id.b)
         };
         let depths = contacts.iter().filter(overlapping).map(|touch| -touch.kinematics.geometry.separation);
         let deepest = depths.fold(0.0f64, f64::max);
@@ -121,16 +124,16 @@ impl Engine {
         let all: Vec<_> = contacts.iter().enumerate().map(|(i, touch)| (i, touch.id.a, touch.id.b)).collect();
         for group in groups(&core.world, all.into_iter()) {
             let ids: Vec<_> = group.contacts.iter().map(|&i| contacts[i].id).collect();
-            let before = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
-            let done = projection::project_positions(&core.world, &mut self.states, &group.bodies, &ids)
+            let before = core.accounts.books.balance(&core.world, &self.motions.states, &group.bodies);
+            let done = projection::project_positions(&core.world, &mut self.motions.states, &group.bodies, &ids)
                 .map_err(|source| Core::response_error(core.t, source))?;
-            let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
+            let after = core.accounts.books.balance(&core.world, &self.motions.states, &group.bodies);
             core.book_initial_projection(core.t, &done, (before, after));
         }
-        for body in 0..self.tracks.len() {
-            self.begin_free_motion(core, body, core.t);
+        for body in 0..self.motions.tracks.len() {
+            self.motions.begin_free_motion(core, body, core.t);
         }
-        contacts.retain_mut(|touch| match core.world.kinematics(&self.states, touch.id) {
+        contacts.retain_mut(|touch| match core.world.kinematics(&self.motions.states, touch.id) {
             Some(kinematics) => {
                 touch.kinematics = kinematics;
                 true

@@ -1,10 +1,11 @@
 //! The interface of the tier: it advances to a time or to the first event before it, and reports the states at the
 //! present.
 
-use super::engine::{Engine, Mode, Track, book_flight};
+use super::engine::Engine;
 use super::free_stepping::free_end;
 use super::hold::Forces;
 use super::island::{Island, Step};
+use super::motions::{Mode, Track, book_flight};
 use crate::accounting::Accounts;
 use crate::accounting::books::Received;
 use crate::core::Core;
@@ -30,36 +31,36 @@ impl Tier for Engine {
         observer: &mut dyn Observer,
     ) -> Result<Reached, SimulationError> {
         if !self.begun {
-            self.state_cache.invalidate();
+            self.motions.state_cache.invalidate();
             self.begin(core)?;
         }
         self.refresh_resting_forces(core)?;
         if core.is_end_of_run(core.t) && limit_s > core.t {
             self.continue_after_end_of_run(core)?;
         }
-        while let Some((t, due)) = self.agenda.first().filter(|&(t, _)| t <= limit_s) {
+        while let Some((t, due)) = self.schedule.agenda.first().filter(|&(t, _)| t <= limit_s) {
             self.emit_samples(core, t, observer)?;
             core.t = t;
-            self.agenda.remove(t, due);
+            self.schedule.agenda.remove(t, due);
             let reached = self.process(core, t, due)?;
             if reached == Reached::Event {
                 core.accounts.count_step();
             }
-            self.observe(core)?;
-            let more = self.agenda.first().is_some_and(|(next, _)| next <= t);
+            self.motions.observe(core)?;
+            let more = self.schedule.agenda.first().is_some_and(|(next, _)| next <= t);
             // Islands whose steps end at the same time are one step for the observer.
             if reached == Reached::Event || (reached == Reached::StepEnd && !more && t < limit_s) {
-                self.set_present(core)?;
+                self.motions.set_present(core)?;
                 core.accounts.emit_events(core.t, observer);
                 return Ok(reached);
             }
         }
         self.emit_samples(core, limit_s, observer)?;
-        if self.islands.is_empty() {
+        if self.motions.islands.is_empty() {
             core.accounts.count_step();
         }
         core.t = limit_s;
-        self.set_present(core)?;
+        self.motions.set_present(core)?;
         core.accounts.emit_events(core.t, observer);
         Ok(Reached::Limit)
     }
@@ -70,7 +71,7 @@ impl Tier for Engine {
         let rests = |track: &Track| matches!(track.mode, Mode::Fixed | Mode::Rest);
         if core.effects == Effects::All {
             core.settings.step_s
-        } else if self.tracks.iter().all(rests) {
+        } else if self.motions.tracks.iter().all(rests) {
             f64::INFINITY
         } else if !core.world.may_collide_at_all() {
             core.settings.step_s.max(SAMPLES_OF_FREE_FLIGHT * core.world.scene.output_interval_s())
@@ -80,12 +81,12 @@ impl Tier for Engine {
     }
 
     fn states(&self, core: &Core) -> Vec<BodyState> {
-        if let Some(states) = self.state_cache.at(core.t) {
+        if let Some(states) = self.motions.state_cache.at(core.t) {
             return states.to_vec();
         }
-        let mut states = Vec::with_capacity(self.states.len());
-        self.write_flying_states(core, core.t, &mut states);
-        for island in self.islands.values().filter(|island| island.t != core.t) {
+        let mut states = Vec::with_capacity(self.motions.states.len());
+        self.motions.write_flying_states(core, core.t, &mut states);
+        for island in self.motions.islands.values().filter(|island| island.t != core.t) {
             match &island.step {
                 Step::Constrained(step) => step.states_at(&core.world, core.t, &mut states),
                 Step::Free(step) => {
@@ -105,16 +106,16 @@ impl Tier for Engine {
     }
 
     fn state(&self, core: &Core, body: usize) -> BodyState {
-        self.present_state(core, body)
+        self.motions.present_state(core, body)
     }
 
     fn sample(&self, core: &Core, body: usize) -> BodySample {
-        self.present_sample(core, body)
+        self.motions.present_sample(core, body)
     }
 
     fn samples(&self, core: &Core) -> Vec<BodySample> {
-        let sample = |(body, state): (usize, &BodyState)| self.sample_in(core, body, state);
-        match self.state_cache.at(core.t) {
+        let sample = |(body, state): (usize, &BodyState)| self.motions.sample_in(core, body, state);
+        match self.motions.state_cache.at(core.t) {
             Some(states) => states.iter().enumerate().map(sample).collect(),
             None => self.states(core).iter().enumerate().map(sample).collect(),
         }
@@ -123,8 +124,8 @@ impl Tier for Engine {
     fn book_present(&mut self, core: &Core, accounts: &mut Accounts) -> Result<(), SimulationError> {
         let (world, t) = (&core.world, core.t);
         let books = &mut accounts.books;
-        let mut states = self.states.clone();
-        for (body, track) in self.tracks.iter().enumerate() {
+        let mut states = self.motions.states.clone();
+        for (body, track) in self.motions.tracks.iter().enumerate() {
             match &track.mode {
                 Mode::Flight(flight) => book_flight(world, books, (body, flight), t, &mut states),
                 Mode::Rest => books.equilibrium(world, &states, body, t - track.rest_booked_s),
@@ -132,19 +133,19 @@ impl Tier for Engine {
             }
         }
         let crowds: Vec<usize> =
-            self.islands.iter().filter(|(_, own)| own.is_crowd()).map(|(&first, _)| first).collect();
+            self.motions.islands.iter().filter(|(_, own)| own.is_crowd()).map(|(&first, _)| first).collect();
         for first in crowds {
-            let Some(island) = self.islands.remove(&first) else { continue };
+            let Some(island) = self.motions.islands.remove(&first) else { continue };
             if let Step::Crowd(step) = &island.step
                 && island.t != t
             {
-                let (_, report) = self.crowd_end(core, step, &island.bodies, t)?;
+                let (_, report) = self.motions.crowd_end(core, step, &island.bodies, t)?;
                 books.enter(&report.books);
             }
-            self.islands.insert(first, island);
+            self.motions.islands.insert(first, island);
         }
         let smooth = |island: &&mut Island| island.t != t && !island.is_crowd();
-        for island in self.islands.values_mut().filter(smooth) {
+        for island in self.motions.islands.values_mut().filter(smooth) {
             let before = books.balance(world, &states, &island.bodies);
             let received = match &mut island.step {
                 Step::Constrained(step) => {
@@ -233,35 +234,35 @@ impl Tier for Engine {
     }
 
     fn interrupt(&mut self, core: &mut Core, bodies: &[usize]) -> Result<(), SimulationError> {
-        self.state_cache.invalidate();
-        self.present_crowds.invalidate();
+        self.motions.state_cache.invalidate();
+        self.motions.present_crowds.invalidate();
         self.interrupt_bodies(core, bodies)
     }
 
     fn states_mut(&mut self) -> &mut [BodyState] {
-        self.state_cache.invalidate();
-        self.present_crowds.invalidate();
-        &mut self.states
+        self.motions.state_cache.invalidate();
+        self.motions.present_crowds.invalidate();
+        &mut self.motions.states
     }
 
     fn resume(&mut self, core: &mut Core, moved: &[usize]) -> Result<(), SimulationError> {
-        self.state_cache.invalidate();
-        self.present_crowds.invalidate();
+        self.motions.state_cache.invalidate();
+        self.motions.present_crowds.invalidate();
         self.resume_bodies(core, moved)
     }
 
     fn add_body(&mut self, core: &Core, state: BodyState) {
-        self.state_cache.invalidate();
+        self.motions.state_cache.invalidate();
         self.make_room(core, state);
     }
 
     fn remove_body(&mut self, body: usize) {
-        self.state_cache.invalidate();
+        self.motions.state_cache.invalidate();
         self.forget_body(body);
     }
 
     fn touching_pairs(&self) -> usize {
-        self.contacts.pairs()
+        self.schedule.contacts.pairs()
     }
 
     fn save(&self) -> content::Tier {

@@ -33,12 +33,13 @@ impl Engine {
         if !core.world.has_rotational_friction() {
             return RotationModes::default();
         }
-        let rotation = core.world.relative_rotation(&self.states, touch.id);
+        let rotation = core.world.relative_rotation(&self.motions.states, touch.id);
         RotationModes::of(|turn| {
             turn.friction(&core.world, (touch.id.a, touch.id.b))?;
             let part = turn.part(rotation, touch.kinematics.geometry.normal);
             let (speed, noise) = (part.length(), rotation_noise(core, speed_scale, touch));
-            let turns = speed > noise.max(self.sustained_speed(core, speed_scale, touch) / size_of(core, touch));
+            let turns =
+                speed > noise.max(self.motions.sustained_speed(core, speed_scale, touch) / size_of(core, touch));
             turns.then(|| FrictionMode::Sliding(Slide { direction: part / speed, speed, noise }))
         })
     }
