@@ -18,9 +18,8 @@
 //! Fails where bounces that are not small follow each other without end (restitution of almost 1): such events crowd, and
 //! time steps take over (`crowding.rs`).
 
-use super::engine::Engine;
 use super::hold::Forces;
-use super::instant::Instant;
+use super::resolve::Resolution;
 use crate::SimulationError;
 use crate::collision::contact_set::Touch;
 use crate::core::Core;
@@ -46,13 +45,11 @@ pub(super) struct SmallBounce {
     rest: f64,
 }
 
-impl Engine {
+impl Resolution<'_> {
     /// Contacts that separate so slowly that they would close again at once. Those in `going_on` are known to be no
     /// remainders. A contact with restitution 1 never stops bouncing and is not included.
     pub(super) fn negligible_bounces(
         &self,
-        core: &Core,
-        instant: &Instant,
         group: &Group,
         (candidates, forces): (&[usize], &Forces),
         going_on: &BTreeSet<usize>,
@@ -60,17 +57,17 @@ impl Engine {
         let mut bounces = Vec::new();
         let is_open = |i: &usize| candidates.binary_search(i).is_err() && !going_on.contains(i);
         for contact in group.contacts.iter().copied().filter(is_open) {
-            let touch = instant.touches[contact];
-            let restitution = core.world.restitution_of(touch.id);
+            let touch = self.instant.touches[contact];
+            let restitution = self.core.world.restitution_of(touch.id);
             let speed = touch.kinematics.separation_rate;
-            let acceleration = forces.relative_acceleration(&core.world, &self.motions.states, &touch);
+            let acceleration = forces.relative_acceleration(&self.core.world, &self.motions.states, &touch);
             if restitution >= 1.0 || speed <= 0.0 || acceleration >= 0.0 {
                 continue;
             }
             let height = speed * speed / (-2.0 * acceleration);
-            let touch_distance = core.world.touch_distance(&self.motions.states, touch.id.a, touch.id.b);
+            let touch_distance = self.core.world.touch_distance(&self.motions.states, touch.id.a, touch.id.b);
             if height <= NEGLIGIBLE_HEIGHT * touch_distance {
-                let rest = instant.t + 2.0 * speed / (-acceleration * (1.0 - restitution));
+                let rest = self.instant.t + 2.0 * speed / (-acceleration * (1.0 - restitution));
                 bounces.push(SmallBounce { contact, speed, lifting: -acceleration * touch_distance, rest });
             }
         }
@@ -81,20 +78,18 @@ impl Engine {
     /// contacts whose bounces have ended.
     pub(super) fn end_bounces(
         &mut self,
-        core: &mut Core,
-        instant: &mut Instant,
         group: &Group,
         (candidates, bounces): (&[usize], &[SmallBounce]),
     ) -> Result<Vec<usize>, SimulationError> {
-        self.motions.end_flights(core, instant.t, &group.bodies);
-        if self.end_together(core, instant, group, (candidates, bounces))? {
+        self.motions.end_flights(self.core, self.instant.t, &group.bodies);
+        if self.end_together(group, (candidates, bounces))? {
             return Ok(bounces.iter().map(|bounce| bounce.contact).collect());
         }
         let mut ended = Vec::new();
         if bounces.len() > 1 {
             for bounce in bounces {
                 let held: Vec<usize> = candidates.iter().chain(&ended).copied().collect();
-                if self.end_together(core, instant, group, (&held, &[*bounce]))? {
+                if self.end_together(group, (&held, &[*bounce]))? {
                     ended.push(bounce.contact);
                 }
             }
@@ -106,40 +101,38 @@ impl Engine {
     /// than it may. Returns whether it did.
     fn end_together(
         &mut self,
-        core: &mut Core,
-        instant: &mut Instant,
         group: &Group,
         (candidates, bounces): (&[usize], &[SmallBounce]),
     ) -> Result<bool, SimulationError> {
         let mut contacts: Vec<usize> = candidates.iter().copied().chain(bounces.iter().map(|b| b.contact)).collect();
         contacts.sort_unstable();
-        let ids: Vec<_> = contacts.iter().map(|&i| instant.touches[i].id).collect();
+        let ids: Vec<_> = contacts.iter().map(|&i| self.instant.touches[i].id).collect();
         let speed = |touch: &Touch| touch.kinematics.separation_rate.abs();
-        let fastest = contacts.iter().map(|&i| instant.touches[i]).max_by(|x, y| speed(x).total_cmp(&speed(y)));
+        let fastest = contacts.iter().map(|&i| self.instant.touches[i]).max_by(|x, y| speed(x).total_cmp(&speed(y)));
         let Some(fastest) = fastest else { return Ok(false) };
         let start = states_of(&self.motions.states, &group.bodies);
-        let before = core.accounts.books.balance(&core.world, &self.motions.states, &group.bodies);
+        let before = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &group.bodies);
         let largest = |of: fn(&SmallBounce) -> f64| bounces.iter().map(of).fold(0.0, f64::max);
         let w = largest(|bounce| bounce.speed);
-        let ended = bounce_friction::end_bounces(&core.world, &mut self.motions.states, &group.bodies, (&ids, w))
-            .map_err(|source| Core::response_error(instant.t, source))?;
-        let after = core.accounts.books.balance(&core.world, &self.motions.states, &group.bodies);
+        let ended = bounce_friction::end_bounces(&self.core.world, &mut self.motions.states, &group.bodies, (&ids, w))
+            .map_err(|source| Core::response_error(self.instant.t, source))?;
+        let after = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &group.bodies);
         let taken = before.lost_until(after, ended.work_j) - ended.friction_j;
-        let mass = |&body: &usize| core.world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
+        let mass = |&body: &usize| self.core.world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
         let mass = group.bodies.iter().map(mass).sum::<f64>();
         if taken > mass * (0.5 * w * w + largest(|bounce| bounce.lifting)) {
             set_states(&mut self.motions.states, &group.bodies, &start);
             return Ok(false);
         }
-        core.book_ended_bounces(instant.t, &group.bodies, &fastest, (before, after), &ended);
+        self.core.book_ended_bounces(self.instant.t, &group.bodies, &fastest, (before, after), &ended);
         for bounce in bounces {
-            let id = instant.touches[bounce.contact].id;
+            let id = self.instant.touches[bounce.contact].id;
             for body in [id.a, id.b] {
-                let known = instant.rest_times.entry(body).or_insert(bounce.rest);
+                let known = self.instant.rest_times.entry(body).or_insert(bounce.rest);
                 *known = known.max(bounce.rest);
             }
         }
-        self.refresh_kinematics(core, instant);
+        self.refresh_kinematics();
         Ok(true)
     }
 }

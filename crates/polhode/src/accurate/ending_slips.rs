@@ -13,10 +13,9 @@
 //! Assumes that the deceleration lasts for the rest, `u / a`: for a body on a floor of friction 0.5 some microseconds.
 
 use super::constrained_step::{ConstrainedStep, StepEndStates};
-use super::engine::Engine;
 use super::hold::Forces;
-use super::instant::Instant;
 use super::motions::Motions;
+use super::resolve::Resolution;
 use crate::SimulationError;
 use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::Touch;
@@ -88,19 +87,17 @@ impl Motions {
     }
 }
 
-impl Engine {
+impl Resolution<'_> {
     /// Ends the slips of candidates whose way to a stop is negligible under these forces. Returns whether there are any.
     ///
     /// # Errors
     /// When a number is not finite.
     pub(super) fn end_slips(
         &mut self,
-        core: &mut Core,
-        instant: &mut Instant,
         group: &Group,
         (candidates, forces): (&[usize], &Forces),
     ) -> Result<bool, SimulationError> {
-        let members: Vec<Touch> = candidates.iter().map(|&i| instant.touches[i]).collect();
+        let members: Vec<Touch> = candidates.iter().map(|&i| self.instant.touches[i]).collect();
         let mut sticking = Vec::new();
         let mut ending = Vec::new();
         for (row, touch) in members.iter().enumerate() {
@@ -111,10 +108,10 @@ impl Engine {
                 }
                 continue;
             };
-            let Some(terms) = core.world.tangential_kinematics(&self.motions.states, touch.id) else { continue };
+            let Some(terms) = self.core.world.tangential_kinematics(&self.motions.states, touch.id) else { continue };
             let (speed, deceleration) = (terms.slip_velocity.length(), -friction.growth_along(direction));
-            let fades = instant.change.fading.contains(&touch.id);
-            if fades && ends_at_once(&core.world, &self.motions.states, touch.id, speed, deceleration) {
+            let fades = self.instant.change.fading.contains(&touch.id);
+            if fades && ends_at_once(&self.core.world, &self.motions.states, touch.id, speed, deceleration) {
                 ending.push((touch.id, speed / deceleration));
             }
         }
@@ -125,46 +122,50 @@ impl Engine {
             of_pair.fold(f64::INFINITY, |soonest: f64, &(_, time)| soonest.min(time)) <= SAME_END * soonest
         };
         let ended: Vec<ContactId> = ending.iter().map(|&(id, _)| id).filter(|&id| ends_now(id)).collect();
-        if ended.is_empty() || ended.iter().all(|id| instant.change.stopping.contains(id)) {
+        if ended.is_empty() || ended.iter().all(|id| self.instant.change.stopping.contains(id)) {
             return Ok(false);
         }
         sticking.extend(&ended);
         let ids: Vec<_> = members.iter().map(|touch| touch.id).collect();
-        self.motions.end_flights(core, instant.t, &group.bodies);
+        self.motions.end_flights(self.core, self.instant.t, &group.bodies);
         let sliding: Vec<BodyState> = group.bodies.iter().map(|&body| self.motions.states[body]).collect();
-        let before = core.accounts.books.balance(&core.world, &self.motions.states, &group.bodies);
+        let before = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &group.bodies);
         let of = (&ids[..], &sticking[..], &[][..]);
-        let slowed =
-            projection::project_velocities(&core.world, &mut self.motions.states, &group.bodies, of, Removal::Complete)
-                .map_err(|source| Core::response_error(instant.t, source))?;
-        let newly: Vec<ContactId> = ended.iter().copied().filter(|&id| instant.change.stopping.insert(id)).collect();
-        self.refresh_kinematics(core, instant);
-        let holds = self.friction_holds(core, instant, group, (candidates, &ended));
+        let slowed = projection::project_velocities(
+            &self.core.world,
+            &mut self.motions.states,
+            &group.bodies,
+            of,
+            Removal::Complete,
+        )
+        .map_err(|source| Core::response_error(self.instant.t, source))?;
+        let newly: Vec<ContactId> =
+            ended.iter().copied().filter(|&id| self.instant.change.stopping.insert(id)).collect();
+        self.refresh_kinematics();
+        let holds = self.friction_holds(group, (candidates, &ended));
         if !matches!(holds, Ok(true)) {
             set_states(&mut self.motions.states, &group.bodies, &sliding);
-            instant.change.stopping.retain(|id| !newly.contains(id));
-            instant.change.fading.retain(|id| !ended.contains(id));
-            self.refresh_kinematics(core, instant);
+            self.instant.change.stopping.retain(|id| !newly.contains(id));
+            self.instant.change.fading.retain(|id| !ended.contains(id));
+            self.refresh_kinematics();
             return holds;
         }
-        let after = core.accounts.books.balance(&core.world, &self.motions.states, &group.bodies);
-        core.accounts.books.rest(before, after, slowed.work_j);
-        let end = instant.t + soonest;
-        instant.slip_ends.extend(newly.into_iter().map(|id| (id, end)));
+        let after = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &group.bodies);
+        self.core.accounts.books.rest(before, after, slowed.work_j);
+        let end = self.instant.t + soonest;
+        self.instant.slip_ends.extend(newly.into_iter().map(|id| (id, end)));
         Ok(true)
     }
 
     /// Whether friction holds these contacts with the present velocities.
     fn friction_holds(
         &mut self,
-        core: &mut Core,
-        instant: &Instant,
         group: &Group,
         (candidates, ended): (&[usize], &[ContactId]),
     ) -> Result<bool, SimulationError> {
-        let forces = self.forces(core, instant, group, candidates)?;
+        let forces = self.forces(group, candidates)?;
         let is_held = |row: usize| forces.friction(row).is_some_and(|friction| friction.is_held);
-        let of_ended = candidates.iter().enumerate().filter(|&(_, &i)| ended.contains(&instant.touches[i].id));
+        let of_ended = candidates.iter().enumerate().filter(|&(_, &i)| ended.contains(&self.instant.touches[i].id));
         Ok(of_ended.map(|(row, _)| row).all(is_held))
     }
 }

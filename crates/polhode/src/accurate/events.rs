@@ -14,6 +14,7 @@ use super::instant::Instant;
 use super::island::{Island, Step};
 use super::motions::{Mode, Motions};
 use super::pace::{NoAdvance, Pace, StepEnd};
+use super::resolve::Resolution;
 use crate::SimulationError;
 use crate::accounting::books::Balance;
 use crate::collision::active_contacts::ActiveContacts;
@@ -63,6 +64,14 @@ impl Engine {
                 Err(error) => self.begin_stretch_if_unsolved(core, instant, error),
             },
         }
+    }
+
+    /// Resolves an instant.
+    ///
+    /// # Errors
+    /// When an impact or the contact forces cannot be solved.
+    pub(super) fn resolve(&mut self, core: &mut Core, instant: &mut Instant) -> Result<(), SimulationError> {
+        Resolution { core, motions: &mut self.motions, schedule: &self.schedule, instant }.resolve()
     }
 
     /// If the contact forces could not be found, time steps advance the bodies of an instant; other errors are
@@ -206,7 +215,7 @@ impl Engine {
             let sticking = island.active.sticking();
             let turns = island.active.held_turns();
             let projected = Projected { touching: held, held, sticking: &sticking, turns: &turns };
-            self.project_held_contacts(core, &island.bodies, projected, t, balance)?;
+            self.motions.project_held_contacts(core, &self.schedule, &island.bodies, projected, t, balance)?;
         }
         self.motions.check(core, &island.bodies, island.active.held(), t)
     }

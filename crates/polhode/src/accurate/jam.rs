@@ -7,10 +7,9 @@
 //!
 //! Fails where a jam has no impulse either: the caller then advances the bodies by time steps.
 
-use super::engine::Engine;
 use super::hold::Forces;
-use super::instant::Instant;
 use super::motions::Mode;
+use super::resolve::Resolution;
 use crate::SimulationError;
 use crate::collision::contact_set::Touch;
 use crate::core::Core;
@@ -23,52 +22,50 @@ use polhode_response::impact::ImpactStatus;
 /// Most jams of a group at one instant. Each stops the slip of a contact at least.
 const MOST_JAMS: usize = 8;
 
-impl Engine {
+impl Resolution<'_> {
     /// [`Self::candidates`], after the jams of a group.
     pub(super) fn candidates_after_jams(
         &mut self,
-        core: &mut Core,
-        instant: &mut Instant,
         group: &Group,
     ) -> Result<(Vec<usize>, Forces, bool), SimulationError> {
-        let mut found = self.candidates(core, instant, group);
+        let mut found = self.candidates(group);
         for _ in 0..MOST_JAMS {
             let is_unsolved = matches!(found, Err(SimulationError::ContactSolve { .. }));
-            if !(is_unsolved && self.strike_jam(core, instant, group)?) {
+            if !(is_unsolved && self.strike_jam(group)?) {
                 break;
             }
-            found = self.candidates(core, instant, group);
+            found = self.candidates(group);
         }
         found
     }
 
     /// Applies the impulses of a jam, if the contacts of a group jam. Returns whether they do.
-    fn strike_jam(&mut self, core: &mut Core, instant: &mut Instant, group: &Group) -> Result<bool, SimulationError> {
-        let sustained = |&i: &usize| self.motions.is_sustained(core, instant.speed_scale, &instant.touches[i]);
+    fn strike_jam(&mut self, group: &Group) -> Result<bool, SimulationError> {
+        let sustained =
+            |&i: &usize| self.motions.is_sustained(self.core, self.instant.speed_scale, &self.instant.touches[i]);
         let members: Vec<usize> = group.contacts.iter().copied().filter(sustained).collect();
-        let touches: Vec<Touch> =
-            members.iter().map(|&i| self.with_friction_mode(core, instant, &instant.touches[i])).collect();
+        let touches: Vec<Touch> = members.iter().map(|&i| self.with_friction_mode(&self.instant.touches[i])).collect();
         if touches.iter().all(|touch| touch.modes.friction.is_none()) {
             return Ok(false);
         }
         for &body in &group.bodies {
-            self.motions.book_flight(core, body, instant.t);
+            self.motions.book_flight(self.core, body, self.instant.t);
         }
-        let loads = core.world.loads_on(instant.t, &self.motions.states, &group.bodies);
-        let law = (core.settings.impact, Cause::Jam(instant.t, &loads));
-        let struck = strike_with_friction(&core.world, &mut self.motions.states, &group.bodies, &touches, law)
-            .map_err(|source| Core::response_error(instant.t, source))?;
+        let loads = self.core.world.loads_on(self.instant.t, &self.motions.states, &group.bodies);
+        let law = (self.core.settings.impact, Cause::Jam(self.instant.t, &loads));
+        let struck = strike_with_friction(&self.core.world, &mut self.motions.states, &group.bodies, &touches, law)
+            .map_err(|source| Core::response_error(self.instant.t, source))?;
         if matches!(struck.outcome.status, ImpactStatus::NoApproach | ImpactStatus::NotSolved) {
             return Ok(false);
         }
         for &body in &group.bodies {
             if matches!(self.motions.tracks[body].mode, Mode::Rest) {
-                instant.woken.insert(body);
+                self.instant.woken.insert(body);
             }
             self.motions.tracks[body].mode = Mode::Constrained;
         }
-        self.book_struck(core, instant, &members, &struck, EventKind::Jam);
-        self.refresh_kinematics(core, instant);
+        self.book_struck(&members, &struck, EventKind::Jam);
+        self.refresh_kinematics();
         Ok(true)
     }
 }

@@ -8,43 +8,41 @@
 //!
 //! Bodies on a pivot are not lifted: the projection of held contacts moves them.
 
-use super::engine::Engine;
-use super::instant::Instant;
+use super::resolve::Resolution;
 use crate::collision::contact_set::Touch;
 use crate::constraint::ConstraintId;
-use crate::core::Core;
 use crate::solve::projection::Projection;
 use polhode_dynamics::RigidBody;
 
-impl Engine {
+impl Resolution<'_> {
     /// Lifts the bodies of pairs that pass each other (ascending) onto the faces along which they pass.
-    pub(super) fn lift_onto_faces(&mut self, core: &mut Core, instant: &mut Instant, passing: &[(usize, usize)]) {
+    pub(super) fn lift_onto_faces(&mut self, passing: &[(usize, usize)]) {
         for &(a, b) in passing {
             let of_pair = |touch: &&Touch| (touch.id.a, touch.id.b) == (a, b);
             let separation = |touch: &Touch| touch.kinematics.geometry.separation;
-            let touches = instant.touches.iter().filter(of_pair);
+            let touches = self.instant.touches.iter().filter(of_pair);
             let Some(&deepest) = touches.min_by(|x, y| separation(x).total_cmp(&separation(y))) else { continue };
             let depth = -separation(&deepest);
-            let inverse_mass = |body: usize| match &core.world.bodies[body].rigid {
-                Some(rigid) if core.world.bodies[body].moves() => RigidBody::mass(rigid).recip(),
+            let inverse_mass = |body: usize| match &self.core.world.bodies[body].rigid {
+                Some(rigid) if self.core.world.bodies[body].moves() => RigidBody::mass(rigid).recip(),
                 _ => 0.0,
             };
             let (of_a, of_b) = (inverse_mass(a), inverse_mass(b));
             let bodies: Vec<usize> = [(a, of_a), (b, of_b)].iter().filter(|(_, m)| *m > 0.0).map(|(i, _)| *i).collect();
-            let has_pivot = core.world.bilaterals(&self.motions.states, &bodies).next().is_some();
-            if depth <= core.world.rounding(&self.motions.states, a, b) || bodies.is_empty() || has_pivot {
+            let has_pivot = self.core.world.bilaterals(&self.motions.states, &bodies).next().is_some();
+            if depth <= self.core.world.rounding(&self.motions.states, a, b) || bodies.is_empty() || has_pivot {
                 continue;
             }
-            self.motions.end_flights(core, instant.t, &bodies);
-            let before = core.accounts.books.balance(&core.world, &self.motions.states, &bodies);
+            self.motions.end_flights(self.core, self.instant.t, &bodies);
+            let before = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &bodies);
             let rise = deepest.kinematics.geometry.normal * (depth / (of_a + of_b));
             self.motions.states[a].pose.translation += rise * of_a;
             self.motions.states[b].pose.translation -= rise * of_b;
-            let after = core.accounts.books.balance(&core.world, &self.motions.states, &bodies);
+            let after = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &bodies);
             let farthest = Some(ConstraintId::Contact(deepest.id));
             let done = Projection { moved_m: depth, farthest, ..Projection::default() };
-            core.book_lift(instant.t, &self.motions.states, &done, (before, after));
-            self.refresh_kinematics(core, instant);
+            self.core.book_lift(self.instant.t, &self.motions.states, &done, (before, after));
+            self.refresh_kinematics();
         }
     }
 }

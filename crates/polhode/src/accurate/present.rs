@@ -74,8 +74,8 @@ impl Engine {
         };
         if !self.begun {
             for touch in &mut contacts {
-                touch.modes.friction = self.slide_of(core, scale_of(touch), touch);
-                touch.modes.rotation = self.rotation_of(core, scale_of(touch), touch);
+                touch.modes.friction = self.motions.slide_of(core, scale_of(touch), touch);
+                touch.modes.rotation = self.motions.rotation_of(core, scale_of(touch), touch);
             }
         }
         let sustained = |touch: &Touch| {

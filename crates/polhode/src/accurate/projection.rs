@@ -8,7 +8,8 @@
 //! Neighbours of other islands are evaluated at that time within their own steps. Limit: if a neighbour moves into a
 //! body after its projection, an impact is found.
 
-use super::engine::Engine;
+use super::motions::Motions;
+use super::schedule::Schedule;
 use crate::SimulationError;
 use crate::accounting::books::Balance;
 use crate::collision::contact_id::ContactId;
@@ -25,7 +26,7 @@ use std::collections::BTreeSet;
 /// the promised limit of penetration.
 const PUSH_RELATIVE: f64 = 1e-13;
 
-impl Engine {
+impl Motions {
     /// Projects contacts of some bodies (ascending) onto zero separation and velocity at `t` (s). Books the change;
     /// `before` is the balance of the bodies before. If bodies would be pushed into neighbours, their poses are restored.
     ///
@@ -34,22 +35,25 @@ impl Engine {
     pub(super) fn project_held_contacts(
         &mut self,
         core: &mut Core,
+        schedule: &Schedule,
         bodies: &[usize],
         projected: Projected<'_>,
         t: f64,
         before: Balance,
     ) -> Result<(), SimulationError> {
-        let start: Vec<Pose> = bodies.iter().map(|&body| self.motions.states[body].pose).collect();
+        let start: Vec<Pose> = bodies.iter().map(|&body| self.states[body].pose).collect();
         let how = (core.settings.step_error(), &mut core.solver);
-        let mut done = projection::project(&core.world, &mut self.motions.states, bodies, projected, how)
+        let mut done = projection::project(&core.world, &mut self.states, bodies, projected, how)
             .map_err(|source| Core::response_error(t, source))?;
         let pushes = |body: &usize| done.moved_m > PUSH_RELATIVE * core.world.bodies[*body].size;
-        if bodies.iter().any(pushes) && self.restore_poses_if_pushed(core, bodies, &start, projected.touching, t)? {
+        if bodies.iter().any(pushes)
+            && self.restore_poses_if_pushed(core, schedule, bodies, &start, projected.touching, t)?
+        {
             done.moved_m = 0.0;
             done.unconverged.retain(|constraint| constraint.contact().is_none());
         }
-        let after = core.accounts.books.balance(&core.world, &self.motions.states, bodies);
-        core.book_projection(t, &self.motions.states, &done, (before, after));
+        let after = core.accounts.books.balance(&core.world, &self.states, bodies);
+        core.book_projection(t, &self.states, &done, (before, after));
         Ok(())
     }
 
@@ -58,6 +62,7 @@ impl Engine {
     fn restore_poses_if_pushed(
         &mut self,
         core: &Core,
+        schedule: &Schedule,
         bodies: &[usize],
         start: &[Pose],
         touching: &[ContactId],
@@ -65,7 +70,7 @@ impl Engine {
     ) -> Result<bool, SimulationError> {
         let mut pairs = BTreeSet::new();
         for &body in bodies {
-            let partners = self.schedule.partners(core, body);
+            let partners = schedule.partners(core, body);
             pairs.extend(partners.map(|other| (body.min(other), body.max(other))));
         }
         let pairs: Vec<_> = pairs.into_iter().collect();
@@ -73,14 +78,13 @@ impl Engine {
         others.sort_unstable();
         others.dedup();
         others.retain(|body| bodies.binary_search(body).is_err() && core.world.bodies[*body].moves());
-        let beside =
-            others.iter().map(|&other| self.motions.state_at(core, other, t)).collect::<Result<Vec<_>, _>>()?;
-        let mut states = std::mem::take(&mut self.motions.scratch);
+        let beside = others.iter().map(|&other| self.state_at(core, other, t)).collect::<Result<Vec<_>, _>>()?;
+        let mut states = std::mem::take(&mut self.scratch);
         for (&other, state) in others.iter().zip(beside) {
             states[other] = state;
         }
         for &body in bodies {
-            states[body] = self.motions.states[body];
+            states[body] = self.states[body];
         }
         let now = Overlaps::find(&core.world, &states, &pairs);
         for (&body, pose) in bodies.iter().zip(start) {
@@ -91,11 +95,11 @@ impl Engine {
             && all_touch(&core.world, &states, bodies, touching);
         if restores {
             for (&body, pose) in bodies.iter().zip(start) {
-                self.motions.states[body].pose = *pose;
+                self.states[body].pose = *pose;
             }
         }
         others.extend(bodies);
-        self.motions.restore_scratch(core, states, &others);
+        self.restore_scratch(core, states, &others);
         Ok(restores)
     }
 }

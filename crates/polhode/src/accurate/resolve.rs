@@ -4,10 +4,10 @@
 //! resolve; determine the active set (which contacts hold); project the held contacts onto zero separation; give every
 //! body its mode until the next event; report. Only the bodies of the instant (`instant.rs`) take part.
 
-use super::engine::Engine;
 use super::hold::{Forces, FoundMode};
 use super::instant::Instant;
 use super::motions::{Mode, Motions};
+use super::schedule::Schedule;
 use crate::SimulationError;
 use crate::body_id::BodyId;
 use crate::collision::contact_id::ContactId;
@@ -72,210 +72,221 @@ const DEPARTED_LOAD: f64 = 1e-9;
 /// uses. The fraction is below one so that both sides of a mirror-symmetric scene break contact together.
 const OPENING_FRACTION: f64 = 0.5;
 
-impl Engine {
+/// The resolution of an instant: what it reads and changes.
+#[derive(Debug)]
+pub(super) struct Resolution<'a> {
+    pub(super) core: &'a mut Core,
+    pub(super) motions: &'a mut Motions,
+    pub(super) schedule: &'a Schedule,
+    pub(super) instant: &'a mut Instant,
+}
+
+impl Resolution<'_> {
     /// Resolves an instant.
     ///
     /// # Errors
     /// When an impact or the contact forces cannot be solved.
-    pub(super) fn resolve(&mut self, core: &mut Core, instant: &mut Instant) -> Result<(), SimulationError> {
-        let held_before = instant.held_pairs();
-        let passing = self.detect(core, instant);
-        self.lift_onto_faces(core, instant, &passing);
-        self.strike_approaching(core, instant)?;
-        for group in self.groups_in_motion(core, instant) {
-            self.decide_holds(core, instant, &group)?;
+    pub(super) fn resolve(&mut self) -> Result<(), SimulationError> {
+        let held_before = self.instant.held_pairs();
+        let passing = self.detect();
+        self.lift_onto_faces(&passing);
+        self.strike_approaching()?;
+        for group in self.groups_in_motion() {
+            self.decide_holds(&group)?;
         }
-        self.remove_overlaps(core, instant)?;
-        self.wake_coupled(core, instant);
-        self.release_free_bodies(core, instant);
-        self.report_pairs(core, instant, &held_before);
+        self.remove_overlaps()?;
+        self.wake_coupled();
+        self.release_free_bodies();
+        self.report_pairs(&held_before);
         Ok(())
     }
 
     /// Finds the contacts of all pairs that touched or are near each other, except between bodies that have not moved.
     /// Returns the pairs that pass each other along a face, ascending.
-    fn detect(&mut self, core: &mut Core, instant: &mut Instant) -> Vec<(usize, usize)> {
+    fn detect(&mut self) -> Vec<(usize, usize)> {
         let still = |body: usize| matches!(self.motions.tracks[body].mode, Mode::Rest | Mode::Fixed);
-        let mut found = Vec::with_capacity(instant.touches.len());
+        let mut found = Vec::with_capacity(self.instant.touches.len());
         let mut passing = Vec::new();
-        for &(a, b) in &instant.pairs {
+        for &(a, b) in &self.instant.pairs {
             if still(a) && still(b) {
-                found.extend(instant.touches.iter().filter(|touch| (touch.id.a, touch.id.b) == (a, b)).copied());
+                found.extend(self.instant.touches.iter().filter(|touch| (touch.id.a, touch.id.b) == (a, b)).copied());
                 continue;
             }
-            let reach = core.world.touch_distance(&self.motions.states, a, b);
-            let Pair { separation, contacts, is_passing } = core.world.pair(&self.motions.states, a, b, reach);
+            let reach = self.core.world.touch_distance(&self.motions.states, a, b);
+            let Pair { separation, contacts, is_passing } = self.core.world.pair(&self.motions.states, a, b, reach);
             // The overlap of two bodies may be larger than the penetration of each contact.
             let rate = contacts.iter().fold(0.0, |rate, contact| contact.kinematics.separation_rate.min(rate));
-            core.note_separation(instant.t, &self.motions.states, (a, b), (separation, rate));
+            self.core.note_separation(self.instant.t, &self.motions.states, (a, b), (separation, rate));
             if is_passing {
                 passing.push((a, b));
             }
             found.extend(contacts.into_iter().map(|contact| {
                 let FoundContact { id, kinematics } = contact;
-                match instant.touches.binary_search_by(|known| known.id.cmp(&id)) {
-                    Ok(index) => Touch { id, kinematics, known: true, is_defined: true, ..instant.touches[index] },
+                match self.instant.touches.binary_search_by(|known| known.id.cmp(&id)) {
+                    Ok(index) => Touch { id, kinematics, known: true, is_defined: true, ..self.instant.touches[index] },
                     Err(_) => Touch::from(contact),
                 }
             }));
         }
         found.sort_by_key(|touch| touch.id);
-        core.world.remove_covered_borders(&self.motions.states, &mut found);
-        instant.touches = found;
+        self.core.world.remove_covered_borders(&self.motions.states, &mut found);
+        self.instant.touches = found;
         // A contact point outside its features measures no penetration, nor does one with the plane of a face that the
         // bodies are about to pass onto.
         let measures = |touch: &&Touch| {
             touch.kinematics.geometry.margin >= 0.0 && passing.binary_search(&(touch.id.a, touch.id.b)).is_err()
         };
-        for touch in instant.touches.iter().filter(measures) {
-            core.note_contact(instant.t, &self.motions.states, (touch.id.a, touch.id.b), &touch.kinematics);
+        for touch in self.instant.touches.iter().filter(measures) {
+            self.core.note_contact(self.instant.t, &self.motions.states, (touch.id.a, touch.id.b), &touch.kinematics);
         }
         passing
     }
 
     /// Applies the impact law to every group in which a contact approaches.
-    fn strike_approaching(&mut self, core: &mut Core, instant: &mut Instant) -> Result<(), SimulationError> {
-        for group in groups(&core.world, instant.numbered()) {
-            if group.contacts.iter().any(|&i| self.approaches(core, instant, &instant.touches[i])) {
-                self.strike_group(core, instant, &group)?;
+    fn strike_approaching(&mut self) -> Result<(), SimulationError> {
+        for group in groups(&self.core.world, self.instant.numbered()) {
+            if group.contacts.iter().any(|&i| self.approaches(&self.instant.touches[i])) {
+                self.strike_group(&group)?;
             }
         }
-        self.refresh_kinematics(core, instant);
+        self.refresh_kinematics();
         Ok(())
     }
 
-    fn strike_group(&mut self, core: &mut Core, instant: &mut Instant, group: &Group) -> Result<(), SimulationError> {
+    fn strike_group(&mut self, group: &Group) -> Result<(), SimulationError> {
         for &body in &group.bodies {
-            self.motions.book_flight(core, body, instant.t);
+            self.motions.book_flight(self.core, body, self.instant.t);
             if matches!(self.motions.tracks[body].mode, Mode::Rest) {
-                instant.woken.insert(body);
+                self.instant.woken.insert(body);
             }
             self.motions.tracks[body].mode = Mode::Constrained;
         }
-        let law = core.settings.impact;
+        let law = self.core.settings.impact;
         let settings = ImpactSettings::default();
-        let struck =
-            strike(&core.world, &mut self.motions.states, group, &instant.touches, law, &settings, &mut core.solver)
-                .map_err(|source| Core::response_error(instant.t, source))?;
+        let struck = strike(
+            &self.core.world,
+            &mut self.motions.states,
+            group,
+            &self.instant.touches,
+            law,
+            &settings,
+            &mut self.core.solver,
+        )
+        .map_err(|source| Core::response_error(self.instant.t, source))?;
         let outcome = &struck.outcome;
         if outcome.status == ImpactStatus::NotSolved {
-            return Err(SimulationError::ContactSolve { t_s: instant.t, residual: outcome.residual });
+            return Err(SimulationError::ContactSolve { t_s: self.instant.t, residual: outcome.residual });
         }
-        self.book_struck(core, instant, &group.contacts, &struck, EventKind::Impact);
-        core.accounts.note_impact(&core.world, instant.t, law, &group.bodies, outcome);
+        self.book_struck(&group.contacts, &struck, EventKind::Impact);
+        self.core.accounts.note_impact(&self.core.world, self.instant.t, law, &group.bodies, outcome);
         if outcome.status == ImpactStatus::LimitReached {
-            let names = core.world.names_of(&group.bodies);
+            let names = self.core.world.names_of(&group.bodies);
             let what = format!("an impact of {names} by {} was not resolved within its limit", law.name());
-            core.accounts.note_unsolved(instant.t, what);
+            self.core.accounts.note_unsolved(self.instant.t, what);
         }
         Ok(())
     }
 
     /// Books the impulses of some contacts of an instant, and reports each as an event of this kind.
-    pub(super) fn book_struck(
-        &self,
-        core: &mut Core,
-        instant: &Instant,
-        contacts: &[usize],
-        struck: &Struck,
-        kind: EventKind,
-    ) {
+    pub(super) fn book_struck(&mut self, contacts: &[usize], struck: &Struck, kind: EventKind) {
         let outcome = &struck.outcome;
-        let members: Vec<Touch> = contacts.iter().map(|&i| instant.touches[i]).collect();
-        let work = struck.work(&core.world, &self.motions.states, &members);
-        let about = core.accounts.books.ledger.momentum.about;
-        let given = struck.support(&core.world, about, &members);
-        core.accounts.books.impact((outcome.energy_change, struck.friction_j), given, work);
-        core.note_friction(instant.t, struck.cone_violation(&core.world, &self.motions.states, &members), CONE_LIMIT);
+        let members: Vec<Touch> = contacts.iter().map(|&i| self.instant.touches[i]).collect();
+        let work = struck.work(&self.core.world, &self.motions.states, &members);
+        let about = self.core.accounts.books.ledger.momentum.about;
+        let given = struck.support(&self.core.world, about, &members);
+        self.core.accounts.books.impact((outcome.energy_change, struck.friction_j), given, work);
+        self.core.note_friction(
+            self.instant.t,
+            struck.cone_violation(&self.core.world, &self.motions.states, &members),
+            CONE_LIMIT,
+        );
         let largest = outcome.applications.iter().fold(0.0, |most: f64, one| most.max(one.impulse.abs()));
         let is_event = |impulse: f64| impulse.abs() > NEGLIGIBLE_IMPULSE * largest;
         let applications = outcome.applications.iter().zip(&struck.constraints);
         for (application, constraint) in applications.filter(|(application, _)| is_event(application.impulse)) {
             // The impulse of a pivot is not a contact event. It is booked in the momentum ledger.
             let Some(id) = constraint.and_then(|constraint| constraint.contact()) else { continue };
-            let Ok(index) = instant.touches.binary_search_by(|touch| touch.id.cmp(&id)) else { continue };
-            let touch = instant.touches[index];
-            core.accounts.add_contact_event(
-                &core.world,
+            let Ok(index) = self.instant.touches.binary_search_by(|touch| touch.id.cmp(&id)) else { continue };
+            let touch = self.instant.touches[index];
+            self.core.accounts.add_contact_event(
+                &self.core.world,
                 &self.motions.states,
-                impulse_event(instant.t, kind, &touch, application),
+                impulse_event(self.instant.t, kind, &touch, application),
                 touch.id,
             );
         }
         match struck.restitution {
             Restitution::Full => {}
-            Restitution::Lowered => core.accounts.tolerate(instant.t, LOWERED),
+            Restitution::Lowered => self.core.accounts.tolerate(self.instant.t, LOWERED),
             Restitution::RaisesEnergy => {
-                let law = core.world.scene.method().restitution_law.unwrap_or_default().name();
-                core.accounts.warn(instant.t, raised_energy(law));
+                let law = self.core.world.scene.method().restitution_law.unwrap_or_default().name();
+                self.core.accounts.warn(self.instant.t, raised_energy(law));
             }
         }
     }
 
     /// Groups with a body that is not at rest or that touches a moving kinematic body.
-    fn groups_in_motion(&self, core: &Core, instant: &Instant) -> Vec<Group> {
-        let mut moving = groups(&core.world, instant.numbered());
+    fn groups_in_motion(&self) -> Vec<Group> {
+        let mut moving = groups(&self.core.world, self.instant.numbered());
         moving.retain(|group| {
-            let ids: Vec<ContactId> = group.contacts.iter().map(|&i| instant.touches[i].id).collect();
+            let ids: Vec<ContactId> = group.contacts.iter().map(|&i| self.instant.touches[i].id).collect();
             group.bodies.iter().any(|&body| !matches!(self.motions.tracks[body].mode, Mode::Rest))
-                || !allow_rest(core, instant.t, &ids)
+                || !allow_rest(self.core, self.instant.t, &ids)
         });
         moving
     }
 
     /// Determines the active contacts of a group until the next event, and whether its bodies rest.
-    fn decide_holds(&mut self, core: &mut Core, instant: &mut Instant, group: &Group) -> Result<(), SimulationError> {
-        let (mut candidates, mut forces, mut has_ended) = self.candidates_after_jams(core, instant, group)?;
+    fn decide_holds(&mut self, group: &Group) -> Result<(), SimulationError> {
+        let (mut candidates, mut forces, mut has_ended) = self.candidates_after_jams(group)?;
         let mut impacts = 0;
         // Ending the bounces of one contact may make other contacts approach.
-        while has_ended && group.contacts.iter().any(|&i| self.approaches(core, instant, &instant.touches[i])) {
+        while has_ended && group.contacts.iter().any(|&i| self.approaches(&self.instant.touches[i])) {
             if impacts == MOST_IMPACTS_OF_BOUNCES {
-                core.accounts.tolerate(instant.t, "bounces were ended while bodies still approach each other");
+                self.core
+                    .accounts
+                    .tolerate(self.instant.t, "bounces were ended while bodies still approach each other");
                 break;
             }
             impacts += 1;
-            self.strike_group(core, instant, group)?;
-            self.refresh_kinematics(core, instant);
-            (candidates, forces, has_ended) = self.candidates_after_jams(core, instant, group)?;
+            self.strike_group(group)?;
+            self.refresh_kinematics();
+            (candidates, forces, has_ended) = self.candidates_after_jams(group)?;
         }
         for &i in &group.contacts {
             let hold = match candidates.binary_search(&i) {
-                Ok(row) => hold_of(instant, &instant.touches[i], &forces, row),
+                Ok(row) => hold_of(self.instant, &self.instant.touches[i], &forces, row),
                 Err(_) => Hold::Open,
             };
-            self.set_hold(core, instant, i, hold);
+            self.set_hold(i, hold);
             let row = candidates.binary_search(&i).ok().filter(|_| hold == Hold::Held);
-            self.set_friction(core, instant, i, row.and_then(|row| forces.mode(row)));
-            if core.world.has_rotational_friction() {
-                self.set_rotation(core, instant, i, row.map(|row| (row, &forces)));
+            self.set_friction(i, row.and_then(|row| forces.mode(row)));
+            if self.core.world.has_rotational_friction() {
+                self.set_rotation(i, row.map(|row| (row, &forces)));
             }
         }
-        self.settle(core, instant, group, &candidates, &forces)
+        self.settle(group, &candidates, &forces)
     }
 
     /// Contacts of a group that may hold, their forces, and whether bounces have been ended.
-    pub(super) fn candidates(
-        &mut self,
-        core: &mut Core,
-        instant: &mut Instant,
-        group: &Group,
-    ) -> Result<(Vec<usize>, Forces, bool), SimulationError> {
-        let sustained = |&i: &usize| self.motions.is_sustained(core, instant.speed_scale, &instant.touches[i]);
+    pub(super) fn candidates(&mut self, group: &Group) -> Result<(Vec<usize>, Forces, bool), SimulationError> {
+        let sustained =
+            |&i: &usize| self.motions.is_sustained(self.core, self.instant.speed_scale, &self.instant.touches[i]);
         let mut candidates: Vec<usize> = group.contacts.iter().copied().filter(sustained).collect();
-        let mut forces = self.forces(core, instant, group, &candidates)?;
-        if self.end_slips(core, instant, group, (&candidates, &forces))? {
-            forces = self.forces(core, instant, group, &candidates)?;
+        let mut forces = self.forces(group, &candidates)?;
+        if self.end_slips(group, (&candidates, &forces))? {
+            forces = self.forces(group, &candidates)?;
         }
         let mut has_ended_bounces = false;
         let mut going_on = BTreeSet::new();
         // A contact may close again only because the one below it holds. The contacts found so far are therefore held
         // before the others are tested.
         loop {
-            let bounces = self.negligible_bounces(core, instant, group, (&candidates, &forces), &going_on);
+            let bounces = self.negligible_bounces(group, (&candidates, &forces), &going_on);
             if bounces.is_empty() {
                 break;
             }
-            let ended = self.end_bounces(core, instant, group, (&candidates, &bounces))?;
+            let ended = self.end_bounces(group, (&candidates, &bounces))?;
             going_on.extend(bounces.iter().map(|bounce| bounce.contact).filter(|i| !ended.contains(i)));
             if ended.is_empty() {
                 break;
@@ -283,180 +294,177 @@ impl Engine {
             candidates.extend(ended);
             candidates.sort_unstable();
             has_ended_bounces = true;
-            forces = self.forces(core, instant, group, &candidates)?;
+            forces = self.forces(group, &candidates)?;
         }
         Ok((candidates, forces, has_ended_bounces))
     }
 
     /// Whether the bodies of a contact approach each other there.
-    fn approaches(&self, core: &Core, instant: &Instant, touch: &Touch) -> bool {
+    fn approaches(&self, touch: &Touch) -> bool {
         touch.is_defined
-            && touch.kinematics.separation_rate < -self.motions.sustained_speed(core, instant.speed_scale, touch)
+            && touch.kinematics.separation_rate
+                < -self.motions.sustained_speed(self.core, self.instant.speed_scale, touch)
     }
 
-    pub(super) fn forces(
-        &mut self,
-        core: &mut Core,
-        instant: &Instant,
-        group: &Group,
-        candidates: &[usize],
-    ) -> Result<Forces, SimulationError> {
-        let with_mode = |&i: &usize| self.with_friction_mode(core, instant, &instant.touches[i]);
+    pub(super) fn forces(&mut self, group: &Group, candidates: &[usize]) -> Result<Forces, SimulationError> {
+        let with_mode = |&i: &usize| self.with_friction_mode(&self.instant.touches[i]);
         let members: Vec<Touch> = candidates.iter().map(with_mode).collect();
-        let forces =
-            Forces::solve(&core.world, instant.t, &self.motions.states, &group.bodies, &members, &mut core.solver)
-                .map_err(|source| Core::response_error(instant.t, source))?;
+        let forces = Forces::solve(
+            &self.core.world,
+            self.instant.t,
+            &self.motions.states,
+            &group.bodies,
+            &members,
+            &mut self.core.solver,
+        )
+        .map_err(|source| Core::response_error(self.instant.t, source))?;
         if forces.jams {
-            return Err(SimulationError::ContactSolve { t_s: instant.t, residual: forces.solution.report.residual });
+            return Err(SimulationError::ContactSolve {
+                t_s: self.instant.t,
+                residual: forces.solution.report.residual,
+            });
         }
-        core.accounts.note_solve(instant.t, &forces.solution.report)?;
-        core.note_friction(instant.t, forces.violation, CONE_LIMIT);
+        self.core.accounts.note_solve(self.instant.t, &forces.solution.report)?;
+        self.core.note_friction(self.instant.t, forces.violation, CONE_LIMIT);
         if forces.motion_depends_on_choice {
-            let names = core.world.names_of(&group.bodies);
-            core.accounts.warn(instant.t, format!("{LEAST_NORM} {names} depends on that choice"));
+            let names = self.core.world.names_of(&group.bodies);
+            self.core.accounts.warn(self.instant.t, format!("{LEAST_NORM} {names} depends on that choice"));
         }
         Ok(forces)
     }
 
     /// A contact with its friction at this instant: it slides if it has a slip, or can stick no longer. Otherwise its
     /// forces decide.
-    pub(super) fn with_friction_mode(&self, core: &Core, instant: &Instant, touch: &Touch) -> Touch {
-        let change = &instant.change;
-        let noise = slip_noise(core, instant.speed_scale, touch);
+    pub(super) fn with_friction_mode(&self, touch: &Touch) -> Touch {
+        let change = &self.instant.change;
+        let noise = slip_noise(self.core, self.instant.speed_scale, touch);
         let friction = match change.slipping.get(&touch.id) {
-            Some(&direction) if core.world.friction_of(touch.id.a, touch.id.b).is_some() => {
+            Some(&direction) if self.core.world.friction_of(touch.id.a, touch.id.b).is_some() => {
                 Some(FrictionMode::Sliding(Slide::beginning(direction, noise)))
             }
             _ if change.stopping.contains(&touch.id) => None,
-            _ => self.slide_of(core, instant.speed_scale, touch),
+            _ => self.motions.slide_of(self.core, self.instant.speed_scale, touch),
         };
-        Touch { modes: ContactModes { friction, rotation: self.rotation_at(core, instant, touch) }, ..*touch }
+        Touch { modes: ContactModes { friction, rotation: self.rotation_at(touch) }, ..*touch }
     }
 
-    /// The friction of a contact that has a slip; none without a slip or friction.
-    pub(super) fn slide_of(&self, core: &Core, speed_scale: f64, touch: &Touch) -> Option<FrictionMode> {
-        core.world.friction_of(touch.id.a, touch.id.b)?;
-        let slip = core.world.tangential_kinematics(&self.motions.states, touch.id)?.slip_velocity;
-        let speed = slip.length();
-        let slides = speed > self.motions.sustained_speed(core, speed_scale, touch);
-        let noise = slip_noise(core, speed_scale, touch);
-        slides.then(|| FrictionMode::Sliding(Slide { direction: slip / speed, speed, noise }))
-    }
-
-    fn set_hold(&self, core: &mut Core, instant: &mut Instant, i: usize, hold: Hold) {
-        let touch = instant.touches[i];
+    fn set_hold(&mut self, i: usize, hold: Hold) {
+        let touch = self.instant.touches[i];
         if touch.known && touch.hold == Hold::Held && hold == Hold::Open {
-            core.accounts.add_contact_event(
-                &core.world,
+            self.core.accounts.add_contact_event(
+                &self.core.world,
                 &self.motions.states,
-                contact_event(instant.t, EventKind::Detach, &touch),
+                contact_event(self.instant.t, EventKind::Detach, &touch),
                 touch.id,
             );
         }
-        instant.touches[i].hold = hold;
-        instant.touches[i].known = true;
+        self.instant.touches[i].hold = hold;
+        self.instant.touches[i].known = true;
     }
 
     /// Sets whether an active contact sticks or slides, and reports a change.
-    fn set_friction(&self, core: &mut Core, instant: &mut Instant, i: usize, found: Option<FoundMode>) {
-        let noise = slip_noise(core, instant.speed_scale, &instant.touches[i]);
+    fn set_friction(&mut self, i: usize, found: Option<FoundMode>) {
+        let noise = slip_noise(self.core, self.instant.speed_scale, &self.instant.touches[i]);
         let mode = found.map(|found| match found {
             FoundMode::Known(mode) => mode,
             FoundMode::Begins(direction) => FrictionMode::Sliding(Slide::beginning(direction, noise)),
             FoundMode::Sticks => FrictionMode::Sticking,
         });
-        let touch = instant.touches[i];
+        let touch = self.instant.touches[i];
         let kind = match (touch.modes.friction, mode) {
             (Some(FrictionMode::Sliding(_)), Some(FrictionMode::Sticking)) => Some(EventKind::Stick),
             (Some(FrictionMode::Sticking), Some(FrictionMode::Sliding(_))) => Some(EventKind::Slide),
             _ => None,
         };
         if let Some(kind) = kind {
-            let ended = instant.slip_ends.get(&touch.id).copied();
-            let t = ended.filter(|_| kind == EventKind::Stick).unwrap_or(instant.t);
+            let ended = self.instant.slip_ends.get(&touch.id).copied();
+            let t = ended.filter(|_| kind == EventKind::Stick).unwrap_or(self.instant.t);
             let event = contact_event(t, kind, &touch);
-            core.accounts.add_contact_event(&core.world, &self.motions.states, event, touch.id);
+            self.core.accounts.add_contact_event(&self.core.world, &self.motions.states, event, touch.id);
         }
-        instant.touches[i].modes.friction = mode;
+        self.instant.touches[i].modes.friction = mode;
     }
 
     /// Projects held contacts onto zero separation and sets the mode of their bodies: at rest or constrained motion.
-    fn settle(
-        &mut self,
-        core: &mut Core,
-        instant: &mut Instant,
-        group: &Group,
-        candidates: &[usize],
-        forces: &Forces,
-    ) -> Result<(), SimulationError> {
-        let members: Vec<Touch> = candidates.iter().map(|&i| instant.touches[i]).collect();
-        let balanced = forces.balanced_bodies(&core.world, &self.motions.states, &members);
-        let held = group.contacts.iter().filter(|&&i| instant.touches[i].hold == Hold::Held);
-        let components = groups(&core.world, held.map(|&i| (i, instant.touches[i].id.a, instant.touches[i].id.b)));
+    fn settle(&mut self, group: &Group, candidates: &[usize], forces: &Forces) -> Result<(), SimulationError> {
+        let members: Vec<Touch> = candidates.iter().map(|&i| self.instant.touches[i]).collect();
+        let balanced = forces.balanced_bodies(&self.core.world, &self.motions.states, &members);
+        let held = group.contacts.iter().filter(|&&i| self.instant.touches[i].hold == Hold::Held);
+        let components =
+            groups(&self.core.world, held.map(|&i| (i, self.instant.touches[i].id.a, self.instant.touches[i].id.b)));
         for component in components {
-            self.motions.end_flights(core, instant.t, &component.bodies);
-            let ids: Vec<_> = component.contacts.iter().map(|&i| instant.touches[i].id).collect();
-            let touching = self.with_overlaps(core, instant, &ids, &component);
-            let before = core.accounts.books.balance(&core.world, &self.motions.states, &component.bodies);
-            let turns = component.contacts.iter().flat_map(|&i| instant.touches[i].held_turns());
+            self.motions.end_flights(self.core, self.instant.t, &component.bodies);
+            let ids: Vec<_> = component.contacts.iter().map(|&i| self.instant.touches[i].id).collect();
+            let touching = self.with_overlaps(&ids, &component);
+            let before = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &component.bodies);
+            let turns = component.contacts.iter().flat_map(|&i| self.instant.touches[i].held_turns());
             let turns: Vec<_> = turns.collect();
-            let sticks = |i: &&usize| instant.touches[**i].modes.friction == Some(FrictionMode::Sticking);
-            let sticking: Vec<_> = component.contacts.iter().filter(sticks).map(|&i| instant.touches[i].id).collect();
+            let sticks = |i: &&usize| self.instant.touches[**i].modes.friction == Some(FrictionMode::Sticking);
+            let sticking: Vec<_> =
+                component.contacts.iter().filter(sticks).map(|&i| self.instant.touches[i].id).collect();
             let projected = Projected { touching: &touching, held: &ids, sticking: &sticking, turns: &turns };
-            self.project_held_contacts(core, &component.bodies, projected, instant.t, before)?;
-            let scale = instant.speed_scale;
-            let stands = |driver| core.world.stands_still(driver, instant.t, f64::INFINITY);
-            let rests = allow_rest(core, instant.t, &ids)
-                && core.world.drivers_of(&component.bodies).all(stands)
+            self.motions.project_held_contacts(
+                self.core,
+                self.schedule,
+                &component.bodies,
+                projected,
+                self.instant.t,
+                before,
+            )?;
+            let scale = self.instant.speed_scale;
+            let stands = |driver| self.core.world.stands_still(driver, self.instant.t, f64::INFINITY);
+            let rests = allow_rest(self.core, self.instant.t, &ids)
+                && self.core.world.drivers_of(&component.bodies).all(stands)
                 && component.bodies.iter().all(|&body| {
                     balanced.contains(&body)
-                        && self.motions.is_slow(core, scale, body)
-                        && self.forces_stay_constant(core, scale, body)
+                        && self.motions.is_slow(self.core, scale, body)
+                        && self.forces_stay_constant(scale, body)
                 });
             for &body in &component.bodies {
                 if rests {
-                    self.stop(core, instant, body);
+                    self.stop(body);
                 } else if let Mode::Rest = std::mem::replace(&mut self.motions.tracks[body].mode, Mode::Constrained) {
-                    instant.woken.insert(body);
+                    self.instant.woken.insert(body);
                 }
             }
         }
-        self.refresh_kinematics(core, instant);
+        self.refresh_kinematics();
         Ok(())
     }
 
     /// Removes the penetration of bodies that no contact holds together. Each impact leaves a small penetration, and
     /// those of several impacts in a row must not accumulate.
-    fn remove_overlaps(&mut self, core: &mut Core, instant: &mut Instant) -> Result<(), SimulationError> {
-        for group in groups(&core.world, instant.numbered()) {
-            let touches: Vec<Touch> = group.contacts.iter().map(|&i| instant.touches[i]).collect();
+    fn remove_overlaps(&mut self) -> Result<(), SimulationError> {
+        for group in groups(&self.core.world, self.instant.numbered()) {
+            let touches: Vec<Touch> = group.contacts.iter().map(|&i| self.instant.touches[i]).collect();
             let overlaps =
-                |touch: &Touch| is_excess(&core.world, &self.motions.states, touch.id, &touch.kinematics.geometry);
+                |touch: &Touch| is_excess(&self.core.world, &self.motions.states, touch.id, &touch.kinematics.geometry);
             if !touches.iter().any(overlaps) {
                 continue;
             }
-            self.motions.end_flights(core, instant.t, &group.bodies);
+            self.motions.end_flights(self.core, self.instant.t, &group.bodies);
             let mut pairs: Vec<_> = touches.iter().map(|touch| (touch.id.a, touch.id.b)).collect();
             pairs.dedup();
-            let before = core.accounts.books.balance(&core.world, &self.motions.states, &group.bodies);
-            let (bodies, solver) = (&group.bodies, &mut core.solver);
-            let done = projection::remove_overlap(&core.world, &mut self.motions.states, bodies, &pairs, solver)
-                .map_err(|source| Core::response_error(instant.t, source))?;
-            let after = core.accounts.books.balance(&core.world, &self.motions.states, &group.bodies);
-            core.book_projection(instant.t, &self.motions.states, &done, (before, after));
-            self.refresh_kinematics(core, instant);
+            let before = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &group.bodies);
+            let (bodies, solver) = (&group.bodies, &mut self.core.solver);
+            let done = projection::remove_overlap(&self.core.world, &mut self.motions.states, bodies, &pairs, solver)
+                .map_err(|source| Core::response_error(self.instant.t, source))?;
+            let after = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &group.bodies);
+            self.core.book_projection(self.instant.t, &self.motions.states, &done, (before, after));
+            self.refresh_kinematics();
         }
         Ok(())
     }
 
     /// The held contacts of a component, and its open contacts that penetrate although they separate: the projection
     /// removes their penetration too.
-    fn with_overlaps(&self, core: &Core, instant: &Instant, held: &[ContactId], component: &Group) -> Vec<ContactId> {
-        let within = |body: usize| component.bodies.binary_search(&body).is_ok() || !core.world.bodies[body].moves();
-        let overlaps = instant.touches.iter().filter(|touch| {
+    fn with_overlaps(&self, held: &[ContactId], component: &Group) -> Vec<ContactId> {
+        let within =
+            |body: usize| component.bodies.binary_search(&body).is_ok() || !self.core.world.bodies[body].moves();
+        let overlaps = self.instant.touches.iter().filter(|touch| {
             touch.hold == Hold::Open
                 && touch.kinematics.geometry.separation
-                    < -core.world.rounding(&self.motions.states, touch.id.a, touch.id.b)
+                    < -self.core.world.rounding(&self.motions.states, touch.id.a, touch.id.b)
                 && within(touch.id.a)
                 && within(touch.id.b)
         });
@@ -464,78 +472,84 @@ impl Engine {
     }
 
     /// Sets a body in equilibrium exactly to rest and books its remaining kinetic energy.
-    fn stop(&mut self, core: &mut Core, instant: &mut Instant, body: usize) {
-        let before = core.accounts.books.balance(&core.world, &self.motions.states, &[body]);
+    fn stop(&mut self, body: usize) {
+        let before = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &[body]);
         self.motions.states[body].linear_velocity = DVec3::ZERO;
         self.motions.states[body].angular_momentum = DVec3::ZERO;
-        let after = core.accounts.books.balance(&core.world, &self.motions.states, &[body]);
-        core.accounts.books.rest(before, after, 0.0);
+        let after = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &[body]);
+        self.core.accounts.books.rest(before, after, 0.0);
         let rested = matches!(self.motions.tracks[body].mode, Mode::Rest);
         self.motions.tracks[body].mode = Mode::Rest;
-        instant.woken.remove(&body);
-        let t = instant.rest_times.remove(&body).unwrap_or(instant.t);
-        if !rested && instant.t > 0.0 {
-            core.accounts.add_event(body_event(t, EventKind::Rest, body, self.motions.states[body].pose.translation));
+        self.instant.woken.remove(&body);
+        let t = self.instant.rest_times.remove(&body).unwrap_or(self.instant.t);
+        if !rested && self.instant.t > 0.0 {
+            self.core.accounts.add_event(body_event(
+                t,
+                EventKind::Rest,
+                body,
+                self.motions.states[body].pose.translation,
+            ));
         }
     }
 
     /// Bodies without a held contact begin free motion. Bodies woken from rest are reported.
-    fn release_free_bodies(&mut self, core: &mut Core, instant: &mut Instant) {
-        let held = instant.touches.iter().filter(|touch| touch.hold == Hold::Held);
+    fn release_free_bodies(&mut self) {
+        let held = self.instant.touches.iter().filter(|touch| touch.hold == Hold::Held);
         let held: BTreeSet<usize> = held.flat_map(|touch| [touch.id.a, touch.id.b]).collect();
-        for &body in &instant.bodies {
+        for &body in &self.instant.bodies {
             if matches!(self.motions.tracks[body].mode, Mode::Constrained | Mode::Rest) && !held.contains(&body) {
-                self.motions.begin_free_motion(core, body, instant.t);
+                self.motions.begin_free_motion(self.core, body, self.instant.t);
             }
         }
-        for body in std::mem::take(&mut instant.woken) {
+        for body in std::mem::take(&mut self.instant.woken) {
             let place = self.motions.states[body].pose.translation;
-            core.accounts.add_event(body_event(instant.t, EventKind::Wake, body, place));
+            self.core.accounts.add_event(body_event(self.instant.t, EventKind::Wake, body, place));
         }
     }
 
     /// Reports pairs between which contact has begun or ended.
-    fn report_pairs(&self, core: &mut Core, instant: &Instant, before: &BTreeSet<(usize, usize)>) {
-        if instant.t == 0.0 {
+    fn report_pairs(&mut self, before: &BTreeSet<(usize, usize)>) {
+        if self.instant.t == 0.0 {
             return;
         }
-        let after = instant.held_pairs();
+        let after = self.instant.held_pairs();
         for &(a, b) in before.difference(&after) {
-            let mut event = body_event(instant.t, EventKind::ContactEnd, a, self.motions.states[a].pose.translation);
+            let mut event =
+                body_event(self.instant.t, EventKind::ContactEnd, a, self.motions.states[a].pose.translation);
             event.body_b = (b != a).then(|| BodyId::new(b));
-            if let Some(touch) = instant.touches.iter().find(|touch| (touch.id.a, touch.id.b) == (a, b)) {
-                event = contact_event(instant.t, EventKind::ContactEnd, touch);
+            if let Some(touch) = self.instant.touches.iter().find(|touch| (touch.id.a, touch.id.b) == (a, b)) {
+                event = contact_event(self.instant.t, EventKind::ContactEnd, touch);
             }
-            core.accounts.add_event(event);
+            self.core.accounts.add_event(event);
         }
         for pair in after.difference(before) {
-            if let Some(touch) = instant.touches.iter().find(|touch| (touch.id.a, touch.id.b) == *pair) {
-                core.accounts.add_event(contact_event(instant.t, EventKind::ContactBegin, touch));
+            if let Some(touch) = self.instant.touches.iter().find(|touch| (touch.id.a, touch.id.b) == *pair) {
+                self.core.accounts.add_event(contact_event(self.instant.t, EventKind::ContactBegin, touch));
             }
         }
     }
 
     /// Whether the forces on a body remain constant while it rests: none depends on time, and the bodies coupled to it
     /// by forces rest too or are slow enough to rest.
-    fn forces_stay_constant(&self, core: &Core, speed_scale: f64, body: usize) -> bool {
-        let couplings = core.world.couplings_of(body);
+    fn forces_stay_constant(&self, speed_scale: f64, body: usize) -> bool {
+        let couplings = self.core.world.couplings_of(body);
         let still = |&other: &usize| {
-            matches!(self.motions.tracks[other].mode, Mode::Rest) || self.motions.is_slow(core, speed_scale, other)
+            matches!(self.motions.tracks[other].mode, Mode::Rest) || self.motions.is_slow(self.core, speed_scale, other)
         };
-        !core.world.is_driven(body) && couplings.flatten().all(still)
+        !self.core.world.is_driven(body) && couplings.flatten().all(still)
     }
 
     /// Wakes resting bodies that a force couples to a moving body, and the bodies that rest in contact with them.
-    fn wake_coupled(&mut self, core: &Core, instant: &mut Instant) {
+    fn wake_coupled(&mut self) {
         let rests = |engine: &Self, body: usize| matches!(engine.motions.tracks[body].mode, Mode::Rest);
         loop {
             let mut wake = BTreeSet::new();
-            for coupled in &core.world.couplings {
+            for coupled in &self.core.world.couplings {
                 if coupled.iter().any(|&body| !rests(self, body)) {
                     wake.extend(coupled.iter().copied().filter(|&body| rests(self, body)));
                 }
             }
-            for touch in instant.touches.iter().filter(|touch| touch.hold == Hold::Held) {
+            for touch in self.instant.touches.iter().filter(|touch| touch.hold == Hold::Held) {
                 for (body, other) in [(touch.id.a, touch.id.b), (touch.id.b, touch.id.a)] {
                     if matches!(self.motions.tracks[other].mode, Mode::Constrained) && rests(self, body) {
                         wake.insert(body);
@@ -547,16 +561,16 @@ impl Engine {
             }
             for body in wake {
                 self.motions.tracks[body].mode = Mode::Constrained;
-                instant.woken.insert(body);
+                self.instant.woken.insert(body);
             }
         }
     }
 
     /// Evaluates every contact of the instant at the current states. One whose features no longer define it keeps its place,
     /// by which groups know it, but neither holds nor approaches.
-    pub(super) fn refresh_kinematics(&self, core: &Core, instant: &mut Instant) {
-        for touch in &mut instant.touches {
-            let kinematics = core.world.kinematics(&self.motions.states, touch.id);
+    pub(super) fn refresh_kinematics(&mut self) {
+        for touch in &mut self.instant.touches {
+            let kinematics = self.core.world.kinematics(&self.motions.states, touch.id);
             touch.is_defined = kinematics.is_some();
             touch.kinematics = kinematics.unwrap_or(touch.kinematics);
         }
@@ -564,6 +578,16 @@ impl Engine {
 }
 
 impl Motions {
+    /// The friction of a contact that has a slip; none without a slip or friction.
+    pub(super) fn slide_of(&self, core: &Core, speed_scale: f64, touch: &Touch) -> Option<FrictionMode> {
+        core.world.friction_of(touch.id.a, touch.id.b)?;
+        let slip = core.world.tangential_kinematics(&self.states, touch.id)?.slip_velocity;
+        let speed = slip.length();
+        let slides = speed > self.sustained_speed(core, speed_scale, touch);
+        let noise = slip_noise(core, speed_scale, touch);
+        slides.then(|| FrictionMode::Sliding(Slide { direction: slip / speed, speed, noise }))
+    }
+
     /// Ends the free flight of some bodies.
     pub(super) fn end_flights(&mut self, core: &mut Core, t: f64, bodies: &[usize]) {
         for &body in bodies {
