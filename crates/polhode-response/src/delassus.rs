@@ -3,6 +3,8 @@
 //! The thesis calls it `M_ij` (equation 18). It is symmetric and positive semidefinite, in general rank-deficient
 //! (errata E13: the five-diamond has 82 rows and rank 50). Entries have the unit of inverse mass, 1/kg.
 //!
+//! Rows that are held and soft (`u = -c r`) add their compliance `c` to the diagonal, so that `G r + b = 0` says what they ask for.
+//!
 //! Only pairs of rows that share a body are formed. The matrix is exactly symmetric, and an entry is the mean of
 //! `J_i (M^-1 J_j)` and `J_j (M^-1 J_i)`, so that its bits depend neither on the order of the rows nor on which of
 //! two mirror images is described.
@@ -90,7 +92,8 @@ impl ContactProblem {
     pub fn delassus_into(&self, delassus: &mut Delassus) {
         let size = self.len();
         delassus.size = size;
-        let is_kept = size >= LEAST_ROWS_IN_BODIES && !self.bilateral_rows(None).is_empty();
+        let is_rigid = self.compliances().is_empty();
+        let is_kept = is_rigid && size >= LEAST_ROWS_IN_BODIES && !self.bilateral_rows(None).is_empty();
         delassus.rows = is_kept.then(|| Arc::new(self.clone()));
         delassus.entries.clear();
         delassus.entries.resize(size * size, 0.0);
@@ -108,6 +111,9 @@ impl ContactProblem {
                     delassus.entries[row * size + other_row] += value;
                 }
             }
+        }
+        for &(row, compliance) in self.compliances() {
+            delassus.entries[row * size + row] += compliance;
         }
         for row in 0..size {
             for column in 0..row {

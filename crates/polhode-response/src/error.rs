@@ -61,6 +61,16 @@ pub enum ResponseError {
     /// A row must touch one or two bodies.
     #[error("a row touches one or two movable bodies, found {0}; leave out contacts between immovable bodies")]
     RowBodies(usize),
+    /// A row cannot have this compliance.
+    #[error(
+        "row {row} cannot have a compliance of {compliance}: a row that is held and a finite number of at least 0 are needed"
+    )]
+    Compliance {
+        /// The row.
+        row: usize,
+        /// The compliance, 1/kg.
+        compliance: f64,
+    },
     /// A row index is out of range.
     #[error("row {row} does not exist, the problem has {rows} rows")]
     UnknownRow {

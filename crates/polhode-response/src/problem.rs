@@ -39,6 +39,8 @@ pub struct ContactProblem {
     rows: Vec<RowBodies>,
     /// Whether each row holds with a force of either sign.
     holds: Vec<bool>,
+    /// Compliances of rows that are held and soft, 1/kg.
+    compliances: Vec<(usize, f64)>,
     /// First row and law of the blocks with friction.
     frictional: Vec<(usize, Law)>,
     /// Two blocks of `width` numbers for each row; the second is unused when the row touches one body.
@@ -101,6 +103,7 @@ impl ContactProblem {
             inverse_masses,
             rows: Vec::new(),
             holds: Vec::new(),
+            compliances: Vec::new(),
             frictional: Vec::new(),
             jacobian: Vec::new(),
             response: Vec::new(),
@@ -154,6 +157,23 @@ impl ContactProblem {
             pushed.inspect_err(|_| self.truncate_rows(first))?;
         }
         Ok(first..self.len())
+    }
+
+    /// Makes a row that is held soft, `u = -c r` in the place of `u = 0`: `compliance` in 1/kg.
+    ///
+    /// # Errors
+    /// When the row is not held, or the compliance is negative or not finite.
+    pub fn soften(&mut self, row: usize, compliance: f64) -> Result<(), ResponseError> {
+        if !(self.holds.get(row) == Some(&true) && compliance >= 0.0 && compliance.is_finite()) {
+            return Err(ResponseError::Compliance { row, compliance });
+        }
+        self.compliances.push((row, compliance));
+        Ok(())
+    }
+
+    /// The rows that are soft, and their compliances, 1/kg.
+    pub fn compliances(&self) -> &[(usize, f64)] {
+        &self.compliances
     }
 
     /// Whether some block has friction.
@@ -226,6 +246,7 @@ impl ContactProblem {
     pub fn clear_rows(&mut self) {
         self.rows.clear();
         self.holds.clear();
+        self.compliances.clear();
         self.frictional.clear();
         self.jacobian.clear();
         self.response.clear();
@@ -235,6 +256,7 @@ impl ContactProblem {
     fn truncate_rows(&mut self, rows: usize) {
         self.rows.truncate(rows);
         self.holds.truncate(rows);
+        self.compliances.retain(|(row, _)| *row < rows);
         self.frictional.retain(|(first, _)| *first < rows);
         self.jacobian.truncate(2 * rows * self.width);
         self.response.truncate(2 * rows * self.width);

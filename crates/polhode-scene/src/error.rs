@@ -5,7 +5,7 @@ use polhode::SceneError;
 use polhode::contact::{ApproximateError, ShapeError};
 use polhode::dynamics::field::FieldError;
 use polhode::mesh::{MeshError, MeshFormat, PrimitiveError, ReadError};
-use polhode::scene::{LimitsError, MotionError, OverlapAtStart};
+use polhode::scene::{FreedomError, LimitsError, MotionError, OverlapAtStart};
 use polhode::spatial::{InertiaError, MassPropertiesError, RotationError, UnitVectorError};
 use std::fmt::{self, Write as _};
 use std::io;
@@ -179,6 +179,9 @@ pub enum Refusal {
     /// A joint has no kind, or several.
     #[error("a joint is exactly one of the kinds")]
     JointKinds,
+    /// A motor has no drive, or several.
+    #[error("a motor is exactly one of `effort`, `velocity` and `position`")]
+    MotorKinds,
     /// Something else that the format's reader refuses.
     #[error("{0}")]
     Other(String),
@@ -274,6 +277,9 @@ pub enum Refusal {
     /// Limits of a joint are refused.
     #[error(transparent)]
     Limits(#[from] LimitsError),
+    /// A spring, a damper or a motor of a joint is refused.
+    #[error(transparent)]
+    Freedom(#[from] FreedomError),
     /// A mesh file is refused.
     #[error(transparent)]
     MeshFile(#[from] MeshFileError),

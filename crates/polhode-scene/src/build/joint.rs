@@ -4,9 +4,9 @@ use super::bodies::Bodies;
 use super::fault::{Fault, Faults, positive, vector};
 use crate::document::KeyPath;
 use crate::error::Refusal;
-use crate::format::{Exactly, JointEntry, JointKindEntry, LimitsEntry, RopeEntry, SceneFile, Vector};
+use crate::format::{Exactly, FreedomEntry, JointEntry, JointKindEntry, MotorEntry, RopeEntry, SceneFile, Vector};
 use polhode::BodyId;
-use polhode::scene::{Coordinate, Joint, JointKind, Limits, LimitsError};
+use polhode::scene::{Coordinate, Drive, Freedom, FreedomError, Joint, JointKind, Limits, LimitsError, Motor};
 use polhode::spatial::{DVec3, UnitVector};
 
 /// The joints of the file.
@@ -17,7 +17,7 @@ pub(super) fn build(file: &SceneFile, bodies: &Bodies<'_>, faults: &mut Faults) 
     file.joints.iter().enumerate().filter_map(of_entry).collect()
 }
 
-/// What an entry gives: the names of its bodies, its anchor, the path of its keys, what it leaves free, and limits of that.
+/// What an entry gives: the names of its bodies, its anchor, the path of its keys, what it leaves free, and what acts along that.
 struct Entry<'a> {
     names: &'a [String],
     anchor: &'a Vector,
@@ -25,19 +25,19 @@ struct Entry<'a> {
     anchor_path: KeyPath,
     path: KeyPath,
     kind: JointKind,
-    limits: Vec<(Coordinate, Limits)>,
+    freedoms: Vec<(Coordinate, Freedom)>,
 }
 
 impl<'a> Entry<'a> {
     fn new(names: &'a [String], anchor: &'a Vector, path: KeyPath, kind: JointKind) -> Self {
-        Self { names, anchor, anchor_path: path.key("anchor"), path, kind, limits: Vec::new() }
+        Self { names, anchor, anchor_path: path.key("anchor"), path, kind, freedoms: Vec::new() }
     }
 
-    /// With the limits of a coordinate, if there are any.
-    fn with(mut self, coordinate: Coordinate, entry: Option<&LimitsEntry>) -> Result<Self, Fault> {
-        if let Some(LimitsEntry { range: Exactly([lower, upper]), restitution }) = entry {
+    /// With what acts along a coordinate, if anything does.
+    fn with(mut self, coordinate: Coordinate, entry: Option<&FreedomEntry>) -> Result<Self, Fault> {
+        if let Some(entry) = entry {
             let path = self.path.key(coordinate.name());
-            self.limits.push((coordinate, limits((*lower, *upper), *restitution, &path)?));
+            self.freedoms.push((coordinate, freedom(entry, &path)?));
         }
         Ok(self)
     }
@@ -48,8 +48,8 @@ fn joint(kind: &JointKindEntry, bodies: &Bodies<'_>, path: &KeyPath) -> Result<J
     let anchor = vector(entry.anchor, &entry.anchor_path)?;
     let (body, other) = pair(entry.names, bodies, &entry.path.key("bodies"))?;
     let mut joint = Joint::new(entry.kind, body, anchor);
-    for (coordinate, limits) in entry.limits {
-        joint = joint.with_limits(coordinate, limits);
+    for (coordinate, freedom) in entry.freedoms {
+        joint = joint.along(coordinate, freedom);
     }
     Ok(other.map_or(joint, |other| joint.with(other)))
 }
@@ -98,9 +98,9 @@ fn entry<'a>(kind: &'a JointKindEntry, path: &KeyPath) -> Result<Entry<'a>, Faul
         }
         JointKindEntry::Rope(own) => {
             let (ends, path) = (Ends::of(&own.anchors, &path.key("rope"))?, path.key("rope"));
-            let limits = (Coordinate::Distance, rope_limits(own, &ends, &path)?);
+            let limits = Freedom::default().with_limits(rope_limits(own, &ends, &path)?);
             let entry = Entry::new(&own.bodies, ends.first, path, JointKind::Rope { to: ends.to });
-            Entry { anchor_path: ends.path, limits: vec![limits], ..entry }
+            Entry { anchor_path: ends.path, freedoms: vec![(Coordinate::Distance, limits)], ..entry }
         }
     })
 }
@@ -126,6 +126,60 @@ fn rope_limits(entry: &RopeEntry, ends: &Ends<'_>, path: &KeyPath) -> Result<Lim
         None => (vector(ends.first, &ends.path)? - ends.to).length(),
     };
     limits((f64::NEG_INFINITY, length), entry.restitution, path)
+}
+
+/// What acts along a coordinate.
+fn freedom(entry: &FreedomEntry, path: &KeyPath) -> Result<Freedom, Fault> {
+    let mut freedom = Freedom::default();
+    match entry.range {
+        Some(Exactly([lower, upper])) => {
+            freedom = freedom.with_limits(limits((lower, upper), entry.restitution, path)?);
+        }
+        None if entry.restitution != 0.0 => {
+            let what = "a coordinate without a `range`";
+            return Err((path.key("restitution"), Refusal::Meaningless { key: "restitution", what }));
+        }
+        None => {}
+    }
+    let refused = |error: FreedomError| (path.clone(), error.into());
+    freedom = freedom.with_spring(entry.stiffness, entry.rest).map_err(refused)?;
+    freedom = freedom.with_damping(entry.damping).map_err(refused)?;
+    if let Some(entry) = &entry.motor {
+        freedom = freedom.with_motor(motor(entry, &path.key("motor"))?);
+    }
+    Ok(freedom)
+}
+
+/// A motor.
+fn motor(entry: &MotorEntry, path: &KeyPath) -> Result<Motor, Fault> {
+    let needed =
+        |value: Option<f64>, key: &str| value.ok_or_else(|| (path.clone(), Refusal::MissingKey(key.to_owned())));
+    let without = |values: &[(Option<f64>, &'static str)], what: &'static str| {
+        let extra = values.iter().find(|(value, _)| value.is_some());
+        extra.map_or(Ok(()), |&(_, key)| Err((path.key(key), Refusal::Meaningless { key, what })))
+    };
+    let MotorEntry { effort, velocity, gain, position, stiffness, damping, most } = *entry;
+    let of_position = [(stiffness, "stiffness"), (damping, "damping")];
+    let drive = match (effort, velocity, position) {
+        (Some(effort), None, None) => {
+            without(&[(gain, "gain")], "a motor of constant effort")?;
+            without(&of_position, "a motor of constant effort")?;
+            Drive::Effort(effort)
+        }
+        (None, Some(velocity), None) => {
+            without(&of_position, "a servo of velocity: `gain` is its constant")?;
+            Drive::Velocity { velocity, gain: needed(gain, "gain")? }
+        }
+        (None, None, Some(position)) => {
+            without(&[(gain, "gain")], "a servo of position: `stiffness` and `damping` are its constants")?;
+            let stiffness = needed(stiffness, "stiffness")?;
+            Drive::Position { position, stiffness, damping: damping.unwrap_or(0.0) }
+        }
+        _ => return Err((path.clone(), Refusal::MotorKinds)),
+    };
+    let refused = |error: FreedomError| (path.clone(), error.into());
+    let motor = Motor::new(drive).map_err(refused)?;
+    most.map_or(Ok(motor), |most| motor.at_most(most).map_err(refused))
 }
 
 /// Limits of a coordinate.

@@ -51,16 +51,53 @@ pub struct PointJointEntry {
     pub anchor: Vector,
 }
 
-/// Limits of a coordinate of a joint: a stop at each.
+/// What acts along a coordinate of a joint. The coordinate is zero at t = 0; angles are in rad, displacements in m.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct LimitsEntry {
-    /// The smallest and the largest value; the coordinate is zero at t = 0. rad of an angle, m of a displacement.
-    pub range: Exactly<f64, 2>,
-    /// Coefficient of restitution at both.
+pub struct FreedomEntry {
+    /// Limits: the smallest and the largest value; an angle has less than one revolution between them.
+    pub range: Option<Exactly<f64, 2>>,
+    /// Coefficient of restitution at the limits.
     #[serde(default)]
     #[schemars(range(min = 0.0, max = 1.0))]
     pub restitution: f64,
+    /// Stiffness of a spring, N m/rad or N/m.
+    #[serde(default)]
+    #[schemars(range(min = 0.0))]
+    pub stiffness: f64,
+    /// The value at which the spring is at rest.
+    #[serde(default)]
+    pub rest: f64,
+    /// Constant of a damper, N m s/rad or N s/m.
+    #[serde(default)]
+    #[schemars(range(min = 0.0))]
+    pub damping: f64,
+    /// A motor.
+    pub motor: Option<MotorEntry>,
+}
+
+/// A motor: exactly one of `effort`, `velocity` and `position`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MotorEntry {
+    /// A constant torque (N m) or force (N).
+    pub effort: Option<f64>,
+    /// The rate that a servo is to reach, rad/s or m/s; needs `gain`.
+    pub velocity: Option<f64>,
+    /// Effort of that servo for each unit of the difference, N m s/rad or N s/m.
+    #[schemars(range(min = 0.0))]
+    pub gain: Option<f64>,
+    /// The value that a servo is to reach, rad or m; needs `stiffness`.
+    pub position: Option<f64>,
+    /// Effort of that servo for each unit of the difference, N m/rad or N/m.
+    #[schemars(range(min = 0.0))]
+    pub stiffness: Option<f64>,
+    /// Its effort against each unit of the rate, N m s/rad or N s/m.
+    #[schemars(range(min = 0.0))]
+    pub damping: Option<f64>,
+    /// The largest effort, N m or N; without this key there is no bound.
+    #[schemars(range(min = 0.0))]
+    pub most: Option<f64>,
 }
 
 /// A hinge.
@@ -74,8 +111,8 @@ pub struct HingeEntry {
     pub anchor: Vector,
     /// The direction of the axis at t = 0, world; of any length but zero.
     pub axis: Vector,
-    /// Limits of the angle of the first body about the axis, relative to the second one or the world; less than one revolution.
-    pub angle: Option<LimitsEntry>,
+    /// What acts along the angle of the first body about the axis, relative to the second one or the world.
+    pub angle: Option<FreedomEntry>,
 }
 
 /// A slider.
@@ -89,8 +126,8 @@ pub struct SliderEntry {
     pub anchor: Vector,
     /// The direction of the axis at t = 0, world; of any length but zero.
     pub axis: Vector,
-    /// Limits of the displacement of the first body along the axis.
-    pub displacement: Option<LimitsEntry>,
+    /// What acts along the displacement of the first body along the axis.
+    pub displacement: Option<FreedomEntry>,
 }
 
 /// A rod.
@@ -133,10 +170,10 @@ pub struct CylindricalEntry {
     pub anchor: Vector,
     /// The direction of the axis at t = 0, world; of any length but zero.
     pub axis: Vector,
-    /// Limits of the angle of the first body about the axis, relative to the second one or the world; less than one revolution.
-    pub angle: Option<LimitsEntry>,
-    /// Limits of its displacement along the axis.
-    pub displacement: Option<LimitsEntry>,
+    /// What acts along the angle of the first body about the axis, relative to the second one or the world.
+    pub angle: Option<FreedomEntry>,
+    /// What acts along its displacement along the axis.
+    pub displacement: Option<FreedomEntry>,
 }
 
 /// A universal joint.

@@ -16,6 +16,7 @@
 
 use super::ConstraintId;
 use super::row::{BilateralRow, Member, RowKind, RowsAt};
+use super::softness::Softness;
 use crate::Momentum;
 use crate::MomentumSum;
 use crate::world::World;
@@ -33,6 +34,8 @@ pub(crate) struct Bilateral {
     /// The kinematic one.
     pub(crate) driver: Option<Member>,
     pub(crate) rows: Vec<BilateralRow>,
+    /// Of a spring, a damper or a motor at a joint in a time step: its one row is soft.
+    pub(crate) softness: Option<Softness>,
 }
 
 /// What a constraint does to its first body, and the opposite of what it does to the second: a force at its point (N; an
@@ -46,7 +49,12 @@ pub(crate) struct Reaction {
 impl Bilateral {
     /// The constraint of this identity with these rows.
     pub(super) fn new(id: ConstraintId, RowsAt { point, members, driver, rows }: RowsAt) -> Self {
-        Self { id, point, members, driver, rows }
+        Self { id, point, members, driver, rows, softness: None }
+    }
+
+    /// A soft row.
+    pub(super) fn soft(id: ConstraintId, rows: RowsAt, softness: Softness) -> Self {
+        Self { softness: Some(softness), ..Self::new(id, rows) }
     }
 
     /// How far the bodies are from where they are held, m.
@@ -76,16 +84,16 @@ impl Bilateral {
         reaction
     }
 
+    /// The multiplier of its first row in a reaction.
+    pub(crate) fn multiplier(&self, reaction: Reaction) -> f64 {
+        self.rows.first().map_or(0.0, |row| row.multiplier(reaction))
+    }
+
     /// Work of an impulse of this constraint, J, where its rows had the rates of `self` before it and have those of `after`:
     /// `l (u- + u+)/2` of each row. Directions are orthogonal to each other, and so are axes.
     pub(crate) fn work(&self, after: &Self, impulse: Reaction) -> f64 {
-        let work = |(row, after): (&BilateralRow, &BilateralRow)| {
-            let multiplier = match row.kind {
-                RowKind::Along(direction) => impulse.force.dot(direction),
-                RowKind::About(axis) => impulse.moment.dot(axis) / axis.length_squared(),
-            };
-            0.5 * multiplier * (row.rate + after.rate)
-        };
+        let work =
+            |(row, after): (&BilateralRow, &BilateralRow)| 0.5 * row.multiplier(impulse) * (row.rate + after.rate);
         self.rows.iter().zip(&after.rows).map(work).sum()
     }
 
@@ -95,6 +103,16 @@ impl Bilateral {
             let force = reaction.force * member.sign;
             (member.body, force, member.arm.cross(force) + reaction.moment * member.sign)
         })
+    }
+}
+
+impl BilateralRow {
+    /// Its multiplier in a reaction, where directions of a constraint are orthogonal to each other, and so are axes.
+    fn multiplier(&self, reaction: Reaction) -> f64 {
+        match self.kind {
+            RowKind::Along(direction) => reaction.force.dot(direction),
+            RowKind::About(axis) => reaction.moment.dot(axis) / axis.length_squared(),
+        }
     }
 }
 

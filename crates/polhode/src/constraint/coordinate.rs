@@ -53,6 +53,8 @@ pub(crate) struct CoordinateAt {
     pub(crate) point: DVec3,
     /// Its direction on A (unit vector, world).
     pub(crate) direction: DVec3,
+    /// Of an angle: the moment on A that such a force of 1 N stands for, N m, world.
+    pub(crate) moment: Option<DVec3>,
 }
 
 impl CoordinateAt {
@@ -83,7 +85,7 @@ impl Measured {
                 let row = line::row(axis, way, a, &b.at_point(a.point));
                 let RowKind::Along(direction) = row.kind else { return None };
                 let point = a.point;
-                Some(CoordinateAt { value: row.gap, rate: row.rate, bias: row.bias, point, direction })
+                Some(CoordinateAt { value: row.gap, rate: row.rate, bias: row.bias, point, direction, moment: None })
             }
             Self::Distance => distance(a, b),
         }
@@ -113,6 +115,7 @@ fn angle(
         bias: kept + turning,
         point,
         direction,
+        moment: Some(axis * length),
     }
 }
 
@@ -125,5 +128,5 @@ pub(super) fn distance(a: &EndKinematics, b: &EndKinematics) -> Option<Coordinat
     let rate = direction.dot(slip);
     let across = (slip - direction * rate).length_squared();
     let bias = direction.dot(a.acceleration - b.acceleration) + across / value;
-    Some(CoordinateAt { value, rate, bias, point: a.point, direction })
+    Some(CoordinateAt { value, rate, bias, point: a.point, direction, moment: None })
 }

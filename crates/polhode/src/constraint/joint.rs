@@ -12,14 +12,15 @@
 //! | rope | nothing: limits of a distance are stops | all |
 //! | planar | a point in a plane, and its normal (`planar.rs`) | displacements in it and the rotation about the normal |
 
-use super::coordinate::Measured;
+use super::coordinate::{CoordinateAt, Measured};
 use super::end::End;
+use super::joint_coordinate::{JointCoordinate, coordinates};
 use super::kept::Kept;
 use super::row::RowsAt;
 use super::stop::{Reversed, Stop};
 use super::{cylindrical, fixed, hinge, planar, point, slider, universal};
 use crate::body_id::BodyId;
-use crate::scene::{Coordinate, Joint, JointKind};
+use crate::scene::{Joint, JointKind};
 use polhode_contact::ContactKinematics;
 use polhode_spatial::{DVec3, Pose, Rotation, Velocity};
 
@@ -39,6 +40,8 @@ pub(crate) struct WorldJoint {
     a: End,
     b: End,
     kept: Kept,
+    /// Those along which something acts.
+    coordinates: Vec<JointCoordinate>,
     /// Limits of its coordinates.
     stops: Vec<Stop>,
     /// Length of its rows of rotation, m.
@@ -71,8 +74,9 @@ impl WorldJoint {
             JointKind::Rod { to } => Kept::distance((joint.anchor() - to).length()),
             JointKind::Rope { .. } => Kept::nothing(),
         };
-        let stops = stops(joint, attitudes, length);
-        Self { number, a: end(a, joint.anchor()), b: end(b, joint.other_anchor()), kept, stops, length }
+        let coordinates = coordinates(joint, attitudes, length);
+        let stops = coordinates.iter().flat_map(Stop::of).collect();
+        Self { number, a: end(a, joint.anchor()), b: end(b, joint.other_anchor()), kept, coordinates, stops, length }
     }
 
     /// The movable bodies that it holds.
@@ -108,10 +112,30 @@ impl WorldJoint {
         place: usize,
         motion: impl Fn(usize) -> (Pose, Velocity),
     ) -> Option<ContactKinematics> {
-        let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
         let is_first = self.a.body().or_else(|| self.a.driver()) == Some(self.pair().0);
         let reversed = if is_first { Reversed::No } else { Reversed::Yes };
-        self.stop(place)?.at(|measured, near| measured.at(&a, &b, self.length, near), reversed)
+        self.stop(place)?.at(|measured, near| self.coordinate_at((measured, near), motion), reversed)
+    }
+
+    /// A coordinate where bodies have these poses of their moving frames, and velocities: its value lies within half a revolution of
+    /// the second number, m.
+    pub(super) fn coordinate_at(
+        &self,
+        (measured, near): (&Measured, f64),
+        motion: impl Fn(usize) -> (Pose, Velocity),
+    ) -> Option<CoordinateAt> {
+        let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
+        measured.at(&a, &b, self.length, near)
+    }
+
+    /// Its coordinates along which something acts.
+    pub(super) fn coordinates(&self) -> &[JointCoordinate] {
+        &self.coordinates
+    }
+
+    /// The movable bodies at its first and second end.
+    pub(super) fn ends(&self) -> [Option<usize>; 2] {
+        [self.a.body(), self.b.body()]
     }
 
     /// How many rows it has.
@@ -129,20 +153,6 @@ impl WorldJoint {
         let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
         self.kept.rows_at(a, b, self.length)
     }
-}
-
-/// The stops of a joint of bodies with these attitudes; `length` is that of its rows of rotation, m.
-fn stops(joint: &Joint, attitudes: (Rotation, Rotation), length: f64) -> Vec<Stop> {
-    let of_coordinate = |&coordinate: &Coordinate| {
-        let (measured, unit) = match (coordinate, joint.kind().axis()) {
-            (Coordinate::Angle, Some(axis)) => (Measured::angle(axis.get(), attitudes), length),
-            (Coordinate::Displacement, Some(axis)) => (Measured::displacement(axis.get(), attitudes.1), 1.0),
-            (Coordinate::Distance, _) => (Measured::Distance, 1.0),
-            (Coordinate::Angle | Coordinate::Displacement, None) => return None,
-        };
-        joint.limits(coordinate).map(|limits| Stop::of(measured, limits, unit))
-    };
-    joint.kind().coordinates().iter().filter_map(of_coordinate).flatten().collect()
 }
 
 /// Length of the rows of rotation of a joint between bodies of these sizes: that of the smaller one, m.

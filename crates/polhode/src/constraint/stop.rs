@@ -11,6 +11,7 @@
 //! are not seen.
 
 use super::coordinate::{CoordinateAt, Measured};
+use super::joint_coordinate::JointCoordinate;
 use crate::scene::Limits;
 use polhode_contact::{ContactGeometry, ContactKinematics};
 
@@ -43,15 +44,18 @@ pub(super) struct Stop {
 }
 
 impl Stop {
-    /// The stops of a coordinate whose values (m) are those of its limits times `unit` (m, or 1).
-    pub(super) fn of(measured: Measured, limits: Limits, unit: f64) -> impl Iterator<Item = Self> {
-        let (lower, upper) = (limits.lower() * unit, limits.upper() * unit);
-        let middle = 0.5 * (lower + upper);
-        let stop = move |limit: f64, side| {
+    /// The stops of a coordinate.
+    pub(super) fn of(coordinate: &JointCoordinate) -> impl Iterator<Item = Self> + use<> {
+        let JointCoordinate { measured, unit, near, freedom } = *coordinate;
+        let stop = move |limits: Limits, limit: f64, side| {
             let restitution = limits.restitution();
+            let (limit, middle) = (limit * unit, near * unit);
             limit.is_finite().then_some(Self { measured, limit, side, middle, restitution })
         };
-        [stop(lower, FreeSide::Above), stop(upper, FreeSide::Below)].into_iter().flatten()
+        let both = move |limits: Limits| {
+            [stop(limits, limits.lower(), FreeSide::Above), stop(limits, limits.upper(), FreeSide::Below)]
+        };
+        freedom.limits().into_iter().flat_map(both).flatten()
     }
 
     /// Where the stop acts in given states; none where the coordinate has no direction.
@@ -60,7 +64,7 @@ impl Stop {
         coordinate: impl FnOnce(&Measured, f64) -> Option<CoordinateAt>,
         is_reversed: Reversed,
     ) -> Option<ContactKinematics> {
-        let CoordinateAt { value, rate, bias, point, direction } = coordinate(&self.measured, self.middle)?;
+        let CoordinateAt { value, rate, bias, point, direction, .. } = coordinate(&self.measured, self.middle)?;
         let sign = self.side.sign();
         let normal = match is_reversed {
             Reversed::No => direction * sign,

@@ -9,6 +9,7 @@ use crate::collision::contact_id::ContactId;
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::row::Member;
+use crate::constraint::softness::Softness;
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::rows::rotation_row::RotationRow;
 use crate::world::{Loads, World};
@@ -149,6 +150,35 @@ impl Assembly {
             bodies,
             coordinates,
         })
+    }
+
+    /// Adds soft rows between these bodies, after those of contacts and bilateral constraints.
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    pub(crate) fn push_soft(&mut self, states: &[BodyState], soft: Vec<Bilateral>) -> Result<(), ResponseError> {
+        let rows = ContactRows { states, bodies: &self.bodies, coordinates: self.coordinates };
+        for bilateral in &soft {
+            let row = self.problem.len();
+            rows.bilateral(bilateral, &mut self.problem)?;
+            if let Some(softness) = &bilateral.softness {
+                self.problem.soften(row, softness.compliance())?;
+            }
+            self.constraints.push(bilateral.id);
+        }
+        self.bilaterals.extend(soft);
+        Ok(())
+    }
+
+    /// Constant terms of the rows of bilateral constraints in a time step, m/s: one that is rigid ends with the opposite of the rate
+    /// that it begins with, so that it does no work, and the second half of the step takes back the gap of the first.
+    pub(crate) fn step_constants(&self) -> impl Iterator<Item = f64> + '_ {
+        let soft = |bilateral: &Bilateral| bilateral.softness.as_ref().map(Softness::constant);
+        let of_rows = move |bilateral: &'_ Bilateral| {
+            let soft = soft(bilateral);
+            bilateral.rows.iter().map(move |row| soft.unwrap_or(2.0 * row.rate)).collect::<Vec<_>>()
+        };
+        self.bilaterals.iter().flat_map(of_rows)
     }
 
     /// Adds rows along tangents of contacts between these bodies, after those of contacts and pivots.

@@ -1,4 +1,5 @@
-//! What acts along a freedom of a joint: limits, each of them a stop that bodies meet as they meet each other.
+//! What acts along a freedom of a joint: limits, each of them a stop that bodies meet as they meet each other, and a spring, a damper
+//! and a motor.
 
 use thiserror::Error;
 
@@ -103,5 +104,194 @@ impl Limits {
     /// Coefficient of restitution of its stops.
     pub const fn restitution(&self) -> f64 {
         self.restitution
+    }
+}
+
+/// What drives a coordinate of a joint: a force along it on the body, and the opposite on the other body or the world.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Drive {
+    /// A constant effort: a torque (N m) of an angle, a force (N) otherwise.
+    Effort(f64),
+    /// A servo that regulates the rate (rad/s, m/s) by `gain (velocity - rate)`.
+    Velocity {
+        /// The rate that it is to reach.
+        velocity: f64,
+        /// Effort for each unit of the difference, N m s/rad or N s/m.
+        gain: f64,
+    },
+    /// A servo that regulates the coordinate (rad, m) by `stiffness (position - value) - damping rate`.
+    Position {
+        /// The value that it is to reach.
+        position: f64,
+        /// Effort for each unit of the difference, N m/rad or N/m.
+        stiffness: f64,
+        /// Effort against each unit of the rate, N m s/rad or N s/m.
+        damping: f64,
+    },
+}
+
+/// A motor at a coordinate of a joint. What it does on the bodies is external work.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Motor {
+    drive: Drive,
+    most: f64,
+}
+
+impl Motor {
+    /// A motor with this drive, whose effort has no bound.
+    ///
+    /// # Errors
+    /// When a number is not finite, or a gain is negative.
+    pub fn new(drive: Drive) -> Result<Self, FreedomError> {
+        match drive {
+            Drive::Effort(effort) => finite("effort", effort)?,
+            Drive::Velocity { velocity, gain } => {
+                finite("velocity", velocity)?;
+                not_negative("gain", gain)?;
+            }
+            Drive::Position { position, stiffness, damping } => {
+                finite("position", position)?;
+                not_negative("stiffness", stiffness)?;
+                not_negative("damping", damping)?;
+            }
+        }
+        Ok(Self { drive, most: f64::INFINITY })
+    }
+
+    /// The same motor with an effort of at most this magnitude (N m, N).
+    ///
+    /// # Errors
+    /// When it is negative or NaN.
+    pub fn at_most(self, effort: f64) -> Result<Self, FreedomError> {
+        if effort >= 0.0 {
+            Ok(Self { most: effort, ..self })
+        } else {
+            Err(number("most", effort, "a number of at least 0"))
+        }
+    }
+
+    /// What it drives by.
+    pub const fn drive(&self) -> Drive {
+        self.drive
+    }
+
+    /// Its largest effort, N m or N; infinite without a bound.
+    pub const fn most(&self) -> f64 {
+        self.most
+    }
+
+    /// Its effort at a value of the coordinate (rad, m) and a rate, N m or N.
+    pub fn effort(&self, value: f64, rate: f64) -> f64 {
+        let asked = match self.drive {
+            Drive::Effort(effort) => effort,
+            Drive::Velocity { velocity, gain } => gain * (velocity - rate),
+            Drive::Position { position, stiffness, damping } => stiffness * (position - value) - damping * rate,
+        };
+        asked.clamp(-self.most, self.most)
+    }
+}
+
+/// What acts along one coordinate of a joint: limits, a spring, a damper, a motor. Nothing by default.
+///
+/// ```
+/// use polhode::scene::{Drive, Freedom, Limits, Motor};
+/// let motor = Motor::new(Drive::Velocity { velocity: 2.0, gain: 5.0 })?.at_most(1.5)?;
+/// let freedom = Freedom::default().with_limits(Limits::new(-1.0, 1.0)?).with_spring(20.0, 0.1)?.with_motor(motor);
+/// assert_eq!(freedom.motor().map(|motor| motor.effort(0.0, 0.0)), Some(1.5));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Freedom {
+    limits: Option<Limits>,
+    stiffness: f64,
+    rest: f64,
+    damping: f64,
+    motor: Option<Motor>,
+}
+
+impl Freedom {
+    /// With these limits.
+    pub const fn with_limits(self, limits: Limits) -> Self {
+        Self { limits: Some(limits), ..self }
+    }
+
+    /// With a spring of this stiffness (N m/rad or N/m) that is at rest at this value (rad, m).
+    ///
+    /// # Errors
+    /// When the stiffness is negative, or a number is not finite.
+    pub fn with_spring(self, stiffness: f64, rest: f64) -> Result<Self, FreedomError> {
+        not_negative("stiffness", stiffness)?;
+        finite("rest", rest)?;
+        Ok(Self { stiffness, rest, ..self })
+    }
+
+    /// With a damper of this constant, N m s/rad or N s/m.
+    ///
+    /// # Errors
+    /// When it is negative or not finite.
+    pub fn with_damping(self, damping: f64) -> Result<Self, FreedomError> {
+        not_negative("damping", damping)?;
+        Ok(Self { damping, ..self })
+    }
+
+    /// With a motor.
+    pub const fn with_motor(self, motor: Motor) -> Self {
+        Self { motor: Some(motor), ..self }
+    }
+
+    /// Its limits.
+    pub const fn limits(&self) -> Option<Limits> {
+        self.limits
+    }
+
+    /// Stiffness of its spring, N m/rad or N/m; zero without one.
+    pub const fn stiffness(&self) -> f64 {
+        self.stiffness
+    }
+
+    /// Where its spring is at rest, rad or m.
+    pub const fn rest(&self) -> f64 {
+        self.rest
+    }
+
+    /// Constant of its damper, N m s/rad or N s/m; zero without one.
+    pub const fn damping(&self) -> f64 {
+        self.damping
+    }
+
+    /// Its motor.
+    pub const fn motor(&self) -> Option<Motor> {
+        self.motor
+    }
+
+    /// Whether it exerts forces besides those of its stops.
+    pub(crate) fn has_forces(&self) -> bool {
+        self.stiffness > 0.0 || self.damping > 0.0 || self.motor.is_some()
+    }
+}
+
+/// Why a spring, a damper or a motor is refused.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error("{quantity} of a joint is {value}: {accepted} is needed")]
+pub struct FreedomError {
+    quantity: &'static str,
+    value: f64,
+    accepted: &'static str,
+}
+
+const fn number(quantity: &'static str, value: f64, accepted: &'static str) -> FreedomError {
+    FreedomError { quantity, value, accepted }
+}
+
+fn finite(quantity: &'static str, value: f64) -> Result<(), FreedomError> {
+    if value.is_finite() { Ok(()) } else { Err(number(quantity, value, "a finite number")) }
+}
+
+fn not_negative(quantity: &'static str, value: f64) -> Result<(), FreedomError> {
+    if value >= 0.0 && value.is_finite() {
+        Ok(())
+    } else {
+        Err(number(quantity, value, "a finite number of at least 0"))
     }
 }

@@ -4,7 +4,7 @@
 //! bodies that no force moves, or of a body with itself, is refused. One of two bodies may be kinematic: it drives the other one,
 //! and its work is in the ledger. Jointed bodies do not collide with each other.
 
-use super::freedom::{Coordinate, Limits, LimitsError};
+use super::freedom::{Coordinate, Freedom, Limits, LimitsError};
 use crate::body_id::BodyId;
 use polhode_spatial::{DVec3, UnitVector};
 
@@ -119,25 +119,25 @@ pub struct Joint {
     body: BodyId,
     other: Option<BodyId>,
     anchor: DVec3,
-    limits: JointLimits,
+    freedoms: Freedoms,
 }
 
-/// The limits of the coordinates of a joint.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-struct JointLimits {
-    angle: Option<Limits>,
-    displacement: Option<Limits>,
-    distance: Option<Limits>,
+/// What acts along the coordinates of a joint.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Freedoms {
+    angle: Option<Freedom>,
+    displacement: Option<Freedom>,
+    distance: Option<Freedom>,
 }
 
-impl JointLimits {
+impl Freedoms {
     const NONE: Self = Self { angle: None, displacement: None, distance: None };
 }
 
 impl Joint {
     /// A joint of this kind of a body with the world, at a point of the world (m) at the start.
     pub const fn new(kind: JointKind, body: BodyId, anchor: DVec3) -> Self {
-        Self { kind, body, other: None, anchor, limits: JointLimits::NONE }
+        Self { kind, body, other: None, anchor, freedoms: Freedoms::NONE }
     }
 
     /// A ball joint of a body with the world, at a point of the world (m) at the start.
@@ -160,22 +160,33 @@ impl Joint {
     }
 
     /// The same joint with limits of one of its coordinates ([`JointKind::coordinates`]).
-    pub const fn with_limits(mut self, coordinate: Coordinate, limits: Limits) -> Self {
+    pub fn with_limits(self, coordinate: Coordinate, limits: Limits) -> Self {
+        let freedom = self.freedom(coordinate).unwrap_or_default();
+        self.along(coordinate, freedom.with_limits(limits))
+    }
+
+    /// The same joint with what acts along one of its coordinates ([`JointKind::coordinates`]).
+    pub const fn along(mut self, coordinate: Coordinate, freedom: Freedom) -> Self {
         match coordinate {
-            Coordinate::Angle => self.limits.angle = Some(limits),
-            Coordinate::Displacement => self.limits.displacement = Some(limits),
-            Coordinate::Distance => self.limits.distance = Some(limits),
+            Coordinate::Angle => self.freedoms.angle = Some(freedom),
+            Coordinate::Displacement => self.freedoms.displacement = Some(freedom),
+            Coordinate::Distance => self.freedoms.distance = Some(freedom),
         }
         self
     }
 
-    /// The limits of a coordinate, if it has any.
-    pub const fn limits(&self, coordinate: Coordinate) -> Option<Limits> {
+    /// What acts along a coordinate, if anything does.
+    pub const fn freedom(&self, coordinate: Coordinate) -> Option<Freedom> {
         match coordinate {
-            Coordinate::Angle => self.limits.angle,
-            Coordinate::Displacement => self.limits.displacement,
-            Coordinate::Distance => self.limits.distance,
+            Coordinate::Angle => self.freedoms.angle,
+            Coordinate::Displacement => self.freedoms.displacement,
+            Coordinate::Distance => self.freedoms.distance,
         }
+    }
+
+    /// The limits of a coordinate, if it has any.
+    pub(crate) fn limits(&self, coordinate: Coordinate) -> Option<Limits> {
+        self.freedom(coordinate)?.limits()
     }
 
     /// The point of the world at which it holds the other body, or the world, at the start, m.

@@ -50,6 +50,14 @@ impl Scene {
                 ));
             }
             check_limits(number, joint)?;
+            let is_driven = joint.bodies().any(|body| self.bodies[body].motion().is_some());
+            let has_forces = |&coordinate: &Coordinate| joint.freedom(coordinate).is_some_and(|own| own.has_forces());
+            if is_driven && joint.kind().coordinates().iter().any(has_forces) {
+                return Err(SceneError::NotYetAvailable {
+                    what: format!("a spring, damper or motor of joint {number} on a kinematic body"),
+                    instead: "one between bodies that forces move, or to the world".to_owned(),
+                });
+            }
             self.check_joint_velocity(number, joint)?;
         }
         Ok(())
@@ -127,13 +135,14 @@ fn check_limits(number: usize, joint: &Joint) -> Result<(), SceneError> {
     let refused = |reason| SceneError::Joint { number, reason };
     let own = joint.kind().coordinates();
     for coordinate in [Coordinate::Angle, Coordinate::Displacement, Coordinate::Distance] {
-        let Some(limits) = joint.limits(coordinate) else { continue };
+        let Some(freedom) = joint.freedom(coordinate) else { continue };
         if !own.contains(&coordinate) {
             return Err(refused(
-                "it has limits of a coordinate that it does not leave free: a hinge has an angle, a slider a displacement, a \
+                "something acts along a coordinate that it does not leave free: a hinge has an angle, a slider a displacement, a \
                  cylindrical joint both, a rope a distance",
             ));
         }
+        let Some(limits) = freedom.limits() else { continue };
         let (lower, upper) = (limits.lower(), limits.upper());
         // An angle is known up to whole revolutions.
         if coordinate == Coordinate::Angle && upper - lower >= 2.0 * std::f64::consts::PI {

@@ -11,7 +11,7 @@
 //! | `material` | [`Material`], [`PairRule`]: friction and restitution |
 //! | `grain` | [`FrictionEllipse`]: friction along and across a grain |
 //! | `force` | [`Force`]: forces besides uniform gravity and contact |
-//! | `freedom` | [`Coordinate`], [`Limits`]: what a joint leaves free, and how far |
+//! | `freedom` | [`Coordinate`], [`Freedom`]: what a joint leaves free, and what acts along it: [`Limits`], springs, a [`Motor`] |
 //! | `joint` | [`Joint`]: what holds two bodies, or a body and the world, together; `joint_checks` says when one is refused |
 //! | [`motion`] | prescribed motions of kinematic bodies |
 //! | `method` | [`Method`]: the tier and the settings that override its choices; [`TierFacts`] says what a tier is |
@@ -43,7 +43,7 @@ pub use builder::SceneBuilder;
 pub use error::{OverlapAtStart, SceneError};
 pub(crate) use force::MovingFrames;
 pub use force::{Attachment, Force};
-pub use freedom::{Coordinate, Limits, LimitsError};
+pub use freedom::{Coordinate, Drive, Freedom, FreedomError, Limits, LimitsError, Motor};
 pub use geometry::{ApproximateParts, Geometry};
 pub use grain::FrictionEllipse;
 pub(crate) use grain::GrainOf;

@@ -71,7 +71,9 @@ impl ConeSolvers {
         contacts: usize,
         h: f64,
     ) -> ConeProblem<'a> {
-        let first = assembly.bodies().first().filter(|_| contacts >= LEAST_IN_BODIES);
+        // Soft rows have no place among the velocities of bodies yet.
+        let is_rigid = assembly.problem.compliances().is_empty();
+        let first = assembly.bodies().first().filter(|_| is_rigid && contacts >= LEAST_IN_BODIES);
         let system = first.map_or_else(
             || System::Rows(assembly.problem.delassus()),
             |&first| System::Bodies {

@@ -22,6 +22,8 @@ pub(super) struct Kick {
     pub(super) received: Received,
     /// How the forces with a potential have changed the velocities of the bodies; empty where no field acts.
     pub(super) stored: Vec<Twist>,
+    /// The forces at joints that were part of it, by number; the others are soft rows.
+    pub(super) of_joints: Vec<usize>,
 }
 
 /// Kicks `bodies` by the fields at `t`, the middle of a step of `h` (s).
@@ -30,33 +32,36 @@ pub(super) fn kick(world: &World, states: &mut [BodyState], bodies: &[usize], t:
         return Kick::default();
     }
     let before = states_of(states, bodies);
-    let responses = world.responses_on(states, bodies);
+    let of_joints = world.kicks_of_joints(states, bodies);
+    let kicks = &of_joints[..];
+    let responses = world.responses_on(states, bodies, kicks);
     if responses.are_known
         && let Some(kick) = ImplicitKick::new(world, states, bodies, responses.of_fields, h)
     {
-        let loads = world.loads_on(t, states, bodies);
-        let accounts = wrenches(world, t, states, bodies);
+        let loads = world.kick_loads_on(t, states, bodies, kicks);
+        let accounts = wrenches(world, t, states, (bodies, kicks));
         let forces = |&body: &usize| Twist { linear: loads.of(body).force * h, angular: loads.of(body).torque * h };
         let changes = kick.solve(&bodies.iter().map(forces).collect::<Vec<_>>());
         let differences = kick.differences(&changes);
         change_velocities(world, states, bodies, &changes);
         let mut given = received(world, states, bodies, &before, &accounts, h, books);
         add_differences(world, (states, bodies, &before), &differences, books, &mut given);
-        return Kick { received: given, stored: stored(world, states, bodies, &accounts, &differences, h) };
+        let stored = stored(world, states, bodies, &accounts, &differences, h);
+        return Kick { received: given, stored, of_joints };
     }
     let mut accounts = None;
     if world.free_motion().dependence() == Dependence::Velocities {
-        push(world, states, bodies, t, 0.5 * h);
-        let loads = world.loads_on(t, states, bodies);
-        accounts = Some(wrenches(world, t, states, bodies));
+        push(world, states, (bodies, kicks), t, 0.5 * h);
+        let loads = world.kick_loads_on(t, states, bodies, kicks);
+        accounts = Some(wrenches(world, t, states, (bodies, kicks)));
         set_states(states, bodies, &before);
         apply(world, states, bodies, &loads, h);
     } else {
-        push(world, states, bodies, t, h);
+        push(world, states, (bodies, kicks), t, h);
     }
-    let accounts = accounts.unwrap_or_else(|| wrenches(world, t, states, bodies));
+    let accounts = accounts.unwrap_or_else(|| wrenches(world, t, states, (bodies, kicks)));
     let stored = stored(world, states, bodies, &accounts, &[], h);
-    Kick { received: received(world, states, bodies, &before, &accounts, h, books), stored }
+    Kick { received: received(world, states, bodies, &before, &accounts, h, books), stored, of_joints }
 }
 
 /// How the forces with a potential, weights of bodies on pivots among them, change the velocities of bodies over `h`, with
@@ -90,13 +95,13 @@ fn stored(
     bodies.iter().map(change).collect()
 }
 
-fn wrenches(world: &World, t: f64, states: &[BodyState], bodies: &[usize]) -> [(Account, Loads); 3] {
+fn wrenches(world: &World, t: f64, states: &[BodyState], of: (&[usize], &[usize])) -> [(Account, Loads); 3] {
     [Account::Potential, Account::Damping, Account::External]
-        .map(|account| (account, world.wrenches_of(account, t, states, bodies)))
+        .map(|account| (account, world.kick_wrenches_of(account, t, states, of)))
 }
 
-fn push(world: &World, states: &mut [BodyState], bodies: &[usize], t: f64, h: f64) {
-    let loads = world.loads_on(t, states, bodies);
+fn push(world: &World, states: &mut [BodyState], (bodies, kicks): (&[usize], &[usize]), t: f64, h: f64) {
+    let loads = world.kick_loads_on(t, states, bodies, kicks);
     apply(world, states, bodies, &loads, h);
 }
 

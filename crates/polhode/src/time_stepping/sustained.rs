@@ -37,6 +37,7 @@ use super::step::TimeStepper;
 use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
 use crate::collision::contact_id::ContactId;
 use crate::constraint::bilateral::{Bilateral, Reaction, bilateral_support};
+use crate::constraint::softness::SoftWork;
 use crate::rows::assembly::Assembly;
 use crate::rows::groups::{Group, coupled_groups};
 use crate::rows::many_contacts::{MANY_CONTACTS, furthest_out};
@@ -130,7 +131,8 @@ impl TimeStepper {
             let mut solved = Vec::new();
             report.stops.clear();
             for group in coupled_groups(world, members.iter().copied(), &held) {
-                solved.push(self.solve_group((world, states), group, &rows, (near, h), report)?);
+                let soft = world.soft_rows(states, &group.bodies, h, &kick.of_joints);
+                solved.push(self.solve_group((world, states), (group, soft), &rows, (near, h), report)?);
             }
             for group in &mut solved {
                 report.fallbacks += u64::from(!group.apply(world, states, &rows, near));
@@ -152,17 +154,17 @@ impl TimeStepper {
     fn solve_group(
         &mut self,
         (world, states): (&World, &[BodyState]),
-        group: Group,
+        (group, soft): (Group, Vec<Bilateral>),
         rows: &[Row],
         (near, h): (&[NearContact], f64),
         report: &mut TimeStepReport,
     ) -> Result<SolvedGroup, ResponseError> {
         let members: Vec<&Row> = group.contacts.iter().map(|&index| &rows[index]).collect();
         let geometries = members.iter().map(|row| (near[row.contact].id, row.kinematics.geometry));
-        let assembly = Assembly::new(world, states, &group.bodies, geometries)?;
+        let mut assembly = Assembly::new(world, states, &group.bodies, geometries)?;
+        assembly.push_soft(states, soft)?;
         let mut constants: Vec<f64> = members.iter().map(|row| row.kinematics.separation_rate + row.bound).collect();
-        // `u+ = -u-`: bilateral constraints do no work, and the second half of the step takes back the gap of the first.
-        constants.extend(assembly.bilateral_rates().map(|rate| 2.0 * rate));
+        constants.extend(assembly.step_constants());
         if members.iter().any(|row| row.friction.is_some()) {
             let friction: Vec<_> = members.iter().map(|row| row.friction).collect();
             let found = sustained_friction::solve(assembly, states, constants, &friction, (&mut self.cones, h))?;
@@ -375,8 +377,14 @@ fn note(
         report.books.ledger.numerical.add(of_integrator_j);
         // Reactions do no work but for what the solver leaves.
         let after = world.bilaterals(states, &group.group.bodies);
-        let by_reactions = group.reactions.iter().zip(after).map(|((of, impulse), after)| of.work(&after, *impulse));
+        let rigid = group.reactions.iter().filter(|(of, _)| of.softness.is_none());
+        let by_reactions = rigid.zip(after).map(|((of, impulse), after)| of.work(&after, *impulse));
         report.books.ledger.numerical.add(-by_reactions.sum::<f64>());
+        let soft = group.soft_work();
+        // What a spring gives is taken from its potential, which changes with the poses.
+        report.books.ledger.numerical.add(-soft.spring);
+        report.books.ledger.damping.add(-soft.damper);
+        report.books.ledger.external.add(soft.motor);
         for (&index, &impulse) in group.group.contacts.iter().zip(&group.impulses) {
             if impulse <= 0.0 {
                 continue;
@@ -468,11 +476,22 @@ impl SolvedGroup {
         self.moments.iter().map(lost).collect::<CompensatedSum>().value()
     }
 
+    /// Works of springs, dampers and motors at joints, J.
+    fn soft_work(&self) -> SoftWork {
+        let works = |(of, reaction): &(Bilateral, Reaction)| {
+            let softness = of.softness.as_ref()?;
+            Some(softness.works(of.multiplier(*reaction)))
+        };
+        self.reactions.iter().filter_map(works).fold(SoftWork::default(), |sum, one| sum + one)
+    }
+
     /// Applies the impulses. Impulses that add energy are discarded. Returns whether they were applied.
     fn apply(&mut self, world: &World, states: &mut [BodyState], rows: &[Row], near: &[NearContact]) -> bool {
         let impulses = (self.impulses_of(rows, near), self.reactions.iter().map(|(of, impulse)| (of, *impulse)));
         let moments: Vec<_> = self.moments.iter().map(SustainedMoment::on_a).collect();
-        let given = (&moments[..], self.work_of_surfaces(world, states));
+        let soft = self.soft_work();
+        let by_soft = soft.spring + soft.damper + soft.motor;
+        let given = (&moments[..], self.work_of_surfaces(world, states) + by_soft);
         let is_sound = apply_without_gain(world, states, &self.group.bodies, impulses, given);
         if !is_sound {
             self.impulses.fill(0.0);

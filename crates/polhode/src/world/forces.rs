@@ -5,6 +5,7 @@
 
 use super::field_index::{FieldIndex, acted_on};
 use super::model::World;
+use crate::constraint::joint_forces::JointForce;
 use crate::scene::SceneError;
 use crate::snapshot::SnapshotError;
 use polhode_dynamics::field::{
@@ -32,6 +33,11 @@ impl World {
             }
             fields.extend(made);
         }
+        let at_joints = self.joints.iter().flat_map(|joint| JointForce::of(joint, |body| self.slot(body)));
+        let at_joints: Vec<JointForce> = at_joints.collect();
+        self.first_joint_force = fields.len();
+        fields.extend(at_joints.iter().map(|force| Box::new(force.clone()) as Box<dyn Field>));
+        self.joint_forces = at_joints;
         for (&body, wrench) in &self.applied {
             let force = self.scene.forces().len();
             let made = applied_fields(self.slot(body), wrench);
@@ -156,12 +162,41 @@ impl World {
         let swing = |slot: usize, wrench: &mut Wrench| {
             motion.add_swing(&self.rigid[slot], &states[self.movable[slot]], wrench);
         };
-        self.field_wrenches_on(t, states, bodies, |_| true, swing).unwrap_or_else(|| self.loads(t, states))
+        self.field_wrenches_on(t, states, bodies, |_, _| true, swing).unwrap_or_else(|| self.loads(t, states))
+    }
+
+    /// [`Self::loads_on`] without the forces at joints that are soft rows of a step; `kicks` are those that are not.
+    pub(crate) fn kick_loads_on(&self, t: f64, states: &[BodyState], bodies: &[usize], kicks: &[usize]) -> Loads {
+        let motion = self.free_motion();
+        let swing = |slot: usize, wrench: &mut Wrench| {
+            motion.add_swing(&self.rigid[slot], &states[self.movable[slot]], wrench);
+        };
+        let is_kick = |number: usize, _: &dyn Field| self.is_kick(number, kicks);
+        self.field_wrenches_on(t, states, bodies, is_kick, swing).unwrap_or_else(|| self.loads(t, states))
+    }
+
+    /// Whether a step gives the field of this number as a kick: all but the forces at joints that are not among `kicks`.
+    fn is_kick(&self, number: usize, kicks: &[usize]) -> bool {
+        let at_joints = self.first_joint_force..self.first_joint_force + self.joint_forces.len();
+        !at_joints.contains(&number) || kicks.contains(&number)
+    }
+
+    /// [`Self::wrenches_of`] as [`Self::kick_loads_on`].
+    pub(crate) fn kick_wrenches_of(
+        &self,
+        account: Account,
+        t: f64,
+        states: &[BodyState],
+        (bodies, kicks): (&[usize], &[usize]),
+    ) -> Loads {
+        let chosen = |number: usize, field: &dyn Field| field.account() == account && self.is_kick(number, kicks);
+        let found = self.field_wrenches_on(t, states, bodies, chosen, |_, _| ());
+        found.unwrap_or_else(|| self.wrenches_of(account, t, states, bodies))
     }
 
     /// Wrenches of the fields of one account on these bodies, torques about the centres of mass.
     pub(crate) fn wrenches_of(&self, account: Account, t: f64, states: &[BodyState], bodies: &[usize]) -> Loads {
-        let of_account = |field: &dyn Field| field.account() == account;
+        let of_account = |_: usize, field: &dyn Field| field.account() == account;
         self.field_wrenches_on(t, states, bodies, of_account, |_, _| ()).unwrap_or_else(|| {
             let mut wrenches = vec![Wrench::default(); self.movable.len()];
             self.free_motion().wrenches_of(account, t, &self.movable_states(states), &mut wrenches);
@@ -176,7 +211,7 @@ impl World {
         t: f64,
         states: &[BodyState],
         bodies: &[usize],
-        chosen: impl Fn(&dyn Field) -> bool,
+        chosen: impl Fn(usize, &dyn Field) -> bool,
         finish: impl Fn(usize, &mut Wrench),
     ) -> Option<Loads> {
         let slots: Vec<usize> = bodies.iter().filter_map(|&body| self.slot(body)).collect();
@@ -189,7 +224,8 @@ impl World {
             own[slot] = states[self.movable[slot]];
             wrenches[slot] = Wrench::default();
         }
-        for field in fields.iter().map(|&number| &*self.fields[number]).filter(|field| chosen(*field)) {
+        let chosen = fields.iter().filter(|&&number| chosen(number, &*self.fields[number]));
+        for field in chosen.map(|&number| &*self.fields[number]) {
             field.add_wrenches(t, &self.rigid, own, wrenches);
         }
         let load = |slot: usize| {
@@ -202,7 +238,8 @@ impl World {
 
     /// How the fields that act on these bodies respond to their motion, by account; `are_known` is false when a field
     /// depends on velocities and does not say how.
-    pub(crate) fn responses_on(&self, states: &[BodyState], bodies: &[usize]) -> Responses {
+    /// Of forces at joints those of `kicks` alone.
+    pub(crate) fn responses_on(&self, states: &[BodyState], bodies: &[usize], kicks: &[usize]) -> Responses {
         let slots: Vec<usize> = bodies.iter().filter_map(|&body| self.slot(body)).collect();
         let (fields, read) = self.field_index.acting_on(&slots).unwrap_or_else(|| {
             let acts = |&number: &usize| slots.iter().any(|&slot| self.fields[number].acts_on(slot));
@@ -218,7 +255,8 @@ impl World {
         for slot in read {
             own[slot] = states[self.movable[slot]];
         }
-        for field in fields.iter().map(|&number| &self.fields[number]) {
+        let kicks = fields.iter().filter(|&&number| self.is_kick(number, kicks));
+        for field in kicks.map(|&number| &self.fields[number]) {
             let Some(responses) = field.responses(&self.rigid, own) else {
                 found.are_known &= field.dependence() != Dependence::Velocities;
                 continue;

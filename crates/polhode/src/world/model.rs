@@ -10,6 +10,7 @@ use super::field_index::{FieldBuffers, FieldIndex};
 use super::steered::Steered;
 use crate::collision::narrow_phase::NarrowPhase;
 use crate::constraint::joint::{HeldBody, WorldJoint, row_length};
+use crate::constraint::joint_forces::JointForce;
 use crate::constraint::stop_id::StopId;
 use crate::pivot_form::{PivotForm, PivotRows};
 use crate::plane_of_motion::PlaneOfMotion;
@@ -82,6 +83,9 @@ pub(crate) struct World {
     pub(crate) pivot_rows: PivotRows,
     /// Force fields over the movable bodies.
     pub(super) fields: Arc<[Box<dyn Field>]>,
+    /// Those of them that act at joints, which follow each other from this number on.
+    pub(crate) joint_forces: Vec<JointForce>,
+    pub(crate) first_joint_force: usize,
     /// Whether a field, or the torque of gravity about a pivot, can act on any body.
     pub(super) is_loaded_at_all: bool,
     /// Bodies with a force that changes with time even while they rest, ascending.
@@ -160,6 +164,8 @@ impl World {
             stops: BTreeMap::new(),
             pivot_rows,
             fields: Arc::from(Vec::new()),
+            joint_forces: Vec::new(),
+            first_joint_force: 0,
             is_loaded_at_all: false,
             driven: Vec::new(),
             couplings: Vec::new(),

@@ -26,7 +26,9 @@ impl World {
     /// The fastest rates in these states; fields that do not say how they respond are left out.
     pub(crate) fn fastest_rates(&self, states: &[BodyState]) -> Rates {
         let mut sums = vec![Rates::default(); self.bodies.len()];
-        for (_, response) in &self.responses_on(states, &self.movable).of_fields {
+        for (_, response) in
+            &self.responses_on(states, &self.movable, &self.kicks_of_joints(states, &self.movable)).of_fields
+        {
             for end in response.ends.iter().flatten() {
                 let lightness = self.lightness(end);
                 sums[end.body].oscillation += lightness * largest_eigenvalue(&response.stiffness);

@@ -88,7 +88,7 @@ const FREQUENCY: f64 = 3.0;
 const START: f64 = 0.9;
 
 /// A rod at a kinematic pivot with this motion, whose velocity at the start is `speed` upwards.
-fn shaken(motion: PrescribedMotion, speed: f64, joint: Joint) -> SceneBuilder {
+fn shaken(motion: PrescribedMotion, speed: f64, joint: &Joint) -> SceneBuilder {
     let pendulum =
         rod("rod", ROD, down(START) * (0.5 * ROD.1), START).velocity(Velocity::new(DVec3::Z * speed, DVec3::ZERO));
     Scene::builder("shaken pendulum")
@@ -96,7 +96,7 @@ fn shaken(motion: PrescribedMotion, speed: f64, joint: Joint) -> SceneBuilder {
         .duration_s(1.0)
         .body(Body::kinematic("pivot", motion))
         .body(pendulum)
-        .joint(joint)
+        .joint(*joint)
 }
 
 /// The acceleration of a pivot that goes up and down.
@@ -125,7 +125,7 @@ fn a_pivot_that_moves_drives_a_pendulum() {
         Joint::ball(BodyId::new(0), DVec3::ZERO).with(BodyId::new(1)),
     ] {
         let motion = PrescribedMotion::sine(DVec3::Z * AMPLITUDE, DVec3::ZERO, FREQUENCY, 0.0).unwrap();
-        let (report, _) = run(&shaken(motion, AMPLITUDE * rate, joint).build().unwrap(), Effects::Planned);
+        let (report, _) = run(&shaken(motion, AMPLITUDE * rate, &joint).build().unwrap(), Effects::Planned);
         assert_angle(&report, AMPLITUDE * (rate * 1.0).sin(), state[0]);
         assert!(report.ledger.external.value().abs() > 1e-3, "{:?}", report.ledger);
     }
@@ -141,7 +141,7 @@ fn time_steps_of_a_driven_pendulum_are_of_second_order() {
         let motion = PrescribedMotion::sine(DVec3::Z * AMPLITUDE, DVec3::ZERO, FREQUENCY, 0.0).unwrap();
         let joint = Joint::hinge(BodyId::new(1), DVec3::ZERO, UnitVector::Y).with(BodyId::new(0));
         let method = Method { tier: Some(Tier::Stepped), step_s: Some(step_s), ..Method::default() };
-        let scene = shaken(motion, AMPLITUDE * TAU * FREQUENCY, joint).method(method).build().unwrap();
+        let scene = shaken(motion, AMPLITUDE * TAU * FREQUENCY, &joint).method(method).build().unwrap();
         let (report, _) = run(&scene, Effects::Planned);
         assert_closes(&report);
         (report.bodies[1].state.pose.translation - place).length()
@@ -173,7 +173,7 @@ fn a_pivot_by_table_drives_a_pendulum() {
         integrate(&mut Shaken { acceleration }, span, &mut state);
     }
     let joint = Joint::hinge(BodyId::new(1), DVec3::ZERO, UnitVector::Y).with(BodyId::new(0));
-    let (report, _) = run(&shaken(motion, 0.0, joint).build().unwrap(), Effects::Planned);
+    let (report, _) = run(&shaken(motion, 0.0, &joint).build().unwrap(), Effects::Planned);
     assert_angle(&report, 0.1, state[0]);
 }
 
@@ -208,11 +208,11 @@ fn joints_that_drive_nothing_or_jump_are_refused() {
         ..MotionTable::default()
     };
     let joint = Joint::hinge(BodyId::new(1), DVec3::ZERO, UnitVector::Y).with(BodyId::new(0));
-    let jumps = shaken(PrescribedMotion::table(&table).unwrap(), 0.0, joint).build();
+    let jumps = shaken(PrescribedMotion::table(&table).unwrap(), 0.0, &joint).build();
     assert!(matches!(jumps, Err(SceneError::MotionJumps { .. })), "{jumps:?}");
     // The pendulum must start with the velocity of its pivot.
     let motion = PrescribedMotion::sine(DVec3::Z * AMPLITUDE, DVec3::ZERO, FREQUENCY, 0.0).unwrap();
-    assert!(matches!(shaken(motion, 0.0, joint).build(), Err(SceneError::JointMoves { number: 0, .. })));
+    assert!(matches!(shaken(motion, 0.0, &joint).build(), Err(SceneError::JointMoves { number: 0, .. })));
 }
 
 /// A crank at rest that a program sets turning takes its linkage along at once, as if it had turned from the start; then it is

@@ -26,6 +26,7 @@ mod impacts;
 mod impulse_models;
 mod integrators;
 mod invariance;
+mod joint_forces;
 mod joint_kinds;
 mod joint_limits;
 mod joint_references;

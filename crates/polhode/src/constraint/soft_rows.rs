@@ -1,0 +1,99 @@
+//! Forces at joints in a time step: which are given as a kick, and the soft rows (`softness.rs`) of all others.
+
+use super::ConstraintId;
+use super::bilateral::Bilateral;
+use super::coordinate::CoordinateAt;
+use super::joint_forces::{Gains, JointForce, Source};
+use super::row::{BilateralRow, Member, RowKind, RowsAt};
+use super::softness::{LinearForce, Softness};
+use crate::scene::Drive;
+use crate::world::World;
+use polhode_dynamics::BodyState;
+use polhode_spatial::{Pose, Velocity};
+
+impl World {
+    /// The numbers, among the fields, of those forces at joints that a step gives as a kick: constant efforts, and those of motors
+    /// that ask for more than their bound in these states. All others are soft rows.
+    pub(crate) fn kicks_of_joints(&self, states: &[BodyState], bodies: &[usize]) -> Vec<usize> {
+        let own = self.joint_forces_among(bodies);
+        own.filter(|(_, force)| force.is_constant(self, states)).map(|(number, _)| number).collect()
+    }
+
+    /// The other forces at joints of these bodies as soft rows of a step of `h` (s) in the states of its middle; `kicks` are the
+    /// numbers of those that have been given.
+    pub(crate) fn soft_rows(&self, states: &[BodyState], bodies: &[usize], h: f64, kicks: &[usize]) -> Vec<Bilateral> {
+        let own: Vec<_> = self.joint_forces_among(bodies).filter(|(number, _)| !kicks.contains(number)).collect();
+        let coordinate = |force: &JointForce| (force.joint.number(), force.place);
+        let of_coordinate = |forces: &[(usize, &JointForce)]| JointForce::soft_row(forces, self, states, h);
+        own.chunk_by(|(_, x), (_, y)| coordinate(x) == coordinate(y)).filter_map(of_coordinate).collect()
+    }
+
+    /// The forces at joints of these bodies, with their numbers among the fields.
+    fn joint_forces_among<'a>(&'a self, bodies: &'a [usize]) -> impl Iterator<Item = (usize, &'a JointForce)> {
+        let is_among = |end: &Option<(usize, usize)>| end.is_some_and(|(body, _)| bodies.binary_search(&body).is_ok());
+        let own = self.joint_forces.iter().enumerate().filter(move |(_, force)| force.ends.iter().any(is_among));
+        own.map(|(place, force)| (self.first_joint_force + place, force))
+    }
+}
+
+impl JointForce {
+    fn in_world(&self, world: &World, states: &[BodyState]) -> Option<CoordinateAt> {
+        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, world.velocity(body, &states[body])) };
+        self.coordinate_at(motion)
+    }
+
+    /// Whether its effort does not change with small motions.
+    fn is_constant(&self, world: &World, states: &[BodyState]) -> bool {
+        let Some(at) = self.in_world(world, states) else { return true };
+        let Gains { stiffness, damping } = self.source.gains(at.value / self.unit, at.rate / self.unit);
+        stiffness == 0.0 && damping == 0.0
+    }
+
+    /// Its law in the unit of its row.
+    fn linear(&self) -> LinearForce {
+        let (stiffness, damping, at_zero) = match self.source {
+            Source::Spring { stiffness, rest } => (stiffness, 0.0, stiffness * rest),
+            Source::Damper { damping } => (0.0, damping, 0.0),
+            Source::Motor(motor) => match motor.drive() {
+                Drive::Effort(effort) => (0.0, 0.0, effort),
+                Drive::Velocity { velocity, gain } => (0.0, gain, gain * velocity),
+                Drive::Position { position, stiffness, damping } => (stiffness, damping, stiffness * position),
+            },
+        };
+        let (unit, square) = (self.unit, self.unit * self.unit);
+        LinearForce { stiffness: stiffness / square, damping: damping / square, at_zero: at_zero / unit }
+    }
+
+    /// The soft row of the forces along one coordinate; none where it has no direction.
+    fn soft_row(forces: &[(usize, &Self)], world: &World, states: &[BodyState], h: f64) -> Option<Bilateral> {
+        let &(_, first) = forces.first()?;
+        let at = first.in_world(world, states)?;
+        let signs = first.ends.iter().zip([1.0, -1.0]);
+        let member = |(end, sign): (&Option<(usize, usize)>, f64)| {
+            let (body, _) = (*end)?;
+            Some(Member { body, arm: at.point - states[body].pose.translation, sign })
+        };
+        let members: Vec<Member> = signs.filter_map(member).collect();
+        let kind = at.moment.map_or(RowKind::Along(at.direction), RowKind::About);
+        let mut row = BilateralRow { kind, gap: 0.0, rate: 0.0, bias: 0.0 };
+        let rate = |member: &Member| {
+            let (along, about) = row.entries(member);
+            let velocity = world.velocity(member.body, &states[member.body]);
+            along.dot(velocity.linear) + about.dot(velocity.angular)
+        };
+        row.rate = members.iter().map(rate).sum();
+        let none = LinearForce::default();
+        let mut softness = Softness { spring: none, damper: none, motor: none, value: at.value, rate: row.rate, h };
+        for (_, force) in forces {
+            match force.source {
+                Source::Spring { .. } => softness.spring = force.linear(),
+                Source::Damper { .. } => softness.damper = force.linear(),
+                Source::Motor(_) => softness.motor = force.linear(),
+            }
+        }
+        let (first_body, second_body) = first.joint.pair();
+        let id = ConstraintId::Joint { joint: first.joint.number(), bodies: (first_body, second_body) };
+        let rows = RowsAt { point: at.point, members, driver: None, rows: vec![row] };
+        softness.responds().then(|| Bilateral::soft(id, rows, softness))
+    }
+}
