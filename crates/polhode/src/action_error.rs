@@ -76,6 +76,17 @@ pub enum ActionError {
         /// Largest overlap that counts as touch, m.
         allowed_m: f64,
     },
+    /// The joint does not exist, or does not have this coordinate.
+    #[error(
+        "joint number {joint} (counted from 0) has no coordinate `{coordinate}` that a motor can drive, or does not exist: use a \
+         handle that the scene gave, a coordinate of its kind, and a joint without a kinematic body"
+    )]
+    NoCoordinate {
+        /// Number of the joint.
+        joint: usize,
+        /// The coordinate.
+        coordinate: &'static str,
+    },
     /// The pose would move the body away from its pivot.
     #[error("the pose would move body {0} away from its pivot: choose a pose that turns it about the pivot")]
     PivotedBody(String),

@@ -8,10 +8,11 @@
 
 use crate::action_error::ActionError;
 use crate::core::Core;
+use crate::joint_id::JointId;
 use crate::plan::Findings;
 use crate::planar::{self, PlanarFinding};
 use crate::report::PlanChange;
-use crate::scene::{Body, Scene};
+use crate::scene::{Body, Coordinate, Motor, Scene};
 use crate::simulation::Simulation;
 use crate::solve::projection::{Removal, project_velocities};
 use crate::world::{INITIAL_OVERLAP_RELATIVE, World};
@@ -33,6 +34,43 @@ impl Simulation {
         let wrench = Wrench { force: force_n, torque: torque_nm };
         self.act(&[index], &[], "set_force", |simulation| Ok(simulation.core.world.set_applied(index, wrench)?))?;
         self.repeat_on_companion(|companion| companion.set_force(body, force_n, torque_nm));
+        Ok(())
+    }
+
+    /// Gives a coordinate of a joint another motor, or none, from now on: what a controller calls at its rate.
+    ///
+    /// ```
+    /// use polhode::mesh::solid_box;
+    /// use polhode::prelude::*;
+    /// use polhode::scene::{Drive, Motor};
+    /// // A servo turns a door of 0.8 m by a quarter of a revolution.
+    /// let leaf = solid_box(DVec3::new(0.8, 0.04, 2.0), Mass::new(20.0)?)?;
+    /// let mut scene = Scene::builder("door");
+    /// let door = scene.add_body(Body::movable("door", leaf).pose(Pose::from_translation(DVec3::X * 0.4)));
+    /// let hinge = scene.add_joint(Joint::hinge(door, DVec3::ZERO, UnitVector::Z));
+    /// let mut simulation = Simulation::new(&scene.build()?)?;
+    /// let drive = Drive::Position { position: std::f64::consts::FRAC_PI_2, stiffness: 200.0, damping: 80.0 };
+    /// simulation.set_motor(hinge, Coordinate::Angle, Some(Motor::new(drive)?))?;
+    /// simulation.advance_to(5.0)?;
+    /// let angle = simulation.coordinate(hinge, Coordinate::Angle).map_or(0.0, |angle| angle.value);
+    /// assert!((angle - std::f64::consts::FRAC_PI_2).abs() < 1e-3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// When the joint does not exist or does not have that coordinate ([`ActionError`]).
+    pub fn set_motor(
+        &mut self,
+        joint: JointId,
+        coordinate: Coordinate,
+        motor: Option<Motor>,
+    ) -> Result<(), SimulationError> {
+        let refused = || ActionError::NoCoordinate { joint: joint.index(), coordinate: coordinate.name() };
+        let bodies = self.core.world.bodies_at(joint.index(), coordinate).ok_or_else(refused)?;
+        self.act(&bodies, &[], "set_motor", |simulation| {
+            Ok(simulation.core.world.set_motor(joint.index(), coordinate, motor)?)
+        })?;
+        self.repeat_on_companion(|companion| companion.set_motor(joint, coordinate, motor));
         Ok(())
     }
 

@@ -16,9 +16,9 @@
 //! ```
 
 pub use crate::contact::Shape;
-pub use crate::scene::{Joint, JointKind, Material, Method, PrescribedMotion, Tier};
+pub use crate::scene::{Coordinate, Joint, JointKind, Material, Method, PrescribedMotion, Tier};
 pub use crate::spatial::{DVec3, Density, Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
 pub use crate::{
-    Body, BodyId, BodySample, Effects, Event, EventKind, Geometry, Observer, Outcome, Recorder, RunReport, Scene,
-    SceneBuilder, Simulation, SimulationError, Steering, Unobserved,
+    Body, BodyId, BodySample, Effects, Event, EventKind, Geometry, JointId, Observer, Outcome, Recorder, RunReport,
+    Scene, SceneBuilder, Simulation, SimulationError, Steering, Unobserved,
 };

@@ -9,6 +9,7 @@ use crate::core::Core;
 use crate::executor::{Executor, OneThread};
 use crate::frame::{ContactView, Frame, IslandView, PivotView};
 use crate::free_method;
+use crate::joint_id::{CoordinateSample, JointId};
 use crate::observer::{BodySample, Flow, Observer, Unobserved};
 use crate::pivot_form::PivotRows;
 use crate::plan::Findings;
@@ -16,7 +17,7 @@ use crate::planar::{self, PlanarFinding};
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::report::{Energy, Outcome, PlanChange, RunReport};
 use crate::sampling::{emit_sample, frame};
-use crate::scene::Integrator;
+use crate::scene::{Coordinate, Integrator};
 use crate::settings::Settings;
 use crate::snapshot::content::{self, Content};
 use crate::snapshot::{self, Snapshot, SnapshotError};
@@ -303,6 +304,12 @@ impl Simulation {
         self.tier.pivots(&self.core, self.core.t, &self.tier.states(&self.core))
     }
 
+    /// A coordinate of a joint at the present; none of one that the joint does not have, or of a joint that was removed
+    /// with a body.
+    pub fn coordinate(&self, joint: JointId, coordinate: Coordinate) -> Option<CoordinateSample> {
+        self.core.world.coordinate_of(&self.tier.states(&self.core), joint.index(), coordinate)
+    }
+
     /// The islands at the present: bodies that move together or rest together.
     pub fn islands(&self) -> Vec<IslandView> {
         self.tier.islands(&self.core)
@@ -364,6 +371,7 @@ impl Simulation {
             ended: self.ended,
             applied: self.core.world.applied(),
             steered: self.core.world.steered(),
+            motors: self.core.world.motors(),
             in_plane: self.core.world.plane.is_some(),
             integrator: self.core.settings.integrator.name().to_owned(),
             plan: self.plan.save(&self.plan_at_start),
@@ -395,6 +403,7 @@ impl Simulation {
         let mut world = self.core.world.clone();
         world.replace_applied(&content.applied)?;
         world.replace_steered(&content.steered)?;
+        world.replace_motors(&content.motors)?;
         world.plane = self.plane_at_start.filter(|_| content.in_plane);
         settings.integrator = Integrator::from_name(&content.integrator)
             .map_err(|_| SnapshotError::Invalid("it names an integrator that does not exist"))?;

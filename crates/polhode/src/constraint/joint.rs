@@ -20,7 +20,7 @@ use super::row::RowsAt;
 use super::stop::{Reversed, Stop};
 use super::{cylindrical, fixed, hinge, planar, point, slider, universal};
 use crate::body_id::BodyId;
-use crate::scene::{Joint, JointKind};
+use crate::scene::{Coordinate, Joint, JointKind, Motor};
 use polhode_contact::ContactKinematics;
 use polhode_spatial::{DVec3, Pose, Rotation, Velocity};
 
@@ -40,7 +40,6 @@ pub(crate) struct WorldJoint {
     a: End,
     b: End,
     kept: Kept,
-    /// Those along which something acts.
     coordinates: Vec<JointCoordinate>,
     /// Limits of its coordinates.
     stops: Vec<Stop>,
@@ -128,9 +127,19 @@ impl WorldJoint {
         measured.at(&a, &b, self.length, near)
     }
 
-    /// Its coordinates along which something acts.
+    /// Its coordinates.
     pub(super) fn coordinates(&self) -> &[JointCoordinate] {
         &self.coordinates
+    }
+
+    /// Gives one of its coordinates another motor, or none. Returns whether it has that coordinate.
+    pub(super) fn set_motor(&mut self, coordinate: Coordinate, motor: Option<Motor>) -> bool {
+        let own = self.coordinates.iter_mut().find(|own| own.coordinate == coordinate);
+        let has_it = own.is_some();
+        if let Some(own) = own {
+            own.freedom = own.freedom.driven_by(motor);
+        }
+        has_it
     }
 
     /// The movable bodies at its first and second end.

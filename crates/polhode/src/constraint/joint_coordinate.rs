@@ -1,4 +1,4 @@
-//! The coordinates of a joint along which something acts: what a scene says of them, and how each is measured.
+//! The coordinates of a joint: how each is measured, and what acts along it.
 
 use super::coordinate::Measured;
 use crate::scene::{Coordinate, Freedom, Joint};
@@ -7,6 +7,7 @@ use polhode_spatial::Rotation;
 /// A coordinate of a joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct JointCoordinate {
+    pub(super) coordinate: Coordinate,
     pub(super) measured: Measured,
     /// The length that makes displacements of its values: m of an angle, 1 otherwise.
     pub(super) unit: f64,
@@ -15,10 +16,10 @@ pub(super) struct JointCoordinate {
     pub(super) freedom: Freedom,
 }
 
-/// The coordinates of a joint of bodies with these attitudes along which something acts; `length` is that of its rows of rotation, m.
+/// The coordinates of a joint of bodies with these attitudes; `length` is that of its rows of rotation, m.
 pub(super) fn coordinates(joint: &Joint, attitudes: (Rotation, Rotation), length: f64) -> Vec<JointCoordinate> {
     let of_coordinate = |&coordinate: &Coordinate| {
-        let freedom = joint.freedom(coordinate)?;
+        let freedom = joint.freedom(coordinate).unwrap_or_default();
         let (measured, unit) = match (coordinate, joint.kind().axis()) {
             (Coordinate::Angle, Some(axis)) => (Measured::angle(axis.get(), attitudes), length),
             (Coordinate::Displacement, Some(axis)) => (Measured::displacement(axis.get(), attitudes.1), 1.0),
@@ -26,7 +27,7 @@ pub(super) fn coordinates(joint: &Joint, attitudes: (Rotation, Rotation), length
             (Coordinate::Angle | Coordinate::Displacement, None) => return None,
         };
         let near = freedom.limits().map_or(0.0, |limits| 0.5 * (limits.lower() + limits.upper()));
-        Some(JointCoordinate { measured, unit, near, freedom })
+        Some(JointCoordinate { coordinate, measured, unit, near, freedom })
     };
     joint.kind().coordinates().iter().filter_map(of_coordinate).collect()
 }

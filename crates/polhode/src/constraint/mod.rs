@@ -25,6 +25,7 @@ pub(crate) mod joint_forces;
 mod kept;
 mod line;
 pub(crate) mod locator;
+mod motors;
 mod perpendicular;
 mod planar;
 mod point;

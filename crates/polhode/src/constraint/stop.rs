@@ -46,7 +46,7 @@ pub(super) struct Stop {
 impl Stop {
     /// The stops of a coordinate.
     pub(super) fn of(coordinate: &JointCoordinate) -> impl Iterator<Item = Self> + use<> {
-        let JointCoordinate { measured, unit, near, freedom } = *coordinate;
+        let JointCoordinate { measured, unit, near, freedom, .. } = *coordinate;
         let stop = move |limits: Limits, limit: f64, side| {
             let restitution = limits.restitution();
             let (limit, middle) = (limit * unit, near * unit);

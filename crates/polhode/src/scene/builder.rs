@@ -3,6 +3,7 @@
 use super::error::positive;
 use super::{Body, DEFAULT_GRAVITY, Force, Joint, Method, PairRule, Scene, SceneError, Tier, TierFeature, force};
 use crate::body_id::BodyId;
+use crate::joint_id::JointId;
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
 
@@ -90,6 +91,12 @@ impl SceneBuilder {
     pub fn joint(mut self, joint: Joint) -> Self {
         self.scene.joints.push(joint);
         self
+    }
+
+    /// Adds a joint and returns its handle, for what a program asks of it or does to it.
+    pub fn add_joint(&mut self, joint: Joint) -> JointId {
+        self.scene.joints.push(joint);
+        JointId::new(self.scene.joints.len() - 1)
     }
 
     /// One more rule for a pair of materials.

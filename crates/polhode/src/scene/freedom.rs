@@ -16,6 +16,9 @@ pub enum Coordinate {
 }
 
 impl Coordinate {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Angle, Self::Displacement, Self::Distance];
+
     /// Its name in scene files.
     pub const fn name(self) -> &'static str {
         match self {
@@ -263,6 +266,11 @@ impl Freedom {
     /// Its motor.
     pub const fn motor(&self) -> Option<Motor> {
         self.motor
+    }
+
+    /// The same with another motor, or none.
+    pub(crate) const fn driven_by(self, motor: Option<Motor>) -> Self {
+        Self { motor, ..self }
     }
 
     /// Whether it exerts forces besides those of its stops.

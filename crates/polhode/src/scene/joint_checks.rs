@@ -134,7 +134,7 @@ impl Scene {
 fn check_limits(number: usize, joint: &Joint) -> Result<(), SceneError> {
     let refused = |reason| SceneError::Joint { number, reason };
     let own = joint.kind().coordinates();
-    for coordinate in [Coordinate::Angle, Coordinate::Displacement, Coordinate::Distance] {
+    for coordinate in Coordinate::ALL {
         let Some(freedom) = joint.freedom(coordinate) else { continue };
         if !own.contains(&coordinate) {
             return Err(refused(

@@ -21,6 +21,8 @@ pub(crate) struct Content {
     pub(crate) applied: Vec<(usize, [Vector; 2])>,
     /// Motions that a program has given kinematic bodies.
     pub(crate) steered: Vec<Steered>,
+    /// Motors that a program has given joints.
+    pub(crate) motors: Vec<Motor>,
     /// Whether the motion is confined to the plane of its start.
     pub(crate) in_plane: bool,
     /// Name of the integrator of free motion that the plan has chosen.
@@ -45,6 +47,17 @@ pub(crate) struct Steered {
     pub(crate) acceleration: [Vector; 2],
     /// When and where it ends.
     pub(crate) goal: Option<(f64, State)>,
+}
+
+/// A motor that a program has given a coordinate of a joint.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Motor {
+    /// Number of the joint.
+    pub(crate) joint: usize,
+    /// Name of the coordinate.
+    pub(crate) coordinate: String,
+    /// The numbers of its drive, and its largest effort; none where it has been taken away.
+    pub(crate) drive: Option<(Vec<f64>, f64)>,
 }
 
 /// The companion run that estimates the error of stretches of crowded events.

@@ -21,7 +21,7 @@ impl World {
     ///
     /// # Errors
     /// When a number of a force is out of range.
-    pub(super) fn make_fields(&mut self) -> Result<(), SceneError> {
+    pub(crate) fn make_fields(&mut self) -> Result<(), SceneError> {
         let mut fields: Vec<Box<dyn Field>> = Vec::new();
         self.driven.clear();
         self.couplings.clear();

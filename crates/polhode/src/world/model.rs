@@ -14,7 +14,7 @@ use crate::constraint::joint_forces::JointForce;
 use crate::constraint::stop_id::StopId;
 use crate::pivot_form::{PivotForm, PivotRows};
 use crate::plane_of_motion::PlaneOfMotion;
-use crate::scene::{Body, MovingFrames, Scene, SceneError};
+use crate::scene::{Body, Coordinate, Motor, MovingFrames, Scene, SceneError};
 use polhode_dynamics::field::{Field, Wrench};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::DVec3;
@@ -103,6 +103,8 @@ pub(crate) struct World {
     pub(super) surfaces: SurfaceEffects,
     /// Force and torque (N, N m, world) that a program applies, by body.
     pub(super) applied: BTreeMap<usize, Wrench>,
+    /// The motors that a program has given coordinates of joints; none where it has taken one away.
+    pub(crate) motors: BTreeMap<(usize, Coordinate), Option<Motor>>,
     /// The motions that a program has given kinematic bodies.
     pub(super) steered: BTreeMap<usize, Steered>,
     /// Potential energy of the fields at the start, J.
@@ -177,6 +179,7 @@ impl World {
             surfaces: SurfaceEffects::of(scene),
             applied: BTreeMap::new(),
             steered: BTreeMap::new(),
+            motors: BTreeMap::new(),
             initial_field_potential: 0.0,
             start_potential_j: 0.0,
             plane: None,

@@ -6,7 +6,7 @@ use crate::joints::{inertia, rod};
 use crate::support::{accurate, brick, run};
 use polhode::scene::{Coordinate, Drive, Freedom, Joint, JointKind, Limits, Method, Motor, SceneError, Tier};
 use polhode::spatial::{DVec3, UnitVector, Velocity};
-use polhode::{Body, BodyId, Effects, Scene, SceneBuilder};
+use polhode::{Body, BodyId, Effects, JointId, Scene, SceneBuilder, Simulation, Snapshot};
 
 const G: f64 = 9.81;
 
@@ -205,4 +205,46 @@ fn forces_that_no_joint_can_have_are_refused() {
         .along(Coordinate::Angle, Freedom::default().with_damping(1.0).unwrap());
     let refused = scene(accurate()).body(brick("body", DVec3::splat(0.1), DVec3::ZERO)).joint(ball).build();
     assert!(matches!(refused, Err(SceneError::Joint { number: 0, .. })));
+}
+
+/// A program reads a coordinate and changes its motor while the simulation runs: the rod follows, a snapshot keeps the motor, and taking
+/// the motor away leaves the rod to itself.
+#[test]
+fn a_program_drives_a_joint() {
+    for (method, allowed) in [(accurate(), 1e-9), (stepped(1e-2), 1e-3)] {
+        let mut builder = scene(method).duration_s(20.0);
+        builder.add_body(level_rod());
+        let pin = builder.add_joint(Joint::hinge(BodyId::new(0), DVec3::ZERO, UnitVector::Y));
+        let built = builder.build().unwrap();
+        let mut simulation = Simulation::new(&built).unwrap();
+        let servo = |position| {
+            Some(
+                Motor::new(Drive::Position { position, stiffness: 30.0, damping: 10.0 }).unwrap().at_most(8.0).unwrap(),
+            )
+        };
+        let angle = |simulation: &Simulation| simulation.coordinate(pin, Coordinate::Angle).unwrap();
+        for (t, target) in [(6.0, 0.7), (12.0, -0.4)] {
+            simulation.set_motor(pin, Coordinate::Angle, servo(target)).unwrap();
+            simulation.advance_to(t).unwrap();
+            assert!((angle(&simulation).value - target).abs() < 1e-5, "{:?}", angle(&simulation));
+        }
+        simulation.set_motor(pin, Coordinate::Angle, servo(1.0)).unwrap();
+        simulation.advance_to(12.5).unwrap();
+        let mut other = Simulation::new(&built).unwrap();
+        other.restore(&Snapshot::from_bytes(&simulation.snapshot().to_bytes()).unwrap()).unwrap();
+        for simulation in [&mut simulation, &mut other] {
+            simulation.advance_to(13.0).unwrap();
+            simulation.set_motor(pin, Coordinate::Angle, None).unwrap();
+        }
+        assert_eq!(simulation.snapshot().to_bytes(), other.snapshot().to_bytes());
+        let free = angle(&simulation);
+        assert!(free.rate.abs() > 1e-3, "{free:?}");
+        simulation.advance_to(14.0).unwrap();
+        let after = angle(&simulation);
+        let off = (after.value - free.value - free.rate).abs().max((after.rate - free.rate).abs());
+        assert!(off < allowed, "{off:e}");
+        assert_eq!(simulation.coordinate(pin, Coordinate::Distance), None);
+        assert!(simulation.set_motor(pin, Coordinate::Displacement, None).is_err());
+        assert!(simulation.set_motor(JointId::new(7), Coordinate::Angle, None).is_err());
+    }
 }

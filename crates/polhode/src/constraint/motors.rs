@@ -1,0 +1,105 @@
+//! Coordinates of joints as a program reads and drives them.
+
+use super::joint::WorldJoint;
+use crate::joint_id::CoordinateSample;
+use crate::scene::{Coordinate, Drive, Motor};
+use crate::snapshot::{SnapshotError, content};
+use crate::world::World;
+use polhode_dynamics::BodyState;
+use polhode_spatial::{Pose, Velocity};
+
+impl World {
+    /// The joint of this number; none where there is none, or it was removed with a body.
+    fn joint_numbered(&self, joint: usize) -> Option<usize> {
+        self.joints.binary_search_by_key(&joint, WorldJoint::number).ok()
+    }
+
+    /// A coordinate of a joint in these states; none of one that the joint does not have.
+    pub(crate) fn coordinate_of(
+        &self,
+        states: &[BodyState],
+        joint: usize,
+        coordinate: Coordinate,
+    ) -> Option<CoordinateSample> {
+        let joint = self.joints.get(self.joint_numbered(joint)?)?;
+        let own = joint.coordinates().iter().find(|own| own.coordinate == coordinate)?;
+        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
+        let at = joint.coordinate_at((&own.measured, own.near * own.unit), motion)?;
+        Some(CoordinateSample { value: at.value / own.unit, rate: at.rate / own.unit })
+    }
+
+    /// The bodies of a joint with this coordinate between bodies that forces move; none where there is none.
+    pub(crate) fn bodies_at(&self, joint: usize, coordinate: Coordinate) -> Option<Vec<usize>> {
+        let joint = self.joints.get(self.joint_numbered(joint)?).filter(|joint| joint.driver().is_none())?;
+        joint.coordinates().iter().any(|own| own.coordinate == coordinate).then(|| joint.bodies().collect())
+    }
+
+    /// Gives a coordinate of a joint another motor, or none, from now on.
+    ///
+    /// # Errors
+    /// When the fields cannot be made.
+    pub(crate) fn set_motor(
+        &mut self,
+        joint: usize,
+        coordinate: Coordinate,
+        motor: Option<Motor>,
+    ) -> Result<(), crate::SceneError> {
+        if let Some(place) = self.joint_numbered(joint)
+            && self.joints[place].set_motor(coordinate, motor)
+        {
+            self.motors.insert((joint, coordinate), motor);
+        }
+        self.make_fields()
+    }
+
+    /// The motors that a program has set, as plain data.
+    pub(crate) fn motors(&self) -> Vec<content::Motor> {
+        let saved = |(&(joint, coordinate), motor): (&(usize, Coordinate), &Option<Motor>)| content::Motor {
+            joint,
+            coordinate: coordinate.name().to_owned(),
+            drive: motor.map(|motor| (drive_numbers(motor.drive()), motor.most())),
+        };
+        self.motors.iter().map(saved).collect()
+    }
+
+    /// Replaces the motors that a program has set by those of such data. Those of the scene stay where none is given.
+    ///
+    /// # Errors
+    /// When one is of no joint, or its numbers are refused.
+    pub(crate) fn replace_motors(&mut self, saved: &[content::Motor]) -> Result<(), SnapshotError> {
+        let refused = || SnapshotError::Invalid("a motor is of no joint, or its numbers are refused");
+        for (joint, coordinate) in std::mem::take(&mut self.motors).into_keys() {
+            let of_scene = self.scene.joints().get(joint).and_then(|joint| joint.freedom(coordinate)?.motor());
+            self.set_motor(joint, coordinate, of_scene).map_err(|_| refused())?;
+        }
+        self.motors.clear();
+        for content::Motor { joint, coordinate, drive } in saved {
+            let named = Coordinate::ALL.into_iter().find(|known| known.name() == coordinate).ok_or_else(refused)?;
+            self.bodies_at(*joint, named).ok_or_else(refused)?;
+            let motor = drive.as_ref().map(|(numbers, most)| {
+                let drive = drive_of(numbers).ok_or_else(refused)?;
+                Motor::new(drive).and_then(|motor| motor.at_most(*most)).map_err(|_| refused())
+            });
+            self.set_motor(*joint, named, motor.transpose()?).map_err(|_| refused())?;
+        }
+        Ok(())
+    }
+}
+
+/// A drive as numbers: one of an effort, two of a servo of velocity, three of a servo of position.
+fn drive_numbers(drive: Drive) -> Vec<f64> {
+    match drive {
+        Drive::Effort(effort) => vec![effort],
+        Drive::Velocity { velocity, gain } => vec![velocity, gain],
+        Drive::Position { position, stiffness, damping } => vec![position, stiffness, damping],
+    }
+}
+
+fn drive_of(numbers: &[f64]) -> Option<Drive> {
+    match *numbers {
+        [effort] => Some(Drive::Effort(effort)),
+        [velocity, gain] => Some(Drive::Velocity { velocity, gain }),
+        [position, stiffness, damping] => Some(Drive::Position { position, stiffness, damping }),
+        _ => None,
+    }
+}
