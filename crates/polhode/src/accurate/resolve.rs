@@ -496,8 +496,12 @@ impl Resolution<'_> {
     fn release_free_bodies(&mut self) {
         let held = self.instant.touches.iter().filter(|touch| touch.hold == Hold::Held);
         let held: BTreeSet<usize> = held.flat_map(|touch| [touch.id.a, touch.id.b]).collect();
+        // Bodies that joints connect to a held one moved or came to rest with it.
+        let held = self.core.world.with_jointed(held.into_iter().collect());
         for &body in &self.instant.bodies {
-            if matches!(self.motions.tracks[body].mode, Mode::Constrained | Mode::Rest) && !held.contains(&body) {
+            if matches!(self.motions.tracks[body].mode, Mode::Constrained | Mode::Rest)
+                && held.binary_search(&body).is_err()
+            {
                 self.motions.begin_free_motion(self.core, body, self.instant.t);
             }
         }

@@ -5,7 +5,7 @@
 
 use crate::checks::assert_closes;
 use crate::friction::rough;
-use crate::support::{accurate, floor, run};
+use crate::support::{accurate, brick, floor, run};
 use polhode::dynamics::{Rk4, System};
 use polhode::mesh::solid_box;
 use polhode::scene::{Integrator, Joint, Method, SceneError, Tier};
@@ -395,5 +395,23 @@ fn a_joint_to_a_body_on_a_pivot_closes_the_ledgers() {
         let off = (report.bodies[1].state.pose.translation - end).length();
         assert!(off < allowed, "{off:e} m off");
         assert_closes(&report);
+    }
+}
+
+/// A body that touches nothing rests with the one that a joint holds it to: an arm whose foot stands on the floor stays where it is.
+/// It once fell through the floor with its foot, since nothing that it touched held it.
+#[test]
+fn what_a_joint_holds_to_a_resting_body_rests_with_it() {
+    for fall in [0.0, 0.05] {
+        let foot = brick("foot", DVec3::new(0.4, 0.4, 0.1), DVec3::Z * (0.05 + fall));
+        let arm = brick("arm", DVec3::new(0.1, 0.1, 0.6), DVec3::Z * (0.45 + fall));
+        let joint = Joint::hinge(BodyId::new(1), DVec3::Z * (0.1 + fall), UnitVector::Y).with(BodyId::new(2));
+        let scene = Scene::builder("lamp").method(accurate()).duration_s(2.0).body(floor()).body(foot).body(arm);
+        let (report, _) = run(&scene.joint(joint).build().unwrap(), Effects::Planned);
+        for (body, z) in [(1, 0.05), (2, 0.45)] {
+            let off = (report.bodies[body].state.pose.translation - DVec3::Z * z).length();
+            assert!(off < 1e-11, "body {body}: {off:e} m off");
+        }
+        assert!(report.certificate.max_penetration_of_limit < 1.0);
     }
 }
