@@ -8,7 +8,7 @@
 use crate::collision::contact_id::ContactId;
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, Reaction};
-use crate::constraint::row::Member;
+use crate::constraint::row::{BilateralRow, Member};
 use crate::constraint::softness::Softness;
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::rows::rotation_row::RotationRow;
@@ -170,15 +170,16 @@ impl Assembly {
         Ok(())
     }
 
-    /// Constant terms of the rows of bilateral constraints in a time step, m/s: one that is rigid ends with the opposite of the rate
-    /// that it begins with, so that it does no work, and the second half of the step takes back the gap of the first.
-    pub(crate) fn step_constants(&self) -> impl Iterator<Item = f64> + '_ {
+    /// Constant terms of the rows of contacts and bilateral constraints in a time step, from those of the contacts, m/s. A bilateral
+    /// constraint that is rigid ends with the opposite of the rate that it begins with, so that it does no work, and the second half
+    /// of the step takes back the gap of the first.
+    pub(crate) fn step_constants(&self, of_contacts: impl Iterator<Item = f64>) -> Vec<f64> {
         let soft = |bilateral: &Bilateral| bilateral.softness.as_ref().map(Softness::constant);
         let of_rows = move |bilateral: &'_ Bilateral| {
             let soft = soft(bilateral);
             bilateral.rows.iter().map(move |row| soft.unwrap_or(2.0 * row.rate)).collect::<Vec<_>>()
         };
-        self.bilaterals.iter().flat_map(of_rows)
+        of_contacts.chain(self.bilaterals.iter().flat_map(of_rows)).collect()
     }
 
     /// Adds rows along tangents of contacts between these bodies, after those of contacts and pivots.
@@ -258,14 +259,18 @@ impl Assembly {
         &self.bilaterals
     }
 
-    /// The gaps of the rows of bilateral constraints, m.
-    pub(crate) fn bilateral_gaps(&self) -> impl Iterator<Item = f64> + '_ {
-        self.bilaterals.iter().flat_map(|bilateral| &bilateral.rows).map(|row| row.gap)
+    /// The gaps of the rows of contacts and bilateral constraints, from the separations of the contacts, m.
+    pub(crate) fn gaps(&self, of_contacts: impl Iterator<Item = f64>) -> Vec<f64> {
+        of_contacts.chain(self.bilateral_rows().map(|row| row.gap)).collect()
     }
 
-    /// The rates of their gaps, m/s.
-    pub(crate) fn bilateral_rates(&self) -> impl Iterator<Item = f64> + '_ {
-        self.bilaterals.iter().flat_map(|bilateral| &bilateral.rows).map(|row| row.rate)
+    /// The rates of those rows, from the rates of separation of the contacts, m/s.
+    pub(crate) fn rates(&self, of_contacts: impl Iterator<Item = f64>) -> Vec<f64> {
+        of_contacts.chain(self.bilateral_rows().map(|row| row.rate)).collect()
+    }
+
+    fn bilateral_rows(&self) -> impl Iterator<Item = &BilateralRow> {
+        self.bilaterals.iter().flat_map(|bilateral| &bilateral.rows)
     }
 
     /// The bilateral constraints with the reaction of each, from the forces (N; impulses, N s) of all rows.

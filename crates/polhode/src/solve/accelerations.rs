@@ -153,9 +153,7 @@ impl Accelerations {
     ) -> Result<Self, ResponseError> {
         let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
         let assembly = Assembly::new(world, states, bodies, rows)?;
-        let free = assembly.free_accelerations(world, states, loads);
-        let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
-        let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
+        let FreeMotion { free, constants } = FreeMotion::of(&assembly, world, (t, states), contacts, loads)?;
         let held = (0..contacts.len()).filter(|&place| contacts[place].hold == Hold::Held).collect();
         let delassus = assembly.problem.delassus();
         let solution = solver.solve(&assembly.problem, &delassus, &constants, Some(&WarmStart::new(held)))?.clone();
@@ -192,9 +190,7 @@ impl Accelerations {
         let mut assembly = Assembly::new(world, states, bodies, rows)?;
         let blocks = blocks_of(&mut assembly, states, (contacts, frictional))?;
         let ResistedRotations { turns, laws: rotations } = rotations_of(&mut assembly, world, contacts, frictional)?;
-        let free = assembly.free_accelerations(world, states, loads);
-        let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
-        let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
+        let FreeMotion { free, constants } = FreeMotion::of(&assembly, world, (t, states), contacts, loads)?;
         let delassus = assembly.problem.delassus();
         let any_slides = frictional.iter().flatten().any(|friction| friction.sliding.is_some());
         let mut exact = None;
@@ -240,6 +236,29 @@ impl Accelerations {
             are_exact: exact.is_some(),
             turns,
         })
+    }
+}
+
+/// Accelerations without the forces that are asked for.
+struct FreeMotion {
+    /// Of the bodies.
+    free: Vec<f64>,
+    /// Of the rows, m/s^2.
+    constants: Vec<f64>,
+}
+
+impl FreeMotion {
+    fn of(
+        assembly: &Assembly,
+        world: &World,
+        (t, states): (f64, &[BodyState]),
+        contacts: &[Touch],
+        loads: &Loads,
+    ) -> Result<Self, ResponseError> {
+        let free = assembly.free_accelerations(world, states, loads);
+        let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
+        let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
+        Ok(Self { free, constants })
     }
 }
 

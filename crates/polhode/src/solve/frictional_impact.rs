@@ -238,8 +238,7 @@ fn blocks_of(
     states: &[BodyState],
     contacts: &[Touch],
 ) -> Result<(Blocks, Vec<f64>), ResponseError> {
-    let mut before: Vec<f64> = contacts.iter().map(|touch| touch.kinematics.separation_rate).collect();
-    before.extend(assembly.bilateral_rates());
+    let mut before = assembly.rates(contacts.iter().map(|touch| touch.kinematics.separation_rate));
     let mut blocks = Blocks::default();
     for (normal, touch) in contacts.iter().enumerate() {
         let friction = world.friction_of(touch.id.a, touch.id.b).filter(|friction| friction.sliding.largest() > 0.0);

@@ -193,9 +193,8 @@ pub(crate) fn strike(
     }
     let rows = members.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let assembly = Assembly::new(world, states, &group.bodies, rows)?;
-    let mut before: Vec<f64> = members.iter().map(|touch| touch.kinematics.separation_rate).collect();
+    let before = assembly.rates(members.iter().map(|touch| touch.kinematics.separation_rate));
     let mut restitution: Vec<f64> = members.iter().map(|touch| world.restitution_of(touch.id)).collect();
-    before.extend(assembly.bilateral_rates());
     // Bilateral constraints have no restitution.
     restitution.resize(before.len(), 0.0);
     let law = match law {

@@ -167,8 +167,7 @@ fn move_out(
         }
         let geometries = members.iter().map(|row| (row.id, row.geometry));
         let assembly = Assembly::new(world, states, &group.bodies, geometries)?;
-        let mut separations: Vec<f64> = members.iter().map(|row| row.geometry.separation).collect();
-        separations.extend(assembly.bilateral_gaps());
+        let separations = assembly.gaps(members.iter().map(|row| row.geometry.separation));
         assembly.problem.delassus_into(delassus);
         let roundings = members.iter().map(|row| world.rounding(states, row.id.a, row.id.b));
         let noise_floor = LEFT_ROUNDING * roundings.fold(f64::INFINITY, f64::min);

@@ -244,8 +244,7 @@ pub(crate) fn project_positions(
             .iter()
             .any(|(id, geometry)| geometry.separation.abs() > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b));
         let assembly = Assembly::new(world, states, bodies, geometries.iter().copied())?;
-        let mut separations: Vec<f64> = geometries.iter().map(|(_, g)| g.separation).collect();
-        separations.extend(assembly.bilateral_gaps());
+        let separations = assembly.gaps(geometries.iter().map(|(_, g)| g.separation));
         let size = geometries.iter().map(|(id, _)| world.pair_size(id.a, id.b)).fold(f64::INFINITY, f64::min);
         // All Newton steps share one allowance; otherwise nearly dependent rows could use all of it in every step.
         let allowance = *allowance.get_or_insert_with(|| allowed_change(&separations, size));
@@ -330,8 +329,7 @@ pub(crate) fn project_velocities(
     let mut assembly = Assembly::new(world, states, bodies, contacts.iter().map(|(id, k)| (*id, k.geometry)))?;
     assembly.push_tangents(states, slips.iter().map(|&(row, _)| row))?;
     assembly.push_rotations(turns.iter().map(|&(row, _)| row))?;
-    let mut rates: Vec<f64> = contacts.iter().map(|(_, k)| k.separation_rate).collect();
-    rates.extend(assembly.bilateral_rates());
+    let mut rates = assembly.rates(contacts.iter().map(|(_, k)| k.separation_rate));
     rates.extend(slips.iter().map(|&(_, slip)| slip));
     rates.extend(turns.iter().map(|&(_, rate)| rate));
     let speed = contacts.iter().map(|&(id, _)| speed_of_pair(world, states, id)).fold(f64::INFINITY, f64::min);

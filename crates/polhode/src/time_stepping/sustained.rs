@@ -163,8 +163,8 @@ impl TimeStepper {
         let geometries = members.iter().map(|row| (near[row.contact].id, row.kinematics.geometry));
         let mut assembly = Assembly::new(world, states, &group.bodies, geometries)?;
         assembly.push_soft(states, soft)?;
-        let mut constants: Vec<f64> = members.iter().map(|row| row.kinematics.separation_rate + row.bound).collect();
-        constants.extend(assembly.step_constants());
+        let of_contacts = members.iter().map(|row| row.kinematics.separation_rate + row.bound);
+        let constants = assembly.step_constants(of_contacts);
         if members.iter().any(|row| row.friction.is_some()) {
             let friction: Vec<_> = members.iter().map(|row| row.friction).collect();
             let found = sustained_friction::solve(assembly, states, constants, &friction, (&mut self.cones, h))?;
@@ -188,8 +188,7 @@ impl TimeStepper {
         if !solved {
             // An inexact solution must not add energy. Scaled by s with p.u- + s p.G p/2 <= 0 it does not.
             let product = |a: &[f64]| impulses.iter().zip(a).map(|(p, a)| p * a).sum::<f64>();
-            let mut rates: Vec<f64> = members.iter().map(|row| row.kinematics.separation_rate).collect();
-            rates.extend(assembly.bilateral_rates());
+            let rates = assembly.rates(members.iter().map(|row| row.kinematics.separation_rate));
             let (work, stored) = (product(&rates), 0.5 * product(&self.delassus.times(&impulses)?));
             let share = if stored > 0.0 { (-work / stored).clamp(0.0, 1.0) } else { 1.0 };
             for impulse in &mut impulses {
