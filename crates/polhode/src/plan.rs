@@ -205,7 +205,7 @@ pub(crate) struct Findings {
 /// One decision per effect.
 fn decisions(world: &World, settings: &Settings, effects: Effects, findings: &Findings) -> Vec<EffectDecision> {
     let mut list = motion_decisions(world, settings, findings);
-    list.extend(contact_decisions(&world.scene, effects, findings));
+    list.extend(contact_decisions(world, effects, findings));
     list.push(friction_decision(&world.scene));
     list.push(joint_decision(world));
     let loaded = world.loaded_count();
@@ -306,13 +306,16 @@ fn motion_decisions(world: &World, settings: &Settings, findings: &Findings) -> 
     ]
 }
 
-/// Effects of contact.
-fn contact_decisions(scene: &Scene, effects: Effects, findings: &Findings) -> Vec<EffectDecision> {
-    let pairs = scene.colliding();
+/// Effects of contact: of shapes, and of joints at their limits.
+fn contact_decisions(world: &World, effects: Effects, findings: &Findings) -> Vec<EffectDecision> {
+    let pairs = world.scene.colliding();
+    let limits: usize = world.joints.iter().map(WorldJoint::stops).sum();
+    let meets = pairs.count > 0 || limits > 0;
+    let restitution = pairs.largest_restitution.max(world.largest_restitution_of_stops());
     let rest = match effects {
         Effects::Planned => decision(
             Effect::Rest,
-            pairs.count > 0,
+            meets,
             "islands at zero velocity whose contact forces certify equilibrium are skipped until an event".to_owned(),
             "all work on resting islands; the same bits as without",
         ),
@@ -324,18 +327,25 @@ fn contact_decisions(scene: &Scene, effects: Effects, findings: &Findings) -> Ve
             "nothing",
         ),
     };
+    let of_joints = if limits > 0 { format!(", joints have {limits} limits") } else { String::new() };
+    let touching = findings.touching_pairs;
+    let fact = format!("{} pairs may collide, {touching} touch at t = {}{of_joints}", pairs.count, findings.t_s);
     vec![
         decision(
             Effect::Contact,
-            pairs.count > 0,
-            format!("{} pairs may collide, {} touch at t = {}", pairs.count, findings.touching_pairs, findings.t_s),
-            if pairs.count > 0 { "nothing: pairs are searched at every step" } else { "all collision detection" },
+            meets,
+            fact,
+            match (pairs.count, limits) {
+                (0, 0) => "all collision detection",
+                (0, _) => "all collision detection of shapes",
+                _ => "nothing: pairs are searched at every step",
+            },
         ),
         decision(
             Effect::Restitution,
-            pairs.largest_restitution > 0.0,
-            format!("largest coefficient of restitution of a pair: {}", pairs.largest_restitution),
-            if pairs.largest_restitution > 0.0 { "nothing" } else { "the phase of restitution of every impact" },
+            restitution > 0.0,
+            format!("largest coefficient of restitution of a pair: {restitution}"),
+            if restitution > 0.0 { "nothing" } else { "the phase of restitution of every impact" },
         ),
         rest,
     ]

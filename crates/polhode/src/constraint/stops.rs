@@ -67,6 +67,14 @@ impl World {
         }
     }
 
+    /// The largest coefficient of restitution of any stop; zero without stops.
+    pub(crate) fn largest_restitution_of_stops(&self) -> f64 {
+        let own = |joint: &WorldJoint| {
+            (0..joint.stops()).filter_map(|place| joint.stop(place)).map(|stop| stop.restitution).fold(0.0, f64::max)
+        };
+        self.joints.iter().map(own).fold(0.0, f64::max)
+    }
+
     fn joint_of(&self, stop: StopId) -> Option<&WorldJoint> {
         let place = self.joints.binary_search_by_key(&stop.joint, WorldJoint::number).ok()?;
         self.joints.get(place)
