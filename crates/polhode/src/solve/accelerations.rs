@@ -19,6 +19,7 @@ use crate::rows::resisted_rotation::ResistedRotation;
 use crate::rows::rotation_row::RotationRow;
 use crate::solve::cone_violation::RubbingForce;
 use crate::solve::least_sliding_forces::{RowFriction, least_sliding_forces};
+use crate::solve::standing::{is_for_many, standing};
 use crate::solve::sticking_forces::{SLIDING_ROUNDING, STICKING_ACCELERATION, of_no_slip, rounding_of};
 use crate::world::{Loads, World};
 use polhode_dynamics::BodyState;
@@ -194,8 +195,14 @@ impl Accelerations {
         let free = assembly.free_accelerations(world, states, loads);
         let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
         let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
-        let delassus = assembly.problem.delassus();
         let any_slides = frictional.iter().flatten().any(|friction| friction.sliding.is_some());
+        if !any_slides && rotations.is_empty() && is_for_many(states, &assembly, contacts) {
+            let terms = (free.as_slice(), constants.as_slice());
+            if let Some(held) = standing(&assembly, &blocks, terms, frictional)? {
+                return Self::at_rest(contacts, frictional, assembly, (&free, &constants), &held);
+            }
+        }
+        let delassus = assembly.problem.delassus();
         let mut exact = None;
         let solved = if !rotations.is_empty() {
             let turns = rotations.iter().any(|rotation| rotation.turns);
@@ -238,6 +245,40 @@ impl Accelerations {
             motion_depends_on_choice: exact == Some(Choice::DecidesMotion),
             are_exact: exact.is_some(),
             turns,
+        })
+    }
+
+    /// Of bodies that these forces hold at rest.
+    fn at_rest(
+        contacts: &[Touch],
+        frictional: &[Option<Frictional>],
+        assembly: Assembly,
+        (free, constants): (&[f64], &[f64]),
+        held: &BlocksSolution,
+    ) -> Result<Self, ResponseError> {
+        let scale = largest(constants);
+        let mut first = assembly.first_tangent();
+        let tangential = frictional.iter().enumerate().map(|(normal, friction)| {
+            let friction = friction.as_ref()?;
+            let rounding = STICKING_ACCELERATION * scale / assembly.problem.mobility(first);
+            let found = contact_tangent(held, (normal, first), (contacts.get(normal)?.id, friction), rounding);
+            first += friction.tangents().len();
+            Some(found)
+        });
+        let mut tangential: Vec<Option<ContactTangent>> = tangential.collect();
+        add_up_pairs(contacts, &mut tangential);
+        Ok(Self {
+            // All contacts hold, so that none begins to slide: the masses do not matter.
+            are_alike: true,
+            contacts: tangential,
+            solution: contact_solution(held, assembly.first_tangent()),
+            of_bodies: with_free(assembly.problem.response(&held.reactions)?, free),
+            scale,
+            rounding: 0.0,
+            assembly,
+            motion_depends_on_choice: false,
+            are_exact: false,
+            turns: BTreeMap::new(),
         })
     }
 }
