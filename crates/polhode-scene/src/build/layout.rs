@@ -1,7 +1,8 @@
 //! Where the bodies of an array stand.
 //!
 //! Grids, pyramids and walls: the first body stands at the position of the array, body (i, j, k) at
-//! `(i s_x, j s_y, k s_z)` from it, in courses shifted by half a spacing where the layout says so. A drop divides its region
+//! `(i s_x, j s_y, k s_z)` from it, in courses shifted by half a spacing where the layout says so. Every second course of a wall
+//! begins and ends with half a brick, whose outer faces are flush with the ends of the others. A drop divides its region
 //! into equal cells, as large as leave room for all bodies, and puts every body into a cell of its own: the ball about its
 //! origin that holds it stays inside the cell, so that no two touch. Which cells stay empty, where in its cell a body is and
 //! how it is turned are random (uniform; the rotation is a point of the unit sphere in four dimensions), by [`SplitMix64`]:
@@ -29,8 +30,26 @@ const HALVINGS: usize = 64;
 /// Lengths of the vectors of which directions are made: shorter ones have too few digits, longer ones would not be uniform.
 const DIRECTION_LENGTHS: std::ops::RangeInclusive<f64> = 0.1..=1.0;
 
+/// What stands there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Piece {
+    Whole,
+    /// Half a brick: its length along x is half of the others'.
+    Half,
+}
+
+/// The body of which all are copies, as far as a layout depends on it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Model {
+    /// Of the ball about its origin that holds it, m; none without a shape.
+    pub(super) radius: Option<f64>,
+    /// The length of a box along x, m; none of another shape.
+    pub(super) length: Option<f64>,
+}
+
 /// Where one body stands.
 pub(super) struct Stand {
+    pub(super) piece: Piece,
     /// What follows the name of the array.
     pub(super) suffix: String,
     /// From the position of the array, world, m.
@@ -49,22 +68,22 @@ pub(super) fn count(layout: &LayoutEntry) -> u64 {
         }
         LayoutEntry::Wall(wall) => {
             let (length, height) = (u64::from(wall.length), u64::from(wall.height));
-            (length * height).saturating_sub(height / 2)
+            length * height + height / 2
         }
         LayoutEntry::Drop(drop) => drop.count.into(),
     }
 }
 
-/// The bodies of the layout at `path`; `radius` is that of the ball about the origin of a body that holds it, m.
+/// The bodies of the layout at `path`.
 ///
 /// # Errors
 /// As the head of this file.
-pub(super) fn stands(layout: &LayoutEntry, radius: Option<f64>, path: &KeyPath) -> Result<Vec<Stand>, Fault> {
+pub(super) fn stands(layout: &LayoutEntry, model: Model, path: &KeyPath) -> Result<Vec<Stand>, Fault> {
     match layout {
         LayoutEntry::Grid(grid) => self::grid(grid, &path.key("grid")),
         LayoutEntry::Pyramid(pyramid) => self::pyramid(pyramid, &path.key("pyramid")),
-        LayoutEntry::Wall(wall) => self::wall(wall, &path.key("wall")),
-        LayoutEntry::Drop(drop) => self::drop(drop, radius, &path.key("drop")),
+        LayoutEntry::Wall(wall) => self::wall(wall, model.length, &path.key("wall")),
+        LayoutEntry::Drop(drop) => self::drop(drop, model.radius, &path.key("drop")),
     }
 }
 
@@ -101,16 +120,34 @@ fn pyramid(entry: &PyramidEntry, path: &KeyPath) -> Result<Vec<Stand>, Fault> {
     Ok(courses.flat_map(|course| course.stands(spacing, turn)).collect())
 }
 
-fn wall(entry: &WallEntry, path: &KeyPath) -> Result<Vec<Stand>, Fault> {
+fn wall(entry: &WallEntry, length: Option<f64>, path: &KeyPath) -> Result<Vec<Stand>, Fault> {
     at_least(entry.length, 2, &path.key("length"))?;
     at_least(entry.height, 1, &path.key("height"))?;
     let spacing = spacing_of_courses(entry.spacing.0, path)?;
     let turn = turn(entry.turn, path)?;
-    let courses = (0..entry.height).map(|course| {
-        let odd = course % 2;
-        Course { number: course, length: entry.length - odd, shift: 0.5 * f64::from(odd) }
-    });
-    Ok(courses.flat_map(|course| course.stands(spacing, turn)).collect())
+    let Some(brick) = length else {
+        return Err((path.clone(), Refusal::Needs { what: "a wall, which has half bricks,", needed: "`shape.box`" }));
+    };
+    let mut stands = Vec::new();
+    for number in 0..entry.height {
+        if number % 2 == 0 {
+            stands.extend(Course { number, length: entry.length, shift: 0.0 }.stands(spacing, turn));
+            continue;
+        }
+        let half = |place: u32, x: f64| {
+            let offset = DVec3::new(x, 0.0, f64::from(number) * spacing[1]);
+            Stand { piece: Piece::Half, ..turned(format!("{}-{place}", number + 1), offset, turn) }
+        };
+        // Between the two halves; their names begin with the second.
+        let whole = Course { number, length: entry.length - 1, shift: 0.5 };
+        stands.push(half(1, -0.25 * brick));
+        stands.extend(whole.stands(spacing, turn).enumerate().map(|(place, stand)| {
+            let suffix = format!("{}-{}", number + 1, place + 2);
+            Stand { suffix, ..stand }
+        }));
+        stands.push(half(entry.length + 1, f64::from(entry.length - 1) * spacing[0] + 0.25 * brick));
+    }
+    Ok(stands)
 }
 
 /// Bodies side by side.
@@ -170,7 +207,8 @@ fn drop(entry: &DropEntry, radius: Option<f64>, path: &KeyPath) -> Result<Vec<St
             let middle = (DVec3::new(f64::from(i), f64::from(j), f64::from(k)) + DVec3::splat(0.5)) * cell;
             let place = DVec3::from_array([0.0; 3].map(|_| random.uniform() - 0.5)) * slack;
             let rotation = any_rotation(&mut random);
-            stands.push(Stand { suffix: (stands.len() + 1).to_string(), offset: middle + place, rotation });
+            let suffix = (stands.len() + 1).to_string();
+            stands.push(Stand { piece: Piece::Whole, suffix, offset: middle + place, rotation });
         }
     }
     Ok(stands)
@@ -196,7 +234,7 @@ fn any_rotation(random: &mut SplitMix64) -> Rotation {
 }
 
 fn turned(suffix: String, offset: DVec3, turn: Rotation) -> Stand {
-    Stand { suffix, offset: turn.rotate(offset), rotation: turn }
+    Stand { piece: Piece::Whole, suffix, offset: turn.rotate(offset), rotation: turn }
 }
 
 /// The rotation of a layout about the vertical.

@@ -83,7 +83,7 @@ pub enum LayoutEntry {
     Grid(GridEntry),
     /// Courses along x, each with one body fewer than the one below it and half a spacing farther, up to a single one.
     Pyramid(PyramidEntry),
-    /// Courses along x in running bond: every second one has one body fewer, over the joints of the one below it.
+    /// Courses of boxes along x in running bond: every second one begins and ends with half a brick.
     Wall(WallEntry),
     /// Apart from each other in a region, at random places and in random orientations.
     Drop(DropEntry),
@@ -118,13 +118,13 @@ pub struct PyramidEntry {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WallEntry {
-    /// How many bodies stand in the lowest course, at least 2.
+    /// How many bricks lie in the lowest course, at least 2.
     #[schemars(range(min = 2))]
     pub length: u32,
     /// How many courses there are, at least 1.
     #[schemars(range(min = 1))]
     pub height: u32,
-    /// From one body to the next in a course, and from one course to the next, m.
+    /// From one brick to the next in a course, and from one course to the next, m.
     pub spacing: Exactly<f64, 2>,
     /// Angle about the vertical through `position` by which the array is turned, rad; 0 when absent.
     pub turn: Option<f64>,

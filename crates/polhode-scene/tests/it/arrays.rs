@@ -35,16 +35,18 @@ fn a_grid_stands_in_rows_columns_and_layers() {
     }
 }
 
-/// The courses of a pyramid have one body fewer each, those of a wall are as long as the lowest one or one shorter: every
-/// body stands over the joint of two, and none juts out.
+/// The courses of a pyramid have one body fewer each; every second one of a wall begins and ends with half a brick, flush with
+/// the ends of the others: every body stands over the joint of two, and none juts out.
 #[test]
 fn courses_stand_over_the_joints_of_those_below() {
     let pyramid = scene(&array("position = [0, 0, 0.2]\nlayout.pyramid = { base = 3, spacing = [0.5, 0.4] }"));
     assert_eq!(names(&pyramid), ["cube-1-1", "cube-1-2", "cube-1-3", "cube-2-1", "cube-2-2", "cube-3-1"]);
     assert_eq!(positions(&pyramid).map_x(), [0.0, 0.5, 1.0, 0.25, 0.75, 0.5]);
     let wall = scene(&array("layout.wall = { length = 3, height = 3, spacing = [0.5, 0.4] }"));
-    assert_eq!(positions(&wall).map_x(), [0.0, 0.5, 1.0, 0.25, 0.75, 0.0, 0.5, 1.0]);
-    assert_eq!(names(&wall)[3], "cube-2-1");
+    assert_eq!(positions(&wall).map_x(), [0.0, 0.5, 1.0, -0.1, 0.25, 0.75, 1.1, 0.0, 0.5, 1.0]);
+    assert_eq!(names(&wall)[3..7], ["cube-2-1", "cube-2-2", "cube-2-3", "cube-2-4"]);
+    let masses: Vec<f64> = wall.bodies().iter().map(|body| body.mass_properties().unwrap().mass()).collect();
+    assert_eq!(masses, [2.0, 2.0, 2.0, 1.0, 2.0, 2.0, 1.0, 2.0, 2.0, 2.0]);
 }
 
 trait Abscissas {
@@ -250,6 +252,13 @@ fn mistakes_in_grids_drops_and_bodies_are_refused() {
     let nothing = array("layout.drop = { count = 1, size = [2, 2, 2] }")
         .replace("shape.box.size = [0.4, 0.4, 0.4]", "inertia = [1, 1, 1]");
     check(&nothing, "arrays.cube.layout.drop", "drop", "`shape`, of a finite size");
+    let ball = array("layout.wall = { length = 2, height = 2, spacing = [1, 1] }")
+        .replace("shape.box.size = [0.4, 0.4, 0.4]", "shape.sphere.radius = 0.2");
+    check(&ball, "arrays.cube.layout.wall", "layout", "needs `shape.box`");
+    let bricks = "layout.wall = { length = 2, height = 2, spacing = [1, 1] }";
+    check(&array(&format!("inertia = [1, 1, 1]\n{bricks}")), "arrays.cube.inertia", "inertia", "half bricks");
+    let turned = array(&format!("rotation_vector = [1, 0, 0]\n{bricks}"));
+    check(&turned, "arrays.cube.rotation_vector", "rotation_vector", "`turn` turns it");
     let heavy = array("layout.pyramid = { base = 2, spacing = [1, 1] }").replace("mass = 2", "mass = -2");
     check(&heavy, "arrays.cube.mass", "mass = -2", "positive number of kilograms");
 }
