@@ -201,10 +201,31 @@ pub(crate) fn least_motion(
     }
     let right: Vec<f64> = constant.iter().map(|value| value / size).collect();
     let identity = CscMatrix::identity(variables);
+    in_cones((&identity, &vec![0.0; variables]), entries, (right, size), cones)
+}
+
+/// `min c.y` subject to `B y + q` in cones, as above; data should be of unit size.
+pub(crate) fn least_cost(
+    gradient: &[f64],
+    entries: &[(usize, usize, f64)],
+    constant: &[f64],
+    cones: &[ConeRows],
+) -> ConeProgramme {
+    let nothing = CscMatrix::zeros((gradient.len(), gradient.len()));
+    in_cones((&nothing, gradient), entries, (constant.to_vec(), 1.0), cones)
+}
+
+/// The programme with this quadratic and linear objective, and `q` divided by `size`.
+fn in_cones(
+    (quadratic, gradient): (&CscMatrix<f64>, &[f64]),
+    entries: &[(usize, usize, f64)],
+    (right, size): (Vec<f64>, f64),
+    cones: &[ConeRows],
+) -> ConeProgramme {
     let rows = entries.iter().map(|entry| entry.0).collect();
     let columns = entries.iter().map(|entry| entry.1).collect();
     let values = entries.iter().map(|entry| -entry.2).collect();
-    let constraints = CscMatrix::new_from_triplets(constant.len(), variables, rows, columns, values);
+    let constraints = CscMatrix::new_from_triplets(right.len(), gradient.len(), rows, columns, values);
     let cones: Vec<_> = cones
         .iter()
         .map(|cone| match *cone {
@@ -213,10 +234,8 @@ pub(crate) fn least_motion(
             ConeRows::SecondOrder(rows) => SecondOrderConeT(rows),
         })
         .collect();
-    let gradient = vec![0.0; variables];
     for tolerance in PROGRAMME_TOLERANCES {
-        let Ok(mut solver) =
-            DefaultSolver::new(&identity, &gradient, &constraints, &right, &cones, settings(tolerance))
+        let Ok(mut solver) = DefaultSolver::new(quadratic, gradient, &constraints, &right, &cones, settings(tolerance))
         else {
             return ConeProgramme::Failed;
         };

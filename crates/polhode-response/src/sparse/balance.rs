@@ -27,8 +27,8 @@ use crate::sparse::system::{BodySystem, RowMatrix, Sides};
 /// in one round, and more to rounding of the factors.
 const STIFFNESS: f64 = 1e8;
 
-/// Rounds of changes (2 to 10): each one leaves a part of 1e-6 or less.
-const MOST_ROUNDS: usize = 6;
+/// Rounds of changes (10 to 50): each one leaves a part of 1e-6, and of a heavy body on light ones a part of 1e-2.
+const MOST_ROUNDS: usize = 24;
 
 /// What is left on a body is rounding when it is at most this part of the sum of the magnitudes of the forces on it (no unit,
 /// 1e-16 to 1e-14).
@@ -125,7 +125,7 @@ fn balance(problem: &BodyProblem, reactions: &mut Vec<f64>) -> f64 {
 /// What forces leave on each body, and the largest relative to the sum of the magnitudes of the forces on the body.
 fn left_on_bodies(problem: &BodyProblem, reactions: &[f64], unbalanced: &mut Vec<Vector6>) -> f64 {
     problem.scaled_velocities(reactions, unbalanced);
-    let mut sizes: Vec<f64> = problem.free.iter().map(|free| length(free)).collect();
+    let mut sizes: Vec<f64> = problem.free.iter().map(length).collect();
     for block in &problem.blocks {
         for side in block.movable() {
             for (line, reaction) in problem.lines(block, side).iter().zip(&reactions[block.rows.clone()]) {

@@ -2,7 +2,7 @@
 //!
 //! Coulomb's law of many contacts is solved in the accelerations of bodies (`polhode_response::sparse`). Where nothing slides
 //! in that answer, or where the law has an answer in which something does but forces within the cones balance all the same
-//! (`polhode_response::friction::standing_forces`), these are made to balance to rounding and are the certificate of rest: they
+//! (`polhode_response::friction::Structure`: those of the greatest reserve of friction), these are made to balance to rounding and are the certificate of rest: they
 //! lie in the cones of static friction, and what they leave on each body is rounding of the forces on that body.
 //!
 //! Memory and time grow with contacts and bodies. Failure: none where no forces were found; the caller then asks the methods
@@ -13,7 +13,7 @@ use crate::collision::contact_set::Touch;
 use crate::rows::assembly::Assembly;
 use crate::rows::frictional_contact::Frictional;
 use polhode_dynamics::BodyState;
-use polhode_response::friction::ContactStatus;
+use polhode_response::friction::{ContactStatus, Structure};
 use polhode_response::sparse::{BodySettings, BodySolver};
 use polhode_response::{Blocks, BlocksSolution, Method, ResponseError, SolverStatus};
 use polhode_spatial::DVec3;
@@ -51,7 +51,13 @@ pub(super) fn standing(
             return Ok(held);
         }
     }
-    Ok(None)
+    let mut near = solved.reactions;
+    near.resize(assembly.problem.len(), 0.0);
+    let limit = Structure::new(&assembly.problem, blocks, free, &near)?.friction_limit()?;
+    match limit.filter(|limit| limit.factor <= 1.0) {
+        Some(limit) => balanced(assembly, blocks, free, frictional, (&limit.forces, Method::InteriorPoint)),
+        None => Ok(None),
+    }
 }
 
 /// Forces near these that balance to rounding, as a solution, if they lie in the cones.
