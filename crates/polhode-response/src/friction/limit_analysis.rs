@@ -31,13 +31,13 @@ use crate::problem::ContactProblem;
 /// 1e6): a structure that bears more is wedged, one that needs more cannot stand.
 pub const MOST_FACTOR: f64 = 1e3;
 
-/// How much of its scale a contact may miss its cone by and counts as within it (no unit, 1e-11 to 1e-8): the tolerance of the
+/// How much of its scale a contact may miss its cone by and counts as within it (no unit, 1e-10 to 1e-8): the tolerance of the
 /// interior point.
-const MISSED: f64 = 1e-10;
+const MISSED: f64 = 1e-9;
 
-/// Two parts of friction this close to each other are one (no unit, 1e-8 to 1e-5), relative: what is missed in between is then
+/// Two parts of friction this close to each other are one (no unit, 1e-7 to 1e-5), relative: what is missed in between is then
 /// well above the tolerance of the interior point.
-const SAME_PART: f64 = 1e-7;
+const SAME_PART: f64 = 1e-6;
 
 /// Programmes for one part of friction (10 to 60).
 const MOST_PROGRAMMES: usize = 60;

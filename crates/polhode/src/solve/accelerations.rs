@@ -295,7 +295,7 @@ fn largest(numbers: &[f64]) -> f64 {
 }
 
 /// Adds the rows along the tangents of contacts with friction. Returns the block of each contact and those of pivots.
-fn blocks_of(
+pub(crate) fn blocks_of(
     assembly: &mut Assembly,
     states: &[BodyState],
     (contacts, frictional): (&[Touch], &[Option<Frictional>]),
