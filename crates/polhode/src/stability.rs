@@ -250,7 +250,7 @@ impl Group<'_> {
             // What cannot stand bears no push, though one might hold it; a push against which everything is wedged has no limit.
             let factor = limit.as_ref().map_or(0.0, |limit| limit.factor.max(0.0));
             let of_weight = stands.then_some(factor);
-            let is_wedged = of_weight.is_some_and(|factor| factor >= WEDGED * MOST_FACTOR);
+            let is_wedged = of_weight.is_some_and(|factor| factor >= WEDGED_PART * MOST_FACTOR);
             if !is_wedged && is_below(of_weight, push.of_weight) {
                 let begins = limit.map_or_else(Vec::new, |limit| self.begins(&assembly, &limit));
                 *push = PushMargin { direction: push.direction, of_weight, begins };
@@ -302,14 +302,14 @@ fn is_balanced(assembly: &Assembly, free: &[f64], forces: &[f64]) -> Result<bool
     let largest = |of: &[f64]| of.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let mut left = assembly.problem.response(forces)?;
     left.iter_mut().zip(free).for_each(|(left, free)| *left += free);
-    Ok(largest(&left) <= BALANCED_RELATIVE * largest(free))
+    Ok(largest(&left) <= HOLDING_RELATIVE * largest(free))
 }
 
 /// What forces may leave of accelerations where bodies are held (no unit, 1e-10 to 1e-7).
-const BALANCED_RELATIVE: f64 = 1e-9;
+const HOLDING_RELATIVE: f64 = 1e-9;
 
 /// From this part of the largest factor on bodies count as wedged (no unit): the tolerance of the analysis.
-const WEDGED: f64 = 0.99;
+const WEDGED_PART: f64 = 0.99;
 
 /// Whether more friction is needed: none at all counts as most.
 fn is_above(one: Option<f64>, other: Option<f64>) -> bool {

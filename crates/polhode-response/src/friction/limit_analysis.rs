@@ -33,7 +33,7 @@ pub const MOST_FACTOR: f64 = 1e3;
 
 /// How much of its scale a contact may miss its cone by and counts as within it (no unit, 1e-10 to 1e-8): the tolerance of the
 /// interior point.
-const MISSED: f64 = 1e-9;
+const MISSED_CONE: f64 = 1e-9;
 
 /// Two parts of friction this close to each other are one (no unit, 1e-7 to 1e-5), relative: what is missed in between is then
 /// well above the tolerance of the interior point.
@@ -130,7 +130,7 @@ impl<'a> Structure<'a> {
     /// None so far.
     pub fn friction_limit(&self) -> Result<Option<Limit>, ResponseError> {
         let Some(without) = self.missed(0.0) else { return Ok(None) };
-        if without.last <= MISSED {
+        if without.last <= MISSED_CONE {
             let mechanism = vec![0.0; self.free.len()];
             return Ok(Some(Limit { mechanism, ..self.limit(0.0, &without) }));
         }
@@ -288,7 +288,7 @@ impl Search {
     fn take(&mut self, tried: f64, found: Solved) {
         let width = |search: &Self| search.above.as_ref().map(|(above, _)| above - search.below.0);
         let before = width(self);
-        if found.last <= MISSED {
+        if found.last <= MISSED_CONE {
             self.above = Some((tried, found));
         } else {
             self.below = (tried, found);

@@ -249,6 +249,11 @@ fn mistakes_in_grids_drops_and_bodies_are_refused() {
     for (keys, key, shown, message) in cases {
         check(&array(keys), key, shown, message);
     }
+}
+
+/// A drop needs a shape, a wall boxes that lie along it, and both the keys of a body in order.
+#[test]
+fn mistakes_in_the_body_of_an_array_are_refused() {
     let nothing = array("layout.drop = { count = 1, size = [2, 2, 2] }")
         .replace("shape.box.size = [0.4, 0.4, 0.4]", "inertia = [1, 1, 1]");
     check(&nothing, "arrays.cube.layout.drop", "drop", "`shape`, of a finite size");
