@@ -19,8 +19,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Most contacts of which a report says how far they are from moving: a tenth of a second.
-const MOST_CONTACTS: usize = 200;
+/// Most contacts of which a report says how far they are from moving: some tenths of a second.
+const MOST_CONTACTS: usize = 500;
 
 /// Simulates, writes the files asked for and prints the report.
 pub(crate) fn run(args: &RunArgs, interrupt: &Interrupt) -> Result<(), Failure> {

@@ -65,7 +65,7 @@ fn worst(scene: &Scene, push: &PushMargin) -> [String; 2] {
         (_, Some(f64::INFINITY)) => "any".to_owned(),
         (Some(degrees), _) => format!("{degrees} degrees towards {towards}"),
         (None, Some(of_weight)) => {
-            format!("replaced by a push of {} of the weight towards {towards}", margin(of_weight))
+            format!("is no measure, with other forces: a push of {} of the weight towards {towards}", margin(of_weight))
         }
     };
     let names = named(scene, &push.begins);
