@@ -23,6 +23,7 @@
 use crate::dense::kernels::largest;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::blocks::Blocks;
+use crate::friction::equilibrium::unload;
 use crate::interior_point::{ConeProgramme, ConeRows, least_cost};
 use crate::law::Law;
 use crate::problem::ContactProblem;
@@ -54,7 +55,7 @@ pub struct Limit {
     /// Generalised velocities of the bodies in the motion that begins there, in blocks of the problem's width, up to a common
     /// factor: that of the greatest is 1 m/s or 1 rad/s. Zero where nothing begins to move.
     pub mechanism: Vec<f64>,
-    /// Forces of all rows that balance there, N, to the tolerance of the interior point.
+    /// Forces of all rows that balance there, N, to the tolerance of the interior point. Contacts that bear nothing have zero.
     pub forces: Vec<f64>,
 }
 
@@ -207,8 +208,10 @@ impl<'a> Structure<'a> {
 
     fn limit(&self, factor: f64, solved: &Solved) -> Limit {
         let mut forces = vec![0.0; self.problem.len()];
+        let mut parts = solved.parts.clone();
+        unload(&mut parts, self.blocks);
         let sizes = self.units.iter().zip(self.blocks.scales());
-        for ((&row, part), (unit, scale)) in self.blocks.rows().iter().zip(&solved.parts).zip(sizes) {
+        for ((&row, part), (unit, scale)) in self.blocks.rows().iter().zip(&parts).zip(sizes) {
             forces[row] = part * unit * scale;
         }
         Limit { factor, mechanism: self.mechanism(solved), forces }
