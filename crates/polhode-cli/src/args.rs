@@ -190,6 +190,10 @@ pub(crate) struct ResumeArgs {
 pub(crate) struct PlanArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
+    /// Says how far the bodies at rest are from moving: how far friction may fall, how far the scene may be tilted or its
+    /// bodies pushed, and what begins to move then
+    #[arg(long)]
+    pub(crate) stability: bool,
     /// Prints the plan as JSON, with the accelerations at t = 0
     #[arg(long)]
     pub(crate) json: bool,

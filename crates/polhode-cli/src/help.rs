@@ -13,7 +13,8 @@ Example:
 pub(crate) const PLAN: &str = "\
 Examples:
   polhode plan scene.toml
-  polhode plan example:box-drop --json";
+  polhode plan example:box-drop --json
+  polhode plan example:masonry-arch --stability";
 
 pub(crate) const COST: &str = "\
 Examples:

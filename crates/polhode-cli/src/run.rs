@@ -19,6 +19,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
+/// Most contacts of which a report says how far they are from moving: some tenths of a second.
+const MOST_CONTACTS: usize = 500;
+
 /// Simulates, writes the files asked for and prints the report.
 pub(crate) fn run(args: &RunArgs, interrupt: &Interrupt) -> Result<(), Failure> {
     let prepared = prepared(args, interrupt);
@@ -214,20 +217,30 @@ impl Run {
         Err((self.report, Failure::Interrupted(said, interrupt.code())))
     }
 
+    /// How far the bodies that rest at the end are from moving, in a line. A report comes without it where they are too many
+    /// for it to be found at once, or it cannot be found.
+    fn stands(&self) -> Option<String> {
+        if self.simulation.contacts().len() > MOST_CONTACTS {
+            return None;
+        }
+        text::stability_line(&self.loaded.scene, &self.simulation.stability().ok()?)
+    }
+
     /// At the end: completes the files and prints the report.
     fn completed(self, report: &RunReport, interrupt: &Interrupt) -> Result<(), (Report, Failure)> {
         let told = self.report;
         if let Some(said) = self.checkpoints.write_at_end(&self.simulation).map_err(|failure| (told, failure))? {
             failure::remark(&said);
         }
-        self.files.finish(report, interrupt).map_err(|failure| (told, failure))?;
         let wall_s = self.started.elapsed().as_secs_f64();
+        let stands = if matches!(told, Report::Text | Report::OnStderr) { self.stands() } else { None };
+        self.files.finish(report, interrupt).map_err(|failure| (told, failure))?;
         let printed = match told {
             Report::Json => stdout::json(&scene_report_json(&self.loaded, report, wall_s)),
-            Report::Text => stdout::text(&text::run(&self.loaded, report, wall_s)),
+            Report::Text => stdout::text(&text::run(&self.loaded, report, stands.as_deref(), wall_s)),
             Report::Untold => Ok(()),
             Report::OnStderr => {
-                failure::remark(text::run(&self.loaded, report, wall_s).trim_end());
+                failure::remark(text::run(&self.loaded, report, stands.as_deref(), wall_s).trim_end());
                 Ok(())
             }
         };

@@ -29,6 +29,10 @@ const PIVOT_ROUNDING: f64 = 1e-14;
 /// exact afterwards, and its residual is checked.
 const PROGRAMME_TOLERANCES: [f64; 3] = [1e-12, 1e-10, 1e-8];
 
+/// What a margin may be off by where the first tolerance is not met, relative to data of unit size (no unit, 1e-9 to 1e-7): it
+/// is told to six digits.
+const MARGIN_TOLERANCE: f64 = 1e-7;
+
 /// Contact forces by interior point.
 #[derive(Debug, Clone)]
 pub(crate) struct InteriorPointForces {
@@ -201,10 +205,47 @@ pub(crate) fn least_motion(
     }
     let right: Vec<f64> = constant.iter().map(|value| value / size).collect();
     let identity = CscMatrix::identity(variables);
+    let attempts = PROGRAMME_TOLERANCES.map(settings);
+    in_cones((&identity, &vec![0.0; variables]), entries, (right, size), cones, &attempts)
+}
+
+/// `min c.y` subject to `B y + q` in cones, as above, to [`MARGIN_TOLERANCE`] at least; data should be of unit size.
+pub(crate) fn least_cost(
+    gradient: &[f64],
+    entries: &[(usize, usize, f64)],
+    constant: &[f64],
+    cones: &[ConeRows],
+) -> ConeProgramme {
+    let nothing = CscMatrix::zeros((gradient.len(), gradient.len()));
+    let attempt = DefaultSettings {
+        reduced_tol_gap_abs: MARGIN_TOLERANCE,
+        reduced_tol_gap_rel: MARGIN_TOLERANCE,
+        reduced_tol_feas: MARGIN_TOLERANCE,
+        ..settings(TOLERANCE)
+    };
+    match in_cones((&nothing, gradient), entries, (constant.to_vec(), 1.0), cones, &[attempt]) {
+        // Where even that is not met a looser end may be.
+        ConeProgramme::Failed => {
+            let attempt = settings(MARGIN_TOLERANCE);
+            in_cones((&nothing, gradient), entries, (constant.to_vec(), 1.0), cones, &[attempt])
+        }
+        found => found,
+    }
+}
+
+/// The programme with this quadratic and linear objective, and `q` divided by `size`, by the first of some settings that meets
+/// its tolerance or its reduced one.
+fn in_cones(
+    (quadratic, gradient): (&CscMatrix<f64>, &[f64]),
+    entries: &[(usize, usize, f64)],
+    (right, size): (Vec<f64>, f64),
+    cones: &[ConeRows],
+    attempts: &[DefaultSettings<f64>],
+) -> ConeProgramme {
     let rows = entries.iter().map(|entry| entry.0).collect();
     let columns = entries.iter().map(|entry| entry.1).collect();
     let values = entries.iter().map(|entry| -entry.2).collect();
-    let constraints = CscMatrix::new_from_triplets(constant.len(), variables, rows, columns, values);
+    let constraints = CscMatrix::new_from_triplets(right.len(), gradient.len(), rows, columns, values);
     let cones: Vec<_> = cones
         .iter()
         .map(|cone| match *cone {
@@ -213,10 +254,9 @@ pub(crate) fn least_motion(
             ConeRows::SecondOrder(rows) => SecondOrderConeT(rows),
         })
         .collect();
-    let gradient = vec![0.0; variables];
-    for tolerance in PROGRAMME_TOLERANCES {
-        let Ok(mut solver) =
-            DefaultSolver::new(&identity, &gradient, &constraints, &right, &cones, settings(tolerance))
+    for attempt in attempts {
+        let accepts_reduced = attempt.reduced_tol_feas == MARGIN_TOLERANCE;
+        let Ok(mut solver) = DefaultSolver::new(quadratic, gradient, &constraints, &right, &cones, attempt.clone())
         else {
             return ConeProgramme::Failed;
         };
@@ -225,6 +265,10 @@ pub(crate) fn least_motion(
         let multipliers = || solver.solution.z.iter().map(|z| z * size).collect();
         match solver.solution.status {
             SolverStatus::Solved => {
+                let point = solver.solution.x.iter().map(|y| y * size).collect();
+                return ConeProgramme::Solved { point, multipliers: multipliers(), iterations };
+            }
+            SolverStatus::AlmostSolved if accepts_reduced => {
                 let point = solver.solution.x.iter().map(|y| y * size).collect();
                 return ConeProgramme::Solved { point, multipliers: multipliers(), iterations };
             }

@@ -357,6 +357,12 @@ impl ContactProblem {
         (0..usize::from(bodies.count)).map(move |slot| self.entry(row, slot))
     }
 
+    /// `J M^-1 J^T` of one row with itself, 1/kg: what a unit force along it does along it; zero of a row that does not exist.
+    pub fn mobility(&self, row: usize) -> f64 {
+        let own = |entry: RowEntry<'_>| dot(entry.jacobian, entry.response);
+        if row < self.len() { self.entries(row).map(own).sum() } else { 0.0 }
+    }
+
     /// How many bodies `row` touches: 1 or 2.
     pub(crate) fn touched(&self, row: usize) -> usize {
         usize::from(self.rows[row].count)

@@ -182,6 +182,29 @@ pub enum Refusal {
     /// A motor has no drive, or several.
     #[error("a motor is exactly one of `effort`, `velocity` and `position`")]
     MotorKinds,
+    /// An array has no kind of layout, or several.
+    #[error("a layout is exactly one of the kinds")]
+    LayoutKinds,
+    /// Arrays hold more bodies than a scene may have.
+    #[error("{found} bodies are too many: a scene with arrays may have {limit}, which make 2^31 pairs")]
+    TooManyBodies {
+        /// How many bodies there are up to the end of the array.
+        found: u64,
+        /// The limit.
+        limit: u64,
+    },
+    /// The region of a drop is too small for its bodies.
+    #[error(
+        "the region has room for {room} of {count} bodies, each in a ball of {ball_m} m in diameter: a larger `size` or a smaller `count` is needed"
+    )]
+    NoRoom {
+        /// How many bodies there are.
+        count: u32,
+        /// For how many there is room.
+        room: u64,
+        /// Diameter of the ball that holds a body, m.
+        ball_m: f64,
+    },
     /// Something else that the format's reader refuses.
     #[error("{0}")]
     Other(String),
@@ -371,6 +394,7 @@ impl Refusal {
                 Kinds::Forces => Self::ForceKinds,
                 Kinds::Motions => Self::MotionKinds,
                 Kinds::Joints => Self::JointKinds,
+                Kinds::Layouts => Self::LayoutKinds,
             };
         }
         Self::Other(message.to_owned())
@@ -397,6 +421,7 @@ impl Refusal {
             Self::ForceKinds => Some(format!("accepted: one of {}", crate::format::FORCES)),
             Self::MotionKinds => Some(format!("accepted: one of {}", crate::format::MOTIONS)),
             Self::JointKinds => Some(format!("accepted: one of {}", crate::format::JOINTS)),
+            Self::LayoutKinds => Some(format!("accepted: one of {}", crate::format::LAYOUTS)),
             Self::Version(_) => Some(format!("accepted: {}", crate::format::VERSION)),
             Self::NotYetAvailable { instead, .. } => Some(format!("use {instead}")),
             Self::Excludes { .. } => Some("give one of them".to_owned()),
@@ -414,6 +439,7 @@ enum Kinds {
     Forces,
     Motions,
     Joints,
+    Layouts,
 }
 
 impl Kinds {
@@ -423,6 +449,8 @@ impl Kinds {
             Self::Forces
         } else if steps.first() == Some(&Step::key("joints")) {
             Self::Joints
+        } else if steps.contains(&Step::key("layout")) {
+            Self::Layouts
         } else if steps.contains(&Step::key("motion")) {
             Self::Motions
         } else {
@@ -445,6 +473,7 @@ fn plain(text: &str, kinds: Kinds) -> String {
             Kinds::Joints => {
                 "a joint with its keys, such as type.hinge = { bodies = [\"door\"], anchor = [0, 0, 0], axis = [0, 0, 1] }"
             }
+            Kinds::Layouts => "a layout with its keys, such as layout.pyramid = { base = 10, spacing = [0.44, 0.4] }",
             Kinds::Motions => "a motion with its keys, such as motion.constant.velocity = [1, 0, 0]",
         }
         .to_owned(),

@@ -26,7 +26,9 @@ impl LoadedScene {
     /// The mesh files that the scene was made from; those inside the program are none.
     pub fn mesh_files(&self) -> Vec<PathBuf> {
         let mut files = Vec::new();
-        self.file.bodies.iter().filter_map(|body| body.shape.as_ref()).for_each(|shape| shape.add_files(&mut files));
+        let of_bodies = self.file.bodies.iter().filter_map(|body| body.shape.as_ref());
+        let of_arrays = self.file.arrays.iter().filter_map(|array| array.shape.as_ref());
+        of_bodies.chain(of_arrays).for_each(|shape| shape.add_files(&mut files));
         files.into_iter().filter_map(|file| self.meshes.path(file)).collect()
     }
 

@@ -3,6 +3,7 @@
 use crate::load::LoadedScene;
 use crate::names;
 use glam::DVec3;
+use polhode::stability::{Beginning, MovingBody, PushMargin, Stability};
 use polhode::{Acceleration, BodyId, BodySample, Momentum, MomentumLedger, PairAt, Plan, RunReport, Scene, Tolerated};
 use serde_json::{Value, json};
 
@@ -169,6 +170,39 @@ pub fn plan_with_accelerations_json(scene: &Scene, plan: &Plan, accelerations: &
     value["scene"] = json!(scene.name());
     value["accelerations"] = json!(list);
     value
+}
+
+/// How far bodies at rest are from moving. `of_weight` is null where nothing holds them, and `"any"` where no push moves them.
+pub fn stability_json(scene: &Scene, stability: &Stability) -> Value {
+    let begins = |moving: &[MovingBody]| {
+        let one = |moving: &MovingBody| {
+            let how = match moving.beginning {
+                Beginning::Slides => "slides",
+                Beginning::Tips => "tips",
+                _ => "moves",
+            };
+            let name = scene.bodies().get(moving.body.index()).map(polhode::Body::name);
+            json!({ "body": name, "how": how, "speed": moving.speed, "direction": moving.direction.map(triple) })
+        };
+        moving.iter().map(one).collect::<Vec<_>>()
+    };
+    let push = |push: &PushMargin| {
+        let of_weight = push.of_weight.map(|part| if part.is_finite() { json!(part) } else { json!("any") });
+        let tilt = push.tilt_rad().filter(|_| scene.forces().is_empty());
+        json!({
+            "direction": triple(push.direction),
+            "of_weight": of_weight,
+            "tilt_rad": tilt,
+            "begins": begins(&push.begins),
+        })
+    };
+    json!({
+        "bodies": stability.bodies,
+        "contacts": stability.contacts,
+        "friction_needed": stability.friction.needed,
+        "begins": begins(&stability.friction.begins),
+        "pushes": stability.pushes.iter().map(push).collect::<Vec<_>>(),
+    })
 }
 
 fn body_json(name: &str, sample: &BodySample) -> Value {

@@ -124,6 +124,7 @@
 //! | [`mod@frame`] | [`Frame`]: poses, contacts, forces and islands at one time |
 //! | [`mod@body_queries`] | [`BodyQueries`]: nearest body, rays, overlaps, distances |
 //! | [`mod@report`] | [`RunReport`], [`Outcome`], [`Certificate`] |
+//! | [`mod@stability`] | [`Stability`]: how far bodies at rest are from moving |
 //! | [`mod@ledger`], [`mod@momentum_ledger`] | [`Ledger`], [`MomentumLedger`]: energy and momentum, booked by cause |
 //! | `snapshot` | [`Snapshot`]: a simulation at one time as bytes |
 //! | [`mod@error`] | [`SimulationError`]; besides it [`SceneError`], [`ActionError`], [`SnapshotError`] |
@@ -190,6 +191,7 @@ mod simulation;
 mod singular_force;
 mod snapshot;
 mod solve;
+pub mod stability;
 mod start_overlap;
 mod states_of;
 mod steering;
@@ -221,6 +223,7 @@ pub use report::{
 pub use scene::{ApproximateParts, Body, Geometry, Scene, SceneBuilder, SceneError};
 pub use simulation::{Simulation, StepEnd, StepOutcome};
 pub use snapshot::{Snapshot, SnapshotError};
+pub use stability::Stability;
 pub use steering::Steering;
 
 pub use polhode_contact as contact;

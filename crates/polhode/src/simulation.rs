@@ -23,7 +23,9 @@ use crate::snapshot::content::{self, Content};
 use crate::snapshot::{self, Snapshot, SnapshotError};
 use crate::tier::{Reached, Tier, engines};
 use crate::world::{World, WorldBody};
-use crate::{BodyId, Effects, Momentum, Plan, Scene, SimulationError, singular_force, start_overlap};
+use crate::{
+    BodyId, Effects, Momentum, Plan, Scene, SimulationError, Stability, singular_force, stability, start_overlap,
+};
 use polhode_contact::QueryError;
 use polhode_response::ComplementaritySolver;
 use std::sync::Arc;
@@ -338,6 +340,37 @@ impl Simulation {
     /// When the contact forces cannot be found.
     pub fn accelerations(&mut self) -> Result<Vec<Acceleration>, SimulationError> {
         self.tier.accelerations(&mut self.core)
+    }
+
+    /// How far the bodies at rest are from moving at the present: how far friction may fall, and how far the scene may be tilted
+    /// or its bodies pushed, before the first of them moves; and what begins to move then.
+    ///
+    /// ```
+    /// use polhode::contact::Shape;
+    /// use polhode::mesh::solid_box;
+    /// use polhode::scene::Material;
+    /// use polhode::spatial::{DVec3, Mass, Pose, UnitVector};
+    /// use polhode::{Body, Scene, Simulation};
+    /// // A box of 1 m x 1 m x 4 m on a floor of friction 0.5 tips before it slides: at a push of 1/4 of its weight.
+    /// let wood = Material::new("wood").with_friction(0.5)?;
+    /// let size = DVec3::new(1.0, 1.0, 4.0);
+    /// let column = Body::movable("column", solid_box(size, Mass::new(2.0)?)?)
+    ///     .geometry(Shape::cuboid(size)?.into())
+    ///     .pose(Pose::from_translation(DVec3::Z * 2.0));
+    /// let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
+    /// let scene = Scene::builder("column").body(floor.material(wood.clone())).body(column.material(wood)).build()?;
+    /// let stability = Simulation::new(&scene)?.stability()?;
+    /// let push = stability.worst_push().ok_or("gravity acts")?;
+    /// assert!(push.of_weight.is_some_and(|part| (part - 0.25).abs() < 1e-8));
+    /// assert_eq!(stability.friction.needed, Some(0.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// When rows cannot be made of the contacts.
+    pub fn stability(&self) -> Result<Stability, SimulationError> {
+        let states = self.tier.states(&self.core);
+        stability::of_contacts(&self.core, &states, &self.tier.contacts(&self.core, self.core.t, &states))
     }
 
     /// Geometric queries about the bodies at the present: nearest body, rays, overlaps, distances. [`BodyQueries`] has

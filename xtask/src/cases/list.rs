@@ -7,8 +7,8 @@ use super::{
     frictional_statics, heavy_tops, impact_chains, impacts, invariances, ledger, long_runs, mass_properties,
     numerical_loss, one_dependency, peers, pi_machine, polhode_times, published_rotations, random_scenes,
     random_solids, reductions, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, seams, sliding,
-    sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed, spinning_scenes, stackings, stacks,
-    stacks_on_slopes, structures, table_edge, thesis_tier, tunnelling, units, valleys, videos, walls,
+    sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed, spinning_scenes, stability, stackings,
+    stacks, stacks_on_slopes, structures, table_edge, thesis_tier, tunnelling, units, valleys, videos, walls,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -136,6 +136,8 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "FC-21", rows: slopes::fc_21 },
     Case { name: "stacks on slopes", rows: stacks_on_slopes::rows },
     Case { name: "structures: random", rows: structures::random },
+    Case { name: "structures: margins", rows: structures::margins },
+    Case { name: "stability", rows: stability::rows },
     Case { name: "structures: arches", rows: structures::arches },
     Case { name: "structures: card houses", rows: structures::card_houses },
     Case { name: "random slopes", rows: slopes::random_slopes },

@@ -77,6 +77,7 @@ mod slopes;
 mod snapshots;
 mod speed;
 mod spinning_scenes;
+mod stability;
 mod stackings;
 mod stacks;
 mod stacks_on_slopes;

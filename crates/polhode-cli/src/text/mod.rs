@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `table` | columns of equal width, numbers in few digits |
 //! | `report` | plan, accelerations and report of a run |
+//! | `stability` | how far bodies at rest are from moving |
 //! | `mesh`, `mesh_studies` | a mesh; reference points and Monte Carlo estimates |
 //! | `comparison` | two trajectories |
 
@@ -11,10 +12,12 @@ mod comparison;
 mod mesh;
 mod mesh_studies;
 mod report;
+mod stability;
 mod table;
 
 pub(crate) use comparison::comparison;
 pub(crate) use mesh::{mesh, repairs, unit};
 pub(crate) use mesh_studies::{monte_carlo, reference_points};
 pub(crate) use report::{accelerations, approximations, plan, run};
+pub(crate) use stability::{stability, stability_line};
 pub(crate) use table::{Table, number};

@@ -11,9 +11,9 @@ const MOST_BODIES: usize = 50;
 /// Width of a plan, characters.
 const WIDTH: usize = 100;
 
-/// What a run has come to: its report, and below it the plan.
-pub(crate) fn run(loaded: &LoadedScene, report: &RunReport, wall_s: f64) -> String {
-    format!("{}{}\n{}", heading(loaded), self::report(report, wall_s), methods_and_effects(&report.plan))
+/// What a run has come to: its report, with how far what stands is from moving, and below it the plan.
+pub(crate) fn run(loaded: &LoadedScene, report: &RunReport, stands: Option<&str>, wall_s: f64) -> String {
+    format!("{}{}\n{}", heading(loaded), self::report(report, stands, wall_s), methods_and_effects(&report.plan))
 }
 
 /// The scene with what it shows, and the plan: methods, then one line per effect.
@@ -70,13 +70,16 @@ pub(crate) fn accelerations(scene: &Scene, accelerations: &[Acceleration]) -> St
 }
 
 /// The report of a run that took `wall_s` seconds.
-fn report(report: &RunReport, wall_s: f64) -> String {
+fn report(report: &RunReport, stands: Option<&str>, wall_s: f64) -> String {
     let mut run = Table::default();
     let ended = names::outcome(report.outcome);
     run.row(["simulated", &format!("{} of {} s, {ended}", number(report.simulated_s), number(report.duration_s))]);
     run.row(["steps", &report.steps.to_string()]);
     run.row(["events", &report.events.to_string()]);
     run.row(["wall time", &format!("{} s", number(wall_s))]);
+    if let Some(stands) = stands {
+        run.row(["stands", stands]);
+    }
     if !report.crowded.is_empty() {
         let [stretches, error] = crowded(report);
         run.row(["crowded stretches", &stretches]);

@@ -84,19 +84,24 @@ pub fn balancing_forces(
     let ConeProgramme::Solved { mut point, .. } = least_motion(variables, &entries, &constant, &cones) else {
         return Ok(None);
     };
-    let mut first = 0;
-    for law in blocks.laws() {
-        let own = &mut point[first..first + law.rows()];
-        if matches!(law, Law::Push | Law::Cone { .. }) && own[0] <= UNLOADED {
-            own.fill(0.0);
-        }
-        first += law.rows();
-    }
+    unload(&mut point, blocks);
     let mut forces = vec![0.0; problem.len()];
     for ((&row, part), unit) in blocks.rows().iter().zip(&point).zip(&units) {
         forces[row] = part * unit;
     }
     Ok(Some(forces))
+}
+
+/// Takes what bears nothing to the tolerance of the interior point out of forces in their units, in the order of the blocks.
+pub(super) fn unload(parts: &mut [f64], blocks: &Blocks) {
+    let mut first = 0;
+    for law in blocks.laws() {
+        let own = &mut parts[first..first + law.rows()];
+        if matches!(law, Law::Push | Law::Cone { .. }) && own[0] <= UNLOADED {
+            own.fill(0.0);
+        }
+        first += law.rows();
+    }
 }
 
 /// For each row of the blocks the sum of the forces on the lighter loaded of its bodies, N.

@@ -18,6 +18,7 @@
 //! | `newton` | the semismooth Newton method |
 //! | `cone_programme` | the convex relative, and the proof that there is no solution |
 //! | `equilibrium` | [`balancing_forces`]: what is at rest stays at rest if it can |
+//! | `limit_analysis` | [`Structure`]: how far what stands is from moving |
 //! | `solver` | [`solve_friction`]: the chain of methods |
 //! | `settings`, `solution` | [`FrictionSettings`], [`Redundancy`], [`FrictionSolution`] |
 
@@ -28,6 +29,7 @@ pub(crate) mod coulomb_cone;
 pub(crate) mod elimination_order;
 mod equilibrium;
 mod gauss_seidel;
+mod limit_analysis;
 pub(crate) mod linearisation;
 mod multifrontal;
 mod newton;
@@ -44,6 +46,7 @@ pub use block_matrix::BlockMatrix;
 pub use blocks::{Blocks, BlocksSolution, ResistedPart};
 pub use equilibrium::balancing_forces;
 pub use gauss_seidel::gauss_seidel;
+pub use limit_analysis::{Limit, MOST_FACTOR, Structure};
 pub use linearisation::ContactStatus;
 pub use problem::FrictionProblem;
 pub use settings::{FrictionSettings, Redundancy};

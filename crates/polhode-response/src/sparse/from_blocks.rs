@@ -101,7 +101,7 @@ impl Blocks {
     }
 
     /// The problem in the velocities of bodies, whose rows are in the order of the blocks, as are the constant terms.
-    fn in_bodies(&self, problem: &ContactProblem, constants: &[f64]) -> Result<Converted, ResponseError> {
+    pub(super) fn in_bodies(&self, problem: &ContactProblem, constants: &[f64]) -> Result<Converted, ResponseError> {
         if let Some(&row) = self.rows().iter().find(|&&row| row >= problem.len()) {
             return Err(ResponseError::UnknownRow { row, rows: problem.len() });
         }
@@ -180,8 +180,8 @@ pub(crate) fn solve_behind(
 }
 
 /// A problem in the velocities of bodies.
-struct Converted {
-    bodies: BodyProblem,
+pub(super) struct Converted {
+    pub(super) bodies: BodyProblem,
     /// The first contact or joint that each block was made into.
     given: Vec<usize>,
 }

@@ -15,11 +15,13 @@
 //! | interior point | cold start, from loads that would hold everything | `interior_point.rs`, `interior_cone.rs`, `cone_form.rs`, `jordan.rs` |
 //! | semismooth Newton | the end of it, and warm starts | `newton.rs` |
 //! | smoothing Newton | where the interior point jams | `smoothing.rs`, `smoothed_cone.rs` |
+//! | balance | makes forces balance to rounding | `balance.rs` |
 //! | solver | the chain of methods, and what is told of it | `solver.rs`, `solution.rs`, `settings.rs` |
 //!
 //! The residual is the natural map in units of impulse per unit of the largest reaction; what is not reached within
 //! the budget of factorisations is told by it, and by the status.
 
+mod balance;
 mod block6;
 mod body;
 mod cone_form;
@@ -40,6 +42,7 @@ mod solution;
 mod solver;
 mod system;
 
+pub use balance::BalancedForces;
 pub use body::BodyMass;
 pub use elimination::Elimination;
 pub use problem::{BodyProblem, BodyRows};

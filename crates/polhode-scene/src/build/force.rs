@@ -4,7 +4,7 @@
 
 use super::bodies::Bodies;
 use super::fault::{Fault, Faults, not_negative, vector};
-use super::{signal, spring};
+use super::{array, signal, spring};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{DragEntry, DragLawName, Exactly, ForceKind, FrameName, SceneFile};
@@ -35,6 +35,7 @@ pub(super) fn build(file: &SceneFile, bodies: &Bodies<'_>, faults: &mut Faults) 
 /// The entry of the file that force `number` of the engine comes from.
 pub(super) fn entry_of(number: usize, file: &SceneFile) -> Option<usize> {
     let movable = file.bodies.iter().filter(|body| !body.fixed && body.motion.is_none()).count();
+    let movable = movable.saturating_add(array::movable(file));
     let mut end = 0;
     file.forces.iter().position(|entry| {
         end += match &entry.kind {

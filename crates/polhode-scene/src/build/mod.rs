@@ -6,10 +6,12 @@
 //! | module | holds |
 //! |---|---|
 //! | `approximate` | few convex parts that nearly fill a mesh |
+//! | `array` | many equal bodies |
 //! | `bodies` | bodies by name, for what refers to them |
 //! | `body` | a body: its pose, motion, shape and mass |
 //! | `fault` | what is refused and at which key; checks of numbers |
 //! | `force` | forces |
+//! | `layout` | where the bodies of an array stand |
 //! | `mass` | mass properties from mass or density, shape and inertia |
 //! | `materials` | materials and rules for pairs of them |
 //! | `matter` | what the mass of a body is spread over |
@@ -23,11 +25,13 @@
 //! | `spring` | springs |
 
 mod approximate;
+mod array;
 mod bodies;
 mod body;
 mod fault;
 mod force;
 mod joint;
+mod layout;
 mod mass;
 mod materials;
 mod matter;

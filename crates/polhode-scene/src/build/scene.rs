@@ -3,13 +3,13 @@
 use super::bodies::Bodies;
 use super::fault::{Fault, Faults, not_negative, positive, vector};
 use super::materials::Materials;
-use super::{body, force, joint, method};
+use super::{array, body, force, joint, method};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{self, NoContactEntry, SceneFile};
 use crate::mesh_file::MeshFolder;
 use polhode::contact::ShapeError;
-use polhode::{BodyId, Scene, SceneBuilder, SceneError};
+use polhode::{Body, BodyId, Scene, SceneBuilder, SceneError};
 
 /// The scene that a file describes; `name` is used when the file gives none.
 ///
@@ -28,12 +28,13 @@ pub(crate) fn scene(file: &SceneFile, folder: &MeshFolder, name: &str) -> Result
             builder = builder.pair_rule(rule);
         }
     }
-    check_names(file, &mut faults);
     let mut list = Vec::with_capacity(file.bodies.len());
     for (index, entry) in file.bodies.iter().enumerate() {
         let body = faults.note(body::build(entry, &materials, folder, &KeyPath::element("bodies", index)));
         list.push(body.unwrap_or_else(|| body::stand_in(entry)));
     }
+    list.extend(array::build(file, &materials, folder, &mut faults));
+    check_names(file, &list, &mut faults);
     let bodies = Bodies::new(&list);
     for force in force::build(file, &bodies, &mut faults) {
         builder = builder.force(force);
@@ -81,7 +82,8 @@ fn times(file: &SceneFile, mut builder: SceneBuilder, faults: &mut Faults) -> Sc
 pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
     let body = |name: &str| {
         let index = file.bodies.iter().position(|body| body.name == name);
-        index.map_or_else(KeyPath::root, |index| KeyPath::element("bodies", index))
+        let of_array = || array::of_body(name, file).map(|index| KeyPath::element("arrays", index));
+        index.map(|index| KeyPath::element("bodies", index)).or_else(of_array).unwrap_or_else(KeyPath::root)
     };
     match error {
         SceneError::InitialOverlap(pairs) => pairs.first().map_or_else(KeyPath::root, |pair| body(&pair.body_b)),
@@ -122,8 +124,8 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
     }
 }
 
-/// Every body has a name of its own.
-fn check_names(file: &SceneFile, faults: &mut Faults) {
+/// Every body has a name of its own; of an array the first name that is borne twice is told.
+fn check_names(file: &SceneFile, bodies: &[Body], faults: &mut Faults) {
     let mut seen = std::collections::BTreeSet::new();
     for (index, body) in file.bodies.iter().enumerate() {
         let path = KeyPath::element("bodies", index).key("name");
@@ -132,6 +134,11 @@ fn check_names(file: &SceneFile, faults: &mut Faults) {
         } else if !seen.insert(body.name.as_str()) {
             faults.add((path, Refusal::DuplicateName(body.name.clone())));
         }
+    }
+    let mut of_arrays = bodies.iter().skip(file.bodies.len()).map(Body::name);
+    if let Some(twice) = of_arrays.find(|name| !seen.insert(*name)) {
+        let array = array::of_body(twice, file).unwrap_or_default();
+        faults.add((KeyPath::element("arrays", array).key("name"), Refusal::DuplicateName(twice.to_owned())));
     }
 }
 

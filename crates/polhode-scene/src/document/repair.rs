@@ -56,9 +56,11 @@ impl Damage {
             // What was taken out may have been the key that is missing, or a misspelling of it.
             // A table that lost its only key is too short.
             Refusal::MissingKey(_) | Refusal::Type { .. } => self.keys.contains(&span),
-            Refusal::ShapeKinds | Refusal::ForceKinds | Refusal::MotionKinds | Refusal::JointKinds => {
-                self.tables.contains(&span)
-            }
+            Refusal::ShapeKinds
+            | Refusal::ForceKinds
+            | Refusal::MotionKinds
+            | Refusal::JointKinds
+            | Refusal::LayoutKinds => self.tables.contains(&span),
             _ => false,
         }
     }
@@ -72,7 +74,7 @@ impl Damage {
         let is_damaged = !path.steps().is_empty() && self.tables.contains(&tree::spans(root, &element).value);
         let unknown = match cause {
             Refusal::UnknownName { kind, .. } => match *kind {
-                "body" => self.names.iter().any(|top| top == "bodies"),
+                "body" => self.names.iter().any(|top| top == "bodies" || top == "arrays"),
                 _ => self.names.iter().any(|top| top == "materials"),
             },
             _ => false,

@@ -67,7 +67,7 @@ pub(super) fn path_at(root: &Spanned<DeTable<'_>>, span: &Range<usize>) -> KeyPa
     search.found
 }
 
-/// A path as it can be typed after `--set`: bodies by name where they have one, by number otherwise.
+/// A path as it can be typed after `--set`: bodies and arrays by name where they have one, by number otherwise.
 pub(super) fn written(root: &DeTable<'_>, path: &KeyPath) -> String {
     let steps = path.steps();
     let mut text = String::new();
@@ -78,8 +78,8 @@ pub(super) fn written(root: &DeTable<'_>, path: &KeyPath) -> String {
         match step {
             Step::Key(key) => text.push_str(&key_path::written(key)),
             Step::Index(index) => {
-                let in_bodies = depth == 1 && steps[0] == Step::key("bodies");
-                let name = if in_bodies { body_name(root, *index) } else { None };
+                let named = ["bodies", "arrays"].into_iter().find(|key| depth == 1 && steps[0] == Step::key(*key));
+                let name = named.and_then(|key| name_of(root, key, *index));
                 text.push_str(&name.map_or_else(|| index.to_string(), key_path::written));
             }
         }
@@ -87,8 +87,8 @@ pub(super) fn written(root: &DeTable<'_>, path: &KeyPath) -> String {
     text
 }
 
-fn body_name<'t>(root: &'t DeTable<'_>, index: usize) -> Option<&'t str> {
-    root.get("bodies")?.get_ref().get(index)?.get_ref().get("name")?.get_ref().as_str().filter(|name| !name.is_empty())
+fn name_of<'t>(root: &'t DeTable<'_>, key: &str, index: usize) -> Option<&'t str> {
+    root.get(key)?.get_ref().get(index)?.get_ref().get("name")?.get_ref().as_str().filter(|name| !name.is_empty())
 }
 
 /// A value that holds others.

@@ -9,6 +9,7 @@
 //! | `scene` | the document: [`SceneFile`], [`OutputEntry`], [`MaterialEntry`], [`PairEntry`], [`NoContactEntry`], [`StartEntry`] |
 //! | `method` | [`MethodEntry`] and the members of each knob |
 //! | `integrator`, `broad_phase`, `tier` | [`IntegratorName`], [`BroadPhaseName`], [`TierName`] |
+//! | `array` | [`ArrayEntry`], [`LayoutEntry`]: many equal bodies |
 //! | `body` | [`BodyEntry`], [`ShapeEntry`], [`InertiaEntry`] |
 //! | `friction` | [`FrictionEntry`], [`StaticFrictionEntry`]: coefficients that may depend on the direction |
 //! | `force` | [`ForceEntry`] and the kinds of force |
@@ -18,6 +19,7 @@
 //! | `exactly` | [`Exactly`]: arrays of an exact length |
 //! | `planned` | members that are designed but not built, refused as `not yet available` |
 
+mod array;
 mod body;
 mod broad_phase;
 mod exactly;
@@ -32,6 +34,8 @@ mod scene;
 mod signal;
 mod tier;
 
+pub(crate) use array::LAYOUTS;
+pub use array::{ArrayEntry, DropEntry, GridEntry, LayoutEntry, PyramidEntry, WallEntry};
 pub use body::{
     ApproximateEntry, BodyEntry, BoxEntry, CompoundEntry, FileEntry, HalfSpaceEntry, InertiaEntry, MeshEntry,
     PartEntry, PointsEntry, RadiusHeightEntry, ShapeEntry, SphereEntry, TorusEntry,

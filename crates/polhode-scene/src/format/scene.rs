@@ -1,7 +1,7 @@
 //! The document: everything but methods, bodies and forces.
 
 use super::exactly::{Exactly, Vector};
-use super::{BodyEntry, ForceEntry, FrictionEntry, JointEntry, MethodEntry, StaticFrictionEntry};
+use super::{ArrayEntry, BodyEntry, ForceEntry, FrictionEntry, JointEntry, MethodEntry, StaticFrictionEntry};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -40,6 +40,9 @@ pub struct SceneFile {
     /// The bodies.
     #[serde(default)]
     pub bodies: Vec<BodyEntry>,
+    /// Many equal bodies each; they follow the others in this order.
+    #[serde(default)]
+    pub arrays: Vec<ArrayEntry>,
     /// Forces besides uniform gravity and contact.
     #[serde(default)]
     pub forces: Vec<ForceEntry>,

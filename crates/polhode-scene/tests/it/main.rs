@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 mod approximate_parts;
+mod arrays;
 mod comparison;
 mod documentation;
 mod fixtures;

@@ -298,6 +298,13 @@ impl Assembly {
         out
     }
 
+    /// Generalised accelerations of bodies that all have this acceleration (m/s^2) and do not turn.
+    pub(crate) fn uniform_accelerations(&self, linear: DVec3) -> Vec<f64> {
+        let mut out = Vec::with_capacity(self.bodies.len() * self.coordinates.width());
+        self.bodies.iter().for_each(|_| self.coordinates.push(&mut out, linear, DVec3::ZERO));
+        out
+    }
+
     /// Constant terms of the relative accelerations of the contacts at `t` (s):
     /// `b = J a_free + bias + sum +-n.(a + alpha x r)`, the sum over those members of a contact whose motion is
     /// prescribed.

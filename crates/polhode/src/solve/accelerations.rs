@@ -20,6 +20,7 @@ use crate::rows::resisted_rotation::ResistedRotation;
 use crate::rows::rotation_row::RotationRow;
 use crate::solve::cone_violation::RubbingForce;
 use crate::solve::least_sliding_forces::{RowFriction, least_sliding_forces};
+use crate::solve::standing::{is_for_many, standing};
 use crate::solve::sticking_forces::{SLIDING_ROUNDING, STICKING_ACCELERATION, of_no_slip, rounding_of};
 use crate::world::{Loads, World};
 use polhode_dynamics::BodyState;
@@ -191,8 +192,14 @@ impl Accelerations {
         let blocks = blocks_of(&mut assembly, states, (contacts, frictional))?;
         let ResistedRotations { turns, laws: rotations } = rotations_of(&mut assembly, world, contacts, frictional)?;
         let FreeMotion { free, constants } = FreeMotion::of(&assembly, world, (t, states), contacts, loads)?;
-        let delassus = assembly.problem.delassus();
         let any_slides = frictional.iter().flatten().any(|friction| friction.sliding.is_some());
+        if !any_slides && rotations.is_empty() && is_for_many(states, &assembly, contacts) {
+            let terms = (free.as_slice(), constants.as_slice());
+            if let Some(held) = standing(&assembly, &blocks, terms, frictional)? {
+                return Self::at_rest(contacts, frictional, assembly, (&free, &constants), &held);
+            }
+        }
+        let delassus = assembly.problem.delassus();
         let mut exact = None;
         let solved = if !rotations.is_empty() {
             let turns = rotations.iter().any(|rotation| rotation.turns);
@@ -237,6 +244,40 @@ impl Accelerations {
             turns,
         })
     }
+
+    /// Of bodies that these forces hold at rest.
+    fn at_rest(
+        contacts: &[Touch],
+        frictional: &[Option<Frictional>],
+        assembly: Assembly,
+        (free, constants): (&[f64], &[f64]),
+        held: &BlocksSolution,
+    ) -> Result<Self, ResponseError> {
+        let scale = largest(constants);
+        let mut first = assembly.first_tangent();
+        let tangential = frictional.iter().enumerate().map(|(normal, friction)| {
+            let friction = friction.as_ref()?;
+            let rounding = STICKING_ACCELERATION * scale / assembly.problem.mobility(first);
+            let found = contact_tangent(held, (normal, first), (contacts.get(normal)?.id, friction), rounding);
+            first += friction.tangents().len();
+            Some(found)
+        });
+        let mut tangential: Vec<Option<ContactTangent>> = tangential.collect();
+        add_up_pairs(contacts, &mut tangential);
+        Ok(Self {
+            // All contacts hold, so that none begins to slide: the masses do not matter.
+            are_alike: true,
+            contacts: tangential,
+            solution: contact_solution(held, assembly.first_tangent()),
+            of_bodies: with_free(assembly.problem.response(&held.reactions)?, free),
+            scale,
+            rounding: 0.0,
+            assembly,
+            motion_depends_on_choice: false,
+            are_exact: false,
+            turns: BTreeMap::new(),
+        })
+    }
 }
 
 /// Accelerations without the forces that are asked for.
@@ -274,7 +315,7 @@ fn largest(numbers: &[f64]) -> f64 {
 }
 
 /// Adds the rows along the tangents of contacts with friction. Returns the block of each contact and those of pivots.
-fn blocks_of(
+pub(crate) fn blocks_of(
     assembly: &mut Assembly,
     states: &[BodyState],
     (contacts, frictional): (&[Touch], &[Option<Frictional>]),

@@ -5,6 +5,7 @@
 //! |---|---|
 //! | `accelerations` | forces and accelerations at one instant: which contacts hold, stick and slide |
 //! | `sticking_forces`, `least_sliding_forces` | those of contacts that all stick, and of some that slide |
+//! | `standing` | those of many contacts of bodies at rest |
 //! | `impact`, `frictional_impact` | impulses of an impact, and of one with friction |
 //! | `bounce_friction` | what ending bounces takes, with the friction that belongs to it |
 //! | `rotational_friction` | moments of rolling and spinning: their work and their support |
@@ -20,4 +21,5 @@ mod least_sliding_forces;
 pub(crate) mod overlap;
 pub(crate) mod projection;
 pub(crate) mod rotational_friction;
+mod standing;
 mod sticking_forces;

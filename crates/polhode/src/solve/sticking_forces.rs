@@ -42,14 +42,14 @@ const FORCE_ROUNDING_UNITS: f64 = 16.0;
 
 /// Forces with which every contact holds and sticks, and what they leave.
 #[derive(Debug)]
-struct HoldingForces {
+pub(super) struct HoldingForces {
     /// Of all rows, N.
-    forces: Vec<f64>,
+    pub(super) forces: Vec<f64>,
     /// The largest acceleration of a row that they leave, relative to the largest without forces. At large ratios of masses
     /// that of forces of twice the working precision, of which these are the rounded ones.
-    residual: f64,
+    pub(super) residual: f64,
     /// Whether that is rounding.
-    is_balanced: bool,
+    pub(super) is_balanced: bool,
 }
 
 impl HoldingForces {
@@ -93,7 +93,7 @@ impl HoldingForces {
     }
 
     /// These forces as a solution, if they lie in the cones of static friction and hold every contact to rounding.
-    fn solution(
+    pub(super) fn solution(
         &self,
         assembly: &Assembly,
         frictional: &[Option<Frictional>],

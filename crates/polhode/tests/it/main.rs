@@ -55,6 +55,7 @@ mod round_bodies;
 mod seams;
 mod slip_reversal;
 mod snapshots;
+mod stability;
 mod steering;
 mod stepped;
 mod stiff_and_singular;

@@ -9,12 +9,14 @@
 //! |---|---|
 //! | `generate` | random walls, bridges, corbels and leaning piles |
 //! | `built` | structures of prisms, as a scene and as blocks of the programme |
+//! | `margins` | the friction that random structures need |
 //! | `masonry` | arches and card houses |
 //! | `fate` | runs: whether a structure stands |
 
 mod built;
 mod fate;
 mod generate;
+mod margins;
 mod masonry;
 
 use super::{Amount, CaseResult, Context};
@@ -23,6 +25,7 @@ use crate::statics::{Verdict, judge};
 use built::Built;
 use fate::{Fate, Until, fate};
 use generate::{Structure, structure};
+pub(super) use margins::margins;
 use polhode::Simulation;
 use std::error::Error;
 
