@@ -90,6 +90,11 @@ pub enum ActionError {
     /// The pose would move the body away from its pivot.
     #[error("the pose would move body {0} away from its pivot: choose a pose that turns it about the pivot")]
     PivotedBody(String),
+    /// The pose would move the body beyond a limit of a joint.
+    #[error(
+        "the pose would move body {0} beyond a limit of a joint: choose a pose within the range of its coordinates"
+    )]
+    BeyondLimits(String),
     /// The pose would move the body out of a joint.
     #[error("the pose would move body {0} out of a joint: choose a pose that the joint leaves free")]
     JointedBody(String),

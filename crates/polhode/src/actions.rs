@@ -131,6 +131,9 @@ impl Simulation {
         if joints.map(|joint| joint.gap()).fold(0.0, f64::max) > self.core.world.touch_distance(&states, index, index) {
             return Err(ActionError::JointedBody(self.name(index)).into());
         }
+        if self.core.world.exceeds_limits(&states, index) {
+            return Err(ActionError::BeyondLimits(self.name(index)).into());
+        }
         self.check_clear(index, &states)?;
         self.change_state(index, &[index], "set_pose", |world, rigid, state| {
             // The velocities stay; the angular momentum follows from the new attitude.

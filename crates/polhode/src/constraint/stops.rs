@@ -67,6 +67,15 @@ impl World {
         }
     }
 
+    /// Whether a body is beyond a limit of a joint by more than counts as touch.
+    pub(crate) fn exceeds_limits(&self, states: &[BodyState], body: usize) -> bool {
+        let is_beyond = |pair: (usize, usize)| {
+            let touch = self.touch_distance(states, pair.0, pair.1);
+            !self.stops_within(states, pair, -touch).is_empty()
+        };
+        self.stop_pairs_among(&[body]).any(is_beyond)
+    }
+
     /// The largest coefficient of restitution of any stop; zero without stops.
     pub(crate) fn largest_restitution_of_stops(&self) -> f64 {
         let own = |joint: &WorldJoint| {

@@ -7,7 +7,9 @@ use crate::support::{accurate, ball, brick, run};
 use polhode::dynamics::System;
 use polhode::scene::{Coordinate, Joint, JointKind, Limits, LimitsError, Method, SceneError, Tier};
 use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, BodyId, Effects, EventKind, Scene, SceneBuilder, Simulation, Snapshot};
+use polhode::{
+    ActionError, Body, BodyId, Effects, EventKind, Scene, SceneBuilder, Simulation, SimulationError, Snapshot,
+};
 
 const G: f64 = 9.81;
 
@@ -317,4 +319,16 @@ fn limits_that_no_joint_can_have_are_refused() {
         refused(Joint::new(JointKind::Rod { to: DVec3::ZERO }, BodyId::new(0), DVec3::ZERO)),
         SceneError::Joint { .. }
     ));
+}
+
+/// A program may put a jointed body anywhere within its limits, and nowhere beyond.
+#[test]
+fn a_pose_beyond_a_limit_is_refused() {
+    let body = brick("bead", DVec3::splat(0.1), DVec3::ZERO);
+    let built =
+        scene("bead", accurate()).body(body).joint(slider(UnitVector::X, limits(-0.2, 0.5, 0.0))).build().unwrap();
+    let mut simulation = Simulation::new(&built).unwrap();
+    let mut put = |x: f64| simulation.set_pose(BodyId::new(0), Pose::from_translation(DVec3::X * x));
+    assert!(put(0.4).is_ok() && put(-0.2).is_ok());
+    assert!(matches!(put(0.6), Err(SimulationError::Action(ActionError::BeyondLimits(_)))));
 }
