@@ -8,7 +8,7 @@
 //! Memory and time grow with contacts and bodies. Failure: none where no forces were found; the caller then asks the methods
 //! for few contacts.
 
-use super::sticking_forces::HoldingForces;
+use super::sticking_forces::{HoldingForces, MOST_FRICTION_NEEDED};
 use crate::collision::contact_set::Touch;
 use crate::rows::assembly::Assembly;
 use crate::rows::frictional_contact::Frictional;
@@ -54,7 +54,7 @@ pub(super) fn standing(
     let mut near = solved.reactions;
     near.resize(assembly.problem.len(), 0.0);
     let limit = Structure::new(&assembly.problem, blocks, free, &near)?.friction_limit()?;
-    match limit.filter(|limit| limit.factor <= 1.0) {
+    match limit.filter(|limit| limit.factor <= MOST_FRICTION_NEEDED) {
         Some(limit) => balanced(assembly, blocks, free, frictional, (&limit.forces, Method::InteriorPoint)),
         None => Ok(None),
     }

@@ -2,7 +2,7 @@
 //!
 //! The least forces with which every contact holds and sticks are an answer if they lie in the cones of static friction,
 //! exact to rounding at any ratio of masses. Where they do not, bodies at rest are asked for forces in the cones that add up
-//! to the same on every body (`polhode_response::friction::balancing_forces`), and all others for those of Coulomb's law.
+//! to the same on every body, those of the greatest reserve of friction (`polhode_response::friction::Structure`), and all others for those of Coulomb's law.
 //! What these methods leave is taken out by the least change, with residuals of twice the working precision: large forces
 //! that cancel on a light body then leave no more than its own weight is rounded by.
 
@@ -13,7 +13,7 @@ use crate::scene::FrictionEllipse;
 use crate::solve::least_sliding_forces::exceeds_friction;
 use crate::world::World;
 use polhode_dynamics::BodyState;
-use polhode_response::friction::{ContactStatus, FrictionSettings, balancing_forces};
+use polhode_response::friction::{ContactStatus, FrictionSettings, Structure};
 use polhode_response::{
     Blocks, BlocksSolution, Delassus, FallbackPolicy, LeastNormForces, Method, ResponseError, SolverReport,
     SolverStatus, least_norm_forces,
@@ -33,9 +33,9 @@ pub(crate) const SLIDING_ROUNDING: f64 = 1e3;
 /// cannot begin.
 const CORRECTIONS: u32 = 32;
 
-/// Parts of friction that are kept in reserve when forces in equilibrium are sought (no unit): making them exact changes
-/// them a little, and forces at the limit of friction would leave the cones.
-const RESERVES: [f64; 3] = [1e-6, 1e-2, 1e-4];
+/// The part of friction that bodies at rest may need (no unit): 1, and the accuracy of that part. Forces that leave the cones of
+/// all of it are refused afterwards.
+pub(super) const MOST_FRICTION_NEEDED: f64 = 1.0 + 1e-6;
 
 /// Rounding error of a sum of terms, in units in the last place of the sum of their magnitudes (4 to 64).
 const FORCE_ROUNDING_UNITS: f64 = 16.0;
@@ -180,15 +180,11 @@ fn in_equilibrium(
     frictional: &[Option<Frictional>],
     least: &HoldingForces,
 ) -> Result<Option<BlocksSolution>, ResponseError> {
-    for reserve in RESERVES {
-        // Where nothing balances with the least reserve nothing does with a larger one.
-        let Some(nearly) = balancing_forces(&assembly.problem, &least.forces, blocks, reserve)? else { break };
-        let held = HoldingForces::near(of, assembly, (delassus, constants), frictional, nearly)?;
-        if let Some(held) = held.solution(assembly, frictional, Method::InteriorPoint) {
-            return Ok(Some(held));
-        }
-    }
-    Ok(None)
+    let free: Vec<f64> = assembly.problem.response(&least.forces)?.iter().map(|acceleration| -acceleration).collect();
+    let limit = Structure::new(&assembly.problem, blocks, &free, &least.forces)?.friction_limit()?;
+    let Some(limit) = limit.filter(|limit| limit.factor <= MOST_FRICTION_NEEDED) else { return Ok(None) };
+    let held = HoldingForces::near(of, assembly, (delassus, constants), frictional, limit.forces)?;
+    Ok(held.solution(assembly, frictional, Method::InteriorPoint))
 }
 
 /// Changes the forces by as little as possible so that all contacts that hold and stick have no acceleration: at large
