@@ -31,7 +31,7 @@ use super::cone_problem::LEAST_IN_BODIES;
 use super::contacts::{NearContact, kinematics_at_point, with_rate_at_point};
 use super::middle::{Middle, Stops};
 use super::report::{ContactImpulse, ImpulseKind, Stop, TimeStepReport};
-use super::rigid_terms::{Term, make_rigid};
+use super::rigid_terms::{Term, make_rigid, make_tangential_terms_rigid};
 use super::shared_work::{ContactWork, Kicked};
 use super::step::TimeStepper;
 use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
@@ -313,7 +313,7 @@ fn rows(
     let is_of_many = rows.len() >= LEAST_IN_BODIES;
     for of_pair in rows.chunk_by_mut(|x, y| pair(x) == pair(y)) {
         if is_of_many {
-            make_patch(of_pair);
+            make_consistent(of_pair);
         } else {
             remove_contradictions(of_pair);
         }
@@ -331,42 +331,49 @@ fn flush_normals(of_pair: &[Row], most: f64) -> Option<Vec<DVec3>> {
     is_flush.then_some(normals)
 }
 
-/// Makes the contacts with friction of a pair whose normals are nearly the same those of one patch: they have one pair of
-/// tangents, and their rows along these act in one plane.
-fn make_patch(of_pair: &mut [Row]) {
-    let Some(normals) = flush_normals(of_pair, NEARLY_FLUSH_NORMAL) else { return };
+/// Makes the terms of the contacts with friction of a pair, one of many, consistent: contacts whose normals are nearly the same
+/// become those of one patch, with one pair of tangents, and their rows along these act in one plane.
+fn make_consistent(of_pair: &mut [Row]) {
     let is_isotropic = |row: &Row| row.friction.is_none_or(|friction| friction.is_isotropic());
-    if !of_pair.iter().all(is_isotropic) {
+    if flush_normals(of_pair, FLUSH_NORMAL).is_some() && !of_pair.iter().all(is_isotropic) {
         return remove_contradictions(of_pair);
     }
+    let normals = flush_normals(of_pair, NEARLY_FLUSH_NORMAL).filter(|_| of_pair.iter().all(is_isotropic));
+    let Some(normals) = normals else {
+        let Some(normals) = flush_normals(of_pair, f64::INFINITY) else { return };
+        let presses = |row: &Row| row.kinematics.separation_rate + row.bound <= 0.0;
+        let contacts: Vec<(DVec3, bool)> = normals.into_iter().zip(of_pair.iter().map(presses)).collect();
+        return with_terms(of_pair, |terms| make_tangential_terms_rigid(&contacts, terms));
+    };
     let n = normals.iter().sum::<DVec3>().normalize();
     let points = of_pair.iter().map(|row| row.kinematics.geometry.point);
     let centre = points.sum::<DVec3>() / normals.len() as f64;
     let (x, y) = n.any_orthonormal_pair();
     for row in of_pair.iter_mut() {
-        let point = row.kinematics.geometry.point;
-        let point = point - n * n.dot(point - centre);
-        row.friction = row.friction.map(|friction| friction.on_patch([x, y], point));
+        let ContactKinematics { geometry, separation_rate, .. } = row.kinematics;
+        let point = geometry.point - n * n.dot(geometry.point - centre);
+        let approach = geometry.normal * separation_rate;
+        row.friction = row.friction.map(|friction| friction.on_patch([x, y], point, approach));
     }
-    make_terms_rigid(of_pair, n);
+    with_terms(of_pair, |terms| make_rigid(n, terms));
 }
 
 /// Makes the terms of the contacts with friction of a pair those of a rigid motion, where their normals are the same.
 fn remove_contradictions(of_pair: &mut [Row]) {
     if let Some(normals) = flush_normals(of_pair, FLUSH_NORMAL) {
-        make_terms_rigid(of_pair, normals[0]);
+        with_terms(of_pair, |terms| make_rigid(normals[0], terms));
     }
 }
 
-/// Makes the terms of contacts with the common normal `n` those of a rigid motion.
-fn make_terms_rigid(of_pair: &mut [Row], n: DVec3) {
+/// Changes the terms of the contacts of a pair, as far as that gains no energy.
+fn with_terms(of_pair: &mut [Row], change: impl FnOnce(&mut [Term])) {
     let term = |row: &Row| Term {
         point: row.kinematics.geometry.point,
         normal: row.bound,
         tangential: row.friction.map_or(DVec3::ZERO, |friction| friction.half_change()),
     };
     let mut terms: Vec<Term> = of_pair.iter().map(term).collect();
-    make_rigid(n, &mut terms);
+    change(&mut terms);
     for (row, term) in of_pair.iter_mut().zip(&terms) {
         row.bound = term.normal.max(row.kinematics.separation_rate);
         row.friction = row.friction.map(|friction| friction.with_half_change(term.tangential));
@@ -509,10 +516,7 @@ impl SolvedGroup {
 
     /// Energy lost to friction, J, with the present slips of the bodies.
     fn lost_to_friction_j(&self, world: &World, states: &[BodyState]) -> f64 {
-        let lost = |impulse: &TangentialImpulse| {
-            let terms = world.tangential_kinematics(states, impulse.id())?;
-            Some(impulse.lost_j(terms.slip_velocity, world.relative_rotation(states, impulse.id())))
-        };
+        let lost = |impulse: &TangentialImpulse| impulse.lost_j(world, states);
         self.tangential.iter().filter_map(lost).collect::<CompensatedSum>().value()
     }
 
