@@ -22,15 +22,16 @@ use crate::sparse::system::BodySystem;
 /// Steps of the interior point (20 to 40).
 const MOST_INTERIOR_STEPS: usize = 25;
 
-/// Steps of Newton's method right after the interior point: where it leads to the end it takes one to three.
-const FIRST_NEWTON_STEPS: usize = 4;
+/// Steps of Newton's method right after the interior point: where it leads to the end it takes one to six.
+const FIRST_NEWTON_STEPS: usize = 8;
 
 /// Steps of the smoothing Newton method, and those of Newton's method after it.
 const SMOOTHING_STEPS: usize = 20;
 const NEWTON_STEPS: usize = 20;
 
-/// Its steps after the path of compliance, which has come to what is accepted.
-const LAST_NEWTON_STEPS: usize = 3;
+/// Its steps after the path of compliance, which has come to what is accepted: as exactly as rounding allows, so that what rests
+/// stays at rest.
+const LAST_NEWTON_STEPS: usize = 12;
 
 /// Steps in which the residual must halve.
 const PATIENCE: usize = 3;
