@@ -27,7 +27,7 @@ use crate::sparse::solver::BodySolver;
 const ACCEPTED_OF_MANY: f64 = 1e-8;
 
 /// Factorisations for an impact of many contacts, and where other restitutions can be tried in its place.
-const FACTORISATIONS_OF_AN_IMPACT: usize = 300;
+const FACTORISATIONS_OF_AN_IMPACT: usize = 150;
 const FACTORISATIONS_OF_AN_ATTEMPT: usize = 80;
 
 /// The bodies of a block of rows: one or two.
@@ -266,7 +266,7 @@ fn report_of(report: &BodyReport) -> SolverReport {
         BodyMethod::Start | BodyMethod::Warm => Method::WarmStart,
         BodyMethod::Newton => Method::ActiveSet,
         BodyMethod::InteriorPoint => Method::InteriorPoint,
-        BodyMethod::Smoothing => Method::ColdStart,
+        BodyMethod::Smoothing | BodyMethod::Compliance => Method::ColdStart,
     };
     SolverReport {
         status: report.status,

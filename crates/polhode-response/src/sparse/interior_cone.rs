@@ -76,9 +76,11 @@ impl InteriorCone {
         inner(&moved(&self.x, &self.dx), &moved(&self.y, &self.dy)) / self.weight
     }
 
-    /// Linearises at `u`; returns `K`. `shift` is the compliance that the step alone has (1/kg).
-    pub(crate) fn linearise(&mut self, u: &BlockRows, shift: f64) -> RowMatrix {
+    /// Linearises at `u`, with this share of the change of its slip; returns `K`. `shift` is the compliance that the step
+    /// alone has (1/kg).
+    pub(crate) fn linearise(&mut self, u: &BlockRows, share: f64, shift: f64) -> RowMatrix {
         self.slipping = self.form.slipping(u);
+        self.slipping.theta = self.slipping.theta.map(|theta| share * theta);
         self.rest = std::array::from_fn(|k| self.y[k] - self.slipping.y[k]);
         self.scaling = Scaling::of(&self.x, &self.y);
         self.lambda = self.scaling.times(&self.x);

@@ -14,7 +14,8 @@
 //! | measure | the one residual of all methods | `iterate.rs` |
 //! | interior point | cold start, from loads that would hold everything | `interior_point.rs`, `interior_cone.rs`, `cone_form.rs`, `jordan.rs` |
 //! | semismooth Newton | the end of it, and warm starts | `newton.rs` |
-//! | smoothing Newton | where the interior point jams | `smoothing.rs`, `smoothed_cone.rs` |
+//! | path of compliance | where neither comes to the end | `compliance_path.rs`, `compliant_law.rs` |
+//! | smoothing Newton | where the path turns back | `smoothing.rs`, `smoothed_cone.rs` |
 //! | balance | makes forces balance to rounding | `balance.rs` |
 //! | solver | the chain of methods, and what is told of it | `solver.rs`, `solution.rs`, `settings.rs` |
 //!
@@ -24,6 +25,8 @@
 mod balance;
 mod block6;
 mod body;
+mod compliance_path;
+mod compliant_law;
 mod cone_form;
 mod dissection;
 mod elimination;

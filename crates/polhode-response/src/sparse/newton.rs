@@ -44,10 +44,6 @@ const SHARE_AFTER_WHOLE: f64 = 0.7;
 /// What a step leaves of the function's square when it went well (no unit).
 const WENT_WELL: f64 = 0.25;
 
-/// What the damping is multiplied by after a step that went too far, to at most this (no units).
-const SHARE_AFTER_TOO_FAR: f64 = 10.0;
-const LARGEST_SHARE: f64 = 1e6;
-
 /// Times that rounding of the factors is solved for again.
 const NEWTON_REFINEMENTS: usize = 1;
 
@@ -69,8 +65,6 @@ pub(crate) struct NewtonLimits {
     pub(crate) patience: usize,
     /// The residual to reach.
     pub(crate) tolerance: f64,
-    /// A step whose shortest trial leaves more than this of the largest function of the last ones is not taken (no unit).
-    pub(crate) too_far: f64,
 }
 
 /// The method for one problem.
@@ -108,17 +102,35 @@ impl<'a> BodyNewton<'a> {
         }
     }
 
-    /// Reactions that would hold all blocks still, whatever their laws: about the size of the answer.
+    /// Reactions that would hold all blocks still, whatever their laws: about the size of the answer. Rows of a heap
+    /// contradict each other, and reactions that held them all the same would be far too large: what is held is the motion of
+    /// the bodies that comes nearest to the rates.
     pub(crate) fn holding(&mut self, system: &mut BodySystem, without: &Iterate) -> &[f64] {
         self.weights.clone_from(&self.inverse_masses);
+        self.ask_to_hold(&without.rates);
+        self.factor(system, HOLDING_SHARE);
+        self.solve(system);
+        let mut nearest = vec![0.0; self.problem.rows()];
+        for block in &self.problem.blocks {
+            self.problem.add_rates(block, &self.dv, &mut nearest[block.rows.clone()]);
+        }
+        for rate in &mut nearest {
+            *rate = -*rate;
+        }
+        self.ask_to_hold(&nearest);
+        self.condense(HOLDING_SHARE);
+        self.solve(system);
+        &self.dr
+    }
+
+    /// Linearises all blocks as held, at these rates.
+    fn ask_to_hold(&mut self, rates: &[f64]) {
         self.laws.clear();
         for (block, weights) in self.problem.blocks.iter().zip(&self.weights) {
             let rows = block.rows.clone();
             let hold = Law::Hold { rows: rows.len() };
-            self.laws.push(linearise(hold, *weights, [0.0; MOST_ROWS], filled_up(&without.rates[rows])));
+            self.laws.push(linearise(hold, *weights, [0.0; MOST_ROWS], filled_up(&rates[rows])));
         }
-        self.step(system, HOLDING_SHARE);
-        &self.dr
     }
 
     /// Goes on from `best`, which is then the best of all.
@@ -142,13 +154,6 @@ impl<'a> BodyNewton<'a> {
             let (length, square) = self.search(&current, recent, &mut trial);
             if !square.is_finite() {
                 return;
-            }
-            if square > limits.too_far * recent {
-                // Rows that all but depend on each other: reactions went far for what little they had to undo.
-                share = (SHARE_AFTER_TOO_FAR * share).min(LARGEST_SHARE);
-                best.keep(&trial);
-                self.linearise(&current);
-                continue;
             }
             share *= match (square < WENT_WELL * last, length == 1.0) {
                 (true, _) => SHARE_AFTER_WELL,
@@ -219,6 +224,17 @@ impl<'a> BodyNewton<'a> {
 
     /// The step `dr` of the linearised laws.
     fn step(&mut self, system: &mut BodySystem, damping: f64) {
+        self.factor(system, damping);
+        self.solve(system);
+    }
+
+    /// What the laws ask of each block, and the factors of that.
+    fn factor(&mut self, system: &mut BodySystem, damping: f64) {
+        self.condense(damping);
+        system.factor(self.problem, self.elimination, &self.stiffness);
+    }
+
+    fn condense(&mut self, damping: f64) {
         self.stiffness.clear();
         self.dr.clear();
         for (block, law) in self.problem.blocks.iter().zip(&self.laws) {
@@ -228,7 +244,9 @@ impl<'a> BodyNewton<'a> {
             self.stiffness.push(stiffness);
             self.dr.extend_from_slice(&constant[..rows.len()]);
         }
-        system.factor(self.problem, self.elimination, &self.stiffness);
+    }
+
+    fn solve(&mut self, system: &mut BodySystem) {
         let bodies = vec![[0.0; WIDTH]; self.problem.movable_bodies()];
         let sides = Sides { bodies: &bodies, rows: &mut self.dr };
         system.solve(self.problem, self.elimination, sides, NEWTON_REFINEMENTS, &mut self.dv);

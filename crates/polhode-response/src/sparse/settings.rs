@@ -5,14 +5,12 @@ use crate::error::ResponseError;
 /// Settings of [`BodySolver`](crate::sparse::BodySolver).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BodySettings {
-    /// The residual to reach: methods stop there.
+    /// The residual to reach: methods stop there, but for the path of compliance, which stops well within the acceptance.
     pub tolerance: f64,
     /// The largest residual that counts as solved, where the tolerance is not reached.
     pub acceptance: f64,
     /// Factorisations after which no method begins.
     pub factorisations: usize,
-    /// Factorisations after which an answer within the acceptance is enough.
-    pub enough: usize,
     /// Steps of a warm start, before a cold one: it takes one or two where little has changed, eight where a box is
     /// pushed.
     pub warm_steps: usize,
@@ -20,7 +18,7 @@ pub struct BodySettings {
 
 impl Default for BodySettings {
     fn default() -> Self {
-        Self { tolerance: 1e-12, acceptance: 1e-8, factorisations: 80, enough: 80, warm_steps: 8 }
+        Self { tolerance: 1e-12, acceptance: 1e-8, factorisations: 150, warm_steps: 8 }
     }
 }
 

@@ -1,5 +1,5 @@
-//! Smoothing Newton: where the interior point jams, or contacts at the limit of sticking keep Newton's method from
-//! its end.
+//! Smoothing Newton: where contacts at the limit of sticking keep Newton's method from its end, and the path of
+//! compliance turns back.
 //!
 //! Zeros of the smoothed functions are on the path of the interior point, but points on the way need not be inside
 //! the cones: nothing blocks a step where slips turn. Steps are damped, as much as the last ones needed; the

@@ -18,6 +18,8 @@ pub enum BodyMethod {
     Newton,
     /// The smoothing Newton method.
     Smoothing,
+    /// The path of compliance.
+    Compliance,
 }
 
 impl BodyMethod {
@@ -29,6 +31,7 @@ impl BodyMethod {
             Self::InteriorPoint => "interior-point",
             Self::Newton => "newton",
             Self::Smoothing => "smoothing-newton",
+            Self::Compliance => "compliance-path",
         }
     }
 }
@@ -54,6 +57,8 @@ pub struct BodyReport {
     pub interior: usize,
     /// Those of Newton's method after it.
     pub newton: usize,
+    /// Those of the path of compliance.
+    pub path: usize,
     /// Those of the smoothing Newton method.
     pub smoothing: usize,
     /// Whether the elimination of the last solve was kept.

@@ -1,12 +1,13 @@
 //! The chain of methods in the velocities of bodies, and one residual for all of them.
 //!
-//! Warm: semismooth Newton from the reactions given. Cold, or where that has not come down: loads that would hold
-//! everything, the interior point from them, and Newton's method to the end; where the interior point jams or
-//! Newton's method finds no end, smoothing Newton and Newton's method in turn. The best of all is returned, with its
-//! residual and what became of it.
+//! Warm: semismooth Newton from the reactions given. Cold, or where that was not enough: loads that would hold everything, the interior point from them, and Newton's method to the
+//! end; where that finds none, the path of compliance from the best answer; where that turns back, smoothing Newton with
+//! Newton's method, and the path from no reactions at all. The best of all is returned, with its residual and what became
+//! of it.
 
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::report::SolverStatus;
+use crate::sparse::compliance_path::{CompliancePath, PathLimits};
 use crate::sparse::cone_form::ConeForm;
 use crate::sparse::elimination::Elimination;
 use crate::sparse::interior_point::InteriorPoint;
@@ -21,27 +22,32 @@ use crate::sparse::system::BodySystem;
 /// Steps of the interior point (20 to 40).
 const MOST_INTERIOR_STEPS: usize = 25;
 
-/// Steps of Newton's method right after the interior point: where it leads to the end it takes one to three.
-const FIRST_NEWTON_STEPS: usize = 4;
+/// Steps of Newton's method right after the interior point: where it leads to the end it takes one to six.
+const FIRST_NEWTON_STEPS: usize = 8;
 
-/// Steps of the smoothing Newton method in one turn, and in one after so many factorisations that an accepted answer would be
-/// enough; steps of Newton's method in one turn.
-const SMOOTHING_STEPS: usize = 10;
-const LATE_SMOOTHING_STEPS: usize = 20;
+/// Steps of the smoothing Newton method, and those of Newton's method after it.
+const SMOOTHING_STEPS: usize = 20;
 const NEWTON_STEPS: usize = 20;
 
-/// Steps in which the residual must halve: where the smoothing method goes on otherwise, the same that late, and where nothing
-/// does.
+/// Its steps after the path of compliance, which has come to what is accepted: as exactly as rounding allows, so that what rests
+/// stays at rest.
+const LAST_NEWTON_STEPS: usize = 12;
+
+/// Steps in which the residual must halve.
 const PATIENCE: usize = 3;
-const LATE_PATIENCE: usize = 6;
-const LONG_PATIENCE: usize = 20;
 
-/// Balanced residual of an answer that is enough, in units of what is accepted (no unit, 1 to 10).
-const ENOUGH_BALANCED: f64 = 1.0;
+/// The residual at which the path of compliance ends, in units of what is accepted (no unit, 0.1 to 0.5).
+const WELL_WITHIN: f64 = 0.2;
 
-/// A late step of Newton's method whose shortest trial leaves more than this of the largest function of the last ones is not
-/// taken (no unit, 2 to 10): among rows that all but depend on each other it leads away from where the last ones came to.
-const TOO_FAR: f64 = 4.0;
+/// The first compliance about an answer, in units of its residual (no unit, 10 to 100), and the least one; the one about
+/// no reactions (no units).
+const COMPLIANCE_PER_RESIDUAL: f64 = 30.0;
+const LEAST_FIRST_COMPLIANCE: f64 = 1e-6;
+const LARGEST_FIRST_COMPLIANCE: f64 = 1.0;
+
+/// Runs of the path, each about the answer of the last one, as long as the residual halves; factorisations of each.
+const MOST_PATHS: usize = 3;
+const FACTORISATIONS_OF_A_PATH: usize = 40;
 
 /// The solver, with the elimination of the last problem: it is kept as long as the same bodies are coupled by the
 /// same rows.
@@ -139,11 +145,10 @@ impl Chain<'_> {
             if self.is_reached() {
                 return;
             }
-            let limits = self.newton_limits(self.settings.warm_steps);
-            self.newton.run(self.system, &mut warm, limits);
-            self.report.warm = self.system.factorisations;
+            self.run_newton(&mut warm, self.settings.warm_steps);
             self.take(&warm, BodyMethod::Warm);
-            if self.is_reached() {
+            self.report.warm = self.system.factorisations;
+            if self.is_enough() {
                 return;
             }
         }
@@ -159,42 +164,89 @@ impl Chain<'_> {
         point.run(self.system, &mut near, MOST_INTERIOR_STEPS.min(self.left()));
         self.report.interior = self.system.factorisations - before;
         self.take(&near, BodyMethod::InteriorPoint);
-        self.finish_with_newton(near.clone(), FIRST_NEWTON_STEPS, PATIENCE);
+        self.finish_with_newton(near, FIRST_NEWTON_STEPS);
         if self.is_reached() {
             return;
         }
+        let before = self.system.factorisations;
+        self.follow_paths(self.best.clone(), FACTORISATIONS_OF_A_PATH);
+        self.report.path = self.system.factorisations - before;
+        if !self.is_enough() {
+            self.smooth(&point, &loads);
+        }
+        let before = self.system.factorisations;
+        if !self.is_enough() {
+            let mut far = without.clone();
+            let mut path = self.path(&loads, vec![0.0; self.problem.rows()]);
+            let limits = self.path_limits(LARGEST_FIRST_COMPLIANCE, self.left());
+            path.run(self.system, &mut far, limits);
+            self.take(&far, BodyMethod::Compliance);
+            self.follow_paths(far, FACTORISATIONS_OF_A_PATH);
+        }
+        self.report.path += self.system.factorisations - before;
+        self.finish_with_newton(self.best.clone(), LAST_NEWTON_STEPS);
+    }
+
+    /// Smoothing Newton from the best answer, with weights of where the interior point has ended.
+    fn smooth(&mut self, point: &InteriorPoint<'_>, loads: &[f64]) {
+        // Its cones are those of contacts that resist one motion alone.
         if self.problem.blocks.iter().any(|block| ConeForm::is_inner(block.law)) {
-            self.finish_with_newton(near, self.left(), LONG_PATIENCE);
             return;
         }
+        let before = self.system.factorisations;
+        let mut near = self.best.clone();
         let end = InteriorEnd { ratios: point.ratios(), weights: point.weights(), gap: point.gap() };
-        let mut smoothing = Smoothing::new(self.problem, self.elimination, self.measure, &loads, end, near.clone());
-        while !self.is_reached() && !self.is_enough() && self.left() > 0 {
-            let before = self.system.factorisations;
-            let (steps, patience) =
-                if self.is_late() { (LATE_SMOOTHING_STEPS, LATE_PATIENCE) } else { (SMOOTHING_STEPS, PATIENCE) };
-            let limits = SmoothingLimits { most: steps.min(self.left()), tolerance: self.settings.tolerance };
-            smoothing.run(self.system, &mut near, limits);
-            self.report.smoothing += self.system.factorisations - before;
-            self.take(&near, BodyMethod::Smoothing);
-            if !self.is_reached() {
-                self.finish_with_newton(near.clone(), NEWTON_STEPS, patience);
+        let mut smoothing = Smoothing::new(self.problem, self.elimination, self.measure, loads, end, near.clone());
+        let limits = SmoothingLimits { most: SMOOTHING_STEPS.min(self.left()), tolerance: self.settings.tolerance };
+        smoothing.run(self.system, &mut near, limits);
+        self.report.smoothing += self.system.factorisations - before;
+        self.take(&near, BodyMethod::Smoothing);
+        self.finish_with_newton(near, NEWTON_STEPS);
+    }
+
+    /// Paths of compliance, each from the answer of the last one.
+    fn follow_paths(&mut self, mut from: Iterate, most: usize) {
+        for _ in 0..MOST_PATHS {
+            if self.is_enough() || self.left() == 0 {
+                return;
+            }
+            let last = from.rank;
+            let mut path = self.path(&from.reactions, from.reactions.clone());
+            let first = COMPLIANCE_PER_RESIDUAL * self.measure.balanced(self.problem, &from);
+            let first = first.clamp(LEAST_FIRST_COMPLIANCE, LARGEST_FIRST_COMPLIANCE);
+            let limits = self.path_limits(first, most);
+            path.run(self.system, &mut from, limits);
+            self.take(&from, BodyMethod::Compliance);
+            // Written so that NaN ends it.
+            let goes_on = from.rank < 0.5 * last;
+            if !goes_on {
+                return;
             }
         }
     }
 
-    fn finish_with_newton(&mut self, mut from: Iterate, most: usize, patience: usize) {
+    fn path<'b>(&self, loads: &[f64], reference: Vec<f64>) -> CompliancePath<'b>
+    where
+        Self: 'b,
+    {
+        CompliancePath::new(self.problem, self.elimination, self.measure, loads, reference)
+    }
+
+    fn path_limits(&self, first: f64, most: usize) -> PathLimits {
+        PathLimits { first, most: most.min(self.left()), tolerance: self.enough() }
+    }
+
+    fn finish_with_newton(&mut self, mut from: Iterate, most: usize) {
         let before = self.system.factorisations;
-        let limits = NewtonLimits { patience, ..self.newton_limits(most) };
-        self.newton.run(self.system, &mut from, limits);
+        self.run_newton(&mut from, most);
         self.report.newton += self.system.factorisations - before;
         self.take(&from, BodyMethod::Newton);
     }
 
-    fn newton_limits(&self, most: usize) -> NewtonLimits {
-        let too_far = if self.is_late() { TOO_FAR } else { f64::INFINITY };
-        let (most, tolerance) = (most.min(self.left()), self.settings.tolerance);
-        NewtonLimits { most, patience: PATIENCE, tolerance, too_far }
+    fn run_newton(&mut self, from: &mut Iterate, most: usize) {
+        let limits =
+            NewtonLimits { most: most.min(self.left()), patience: PATIENCE, tolerance: self.settings.tolerance };
+        self.newton.run(self.system, from, limits);
     }
 
     fn left(&self) -> usize {
@@ -205,17 +257,13 @@ impl Chain<'_> {
         self.best.rank <= self.settings.tolerance
     }
 
-    /// Whether the methods have had their turns.
-    fn is_late(&self) -> bool {
-        self.system.factorisations >= self.settings.enough
+    /// The residual at which no other method begins.
+    fn enough(&self) -> f64 {
+        self.settings.tolerance.max(WELL_WITHIN * self.settings.acceptance)
     }
 
-    /// Whether they have, and the answer is accepted, its velocities included.
     fn is_enough(&self) -> bool {
-        let is_accepted = self.best.rank <= self.settings.acceptance;
-        self.is_late()
-            && is_accepted
-            && self.measure.balanced(self.problem, &self.best) <= ENOUGH_BALANCED * self.settings.acceptance
+        self.best.rank <= self.enough()
     }
 
     fn take(&mut self, iterate: &Iterate, method: BodyMethod) {

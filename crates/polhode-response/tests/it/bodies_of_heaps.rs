@@ -14,9 +14,15 @@ fn solved(scene: &BodyScene) -> BodySolution {
 
 /// Solved to 1e-12 within so many factorisations.
 fn takes(name: &str, scene: &BodyScene, most: usize) {
+    comes_to(1e-12, name, scene, most);
+}
+
+/// Solved to this residual within so many factorisations: 1e-9 where contacts nearly depend on each other and many of them are
+/// about to slip, for which the path of compliance is followed.
+fn comes_to(residual: f64, name: &str, scene: &BodyScene, most: usize) {
     let report = solved(scene).report;
     assert_eq!(report.status, SolverStatus::Solved, "{name}: {report:?}");
-    assert!(report.residual <= 1e-12 && report.factorisations <= most, "{name}: {report:?}");
+    assert!(report.residual <= residual && report.factorisations <= most, "{name}: {report:?}");
 }
 
 fn at_rest(rows: usize, top: f64) -> BodyScene {
@@ -97,7 +103,7 @@ fn boxes_that_all_slide_reach_the_end_although_their_contacts_are_at_the_limit()
     for rows in [5, 10, 20] {
         let mut scene = pyramid(rows, 0.5);
         scene.pull(30_f64.to_radians());
-        takes("all slide", &scene, 65);
+        comes_to(1e-9, "all slide", &scene, 100);
         let expected = GRAVITY_OF_A_STEP * (30_f64.to_radians().sin() - 0.5 * 30_f64.to_radians().cos());
         for velocity in solved(&scene).velocities {
             assert!((velocity[0] - expected).abs() < 1e-9, "{velocity:?} instead of {expected}");
@@ -107,21 +113,21 @@ fn boxes_that_all_slide_reach_the_end_although_their_contacts_are_at_the_limit()
 
 #[test]
 fn random_velocities_of_small_pyramids_reach_the_end() {
-    for (rows, most) in [(5, 32), (10, 60)] {
+    for (rows, most) in [(5, 32), (10, 80)] {
         for seed in 1..4 {
             let mut scene = pyramid(rows, 0.5);
-            takes("random", scene.pull(0.0).shake(0.3, seed), most);
+            comes_to(1e-9, "random", scene.pull(0.0).shake(0.3, seed), most);
         }
     }
 }
 
 /// 1600 contacts that all slide another way. What the budget does not reach is told.
 #[test]
-fn random_velocities_of_a_large_pyramid_come_to_four_digits_and_are_told() {
+fn random_velocities_of_a_large_pyramid_come_to_five_digits_and_are_told() {
     for seed in 1..4 {
         let mut scene = pyramid(20, 0.5);
         let report = solved(scene.pull(0.0).shake(0.3, seed)).report;
-        assert!(report.residual <= 1e-4, "{report:?}");
+        assert!(report.residual <= 1e-5, "{report:?}");
         assert_eq!(report.status == SolverStatus::Solved, report.residual <= 1e-8, "{report:?}");
     }
 }

@@ -12,6 +12,7 @@ mod body_scenes;
 mod body_warm_starts;
 mod cases;
 mod certificates;
+mod contradicting_rows;
 mod degenerate;
 mod diamonds;
 mod exact;

@@ -7,7 +7,7 @@ use crate::world::World;
 use polhode_spatial::DisjointSets;
 
 /// Bodies connected by contacts, and those contacts.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Group {
     /// Movable bodies, ascending.
     pub(crate) bodies: Vec<usize>,

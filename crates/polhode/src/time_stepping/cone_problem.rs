@@ -11,8 +11,8 @@
 //! (`last_forces.rs`); the order in which bodies are eliminated is kept while they stay coupled, and follows from
 //! them: it changes no bit.
 //!
-//! Where the velocities of bodies do not come to the residual asked for, and the rows are not too many for their matrix, both
-//! are tried, and the better answer is taken. What is left is told.
+//! Where one does not come to the residual asked for, the other is tried, unless the rows are too many for their matrix, and the
+//! better answer is taken. What is left is told.
 
 use super::last_forces::LastForces;
 use crate::rows::assembly::Assembly;
@@ -28,10 +28,9 @@ pub(crate) const LEAST_IN_BODIES: usize = 16;
 /// Most rows whose matrix is formed where the velocities of bodies were not solved for exactly enough (200 to 600).
 const MOST_ROWS_IN_PLACE: usize = 400;
 
-/// The largest residual of a step's problem that counts as solved (no unit, 1e-9 to 1e-5). The rows of contacts that
-/// depend on each other, as the four corners of a box, contradict each other by about this fraction when the body turns
-/// or the gaps differ. Reactions that satisfied Coulomb's law to rounding would let a corner slip or part, by this
-/// fraction of the speed that gravity gives in a step: in a step of 1e-3 s by some 1e-11 m.
+/// The largest residual with which the matrix of few rows is not solved again in another way because of Coulomb's law, but only
+/// because of the residual (no unit, 1e-9 to 1e-5). The rows of contacts that depend on each other, as the four corners of a
+/// box, contradict each other by about this fraction when the body turns or the gaps differ.
 const ACCEPTED_RESIDUAL: f64 = 1e-6;
 
 /// Reactions whose violation of Coulomb's law is beyond this part of its limit are solved for to rounding (no unit, 0.01 to 1).
@@ -41,11 +40,13 @@ const SHARE_OF_CONE_LIMIT: f64 = 0.1;
 /// of the error estimate of a stretch of crowded events.
 const LAST_SWEEPS: u32 = 100;
 
-/// As exactly as rounding allows where that is found soon; else as exactly as the matrix of all rows is solved for, within
-/// some hundred factorisations. Most groups take one or none, and heaps of boxes that tumble some dozens: many of their contacts
-/// nearly depend on each other, and some are about to slip.
+/// The largest residual of a step's problem with which no other way is tried (no unit, 1e-9 to 1e-7): velocities are then wrong
+/// by at most about this fraction of the speed that gravity gives in a step.
+const EXACT_ENOUGH: f64 = 1e-8;
+
+/// As exactly as rounding allows where that is found soon, else as exactly as is accepted.
 const SETTINGS_IN_BODIES: BodySettings =
-    BodySettings { tolerance: 1e-12, acceptance: ACCEPTED_RESIDUAL, factorisations: 300, enough: 60, warm_steps: 8 };
+    BodySettings { tolerance: 1e-12, acceptance: EXACT_ENOUGH, factorisations: 150, warm_steps: 8 };
 
 /// The solvers of the groups of a run, and the forces that they start from.
 #[derive(Debug, Default)]
@@ -116,17 +117,28 @@ impl ConeProblem<'_> {
     ) -> Result<BlocksSolution, ResponseError> {
         let constants = self.constants;
         match &mut self.system {
-            System::Rows(delassus) => solve_for_rows(blocks, (delassus, constants), violation),
+            System::Rows(delassus) => {
+                let mut best = solve_for_rows(blocks, (delassus, constants), violation)?;
+                if best.report.residual > EXACT_ENOUGH {
+                    let problem = &self.assembly.problem;
+                    let system = (&mut BodySolver::default(), &SETTINGS_IN_BODIES);
+                    let (other, effort) = blocks.solve_in_bodies(problem, constants, Some(&best.reactions), system)?;
+                    self.factorisations += effort.factorisations;
+                    take_better(&mut best, other);
+                }
+                if best.report.residual > EXACT_ENOUGH {
+                    let other = blocks.solve(delassus, constants, Some(&best.reactions), &exact())?;
+                    take_better(&mut best, other);
+                }
+                Ok(best)
+            }
             System::Bodies { solver, start } => {
                 let problem = &self.assembly.problem;
                 let (mut solved, effort) =
                     blocks.solve_in_bodies(problem, constants, start.as_deref(), (solver, &SETTINGS_IN_BODIES))?;
                 self.factorisations += effort.factorisations;
                 if solved.report.status != SolverStatus::Solved && problem.len() <= MOST_ROWS_IN_PLACE {
-                    let other = blocks.solve(&problem.delassus(), constants, None, &exact())?;
-                    if other.report.residual < solved.report.residual {
-                        solved = other;
-                    }
+                    take_better(&mut solved, blocks.solve(&problem.delassus(), constants, None, &exact())?);
                 }
                 *start = Some(solved.reactions.clone());
                 Ok(solved)
@@ -143,6 +155,15 @@ impl ConeProblem<'_> {
     pub(super) const fn is_in_bodies(&self) -> bool {
         matches!(self.system, System::Bodies { .. })
     }
+}
+
+/// Takes the other answer if its residual is smaller.
+fn take_better(best: &mut BlocksSolution, other: BlocksSolution) {
+    if other.report.residual < best.report.residual {
+        *best = other;
+    }
+    let is_solved = best.report.residual <= EXACT_ENOUGH;
+    best.report.status = if is_solved { SolverStatus::Solved } else { SolverStatus::Inaccurate };
 }
 
 /// Settings that ask for rounding.

@@ -13,10 +13,6 @@
 //! Along the normal this is done only where the contradiction is small ([`SMALL`]): separations that differ are no
 //! contradiction. Its error is of the order of what it removes; it leaves a penetration that the projection removes.
 
-//! Faces that lean on each other a little (boxes that tumble in a heap) have normals that are not the same: there the terms
-//! are taken as vectors, `r_i = r_i,n n_i + r_i,T`, and all of them at once are those of the rigid motion that is nearest to
-//! them, `w` from `sum d_i x (w x d_i) = sum d_i x r_i`.
-
 use polhode_spatial::{DMat3, DVec3};
 
 /// What contradicting normal terms may differ by, as a fraction of the largest of them (no unit, 1e-6 to 1e-3).
@@ -25,51 +21,20 @@ const SMALL: f64 = 1e-4;
 /// Points whose spread in a direction is below this fraction of that in the other determine no turn about it (no unit).
 const IN_LINE: f64 = 1e-12;
 
+/// The weight of normal terms of contacts that press, against those along tangents, in the nearest rigid motion; its inverse
+/// is that of the others (no unit, 1e5 to 1e7).
+const PRESSING: f64 = 1e6;
+
+/// What is added to the moments of the points about each axis, relative to all (no unit): points in a line, or one alone,
+/// determine no turn about it.
+const NO_TURN: f64 = 1e-12;
+
 /// A contact: its point (m) and its term `r` along the normal and in the tangent plane, m/s.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Term {
     pub(super) point: DVec3,
     pub(super) normal: f64,
     pub(super) tangential: DVec3,
-}
-
-/// What is added to the moments of the points about each axis, relative to all (no unit): points in a line, or one alone,
-/// determine no turn about it.
-const NO_TURN: f64 = 1e-9;
-
-/// Replaces the terms of the contacts of a pair, whose normals are nearly the same, by those of the nearest rigid motion.
-pub(super) fn make_nearly_flush_rigid(normals: &[DVec3], terms: &mut [Term]) {
-    let count = terms.len() as f64;
-    let centre = terms.iter().map(|term| term.point).sum::<DVec3>() / count;
-    let whole: Vec<DVec3> = terms.iter().zip(normals).map(|(term, n)| *n * term.normal + term.tangential).collect();
-    let mean = whole.iter().sum::<DVec3>() / count;
-    let (mut moments, mut about) = (DMat3::ZERO, DVec3::ZERO);
-    for (term, whole) in terms.iter().zip(&whole) {
-        let d = term.point - centre;
-        let product = DMat3::from_cols(d * d.x, d * d.y, d * d.z);
-        moments += DMat3::from_diagonal(DVec3::splat(d.length_squared())) - product;
-        about += d.cross(*whole);
-    }
-    let trace = moments.col(0).x + moments.col(1).y + moments.col(2).z;
-    let turn = if trace > 0.0 {
-        (moments + DMat3::from_diagonal(DVec3::splat(NO_TURN * trace))).inverse() * about
-    } else {
-        DVec3::ZERO
-    };
-    let rigid: Vec<DVec3> = terms.iter().map(|term| mean + turn.cross(term.point - centre)).collect();
-    if !rigid.iter().all(|rigid| rigid.is_finite()) {
-        return;
-    }
-    let largest = terms.iter().fold(0.0, |most: f64, term| most.max(term.normal.abs()));
-    let apart = |((term, rigid), n): ((&Term, &DVec3), &DVec3)| (term.normal - n.dot(*rigid)).abs();
-    let apart = terms.iter().zip(&rigid).zip(normals).map(apart).fold(0.0, f64::max);
-    for ((term, rigid), n) in terms.iter_mut().zip(rigid).zip(normals) {
-        let along = n.dot(rigid);
-        term.tangential = rigid - *n * along;
-        if apart <= SMALL * largest {
-            term.normal = along;
-        }
-    }
 }
 
 /// Replaces the terms of the contacts of a pair, with a common normal `n` (unit vector), by those of the nearest rigid motion.
@@ -95,6 +60,40 @@ pub(super) fn make_rigid(n: DVec3, terms: &mut [Term]) {
         for (term, fit) in terms.iter_mut().zip(fitted) {
             term.normal = fit;
         }
+    }
+}
+
+/// Replaces the terms along the tangents of the contacts of a pair, whose normals may be any, by those of the rigid motion that
+/// is nearest to them among those with the normal terms of contacts that press.
+pub(super) fn make_tangential_terms_rigid(contacts: &[(DVec3, bool)], terms: &mut [Term]) {
+    let centre = terms.iter().map(|term| term.point).sum::<DVec3>() / terms.len() as f64;
+    let [mut vv, mut vw, mut ww] = [DMat3::ZERO; 3];
+    let (mut v, mut w) = (DVec3::ZERO, DVec3::ZERO);
+    for (term, (n, presses)) in terms.iter().zip(contacts) {
+        let d = term.point - centre;
+        // d x, as a matrix: n.(turn x d) = turn.(d x n).
+        let cross = DMat3::from_cols(d.cross(DVec3::X), d.cross(DVec3::Y), d.cross(DVec3::Z));
+        let weight = if *presses { PRESSING } else { 1.0 / PRESSING };
+        let along = DMat3::from_cols(*n * n.x, *n * n.y, *n * n.z);
+        let weights = DMat3::IDENTITY + along * (weight - 1.0);
+        let wanted = weights * (*n * term.normal + term.tangential);
+        vv += weights;
+        vw += weights * cross.transpose();
+        ww += cross * weights * cross.transpose();
+        v += wanted;
+        w += cross * wanted;
+    }
+    let trace = ww.col(0).x + ww.col(1).y + ww.col(2).z;
+    let inverse = vv.inverse();
+    let left = ww - vw.transpose() * inverse * vw + DMat3::from_diagonal(DVec3::splat(NO_TURN * trace));
+    let turn = left.inverse() * (w - vw.transpose() * (inverse * v));
+    let mean = inverse * (v - vw * turn);
+    if !(turn.is_finite() && mean.is_finite()) {
+        return;
+    }
+    for (term, (n, _)) in terms.iter_mut().zip(contacts) {
+        let rigid = mean + turn.cross(term.point - centre);
+        term.tangential = rigid - *n * n.dot(rigid);
     }
 }
 

@@ -30,8 +30,8 @@
 use super::cone_problem::LEAST_IN_BODIES;
 use super::contacts::{NearContact, kinematics_at_point, with_rate_at_point};
 use super::middle::{Middle, Stops};
-use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
-use super::rigid_terms::{Term, make_nearly_flush_rigid, make_rigid};
+use super::report::{ContactImpulse, ImpulseKind, Stop, TimeStepReport};
+use super::rigid_terms::{Term, make_rigid, make_tangential_terms_rigid};
 use super::shared_work::{ContactWork, Kicked};
 use super::step::TimeStepper;
 use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
@@ -61,8 +61,8 @@ const SEPARATION_ROUNDING: f64 = 0.25;
 /// Normals whose components differ by less count as equal (no unit, 1e-14 to 1e-9): the rounding of attitudes.
 const FLUSH_NORMAL: f64 = 1e-12;
 
-/// The same where many bodies lie on each other (no unit, 1e-3 to 3e-2): faces that lean a little on each other press at several
-/// points, which contradict each other by what the bodies turn in a step.
+/// Contacts of a pair whose normals differ by less are one patch where many bodies lie on each other (no unit, 1e-3 to
+/// 3e-2): faces that lean a little on each other press at several points, whose rows would contradict each other.
 const NEARLY_FLUSH_NORMAL: f64 = 1e-2;
 
 /// A contact in the middle of the step.
@@ -121,6 +121,7 @@ impl TimeStepper {
         let mut taken = first_choice(world, states, near, &rows, h);
         let before = states_of(states, bodies);
         let held = world.held_among(bodies);
+        let mut solved: Vec<SolvedGroup> = Vec::new();
         loop {
             let members = || rows.iter().enumerate().filter(|(index, _)| taken[*index]);
             let id = |row: &Row| near[row.contact].id;
@@ -128,26 +129,35 @@ impl TimeStepper {
             if members.is_empty() && held.is_empty() {
                 return Ok(Vec::new());
             }
-            let mut solved = Vec::new();
-            report.stops.clear();
+            let mut last = std::mem::take(&mut solved);
             for group in coupled_groups(world, members.iter().copied(), &held) {
-                let soft = world.soft_rows(states, &group.bodies, h, &kick.of_joints);
-                solved.push(self.solve_group((world, states), (group, soft), &rows, (near, h), report)?);
+                // One that no contact has been added to has the answer that it had.
+                solved.push(match last.iter().position(|solved| solved.group == group) {
+                    Some(place) => last.swap_remove(place),
+                    None => {
+                        let soft = world.soft_rows(states, &group.bodies, h, &kick.of_joints);
+                        self.solve_group((world, states), (group, soft), &rows, (near, h), report)?
+                    }
+                });
             }
             for group in &mut solved {
-                report.fallbacks += u64::from(!group.apply(world, states, &rows, near));
+                group.apply(world, states, &rows, near);
             }
-            let added = add_closing(world, states, near, &rows, &mut taken);
-            if !added && stops == Stops::Sought && !report.stops.is_empty() {
+            if add_closing(world, states, near, &rows, &mut taken) {
+                set_states(states, bodies, &before);
+                continue;
+            }
+            let ending: Vec<Stop> = solved.iter().flat_map(|group| &group.found.stops).copied().collect();
+            if stops == Stops::Sought && !ending.is_empty() {
+                report.stops = ending;
                 return Ok(Vec::new());
             }
-            if !added {
-                report.stops.clear();
-                report.contacts = report.contacts.max(members.len());
-                let kicked = Kicked { states, bodies, kick };
-                return Ok(note(world, kicked, near, &rows, &solved, (t, h), report));
+            for group in &solved {
+                group.found.tell(report);
             }
-            set_states(states, bodies, &before);
+            report.contacts = report.contacts.max(members.len());
+            let kicked = Kicked { states, bodies, kick };
+            return Ok(note(world, kicked, near, &rows, &solved, (t, h), report));
         }
     }
 
@@ -169,21 +179,23 @@ impl TimeStepper {
             let friction: Vec<_> = members.iter().map(|row| row.friction).collect();
             let found = sustained_friction::solve(assembly, states, constants, &friction, (&mut self.cones, h))?;
             report.factorisations += found.factorisations as u64;
-            report.residual = report.residual.max(found.report.residual);
-            report.fallbacks += u64::from(found.report.status != SolverStatus::Solved);
-            report.stops.extend(found.stops.iter().copied());
-            report.cone_violation = ConeViolation::larger(report.cone_violation, found.violation);
             let sustained_friction::FrictionalImpulses { normal: impulses, tangential, moments, reactions, .. } = found;
-            return Ok(SolvedGroup { group, impulses, tangential, moments, reactions });
+            let found = Found {
+                residual: found.report.residual,
+                is_approximate: found.report.status != SolverStatus::Solved,
+                violation: found.violation,
+                stops: found.stops,
+            };
+            return Ok(SolvedGroup { group, impulses, tangential, moments, reactions, found });
         }
         let carried = (0..members.len()).filter(|&i| self.carried.contains(near[members[i].contact].id)).collect();
         assembly.problem.delassus_into(&mut self.delassus);
         self.solver.set_settings(SolverSettings::default());
         let start = WarmStart::new(carried);
         let solution = self.solver.solve(&assembly.problem, &self.delassus, &constants, Some(&start))?;
-        report.residual = report.residual.max(solution.report.residual);
         let solved = solution.report.status == SolverStatus::Solved;
-        report.fallbacks += u64::from(!solved);
+        let residual = solution.report.residual;
+        let found = Found { residual, is_approximate: !solved, violation: None, stops: Vec::new() };
         let mut impulses = solution.forces.clone();
         if !solved {
             // An inexact solution must not add energy. Scaled by s with p.u- + s p.G p/2 <= 0 it does not.
@@ -197,7 +209,7 @@ impl TimeStepper {
         }
         let reactions = assembly.reactions(&impulses).map(|(of, impulse)| (of.clone(), impulse)).collect();
         impulses.truncate(members.len());
-        Ok(SolvedGroup { group, impulses, tangential: Vec::new(), moments: Vec::new(), reactions })
+        Ok(SolvedGroup { group, impulses, tangential: Vec::new(), moments: Vec::new(), reactions, found })
     }
 }
 
@@ -229,34 +241,31 @@ fn first_choice(world: &World, states: &[BodyState], near: &[NearContact], rows:
     taken
 }
 
-/// Adds the rows that close with the present velocities; of pairs with many contacts the one that closes most. Returns whether
-/// there are any.
+/// Adds the rows that close with the present velocities; of pairs with many contacts the one that closes most. Among many rows
+/// those are added, too, that are as near to closing as the worst one is beyond it: they would close next. Returns whether
+/// any closes.
 fn add_closing(world: &World, states: &[BodyState], near: &[NearContact], rows: &[Row], taken: &mut [bool]) -> bool {
+    // Impulses have moved nothing: the contact is where it was.
+    let rate = |row: &Row| with_rate_at_point(world, states, near[row.contact].id, row.kinematics).separation_rate;
+    let rates: Vec<f64> = rows.iter().zip(&*taken).map(|(row, taken)| if *taken { 0.0 } else { rate(row) }).collect();
+    let left: Vec<usize> = (0..rows.len()).filter(|&index| !taken[index]).collect();
+    let speed = |index: usize| rates[index] + rows[index].bound;
+    let closes = |index: usize| rows[index].closes(rates[index]);
+    let worst = left.iter().filter(|&&index| closes(index)).map(|&index| -speed(index)).fold(0.0, f64::max);
+    let margin = if rows.len() < LEAST_IN_BODIES { 0.0 } else { worst };
     let mut added = false;
     for of_pair in pairs(near, rows) {
-        let has_many = of_pair.len() > MANY_CONTACTS;
-        let mut worst: Option<(usize, f64)> = None;
-        for index in of_pair {
-            let row = &rows[index];
-            if taken[index] {
-                continue;
-            }
-            // Impulses have moved nothing: the contact is where it was.
-            let rate = with_rate_at_point(world, states, near[row.contact].id, row.kinematics).separation_rate;
-            if !row.closes(rate) {
-                continue;
-            }
-            let speed = rate + row.bound;
-            if !has_many {
+        let closing = of_pair.clone().filter(|&index| !taken[index] && closes(index));
+        if of_pair.len() > MANY_CONTACTS {
+            if let Some(index) = closing.min_by(|&a, &b| speed(a).total_cmp(&speed(b))) {
                 taken[index] = true;
                 added = true;
-            } else if worst.is_none_or(|(_, most)| speed < most) {
-                worst = Some((index, speed));
             }
+            continue;
         }
-        if let Some((index, _)) = worst {
-            taken[index] = true;
-            added = true;
+        added |= closing.count() > 0;
+        for index in of_pair {
+            taken[index] |= taken[index] || closes(index) || speed(index) < margin;
         }
     }
     added
@@ -304,33 +313,70 @@ fn rows(
     };
     let mut rows: Vec<Row> = here.into_iter().zip(accelerations).zip(friction).map(row).collect();
     let pair = |row: &Row| (near[row.contact].id.a, near[row.contact].id.b);
-    let flush = if rows.len() < LEAST_IN_BODIES { FLUSH_NORMAL } else { NEARLY_FLUSH_NORMAL };
-    rows.chunk_by_mut(|x, y| pair(x) == pair(y)).for_each(|of_pair| remove_contradictions(of_pair, flush));
+    let is_of_many = rows.len() >= LEAST_IN_BODIES;
+    for of_pair in rows.chunk_by_mut(|x, y| pair(x) == pair(y)) {
+        if is_of_many {
+            make_consistent(of_pair);
+        } else {
+            remove_contradictions(of_pair);
+        }
+    }
     Ok(rows)
 }
 
-/// Makes the terms of the contacts with friction of a pair those of a rigid motion, where their normals differ by no more than
-/// `flush` (no unit).
-fn remove_contradictions(of_pair: &mut [Row], flush: f64) {
-    let Some(first) = of_pair.first() else { return };
-    let n = first.kinematics.geometry.normal;
-    let apart = |row: &Row| (row.kinematics.geometry.normal - n).abs().max_element();
-    let apart = of_pair.iter().map(apart).fold(0.0, f64::max);
-    if of_pair.len() < 2 || apart > flush || !of_pair.iter().all(|row| row.friction.is_some()) {
-        return;
+/// The normals of the contacts of a pair whose terms are to be those of a rigid motion, at most so far from the first one
+/// (no unit); none where there is nothing to contradict, or a contact without friction.
+fn flush_normals(of_pair: &[Row], most: f64) -> Option<Vec<DVec3>> {
+    let normals: Vec<DVec3> = of_pair.iter().map(|row| row.kinematics.geometry.normal).collect();
+    let first = *normals.first()?;
+    let apart = normals.iter().map(|n| (*n - first).abs().max_element()).fold(0.0, f64::max);
+    let is_flush = apart <= most && normals.len() > 1 && of_pair.iter().all(|row| row.friction.is_some());
+    is_flush.then_some(normals)
+}
+
+/// Makes the terms of the contacts with friction of a pair, one of many, consistent: contacts whose normals are nearly the same
+/// become those of one patch, with one pair of tangents, and their rows along these act in one plane.
+fn make_consistent(of_pair: &mut [Row]) {
+    let is_isotropic = |row: &Row| row.friction.is_none_or(|friction| friction.is_isotropic());
+    if flush_normals(of_pair, FLUSH_NORMAL).is_some() && !of_pair.iter().all(is_isotropic) {
+        return remove_contradictions(of_pair);
     }
+    let normals = flush_normals(of_pair, NEARLY_FLUSH_NORMAL).filter(|_| of_pair.iter().all(is_isotropic));
+    let Some(normals) = normals else {
+        let Some(normals) = flush_normals(of_pair, f64::INFINITY) else { return };
+        let presses = |row: &Row| row.kinematics.separation_rate + row.bound <= 0.0;
+        let contacts: Vec<(DVec3, bool)> = normals.into_iter().zip(of_pair.iter().map(presses)).collect();
+        return with_terms(of_pair, |terms| make_tangential_terms_rigid(&contacts, terms));
+    };
+    let n = normals.iter().sum::<DVec3>().normalize();
+    let points = of_pair.iter().map(|row| row.kinematics.geometry.point);
+    let centre = points.sum::<DVec3>() / normals.len() as f64;
+    let (x, y) = n.any_orthonormal_pair();
+    for row in of_pair.iter_mut() {
+        let ContactKinematics { geometry, separation_rate, .. } = row.kinematics;
+        let point = geometry.point - n * n.dot(geometry.point - centre);
+        let approach = geometry.normal * separation_rate;
+        row.friction = row.friction.map(|friction| friction.on_patch([x, y], point, approach));
+    }
+    with_terms(of_pair, |terms| make_rigid(n, terms));
+}
+
+/// Makes the terms of the contacts with friction of a pair those of a rigid motion, where their normals are the same.
+fn remove_contradictions(of_pair: &mut [Row]) {
+    if let Some(normals) = flush_normals(of_pair, FLUSH_NORMAL) {
+        with_terms(of_pair, |terms| make_rigid(normals[0], terms));
+    }
+}
+
+/// Changes the terms of the contacts of a pair, as far as that gains no energy.
+fn with_terms(of_pair: &mut [Row], change: impl FnOnce(&mut [Term])) {
     let term = |row: &Row| Term {
         point: row.kinematics.geometry.point,
         normal: row.bound,
         tangential: row.friction.map_or(DVec3::ZERO, |friction| friction.half_change()),
     };
     let mut terms: Vec<Term> = of_pair.iter().map(term).collect();
-    if apart <= FLUSH_NORMAL {
-        make_rigid(n, &mut terms);
-    } else {
-        let normals: Vec<DVec3> = of_pair.iter().map(|row| row.kinematics.geometry.normal).collect();
-        make_nearly_flush_rigid(&normals, &mut terms);
-    }
+    change(&mut terms);
     for (row, term) in of_pair.iter_mut().zip(&terms) {
         row.bound = term.normal.max(row.kinematics.separation_rate);
         row.friction = row.friction.map(|friction| friction.with_half_change(term.tangential));
@@ -420,6 +466,28 @@ struct SolvedGroup {
     moments: Vec<SustainedMoment>,
     /// Of bilateral constraints.
     reactions: Vec<(Bilateral, Reaction)>,
+    found: Found,
+}
+
+/// How the impulses of one group were found.
+struct Found {
+    /// Natural map, relative.
+    residual: f64,
+    /// Whether they are no solution, or were discarded.
+    is_approximate: bool,
+    /// How far they are from Coulomb's law.
+    violation: Option<ConeViolation>,
+    /// Slips that end within the step.
+    stops: Vec<Stop>,
+}
+
+impl Found {
+    /// Tells it in the report of the step.
+    fn tell(&self, report: &mut TimeStepReport) {
+        report.residual = report.residual.max(self.residual);
+        report.fallbacks += u64::from(self.is_approximate);
+        report.cone_violation = ConeViolation::larger(report.cone_violation, self.violation);
+    }
 }
 
 impl SolvedGroup {
@@ -457,10 +525,7 @@ impl SolvedGroup {
 
     /// Energy lost to friction, J, with the present slips of the bodies.
     fn lost_to_friction_j(&self, world: &World, states: &[BodyState]) -> f64 {
-        let lost = |impulse: &TangentialImpulse| {
-            let terms = world.tangential_kinematics(states, impulse.id())?;
-            Some(impulse.lost_j(terms.slip_velocity))
-        };
+        let lost = |impulse: &TangentialImpulse| impulse.lost_j(world, states);
         self.tangential.iter().filter_map(lost).collect::<CompensatedSum>().value()
     }
 
@@ -484,8 +549,8 @@ impl SolvedGroup {
         self.reactions.iter().filter_map(works).fold(SoftWork::default(), |sum, one| sum + one)
     }
 
-    /// Applies the impulses. Impulses that add energy are discarded. Returns whether they were applied.
-    fn apply(&mut self, world: &World, states: &mut [BodyState], rows: &[Row], near: &[NearContact]) -> bool {
+    /// Applies the impulses. Impulses that add energy are discarded.
+    fn apply(&mut self, world: &World, states: &mut [BodyState], rows: &[Row], near: &[NearContact]) {
         let impulses = (self.impulses_of(rows, near), self.reactions.iter().map(|(of, impulse)| (of, *impulse)));
         let moments: Vec<_> = self.moments.iter().map(SustainedMoment::on_a).collect();
         let soft = self.soft_work();
@@ -497,10 +562,10 @@ impl SolvedGroup {
             self.tangential.clear();
             self.moments.clear();
             self.reactions.clear();
+            self.found.is_approximate = true;
         }
         for &body in &self.group.bodies {
             world.keep_in_plane(body, &mut states[body]);
         }
-        is_sound
     }
 }

@@ -21,6 +21,7 @@
 //! resists it by a moment of its largest size (`crate::solve::rotational_friction`).
 
 use super::cone_problem::ConeSolvers;
+use super::contacts::kinematics_at_point;
 use super::report::Stop;
 use crate::collision::contact_id::ContactId;
 use crate::collision::friction_mode::FrictionCoefficients;
@@ -56,6 +57,8 @@ pub(super) struct TangentialRow {
     given: f64,
     /// Rows along both tangents.
     along: [TangentRow; 2],
+    /// From the contact to where its rows along the tangents act in a patch, m.
+    offset: Option<DVec3>,
     /// `u-` along the tangents, m/s.
     slip: [f64; 2],
     /// `r` along the tangents, m/s.
@@ -94,6 +97,7 @@ impl TangentialRow {
             whole_change: [0.0; 2],
             given: 0.0,
             along,
+            offset: None,
             slip,
             half_change,
             normal,
@@ -145,6 +149,29 @@ impl TangentialRow {
         let nearest = libm::hypot(x + part * dx, y + part * dy);
         // NaN, without an impulse or a change, gives none.
         (part > 0.0 && part < 1.0 && nearest <= STICKING_RELATIVE * self.given).then_some(part)
+    }
+
+    /// Whether the coefficient is the same along all tangents.
+    pub(super) fn is_isotropic(&self) -> bool {
+        [self.coefficients.at_rest, self.coefficients.sliding].into_iter().all(FrictionEllipse::is_circle)
+    }
+
+    /// The same as one of the contacts of a patch, which have these tangents (unit vectors, world), at this point of its
+    /// plane (m, world). `approach` is the part of the relative velocity along its own normal (m/s, world).
+    pub(super) fn on_patch(self, tangents: [DVec3; 2], point: DVec3, approach: DVec3) -> Self {
+        let offset = point - self.along[0].along.point;
+        let vector = |[x, y]: [f64; 2]| self.along[0].along.normal * x + self.along[1].along.normal * y;
+        let slip = vector(self.slip) + approach + self.rotation.cross(offset);
+        let bias = vector(self.along.map(|row| row.acceleration_bias));
+        let components = |vector: DVec3| tangents.map(|tangent| tangent.dot(vector));
+        let mut along = self.along;
+        for ((row, tangent), acceleration_bias) in along.iter_mut().zip(tangents).zip(components(bias)) {
+            let geometry = ContactGeometry { point, normal: tangent, ..row.along };
+            *row = TangentRow { along: geometry, acceleration_bias, ..*row };
+        }
+        let (slip, whole_change) = (components(slip), components(vector(self.whole_change)));
+        let half_change = components(vector(self.half_change));
+        Self { along, offset: Some(offset), slip, whole_change, half_change, ..self }
     }
 
     /// `r` as a vector, m/s.
@@ -222,10 +249,21 @@ impl TangentialImpulse {
         self.row.along.iter().zip(self.impulse).map(|(row, impulse)| row.along.normal * impulse).sum()
     }
 
-    /// Energy lost to friction, J: `-p.(u- + u+)/2` with the slip after all impulses, m/s.
-    pub(super) fn lost_j(&self, slip: DVec3) -> f64 {
+    /// The relative velocity of the bodies where its rows act, in the present states, m/s; beside those along its tangents
+    /// its components are of no use.
+    fn slip(&self, world: &World, states: &[BodyState]) -> Option<DVec3> {
+        let slip = world.tangential_kinematics(states, self.id())?.slip_velocity;
+        let Some(offset) = self.row.offset else { return Some(slip) };
+        let now = kinematics_at_point(world, states, self.id())?;
+        let approach = now.geometry.normal * now.separation_rate;
+        Some(slip + approach + world.relative_rotation(states, self.id()).cross(offset))
+    }
+
+    /// Energy lost to friction, J: `-p.(u- + u+)/2` with the slip in the present states, after all impulses.
+    pub(super) fn lost_j(&self, world: &World, states: &[BodyState]) -> Option<f64> {
+        let slip = self.slip(world, states)?;
         let along = self.row.along.iter().zip(self.row.slip).zip(self.impulse);
-        along.map(|((row, before), impulse)| -0.5 * impulse * (before + row.along.normal.dot(slip))).sum()
+        Some(along.map(|((row, before), impulse)| -0.5 * impulse * (before + row.along.normal.dot(slip))).sum())
     }
 
     /// The contact.
