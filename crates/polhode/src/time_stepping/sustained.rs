@@ -132,12 +132,12 @@ impl TimeStepper {
             let mut last = std::mem::take(&mut solved);
             for group in coupled_groups(world, members.iter().copied(), &held) {
                 // One that no contact has been added to has the answer that it had.
-                solved.push(match last.iter().position(|solved| solved.group == group) {
-                    Some(place) => last.swap_remove(place),
-                    None => {
-                        let soft = world.soft_rows(states, &group.bodies, h, &kick.of_joints);
-                        self.solve_group((world, states), (group, soft), &rows, (near, h), report)?
-                    }
+                let known = last.iter().position(|solved| solved.group == group);
+                solved.push(if let Some(place) = known {
+                    last.swap_remove(place)
+                } else {
+                    let soft = world.soft_rows(states, &group.bodies, h, &kick.of_joints);
+                    self.solve_group((world, states), (group, soft), &rows, (near, h), report)?
                 });
             }
             for group in &mut solved {
