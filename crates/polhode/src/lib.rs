@@ -91,7 +91,7 @@
 //! | plan | decides which effects are simulated, and says why | `plan.rs` |
 //! | simulation | makes the tier, and lets it advance to a time or to the next event | `simulation.rs`, `tier.rs` |
 //! | first instant | finds the contacts of the start and decides which are active | `accurate/start.rs` |
-//! | free flight | makes a flight record of each body under gravity alone | `accurate/engine.rs` |
+//! | free flight | makes a flight record of each body under gravity alone | `accurate/motions.rs` |
 //! | step | integrates each island under its contact forces, or by the scene's integrator | `accurate/constrained_stepping.rs`, `accurate/free_stepping.rs` |
 //! | forces of a stage | assembles the rows of contacts and pivots and solves for their forces | `accurate/system.rs`, `rows/assembly.rs` |
 //! | event location | finds the first change of contacts in the step | `accurate/locate.rs` |
@@ -116,7 +116,7 @@
 //! | [`mod@scene`] | [`Scene`], [`Body`], [`Geometry`]; materials, forces, prescribed motions, methods |
 //! | [`mod@plan`] | [`Plan`]: the decision about each [`Effect`], with its reason; [`Effects`] |
 //! | `simulation` | [`Simulation`]: steps, runs, queries, snapshots |
-//! | `actions` | what a program does to bodies: [`Simulation::set_force`], [`Simulation::apply_impulse`], [`Simulation::set_pose`], [`Simulation::add_body`] and others |
+//! | `actions` | what a program does to bodies and joints: [`Simulation::set_motor`], [`Simulation::set_force`], [`Simulation::apply_impulse`], [`Simulation::set_pose`], [`Simulation::add_body`] and others |
 //! | [`mod@executor`] | [`Executor`], [`OneThread`]: who computes islands that do not depend on each other |
 //! | `steering` | [`Simulation::set_motion`]: kinematic bodies that a program steers |
 //! | [`mod@observer`] | [`Observer`], [`Recorder`], [`Unobserved`]: who receives samples and events |
@@ -168,8 +168,8 @@ mod few_digits;
 pub mod frame;
 mod free_method;
 mod free_stage;
-pub mod joint_id;
-mod ledger;
+mod joint_id;
+pub mod ledger;
 pub mod momentum_ledger;
 pub mod observer;
 mod pivot_form;
