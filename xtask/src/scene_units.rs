@@ -28,8 +28,8 @@ impl Units {
         let is_quadratic = beside.get("law").and_then(Value::as_str) == Some("quadratic");
         Some(match key {
             "position" | "positions" | "size" | "radius" | "height" | "major" | "minor" | "pivot" | "anchor"
-            | "point" | "points" | "center" | "center_of_mass" | "rest_length" | "amplitude" | "rolling_friction"
-            | "spinning_friction" | "scale" | "separate" => length,
+            | "anchors" | "length" | "point" | "points" | "center" | "center_of_mass" | "rest_length" | "amplitude"
+            | "rolling_friction" | "spinning_friction" | "scale" | "separate" => length,
             "duration" | "step" | "interval" | "times" => time,
             "gravity" => length / (time * time),
             "velocity" | "surface_velocity" | "wind" => speed,
@@ -60,6 +60,9 @@ impl Units {
                 // The type of a force bears the name of what it gives.
                 Some(factor) if !value.is_table() => multiply(value, factor),
                 _ if key == "signal" => self.signal(value),
+                _ if key == "layout" => self.layout(value),
+                _ if key == "angle" => self.freedom(value, Freedom { coordinate: 1.0, arm: self.length }),
+                _ if key == "displacement" => self.freedom(value, Freedom { coordinate: self.length, arm: 1.0 }),
                 _ => self.value(value),
             }
         }
@@ -78,6 +81,34 @@ impl Units {
         let samples = value.get_mut("table").and_then(Value::as_array_mut);
         for time in samples.into_iter().flatten().filter_map(|sample| sample.get_mut(0)) {
             multiply(time, self.time);
+        }
+    }
+
+    /// Of the layout of an array only the spacing and the size of the region have a unit; all else are counts.
+    fn layout(self, value: &mut Value) {
+        for kind in value.as_table_mut().into_iter().flatten().map(|(_, kind)| kind) {
+            for (key, value) in kind.as_table_mut().into_iter().flatten() {
+                if key == "spacing" || key == "size" {
+                    multiply(value, self.length);
+                }
+            }
+        }
+    }
+
+    /// What acts along a coordinate of a joint.
+    fn freedom(self, value: &mut Value, of: Freedom) {
+        let Self { length, time, mass } = self;
+        let effort = mass * length / (time * time) * of.arm;
+        for (key, value) in value.as_table_mut().into_iter().flatten() {
+            match key.as_str() {
+                "range" | "rest" | "position" => multiply(value, of.coordinate),
+                "velocity" => multiply(value, of.coordinate / time),
+                "stiffness" => multiply(value, effort / of.coordinate),
+                "damping" | "gain" => multiply(value, effort * time / of.coordinate),
+                "effort" | "most" => multiply(value, effort),
+                "motor" => self.freedom(value, of),
+                _ => {}
+            }
         }
     }
 
@@ -102,6 +133,15 @@ impl Units {
         self.table(&mut scene);
         Ok(toml::to_string(&scene)?)
     }
+}
+
+/// Factors of a coordinate of a joint.
+#[derive(Debug, Clone, Copy)]
+struct Freedom {
+    /// Of its values.
+    coordinate: f64,
+    /// Of the arm that makes an effort of a force.
+    arm: f64,
 }
 
 /// Gravity (m/s^2), and step and interval of output (s), of a scene that names none.
