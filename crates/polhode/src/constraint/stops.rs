@@ -8,6 +8,7 @@ use crate::world::World;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{Pose, Velocity};
+use std::collections::BTreeSet;
 
 impl World {
     /// Whether any joint has limits.
@@ -20,10 +21,12 @@ impl World {
         self.stops.get(&pair).map_or(&[], Vec::as_slice)
     }
 
-    /// The pairs with stops that have one of these bodies, A <= B.
-    pub(crate) fn stop_pairs_among<'a>(&'a self, bodies: &'a [usize]) -> impl Iterator<Item = (usize, usize)> + 'a {
-        let is_among = |body: usize| bodies.binary_search(&body).is_ok();
-        self.stops.keys().copied().filter(move |&(a, b)| is_among(a) || is_among(b))
+    /// The pairs with stops that have one of these bodies, A <= B, ascending.
+    pub(crate) fn stop_pairs_among(&self, bodies: &[usize]) -> impl Iterator<Item = (usize, usize)> + use<> {
+        let bodies = if self.has_stops() { bodies } else { &[] };
+        let of_body = |&body: &usize| self.stop_partners(body).map(move |other| (body.min(other), body.max(other)));
+        let pairs: BTreeSet<(usize, usize)> = bodies.iter().flat_map(of_body).collect();
+        pairs.into_iter()
     }
 
     /// All pairs with stops, A <= B, ascending.
@@ -33,12 +36,7 @@ impl World {
 
     /// The bodies that have stops with this one, itself for stops with the world.
     pub(crate) fn stop_partners(&self, body: usize) -> impl Iterator<Item = usize> + '_ {
-        let other = move |(a, b): (usize, usize)| match (a == body, b == body) {
-            (true, _) => Some(b),
-            (_, true) => Some(a),
-            _ => None,
-        };
-        self.stops.keys().copied().filter_map(other)
+        self.stop_partners.get(&body).into_iter().flatten().copied()
     }
 
     /// The stops of a pair with a separation of at most `reach` (m), as contacts in order.

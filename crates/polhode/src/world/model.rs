@@ -79,6 +79,8 @@ pub(crate) struct World {
     pub(crate) joint_drivers: Vec<usize>,
     /// The stops of joints, by their pairs of bodies.
     pub(crate) stops: BTreeMap<(usize, usize), Vec<StopId>>,
+    /// The bodies that a body has stops with, itself for those with the world.
+    pub(crate) stop_partners: BTreeMap<usize, BTreeSet<usize>>,
     /// For which pivoted bodies there are such rows.
     pub(crate) pivot_rows: PivotRows,
     /// Force fields over the movable bodies.
@@ -164,6 +166,7 @@ impl World {
             joints_of: BTreeMap::new(),
             joint_drivers: Vec::new(),
             stops: BTreeMap::new(),
+            stop_partners: BTreeMap::new(),
             pivot_rows,
             fields: Arc::from(Vec::new()),
             joint_forces: Vec::new(),
@@ -218,10 +221,14 @@ impl World {
         let drivers: BTreeSet<usize> = self.joints.iter().filter_map(WorldJoint::driver).collect();
         self.joint_drivers = drivers.into_iter().collect();
         self.stops.clear();
+        self.stop_partners.clear();
         for joint in &self.joints {
             let own = (0..joint.stops()).map(|stop| StopId { joint: joint.number(), stop });
             if joint.stops() > 0 {
-                self.stops.entry(joint.pair()).or_default().extend(own);
+                let (a, b) = joint.pair();
+                self.stops.entry((a, b)).or_default().extend(own);
+                self.stop_partners.entry(a).or_default().insert(b);
+                self.stop_partners.entry(b).or_default().insert(a);
             }
         }
         let is_held = |body: &usize| self.bodies[*body].held.is_some() || self.joints_of.contains_key(body);
