@@ -105,6 +105,7 @@ impl Units {
                 "velocity" => multiply(value, of.coordinate / time),
                 "stiffness" => multiply(value, effort / of.coordinate),
                 "damping" | "gain" => multiply(value, effort * time / of.coordinate),
+                "radius" => multiply(value, length),
                 "effort" | "most" | "breakaway" => multiply(value, effort),
                 "motor" | "friction" => self.freedom(value, of),
                 _ => {}

@@ -31,7 +31,7 @@ pub enum JointKindEntry {
     /// A line of the second body, or of the world, on which a point of the first slides without a rotation.
     Slider(SliderEntry),
     /// An axis of both bodies: the rotation about it and the displacement along it are free.
-    Cylindrical(CylindricalEntry),
+    Cylindrical(Box<CylindricalEntry>),
     /// A plane of the second body, or of the world, in which a point of the first slides; both keep its normal.
     Planar(PlanarJointEntry),
     /// A rod without mass: the distance of a point of each stays.
@@ -78,14 +78,20 @@ pub struct FreedomEntry {
     pub friction: Option<JointFrictionEntry>,
 }
 
-/// Dry friction along a coordinate of a joint.
+/// Dry friction along a coordinate of a joint: `effort`, a bearing by `coefficient`, or both.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JointFrictionEntry {
     /// Its torque (N m) or force (N) against the motion.
-    pub effort: f64,
+    pub effort: Option<f64>,
     /// The largest one that holds what is at rest; as large as `effort` without this key.
     pub breakaway: Option<f64>,
+    /// Of a bearing: friction over the force on it across the axis.
+    #[schemars(range(min = 0.0))]
+    pub coefficient: Option<f64>,
+    /// Of a bearing: the radius at which it rubs, m; of angles alone.
+    #[schemars(range(min = 0.0))]
+    pub radius: Option<f64>,
 }
 
 /// A motor: exactly one of `effort`, `velocity` and `position`.

@@ -148,6 +148,13 @@ impl WorldJoint {
         measured.at(&a, &b, self.length, near)
     }
 
+    /// The axis of one of its coordinates (unit vector, world): of an angle or a displacement; zero of a distance.
+    pub(super) fn axis_of(&self, place: usize, motion: impl Fn(usize) -> (Pose, Velocity)) -> DVec3 {
+        let b = self.b.at(motion);
+        let axis = self.coordinates.get(place).and_then(|own| own.measured.axis());
+        axis.map_or(DVec3::ZERO, |axis| b.rotation.rotate(axis))
+    }
+
     /// Length of its rows of rotation, m.
     pub(super) fn length(&self) -> f64 {
         self.length

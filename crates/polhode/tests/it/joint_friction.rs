@@ -79,7 +79,7 @@ fn a_pendulum_sticks_at_the_turning_point_that_friction_holds() {
         let built = scene(method).gravity(DVec3::Z * -G).duration_s(3.0);
         let place = DVec3::new(start.sin(), 0.0, -start.cos()) * (0.5 * ROD.1);
         let built = built.body(rod("rod", ROD, place, -start)).joint(hinge(rough(torque))).build().unwrap();
-        let (report, recorder) = run(&built, Effects::Planned);
+        let (report, _) = run(&built, Effects::Planned);
         let at = report.bodies[0].state.pose.translation;
         let angle = (-at.x).atan2(-at.z);
         assert!((angle - below).abs() < allowed, "{angle} for {below}");
@@ -171,6 +171,52 @@ fn a_bead_slides_only_under_more_than_its_friction() {
             assert!(off <= 1e-12 * way.length(), "{push}: {off:e} m off");
             assert_closes(&report);
         }
+    }
+}
+
+/// A rod that spins on a bearing of radius `r` with the coefficient `mu` is slowed by the force that turns its centre: with
+/// `k = mu r` and `R = m d sqrt(w^4 + w'^2)` that is `w' = -c w^2`, `c = k m d/sqrt(I^2 - (k m d)^2)`.
+#[test]
+fn a_bearing_slows_a_rod_by_the_load_of_its_spin() {
+    let (coefficient, radius, rate) = (0.3, 0.05, 6.0);
+    let (lever, moment) = (0.5 * ROD.1, moment());
+    let held = coefficient * radius * ROD.0 * lever;
+    let decay = held / (moment * moment - held * held).sqrt();
+    for (method, allowed) in [(accurate(), 1e-11), (stepped(1e-3), 5e-5)] {
+        let turning = Velocity::new(DVec3::Y.cross(DVec3::X * lever) * rate, DVec3::Y * rate);
+        let body = rod("rod", ROD, DVec3::X * lever, std::f64::consts::FRAC_PI_2).velocity(turning);
+        let bearing = JointFriction::default().with_bearing(coefficient, radius).unwrap();
+        let joint = hinge(Freedom::default().with_friction(bearing));
+        let built = scene(method).duration_s(2.0).body(body).joint(joint).build().unwrap();
+        let (report, recorder) = run(&built, Effects::Planned);
+        for (row, &t) in recorder.samples.iter().zip(&recorder.times_s) {
+            let expected = rate / (1.0 + decay * rate * t);
+            let off = (row[0].velocity.angular.y / expected - 1.0).abs();
+            assert!(off < allowed, "t = {t}: {} for {expected}", row[0].velocity.angular.y);
+        }
+        assert_closes(&report);
+    }
+}
+
+/// A bead on a level wire with friction slides as a box on a floor, and stays under a push that its weight holds.
+#[test]
+fn a_bead_on_a_level_wire_slides_like_a_box_on_a_floor() {
+    let (coefficient, speed) = (0.2, 1.5);
+    let axis = UnitVector::new(DVec3::new(0.6, 0.8, 0.0)).unwrap();
+    let wire = JointFriction::default().with_bearing(coefficient, 1.0).unwrap();
+    for method in [accurate(), stepped(1e-2)] {
+        let joint = Joint::new(JointKind::Slider { axis }, BodyId::new(0), DVec3::ZERO)
+            .along(Coordinate::Displacement, Freedom::default().with_friction(wire));
+        let body =
+            brick("bead", DVec3::splat(0.1), DVec3::ZERO).velocity(Velocity::new(axis.get() * speed, DVec3::ZERO));
+        let built = scene(method.clone()).gravity(DVec3::Z * -G).duration_s(1.5).body(body).joint(joint);
+        let (report, _) = run(&built.build().unwrap(), Effects::Planned);
+        let way = axis.get() * (0.5 * speed * speed / (coefficient * G));
+        let off = (report.bodies[0].state.pose.translation - way).length();
+        let allowed = if method.tier == Some(Tier::Accurate) { 1e-12 } else { 1e-3 };
+        assert!(off < allowed, "{off:e} m off");
+        assert!(report.bodies[0].state.velocity.linear.length() < 1e-12);
+        assert_closes(&report);
     }
 }
 
