@@ -81,6 +81,11 @@ fn entry<'a>(kind: &'a JointKindEntry, path: &KeyPath) -> Result<Entry<'a>, Faul
             let entry = entry.with(Coordinate::Angle, own.angle.as_ref())?;
             entry.with(Coordinate::Displacement, own.displacement.as_ref())?
         }
+        JointKindEntry::Screw(own) => {
+            let path = path.key("screw");
+            let kind = JointKind::Screw { axis: axis(&own.axis, &path)?, lead: own.lead };
+            Entry::new(&own.bodies, &own.anchor, path, kind).with(Coordinate::Angle, own.angle.as_ref())?
+        }
         JointKindEntry::Planar(own) => {
             let path = path.key("planar");
             let normal = direction(&own.normal, &path.key("normal"))?;

@@ -32,6 +32,8 @@ pub enum JointKindEntry {
     Slider(SliderEntry),
     /// An axis of both bodies: the rotation about it and the displacement along it are free.
     Cylindrical(Box<CylindricalEntry>),
+    /// An axis of both bodies, and a displacement along it that goes with the rotation about it.
+    Screw(ScrewEntry),
     /// A plane of the second body, or of the world, in which a point of the first slides; both keep its normal.
     Planar(PlanarJointEntry),
     /// A rod without mass: the distance of a point of each stays.
@@ -192,6 +194,23 @@ pub struct CylindricalEntry {
     pub angle: Option<FreedomEntry>,
     /// What acts along its displacement along the axis.
     pub displacement: Option<FreedomEntry>,
+}
+
+/// A screw.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ScrewEntry {
+    /// Names of the two bodies; of one that is held by the world.
+    #[schemars(length(min = 1, max = 2))]
+    pub bodies: Vec<String>,
+    /// A point of the axis at t = 0, m, world.
+    pub anchor: Vector,
+    /// The direction of the axis at t = 0, world; of any length but zero.
+    pub axis: Vector,
+    /// The displacement along the axis for each revolution, m: positive for a right-handed thread, not zero.
+    pub lead: f64,
+    /// What acts along the angle of the first body about the axis, relative to the second one or the world.
+    pub angle: Option<FreedomEntry>,
 }
 
 /// A universal joint.
