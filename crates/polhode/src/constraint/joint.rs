@@ -150,6 +150,11 @@ impl WorldJoint {
         measured.at(&a, &b, self.length, near)
     }
 
+    /// Where it holds its first body, world, m.
+    pub(super) fn anchor(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> DVec3 {
+        self.a.at(motion).point
+    }
+
     /// The axis of one of its coordinates (unit vector, world): of an angle or a displacement; zero of a distance.
     pub(super) fn axis_of(&self, place: usize, motion: impl Fn(usize) -> (Pose, Velocity)) -> DVec3 {
         let b = self.b.at(motion);

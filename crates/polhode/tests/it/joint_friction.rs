@@ -4,7 +4,9 @@
 use crate::checks::{assert_closes, heavy_brick};
 use crate::joints::{inertia, rod};
 use crate::support::{accurate, brick, run};
-use polhode::scene::{Coordinate, Force, Frame, Freedom, Joint, JointFriction, JointKind, Method, Signal, Tier};
+use polhode::scene::{
+    Coordinate, Force, Frame, Freedom, Joint, JointFriction, JointKind, Limits, Method, Signal, Tier,
+};
 use polhode::spatial::{DVec3, UnitVector, Velocity};
 use polhode::{BodyId, Effects, Event, EventKind, Recorder, Scene, SceneBuilder, Simulation, Snapshot};
 
@@ -86,6 +88,37 @@ fn a_pendulum_sticks_at_the_turning_point_that_friction_holds() {
         assert!(report.bodies[0].state.velocity.angular.length() < 1e-12);
         assert_closes(&report);
     }
+}
+
+/// What a joint does is told: a rough hinge that holds a pendulum off its lowest place bears its weight, and the moment of it; a stop
+/// does the same; while it swings the force is that of Newton's law for its centre.
+#[test]
+fn joint_loads_are_those_of_statics_and_of_the_swing() {
+    let (weight, angle) = (ROD.0 * G, 0.9_f64);
+    let place = DVec3::new(angle.sin(), 0.0, -angle.cos()) * (0.5 * ROD.1);
+    let held = weight * 0.5 * ROD.1 * angle.sin();
+    let stop = Freedom::default().with_limits(Limits::new(-0.1, 0.0).unwrap());
+    for freedom in [rough(1.5 * held), stop] {
+        let built = scene(accurate()).gravity(DVec3::Z * -G).body(rod("rod", ROD, place, -angle)).joint(hinge(freedom));
+        let mut simulation = Simulation::new(&built.build().unwrap()).unwrap();
+        for t in [0.0, 0.2] {
+            simulation.advance_to(t).unwrap();
+            let load = simulation.joint_loads()[0];
+            assert!((load.force_n - DVec3::Z * weight).length() < 1e-11, "{load:?}");
+            assert!((load.moment_n_m - DVec3::Y * -held).length() < 1e-11, "{load:?}");
+        }
+    }
+    let level = rod("rod", ROD, DVec3::X * (0.5 * ROD.1), std::f64::consts::FRAC_PI_2);
+    let built = scene(accurate()).gravity(DVec3::Z * -G).body(level).joint(hinge(Freedom::default()));
+    let mut simulation = Simulation::new(&built.build().unwrap()).unwrap();
+    simulation.advance_to(0.35).unwrap();
+    let acceleration = simulation.accelerations().unwrap()[0].linear;
+    let load = simulation.joint_loads()[0];
+    assert!((load.force_n - (acceleration + DVec3::Z * G) * ROD.0).length() < 1e-11 * weight, "{load:?}");
+    let along = simulation.body(BodyId::new(0)).pose.translation.normalize();
+    let gained = 2.0 * G * -simulation.body(BodyId::new(0)).pose.translation.z * ROD.0 / moment();
+    let pull = ROD.0 * gained * 0.5 * ROD.1 - weight * along.z;
+    assert!((load.force_n.dot(-along) - pull).abs() < 1e-9 * weight, "{load:?} for {pull}");
 }
 
 /// A torque that grows moves a rod when it exceeds the effort of breakaway, not before; from then on friction is that of motion.
