@@ -10,7 +10,9 @@ use crate::constraint::joint::WorldJoint;
 pub use crate::effects::Effects;
 use crate::free_method::Choice;
 use crate::planar::PlanarFinding;
-use crate::scene::{Body, BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Response, Scene, Tier};
+use crate::scene::{
+    Body, BroadPhaseMethod, ContactMethod, Coordinate, ImpactLaw, Integrator, Joint, Response, Scene, Tier,
+};
 use crate::settings::Settings;
 use crate::snapshot::{SnapshotError, content};
 use crate::world::World;
@@ -355,6 +357,17 @@ fn contact_decisions(world: &World, effects: Effects, findings: &Findings) -> Ve
 fn friction_decision(scene: &Scene) -> EffectDecision {
     let colliding = scene.colliding();
     let largest = colliding.largest_friction;
+    let of_joint = |joint: &Joint| {
+        let is_rough =
+            |&&coordinate: &&Coordinate| joint.freedom(coordinate).is_some_and(|own| own.friction().is_some());
+        joint.kind().coordinates().iter().filter(is_rough).count()
+    };
+    let at_joints: usize = scene.joints().iter().map(of_joint).sum();
+    let joints = match at_joints {
+        0 => String::new(),
+        1 => ", dry friction at 1 coordinate of a joint".to_owned(),
+        many => format!(", dry friction at {many} coordinates of joints"),
+    };
     if colliding.have_friction() {
         let rotational = colliding.largest_rotational_friction;
         let moments = if rotational > 0.0 {
@@ -364,10 +377,15 @@ fn friction_decision(scene: &Scene) -> EffectDecision {
         };
         let grain = if scene.has_grain() { ", different along a grain and across it" } else { "" };
         let surfaces = if scene.has_moving_surfaces() { ", with surfaces that move" } else { "" };
-        let fact = format!("largest coefficient of static friction of a pair: {largest}{moments}{grain}{surfaces}");
+        let fact =
+            format!("largest coefficient of static friction of a pair: {largest}{moments}{grain}{surfaces}{joints}");
         return decision(Effect::Friction, true, fact, "nothing: contacts stick or slide, by exact cones");
     }
-    decision(Effect::Friction, false, "every pair has friction 0".to_owned(), "all work on friction")
+    let (on, saves) = match at_joints {
+        0 => (false, "all work on friction"),
+        _ => (true, "nothing: joints stick or slip, as contacts do"),
+    };
+    decision(Effect::Friction, on, format!("every pair has friction 0{joints}"), saves)
 }
 
 fn decision(effect: Effect, on: bool, fact: String, saves: &str) -> EffectDecision {

@@ -248,9 +248,12 @@ impl Books {
     fn note_momentum(&mut self, totals: &Totals) {
         let ledger = &mut self.ledger.momentum;
         ledger.current = totals.momentum.value();
-        let given = ledger.gravity.value() + ledger.fields.value();
-        ledger.scale_linear = ledger.scale_linear.max(totals.linear).max(given.linear.length());
-        ledger.scale_angular = ledger.scale_angular.max(totals.angular).max(given.angular.length());
+        ledger.scale_linear = ledger.scale_linear.max(totals.linear);
+        ledger.scale_angular = ledger.scale_angular.max(totals.angular);
+        for given in [ledger.gravity.value(), ledger.fields.value()] {
+            ledger.scale_linear = ledger.scale_linear.max(given.linear.length());
+            ledger.scale_angular = ledger.scale_angular.max(given.angular.length());
+        }
         // The moments of weights on both sides of the point cancel, but their rounding errors do not.
         ledger.scale_angular = ledger.scale_angular.max(ledger.scale_linear * totals.extent);
     }

@@ -184,23 +184,8 @@ pub(super) fn solve(
     });
     let sliding: Vec<SlidingRow> = sliding.collect();
     constants.truncate(equations);
-    let mut rounds = 0;
-    let (LeastNormForces { forces, loads }, violation) = loop {
-        let found = if sliding.is_empty() {
-            (least_norm_forces(&assembly.problem, &delassus, &constants)?, None)
-        } else {
-            let least = least_norm_sliding_forces(&assembly.problem, &delassus, &constants, &sliding)?;
-            match StickingCones::of(contacts.len(), friction, assembly.first_tangent()) {
-                Some(cones) => cones.put_into((&delassus, equations, &sliding), least)?,
-                None => (least, None),
-            }
-        };
-        rounds += 1;
-        if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.0.forces, 1.0) {
-            break found;
-        }
-        assembly.press(&mut constants, 1.0);
-    };
+    let (LeastNormForces { forces, loads }, violation) =
+        with_loads_of_bearings(&mut assembly, constants, (&delassus, &sliding), (contacts.len(), friction))?;
     let tangential = assembly.of_tangents(&forces).map(|(row, force)| (row.id, row.along, force)).collect();
     let moments = assembly.of_rotations(&forces).map(|(row, moment)| (row.id, row.axis * moment)).collect();
     let slips = friction.iter().filter_map(|contact| {
@@ -222,6 +207,36 @@ pub(super) fn solve(
         normal: forces.get(..contacts.len()).unwrap_or_default().to_vec(),
         sums: loads.map(|loads| assembly.split(&loads).collect()),
     })
+}
+
+/// The least forces with these constant terms of the rows that are held, found again until the loads of bearings stay, and how far
+/// they are from Coulomb's law.
+///
+/// # Errors
+/// When a number is not finite.
+fn with_loads_of_bearings(
+    assembly: &mut Assembly,
+    mut constants: Vec<f64>,
+    (delassus, sliding): (&Delassus, &[SlidingRow]),
+    (contacts, friction): (usize, &[FrictionContact]),
+) -> Result<(LeastNormForces, Option<ConeViolation>), ResponseError> {
+    let mut rounds = 0;
+    loop {
+        let found = if sliding.is_empty() {
+            (least_norm_forces(&assembly.problem, delassus, &constants)?, None)
+        } else {
+            let least = least_norm_sliding_forces(&assembly.problem, delassus, &constants, sliding)?;
+            match StickingCones::of(contacts, friction, assembly.first_tangent()) {
+                Some(cones) => cones.put_into((delassus, constants.len(), sliding), least)?,
+                None => (least, None),
+            }
+        };
+        rounds += 1;
+        if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.0.forces, 1.0) {
+            return Ok(found);
+        }
+        assembly.press(&mut constants, 1.0);
+    }
 }
 
 /// What bounds the forces of contacts while some slide: cones of friction of those that stick, and the push of all.

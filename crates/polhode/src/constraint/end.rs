@@ -22,6 +22,23 @@ pub(crate) enum End {
     World(DVec3),
 }
 
+/// Whether the first body of a contact at a joint is the first one of the joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Order {
+    Same,
+    Reversed,
+}
+
+impl Order {
+    /// The sign of motions of the first body of the joint in those of the first one of the contact.
+    pub(super) fn sign(self) -> f64 {
+        match self {
+            Self::Same => 1.0,
+            Self::Reversed => -1.0,
+        }
+    }
+}
+
 /// An end in given states, all world.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct EndKinematics {

@@ -14,7 +14,7 @@
 //! | planar | a point in a plane, and its normal (`planar.rs`) | displacements in it and the rotation about the normal |
 
 use super::coordinate::{CoordinateAt, Measured};
-use super::end::End;
+use super::end::{End, Order};
 use super::joint_coordinate::{JointCoordinate, coordinates};
 use super::kept::Kept;
 use super::row::RowsAt;
@@ -31,23 +31,6 @@ pub(crate) enum HeldBody {
     Fixed,
     Movable(Pose),
     Kinematic(Pose),
-}
-
-/// Whether the first body of a contact at a joint is the first one of the joint.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Order {
-    Same,
-    Reversed,
-}
-
-impl Order {
-    /// The sign of motions of the first body of the joint in those of the first one of the contact.
-    pub(super) fn sign(self) -> f64 {
-        match self {
-            Self::Same => 1.0,
-            Self::Reversed => -1.0,
-        }
-    }
 }
 
 /// A joint of the model.

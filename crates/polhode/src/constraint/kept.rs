@@ -3,7 +3,7 @@
 use super::end::EndKinematics;
 use super::perpendicular::Perpendicular;
 use super::row::RowsAt;
-use super::screw::Thread;
+use super::thread::Thread;
 use super::{coordinate, line, point};
 use polhode_spatial::{DVec3, Rotation};
 

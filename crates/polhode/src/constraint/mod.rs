@@ -42,6 +42,7 @@ mod soft_rows;
 pub(crate) mod softness;
 mod stop;
 pub(crate) mod stop_id;
+mod thread;
 mod universal;
 
 use crate::collision::contact_id::ContactId;

@@ -11,7 +11,7 @@
 //! are not seen.
 
 use super::coordinate::{CoordinateAt, Measured};
-use super::joint::Order;
+use super::end::Order;
 use super::joint_coordinate::JointCoordinate;
 use crate::scene::Limits;
 use polhode_contact::{ContactGeometry, ContactKinematics};
