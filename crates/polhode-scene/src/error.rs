@@ -1,6 +1,7 @@
 //! What can be wrong with a scene file.
 
 use crate::document::{KeyPath, Step};
+use crate::robot::RobotFileError;
 use polhode::SceneError;
 use polhode::contact::{ApproximateError, ShapeError};
 use polhode::dynamics::field::FieldError;
@@ -41,6 +42,9 @@ pub enum SceneFileError {
         /// The byte, from 0.
         offset: usize,
     },
+    /// A robot file that stands for a scene is refused.
+    #[error(transparent)]
+    Robot(#[from] RobotFileError),
     /// The content is refused.
     #[error("{0}")]
     Refused(Box<Refused>),
@@ -76,11 +80,23 @@ impl SceneFileError {
         }
     }
 
+    /// The error of a scene that a robot file stands for: that of the robot, if it is the only one.
+    pub(crate) fn of_robot(self) -> Self {
+        match self {
+            Self::Refused(refused) => match *refused {
+                Refused { cause: Refusal::Robot(error), .. } => Self::Robot(error),
+                other => Self::Refused(Box::new(other)),
+            },
+            other => other,
+        }
+    }
+
     /// Whether reading a file failed, as opposed to what stands in it.
     pub fn is_input_output(&self) -> bool {
         match self {
             Self::Read { .. } => true,
             Self::Refused(refused) => refused.is_input_output(),
+            Self::Robot(error) => error.is_input_output(),
             Self::Several(errors) => errors.iter().all(Refused::is_input_output),
             Self::TooLarge { .. } | Self::NotText { .. } => false,
         }
@@ -110,7 +126,11 @@ pub struct Refused {
 
 impl Refused {
     fn is_input_output(&self) -> bool {
-        matches!(self.cause, Refusal::MeshFile(MeshFileError::Read { .. }))
+        match &self.cause {
+            Refusal::MeshFile(MeshFileError::Read { .. }) => true,
+            Refusal::Robot(error) => error.is_input_output(),
+            _ => false,
+        }
     }
 }
 
@@ -306,6 +326,9 @@ pub enum Refusal {
     /// A mesh file is refused.
     #[error(transparent)]
     MeshFile(#[from] MeshFileError),
+    /// A robot file is refused.
+    #[error(transparent)]
+    Robot(RobotFileError),
     /// A mesh has no approximate convex parts.
     #[error(transparent)]
     Approximate(ApproximateError),

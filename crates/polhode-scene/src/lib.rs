@@ -59,6 +59,7 @@ pub mod mesh_report;
 pub mod names;
 pub mod output;
 pub mod report;
+pub mod robot;
 pub mod schema;
 pub mod trajectory;
 
