@@ -5,10 +5,11 @@ use super::materials::Materials;
 use super::placement;
 use crate::document::KeyPath;
 use crate::error::Refusal;
-use crate::format::{BaseName, ModelEntry, SceneFile};
+use crate::format::{BaseName, ModelEntry, SceneFile, UnphysicalName};
 use crate::mesh_file::MeshFolder;
 use crate::robot::{
-    Assembly, Base, Finding, Placement, Robot, RobotFile, RobotFileError, SelfCollision, assembled, read_robot,
+    Assembly, Base, Finding, Placement, Robot, RobotFile, RobotFileError, SelfCollision, Unphysical, assembled,
+    read_robot,
 };
 use polhode::scene::{Joint, Material};
 use polhode::{Body, BodyId};
@@ -29,8 +30,6 @@ pub(crate) struct PlacedRobot {
     pub(crate) findings: Arc<Vec<Finding>>,
     /// The names of its bodies.
     pub(crate) names: Vec<String>,
-    /// The links of each of its bodies.
-    pub(crate) links: Vec<Vec<usize>>,
     /// Its joints.
     pub(crate) joints: Vec<Joint>,
     /// Groups of its bodies that do not collide.
@@ -80,11 +79,11 @@ fn assemble(
     let made = assembled(&robot, &placement, bodies.len());
     let (assembly, found) = made.map_err(|found| (path.key("file"), Refusal::Robot(RobotFileError::Refused(found))))?;
     findings.extend(found);
-    let Assembly { bodies: mut own, links, joints, no_contact } = assembly;
+    let Assembly { bodies: mut own, joints, no_contact } = assembly;
     let names = own.iter().map(|body| body.name().to_owned()).collect();
     bodies.append(&mut own);
     let findings = Arc::new(findings);
-    Ok(PlacedRobot { index, robot, placement, findings, names, links, joints, no_contact })
+    Ok(PlacedRobot { index, robot, placement, findings, names, joints, no_contact })
 }
 
 /// Where and how the robot of an entry stands.
@@ -104,6 +103,10 @@ fn placed(entry: &ModelEntry, materials: &Materials, path: &KeyPath) -> Result<P
         }),
         configuration: entry.configuration.clone(),
         self_collision: if entry.self_collision { SelfCollision::On } else { SelfCollision::Off },
+        unphysical: match entry.unphysical {
+            UnphysicalName::Refuse => Unphysical::Refuse,
+            UnphysicalName::Repair => Unphysical::Repair,
+        },
         material: material.transpose()?.unwrap_or_else(Material::default),
     })
 }

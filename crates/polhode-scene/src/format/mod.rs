@@ -59,7 +59,7 @@ pub use method::{
     ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,
     RotationRateName,
 };
-pub use model::{BaseName, ModelEntry};
+pub use model::{BaseName, ModelEntry, UnphysicalName};
 pub use motion::{ConstantMotionEntry, InterpolationEntry, MotionEntry, SineMotionEntry, TableMotionEntry};
 pub use scene::{MaterialEntry, NoContactEntry, OutputEntry, PairEntry, SceneFile, StartEntry};
 pub use signal::{SignalEntry, SinusoidEntry};

@@ -27,6 +27,9 @@ pub struct ModelEntry {
     /// Its links collide with each other, but for those that a joint connects.
     #[serde(default)]
     pub self_collision: bool,
+    /// What becomes of inertias that no body can have: the robot is refused, unless they are repaired.
+    #[serde(default)]
+    pub unphysical: UnphysicalName,
     /// Folders that hold the packages of `package://` names, relative to the scene file; the folders above the robot file are
     /// looked at too.
     #[serde(default)]
@@ -43,4 +46,15 @@ pub enum BaseName {
     Free,
     /// The world.
     Fixed,
+}
+
+/// What becomes of inertias that no body can have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum UnphysicalName {
+    /// The robot is refused.
+    #[default]
+    Refuse,
+    /// Each is replaced by the nearest one that a body can have.
+    Repair,
 }

@@ -8,7 +8,7 @@ use super::finding::{Finding, Findings, RobotDefect};
 use super::model::{ClosureKind, Robot, RobotCoordinate, RobotJointKind, Root};
 use super::posture;
 use super::shapes::{self, Colliding, Meshes};
-use super::weld::{self, Group};
+use super::weld::{self, Group, Unphysical};
 use glam::DVec3;
 use polhode::contact::Shape;
 use polhode::scene::{Coordinate, Freedom, Joint, JointKind, Limits, Material};
@@ -51,6 +51,8 @@ pub struct Placement {
     pub configuration: BTreeMap<String, f64>,
     /// Whether its links collide with each other.
     pub self_collision: SelfCollision,
+    /// What becomes of inertias that no body can have.
+    pub unphysical: Unphysical,
     /// What its surface is made of.
     pub material: Material,
 }
@@ -60,8 +62,6 @@ pub struct Placement {
 pub(crate) struct Assembly {
     /// Its bodies.
     pub(crate) bodies: Vec<Body>,
-    /// The links of each body: the first gives its name and its frame.
-    pub(crate) links: Vec<Vec<usize>>,
     /// Its joints, with the numbers of its bodies counted from the one given.
     pub(crate) joints: Vec<Joint>,
     /// Groups of bodies that do not collide.
@@ -82,6 +82,8 @@ struct Making<'a> {
     meshes: Meshes,
     findings: Findings,
     made: Assembly,
+    /// The body of what stands around the robot.
+    around: Option<BodyId>,
     /// The body of each group.
     body_of: Vec<Option<BodyId>>,
     first: usize,
@@ -99,7 +101,7 @@ pub(crate) fn assembled(
     let mut findings = Findings::default();
     let values = posture::start(robot, &placement.configuration, &mut findings);
     let poses = posture::poses(robot, &values);
-    let (groups, group_of) = weld::groups(robot, &poses, &mut findings);
+    let (groups, group_of) = weld::groups(robot, &poses, placement.unphysical, &mut findings);
     let mut above = vec![None; groups.len()];
     for (number, joint) in robot.joints.iter().enumerate() {
         if group_of[joint.parent] != group_of[joint.child] {
@@ -108,8 +110,21 @@ pub(crate) fn assembled(
     }
     let body_of = vec![None; groups.len()];
     let (meshes, made) = (Meshes::default(), Assembly::default());
-    let mut making =
-        Making { robot, placement, poses, values, groups, group_of, above, meshes, findings, made, body_of, first };
+    let mut making = Making {
+        robot,
+        placement,
+        poses,
+        values,
+        groups,
+        group_of,
+        above,
+        meshes,
+        findings,
+        made,
+        around: None,
+        body_of,
+        first,
+    };
     making.bodies();
     making.loops();
     making.no_contact();
@@ -204,7 +219,7 @@ impl Making<'_> {
         if !around.is_empty() {
             let mut colliding = self.colliding(around, 0);
             grounds.append(&mut colliding.grounds);
-            self.fixed(colliding, around, Pose::IDENTITY, None);
+            self.around = self.fixed(colliding, around, Pose::IDENTITY, None);
         }
         if !base.is_empty() {
             let mut colliding = self.colliding(base, base[0]);
@@ -217,7 +232,6 @@ impl Making<'_> {
             let body = self.named(Body::fixed(name).geometry(Shape::half_space(UnitVector::Z).into()));
             let pose = self.placement.pose * ground.pose;
             self.made.bodies.push(body.pose(pose));
-            self.made.links.push(Vec::new());
         }
     }
 
@@ -228,7 +242,7 @@ impl Making<'_> {
             Ok(shape) => {
                 let shape = shape?;
                 let body = Body::fixed(self.robot.links[link].name.clone()).geometry(shape.into());
-                Some(self.push(body, pose, links))
+                Some(self.push(body, pose))
             }
             Err(defect) => {
                 let own = &self.robot.links[link];
@@ -270,7 +284,7 @@ impl Making<'_> {
             body = body.geometry(shape.into());
         }
         let pose = self.poses[top];
-        self.body_of[group] = Some(self.push(body, pose, &links));
+        self.body_of[group] = Some(self.push(body, pose));
     }
 
     /// A body with its name in the scene and its material.
@@ -280,11 +294,10 @@ impl Making<'_> {
         body.renamed(name).material(self.placement.material.clone())
     }
 
-    fn push(&mut self, body: Body, pose: Pose, links: &[usize]) -> BodyId {
+    fn push(&mut self, body: Body, pose: Pose) -> BodyId {
         let id = BodyId::new(self.first + self.made.bodies.len());
         let body = self.named(body).pose(self.placement.pose * pose);
         self.made.bodies.push(body);
-        self.made.links.push(links.to_vec());
         id
     }
 
@@ -366,18 +379,17 @@ impl Making<'_> {
     /// Which bodies do not collide: those of the robot, but for what stands around it, unless they are asked to.
     fn no_contact(&mut self) {
         let own: Vec<BodyId> = self.body_of.iter().flatten().copied().collect();
-        match self.placement.self_collision {
-            SelfCollision::Off if own.len() > 1 => self.made.no_contact.push(own),
-            SelfCollision::Off => {}
-            SelfCollision::On => {
-                for pair in &self.robot.apart {
-                    let ids: Vec<BodyId> = pair.iter().filter_map(|&link| self.body_of[self.group_of[link]]).collect();
-                    if let [a, b] = ids[..]
-                        && a != b
-                    {
-                        self.made.no_contact.push(ids);
-                    }
-                }
+        let is_off = self.placement.self_collision == SelfCollision::Off;
+        if is_off && own.len() > 1 {
+            self.made.no_contact.push(own.clone());
+        }
+        let is_world = self.robot.root == Root::World;
+        let body = |link: usize| if link == 0 && is_world { self.around } else { self.body_of[self.group_of[link]] };
+        for pair in &self.robot.apart {
+            let [Some(a), Some(b)] = pair.map(body) else { continue };
+            // Those of the robot are in the group of all.
+            if a != b && !(is_off && own.contains(&a) && own.contains(&b)) {
+                self.made.no_contact.push(vec![a, b]);
             }
         }
     }

@@ -7,8 +7,8 @@ use roxmltree::{Document, Node, ParsingOptions};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Deepest nesting of elements: chains of some hundred bodies are nested so.
-pub(super) const DEEPEST: usize = 1000;
+/// Deepest nesting of elements: a chain of so many bodies is nested so, and reading it must not use up a stack of 2 MB.
+pub(super) const DEEPEST: usize = 256;
 
 /// Most elements and texts of a file: a robot has some thousands.
 const MOST_NODES: u32 = 4_000_000;

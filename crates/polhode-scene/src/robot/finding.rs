@@ -4,7 +4,7 @@
 use crate::error::MeshFileError;
 use glam::DVec3;
 use polhode::contact::ShapeError;
-use polhode::mesh::MeshError;
+use polhode::mesh::{MeshError, PrimitiveError};
 use polhode::spatial::{InertiaError, MassPropertiesError};
 use std::fmt;
 use std::path::Path;
@@ -179,6 +179,14 @@ pub enum RobotDefect {
     /// The limits span a revolution or more.
     #[error("its limits span {0} rad, a revolution or more: they are not kept")]
     Revolution(f64),
+    /// A bound of a motor leaves it nothing.
+    #[error("its {what} is at most {value}: no motor could move it")]
+    Bound {
+        /// Which bound.
+        what: &'static str,
+        /// The bound, N m or N, rad/s or m/s.
+        value: f64,
+    },
     /// A coordinate is outside its limits at the start.
     #[error("it is at {value}, outside its limits from {lower} to {upper}")]
     BeyondLimits {
@@ -211,6 +219,14 @@ pub enum RobotDefect {
     /// An inertia that no body can have.
     #[error("no body can have this inertia: {0}")]
     Inertia(InertiaError),
+    /// An inertia that no body can have was replaced.
+    #[error("no body can have its principal moments {found}: they are replaced by {made} kg m^2")]
+    InertiaRepaired {
+        /// Moments that the file gives, kg m^2, ascending.
+        found: DVec3,
+        /// The nearest moments that a body can have.
+        made: DVec3,
+    },
     /// Mass properties that do not add up.
     #[error(transparent)]
     MassProperties(#[from] MassPropertiesError),
@@ -234,9 +250,20 @@ pub enum RobotDefect {
     /// A shape is refused.
     #[error(transparent)]
     Shape(#[from] ShapeError),
+    /// A primitive has no mass properties.
+    #[error(transparent)]
+    Primitive(PrimitiveError),
     /// A mesh is refused.
     #[error("{file}: {source}")]
     Mesh {
+        /// The file.
+        file: String,
+        /// Why.
+        source: MeshError,
+    },
+    /// A mesh that gives a mass bounds no solid.
+    #[error("{file} gives its mass, and {source}")]
+    MassOfMesh {
         /// The file.
         file: String,
         /// Why.
@@ -368,9 +395,11 @@ impl RobotDefect {
             Self::NoRange(_)
             | Self::Revolution(_)
             | Self::StartMoved { .. }
+            | Self::Bound { .. }
             | Self::MeshFormat(_)
             | Self::FlatMesh { .. }
             | Self::NoSuchShape(_)
+            | Self::InertiaRepaired { .. }
             | Self::OpenMesh { .. }
             | Self::InvertedMesh { .. }
             | Self::Mirrored { .. }
@@ -400,17 +429,23 @@ impl RobotDefect {
             Self::Limits { .. } => "exchange them, or name the kind `continuous` (URDF) or limited=\"false\" (MJCF)",
             Self::NoRange(_) => "it is taken as fixed: give it a range, or name it `fixed`",
             Self::Revolution(_) => "limits less than 2 pi apart are kept",
+            Self::Bound { .. } => "give it the largest effort and velocity of its motor, or take the attribute out",
             Self::BeyondLimits { .. } => "give a value within them in `configuration`",
             Self::StartMoved { .. } => "say where it starts in `configuration` of [[models]]",
             Self::NoCoordinate(_) => "take it out of `configuration`",
             Self::Mass(_) => "accepted: a finite number of at least 0",
-            Self::InertiaWithoutMass => "give it its mass",
+            Self::InertiaWithoutMass => {
+                "give it its mass, or have the inertia left out: `--set models.0.unphysical=repair`"
+            }
             Self::Inertia(_) => {
-                "take the inertia from the CAD program anew (about the centre of mass, kg m^2), or compute it from a mesh: `polhode mesh FILE --mass M`"
+                "take it from the CAD program anew (about the centre of mass, kg m^2), compute it from a mesh (`polhode mesh FILE --mass M`), or have it replaced by the nearest one that a body can have: `--set models.0.unphysical=repair`"
             }
             Self::Massless => "give it an <inertial>, or fix it to its parent",
             Self::NoInertia(_) => "give it an inertia about all axes, however small",
             Self::Size { .. } => "accepted: a positive, finite number",
+            Self::MassOfMesh { .. } => {
+                "give the body an <inertial>, or mend the mesh: `polhode mesh FILE --repair -o MENDED.obj`"
+            }
             Self::MeshNotFound(_) => "name the folder that holds its package in `packages` of [[models]]",
             Self::MeshFormat(_) => "convert it to OBJ, STL, OFF or PLY",
             Self::FlatMesh { .. } => "give it a thickness, or a box in its place",

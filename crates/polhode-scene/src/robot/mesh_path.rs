@@ -31,7 +31,7 @@ impl MeshPaths {
     /// The file of this name, if there is one.
     pub(super) fn find(&self, name: &str) -> Option<PathBuf> {
         let inside = name.strip_prefix("package://").or_else(|| name.strip_prefix("model://"));
-        if let Some(inside) = inside {
+        if let Some(inside) = inside.map(|inside| inside.trim_start_matches('/')) {
             return self.in_package(inside);
         }
         let path = Path::new(name.strip_prefix("file://").unwrap_or(name));

@@ -12,6 +12,7 @@
 //! | `urdf`, `mjcf` | the formats |
 //! | `joint_extras` | what joints have that is not simulated, for all formats |
 //! | `mesh_path` | where meshes are |
+//! | `text` | the text of a file, and why it could not be used |
 //! | `tree` | whether the joints make a tree |
 //! | `posture` | from coordinates to poses |
 //! | `weld` | links that move as one, and the sum of their masses |
@@ -35,6 +36,7 @@ mod read;
 mod reading;
 mod shapes;
 mod stage;
+mod text;
 mod tree;
 mod urdf;
 mod weld;
@@ -46,5 +48,7 @@ pub use finding::{Finding, RobotDefect, RobotPlace, Severity};
 pub use model::{
     Closure, ClosureKind, Geom, GeomForm, Inertial, Link, Robot, RobotCoordinate, RobotJoint, RobotJointKind, Root,
 };
-pub use read::{LARGEST_ROBOT_FILE, RobotFile, RobotFileError, read_robot, read_text};
+pub use read::{RobotFile, read_robot, read_text};
 pub(crate) use stage::{is_robot_file, scene_of};
+pub use text::{LARGEST_ROBOT_FILE, RobotFileError};
+pub use weld::Unphysical;

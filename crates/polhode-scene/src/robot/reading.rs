@@ -104,6 +104,18 @@ impl Reading {
         None
     }
 
+    /// Notes a word that is not among those accepted.
+    pub(super) fn refuse_word(
+        &mut self,
+        element: &Element,
+        attribute: &'static str,
+        value: &str,
+        accepted: &'static str,
+    ) {
+        let value = value.chars().take(LONGEST_SHOWN).collect();
+        self.refuse(element, format!("<{}>", element.name), RobotDefect::Word { attribute, value, accepted });
+    }
+
     /// The direction of a vector.
     pub(super) fn direction(&mut self, element: &Element, vector: DVec3, subject: &str) -> Option<UnitVector> {
         let direction = UnitVector::new(vector).ok();

@@ -1,7 +1,9 @@
 //! The scene that a robot file stands for: the robot for two seconds, above a floor unless the world holds all of it.
 
 use super::assemble::{Placement, SelfCollision, assembled};
-use super::read::{RobotFile, RobotFileError, read_robot};
+use super::read::{RobotFile, read_robot};
+use super::text::RobotFileError;
+use super::weld::Unphysical;
 use polhode::contact::{Shape, aabb_of};
 use polhode::scene::Material;
 use polhode::spatial::Pose;
@@ -30,6 +32,8 @@ pub(crate) fn scene_of(path: &Path) -> Result<String, RobotFileError> {
         base: None,
         configuration: BTreeMap::new(),
         self_collision: SelfCollision::Off,
+        // What is refused is told when the scene is built, which may repair it.
+        unphysical: Unphysical::Repair,
         material: Material::default(),
     };
     let (assembly, _) = assembled(&robot, &placement, 0).map_err(RobotFileError::Refused)?;
@@ -51,6 +55,10 @@ pub(crate) fn scene_of(path: &Path) -> Result<String, RobotFileError> {
     let is_held = assembly.bodies.iter().enumerate().any(|(number, body)| body.is_fixed() && joined.contains(&number))
         || assembly.joints.iter().any(|joint| joint.other().is_none());
     let lowest = assembly.bodies.iter().filter_map(lowest).reduce(f64::min);
+    if !is_held {
+        // Bodies that fall to the ground and stay there: real time before digits.
+        text.push_str("\n[method]\ntier = \"stepped\"\nstep = 0.001\n");
+    }
     if let Some(lowest) = lowest.filter(|_| !has_ground && !is_held) {
         text.push_str(&format!(
             "\n[[bodies]]\nname = \"floor\"\nfixed = true\nshape.half_space.normal = [0, 0, 1]\nposition = [0, 0, {lowest:?}]\nmaterial = \"rubber\"\n"

@@ -232,7 +232,7 @@ fn coordinates(
     reading: &mut Reading,
 ) -> (RobotJointKind, Vec<RobotCoordinate>) {
     let subject = format!("joint `{name}`");
-    extras(element, kind, reading);
+    extras(element, kind, &subject, reading);
     if !matches!(kind, RobotJointKind::Hinge { .. } | RobotJointKind::Slider { .. }) {
         return (kind, Vec::new());
     }
@@ -266,7 +266,7 @@ fn coordinates(
 }
 
 /// What a joint has that has no effect.
-fn extras(element: &Element, kind: RobotJointKind, reading: &mut Reading) {
+fn extras(element: &Element, kind: RobotJointKind, subject: &str, reading: &mut Reading) {
     if let Some(own) = element.first("mimic") {
         reading.ignore(own, "<mimic> of joints", MIMIC);
     }
@@ -280,8 +280,13 @@ fn extras(element: &Element, kind: RobotJointKind, reading: &mut Reading) {
     }
     if let Some(own) = element.first("limit") {
         for key in ["effort", "velocity"] {
-            if own.attribute(key).is_some() {
-                reading.ignore(own, format!("`{key}` of <limit>"), joint_extras::OF_MOTORS);
+            if own.attribute(key).is_none() {
+                continue;
+            }
+            reading.ignore(own, format!("`{key}` of <limit>"), joint_extras::OF_MOTORS);
+            let value = reading.number(own, key, subject);
+            if let Some(value) = value.filter(|&value| value <= 0.0) {
+                reading.refuse(own, subject, RobotDefect::Bound { what: key, value });
             }
         }
     }

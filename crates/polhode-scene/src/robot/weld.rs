@@ -8,6 +8,16 @@ use super::model::{Inertial, Link, Robot, RobotJointKind};
 use glam::{DMat3, DVec3};
 use polhode::spatial::inertia::{VALIDITY_TOLERANCE, point_inertia};
 use polhode::spatial::{Inertia, InertiaError, Mass, MassProperties, Pose, PrincipalAxes};
+use std::borrow::Cow;
+
+/// What becomes of an inertia that no body can have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unphysical {
+    /// The robot is refused.
+    Refuse,
+    /// It is replaced by the nearest one that a body can have, which is told.
+    Repair,
+}
 
 /// Links that move as one.
 #[derive(Debug, Clone)]
@@ -49,7 +59,13 @@ impl Matter {
         Self { mass: own.mass, center: frame.translation, inertia }
     }
 
-    fn plus(self, other: Self) -> Self {
+    /// That of mass properties.
+    pub(super) fn of_properties(own: &MassProperties) -> Self {
+        Self { mass: own.mass(), center: own.center_of_mass(), inertia: own.inertia().matrix() }
+    }
+
+    /// The sum of two in one frame.
+    pub(super) fn plus(self, other: Self) -> Self {
         let mass = self.mass + other.mass;
         let arm = other.center - self.center;
         let reduced = self.mass * (other.mass / mass);
@@ -72,7 +88,12 @@ impl Matter {
 }
 
 /// The groups of a robot in the order of its links, and the number of the group of each link; `poses` are those of its links.
-pub(super) fn groups(robot: &Robot, poses: &[Pose], findings: &mut Findings) -> (Vec<Group>, Vec<usize>) {
+pub(super) fn groups(
+    robot: &Robot,
+    poses: &[Pose],
+    unphysical: Unphysical,
+    findings: &mut Findings,
+) -> (Vec<Group>, Vec<usize>) {
     let mut groups: Vec<Group> = Vec::new();
     let mut group_of = vec![0; robot.links.len()];
     let mut joints = robot.joints.iter().peekable();
@@ -87,17 +108,17 @@ pub(super) fn groups(robot: &Robot, poses: &[Pose], findings: &mut Findings) -> 
         }
         let Some(own) = groups.get_mut(group) else { continue };
         own.links.push(number);
-        let Some(inertial) = checked(link, findings) else { continue };
+        let Some(inertial) = checked(link, unphysical, findings) else { continue };
         let top = own.top();
         let pose = if top == number { Pose::IDENTITY } else { poses[top].relative(&poses[number]) };
-        let part = Matter::of(inertial, &pose);
+        let part = Matter::of(&inertial, &pose);
         own.matter = Some(own.matter.map_or(part, |sum| sum.plus(part)));
     }
     (groups, group_of)
 }
 
 /// The mass properties of a link, if it has any and a body can have them; what is refused is noted.
-fn checked<'a>(link: &'a Link, findings: &mut Findings) -> Option<&'a Inertial> {
+fn checked<'a>(link: &'a Link, unphysical: Unphysical, findings: &mut Findings) -> Option<Cow<'a, Inertial>> {
     let own = link.inertial.as_ref()?;
     let subject = || format!("link `{}`", link.name);
     if !(own.mass >= 0.0 && own.mass.is_finite()) {
@@ -106,25 +127,52 @@ fn checked<'a>(link: &'a Link, findings: &mut Findings) -> Option<&'a Inertial> 
     }
     if own.mass == 0.0 {
         if own.inertia != DMat3::ZERO {
-            findings.add(&own.place, subject(), RobotDefect::InertiaWithoutMass);
+            let repaired =
+                RobotDefect::InertiaRepaired { found: PrincipalAxes::of(&own.inertia).moments(), made: DVec3::ZERO };
+            let is_refused = unphysical == Unphysical::Refuse;
+            let defect = if is_refused { RobotDefect::InertiaWithoutMass } else { repaired };
+            findings.add(&own.place, subject(), defect);
         }
         return None;
     }
-    match Inertia::new(own.inertia) {
-        Err(error) if !is_of_rod_or_point(&own.inertia, error) => {
-            findings.add(&own.place, subject(), RobotDefect::Inertia(error));
-            None
-        }
-        _ => Some(own),
+    let Err(error) = Inertia::new(own.inertia) else { return Some(Cow::Borrowed(own)) };
+    let moments = PrincipalAxes::of(&own.inertia).moments();
+    if is_of_rod_or_point(moments, error) {
+        return Some(Cow::Borrowed(own));
     }
+    // A matrix that is singular and breaks the triangle inequality is told for the latter, which is worse.
+    let breaks = moments.z - moments.x - moments.y > VALIDITY_TOLERANCE * moments.z;
+    let error = match error {
+        InertiaError::NotPositive(_) if breaks && moments.x >= 0.0 => InertiaError::TriangleInequality(moments),
+        other => other,
+    };
+    let is_symmetric = !matches!(error, InertiaError::NotFinite | InertiaError::NotSymmetric { .. });
+    if unphysical == Unphysical::Refuse || !is_symmetric {
+        findings.add(&own.place, subject(), RobotDefect::Inertia(error));
+        return None;
+    }
+    let inertia = nearest(&own.inertia);
+    let made = PrincipalAxes::of(&inertia).moments();
+    findings.add(&own.place, subject(), RobotDefect::InertiaRepaired { found: moments, made });
+    Some(Cow::Owned(Inertial { inertia, ..own.clone() }))
+}
+
+/// The inertia of a body that is nearest to a matrix: that whose second moments of mass, `S = tr(I)/2 1 - I`, are those of the
+/// matrix without their negative part.
+fn nearest(matrix: &DMat3) -> DMat3 {
+    let axes = PrincipalAxes::of(matrix);
+    let (moments, rotation) = (axes.moments(), axes.rotation().to_matrix());
+    let second = (DVec3::splat(0.5 * moments.element_sum()) - moments).max(DVec3::ZERO);
+    let made = DVec3::splat(second.element_sum()) - second;
+    let turned = rotation * DMat3::from_diagonal(made) * rotation.transpose();
+    (turned + turned.transpose()) * 0.5
 }
 
 /// Whether a matrix that is no inertia of a body is that of a point or a rod: moments that are zero to rounding, none negative.
-fn is_of_rod_or_point(matrix: &DMat3, error: InertiaError) -> bool {
+fn is_of_rod_or_point(moments: DVec3, error: InertiaError) -> bool {
     if !matches!(error, InertiaError::NotPositive(_)) {
         return false;
     }
-    let moments = PrincipalAxes::of(matrix).moments();
     let rounding = VALIDITY_TOLERANCE * moments.z;
     moments.x >= -rounding && moments.z >= 0.0 && moments.z - moments.x - moments.y <= rounding
 }
