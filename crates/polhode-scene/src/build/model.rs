@@ -28,6 +28,8 @@ pub(crate) struct PlacedRobot {
     pub(crate) placement: Placement,
     /// What was found.
     pub(crate) findings: Arc<Vec<Finding>>,
+    /// How many of its bodies forces move.
+    pub(crate) movable: usize,
     /// The names of its bodies.
     pub(crate) names: Vec<String>,
     /// Its joints.
@@ -81,9 +83,10 @@ fn assemble(
     findings.extend(found);
     let Assembly { bodies: mut own, joints, no_contact } = assembly;
     let names = own.iter().map(|body| body.name().to_owned()).collect();
+    let movable = own.iter().filter(|body| !body.is_fixed()).count();
     bodies.append(&mut own);
     let findings = Arc::new(findings);
-    Ok(PlacedRobot { index, robot, placement, findings, names, joints, no_contact })
+    Ok(PlacedRobot { index, robot, placement, findings, movable, names, joints, no_contact })
 }
 
 /// Where and how the robot of an entry stands.

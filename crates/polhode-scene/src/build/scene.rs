@@ -103,6 +103,7 @@ fn times(file: &SceneFile, mut builder: SceneBuilder, faults: &mut Faults) -> Sc
 
 /// Where an error of the whole scene is best shown: at the body or the force it names, else at the top.
 pub(crate) fn path_of(error: &SceneError, file: &SceneFile, robots: &[PlacedRobot]) -> KeyPath {
+    let of_robots = robots.iter().map(|robot| robot.movable).sum();
     let body = |name: &str| {
         let index = file.bodies.iter().position(|body| body.name == name);
         let of_array = || array::of_body(name, file).map(|index| KeyPath::element("arrays", index));
@@ -135,7 +136,8 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile, robots: &[PlacedRobo
         }
         SceneError::EmptyName(index) => KeyPath::element("bodies", *index),
         SceneError::Force { force: number, .. } | SceneError::ForceOnUnknownBody { force: number, .. } => {
-            force::entry_of(*number, file).map_or_else(KeyPath::root, |index| KeyPath::element("forces", index))
+            force::entry_of(*number, file, of_robots)
+                .map_or_else(KeyPath::root, |index| KeyPath::element("forces", index))
         }
         SceneError::IntegratorTakesNoVelocities { .. } | SceneError::JointsWithIntegrator { .. } => {
             KeyPath::of(&["method", "integrator"])

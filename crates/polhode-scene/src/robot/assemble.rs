@@ -14,7 +14,7 @@ use polhode::contact::Shape;
 use polhode::scene::{Coordinate, Freedom, Joint, JointKind, Limits, Material};
 use polhode::spatial::{Pose, UnitVector};
 use polhode::{Body, BodyId};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Largest distance of the ends of a loop that counts as closed, m for each metre of the robot (no unit, 1e-9 to 1e-3: the digits
 /// of a file).
@@ -383,15 +383,31 @@ impl Making<'_> {
         if is_off && own.len() > 1 {
             self.made.no_contact.push(own.clone());
         }
-        let is_world = self.robot.root == Root::World;
-        let body = |link: usize| if link == 0 && is_world { self.around } else { self.body_of[self.group_of[link]] };
-        for pair in &self.robot.apart {
-            let [Some(a), Some(b)] = pair.map(body) else { continue };
-            // Those of the robot are in the group of all.
-            if a != b && !(is_off && own.contains(&a) && own.contains(&b)) {
+        let apart: BTreeSet<[usize; 2]> = self.robot.apart.iter().flat_map(|&[a, b]| [[a, b], [b, a]]).collect();
+        let mut told = BTreeSet::new();
+        for &pair in &self.robot.apart {
+            let [Some(a), Some(b)] = pair.map(|link| self.body(link)) else { continue };
+            // Those of the robot are in the group of all. Bodies of several links collide unless no two of these do.
+            let is_told = is_off && own.contains(&a) && own.contains(&b);
+            let [links_a, links_b] = pair.map(|link| self.colliding_with(link));
+            let is_apart = links_a.iter().all(|&a| links_b.iter().all(|&b| apart.contains(&[a, b])));
+            if a != b && !is_told && is_apart && told.insert((a.min(b), a.max(b))) {
                 self.made.no_contact.push(vec![a, b]);
             }
         }
+    }
+
+    /// The body that a link is of.
+    fn body(&self, link: usize) -> Option<BodyId> {
+        let is_around = link == 0 && self.robot.root == Root::World;
+        if is_around { self.around } else { self.body_of[self.group_of[link]] }
+    }
+
+    /// The links with something that collides of the body that a link is of.
+    fn colliding_with(&self, link: usize) -> Vec<usize> {
+        let body = self.body(link);
+        let links = (0..self.robot.links.len()).filter(|&other| self.body(other) == body);
+        links.filter(|&other| !self.robot.links[other].collisions.is_empty()).collect()
     }
 }
 

@@ -1,6 +1,6 @@
 //! MJCF: bodies, joints, geometries, inertias, equality constraints.
 //!
-//! Source: the XML reference of MuJoCo (docs/REFERENCES.md). The world body is the root link; a body with several joints gets a link
+//! Source: docs/REFERENCES.md, MJCF. The world body is the root link; a body with several joints gets a link
 //! without mass for each but the last of them, which the assembly makes one joint of where it can.
 //!
 //! | module | holds |
