@@ -260,8 +260,8 @@ impl Making<'_> {
             let pose = if link == top { Pose::IDENTITY } else { self.poses[top].relative(&self.poses[link]) };
             let subject = format!("link `{}`", own.name);
             for geom in &own.collisions {
-                let notes = (&mut self.meshes, subject.as_str(), &mut self.findings);
-                shapes::add(&mut colliding, geom, &(pose * geom.pose), notes);
+                let notes = (&mut self.meshes, &mut self.findings);
+                shapes::add(&mut colliding, geom, &(pose * geom.pose), &subject, notes);
             }
         }
         colliding

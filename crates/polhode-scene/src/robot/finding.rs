@@ -177,7 +177,7 @@ pub enum RobotDefect {
     #[error("its limits leave it one value, {0}")]
     NoRange(f64),
     /// The limits span a revolution or more.
-    #[error("its limits span {0} rad, a revolution or more: they are not kept")]
+    #[error("its limits span {} rad, a revolution or more: they are not kept", few(*_0))]
     Revolution(f64),
     /// A bound of a motor leaves it nothing.
     #[error("its {what} is at most {value}: no motor could move it")]
@@ -220,7 +220,7 @@ pub enum RobotDefect {
     #[error("no body can have this inertia: {0}")]
     Inertia(InertiaError),
     /// An inertia that no body can have was replaced.
-    #[error("no body can have its principal moments {found}: they are replaced by {made} kg m^2")]
+    #[error("no body can have its principal moments {}: they are replaced by {} kg m^2", few_of(*found), few_of(*made))]
     InertiaRepaired {
         /// Moments that the file gives, kg m^2, ascending.
         found: DVec3,
@@ -298,7 +298,7 @@ pub enum RobotDefect {
         defect: String,
     },
     /// A mesh faces inward.
-    #[error("mesh {file} faces inward: its volume is {volume} m^3")]
+    #[error("mesh {file} faces inward: its volume is {} m^3", few(*volume))]
     InvertedMesh {
         /// The file.
         file: String,
@@ -314,7 +314,7 @@ pub enum RobotDefect {
         scale: DVec3,
     },
     /// The mass of a link does not fit its shape.
-    #[error("{mass} kg in a shape of {volume} m^3 are {density} kg/m^3, which no part of a robot has")]
+    #[error("{mass} kg in a shape of {} m^3 are {} kg/m^3, which no part of a robot has", few(*volume), few(*density))]
     Density {
         /// Mass, kg.
         mass: f64,
@@ -324,7 +324,7 @@ pub enum RobotDefect {
         density: f64,
     },
     /// The centre of mass is outside the shape.
-    #[error("its centre of mass is {distance} m outside the box around its shape, which is {size} m large")]
+    #[error("its centre of mass is {} m outside the box around its shape, which is {} m large", few(*distance), few(*size))]
     CenterOutside {
         /// Distance from the box, m.
         distance: f64,
@@ -333,7 +333,8 @@ pub enum RobotDefect {
     },
     /// The inertia does not fit the shape.
     #[error(
-        "its principal moments {found} are {ratio} times those of its shape evenly filled with its mass, {expected} kg m^2"
+        "its principal moments {} are {} times those of its shape evenly filled with its mass, {} kg m^2",
+        few_of(*found), few(*ratio), few_of(*expected)
     )]
     InertiaAgainstShape {
         /// Moments that the file gives, kg m^2, ascending.
@@ -344,7 +345,7 @@ pub enum RobotDefect {
         ratio: f64,
     },
     /// Two links overlap at the start.
-    #[error("it overlaps `{other}` by {depth} m at the start")]
+    #[error("it overlaps `{other}` by {} m at the start", few(*depth))]
     Overlap {
         /// The other link.
         other: String,
@@ -352,10 +353,10 @@ pub enum RobotDefect {
         depth: f64,
     },
     /// A loop is open.
-    #[error("its loop does not close: at the start its ends are {0} m apart")]
+    #[error("its loop does not close: at the start its ends are {} m apart", few(*_0))]
     OpenLoop(f64),
     /// A loop is turned.
-    #[error("its loop does not close: at the start its ends are turned by {0} rad to each other")]
+    #[error("its loop does not close: at the start its ends are turned by {} rad to each other", few(*_0))]
     TurnedLoop(f64),
     /// Joints of one body that are no joint together.
     #[error("its {count} joints are no joint of this engine together: {why}")]
@@ -380,6 +381,16 @@ pub enum RobotDefect {
         /// Why, or what that means.
         why: &'static str,
     },
+}
+
+/// A number to six digits: what is measured is not known better than it is meant.
+fn few(number: f64) -> f64 {
+    format!("{number:.5e}").parse().unwrap_or(number)
+}
+
+/// Three numbers likewise.
+fn few_of(vector: DVec3) -> DVec3 {
+    DVec3::new(few(vector.x), few(vector.y), few(vector.z))
 }
 
 /// How often, when it is not once.

@@ -95,7 +95,8 @@ pub(super) fn add(
     colliding: &mut Colliding,
     geom: &Geom,
     pose: &Pose,
-    (meshes, subject, findings): (&mut Meshes, &str, &mut Findings),
+    subject: &str,
+    (meshes, findings): (&mut Meshes, &mut Findings),
 ) {
     if matches!(geom.form, GeomForm::Plane) {
         colliding.grounds.push(Ground { pose: *pose });

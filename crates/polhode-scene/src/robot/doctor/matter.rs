@@ -25,11 +25,18 @@ const MOMENT_RATIO: f64 = 20.0;
 /// How far outside the box around its shapes a centre of mass may be, relative to the diagonal of the box (no unit, 0.05 to 1).
 const OUTSIDE: f64 = 0.25;
 
+/// Geometries filled with a density of one, and the lowest and highest corner of the box around them, m.
+struct Filled {
+    matter: Matter,
+    low: DVec3,
+    high: DVec3,
+}
+
 /// Examines a link that has mass and shapes.
 pub(super) fn examine(link: &Link, meshes: &mut Meshes, findings: &mut Findings) {
     let Some(own) = link.inertial.as_ref().filter(|own| own.mass > 0.0) else { return };
     let geoms = if link.collisions.is_empty() { &link.visuals } else { &link.collisions };
-    let Some((shape, low, high)) = filled(geoms, meshes) else { return };
+    let Some(Filled { matter: shape, low, high }) = filled(geoms, meshes) else { return };
     let subject = format!("link `{}`", link.name);
     let (volume, size) = (shape.mass, (high - low).length());
     let density = own.mass / volume;
@@ -56,8 +63,8 @@ fn spread(ratio: f64) -> f64 {
     ratio.max(1.0 / ratio)
 }
 
-/// The geometries filled with a density of one, and the box around them; none when they have no volume, or one cannot be read.
-fn filled(geoms: &[Geom], meshes: &mut Meshes) -> Option<(Matter, DVec3, DVec3)> {
+/// Geometries filled; none when they have no volume, or one cannot be read.
+fn filled(geoms: &[Geom], meshes: &mut Meshes) -> Option<Filled> {
     let mut sum: Option<Matter> = None;
     let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     for geom in geoms {
@@ -66,7 +73,7 @@ fn filled(geoms: &[Geom], meshes: &mut Meshes) -> Option<(Matter, DVec3, DVec3)>
         let around = around(&geom.form, &geom.pose, meshes)?;
         (low, high) = (low.min(around.0), high.max(around.1));
     }
-    sum.map(|sum| (sum, low, high))
+    sum.map(|matter| Filled { matter, low, high })
 }
 
 /// Lowest and highest corner of the box around a geometry.

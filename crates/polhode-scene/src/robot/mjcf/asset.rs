@@ -28,7 +28,8 @@ pub(super) struct MeshAsset {
 /// The meshes of a file.
 pub(super) fn meshes(
     root: &Element,
-    (compiler, defaults, paths): (&Compiler, &Defaults, &MeshPaths),
+    (compiler, defaults): (&Compiler, &Defaults),
+    paths: &MeshPaths,
     reading: &mut Reading,
 ) -> BTreeMap<String, MeshAsset> {
     let mut meshes = BTreeMap::new();

@@ -80,6 +80,16 @@ fn has_joint(element: &Element) -> bool {
     })
 }
 
+/// What the bodies of a file are.
+pub(super) struct Parts {
+    /// Links; the first is the world.
+    pub(super) links: Vec<Link>,
+    /// What connects them.
+    pub(super) joints: Vec<RobotJoint>,
+    /// Pairs of links whose geometries do not collide.
+    pub(super) apart: Vec<[usize; 2]>,
+}
+
 /// What a body consists of.
 #[derive(Default)]
 struct Contents {
@@ -107,7 +117,7 @@ impl<'a> Bodies<'a> {
     }
 
     /// Links and joints, and the pairs of links whose geometries do not collide; with `contacts` off no pair does.
-    pub(super) fn into_parts(mut self, contacts: Contacts) -> (Vec<Link>, Vec<RobotJoint>, Vec<[usize; 2]>) {
+    pub(super) fn into_parts(mut self, contacts: Contacts) -> Parts {
         let meets = |a: Mask, b: Mask| contacts == Contacts::On && a.meets(b);
         let mut apart = Vec::new();
         let mut is_used: Vec<Vec<bool>> = self.masks.iter().map(|own| vec![false; own.len()]).collect();
@@ -133,7 +143,7 @@ impl<'a> Bodies<'a> {
                 if collides { link.collisions.push(geom) } else { link.visuals.push(geom) }
             }
         }
-        (self.links, self.joints, apart)
+        Parts { links: self.links, joints: self.joints, apart }
     }
 
     /// The number of the link of a body.

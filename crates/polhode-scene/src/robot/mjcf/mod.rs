@@ -32,7 +32,7 @@ use super::finding::RobotDefect;
 use super::mesh_path::MeshPaths;
 use super::model::{Robot, Root};
 use super::reading::Reading;
-use body::{Bodies, Contacts};
+use body::{Bodies, Contacts, Parts};
 use compiler::Compiler;
 use defaults::Defaults;
 
@@ -53,7 +53,7 @@ pub(super) fn read(mut root: Element, paths: &MeshPaths, reading: &mut Reading) 
     reading.ignore_others(&root, &KNOWN, OF_OTHERS);
     let compiler = Compiler::of(&root, reading);
     let defaults = Defaults::of(&root);
-    let meshes = asset::meshes(&root, (&compiler, &defaults, paths), reading);
+    let meshes = asset::meshes(&root, (&compiler, &defaults), paths, reading);
     let mut bodies = Bodies::new(&compiler, &defaults, &meshes, &root.place);
     for world in root.all("worldbody") {
         bodies.world(world, reading);
@@ -66,7 +66,7 @@ pub(super) fn read(mut root: Element, paths: &MeshPaths, reading: &mut Reading) 
     let flags = root.all("option").flat_map(|option| option.all("flag"));
     let is_off = flags.filter_map(|flag| flag.attribute("contact")).any(|word| word == "disable");
     let contacts = if is_off { Contacts::Off } else { Contacts::On };
-    let (mut links, joints, mut unmet) = bodies.into_parts(contacts);
+    let Parts { mut links, joints, apart: mut unmet } = bodies.into_parts(contacts);
     apart.append(&mut unmet);
     if let Some(total) = compiler.total_mass {
         let sum: f64 = links.iter().filter_map(|link| link.inertial.as_ref()).map(|own| own.mass).sum();
