@@ -170,14 +170,18 @@ impl Assembly {
         Ok(())
     }
 
-    /// Constant terms of the rows of contacts and bilateral constraints in a time step, from those of the contacts, m/s. A bilateral
-    /// constraint that is rigid ends with the opposite of the rate that it begins with, so that it does no work, and the second half
-    /// of the step takes back the gap of the first.
-    pub(crate) fn step_constants(&self, of_contacts: impl Iterator<Item = f64>) -> Vec<f64> {
-        let soft = |bilateral: &Bilateral| bilateral.softness.as_ref().map(Softness::constant);
-        let of_rows = move |bilateral: &'_ Bilateral| {
-            let soft = soft(bilateral);
-            bilateral.rows.iter().map(move |row| soft.unwrap_or(2.0 * row.rate)).collect::<Vec<_>>()
+    /// Constant terms of the rows of contacts and bilateral constraints in a time step, from those of the contacts, m/s, where the
+    /// kick of fields has changed the rate of a row by `kicked` (m/s). A bilateral constraint that is rigid ends with the opposite of
+    /// its rate before the kick, so that it does no work, and the second half of the step takes back the gap of the first.
+    pub(crate) fn step_constants(
+        &self,
+        of_contacts: impl Iterator<Item = f64>,
+        kicked: impl Fn(&Bilateral, &BilateralRow) -> f64,
+    ) -> Vec<f64> {
+        let of_rows = |bilateral: &Bilateral| {
+            let soft = bilateral.softness.as_ref().map(Softness::constant);
+            let rigid = |row: &BilateralRow| 2.0 * row.rate - kicked(bilateral, row);
+            bilateral.rows.iter().map(move |row| soft.unwrap_or_else(|| rigid(row))).collect::<Vec<_>>()
         };
         of_contacts.chain(self.bilaterals.iter().flat_map(of_rows)).collect()
     }

@@ -15,6 +15,7 @@ mod energy_after_actions;
 mod fixed_steps;
 mod flight;
 mod forces;
+mod forces_in_time_steps;
 mod forces_with_contact;
 mod frames;
 mod friction;
