@@ -94,7 +94,7 @@ fn placed(entry: &ModelEntry, materials: &Materials, path: &KeyPath) -> Result<P
     let (position, orientation) = (entry.position.as_ref(), entry.orientation.as_ref());
     let pose = placement::pose(position, orientation, entry.rotation_vector.as_ref(), path)?;
     for (name, &value) in &entry.configuration {
-        finite(value, &path.key("configuration").key(name))?;
+        finite(value, &path.key("configuration").key(name.clone()))?;
     }
     let material = entry.material.as_ref().map(|name| materials.get(name, &path.key("material")));
     Ok(Placement {

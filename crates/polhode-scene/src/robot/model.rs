@@ -208,6 +208,8 @@ pub struct RobotCoordinate {
     pub limits: Option<[f64; 2]>,
     /// Constant of a damper, N m s/rad or N s/m.
     pub damping: f64,
+    /// Friction: the torque or force that resists motion, N m or N.
+    pub friction: f64,
     /// Stiffness of a spring, N m/rad or N/m.
     pub stiffness: f64,
     /// The value at which the spring is at rest, rad or m.

@@ -5,7 +5,7 @@
 
 use super::element::Element;
 use super::finding::RobotDefect;
-use super::joint_extras::{self, FRICTION, MIMIC};
+use super::joint_extras::{self, MIMIC};
 use super::mesh_path::MeshPaths;
 use super::model::{Geom, GeomForm, Inertial, Link, Robot, RobotCoordinate, RobotJoint, RobotJointKind, Root};
 use super::reading::{Reading, turned};
@@ -255,13 +255,15 @@ fn coordinates(
             limits = Some([lower, upper]);
         }
     }
-    let damping = element.first("dynamics").and_then(|own| {
-        let damping = reading.number(own, "damping", &subject)?;
-        joint_extras::not_negative(own, "damping", damping, &subject, reading)
-    });
-    let damping = damping.unwrap_or(0.0);
+    let mut constant = |key: &'static str| {
+        let own = element.first("dynamics")?;
+        let value = reading.number(own, key, &subject)?;
+        joint_extras::not_negative(own, key, value, &subject, reading)
+    };
+    let [damping, friction] = ["damping", "friction"].map(|key| constant(key).unwrap_or(0.0));
     let (name, place) = (name.to_owned(), limit.unwrap_or(element).place.clone());
-    let coordinate = RobotCoordinate { name, place, reference: 0.0, limits, damping, stiffness: 0.0, rest: 0.0 };
+    let coordinate =
+        RobotCoordinate { name, place, reference: 0.0, limits, damping, friction, stiffness: 0.0, rest: 0.0 };
     (kind, vec![coordinate])
 }
 
@@ -289,10 +291,5 @@ fn extras(element: &Element, kind: RobotJointKind, subject: &str, reading: &mut 
                 reading.refuse(own, subject, RobotDefect::Bound { what: key, value });
             }
         }
-    }
-    let friction = element.first("dynamics").and_then(|own| Some((own, own.attribute("friction")?)));
-    if let Some((own, text)) = friction.filter(|(_, text)| text.trim().parse() != Ok(0.0)) {
-        let _ = text;
-        reading.ignore(own, "`friction` of <dynamics>", FRICTION);
     }
 }

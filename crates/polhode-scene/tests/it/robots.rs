@@ -8,7 +8,7 @@ use glam::{DMat3, DVec3};
 use polhode::scene::{Coordinate, JointKind};
 use polhode::spatial::{Pose, Rotation};
 use polhode::{Scene, Simulation};
-use polhode_scene::robot::{Severity, read_text};
+use polhode_scene::robot::Severity;
 use polhode_scene::{LoadedScene, load_text, load_with};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -206,14 +206,15 @@ fn what_is_ignored_is_listed() {
         joint("follow", "continuous", ["b", "c"], follows),
         "<gazebo/><transmission name=\"t\"/>".to_owned(),
     ]);
-    let read = read_text(Path::new("robot.urdf"), &text, &[]).unwrap();
+    let folder = Folder::new().with("robot.urdf", &text);
+    let loaded = folder.scene("robot.urdf", "").unwrap();
     let mut told = String::new();
-    for finding in &read.findings {
+    for finding in loaded.findings() {
         assert_eq!(finding.severity(), Severity::Ignored);
         let _ = writeln!(told, "{finding}");
     }
     for expected in
-        ["<gazebo> of <robot>", "<transmission> of <robot>", "<mimic> of joints", "`friction` of <dynamics> (2 times)"]
+        ["<gazebo> of <robot>", "<transmission> of <robot>", "<mimic> of joints", "friction of joints (2 times)"]
     {
         assert!(told.contains(expected), "{told}");
     }

@@ -2,7 +2,7 @@
 
 use super::super::element::Element;
 use super::super::finding::RobotDefect;
-use super::super::joint_extras::{self, ARMATURE, FRICTION};
+use super::super::joint_extras::{self, ARMATURE};
 use super::super::model::{RobotCoordinate, RobotJointKind};
 use super::super::reading::Reading;
 use super::compiler::Compiler;
@@ -63,11 +63,12 @@ pub(super) fn read(element: &Element, compiler: &Compiler, name: String, reading
         let value = reading.numbers(element, key, 1..=8, &subject).map_or(0.0, |numbers| numbers[0]);
         joint_extras::not_negative(element, key, value, &subject, reading).unwrap_or(0.0)
     };
-    let (damping, stiffness) = (constant("damping"), constant("stiffness"));
+    let [damping, stiffness, friction] = ["damping", "stiffness", "frictionloss"].map(&mut constant);
     let mut value = |key: &'static str| in_si(reading.number(element, key, &subject).unwrap_or(0.0));
     let (reference, rest) = (value("ref"), value("springref"));
     let place = element.place.clone();
-    let coordinate = RobotCoordinate { name: name.clone(), place, reference, limits, damping, stiffness, rest };
+    let coordinate =
+        RobotCoordinate { name: name.clone(), place, reference, limits, damping, friction, stiffness, rest };
     Some(BodyJoint { name, kind, anchor, coordinates: vec![coordinate] })
 }
 
@@ -96,8 +97,7 @@ fn limits(element: &Element, compiler: &Compiler, subject: &str, reading: &mut R
 
 /// What the joint has that has no effect.
 fn extras(element: &Element, reading: &mut Reading) {
-    let of_joints =
-        [("frictionloss", FRICTION), ("armature", ARMATURE), ("springdamper", "springs are given by `stiffness`")];
+    let of_joints = [("armature", ARMATURE), ("springdamper", "springs are given by `stiffness`")];
     for (name, why) in of_joints {
         if element.attribute(name).is_some_and(|text| text.trim().parse() != Ok(0.0)) {
             reading.ignore(element, format!("`{name}` of <joint>"), why);
