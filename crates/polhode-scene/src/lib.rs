@@ -66,6 +66,7 @@ pub mod trajectory;
 mod build;
 mod csv;
 mod document;
+mod mesh_file_error;
 mod read;
 mod trajectory_rows;
 

@@ -14,7 +14,9 @@ fn the_doctor() {
     let heavy = place.read("arm.urdf").replace("mass value=\"2\"", "mass value=\"2000\"");
     place.write("heavy.urdf", &heavy);
     let run = place.expect(0, &["check", "heavy.urdf"]);
-    for part in ["heavy.urdf:17:5: warning: link `upper`: 2000 kg in a shape of", "\n  cure: check the unit of the mass"] {
+    for part in
+        ["heavy.urdf:17:5: warning: link `upper`: 2000 kg in a shape of", "\n  cure: check the unit of the mass"]
+    {
         assert!(run.stdout.contains(part), "{}", run.stdout);
     }
 }
@@ -27,7 +29,7 @@ fn refused() {
     place.write("bad.urdf", &arm.replace("<child link=\"hand\"/>", "<child link=\"hend\"/>"));
     for command in ["check", "run", "plan"] {
         let run = place.expect(2, &[command, "bad.urdf"]);
-        let expected = "bad.urdf:72:5: error: joint `wrist`: no link is named `hend`";
+        let expected = "bad.urdf:69:5: error: joint `wrist`: no link is named `hend`";
         assert!(run.stderr.contains(expected), "{}", run.stderr);
     }
     place.write("lies.urdf", &arm.replace("izz=\"0.028\"", "izz=\"0.28\""));

@@ -1,7 +1,7 @@
 //! What a robot file is refused for, what differs from what it asks for, and what of it is ignored: each with its place, its
 //! size and its cure.
 
-use crate::error::MeshFileError;
+use crate::mesh_file_error::MeshFileError;
 use glam::DVec3;
 use polhode::contact::ShapeError;
 use polhode::mesh::{MeshError, PrimitiveError};

@@ -52,7 +52,8 @@ pub fn read_text(path: &Path, text: &str, packages: &[PathBuf]) -> Result<RobotF
     };
     findings.extend(reading.finish());
     let is_urdf = robot.as_ref().is_some_and(|robot| robot.files.is_empty());
-    let robot = robot.and_then(|robot| tree::in_order(robot, &mut findings));
+    // A joint that is refused leaves links that hang at nothing: no fault of their own.
+    let robot = robot.filter(|_| !findings.refuse()).and_then(|robot| tree::in_order(robot, &mut findings));
     let robot = robot.map(|robot| if is_urdf { urdf::with_root(robot) } else { robot });
     match robot {
         Some(mut robot) if !findings.refuse() => {

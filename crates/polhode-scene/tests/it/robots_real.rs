@@ -5,7 +5,7 @@
 //! `POLHODE_DATA` names, and pass with a message where there is none. It holds what three Python packages hold:
 //! `pip download --no-deps example-robot-data==6.0.0 gymnasium==1.4.0 robosuite==1.5.2`, each unzipped, and of the first one the folder
 //! `cmeel.prefix/share/example-robot-data`. The numbers of the other readers, Pinocchio and MuJoCo, are in
-//! `fixtures/reference/robots.json`.
+//! `fixtures/robots/mass-properties.json`.
 
 use polhode::{Body, Simulation};
 use polhode_scene::{Override, load_with};
@@ -27,7 +27,7 @@ fn folder() -> Option<PathBuf> {
 }
 
 fn references() -> serde_json::Map<String, Value> {
-    let text = include_str!("../../../../fixtures/reference/robots.json");
+    let text = include_str!("../../../../fixtures/robots/mass-properties.json");
     let all: Value = serde_json::from_str(text).unwrap();
     all["robots"].as_object().unwrap().clone()
 }
