@@ -242,13 +242,13 @@ impl Books {
         let scale = kinetic + potential.abs();
         // In a scene at rest this scale is zero; its potential energy is used instead.
         let scale = if scale == 0.0 { world.start_potential().abs() } else { scale };
-        self.ledger.scale_j = self.ledger.scale_j.max(scale);
+        self.ledger.scale_j = self.ledger.scale_j.max(scale).max(world.friction_energy_j());
     }
 
     fn note_momentum(&mut self, totals: &Totals) {
         let ledger = &mut self.ledger.momentum;
         ledger.current = totals.momentum.value();
-        let given = ledger.gravity.value();
+        let given = ledger.gravity.value() + ledger.fields.value();
         ledger.scale_linear = ledger.scale_linear.max(totals.linear).max(given.linear.length());
         ledger.scale_angular = ledger.scale_angular.max(totals.angular).max(given.angular.length());
         // The moments of weights on both sides of the point cancel, but their rounding errors do not.

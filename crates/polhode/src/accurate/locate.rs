@@ -472,7 +472,7 @@ fn breaking(
     let change = ContactChange { t: violated, departing, slipping, turning, ..ContactChange::default() };
     // Where kinetic friction is below static friction, the slip accelerates at once.
     let is_sudden = |id: &ContactId| {
-        core.world.friction_of(id.a, id.b).is_some_and(|friction| friction.sliding.is_below(friction.at_rest))
+        core.world.friction_of(*id).is_some_and(|friction| friction.sliding.is_below(friction.at_rest))
     };
     let any = !(change.departing.is_empty() && change.slipping.is_empty());
     if !any || begins_to_turn || second <= first || change.slipping.keys().any(is_sudden) {

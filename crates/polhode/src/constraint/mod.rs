@@ -6,6 +6,7 @@
 //! | pivot | hold, three rows | none: it never breaks |
 //! | joint | hold, rows of its kind (`joint.rs`) | none: it never breaks |
 //! | stop: a limit of a joint (`stop.rs`) | push, as a contact without friction | separation; margin to contact break |
+//! | friction of a joint (`joint_friction.rs`) | a contact with friction that a given force presses | slip; margin of the cone |
 //!
 //! Whoever adds a kind of joint adds one file, its line in the list of `joint.rs`, and its data in `scene/joint.rs`.
 //!
@@ -16,14 +17,17 @@
 
 pub(crate) mod bilateral;
 mod coordinate;
+pub(crate) mod coordinate_id;
 mod cylindrical;
 mod end;
 mod fixed;
 mod held;
 mod hinge;
 pub(crate) mod joint;
+mod joint_contacts;
 mod joint_coordinate;
 pub(crate) mod joint_forces;
+pub(crate) mod joint_friction;
 mod kept;
 mod line;
 pub(crate) mod locator;
@@ -37,7 +41,6 @@ mod soft_rows;
 pub(crate) mod softness;
 mod stop;
 pub(crate) mod stop_id;
-mod stops;
 mod universal;
 
 use crate::collision::contact_id::ContactId;

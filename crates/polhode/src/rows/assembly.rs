@@ -8,6 +8,7 @@
 use crate::collision::contact_id::ContactId;
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, Reaction};
+use crate::constraint::joint_friction::Pressed;
 use crate::constraint::row::{BilateralRow, Member};
 use crate::constraint::softness::Softness;
 use crate::plane_of_motion::PlaneOfMotion;
@@ -100,6 +101,8 @@ pub(crate) struct Assembly {
     tangent_rows: Vec<usize>,
     rotations: Vec<RotationRow>,
     rotation_rows: Vec<usize>,
+    /// The rows of contacts that a given force presses.
+    pressed: Vec<(usize, Pressed)>,
     /// Movable bodies, in the order of the problem's blocks.
     bodies: Vec<usize>,
     coordinates: Coordinates,
@@ -124,10 +127,18 @@ impl Assembly {
         }
         let mut problem = ContactProblem::new(width, inverse_masses)?;
         let mut constraints = Vec::new();
+        let mut pressed = Vec::new();
         let rows = ContactRows { states, bodies, coordinates };
         for (id, geometry) in contacts {
             constraints.push(ConstraintId::Contact(id));
-            rows.row(id, &geometry, |entries| problem.push_row(entries))?;
+            if let Some(own) = world.pressed(id) {
+                let row = problem.len();
+                rows.row(id, &geometry, |entries| problem.push_held_row(entries))?;
+                problem.soften(row, own.compliance)?;
+                pressed.push((row, own));
+            } else {
+                rows.row(id, &geometry, |entries| problem.push_row(entries))?;
+            }
         }
         let contacts = problem.len();
         let bilaterals: Vec<Bilateral> = world.bilaterals(states, bodies).collect();
@@ -147,6 +158,7 @@ impl Assembly {
             tangent_rows,
             rotations,
             rotation_rows,
+            pressed,
             bodies,
             coordinates,
         })
@@ -198,8 +210,15 @@ impl Assembly {
         let (bodies, coordinates) = (&self.bodies, self.coordinates);
         let (problem, rows) = (&mut self.problem, ContactRows { states, bodies, coordinates });
         for tangent in tangents {
-            self.tangent_rows.push(problem.len());
+            let row = problem.len();
+            self.tangent_rows.push(row);
             rows.row(tangent.id, &tangent.along, |entries| problem.push_held_row(entries))?;
+            // A joint with friction slips along one line: its second tangent acts on nothing.
+            if tangent.along.normal == DVec3::ZERO
+                && let Some(compliance) = self.pressed.iter().map(|(_, own)| own.compliance).next()
+            {
+                problem.soften(row, compliance)?;
+            }
             self.tangents.push(tangent);
         }
         Ok(())
@@ -326,6 +345,9 @@ impl Assembly {
         let mut b = self.problem.row_velocities(free)?;
         for (constant, (id, k)) in b.iter_mut().zip(contacts) {
             *constant += k.acceleration_bias + world.prescribed_acceleration_of(t, states, id, &k.geometry);
+        }
+        for (row, Pressed { force, compliance }) in &self.pressed {
+            b[*row] -= compliance * force;
         }
         let rows = self.bilaterals.iter().flat_map(|own| own.rows.iter().map(move |row| (own, row)));
         for (constant, (bilateral, row)) in b.iter_mut().skip(self.contacts).zip(rows) {

@@ -38,6 +38,7 @@ use super::step::TimeStepper;
 use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
 use crate::collision::contact_id::ContactId;
 use crate::constraint::bilateral::{Bilateral, Reaction, bilateral_support};
+use crate::constraint::joint_friction::Pressed;
 use crate::constraint::row::BilateralRow;
 use crate::constraint::softness::SoftWork;
 use crate::rows::assembly::Assembly;
@@ -320,7 +321,11 @@ fn rows(
         let gap_bound = if gap_bound <= half_fall + rounding { half_fall } else { gap_bound };
         let geometry = &kinematics.geometry;
         let rate_before = kinematics.separation_rate - geometry.normal.dot(kicked.change_at(id, geometry.point));
-        let bound = gap_bound.max(rate_before);
+        // What presses a joint with friction gives the impulse of its force.
+        let bound = match world.pressed(id) {
+            Some(Pressed { force, compliance }) => -compliance * force * h,
+            None => gap_bound.max(rate_before),
+        };
         Row { contact, kinematics, rate_before, bound, half_fall, rounding, friction }
     };
     let mut rows: Vec<Row> = here.into_iter().zip(accelerations).zip(friction).map(row).collect();
@@ -342,7 +347,8 @@ fn flush_normals(of_pair: &[Row], most: f64) -> Option<Vec<DVec3>> {
     let normals: Vec<DVec3> = of_pair.iter().map(|row| row.kinematics.geometry.normal).collect();
     let first = *normals.first()?;
     let apart = normals.iter().map(|n| (*n - first).abs().max_element()).fold(0.0, f64::max);
-    let is_flush = apart <= most && normals.len() > 1 && of_pair.iter().all(|row| row.friction.is_some());
+    let is_plane = first != DVec3::ZERO && of_pair.iter().all(|row| row.friction.is_some());
+    let is_flush = apart <= most && normals.len() > 1 && is_plane;
     is_flush.then_some(normals)
 }
 

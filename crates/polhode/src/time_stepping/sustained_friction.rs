@@ -84,7 +84,7 @@ impl TangentialRow {
         id: ContactId,
         (kinematics, kicked): (&ContactKinematics, Kicked<'_>),
     ) -> Option<Self> {
-        world.friction_of(id.a, id.b)?;
+        world.friction_of(id)?;
         let terms = world.tangential_kinematics(states, id)?;
         let coefficients = world.friction_at(states, id, terms.basis)?;
         let along = terms.basis.map(|tangent| TangentRow::new(id, &kinematics.geometry, &terms, tangent));

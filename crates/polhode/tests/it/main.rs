@@ -28,6 +28,7 @@ mod impulse_models;
 mod integrators;
 mod invariance;
 mod joint_forces;
+mod joint_friction;
 mod joint_kinds;
 mod joint_limits;
 mod joint_references;
