@@ -4,15 +4,14 @@
 //! end of a branch that has no mass is left out. The bodies that do not move (the world, a fixed base) are ground.
 
 use super::combine::{self, Combined};
-use super::finding::{Finding, Findings, RobotDefect, RobotPlace};
-use super::joint_extras::FRICTION;
+use super::finding::{Finding, Findings, RobotDefect};
 use super::model::{ClosureKind, Robot, RobotCoordinate, RobotJointKind, Root};
 use super::posture;
 use super::shapes::{self, Colliding, Meshes};
 use super::weld::{self, Group, Unphysical};
 use glam::DVec3;
 use polhode::contact::Shape;
-use polhode::scene::{Coordinate, Freedom, Joint, JointKind, Limits, Material};
+use polhode::scene::{Coordinate, Freedom, Joint, JointFriction, JointKind, Limits, Material};
 use polhode::spatial::{Pose, UnitVector};
 use polhode::{Body, BodyId};
 use std::collections::{BTreeMap, BTreeSet};
@@ -82,8 +81,6 @@ struct Making<'a> {
     above: Vec<Option<usize>>,
     meshes: Meshes,
     findings: Findings,
-    /// Joints with friction: where the first is, and how many there are.
-    rough: Option<(RobotPlace, usize)>,
     made: Assembly,
     /// The body of what stands around the robot.
     around: Option<BodyId>,
@@ -123,7 +120,6 @@ pub(crate) fn assembled(
         above,
         meshes,
         findings,
-        rough: None,
         made,
         around: None,
         body_of,
@@ -132,7 +128,6 @@ pub(crate) fn assembled(
     making.bodies();
     making.loops();
     making.no_contact();
-    making.note_friction();
     let Making { findings, made, .. } = making;
     let is_refused = findings.refuse();
     let found = findings.into_sorted();
@@ -321,21 +316,9 @@ impl Making<'_> {
             let value = self.values[number];
             if let Some(own) = self.robot.joints[number].coordinates.first() {
                 joint = joint.along(coordinate, freedom(own, coordinate, value, &mut self.findings));
-                if own.friction != 0.0 {
-                    // The engine has no friction of joints yet: it would be part of what acts along the coordinate.
-                    self.rough.get_or_insert((own.place.clone(), 0)).1 += 1;
-                }
             }
         }
         self.made.joints.push(joint);
-    }
-
-    /// Notes that friction of joints has no effect.
-    fn note_friction(&mut self) {
-        if let Some((place, count)) = self.rough.take() {
-            let what = "friction of joints".to_owned();
-            self.findings.add(&place, "robot", RobotDefect::Ignored { what, count, why: FRICTION });
-        }
     }
 
     /// The kind of joint in the engine, with its axes in the world; none where nothing is held.
@@ -439,7 +422,8 @@ fn freedom(own: &RobotCoordinate, coordinate: Coordinate, value: f64, findings: 
             freedom = freedom.with_limits(limits);
         }
     }
-    // The constants have been checked to be finite and not negative.
+    // The constants have been checked to be finite and not negative; friction of zero is none.
     freedom = freedom.with_spring(own.stiffness, own.rest - value).unwrap_or(freedom);
-    freedom.with_damping(own.damping).unwrap_or(freedom)
+    freedom = freedom.with_damping(own.damping).unwrap_or(freedom);
+    JointFriction::new(own.friction).map_or(freedom, |friction| freedom.with_friction(friction))
 }

@@ -200,5 +200,6 @@ fn note_unlimited(joints: &[&RobotJoint], chain: &[usize], made: &Combined, find
 
 /// Whether something acts along a coordinate.
 fn acts(coordinate: &RobotCoordinate) -> bool {
-    coordinate.limits.is_some() || coordinate.damping != 0.0 || coordinate.stiffness != 0.0
+    let constants = [coordinate.damping, coordinate.stiffness, coordinate.friction];
+    coordinate.limits.is_some() || constants.iter().any(|&constant| constant != 0.0)
 }

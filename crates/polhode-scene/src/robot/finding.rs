@@ -368,7 +368,7 @@ pub enum RobotDefect {
     },
     /// Limits, springs or dampers of a joint that has no coordinate for them.
     #[error(
-        "it is part of a {0} joint, along whose coordinates nothing acts: its limits, springs and dampers are not kept"
+        "it is part of a {0} joint, along whose coordinates nothing acts: its limits, springs, dampers and friction are not kept"
     )]
     Unlimited(&'static str),
     /// Something has no effect.

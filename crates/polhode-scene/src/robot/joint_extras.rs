@@ -4,9 +4,6 @@ use super::element::Element;
 use super::finding::RobotDefect;
 use super::reading::Reading;
 
-/// Why friction of a joint has no effect.
-pub(super) const FRICTION: &str = "it is not simulated yet: the joints move without it";
-
 /// Why a joint that follows another one has no effect.
 pub(super) const MIMIC: &str = "joints that follow another one are not simulated yet: the joint moves by itself";
 

@@ -12,7 +12,7 @@ use glam::DVec3;
 const KINDS: &str = "free, ball, slide or hinge";
 
 /// Why limits of a ball joint have no effect.
-const OF_BALLS: &str = "ball joints have no limits, springs or dampers";
+const OF_BALLS: &str = "ball joints have no limits, springs, dampers or friction";
 
 /// A joint in the frame of its body.
 #[derive(Debug, Clone)]
@@ -36,7 +36,9 @@ pub(super) fn read(element: &Element, compiler: &Compiler, name: String, reading
     let kind = match (element.name.as_str(), element.attribute("type").unwrap_or("hinge")) {
         ("freejoint", _) | (_, "free") => RobotJointKind::Free,
         (_, "ball") => {
-            let range = ["range", "stiffness", "damping"].into_iter().find(|key| element.attribute(key).is_some());
+            let range = ["range", "stiffness", "damping", "frictionloss"]
+                .into_iter()
+                .find(|key| element.attribute(key).is_some());
             if let Some(key) = range {
                 reading.ignore(element, format!("`{key}` of ball joints"), OF_BALLS);
             }
