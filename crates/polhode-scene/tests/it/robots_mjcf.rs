@@ -172,6 +172,14 @@ fn masks() {
     Simulation::new(&scene).unwrap();
 }
 
+/// A class that the file does not have is refused.
+#[test]
+fn unknown_classes() {
+    let text = mujoco("<worldbody><geom class=\"limb\" size=\"1\"/></worldbody>");
+    let error = Folder::new().with("r.xml", &text).scene("r.xml", "").unwrap_err();
+    assert!(error.contains("<geom>: no class of <default> is named `limb`"), "{error}");
+}
+
 /// Files that are included stand in the place of `<include>`, and files that include each other end.
 #[test]
 fn includes() {

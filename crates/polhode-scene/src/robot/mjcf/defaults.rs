@@ -1,6 +1,8 @@
 //! `<default>`: attributes that elements have unless they say otherwise, by classes that inherit from each other.
 
 use super::super::element::Element;
+use super::super::finding::RobotDefect;
+use super::super::reading::Reading;
 use std::collections::BTreeMap;
 
 /// The class that holds where none is named.
@@ -43,6 +45,20 @@ impl Defaults {
         self.0.insert(element.attribute("class").unwrap_or(name).to_owned(), kinds.clone());
         if name == MAIN {
             self.0.insert(MAIN.to_owned(), kinds);
+        }
+    }
+
+    /// Notes the classes that elements name and the file does not have.
+    pub(super) fn check(&self, element: &Element, reading: &mut Reading) {
+        for child in element.children.iter().filter(|child| child.name != "default") {
+            for key in ["class", "childclass"] {
+                let name = child.attribute(key).filter(|name| *name != MAIN && !self.0.contains_key(*name));
+                if let Some(name) = name {
+                    let defect = RobotDefect::UnknownName { kind: "class of <default>", name: name.to_owned() };
+                    reading.refuse(child, format!("<{}>", child.name), defect);
+                }
+            }
+            self.check(child, reading);
         }
     }
 

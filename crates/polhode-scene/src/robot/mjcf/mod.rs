@@ -53,6 +53,7 @@ pub(super) fn read(mut root: Element, paths: &MeshPaths, reading: &mut Reading) 
     reading.ignore_others(&root, &KNOWN, OF_OTHERS);
     let compiler = Compiler::of(&root, reading);
     let defaults = Defaults::of(&root);
+    defaults.check(&root, reading);
     let meshes = asset::meshes(&root, (&compiler, &defaults), paths, reading);
     let mut bodies = Bodies::new(&compiler, &defaults, &meshes, &root.place);
     for world in root.all("worldbody") {
