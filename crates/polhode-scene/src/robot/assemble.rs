@@ -350,9 +350,9 @@ impl Making<'_> {
             let gap = (end_a.translation - end_b.translation).length();
             let turn = end_a.rotation.angle_to(end_b.rotation);
             let subject = format!("loop `{}`", own.name);
-            if !(gap <= CLOSED * size) {
+            if gap > CLOSED * size || gap.is_nan() {
                 self.findings.add(&own.place, subject, RobotDefect::OpenLoop(gap));
-            } else if own.kind == ClosureKind::Weld && !(turn <= CLOSED) {
+            } else if own.kind == ClosureKind::Weld && (turn > CLOSED || turn.is_nan()) {
                 self.findings.add(&own.place, subject, RobotDefect::TurnedLoop(turn));
             } else {
                 self.closure([a, b], end_a.translation, own.kind);

@@ -116,7 +116,7 @@ fn universal(first: &Placed, second: &Placed) -> Result<Combined, &'static str> 
 /// Three hinges whose axes meet in a point.
 fn ball([a, b, c]: [&Placed; 3]) -> Result<Combined, &'static str> {
     let volume = DMat3::from_cols(a.axis, b.axis, c.axis).determinant().abs();
-    if !(volume >= INDEPENDENT) {
+    if volume < INDEPENDENT || volume.is_nan() {
         return Err("the axes of three hinges lie in one plane");
     }
     // A pair that is not parallel has the point.
@@ -153,7 +153,7 @@ fn planar(hinge: &Placed, sliders: [&Placed; 2]) -> Result<Combined, &'static st
 /// Three sliders, and all rotations.
 fn free([x, y, z]: [&Placed; 3]) -> Result<Combined, &'static str> {
     let volume = DMat3::from_cols(x.axis, y.axis, z.axis).determinant().abs();
-    if !(volume >= INDEPENDENT) {
+    if volume < INDEPENDENT || volume.is_nan() {
         return Err("the axes of three sliders lie in one plane");
     }
     Ok(Combined { kind: RobotJointKind::Free, anchor: DVec3::ZERO, coordinates: Vec::new() })

@@ -28,7 +28,7 @@ pub(super) struct Element {
 }
 
 /// A defect and its place.
-pub(super) type Fault = (RobotPlace, RobotDefect);
+pub(super) type Fault = Box<(RobotPlace, RobotDefect)>;
 
 impl Element {
     /// The root of a text.
@@ -48,7 +48,7 @@ impl Element {
             };
             let message = error.to_string();
             let what = message.rsplit_once(" at ").map_or(message.as_str(), |(what, _)| what);
-            (place, RobotDefect::Xml(what.to_owned()))
+            Box::new((place, RobotDefect::Xml(what.to_owned())))
         })?;
         lines.element(document.root_element(), 0)
     }
@@ -105,7 +105,7 @@ impl<'a> Lines<'a> {
     fn element(&self, node: Node<'_, '_>, depth: usize) -> Result<Element, Fault> {
         let place = self.place(node.range().start);
         if depth > DEEPEST {
-            return Err((place, RobotDefect::Depth { what: "elements", limit: DEEPEST }));
+            return Err(Box::new((place, RobotDefect::Depth { what: "elements", limit: DEEPEST })));
         }
         let attribute = |own: roxmltree::Attribute<'_, '_>| (own.name().to_owned(), own.value().to_owned());
         let children = node.children().filter(Node::is_element).map(|child| self.element(child, depth + 1));

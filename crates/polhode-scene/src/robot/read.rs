@@ -35,7 +35,8 @@ pub fn read_text(path: &Path, text: &str, packages: &[PathBuf]) -> Result<RobotF
     let refused = |findings: Findings| Err(RobotFileError::Refused(findings.into_sorted()));
     let root = match Element::parse(path, text) {
         Ok(root) => root,
-        Err((place, defect)) => {
+        Err(fault) => {
+            let (place, defect) = *fault;
             findings.add(&place, "robot", defect);
             return refused(findings);
         }

@@ -7,8 +7,9 @@ use super::weld::Unphysical;
 use polhode::contact::{Shape, aabb_of};
 use polhode::scene::Material;
 use polhode::spatial::Pose;
-use polhode::{Body, Geometry};
+use polhode::{Body, BodyId, Geometry};
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write as _;
 use std::path::Path;
 
 /// Endings of the names of robot files.
@@ -48,7 +49,7 @@ pub(crate) fn scene_of(path: &Path) -> Result<String, RobotFileError> {
         .iter()
         .flat_map(|joint| [Some(joint.body()), joint.other()])
         .flatten()
-        .map(|id| id.index())
+        .map(BodyId::index)
         .collect();
     let is_ground = |body: &Body| body.is_fixed() && matches!(body.shape(), Some(Geometry::Shape(Shape::HalfSpace(_))));
     let has_ground = assembly.bodies.iter().any(is_ground);
@@ -60,9 +61,10 @@ pub(crate) fn scene_of(path: &Path) -> Result<String, RobotFileError> {
         text.push_str("\n[method]\ntier = \"stepped\"\nstep = 0.001\n");
     }
     if let Some(lowest) = lowest.filter(|_| !has_ground && !is_held) {
-        text.push_str(&format!(
+        let _ = write!(
+            text,
             "\n[[bodies]]\nname = \"floor\"\nfixed = true\nshape.half_space.normal = [0, 0, 1]\nposition = [0, 0, {lowest:?}]\nmaterial = \"rubber\"\n"
-        ));
+        );
     }
     Ok(text)
 }

@@ -35,7 +35,7 @@ pub(super) fn orientation(element: &Element, compiler: &Compiler, subject: &str,
     }
     if let Some(axis) = reading.vector(element, "zaxis", subject) {
         let axis = reading.direction(element, axis, subject);
-        return axis.map_or(Rotation::IDENTITY, |axis| from_z(axis));
+        return axis.map_or(Rotation::IDENTITY, from_z);
     }
     Rotation::IDENTITY
 }

@@ -27,7 +27,7 @@ fn expand_at(element: &mut Element, folder: &Path, files: &mut Vec<PathBuf>, dep
             children.push(child);
             continue;
         }
-        let fault = |defect| (child.place.clone(), defect);
+        let fault = |defect| Box::new((child.place.clone(), defect));
         if depth >= DEEPEST || files.len() >= MOST_FILES {
             return Err(fault(RobotDefect::Depth { what: "included files", limit: DEEPEST }));
         }

@@ -45,7 +45,8 @@ const OF_OTHERS: &str = "it is for other programs, or not simulated: see the boo
 /// The robot that a document describes; `None` when it cannot be used, which is noted.
 pub(super) fn read(mut root: Element, paths: &MeshPaths, reading: &mut Reading) -> Option<Robot> {
     let mut files = Vec::new();
-    if let Err((place, defect)) = include::expand(&mut root, paths.folder(), &mut files) {
+    if let Err(fault) = include::expand(&mut root, paths.folder(), &mut files) {
+        let (place, defect) = *fault;
         reading.findings.add(&place, "robot", defect);
         return None;
     }
