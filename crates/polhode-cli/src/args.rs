@@ -72,7 +72,7 @@ pub(crate) enum Command {
 /// A scene and changes to it.
 #[derive(Debug, Args)]
 pub(crate) struct SceneArgs {
-    /// Scene file (TOML); `-` reads it from stdin, `example:NAME` is a shipped one (`polhode scenes` lists them)
+    /// Scene file (TOML) or robot file (.urdf, .xml, .mjcf); `-` reads a scene from stdin, `example:NAME` is a shipped one (`polhode scenes` lists them)
     pub(crate) scene: PathBuf,
     #[command(flatten)]
     pub(crate) changes: ChangeArgs,

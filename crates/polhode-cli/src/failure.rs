@@ -3,6 +3,7 @@
 use crate::harmless::harmless;
 use crate::terminal;
 use crate::verbosity::{self, Verbosity};
+use polhode_scene::robot::RobotFileError;
 use polhode_scene::{CheckpointError, CompareError, MeshFileError, OutputError, SceneFileError};
 use std::io;
 use std::process::ExitCode;
@@ -99,7 +100,9 @@ fn error(message: &impl ToString) -> String {
 impl From<SceneFileError> for Failure {
     fn from(failure: SceneFileError) -> Self {
         // What is refused with its line is shown as it is: it begins with `error:` already.
-        let message = if failure.refused().is_some() { failure.to_string() } else { error(&failure) };
+        let is_shown =
+            failure.refused().is_some() || matches!(failure, SceneFileError::Robot(RobotFileError::Refused(_)));
+        let message = if is_shown { failure.to_string() } else { error(&failure) };
         if failure.is_input_output() { Self::InputOutput(message) } else { Self::Usage(message) }
     }
 }

@@ -49,6 +49,7 @@ fn prepared(args: &RunArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
     }
     let progress = preparing(&args.output, "preparing the run");
     let loaded = text.load(&changes)?;
+    scene::tell_of_robots(&loaded);
     let file = args.scene.scene.as_path();
     if text.file().is_none() && (args.checkpoints.checkpoint.is_some() || args.checkpoints.checkpoint_every.is_some()) {
         let what = format!("error: {}: a checkpoint names the file of its scene, and this is none", file.display());

@@ -2,8 +2,9 @@
 
 use crate::args::{ChangeArgs, EffectsArg, SceneArgs};
 use crate::examples;
-use crate::failure::Failure;
+use crate::failure::{self, Failure};
 use polhode::{Effects, Geometry, Plan, Simulation, SimulationError};
+use polhode_scene::robot::Severity;
 use polhode_scene::{LoadedScene, Override, SceneFileError, load_text, load_with, load_with_meshes};
 use std::ffi::OsStr;
 use std::io::Read as _;
@@ -125,6 +126,19 @@ pub(crate) fn change(option: &str, text: &str) -> Result<Override, Failure> {
     Override::parse(format!("command line ({option})"), text).ok_or_else(|| {
         Failure::Usage(format!("error: {option} {text}: not of the form KEY=VALUE, such as {option} duration=5"))
     })
+}
+
+/// Says that robot files have something that is simulated otherwise, or not at all.
+pub(crate) fn tell_of_robots(loaded: &LoadedScene) {
+    let (ignored, differ): (Vec<_>, Vec<_>) =
+        loaded.findings().partition(|finding| finding.severity() == Severity::Ignored);
+    if !(ignored.is_empty() && differ.is_empty()) {
+        let (name, differ, ignored) = (loaded.scene.name(), differ.len(), ignored.len());
+        failure::remark(&format!(
+            "note: {name}: of what its robot files say {differ} things are simulated otherwise and {ignored} are ignored: `polhode check` \
+             lists them"
+        ));
+    }
 }
 
 /// The scene, ready to run.

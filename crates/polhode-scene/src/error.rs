@@ -1,16 +1,19 @@
 //! What can be wrong with a scene file.
 
 use crate::document::{KeyPath, Step};
+use crate::robot::RobotFileError;
 use polhode::SceneError;
 use polhode::contact::{ApproximateError, ShapeError};
 use polhode::dynamics::field::FieldError;
-use polhode::mesh::{MeshError, MeshFormat, PrimitiveError, ReadError};
+use polhode::mesh::{MeshError, PrimitiveError};
 use polhode::scene::{FreedomError, LimitsError, MotionError, OverlapAtStart};
 use polhode::spatial::{InertiaError, MassPropertiesError, RotationError, UnitVectorError};
 use std::fmt::{self, Write as _};
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
+
+pub use crate::mesh_file_error::MeshFileError;
 
 /// Why a scene file could not be loaded.
 #[derive(Debug, Error)]
@@ -41,6 +44,9 @@ pub enum SceneFileError {
         /// The byte, from 0.
         offset: usize,
     },
+    /// A robot file that stands for a scene is refused.
+    #[error(transparent)]
+    Robot(#[from] RobotFileError),
     /// The content is refused.
     #[error("{0}")]
     Refused(Box<Refused>),
@@ -76,11 +82,23 @@ impl SceneFileError {
         }
     }
 
+    /// The error of a scene that a robot file stands for: that of the robot, if it is the only one.
+    pub(crate) fn of_robot(self) -> Self {
+        match self {
+            Self::Refused(refused) => match *refused {
+                Refused { cause: Refusal::Robot(error), .. } => Self::Robot(error),
+                other => Self::Refused(Box::new(other)),
+            },
+            other => other,
+        }
+    }
+
     /// Whether reading a file failed, as opposed to what stands in it.
     pub fn is_input_output(&self) -> bool {
         match self {
             Self::Read { .. } => true,
             Self::Refused(refused) => refused.is_input_output(),
+            Self::Robot(error) => error.is_input_output(),
             Self::Several(errors) => errors.iter().all(Refused::is_input_output),
             Self::TooLarge { .. } | Self::NotText { .. } => false,
         }
@@ -110,7 +128,11 @@ pub struct Refused {
 
 impl Refused {
     fn is_input_output(&self) -> bool {
-        matches!(self.cause, Refusal::MeshFile(MeshFileError::Read { .. }))
+        match &self.cause {
+            Refusal::MeshFile(MeshFileError::Read { .. }) => true,
+            Refusal::Robot(error) => error.is_input_output(),
+            _ => false,
+        }
     }
 }
 
@@ -306,6 +328,9 @@ pub enum Refusal {
     /// A mesh file is refused.
     #[error(transparent)]
     MeshFile(#[from] MeshFileError),
+    /// A robot file is refused.
+    #[error(transparent)]
+    Robot(RobotFileError),
     /// A mesh has no approximate convex parts.
     #[error(transparent)]
     Approximate(ApproximateError),
@@ -327,41 +352,6 @@ impl From<InertiaError> for Refusal {
     fn from(error: InertiaError) -> Self {
         Self::MassProperties(error.into())
     }
-}
-
-/// Why a mesh file could not be used.
-#[derive(Debug, Error)]
-pub enum MeshFileError {
-    /// The file could not be read.
-    #[error("cannot read {}: {source}", path.display())]
-    Read {
-        /// The file.
-        path: PathBuf,
-        /// Why.
-        source: io::Error,
-    },
-    /// The file is too large.
-    #[error("{} is larger than {limit} bytes", path.display())]
-    TooLarge {
-        /// The file.
-        path: PathBuf,
-        /// The largest size accepted, bytes.
-        limit: u64,
-    },
-    /// Neither the ending of the name nor the content is that of a format.
-    #[error("{}: this is no mesh file: accepted are {}, by the ending of the name or by content", path.display(), MeshFormat::LIST)]
-    Format {
-        /// The file.
-        path: PathBuf,
-    },
-    /// The content is not that of the format.
-    #[error("{}: {source}", path.display())]
-    Content {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong, with its line or byte.
-        source: ReadError,
-    },
 }
 
 impl Refusal {

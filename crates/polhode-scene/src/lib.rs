@@ -59,12 +59,14 @@ pub mod mesh_report;
 pub mod names;
 pub mod output;
 pub mod report;
+pub mod robot;
 pub mod schema;
 pub mod trajectory;
 
 mod build;
 mod csv;
 mod document;
+mod mesh_file_error;
 mod read;
 mod trajectory_rows;
 

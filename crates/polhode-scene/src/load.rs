@@ -1,11 +1,12 @@
 //! From a scene file to a scene.
 
-use crate::build;
+use crate::build::{self, Built, PlacedRobot};
 use crate::document::{Document, Override};
 use crate::error::{Refusal, SceneFileError};
 use crate::format::SceneFile;
 use crate::mesh_file::MeshFolder;
 use crate::read;
+use crate::robot::{self, Finding};
 use polhode::{Scene, SceneError};
 use std::path::{Path, PathBuf};
 
@@ -20,16 +21,18 @@ pub struct LoadedScene {
     document: Document,
     file: SceneFile,
     meshes: MeshFolder,
+    robots: Vec<PlacedRobot>,
 }
 
 impl LoadedScene {
-    /// The mesh files that the scene was made from; those inside the program are none.
+    /// The files of meshes and robots that the scene was made from; those inside the program are none.
     pub fn mesh_files(&self) -> Vec<PathBuf> {
         let mut files = Vec::new();
         let of_bodies = self.file.bodies.iter().filter_map(|body| body.shape.as_ref());
         let of_arrays = self.file.arrays.iter().filter_map(|array| array.shape.as_ref());
         of_bodies.chain(of_arrays).for_each(|shape| shape.add_files(&mut files));
-        files.into_iter().filter_map(|file| self.meshes.path(file)).collect()
+        let of_shapes = files.into_iter().filter_map(|file| self.meshes.path(file));
+        of_shapes.chain(self.robots.iter().flat_map(|robot| robot.robot.all_files())).collect()
     }
 
     /// What the scene is, in a few words: its `title`, or else its name.
@@ -48,9 +51,20 @@ impl LoadedScene {
         self.document.set_by(key)
     }
 
+    /// What was found in the files of robots: what differs from them, and what of them is ignored.
+    pub fn findings(&self) -> impl Iterator<Item = &Finding> {
+        self.robots.iter().flat_map(|robot| robot.findings.iter())
+    }
+
+    /// Examines the robots of the scene: whether masses and inertias fit the shapes, whether meshes are sound, and which links
+    /// overlap at the start. It reads their meshes, which may take seconds.
+    pub fn examine_robots(&self) -> Vec<Finding> {
+        self.robots.iter().flat_map(|robot| robot::examine(&robot.robot, &robot.placement)).collect()
+    }
+
     /// An error that the engine found in the scene later (two bodies that overlap), shown at its place in the file.
     pub fn explain(&self, error: SceneError) -> SceneFileError {
-        self.document.refuse(&build::path_of(&error, &self.file), Refusal::Scene(error))
+        self.document.refuse(&build::path_of(&error, &self.file, &self.robots), Refusal::Scene(error))
     }
 }
 
@@ -60,7 +74,8 @@ fn on_one_line(text: &str) -> Option<String> {
     (!words.is_empty()).then(|| words.join(" "))
 }
 
-/// Loads a scene from a file. Paths of meshes are relative to the file.
+/// Loads a scene from a file. Paths of meshes are relative to the file. A robot file (`.urdf`, `.xml`, `.mjcf`) stands for a scene
+/// of the robot, for two seconds, with a floor below it unless the world holds it.
 ///
 /// # Errors
 /// [`SceneFileError`]: the file, its text, a key or a value is refused, with the place and the line.
@@ -73,6 +88,9 @@ pub fn load(path: &Path) -> Result<Scene, SceneFileError> {
 /// # Errors
 /// As [`load`]; a value set from outside names its origin as the place.
 pub fn load_with(path: &Path, overrides: &[Override]) -> Result<LoadedScene, SceneFileError> {
+    if robot::is_robot_file(path) {
+        return load_robot(path, overrides);
+    }
     let bytes = read::bounded(path, LARGEST_SCENE_FILE).map_err(|fault| match fault {
         read::Fault::Io(source) => SceneFileError::Read { path: path.to_owned(), source },
         read::Fault::TooLarge => SceneFileError::TooLarge { path: path.to_owned(), limit: LARGEST_SCENE_FILE },
@@ -84,6 +102,15 @@ pub fn load_with(path: &Path, overrides: &[Override]) -> Result<LoadedScene, Sce
     })?;
     let name = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     from_document(Document::new(&path.display().to_string(), text, overrides), &MeshFolder::beside(path), &name)
+}
+
+/// A scene of one robot: its file stands for it.
+fn load_robot(path: &Path, overrides: &[Override]) -> Result<LoadedScene, SceneFileError> {
+    let text = robot::scene_of(path)?;
+    let origin = format!("the scene of {}", path.display());
+    let name = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    let folder = MeshFolder::beside(path);
+    from_document(Document::new(&origin, text, overrides), &folder, &name).map_err(SceneFileError::of_robot)
 }
 
 /// Loads a scene from text; `origin` is what errors call it, and names the folder that mesh files are relative to.
@@ -109,6 +136,6 @@ pub fn load_with_meshes(
 }
 
 fn from_document(document: Document, folder: &MeshFolder, name: &str) -> Result<LoadedScene, SceneFileError> {
-    let (file, scene) = document.read(|file| build::scene(file, folder, name))?;
-    Ok(LoadedScene { scene, document, file, meshes: folder.clone() })
+    let (file, Built { scene, robots }) = document.read(|file| build::scene(file, folder, name))?;
+    Ok(LoadedScene { scene, document, file, meshes: folder.clone(), robots })
 }

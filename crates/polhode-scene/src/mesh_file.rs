@@ -1,6 +1,6 @@
 //! Mesh files.
 
-use crate::error::MeshFileError;
+use crate::mesh_file_error::MeshFileError;
 use polhode::mesh::{MeshFormat, TriangleMesh, format};
 use std::io;
 use std::path::{Path, PathBuf};

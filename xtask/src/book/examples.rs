@@ -9,5 +9,9 @@ struct Readme;
 struct UsingOneCrate;
 
 #[cfg(doctest)]
+#[doc = include_str!("../../../docs/book/robots.md")]
+struct Robots;
+
+#[cfg(doctest)]
 #[doc = include_str!("../../../docs/book/golden-trajectories.md")]
 struct GoldenTrajectories;

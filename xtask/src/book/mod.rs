@@ -11,7 +11,7 @@
 //! | `console` | the same for lines that begin with `$ `; what stands below is printed, `...` standing for anything |
 //! | `rust` | compiled and run by rustdoc (`examples.rs` takes the pages in) |
 //! | `python` | run by python3 where it has the modules that the block imports |
-//! | `text`, `json`, `csv` | shown only |
+//! | `text`, `json`, `csv`, `xml` | shown only |
 //!
 //! | module | holds |
 //! |---|---|

@@ -86,7 +86,7 @@ fn run_page(page: &Page, shell: &Shell<'_>) -> Result<Row, Box<dyn Error>> {
         let done = match block.language.as_str() {
             "toml" => scenes::plan(&block, &shell.folder).map(|()| planned += 1),
             "sh" | "console" => commands::run(&block, shell).map(|count| ran += count),
-            "rust" | "python" | "text" | "json" | "csv" => Ok(()),
+            "rust" | "python" | "text" | "json" | "csv" | "xml" => Ok(()),
             other => Err(format!("no block is of language \"{other}\": see xtask/src/book/mod.rs").into()),
         };
         faults.extend(done.err().map(|error| format!("{}:{}: {error}", page.path, block.line)));

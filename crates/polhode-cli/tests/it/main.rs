@@ -15,6 +15,7 @@ mod mesh;
 mod plan;
 mod plots;
 mod resume;
+mod robots;
 mod run;
 mod usage;
 mod view;

@@ -32,10 +32,10 @@ pub(super) fn build(file: &SceneFile, bodies: &Bodies<'_>, faults: &mut Faults) 
     forces
 }
 
-/// The entry of the file that force `number` of the engine comes from.
-pub(super) fn entry_of(number: usize, file: &SceneFile) -> Option<usize> {
+/// The entry of the file that force `number` of the engine comes from; so many bodies of robots are moved by forces.
+pub(super) fn entry_of(number: usize, file: &SceneFile, of_robots: usize) -> Option<usize> {
     let movable = file.bodies.iter().filter(|body| !body.fixed && body.motion.is_none()).count();
-    let movable = movable.saturating_add(array::movable(file));
+    let movable = movable.saturating_add(array::movable(file)).saturating_add(of_robots);
     let mut end = 0;
     file.forces.iter().position(|entry| {
         end += match &entry.kind {

@@ -16,6 +16,7 @@
 //! | `materials` | materials and rules for pairs of them |
 //! | `matter` | what the mass of a body is spread over |
 //! | `method` | tier and knobs |
+//! | `model` | robots from files of their own |
 //! | `motion` | kinematic bodies and their prescribed motions |
 //! | `placement` | where a body or a part of one stands |
 //! | `pivot` | the velocity of a body on a pivot |
@@ -36,6 +37,7 @@ mod mass;
 mod materials;
 mod matter;
 mod method;
+mod model;
 mod motion;
 mod pivot;
 mod placement;
@@ -44,4 +46,5 @@ mod shape;
 mod signal;
 mod spring;
 
-pub(crate) use scene::{path_of, scene};
+pub(crate) use model::PlacedRobot;
+pub(crate) use scene::{Built, path_of, scene};

@@ -3,6 +3,7 @@
 use super::bodies::Bodies;
 use super::fault::{Fault, Faults, not_negative, positive, vector};
 use super::materials::Materials;
+use super::model::{self, PlacedRobot};
 use super::{array, body, force, joint, method};
 use crate::document::KeyPath;
 use crate::error::Refusal;
@@ -11,12 +12,21 @@ use crate::mesh_file::MeshFolder;
 use polhode::contact::ShapeError;
 use polhode::{Body, BodyId, Scene, SceneBuilder, SceneError};
 
+/// A scene, and the robots that are part of it.
+#[derive(Debug)]
+pub(crate) struct Built {
+    /// The scene.
+    pub(crate) scene: Scene,
+    /// Its robots.
+    pub(crate) robots: Vec<PlacedRobot>,
+}
+
 /// The scene that a file describes; `name` is used when the file gives none.
 ///
 /// # Errors
 /// All that is refused: at least one. What is refused is replaced, so that the rest can be looked at; errors of the whole
 /// are looked for when its parts are sound.
-pub(crate) fn scene(file: &SceneFile, folder: &MeshFolder, name: &str) -> Result<Scene, Vec<Fault>> {
+pub(crate) fn scene(file: &SceneFile, folder: &MeshFolder, name: &str) -> Result<Built, Vec<Fault>> {
     if file.format != format::VERSION {
         return Err(vec![(KeyPath::of(&["format"]), Refusal::Version(file.format))]);
     }
@@ -34,13 +44,23 @@ pub(crate) fn scene(file: &SceneFile, folder: &MeshFolder, name: &str) -> Result
         list.push(body.unwrap_or_else(|| body::stand_in(entry)));
     }
     list.extend(array::build(file, &materials, folder, &mut faults));
-    check_names(file, &list, &mut faults);
+    let robots = model::build(file, (&materials, folder), &mut list, &mut faults);
+    check_names(file, &list, &robots, &mut faults);
+    if robots.len() < file.models.len() {
+        // What names bodies of a robot that is refused is no error of its own.
+        faults.none()?;
+        return Err(Vec::new());
+    }
     let bodies = Bodies::new(&list);
     for force in force::build(file, &bodies, &mut faults) {
         builder = builder.force(force);
     }
     for joint in joint::build(file, &bodies, &mut faults) {
         builder = builder.joint(joint);
+    }
+    for (joint, no_contact) in robots.iter().map(|robot| (&robot.joints, &robot.no_contact)) {
+        builder = joint.iter().fold(builder, |builder, &joint| builder.joint(joint));
+        builder = no_contact.iter().fold(builder, |builder, group| builder.no_contact(group.iter().copied()));
     }
     for (index, group) in file.no_contact.iter().enumerate() {
         if let Some(group) = faults.note(no_contact(group, &bodies, &KeyPath::element("no_contact", index))) {
@@ -51,7 +71,10 @@ pub(crate) fn scene(file: &SceneFile, folder: &MeshFolder, name: &str) -> Result
         builder = builder.body(body);
     }
     faults.none()?;
-    builder.build().map_err(|error| vec![(path_of(&error, file), Refusal::Scene(error))])
+    match builder.build() {
+        Ok(scene) => Ok(Built { scene, robots }),
+        Err(error) => Err(vec![(path_of(&error, file, &robots), Refusal::Scene(error))]),
+    }
 }
 
 /// Method, times, gravity and start.
@@ -79,11 +102,14 @@ fn times(file: &SceneFile, mut builder: SceneBuilder, faults: &mut Faults) -> Sc
 }
 
 /// Where an error of the whole scene is best shown: at the body or the force it names, else at the top.
-pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
+pub(crate) fn path_of(error: &SceneError, file: &SceneFile, robots: &[PlacedRobot]) -> KeyPath {
+    let of_robots = robots.iter().map(|robot| robot.movable).sum();
     let body = |name: &str| {
         let index = file.bodies.iter().position(|body| body.name == name);
         let of_array = || array::of_body(name, file).map(|index| KeyPath::element("arrays", index));
-        index.map(|index| KeyPath::element("bodies", index)).or_else(of_array).unwrap_or_else(KeyPath::root)
+        let of_robot = || model::of_body(name, robots).map(|robot| KeyPath::element("models", robot));
+        let found = index.map(|index| KeyPath::element("bodies", index)).or_else(of_array).or_else(of_robot);
+        found.unwrap_or_else(KeyPath::root)
     };
     match error {
         SceneError::InitialOverlap(pairs) => pairs.first().map_or_else(KeyPath::root, |pair| body(&pair.body_b)),
@@ -110,7 +136,8 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
         }
         SceneError::EmptyName(index) => KeyPath::element("bodies", *index),
         SceneError::Force { force: number, .. } | SceneError::ForceOnUnknownBody { force: number, .. } => {
-            force::entry_of(*number, file).map_or_else(KeyPath::root, |index| KeyPath::element("forces", index))
+            force::entry_of(*number, file, of_robots)
+                .map_or_else(KeyPath::root, |index| KeyPath::element("forces", index))
         }
         SceneError::IntegratorTakesNoVelocities { .. } | SceneError::JointsWithIntegrator { .. } => {
             KeyPath::of(&["method", "integrator"])
@@ -118,14 +145,20 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile) -> KeyPath {
         SceneError::Joint { number, .. }
         | SceneError::JointBeyondLimits { number, .. }
         | SceneError::JointMoves { number, .. }
-        | SceneError::JointTurns { number, .. } => KeyPath::element("joints", *number),
+        | SceneError::JointTurns { number, .. } => match number.checked_sub(file.joints.len()) {
+            None => KeyPath::element("joints", *number),
+            Some(later) => {
+                let robot = model::of_joint(later, robots);
+                robot.map_or_else(KeyPath::root, |robot| KeyPath::element("models", robot))
+            }
+        },
         SceneError::FrictionInTier { .. } | SceneError::JointsInTier { .. } => KeyPath::of(&["method", "tier"]),
         _ => KeyPath::root(),
     }
 }
 
-/// Every body has a name of its own; of an array the first name that is borne twice is told.
-fn check_names(file: &SceneFile, bodies: &[Body], faults: &mut Faults) {
+/// Every body has a name of its own; of arrays and robots the first name that is borne twice is told.
+fn check_names(file: &SceneFile, bodies: &[Body], robots: &[PlacedRobot], faults: &mut Faults) {
     let mut seen = std::collections::BTreeSet::new();
     for (index, body) in file.bodies.iter().enumerate() {
         let path = KeyPath::element("bodies", index).key("name");
@@ -135,10 +168,13 @@ fn check_names(file: &SceneFile, bodies: &[Body], faults: &mut Faults) {
             faults.add((path, Refusal::DuplicateName(body.name.clone())));
         }
     }
-    let mut of_arrays = bodies.iter().skip(file.bodies.len()).map(Body::name);
-    if let Some(twice) = of_arrays.find(|name| !seen.insert(*name)) {
-        let array = array::of_body(twice, file).unwrap_or_default();
-        faults.add((KeyPath::element("arrays", array).key("name"), Refusal::DuplicateName(twice.to_owned())));
+    let mut others = bodies.iter().skip(file.bodies.len()).map(Body::name);
+    if let Some(twice) = others.find(|name| !seen.insert(*name)) {
+        let of_array = array::of_body(twice, file).map(|array| KeyPath::element("arrays", array).key("name"));
+        // Of two robots the second one.
+        let of_robot = || model::last_of_body(twice, robots).map(|robot| KeyPath::element("models", robot));
+        let path = of_array.or_else(of_robot).unwrap_or_else(KeyPath::root);
+        faults.add((path, Refusal::DuplicateName(twice.to_owned())));
     }
 }
 

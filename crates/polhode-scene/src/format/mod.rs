@@ -14,6 +14,7 @@
 //! | `friction` | [`FrictionEntry`], [`StaticFrictionEntry`]: coefficients that may depend on the direction |
 //! | `force` | [`ForceEntry`] and the kinds of force |
 //! | `joint` | [`JointEntry`] and the kinds of joint |
+//! | `model` | [`ModelEntry`]: robots from files of their own |
 //! | `motion` | [`MotionEntry`] and the kinds of prescribed motion |
 //! | `signal` | [`SignalEntry`]: numbers as functions of time |
 //! | `exactly` | [`Exactly`]: arrays of an exact length |
@@ -28,6 +29,7 @@ mod friction;
 mod integrator;
 mod joint;
 mod method;
+mod model;
 mod motion;
 pub(crate) mod planned;
 mod scene;
@@ -57,6 +59,7 @@ pub use method::{
     ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,
     RotationRateName,
 };
+pub use model::{BaseName, ModelEntry, UnphysicalName};
 pub use motion::{ConstantMotionEntry, InterpolationEntry, MotionEntry, SineMotionEntry, TableMotionEntry};
 pub use scene::{MaterialEntry, NoContactEntry, OutputEntry, PairEntry, SceneFile, StartEntry};
 pub use signal::{SignalEntry, SinusoidEntry};

@@ -1,7 +1,9 @@
 //! The document: everything but methods, bodies and forces.
 
 use super::exactly::{Exactly, Vector};
-use super::{ArrayEntry, BodyEntry, ForceEntry, FrictionEntry, JointEntry, MethodEntry, StaticFrictionEntry};
+use super::{
+    ArrayEntry, BodyEntry, ForceEntry, FrictionEntry, JointEntry, MethodEntry, ModelEntry, StaticFrictionEntry,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -43,6 +45,9 @@ pub struct SceneFile {
     /// Many equal bodies each; they follow the others in this order.
     #[serde(default)]
     pub arrays: Vec<ArrayEntry>,
+    /// Robots from files of their own; their bodies follow those of the arrays in this order.
+    #[serde(default)]
+    pub models: Vec<ModelEntry>,
     /// Forces besides uniform gravity and contact.
     #[serde(default)]
     pub forces: Vec<ForceEntry>,

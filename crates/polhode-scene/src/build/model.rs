@@ -1,0 +1,137 @@
+//! Robots from files of their own.
+
+use super::fault::{Fault, Faults, finite};
+use super::materials::Materials;
+use super::placement;
+use crate::document::KeyPath;
+use crate::error::Refusal;
+use crate::format::{BaseName, ModelEntry, SceneFile, UnphysicalName};
+use crate::mesh_file::MeshFolder;
+use crate::robot::{
+    Assembly, Base, Finding, Placement, Robot, RobotFile, RobotFileError, SelfCollision, Unphysical, assembled,
+    read_robot,
+};
+use polhode::scene::{Joint, Material};
+use polhode::{Body, BodyId};
+use std::io;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// A robot of a scene, as it was read and placed.
+#[derive(Debug, Clone)]
+pub(crate) struct PlacedRobot {
+    /// Number of its model in the file.
+    pub(crate) index: usize,
+    /// The robot.
+    pub(crate) robot: Robot,
+    /// Where and how it stands.
+    pub(crate) placement: Placement,
+    /// What was found.
+    pub(crate) findings: Arc<Vec<Finding>>,
+    /// How many of its bodies forces move.
+    pub(crate) movable: usize,
+    /// The names of its bodies.
+    pub(crate) names: Vec<String>,
+    /// Its joints.
+    pub(crate) joints: Vec<Joint>,
+    /// Groups of its bodies that do not collide.
+    pub(crate) no_contact: Vec<Vec<BodyId>>,
+}
+
+/// The robots of all models, whose bodies are added to the list, and what they are made of.
+pub(super) fn build(
+    file: &SceneFile,
+    (materials, folder): (&Materials, &MeshFolder),
+    bodies: &mut Vec<Body>,
+    faults: &mut Faults,
+) -> Vec<PlacedRobot> {
+    let mut robots = Vec::new();
+    for (index, entry) in file.models.iter().enumerate() {
+        let path = KeyPath::element("models", index);
+        let made = read(entry, (materials, folder), &path).and_then(|read| assemble(read, index, bodies, &path));
+        robots.extend(faults.note(made));
+    }
+    robots
+}
+
+/// The robot of an entry, and where and how it stands.
+fn read(
+    entry: &ModelEntry,
+    (materials, folder): (&Materials, &MeshFolder),
+    path: &KeyPath,
+) -> Result<(RobotFile, Placement), Fault> {
+    let placement = placed(entry, materials, path)?;
+    let refused = |error: RobotFileError| (path.key("file"), Refusal::Robot(error));
+    let missing = || io::Error::new(io::ErrorKind::NotFound, "a scene inside the program has no robot files");
+    let file = folder
+        .path(&entry.file)
+        .ok_or_else(|| refused(RobotFileError::Read { path: PathBuf::from(&entry.file), source: missing() }))?;
+    let packages: Vec<PathBuf> = entry.packages.iter().filter_map(|package| folder.path(package)).collect();
+    Ok((read_robot(&file, &packages).map_err(refused)?, placement))
+}
+
+/// The robot in the scene; its bodies are added to the list.
+fn assemble(
+    (read, placement): (RobotFile, Placement),
+    index: usize,
+    bodies: &mut Vec<Body>,
+    path: &KeyPath,
+) -> Result<PlacedRobot, Fault> {
+    let RobotFile { robot, mut findings } = read;
+    let made = assembled(&robot, &placement, bodies.len());
+    let (assembly, found) = made.map_err(|found| (path.key("file"), Refusal::Robot(RobotFileError::Refused(found))))?;
+    findings.extend(found);
+    let Assembly { bodies: mut own, joints, no_contact } = assembly;
+    let names = own.iter().map(|body| body.name().to_owned()).collect();
+    let movable = own.iter().filter(|body| !body.is_fixed()).count();
+    bodies.append(&mut own);
+    let findings = Arc::new(findings);
+    Ok(PlacedRobot { index, robot, placement, findings, movable, names, joints, no_contact })
+}
+
+/// Where and how the robot of an entry stands.
+fn placed(entry: &ModelEntry, materials: &Materials, path: &KeyPath) -> Result<Placement, Fault> {
+    let (position, orientation) = (entry.position.as_ref(), entry.orientation.as_ref());
+    let pose = placement::pose(position, orientation, entry.rotation_vector.as_ref(), path)?;
+    for (name, &value) in &entry.configuration {
+        finite(value, &path.key("configuration").key(name.clone()))?;
+    }
+    let material = entry.material.as_ref().map(|name| materials.get(name, &path.key("material")));
+    Ok(Placement {
+        prefix: entry.name.clone().unwrap_or_default(),
+        pose,
+        base: entry.base.map(|base| match base {
+            BaseName::Free => Base::Free,
+            BaseName::Fixed => Base::Fixed,
+        }),
+        configuration: entry.configuration.clone(),
+        self_collision: if entry.self_collision { SelfCollision::On } else { SelfCollision::Off },
+        unphysical: match entry.unphysical {
+            UnphysicalName::Refuse => Unphysical::Refuse,
+            UnphysicalName::Repair => Unphysical::Repair,
+        },
+        material: material.transpose()?.unwrap_or_else(Material::default),
+    })
+}
+
+/// The number of the first model that a body of this name is of.
+pub(super) fn of_body(name: &str, robots: &[PlacedRobot]) -> Option<usize> {
+    robots.iter().find(|robot| robot.names.iter().any(|own| own == name)).map(|robot| robot.index)
+}
+
+/// The number of the last model that a body of this name is of.
+pub(super) fn last_of_body(name: &str, robots: &[PlacedRobot]) -> Option<usize> {
+    robots.iter().rev().find(|robot| robot.names.iter().any(|own| own == name)).map(|robot| robot.index)
+}
+
+/// The number of the model that a joint of robots is of, counted over all of them.
+pub(super) fn of_joint(number: usize, robots: &[PlacedRobot]) -> Option<usize> {
+    let mut end = 0;
+    robots
+        .iter()
+        .find(|robot| {
+            end += robot.joints.len();
+            number < end
+        })
+        .map(|robot| robot.index)
+}

@@ -1,0 +1,429 @@
+//! From a robot to bodies and joints of a scene.
+//!
+//! A body is made of the links that fixed joints connect; it has the name of the one nearest to the root and its frame. A part at the
+//! end of a branch that has no mass is left out. The bodies that do not move (the world, a fixed base) are ground.
+
+use super::combine::{self, Combined};
+use super::finding::{Finding, Findings, RobotDefect};
+use super::model::{ClosureKind, Robot, RobotCoordinate, RobotJointKind, Root};
+use super::posture;
+use super::shapes::{self, Colliding, Meshes};
+use super::weld::{self, Group, Unphysical};
+use glam::DVec3;
+use polhode::contact::Shape;
+use polhode::scene::{Coordinate, Freedom, Joint, JointFriction, JointKind, Limits, Material};
+use polhode::spatial::{Pose, UnitVector};
+use polhode::{Body, BodyId};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Largest distance of the ends of a loop that counts as closed, m for each metre of the robot (no unit, 1e-9 to 1e-3: the digits
+/// of a file).
+const CLOSED: f64 = 1e-6;
+
+/// What holds the root link.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Base {
+    /// Nothing.
+    Free,
+    /// The world.
+    Fixed,
+}
+
+/// Whether the links of a robot collide with each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SelfCollision {
+    /// They do not.
+    Off,
+    /// All but those that a joint connects do.
+    On,
+}
+
+/// Where and how a robot stands in a scene.
+#[derive(Debug, Clone)]
+pub struct Placement {
+    /// What the names of its bodies begin with, followed by a slash; empty for the names of its links.
+    pub prefix: String,
+    /// `X_WM`: the frame of the model in the world.
+    pub pose: Pose,
+    /// What holds its root; by the file when absent.
+    pub base: Option<Base>,
+    /// Values of coordinates at the start, by the names of their joints, rad or m.
+    pub configuration: BTreeMap<String, f64>,
+    /// Whether its links collide with each other.
+    pub self_collision: SelfCollision,
+    /// What becomes of inertias that no body can have.
+    pub unphysical: Unphysical,
+    /// What its surface is made of.
+    pub material: Material,
+}
+
+/// A robot as bodies and joints.
+#[derive(Debug, Default)]
+pub(crate) struct Assembly {
+    /// Its bodies.
+    pub(crate) bodies: Vec<Body>,
+    /// Its joints, with the numbers of its bodies counted from the one given.
+    pub(crate) joints: Vec<Joint>,
+    /// Groups of bodies that do not collide.
+    pub(crate) no_contact: Vec<Vec<BodyId>>,
+}
+
+/// What an assembly is made with.
+struct Making<'a> {
+    robot: &'a Robot,
+    placement: &'a Placement,
+    /// `X_ML` of the links.
+    poses: Vec<Pose>,
+    values: Vec<f64>,
+    groups: Vec<Group>,
+    group_of: Vec<usize>,
+    /// The joint at which each group hangs.
+    above: Vec<Option<usize>>,
+    meshes: Meshes,
+    findings: Findings,
+    made: Assembly,
+    /// The body of what stands around the robot.
+    around: Option<BodyId>,
+    /// The body of each group.
+    body_of: Vec<Option<BodyId>>,
+    first: usize,
+}
+
+/// Bodies and joints of a robot, whose bodies count from `first`, and what was found.
+///
+/// # Errors
+/// All that was found, when the robot is refused.
+pub(crate) fn assembled(
+    robot: &Robot,
+    placement: &Placement,
+    first: usize,
+) -> Result<(Assembly, Vec<Finding>), Vec<Finding>> {
+    let mut findings = Findings::default();
+    let values = posture::start(robot, &placement.configuration, &mut findings);
+    let poses = posture::poses(robot, &values);
+    let (groups, group_of) = weld::groups(robot, &poses, placement.unphysical, &mut findings);
+    let mut above = vec![None; groups.len()];
+    for (number, joint) in robot.joints.iter().enumerate() {
+        if group_of[joint.parent] != group_of[joint.child] {
+            above[group_of[joint.child]] = Some(number);
+        }
+    }
+    let body_of = vec![None; groups.len()];
+    let (meshes, made) = (Meshes::default(), Assembly::default());
+    let mut making = Making {
+        robot,
+        placement,
+        poses,
+        values,
+        groups,
+        group_of,
+        above,
+        meshes,
+        findings,
+        made,
+        around: None,
+        body_of,
+        first,
+    };
+    making.bodies();
+    making.loops();
+    making.no_contact();
+    let Making { findings, made, .. } = making;
+    let is_refused = findings.refuse();
+    let found = findings.into_sorted();
+    if is_refused { Err(found) } else { Ok((made, found)) }
+}
+
+impl Making<'_> {
+    fn subject(&self, group: usize) -> String {
+        format!("link `{}`", self.robot.links[self.groups[group].top()].name)
+    }
+
+    /// Bodies and joints of all groups.
+    fn bodies(&mut self) {
+        let is_carrier = self.carriers();
+        self.root();
+        for group in 1..self.groups.len() {
+            let has_mass = self.groups[group].matter.is_some();
+            let top = self.groups[group].top();
+            if !is_carrier[group] && !has_mass {
+                let (subject, place) = (self.subject(group), self.robot.links[top].place.clone());
+                self.findings.add(&place, subject, RobotDefect::LeftOut);
+                continue;
+            }
+            if !has_mass {
+                // What hangs at it takes its joint too.
+                continue;
+            }
+            let Some(chain) = self.chain(group) else { continue };
+            self.movable(group);
+            self.joint(group, &chain);
+        }
+    }
+
+    /// Which groups have mass or carry some.
+    fn carriers(&self) -> Vec<bool> {
+        let mut carries: Vec<bool> = self.groups.iter().map(|group| group.matter.is_some()).collect();
+        // Groups stand behind those that they hang at.
+        for group in (1..self.groups.len()).rev() {
+            if let Some(joint) = self.above[group].filter(|_| carries[group]) {
+                carries[self.group_of[self.robot.joints[joint].parent]] = true;
+            }
+        }
+        carries
+    }
+
+    /// The joints from the nearest group with mass, or the root, to a group; none when groups without mass between them branch.
+    fn chain(&mut self, group: usize) -> Option<Vec<usize>> {
+        let mut chain = Vec::new();
+        let mut at = group;
+        while let Some(joint) = self.above[at] {
+            chain.push(joint);
+            at = self.group_of[self.robot.joints[joint].parent];
+            if at == 0 || self.groups[at].matter.is_some() {
+                chain.reverse();
+                return Some(chain);
+            }
+            let hanging =
+                self.above.iter().flatten().filter(|&&own| self.group_of[self.robot.joints[own].parent] == at);
+            if hanging.count() > 1 {
+                let (subject, place) = (self.subject(at), self.robot.links[self.groups[at].top()].place.clone());
+                self.findings.add(&place, subject, RobotDefect::Massless);
+                return None;
+            }
+        }
+        Some(chain)
+    }
+
+    /// The root: ground, or a body that is free.
+    fn root(&mut self) {
+        let has_mass = self.groups[0].matter.is_some();
+        let is_world = self.robot.root == Root::World || !has_mass;
+        let base = self.placement.base.unwrap_or(if is_world { Base::Fixed } else { Base::Free });
+        match base {
+            Base::Free if self.robot.root == Root::World || !has_mass => {
+                let (subject, place) = (self.subject(0), self.robot.links[0].place.clone());
+                self.findings.add(&place, subject, RobotDefect::Massless);
+            }
+            Base::Free => self.movable(0),
+            Base::Fixed => self.ground(),
+        }
+    }
+
+    /// The bodies of the root when it does not move: what stands around the robot, its base, and planes.
+    fn ground(&mut self) {
+        let links = self.groups[0].links.clone();
+        let is_world = self.robot.root == Root::World;
+        let (around, base) = links.split_at(usize::from(is_world));
+        let mut grounds = Vec::new();
+        if !around.is_empty() {
+            let mut colliding = self.colliding(around, 0);
+            grounds.append(&mut colliding.grounds);
+            self.around = self.fixed(colliding, around, Pose::IDENTITY, None);
+        }
+        if !base.is_empty() {
+            let mut colliding = self.colliding(base, base[0]);
+            grounds.append(&mut colliding.grounds);
+            let pose = self.poses[base[0]];
+            self.body_of[0] = self.fixed(colliding, base, pose, Some(base[0]));
+        }
+        for (number, ground) in grounds.iter().enumerate() {
+            let name = if number == 0 { "ground".to_owned() } else { format!("ground-{}", number + 1) };
+            let body = self.named(Body::fixed(name).geometry(Shape::half_space(UnitVector::Z).into()));
+            let pose = self.placement.pose * ground.pose;
+            self.made.bodies.push(body.pose(pose));
+        }
+    }
+
+    /// A body that does not move, when it collides.
+    fn fixed(&mut self, colliding: Colliding, links: &[usize], pose: Pose, named_by: Option<usize>) -> Option<BodyId> {
+        let link = named_by.or(links.first().copied())?;
+        match colliding.shape() {
+            Ok(shape) => {
+                let shape = shape?;
+                let body = Body::fixed(self.robot.links[link].name.clone()).geometry(shape.into());
+                Some(self.push(body, pose))
+            }
+            Err(defect) => {
+                let own = &self.robot.links[link];
+                self.findings.add(&own.place, format!("link `{}`", own.name), defect);
+                None
+            }
+        }
+    }
+
+    /// What collides of these links, in the frame of link `top`.
+    fn colliding(&mut self, links: &[usize], top: usize) -> Colliding {
+        let mut colliding = Colliding::default();
+        for &link in links {
+            let own = &self.robot.links[link];
+            let pose = if link == top { Pose::IDENTITY } else { self.poses[top].relative(&self.poses[link]) };
+            let subject = format!("link `{}`", own.name);
+            for geom in &own.collisions {
+                let notes = (&mut self.meshes, &mut self.findings);
+                shapes::add(&mut colliding, geom, &(pose * geom.pose), &subject, notes);
+            }
+        }
+        colliding
+    }
+
+    /// The body of a group with mass.
+    fn movable(&mut self, group: usize) {
+        let (links, top) = (self.groups[group].links.clone(), self.groups[group].top());
+        let (subject, place) = (self.subject(group), self.robot.links[top].place.clone());
+        let Some(matter) = self.groups[group].matter else { return };
+        let properties = matter.properties().map_err(|defect| self.findings.add(&place, &subject, defect)).ok();
+        let colliding = self.colliding(&links, top);
+        if !colliding.grounds.is_empty() {
+            self.findings.add(&place, &subject, RobotDefect::NoSuchShape("plane of a part that moves"));
+        }
+        let shape = colliding.shape().map_err(|defect| self.findings.add(&place, &subject, defect)).ok().flatten();
+        let Some(properties) = properties else { return };
+        let mut body = Body::movable(self.robot.links[top].name.clone(), properties);
+        if let Some(shape) = shape {
+            body = body.geometry(shape.into());
+        }
+        let pose = self.poses[top];
+        self.body_of[group] = Some(self.push(body, pose));
+    }
+
+    /// A body with its name in the scene and its material.
+    fn named(&self, body: Body) -> Body {
+        let prefix = &self.placement.prefix;
+        let name = if prefix.is_empty() { body.name().to_owned() } else { format!("{prefix}/{}", body.name()) };
+        body.renamed(name).material(self.placement.material.clone())
+    }
+
+    fn push(&mut self, body: Body, pose: Pose) -> BodyId {
+        let id = BodyId::new(self.first + self.made.bodies.len());
+        let body = self.named(body).pose(self.placement.pose * pose);
+        self.made.bodies.push(body);
+        id
+    }
+
+    /// The joint of a group with what it hangs at.
+    fn joint(&mut self, group: usize, chain: &[usize]) {
+        let made = combine::combined(self.robot, chain, &self.poses, &mut self.findings);
+        let Some(Combined { kind, anchor, coordinates }) = made else { return };
+        let Some(kind) = self.in_world(kind) else { return };
+        let (Some(body), Some(&top)) = (self.body_of[group], chain.first()) else { return };
+        let anchor = self.placement.pose.transform_point(anchor);
+        let mut joint = Joint::new(kind, body, anchor);
+        if let Some(other) = self.body_of[self.group_of[self.robot.joints[top].parent]] {
+            joint = joint.with(other);
+        }
+        for (&coordinate, number) in kind.coordinates().iter().zip(coordinates) {
+            let value = self.values[number];
+            if let Some(own) = self.robot.joints[number].coordinates.first() {
+                joint = joint.along(coordinate, freedom(own, coordinate, value, &mut self.findings));
+            }
+        }
+        self.made.joints.push(joint);
+    }
+
+    /// The kind of joint in the engine, with its axes in the world; none where nothing is held.
+    fn in_world(&self, kind: RobotJointKind) -> Option<JointKind> {
+        let rotation = self.placement.pose.rotation;
+        let turned = |axis: UnitVector| UnitVector::new(rotation.rotate(axis.get())).unwrap_or(axis);
+        Some(match kind {
+            RobotJointKind::Free => return None,
+            RobotJointKind::Fixed => JointKind::Fixed,
+            RobotJointKind::Ball => JointKind::Ball,
+            RobotJointKind::Hinge { axis } => JointKind::Hinge { axis: turned(axis) },
+            RobotJointKind::Slider { axis } => JointKind::Slider { axis: turned(axis) },
+            RobotJointKind::Cylindrical { axis } => JointKind::Cylindrical { axis: turned(axis) },
+            RobotJointKind::Universal { axes } => JointKind::Universal { axes: axes.map(turned) },
+            RobotJointKind::Planar { normal } => JointKind::Planar { normal: turned(normal) },
+        })
+    }
+
+    /// What closes loops.
+    fn loops(&mut self) {
+        let robot = self.robot;
+        let size = self.poses.iter().map(|pose| pose.translation.abs().max_element()).fold(1.0, f64::max);
+        let reference = posture::poses(robot, &posture::references(robot));
+        for own in &robot.loops {
+            let [a, b] = own.links;
+            let in_a = own.frames[0].unwrap_or_default();
+            let in_b = own.frames[1].unwrap_or_else(|| reference[b].relative(&(reference[a] * in_a)));
+            let (end_a, end_b) = (self.poses[a] * in_a, self.poses[b] * in_b);
+            let gap = (end_a.translation - end_b.translation).length();
+            let turn = end_a.rotation.angle_to(end_b.rotation);
+            let subject = format!("loop `{}`", own.name);
+            if gap > CLOSED * size || gap.is_nan() {
+                self.findings.add(&own.place, subject, RobotDefect::OpenLoop(gap));
+            } else if own.kind == ClosureKind::Weld && (turn > CLOSED || turn.is_nan()) {
+                self.findings.add(&own.place, subject, RobotDefect::TurnedLoop(turn));
+            } else {
+                self.closure([a, b], end_a.translation, own.kind);
+            }
+        }
+    }
+
+    fn closure(&mut self, links: [usize; 2], point: DVec3, kind: ClosureKind) {
+        let [a, b] = links.map(|link| self.body_of[self.group_of[link]]);
+        let moves = |body: Option<BodyId>| {
+            let own = body.and_then(|id| self.made.bodies.get(id.index() - self.first));
+            own.is_some_and(|body| !body.is_fixed())
+        };
+        let (body, other) = if moves(a) { (a, b) } else { (b, a) };
+        let Some(body) = body.filter(|_| moves(a) || moves(b)) else { return };
+        let kind = match kind {
+            ClosureKind::Point => JointKind::Ball,
+            ClosureKind::Weld => JointKind::Fixed,
+        };
+        let joint = Joint::new(kind, body, self.placement.pose.transform_point(point));
+        self.made.joints.push(other.map_or(joint, |other| joint.with(other)));
+    }
+
+    /// Which bodies do not collide: those of the robot, but for what stands around it, unless they are asked to.
+    fn no_contact(&mut self) {
+        let own: Vec<BodyId> = self.body_of.iter().flatten().copied().collect();
+        let is_off = self.placement.self_collision == SelfCollision::Off;
+        if is_off && own.len() > 1 {
+            self.made.no_contact.push(own.clone());
+        }
+        let apart: BTreeSet<[usize; 2]> = self.robot.apart.iter().flat_map(|&[a, b]| [[a, b], [b, a]]).collect();
+        let mut told = BTreeSet::new();
+        for &pair in &self.robot.apart {
+            let [Some(a), Some(b)] = pair.map(|link| self.body(link)) else { continue };
+            // Those of the robot are in the group of all. Bodies of several links collide unless no two of these do.
+            let is_told = is_off && own.contains(&a) && own.contains(&b);
+            let [links_a, links_b] = pair.map(|link| self.colliding_with(link));
+            let is_apart = links_a.iter().all(|&a| links_b.iter().all(|&b| apart.contains(&[a, b])));
+            if a != b && !is_told && is_apart && told.insert((a.min(b), a.max(b))) {
+                self.made.no_contact.push(vec![a, b]);
+            }
+        }
+    }
+
+    /// The body that a link is of.
+    fn body(&self, link: usize) -> Option<BodyId> {
+        let is_around = link == 0 && self.robot.root == Root::World;
+        if is_around { self.around } else { self.body_of[self.group_of[link]] }
+    }
+
+    /// The links with something that collides of the body that a link is of.
+    fn colliding_with(&self, link: usize) -> Vec<usize> {
+        let body = self.body(link);
+        let links = (0..self.robot.links.len()).filter(|&other| self.body(other) == body);
+        links.filter(|&other| !self.robot.links[other].collisions.is_empty()).collect()
+    }
+}
+
+/// What acts along a coordinate that is at `value` at the start: the engine counts it from there.
+fn freedom(own: &RobotCoordinate, coordinate: Coordinate, value: f64, findings: &mut Findings) -> Freedom {
+    let mut freedom = Freedom::default();
+    if let Some([lower, upper]) = own.limits {
+        if coordinate == Coordinate::Angle && upper - lower >= 2.0 * std::f64::consts::PI {
+            let subject = format!("joint `{}`", own.name);
+            findings.add(&own.place, subject, RobotDefect::Revolution(upper - lower));
+        } else if let Ok(limits) = Limits::new(lower - value, upper - value) {
+            freedom = freedom.with_limits(limits);
+        }
+    }
+    // The constants have been checked to be finite and not negative; friction of zero is none.
+    freedom = freedom.with_spring(own.stiffness, own.rest - value).unwrap_or(freedom);
+    freedom = freedom.with_damping(own.damping).unwrap_or(freedom);
+    JointFriction::new(own.friction).map_or(freedom, |friction| freedom.with_friction(friction))
+}

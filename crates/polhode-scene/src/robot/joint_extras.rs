@@ -1,0 +1,32 @@
+//! What joints of robot files have that the engine does not simulate: one list for all formats.
+
+use super::element::Element;
+use super::finding::RobotDefect;
+use super::reading::Reading;
+
+/// Why a joint that follows another one has no effect.
+pub(super) const MIMIC: &str = "joints that follow another one are not simulated yet: the joint moves by itself";
+
+/// Why bounds of motors have no effect.
+pub(super) const OF_MOTORS: &str =
+    "it bounds motors, and the joint has none: `joints` of the scene or a program drive it";
+
+/// Why inertia of a rotor has no effect.
+pub(super) const ARMATURE: &str = "inertia of rotors is not simulated: joints accelerate more than with it";
+
+/// A number, when it is not negative.
+pub(super) fn not_negative(
+    element: &Element,
+    attribute: &str,
+    value: f64,
+    subject: &str,
+    reading: &mut Reading,
+) -> Option<f64> {
+    if value >= 0.0 {
+        return Some(value);
+    }
+    let (attribute, value) = (attribute.to_owned(), value.to_string());
+    let accepted = "a finite number of at least 0".to_owned();
+    reading.refuse(element, subject, RobotDefect::Numbers { attribute, value, accepted });
+    None
+}

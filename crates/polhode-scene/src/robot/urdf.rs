@@ -1,0 +1,295 @@
+//! URDF: links, joints, inertias, shapes, limits.
+//!
+//! Source: docs/REFERENCES.md, URDF. Angles are in rad, `rpy` are rotations about the fixed axes x, y, z in
+//! this order. What has no effect here is noted, in one list for all formats of what a joint has (`crate::robot::joint_extras`).
+
+use super::element::Element;
+use super::finding::RobotDefect;
+use super::joint_extras::{self, MIMIC};
+use super::mesh_path::MeshPaths;
+use super::model::{Geom, GeomForm, Inertial, Link, Robot, RobotCoordinate, RobotJoint, RobotJointKind, Root};
+use super::reading::{Reading, turned};
+use glam::{DMat3, DVec3};
+use polhode::spatial::{Pose, Rotation, UnitVector};
+use std::collections::BTreeMap;
+
+/// Names of a root link that stands for the world.
+const WORLD: &str = "world";
+
+/// Kinds of joint, for messages.
+const KINDS: &str = "revolute, continuous, prismatic, fixed, floating or planar";
+
+/// Words for what no part of a simulation of bodies and joints reads.
+const OF_OTHERS: &str = "it is for other programs";
+
+/// The robot that a document describes; `None` when its root or a joint cannot be used, which is noted.
+pub(super) fn read(root: &Element, paths: &MeshPaths, reading: &mut Reading) -> Option<Robot> {
+    let name = root.attribute("name").unwrap_or("robot").to_owned();
+    if let Some(macro_element) = root.children.iter().find(|child| child.has_prefix && child.name != "reference") {
+        reading.refuse(macro_element, "robot", RobotDefect::Xacro(macro_element.name.clone()));
+        return None;
+    }
+    reading.ignore_others(root, &["link", "joint", "material"], OF_OTHERS);
+    let mut links = Vec::new();
+    let mut numbers = BTreeMap::new();
+    for element in root.all("link") {
+        let link = link(element, paths, reading);
+        if numbers.insert(link.name.clone(), links.len()).is_some() {
+            reading.refuse(element, format!("link `{}`", link.name), RobotDefect::DuplicateName("link"));
+        }
+        links.push(link);
+    }
+    if links.is_empty() {
+        reading.refuse(root, format!("robot `{name}`"), RobotDefect::Empty);
+        return None;
+    }
+    let mut joints: Vec<RobotJoint> = Vec::new();
+    let mut names = std::collections::BTreeSet::new();
+    for element in root.all("joint") {
+        if let Some(joint) = joint(element, &numbers, reading) {
+            if !names.insert(joint.name.clone()) {
+                reading.refuse(element, format!("joint `{}`", joint.name), RobotDefect::DuplicateName("joint"));
+            }
+            joints.push(joint);
+        }
+    }
+    let (place, files) = (root.place.clone(), Vec::new());
+    Some(Robot { name, place, links, joints, loops: Vec::new(), apart: Vec::new(), root: Root::Link, files })
+}
+
+/// The robot, whose first link is its root, with what the root stands for by its name.
+pub(super) fn with_root(robot: Robot) -> Robot {
+    let is_world = robot.links.first().is_some_and(|link| link.name == WORLD);
+    Robot { root: if is_world { Root::World } else { Root::Link }, ..robot }
+}
+
+/// The name of an element, which it must have.
+fn name_of(element: &Element, reading: &mut Reading) -> String {
+    let name = element.attribute("name").map(str::trim).filter(|name| !name.is_empty());
+    if name.is_none() {
+        reading.refuse(element, format!("<{}>", element.name), RobotDefect::MissingAttribute("name"));
+    }
+    name.unwrap_or_default().to_owned()
+}
+
+fn link(element: &Element, paths: &MeshPaths, reading: &mut Reading) -> Link {
+    let name = name_of(element, reading);
+    let subject = format!("link `{name}`");
+    reading.ignore_others(element, &["inertial", "visual", "collision", "material"], OF_OTHERS);
+    let inertial = element.first("inertial").and_then(|own| inertial(own, &subject, reading));
+    let collisions = element.all("collision").filter_map(|own| geom(own, paths, &subject, reading)).collect();
+    // What is seen has no effect on the motion: its faults are not told.
+    let mut of_visuals = Reading::default();
+    let visuals = element.all("visual").filter_map(|own| geom(own, paths, &subject, &mut of_visuals)).collect();
+    Link { name, place: element.place.clone(), inertial, collisions, visuals }
+}
+
+/// The pose of `<origin>`; the identity without one.
+fn origin(element: &Element, subject: &str, reading: &mut Reading) -> Pose {
+    let Some(own) = element.first("origin") else { return Pose::IDENTITY };
+    let translation = reading.vector(own, "xyz", subject).unwrap_or_default();
+    let rpy = reading.vector(own, "rpy", subject).unwrap_or_default();
+    Pose::new(of_rpy(rpy), translation)
+}
+
+/// Rotations about the fixed axes x, y, z, in this order.
+fn of_rpy(rpy: DVec3) -> Rotation {
+    if rpy == DVec3::ZERO {
+        return Rotation::IDENTITY;
+    }
+    turned(DVec3::Z, rpy.z) * turned(DVec3::Y, rpy.y) * turned(DVec3::X, rpy.x)
+}
+
+fn inertial(element: &Element, subject: &str, reading: &mut Reading) -> Option<Inertial> {
+    let frame = origin(element, subject, reading);
+    let child = |name: &'static str, reading: &mut Reading| {
+        let found = element.first(name);
+        if found.is_none() {
+            reading.refuse(element, subject, RobotDefect::MissingElement(name));
+        }
+        found
+    };
+    let (mass, inertia) = (child("mass", reading), child("inertia", reading));
+    let mass = mass.and_then(|own| reading.needed(own, "value", subject));
+    let inertia = inertia.and_then(|own| {
+        let [xx, xy, xz, yy, yz, zz] =
+            ["ixx", "ixy", "ixz", "iyy", "iyz", "izz"].map(|key| reading.needed(own, key, subject));
+        let (xx, xy, xz, yy, yz, zz) = (xx?, xy?, xz?, yy?, yz?, zz?);
+        Some(DMat3::from_cols(DVec3::new(xx, xy, xz), DVec3::new(xy, yy, yz), DVec3::new(xz, yz, zz)))
+    });
+    Some(Inertial { place: element.place.clone(), mass: mass?, frame, inertia: inertia? })
+}
+
+fn geom(element: &Element, paths: &MeshPaths, subject: &str, reading: &mut Reading) -> Option<Geom> {
+    let pose = origin(element, subject, reading);
+    let Some(own) = element.first("geometry").and_then(|geometry| geometry.children.first()) else {
+        reading.refuse(element, subject, RobotDefect::MissingElement("geometry"));
+        return None;
+    };
+    let mut length = |key: &'static str| {
+        let value = reading.needed(own, key, subject)?;
+        reading.size(own, key, value, subject)
+    };
+    let form = match own.name.as_str() {
+        "box" => {
+            if own.attribute("size").is_none() {
+                reading.refuse(own, subject, RobotDefect::MissingAttribute("size"));
+            }
+            let size = reading.vector(own, "size", subject)?;
+            reading.size(own, "size", size.min_element(), subject)?;
+            GeomForm::Box { size }
+        }
+        "sphere" => GeomForm::Sphere { radius: length("radius")? },
+        "cylinder" => GeomForm::Cylinder { radius: length("radius")?, height: length("length")? },
+        "capsule" => GeomForm::Capsule { radius: length("radius")?, height: length("length")? },
+        "mesh" => {
+            let Some(name) = own.attribute("filename") else {
+                reading.refuse(own, subject, RobotDefect::MissingAttribute("filename"));
+                return None;
+            };
+            let scale = reading.vector(own, "scale", subject).unwrap_or(DVec3::ONE);
+            if scale.abs().min_element() == 0.0 {
+                reading.refuse(own, subject, RobotDefect::Size { what: "scale", value: 0.0 });
+                return None;
+            }
+            GeomForm::Mesh { name: name.to_owned(), path: paths.find(name), scale }
+        }
+        other => {
+            let accepted = "box, sphere, cylinder, capsule or mesh";
+            reading.refuse(
+                own,
+                subject,
+                RobotDefect::Word { attribute: "geometry", value: other.to_owned(), accepted },
+            );
+            return None;
+        }
+    };
+    Some(Geom { place: own.place.clone(), pose, form })
+}
+
+fn joint(element: &Element, numbers: &BTreeMap<String, usize>, reading: &mut Reading) -> Option<RobotJoint> {
+    let name = name_of(element, reading);
+    let subject = format!("joint `{name}`");
+    let known = ["origin", "parent", "child", "axis", "limit", "dynamics", "mimic", "safety_controller", "calibration"];
+    reading.ignore_others(element, &known, OF_OTHERS);
+    let mut link = |which: &'static str| {
+        let Some(own) = element.first(which) else {
+            reading.refuse(element, &subject, RobotDefect::MissingElement(which));
+            return None;
+        };
+        let Some(link) = own.attribute("link") else {
+            reading.refuse(own, &subject, RobotDefect::MissingAttribute("link"));
+            return None;
+        };
+        let number = numbers.get(link).copied();
+        if number.is_none() {
+            reading.refuse(own, &subject, RobotDefect::UnknownName { kind: "link", name: link.to_owned() });
+        }
+        number
+    };
+    let (parent, child) = (link("parent"), link("child"));
+    let origin = origin(element, &subject, reading);
+    let kind = kind(element, &subject, reading);
+    let (parent, child, kind) = (parent?, child?, kind?);
+    let (kind, coordinates) = coordinates(element, kind, &name, reading);
+    let place = element.place.clone();
+    Some(RobotJoint { name, place, parent, child, origin, anchor: DVec3::ZERO, kind, coordinates })
+}
+
+/// What the joint leaves free.
+fn kind(element: &Element, subject: &str, reading: &mut Reading) -> Option<RobotJointKind> {
+    let Some(word) = element.attribute("type") else {
+        reading.refuse(element, subject, RobotDefect::MissingAttribute("type"));
+        return None;
+    };
+    let axis = |reading: &mut Reading| -> Option<UnitVector> {
+        let Some(own) = element.first("axis") else { return Some(UnitVector::X) };
+        if own.attribute("xyz").is_none() {
+            reading.refuse(own, subject, RobotDefect::MissingAttribute("xyz"));
+        }
+        let vector = reading.vector(own, "xyz", subject)?;
+        reading.direction(own, vector, subject)
+    };
+    Some(match word {
+        "fixed" => RobotJointKind::Fixed,
+        "floating" => RobotJointKind::Free,
+        "revolute" | "continuous" => RobotJointKind::Hinge { axis: axis(reading)? },
+        "prismatic" => RobotJointKind::Slider { axis: axis(reading)? },
+        "planar" => RobotJointKind::Planar { normal: axis(reading)? },
+        other => {
+            let (value, accepted) = (other.to_owned(), KINDS);
+            reading.refuse(element, subject, RobotDefect::Word { attribute: "type", value, accepted });
+            return None;
+        }
+    })
+}
+
+/// What acts along the coordinate of a joint; one whose limits are one value is fixed.
+fn coordinates(
+    element: &Element,
+    kind: RobotJointKind,
+    name: &str,
+    reading: &mut Reading,
+) -> (RobotJointKind, Vec<RobotCoordinate>) {
+    let subject = format!("joint `{name}`");
+    extras(element, kind, &subject, reading);
+    if !matches!(kind, RobotJointKind::Hinge { .. } | RobotJointKind::Slider { .. }) {
+        return (kind, Vec::new());
+    }
+    let has_limits = matches!(element.attribute("type"), Some("revolute" | "prismatic"));
+    let limit = element.first("limit");
+    if has_limits && limit.is_none() {
+        reading.refuse(element, &subject, RobotDefect::MissingElement("limit"));
+    }
+    let mut limits = None;
+    if let Some(own) = limit.filter(|_| has_limits) {
+        let [lower, upper] = ["lower", "upper"].map(|key| reading.number(own, key, &subject).unwrap_or(0.0));
+        if lower > upper {
+            reading.refuse(own, &subject, RobotDefect::Limits { lower, upper });
+        } else if lower == upper {
+            reading.refuse(own, &subject, RobotDefect::NoRange(lower));
+            if lower == 0.0 {
+                return (RobotJointKind::Fixed, Vec::new());
+            }
+        } else {
+            limits = Some([lower, upper]);
+        }
+    }
+    let mut constant = |key: &'static str| {
+        let own = element.first("dynamics")?;
+        let value = reading.number(own, key, &subject)?;
+        joint_extras::not_negative(own, key, value, &subject, reading)
+    };
+    let [damping, friction] = ["damping", "friction"].map(|key| constant(key).unwrap_or(0.0));
+    let (name, place) = (name.to_owned(), limit.unwrap_or(element).place.clone());
+    let coordinate =
+        RobotCoordinate { name, place, reference: 0.0, limits, damping, friction, stiffness: 0.0, rest: 0.0 };
+    (kind, vec![coordinate])
+}
+
+/// What a joint has that has no effect.
+fn extras(element: &Element, kind: RobotJointKind, subject: &str, reading: &mut Reading) {
+    if let Some(own) = element.first("mimic") {
+        reading.ignore(own, "<mimic> of joints", MIMIC);
+    }
+    for name in ["safety_controller", "calibration"] {
+        if let Some(own) = element.first(name) {
+            reading.ignore(own, format!("<{name}> of joints"), OF_OTHERS);
+        }
+    }
+    if matches!(kind, RobotJointKind::Fixed) {
+        return;
+    }
+    if let Some(own) = element.first("limit") {
+        for key in ["effort", "velocity"] {
+            if own.attribute(key).is_none() {
+                continue;
+            }
+            reading.ignore(own, format!("`{key}` of <limit>"), joint_extras::OF_MOTORS);
+            let value = reading.number(own, key, subject);
+            if let Some(value) = value.filter(|&value| value <= 0.0) {
+                reading.refuse(own, subject, RobotDefect::Bound { what: key, value });
+            }
+        }
+    }
+}
