@@ -223,7 +223,7 @@ impl World {
     }
 
     /// Slip of a contact and the terms of its derivative, in motion in space; none as for [`Self::kinematics`]. Of
-    /// contacts with a grain the first tangent is along it.
+    /// contacts with a grain the first tangent is along it; in planar motion it lies in the plane.
     pub(crate) fn tangential_kinematics(&self, states: &[BodyState], id: ContactId) -> Option<TangentialKinematics> {
         let Feature::Shapes(feature) = id.feature else { return None };
         let (shape_a, shape_b) = self.shapes(id.a, id.b)?;
@@ -240,6 +240,12 @@ impl World {
         {
             let [x, y] = terms.basis;
             terms.basis = [along, x.cross(y).cross(along)];
+        }
+        if let Some(plane) = &self.plane {
+            let [x, y] = terms.basis;
+            terms.basis = plane.tangents(x.cross(y));
+            // Rounding may leave a slip out of the plane, which would turn the direction of one that ends.
+            terms.slip_velocity = terms.basis[0] * terms.basis[0].dot(terms.slip_velocity);
         }
         Some(terms)
     }

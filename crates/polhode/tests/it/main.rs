@@ -43,6 +43,7 @@ mod piles;
 mod pivot_rows;
 mod pivots;
 mod planar;
+mod planar_friction;
 mod prescribed_motion;
 mod program;
 mod public_interface;
