@@ -105,8 +105,8 @@ impl Units {
                 "velocity" => multiply(value, of.coordinate / time),
                 "stiffness" => multiply(value, effort / of.coordinate),
                 "damping" | "gain" => multiply(value, effort * time / of.coordinate),
-                "effort" | "most" => multiply(value, effort),
-                "motor" => self.freedom(value, of),
+                "effort" | "most" | "breakaway" => multiply(value, effort),
+                "motor" | "friction" => self.freedom(value, of),
                 _ => {}
             }
         }

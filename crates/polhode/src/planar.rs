@@ -133,7 +133,7 @@ fn plane_offset(world: &World, states: &[BodyState], normal: DVec3) -> f64 {
     first.map_or(0.0, |(state, _)| normal.dot(state.pose.translation))
 }
 
-/// The largest defect of symmetry in the plane with this normal.
+/// The largest defect of symmetry in the plane with this normal: of the motions, and of the shapes where the motions have none.
 fn measure(world: &World, states: &[BodyState], normal: DVec3) -> Defect {
     let offset = plane_offset(world, states, normal);
     let mut worst = Defect { relative: 0.0, what: String::new() };
@@ -168,12 +168,24 @@ fn measure(world: &World, states: &[BodyState], normal: DVec3) -> Defect {
         note(surface.dot(normal).abs(), surface.length(), &|| {
             format!("the surface of {} moves out of the plane", body.name)
         });
+    }
+    if worst.relative > SYMMETRY_RELATIVE {
+        return worst;
+    }
+    let mut note = |defect: f64, size: f64, body: &WorldBody| {
+        if defect > worst.relative * size {
+            let what = format!("the shape of {} is not its own mirror image", body.name);
+            worst = Defect { relative: defect / size, what };
+        }
+    };
+    for (body, state) in world.bodies.iter().zip(states) {
         if let Some(shape) = &body.shape {
+            let height = normal.dot(state.pose.translation) - offset;
             let axis = UnitVector::new(state.pose.rotation.inverse_rotate(normal));
             let offset = if body.moves() { 0.0 } else { -height };
             let defect = axis.map_or(f64::INFINITY, |axis| mirror_defect(shape, axis, offset));
             let size = if body.size == 0.0 { 1.0 } else { body.size };
-            note(defect, size, &|| format!("the shape of {} is not its own mirror image", body.name));
+            note(defect, size, body);
         }
     }
     worst
@@ -224,11 +236,15 @@ fn leaning_contacts(world: &World, states: &[BodyState], normal: DVec3) -> Optio
     let forms: Vec<Form> = world.bodies.iter().zip(states).map(form).collect();
     // Pairs of prisms, and with half-spaces, are most: they are not looked at one by one.
     let others = (0..forms.len()).filter(|&a| matches!(forms[a], Form::Convex | Form::Other));
+    let rub = |a: usize, b: usize| {
+        let material = world.scene.pair_material(a, b);
+        material.static_ellipse().largest().max(material.rolling_friction()).max(material.spinning_friction()) > 0.0
+    };
     let leans = |&(a, b): &(usize, usize)| {
         !forms[a].keeps_normals(forms[b])
             && (world.bodies[a].moves() || world.bodies[b].moves())
             && world.scene.may_collide(a, b)
-            && world.friction_of(a, b).is_some()
+            && rub(a, b)
     };
     let mut pairs = others.flat_map(|a| (0..forms.len()).filter(move |&b| b != a).map(move |b| (a, b)));
     let (a, b) = pairs.find(leans)?;

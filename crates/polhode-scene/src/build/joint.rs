@@ -4,9 +4,13 @@ use super::bodies::Bodies;
 use super::fault::{Fault, Faults, positive, vector};
 use crate::document::KeyPath;
 use crate::error::Refusal;
-use crate::format::{Exactly, FreedomEntry, JointEntry, JointKindEntry, MotorEntry, RopeEntry, SceneFile, Vector};
+use crate::format::{
+    Exactly, FreedomEntry, JointEntry, JointFrictionEntry, JointKindEntry, MotorEntry, RopeEntry, SceneFile, Vector,
+};
 use polhode::BodyId;
-use polhode::scene::{Coordinate, Drive, Freedom, FreedomError, Joint, JointKind, Limits, LimitsError, Motor};
+use polhode::scene::{
+    Coordinate, Drive, Freedom, FreedomError, Joint, JointFriction, JointKind, Limits, LimitsError, Motor,
+};
 use polhode::spatial::{DVec3, UnitVector};
 
 /// The joints of the file.
@@ -146,6 +150,13 @@ fn freedom(entry: &FreedomEntry, path: &KeyPath) -> Result<Freedom, Fault> {
     freedom = freedom.with_damping(entry.damping).map_err(refused)?;
     if let Some(entry) = &entry.motor {
         freedom = freedom.with_motor(motor(entry, &path.key("motor"))?);
+    }
+    if let Some(JointFrictionEntry { effort, breakaway }) = entry.friction {
+        let refused = |error: FreedomError| (path.key("friction"), error.into());
+        let friction = JointFriction::new(effort).map_err(refused)?;
+        let friction =
+            breakaway.map_or(Ok(friction), |breakaway| friction.with_breakaway(breakaway)).map_err(refused)?;
+        freedom = freedom.with_friction(friction);
     }
     Ok(freedom)
 }

@@ -74,6 +74,18 @@ pub struct FreedomEntry {
     pub damping: f64,
     /// A motor.
     pub motor: Option<MotorEntry>,
+    /// Dry friction.
+    pub friction: Option<JointFrictionEntry>,
+}
+
+/// Dry friction along a coordinate of a joint.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JointFrictionEntry {
+    /// Its torque (N m) or force (N) against the motion.
+    pub effort: f64,
+    /// The largest one that holds what is at rest; as large as `effort` without this key.
+    pub breakaway: Option<f64>,
 }
 
 /// A motor: exactly one of `effort`, `velocity` and `position`.

@@ -108,7 +108,7 @@ impl Bilateral {
 
 impl BilateralRow {
     /// Its multiplier in a reaction, where directions of a constraint are orthogonal to each other, and so are axes.
-    fn multiplier(&self, reaction: Reaction) -> f64 {
+    pub(crate) fn multiplier(&self, reaction: Reaction) -> f64 {
         match self.kind {
             RowKind::Along(direction) => reaction.force.dot(direction),
             RowKind::About(axis) => reaction.moment.dot(axis) / axis.length_squared(),

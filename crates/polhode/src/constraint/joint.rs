@@ -17,7 +17,7 @@ use super::end::End;
 use super::joint_coordinate::{JointCoordinate, coordinates};
 use super::kept::Kept;
 use super::row::RowsAt;
-use super::stop::{Reversed, Stop};
+use super::stop::Stop;
 use super::{cylindrical, fixed, hinge, planar, point, slider, universal};
 use crate::body_id::BodyId;
 use crate::scene::{Coordinate, Joint, JointKind, Motor};
@@ -30,6 +30,23 @@ pub(crate) enum HeldBody {
     Fixed,
     Movable(Pose),
     Kinematic(Pose),
+}
+
+/// Whether the first body of a contact at a joint is the first one of the joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Order {
+    Same,
+    Reversed,
+}
+
+impl Order {
+    /// The sign of motions of the first body of the joint in those of the first one of the contact.
+    pub(super) fn sign(self) -> f64 {
+        match self {
+            Self::Same => 1.0,
+            Self::Reversed => -1.0,
+        }
+    }
 }
 
 /// A joint of the model.
@@ -111,9 +128,13 @@ impl WorldJoint {
         place: usize,
         motion: impl Fn(usize) -> (Pose, Velocity),
     ) -> Option<ContactKinematics> {
+        self.stop(place)?.at(|measured, near| self.coordinate_at((measured, near), motion), self.order())
+    }
+
+    /// Which end the first body of its pair is at.
+    pub(super) fn order(&self) -> Order {
         let is_first = self.a.body().or_else(|| self.a.driver()) == Some(self.pair().0);
-        let reversed = if is_first { Reversed::No } else { Reversed::Yes };
-        self.stop(place)?.at(|measured, near| self.coordinate_at((measured, near), motion), reversed)
+        if is_first { Order::Same } else { Order::Reversed }
     }
 
     /// A coordinate where bodies have these poses of their moving frames, and velocities: its value lies within half a revolution of
@@ -125,6 +146,11 @@ impl WorldJoint {
     ) -> Option<CoordinateAt> {
         let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
         measured.at(&a, &b, self.length, near)
+    }
+
+    /// Length of its rows of rotation, m.
+    pub(super) fn length(&self) -> f64 {
+        self.length
     }
 
     /// Its coordinates.

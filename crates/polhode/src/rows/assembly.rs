@@ -8,6 +8,7 @@
 use crate::collision::contact_id::ContactId;
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, Reaction};
+use crate::constraint::joint_friction::Pressed;
 use crate::constraint::row::{BilateralRow, Member};
 use crate::constraint::softness::Softness;
 use crate::plane_of_motion::PlaneOfMotion;
@@ -100,6 +101,8 @@ pub(crate) struct Assembly {
     tangent_rows: Vec<usize>,
     rotations: Vec<RotationRow>,
     rotation_rows: Vec<usize>,
+    /// The rows of contacts that a given force presses.
+    pressed: Vec<(usize, Pressed)>,
     /// Movable bodies, in the order of the problem's blocks.
     bodies: Vec<usize>,
     coordinates: Coordinates,
@@ -124,10 +127,18 @@ impl Assembly {
         }
         let mut problem = ContactProblem::new(width, inverse_masses)?;
         let mut constraints = Vec::new();
+        let mut pressed = Vec::new();
         let rows = ContactRows { states, bodies, coordinates };
         for (id, geometry) in contacts {
             constraints.push(ConstraintId::Contact(id));
-            rows.row(id, &geometry, |entries| problem.push_row(entries))?;
+            if let Some(own) = world.pressed(id) {
+                let row = problem.len();
+                rows.row(id, &geometry, |entries| problem.push_held_row(entries))?;
+                problem.soften(row, own.compliance)?;
+                pressed.push((row, own));
+            } else {
+                rows.row(id, &geometry, |entries| problem.push_row(entries))?;
+            }
         }
         let contacts = problem.len();
         let bilaterals: Vec<Bilateral> = world.bilaterals(states, bodies).collect();
@@ -147,6 +158,7 @@ impl Assembly {
             tangent_rows,
             rotations,
             rotation_rows,
+            pressed,
             bodies,
             coordinates,
         })
@@ -170,14 +182,18 @@ impl Assembly {
         Ok(())
     }
 
-    /// Constant terms of the rows of contacts and bilateral constraints in a time step, from those of the contacts, m/s. A bilateral
-    /// constraint that is rigid ends with the opposite of the rate that it begins with, so that it does no work, and the second half
-    /// of the step takes back the gap of the first.
-    pub(crate) fn step_constants(&self, of_contacts: impl Iterator<Item = f64>) -> Vec<f64> {
-        let soft = |bilateral: &Bilateral| bilateral.softness.as_ref().map(Softness::constant);
-        let of_rows = move |bilateral: &'_ Bilateral| {
-            let soft = soft(bilateral);
-            bilateral.rows.iter().map(move |row| soft.unwrap_or(2.0 * row.rate)).collect::<Vec<_>>()
+    /// Constant terms of the rows of contacts and bilateral constraints in a time step, from those of the contacts, m/s, where the
+    /// kick of fields has changed the rate of a row by `kicked` (m/s). A bilateral constraint that is rigid ends with the opposite of
+    /// its rate before the kick, so that it does no work, and the second half of the step takes back the gap of the first.
+    pub(crate) fn step_constants(
+        &self,
+        of_contacts: impl Iterator<Item = f64>,
+        kicked: impl Fn(&Bilateral, &BilateralRow) -> f64,
+    ) -> Vec<f64> {
+        let of_rows = |bilateral: &Bilateral| {
+            let soft = bilateral.softness.as_ref().map(Softness::constant);
+            let rigid = |row: &BilateralRow| 2.0 * row.rate - kicked(bilateral, row);
+            bilateral.rows.iter().map(move |row| soft.unwrap_or_else(|| rigid(row))).collect::<Vec<_>>()
         };
         of_contacts.chain(self.bilaterals.iter().flat_map(of_rows)).collect()
     }
@@ -194,8 +210,15 @@ impl Assembly {
         let (bodies, coordinates) = (&self.bodies, self.coordinates);
         let (problem, rows) = (&mut self.problem, ContactRows { states, bodies, coordinates });
         for tangent in tangents {
-            self.tangent_rows.push(problem.len());
+            let row = problem.len();
+            self.tangent_rows.push(row);
             rows.row(tangent.id, &tangent.along, |entries| problem.push_held_row(entries))?;
+            // A joint with friction slips along one line: its second tangent acts on nothing.
+            if tangent.along.normal == DVec3::ZERO
+                && let Some(compliance) = self.pressed.iter().map(|(_, own)| own.compliance).next()
+            {
+                problem.soften(row, compliance)?;
+            }
             self.tangents.push(tangent);
         }
         Ok(())
@@ -322,6 +345,9 @@ impl Assembly {
         let mut b = self.problem.row_velocities(free)?;
         for (constant, (id, k)) in b.iter_mut().zip(contacts) {
             *constant += k.acceleration_bias + world.prescribed_acceleration_of(t, states, id, &k.geometry);
+        }
+        for (row, Pressed { force, compliance }) in &self.pressed {
+            b[*row] -= compliance * force;
         }
         let rows = self.bilaterals.iter().flat_map(|own| own.rows.iter().map(move |row| (own, row)));
         for (constant, (bilateral, row)) in b.iter_mut().skip(self.contacts).zip(rows) {

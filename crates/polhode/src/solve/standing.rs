@@ -31,8 +31,10 @@ const BALANCED_RELATIVE: f64 = 1e-13;
 /// as two, as it does in space.
 pub(super) fn is_for_many(world: &World, states: &[BodyState], assembly: &Assembly, contacts: &[Touch]) -> bool {
     let is_still = |body: &BodyState| body.linear_velocity == DVec3::ZERO && body.angular_momentum == DVec3::ZERO;
+    let is_rigid = assembly.problem.compliances().is_empty();
     let each_for = if world.plane.is_some() { 2 } else { 1 };
-    each_for * contacts.len() >= LEAST_CONTACTS && assembly.bodies().iter().all(|&body| is_still(&states[body]))
+    let are_many = each_for * contacts.len() >= LEAST_CONTACTS;
+    is_rigid && are_many && assembly.bodies().iter().all(|&body| is_still(&states[body]))
 }
 
 /// Forces with which none of the bodies moves, as a solution; none where there are none. `free` are the accelerations of the
