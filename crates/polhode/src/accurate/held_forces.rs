@@ -66,6 +66,16 @@ pub(super) struct FrictionContact {
 }
 
 impl FrictionContact {
+    /// The row along a tangent (unit vector, world).
+    fn row_along(&self, tangent: DVec3) -> TangentRow {
+        TangentRow::new(self.id, &self.geometry, &self.terms, tangent)
+    }
+
+    /// The rows along the tangents along which it may slip.
+    fn tangent_rows(&self) -> impl Iterator<Item = TangentRow> + '_ {
+        self.slip.tangents(&self.terms.basis).iter().map(|&tangent| self.row_along(tangent))
+    }
+
     /// The row of a rotation about an axis (unit vector, world).
     fn row_about(&self, axis: DVec3) -> RotationRow {
         RotationRow { id: self.id, axis: axis * self.turning_length }
@@ -160,19 +170,14 @@ pub(super) fn solve(
 ) -> Result<HeldForces, ResponseError> {
     let rows = contacts.iter().map(|(id, kinematics)| (*id, kinematics.geometry));
     let mut assembly = Assembly::new(world, states, bodies, rows)?;
-    let row = |contact: &FrictionContact, tangent: DVec3| {
-        TangentRow::new(contact.id, &contact.geometry, &contact.terms, tangent)
-    };
     let sticking = friction.iter().filter(|contact| contact.sliding.is_none());
-    let tangents = |contact: &FrictionContact| contact.slip.tangents(&contact.terms.basis).to_vec();
-    let sticking: Vec<_> =
-        sticking.flat_map(|contact| tangents(contact).into_iter().map(move |tangent| row(contact, tangent))).collect();
+    let sticking: Vec<TangentRow> = sticking.flat_map(FrictionContact::tangent_rows).collect();
     assembly.push_tangents(states, sticking.into_iter())?;
     assembly.push_rotations(friction.iter().flat_map(FrictionContact::held_rotations))?;
     let equations = assembly.problem.len();
     let slides = friction.iter().filter_map(|contact| Some((contact, contact.sliding?)));
     let slides: Vec<_> =
-        slides.map(|(contact, (direction, mu))| (row(contact, direction), contact.contact, mu)).collect();
+        slides.map(|(contact, (direction, mu))| (contact.row_along(direction), contact.contact, mu)).collect();
     assembly.push_tangents(states, slides.iter().map(|&(row, ..)| row))?;
     let turning = friction.iter().flat_map(|contact| contact.turning().map(|(row, mu)| (row, contact.contact, mu)));
     let turning: Vec<_> = turning.collect();
