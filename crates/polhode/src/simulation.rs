@@ -122,8 +122,14 @@ impl Simulation {
                 if begun.tier.touching_pairs() < begun.core.world.movable.len() {
                     return Ok(begun);
                 }
-                let at_rest = Self::in_tier(scene, effects, resting)?;
-                Ok(if at_rest.all_rest() { at_rest } else { begun })
+                // The first instant is resolved with the first step, whose events are for the observer of the run: that of another
+                // simulation tells.
+                let mut trial = Self::in_tier(scene, effects, resting.clone())?;
+                if trial.step().is_ok() && trial.all_rest() {
+                    Self::in_tier(scene, effects, resting)
+                } else {
+                    Ok(begun)
+                }
             }
         }
     }

@@ -65,5 +65,6 @@ mod stiff_and_singular;
 mod support;
 mod table_edge;
 mod threads;
+mod tier_choice;
 mod touching_without_pressing;
 mod units;
