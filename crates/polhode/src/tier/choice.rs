@@ -5,8 +5,8 @@
 //!
 //! `T = C r^p s`,
 //!
-//! with the rows of contacts `r` that all of them would have at once (no unit), the time `s` (s) in which they move, at most the
-//! duration and [`SETTLED_AFTER_S`], and the constants of a fit ([`SECONDS_OF_A_ROW`], [`GROWTH`]). A body counts
+//! with the rows of contacts `r` that all of them would have at once (no unit), the time `s` (s) in which they move
+//! ([`MOVING_S`]), and the constants of a fit ([`SECONDS_OF_A_ROW`], [`GROWTH`]). A body counts
 //! [`CONTACTS_OF_ROUND`] contacts if it is round and [`CONTACTS_OF_FLAT`] if not, each of one row, and of three with friction.
 //! Source: measured on drops of balls and of boxes into a bin, with friction and without; `cargo xtask tier-costs` measures
 //! them again and prints the fit. Heaps of boxes take up to twice as long as estimated, balls without friction a tenth, and
@@ -26,8 +26,9 @@ use polhode_contact::Shape;
 /// Processor time that a user waits for, s.
 const PATIENCE_S: f64 = 60.0;
 
-/// Bodies that fall are at rest after this time, s: two metres of fall take 0.6 s, and settling about as long again.
-const SETTLED_AFTER_S: f64 = 2.0;
+/// For how long bodies count as moving, s: two metres of fall take 0.6 s, and settling about as long again. The duration does not
+/// count, so that a run that is continued beyond its end stays in its tier.
+const MOVING_S: f64 = 2.0;
 
 /// Processor time for a second of a heap with one row of contacts, s: the fit of `cargo xtask tier-costs`.
 const SECONDS_OF_A_ROW: f64 = 0.002;
@@ -118,8 +119,6 @@ struct Estimate {
     bodies: usize,
     /// Rows of contacts that they would have at once.
     rows: f64,
-    /// For how long they move, s.
-    moving_s: f64,
 }
 
 impl Estimate {
@@ -133,24 +132,22 @@ impl Estimate {
         };
         let moving = scene.bodies().iter().filter(|body| !body.is_fixed() && body.motion().is_none());
         let of_bodies: Vec<f64> = moving.map(contacts).filter(|contacts| *contacts > 0.0).collect();
-        let settles = colliding.largest_restitution < 1.0 && scene.gravity().length() > 0.0;
-        let longest = if settles { SETTLED_AFTER_S } else { f64::INFINITY };
         let rows = if colliding.count > 0 { rows_of_contact * of_bodies.iter().sum::<f64>() } else { 0.0 };
-        Self { bodies: of_bodies.len(), rows, moving_s: scene.duration_s().min(longest) }
+        Self { bodies: of_bodies.len(), rows }
     }
 
     /// Of processor time.
     fn seconds(&self) -> f64 {
-        SECONDS_OF_A_ROW * libm::pow(self.rows, GROWTH) * self.moving_s
+        SECONDS_OF_A_ROW * libm::pow(self.rows, GROWTH) * MOVING_S
     }
 
     fn in_words(&self) -> String {
         if self.rows == 0.0 {
             return "no two bodies may touch".to_owned();
         }
-        let Self { bodies, rows, moving_s } = self;
+        let Self { bodies, rows } = self;
         format!(
-            "estimated at {} s of processor time if all of {bodies} bodies tumble in a heap for {moving_s} s, with some {rows} \
+            "estimated at {} s of processor time if all of {bodies} bodies tumble in a heap for {MOVING_S} s, with some {rows} \
              rows of contact",
             two_digits(self.seconds())
         )
@@ -168,7 +165,7 @@ mod tests {
     //! tumble have the one whose time they end in, unless the scene asks for what only the other has.
     #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
     use super::*;
-    use crate::scene::{Material, Method};
+    use crate::scene::{Material, Method, SceneBuilder};
     use polhode_mesh::solid_box;
     use polhode_spatial::{DVec3, Mass, Pose, UnitVector, Velocity};
 
@@ -183,7 +180,7 @@ mod tests {
                 .velocity(Velocity::new(velocity, DVec3::ZERO))
                 .material(material.clone())
         };
-        (0..boxes).map(fall).fold(scene, |scene, body| scene.body(body)).build().unwrap()
+        (0..boxes).map(fall).fold(scene, SceneBuilder::body).build().unwrap()
     }
 
     fn tier(scene: &Scene) -> Tier {
@@ -214,8 +211,8 @@ mod tests {
     /// The time grows with the rows as the fit says.
     #[test]
     fn the_estimate_is_that_of_the_fit() {
-        let estimate = Estimate { bodies: 20, rows: 360.0, moving_s: 2.0 };
-        let expected = 2.0 * SECONDS_OF_A_ROW * libm::pow(360.0, GROWTH);
+        let estimate = Estimate { bodies: 20, rows: 360.0 };
+        let expected = MOVING_S * SECONDS_OF_A_ROW * libm::pow(360.0, GROWTH);
         assert!((estimate.seconds() / expected - 1.0).abs() < 1e-12);
     }
 }
