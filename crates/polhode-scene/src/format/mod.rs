@@ -51,7 +51,7 @@ pub use integrator::IntegratorName;
 pub(crate) use joint::JOINTS;
 pub use joint::{
     CylindricalEntry, FreedomEntry, HingeEntry, JointEntry, JointFrictionEntry, JointKindEntry, MotorEntry,
-    PlanarJointEntry, PointJointEntry, RodEntry, RopeEntry, SliderEntry, UniversalJointEntry,
+    PlanarJointEntry, PointJointEntry, RodEntry, RopeEntry, ScrewEntry, SliderEntry, UniversalJointEntry,
 };
 pub use method::{
     ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,

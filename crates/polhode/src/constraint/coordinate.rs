@@ -71,13 +71,8 @@ struct AtLever {
 impl CoordinateAt {
     /// The same with the force of an angle at the lever of B, which turns with that body.
     pub(super) fn at_lever_of_second(self) -> Self {
-        self.at_second.map_or(self, |AtLever { point, direction, rate, bias }| Self {
-            point,
-            direction,
-            rate,
-            bias,
-            ..self
-        })
+        let at = |AtLever { point, direction, rate, bias }| Self { rate, bias, point, direction, ..self };
+        self.at_second.map_or(self, at)
     }
 
     /// The row that keeps the coordinate at a value (m).
@@ -96,6 +91,14 @@ impl Measured {
     /// The displacement along an axis of the world (unit vector), zero at the start, fixed in a body with this attitude.
     pub(super) fn displacement(axis: DVec3, b: Rotation) -> Self {
         Self::Displacement { axis: b.inverse_rotate(axis) }
+    }
+
+    /// Its axis in the axes of B, a unit vector.
+    pub(super) fn axis(&self) -> Option<DVec3> {
+        match *self {
+            Self::Angle { axis, .. } | Self::Displacement { axis } => Some(axis),
+            Self::Distance => None,
+        }
     }
 
     /// The coordinate of these ends. `length` is that of the joint, m; an angle is given within half a revolution of `near` (its arc, m).

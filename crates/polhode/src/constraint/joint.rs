@@ -8,6 +8,7 @@
 //! | fixed | a point and the attitude (`fixed.rs`) | nothing |
 //! | slider | a line and the attitude (`slider.rs`) | the displacement along the line |
 //! | cylindrical | an axis (`cylindrical.rs`) | the rotation about it and the displacement along it |
+//! | screw | an axis, and a displacement along it for each rotation about it (`screw.rs`) | the rotation about the axis, with its displacement |
 //! | rod | the distance of two points | all but displacements along their line |
 //! | rope | nothing: limits of a distance are stops | all |
 //! | planar | a point in a plane, and its normal (`planar.rs`) | displacements in it and the rotation about the normal |
@@ -18,7 +19,7 @@ use super::joint_coordinate::{JointCoordinate, coordinates};
 use super::kept::Kept;
 use super::row::RowsAt;
 use super::stop::Stop;
-use super::{cylindrical, fixed, hinge, planar, point, slider, universal};
+use super::{cylindrical, fixed, hinge, planar, point, screw, slider, universal};
 use crate::body_id::BodyId;
 use crate::scene::{Coordinate, Joint, JointKind, Motor};
 use polhode_contact::ContactKinematics;
@@ -86,6 +87,7 @@ impl WorldJoint {
             JointKind::Fixed => fixed::kept(attitudes),
             JointKind::Slider { axis } => slider::kept(axis.get(), attitudes),
             JointKind::Cylindrical { axis } => cylindrical::kept(axis.get(), attitudes),
+            JointKind::Screw { axis, lead } => screw::kept((axis.get(), lead), attitudes),
             JointKind::Planar { normal } => planar::kept(normal.get(), attitudes),
             JointKind::Rod { to } => Kept::distance((joint.anchor() - to).length()),
             JointKind::Rope { .. } => Kept::nothing(),
@@ -146,6 +148,18 @@ impl WorldJoint {
     ) -> Option<CoordinateAt> {
         let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
         measured.at(&a, &b, self.length, near)
+    }
+
+    /// Where it holds its first body, world, m.
+    pub(super) fn anchor(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> DVec3 {
+        self.a.at(motion).point
+    }
+
+    /// The axis of one of its coordinates (unit vector, world): of an angle or a displacement; zero of a distance.
+    pub(super) fn axis_of(&self, place: usize, motion: impl Fn(usize) -> (Pose, Velocity)) -> DVec3 {
+        let b = self.b.at(motion);
+        let axis = self.coordinates.get(place).and_then(|own| own.measured.axis());
+        axis.map_or(DVec3::ZERO, |axis| b.rotation.rotate(axis))
     }
 
     /// Length of its rows of rotation, m.

@@ -6,7 +6,7 @@ use crate::collision::contact_set::FoundContact;
 use crate::world::World;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
-use polhode_spatial::{Pose, Velocity};
+use polhode_spatial::{DVec3, Pose, Velocity};
 use std::collections::BTreeSet;
 
 impl World {
@@ -91,6 +91,22 @@ impl World {
             (0..joint.stops()).filter_map(|place| joint.stop(place)).map(|stop| stop.restitution).fold(0.0, f64::max)
         };
         self.joints.iter().map(own).fold(0.0, f64::max)
+    }
+
+    /// Where a joint holds its first body, world, m.
+    pub(crate) fn anchor_of(&self, states: &[BodyState], joint: &WorldJoint) -> DVec3 {
+        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
+        joint.anchor(motion)
+    }
+
+    /// The joint of a contact at a joint, and the force on its first body where this one is on the first body of the contact.
+    pub(crate) fn joint_force_of(&self, id: ContactId, force: DVec3) -> Option<(usize, DVec3)> {
+        let joint = match id.feature {
+            Feature::Shapes(_) => return None,
+            Feature::Stop(stop) => stop.joint,
+            Feature::JointFriction(of) => of.joint,
+        };
+        Some((joint, force * self.joint_numbered(joint)?.order().sign()))
     }
 
     /// The joint of this number; none where there is none, or it was removed with a body.

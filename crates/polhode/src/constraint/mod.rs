@@ -36,6 +36,7 @@ mod perpendicular;
 mod planar;
 mod point;
 pub(crate) mod row;
+mod screw;
 mod slider;
 mod soft_rows;
 pub(crate) mod softness;

@@ -196,18 +196,22 @@ impl Motor {
 }
 
 /// Dry friction of a joint along a coordinate: an effort of this size against the motion, and one of at most the effort of
-/// breakaway that holds the coordinate where it is.
+/// breakaway that holds the coordinate where it is; with a bearing it grows with the force that the joint bears.
 ///
 /// ```
 /// use polhode::scene::JointFriction;
 /// let friction = JointFriction::new(0.3)?.with_breakaway(0.4)?;
 /// assert_eq!((friction.effort(), friction.breakaway()), (0.3, 0.4));
+/// // A journal of 10 mm radius adds 0.1 of 10 mm times the force that it bears.
+/// let journal = friction.with_bearing(0.1, 0.01)?;
+/// assert_eq!(journal.arm(), 0.001);
 /// # Ok::<(), polhode::scene::FreedomError>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct JointFriction {
     effort: f64,
     breakaway: f64,
+    arm: f64,
 }
 
 impl JointFriction {
@@ -217,7 +221,7 @@ impl JointFriction {
     /// When it is not above zero and finite.
     pub fn new(effort: f64) -> Result<Self, FreedomError> {
         if effort > 0.0 && effort.is_finite() {
-            Ok(Self { effort, breakaway: effort })
+            Ok(Self { effort, breakaway: effort, arm: 0.0 })
         } else {
             Err(number("effort of friction", effort, "a finite number above 0"))
         }
@@ -233,6 +237,28 @@ impl JointFriction {
         } else {
             Err(number("breakaway of friction", breakaway, "a finite number of at least the effort in motion"))
         }
+    }
+
+    /// The same friction with that of a bearing, `coefficient` times the force on it across the axis: of an angle times the radius
+    /// (m) at which it rubs, of a displacement times 1 (`radius` is 1 there). At rest it is larger as breakaway is than the effort. Of
+    /// [`JointFriction::default`] it is all there is.
+    ///
+    /// # Errors
+    /// When the coefficient or the radius is negative or not finite.
+    pub fn with_bearing(self, coefficient: f64, radius: f64) -> Result<Self, FreedomError> {
+        not_negative("coefficient of a bearing", coefficient)?;
+        not_negative("radius of a bearing", radius)?;
+        Ok(Self { arm: coefficient * radius, ..self })
+    }
+
+    /// Of a bearing: the effort for each newton on it across the axis, m of an angle, a coefficient otherwise; zero without one.
+    pub const fn arm(&self) -> f64 {
+        self.arm
+    }
+
+    /// The largest friction at rest over that in motion.
+    pub fn static_ratio(&self) -> f64 {
+        if self.effort > 0.0 { self.breakaway / self.effort } else { 1.0 }
     }
 
     /// In motion, N m or N.

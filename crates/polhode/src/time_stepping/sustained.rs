@@ -324,8 +324,8 @@ fn rows(
         let geometry = &kinematics.geometry;
         let rate_before = kinematics.separation_rate - geometry.normal.dot(kicked.change_at(id, geometry.point));
         // What presses a joint with friction gives the impulse of its force.
-        let bound = match world.pressed(id) {
-            Some(Pressed { force, compliance }) => -compliance * force * h,
+        let bound = match world.pressed(states, id) {
+            Some(Pressed { force, compliance, .. }) => -compliance * force * h,
             None => gap_bound.max(rate_before),
         };
         Row { contact, kinematics, rate_before, bound, half_fall, rounding, friction }

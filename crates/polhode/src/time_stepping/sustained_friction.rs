@@ -29,6 +29,7 @@ use crate::collision::friction_mode::FrictionCoefficients;
 use crate::collision::slip_directions::SlipDirections;
 use crate::collision::turn::Turn;
 use crate::constraint::bilateral::{Bilateral, Reaction};
+use crate::constraint::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{push_contact, push_held, with_rotations};
 use crate::rows::resisted_rotation::ResistedRotation;
@@ -395,20 +396,29 @@ pub(super) fn solve(
     }
     let rotations = resisted_rotations(&mut assembly, friction)?;
     constants.extend(friction.iter().flatten().flat_map(TangentialRow::rotation_constants));
-    let mut friction: Vec<Option<TangentialRow>> = friction.to_vec();
-    let mut problem = solvers.problem(&assembly, &constants, friction.len(), h);
-    let solved = loop {
-        let mut blocks = with_rotations(blocks(&friction, &rows), &rotations);
-        push_held(&mut blocks, friction.len()..first_tangent);
-        let solved = problem.solve(&blocks, |reactions| violation_of(&friction, &rows, reactions))?;
-        if !slide_under_static_friction(&mut friction, &rows, &solved, &constants) {
-            break solved;
+    let first = friction;
+    let (mut rounds, mut factorisations) = (0, 0);
+    let (friction, solved) = loop {
+        let mut friction: Vec<Option<TangentialRow>> = first.to_vec();
+        let mut problem = solvers.problem(&assembly, &constants, friction.len(), h);
+        let solved = loop {
+            let mut blocks = with_rotations(blocks(&friction, &rows), &rotations);
+            push_held(&mut blocks, friction.len()..first_tangent);
+            let solved = problem.solve(&blocks, |reactions| violation_of(&friction, &rows, reactions))?;
+            if !slide_under_static_friction(&mut friction, &rows, &solved, &constants) {
+                break solved;
+            }
+        };
+        factorisations += problem.factorisations();
+        if problem.is_in_bodies() {
+            solvers.last.note(&assembly, &solved.reactions, friction.len(), h);
         }
+        rounds += 1;
+        if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&solved.reactions, h) {
+            break (friction, solved);
+        }
+        assembly.press(&mut constants, h);
     };
-    let factorisations = problem.factorisations();
-    if problem.is_in_bodies() {
-        solvers.last.note(&assembly, &solved.reactions, friction.len(), h);
-    }
     let stops = stops(&friction, &rows, &solved);
     let violation = violation_of(&friction, &rows, &solved.reactions);
     let normal = solved.reactions.get(..friction.len()).unwrap_or_default();

@@ -4,7 +4,9 @@
 use crate::checks::{assert_closes, heavy_brick};
 use crate::joints::{inertia, rod};
 use crate::support::{accurate, brick, run};
-use polhode::scene::{Coordinate, Force, Frame, Freedom, Joint, JointFriction, JointKind, Method, Signal, Tier};
+use polhode::scene::{
+    Coordinate, Force, Frame, Freedom, Joint, JointFriction, JointKind, Limits, Method, Signal, Tier,
+};
 use polhode::spatial::{DVec3, UnitVector, Velocity};
 use polhode::{BodyId, Effects, Event, EventKind, Recorder, Scene, SceneBuilder, Simulation, Snapshot};
 
@@ -79,13 +81,44 @@ fn a_pendulum_sticks_at_the_turning_point_that_friction_holds() {
         let built = scene(method).gravity(DVec3::Z * -G).duration_s(3.0);
         let place = DVec3::new(start.sin(), 0.0, -start.cos()) * (0.5 * ROD.1);
         let built = built.body(rod("rod", ROD, place, -start)).joint(hinge(rough(torque))).build().unwrap();
-        let (report, recorder) = run(&built, Effects::Planned);
+        let (report, _) = run(&built, Effects::Planned);
         let at = report.bodies[0].state.pose.translation;
         let angle = (-at.x).atan2(-at.z);
         assert!((angle - below).abs() < allowed, "{angle} for {below}");
         assert!(report.bodies[0].state.velocity.angular.length() < 1e-12);
         assert_closes(&report);
     }
+}
+
+/// What a joint does is told: a rough hinge that holds a pendulum off its lowest place bears its weight, and the moment of it; a stop
+/// does the same; while it swings the force is that of Newton's law for its centre.
+#[test]
+fn joint_loads_are_those_of_statics_and_of_the_swing() {
+    let (weight, angle) = (ROD.0 * G, 0.9_f64);
+    let place = DVec3::new(angle.sin(), 0.0, -angle.cos()) * (0.5 * ROD.1);
+    let held = weight * 0.5 * ROD.1 * angle.sin();
+    let stop = Freedom::default().with_limits(Limits::new(-0.1, 0.0).unwrap());
+    for freedom in [rough(1.5 * held), stop] {
+        let built = scene(accurate()).gravity(DVec3::Z * -G).body(rod("rod", ROD, place, -angle)).joint(hinge(freedom));
+        let mut simulation = Simulation::new(&built.build().unwrap()).unwrap();
+        for t in [0.0, 0.2] {
+            simulation.advance_to(t).unwrap();
+            let load = simulation.joint_loads()[0];
+            assert!((load.force_n - DVec3::Z * weight).length() < 1e-11, "{load:?}");
+            assert!((load.moment_n_m - DVec3::Y * -held).length() < 1e-11, "{load:?}");
+        }
+    }
+    let level = rod("rod", ROD, DVec3::X * (0.5 * ROD.1), std::f64::consts::FRAC_PI_2);
+    let built = scene(accurate()).gravity(DVec3::Z * -G).body(level).joint(hinge(Freedom::default()));
+    let mut simulation = Simulation::new(&built.build().unwrap()).unwrap();
+    simulation.advance_to(0.35).unwrap();
+    let acceleration = simulation.accelerations().unwrap()[0].linear;
+    let load = simulation.joint_loads()[0];
+    assert!((load.force_n - (acceleration + DVec3::Z * G) * ROD.0).length() < 1e-11 * weight, "{load:?}");
+    let along = simulation.body(BodyId::new(0)).pose.translation.normalize();
+    let gained = 2.0 * G * -simulation.body(BodyId::new(0)).pose.translation.z * ROD.0 / moment();
+    let pull = ROD.0 * gained * 0.5 * ROD.1 - weight * along.z;
+    assert!((load.force_n.dot(-along) - pull).abs() < 1e-9 * weight, "{load:?} for {pull}");
 }
 
 /// A torque that grows moves a rod when it exceeds the effort of breakaway, not before; from then on friction is that of motion.
@@ -171,6 +204,52 @@ fn a_bead_slides_only_under_more_than_its_friction() {
             assert!(off <= 1e-12 * way.length(), "{push}: {off:e} m off");
             assert_closes(&report);
         }
+    }
+}
+
+/// A rod that spins on a bearing of radius `r` with the coefficient `mu` is slowed by the force that turns its centre: with
+/// `k = mu r` and `R = m d sqrt(w^4 + w'^2)` that is `w' = -c w^2`, `c = k m d/sqrt(I^2 - (k m d)^2)`.
+#[test]
+fn a_bearing_slows_a_rod_by_the_load_of_its_spin() {
+    let (coefficient, radius, rate) = (0.3, 0.05, 6.0);
+    let (lever, moment) = (0.5 * ROD.1, moment());
+    let held = coefficient * radius * ROD.0 * lever;
+    let decay = held / (moment * moment - held * held).sqrt();
+    for (method, allowed) in [(accurate(), 1e-11), (stepped(1e-3), 5e-5)] {
+        let turning = Velocity::new(DVec3::Y.cross(DVec3::X * lever) * rate, DVec3::Y * rate);
+        let body = rod("rod", ROD, DVec3::X * lever, std::f64::consts::FRAC_PI_2).velocity(turning);
+        let bearing = JointFriction::default().with_bearing(coefficient, radius).unwrap();
+        let joint = hinge(Freedom::default().with_friction(bearing));
+        let built = scene(method).duration_s(2.0).body(body).joint(joint).build().unwrap();
+        let (report, recorder) = run(&built, Effects::Planned);
+        for (row, &t) in recorder.samples.iter().zip(&recorder.times_s) {
+            let expected = rate / (1.0 + decay * rate * t);
+            let off = (row[0].velocity.angular.y / expected - 1.0).abs();
+            assert!(off < allowed, "t = {t}: {} for {expected}", row[0].velocity.angular.y);
+        }
+        assert_closes(&report);
+    }
+}
+
+/// A bead on a level wire with friction slides as a box on a floor, and stays under a push that its weight holds.
+#[test]
+fn a_bead_on_a_level_wire_slides_like_a_box_on_a_floor() {
+    let (coefficient, speed) = (0.2, 1.5);
+    let axis = UnitVector::new(DVec3::new(0.6, 0.8, 0.0)).unwrap();
+    let wire = JointFriction::default().with_bearing(coefficient, 1.0).unwrap();
+    for method in [accurate(), stepped(1e-2)] {
+        let joint = Joint::new(JointKind::Slider { axis }, BodyId::new(0), DVec3::ZERO)
+            .along(Coordinate::Displacement, Freedom::default().with_friction(wire));
+        let body =
+            brick("bead", DVec3::splat(0.1), DVec3::ZERO).velocity(Velocity::new(axis.get() * speed, DVec3::ZERO));
+        let built = scene(method.clone()).gravity(DVec3::Z * -G).duration_s(1.5).body(body).joint(joint);
+        let (report, _) = run(&built.build().unwrap(), Effects::Planned);
+        let way = axis.get() * (0.5 * speed * speed / (coefficient * G));
+        let off = (report.bodies[0].state.pose.translation - way).length();
+        let allowed = if method.tier == Some(Tier::Accurate) { 1e-12 } else { 1e-3 };
+        assert!(off < allowed, "{off:e} m off");
+        assert!(report.bodies[0].state.velocity.linear.length() < 1e-12);
+        assert_closes(&report);
     }
 }
 
