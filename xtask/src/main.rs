@@ -24,6 +24,7 @@
 //! | [`mod@reference`] | the values that cases are compared with |
 //! | [`row`], [`table`] | one result, and how results are printed |
 //! | [`rigid_ipc`] | the command: scenes of the Rigid IPC suite in our format |
+//! | [`tier_costs`] | the command: the processor time of heaps in the tiers, which the plan estimates |
 //! | [`statics`] | static equilibrium of structures of blocks, from their geometry alone |
 //! | [`viewer`] | pages in a real browser |
 //! | [`random_scene`] | the commands: random scenes, written and judged |
@@ -54,6 +55,7 @@ mod scene_units;
 mod schedule;
 mod statics;
 mod table;
+mod tier_costs;
 mod verify;
 mod viewer;
 
@@ -84,6 +86,8 @@ enum Task {
     Gallery(gallery::Options),
     /// Regenerates the comparison of narrow phases in docs/accuracy-and-cost.md.
     NarrowPhase,
+    /// Measures the processor time of heaps in the tiers, from which the plan chooses a tier.
+    TierCosts(tier_costs::Options),
     /// Writes the random scene of a seed as a scene file.
     RandomScene(random_scene::Options),
     /// Judges random scenes, and prints a line for each that is not right.
@@ -99,6 +103,7 @@ fn main() -> ExitCode {
         Task::SolveFriction(options) => friction::run(&options),
         Task::Gallery(options) => verify::workspace_root().and_then(|root| gallery::run(&options, &root)),
         Task::NarrowPhase => verify::workspace_root().and_then(|root| narrow_phase::run(&root)),
+        Task::TierCosts(options) => tier_costs::run(&options),
         Task::RandomScene(options) => random_scene::run(&options),
         Task::JudgeScenes(options) => cases::random_scenes::run(&options),
     };

@@ -124,6 +124,7 @@ pub use shape::approximate_decomposition::{
 };
 pub use shape::mirror::mirror_defect;
 pub use shape::polyhedron::{ConvexPolyhedron, Edge, Face};
+pub use shape::prism::is_prism_along;
 pub use shape::{
     Capsule, Compound, Cone, Cylinder, HalfSpace, PointCloud, Shape, ShapeError, Sphere, Torus, TriangleMesh,
 };

@@ -33,6 +33,8 @@ pub enum Attempt<S> {
         /// accepted.
         error: Option<f64>,
     },
+    /// It was made, and this error of it, in units of what is allowed, is more than allowed or NaN.
+    Refused(f64),
     /// It could not be made.
     Failed,
 }
@@ -45,6 +47,15 @@ impl<S> Attempt<S> {
                 let error = error.unwrap_or(0.0);
                 (error <= 1.0).then_some((step, error))
             }
+            Self::Refused(_) | Self::Failed => None,
+        }
+    }
+
+    /// Its error in units of what is allowed; none where none is known.
+    fn error(&self) -> Option<f64> {
+        match self {
+            Self::Made { error, .. } => *error,
+            Self::Refused(error) => Some(*error),
             Self::Failed => None,
         }
     }
@@ -53,6 +64,7 @@ impl<S> Attempt<S> {
     fn factor(&self) -> f64 {
         match self {
             Self::Made { error, .. } => error.map_or(f64::INFINITY, Dop853::next_step_factor),
+            Self::Refused(error) => Dop853::next_step_factor(*error),
             Self::Failed => FAILED_FACTOR,
         }
     }
@@ -131,7 +143,7 @@ impl StepControl {
             }
             let attempt = system.attempt(length_s)?;
             let factor = attempt.factor();
-            last = if let Attempt::Made { error, .. } = attempt { error } else { None };
+            last = attempt.error();
             if let Some((step, error)) = attempt.accepted() {
                 let next = length_s * factor;
                 self.proposed_s = if factor >= 1.0 { self.proposed_s.max(next) } else { next };

@@ -21,6 +21,9 @@ use std::ops::Range;
 /// Largest relative asymmetry and negative pivot of an inverse mass block that counts as rounding (no unit).
 const BLOCK_ROUNDING: f64 = 1e-12;
 
+/// Rows for which memory is taken with the first one: those of four contacts with friction. Of more it grows.
+const FIRST_ROWS: usize = 12;
+
 /// Inverse masses of the bodies and the sparse rows of the contacts.
 ///
 /// ```
@@ -228,6 +231,9 @@ impl ContactProblem {
             }
             row.bodies[1] = body as u32;
         }
+        if self.rows.is_empty() {
+            self.reserve_first_rows();
+        }
         for slot in 0..2 {
             if let Some(&(body, block)) = entries.get(slot) {
                 self.jacobian.extend_from_slice(block);
@@ -240,6 +246,14 @@ impl ContactProblem {
         self.rows.push(row);
         self.holds.push(sign == Sign::Either);
         Ok(self.rows.len() - 1)
+    }
+
+    /// Makes room for the rows of a few contacts at once.
+    fn reserve_first_rows(&mut self) {
+        self.rows.reserve(FIRST_ROWS);
+        self.holds.reserve(FIRST_ROWS);
+        self.jacobian.reserve(2 * self.width * FIRST_ROWS);
+        self.response.reserve(2 * self.width * FIRST_ROWS);
     }
 
     /// Removes all rows and keeps the bodies and the memory.

@@ -262,6 +262,7 @@ impl Simulation {
     fn derive_plan_again(&mut self, what: &'static str) {
         let states = self.tier.states(&self.core);
         let core = &mut self.core;
+        let tier_reason = self.plan.tier_reason.clone();
         let choice = free_method::choose(&core.world, &states, &core.settings.as_resolved());
         core.settings.integrator = choice.integrator;
         let planar = match (core.effects, core.world.plane) {
@@ -272,7 +273,8 @@ impl Simulation {
             _ => PlanarFinding::off("not examined again after an action of the program"),
         };
         core.world.plane = planar.plane;
-        let findings = Findings { t_s: core.t, touching_pairs: self.tier.touching_pairs(), choice, planar };
+        let findings =
+            Findings { t_s: core.t, touching_pairs: self.tier.touching_pairs(), tier_reason, choice, planar };
         let plan = Plan::derive(&core.world, &core.settings, core.effects, &findings);
         let changes = plan.changes_from(&self.plan);
         if !changes.is_empty() {

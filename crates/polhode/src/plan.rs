@@ -122,14 +122,9 @@ pub struct Plan {
 impl Plan {
     /// Derives the plan of a scene from settings and findings.
     pub(crate) fn derive(world: &World, settings: &Settings, effects: Effects, findings: &Findings) -> Self {
-        let scene = &world.scene;
-        let tier_reason = match (scene.method().tier, settings.tier) {
-            (Some(_), _) => "the scene names it".to_owned(),
-            (None, _) => "the default: located events and exact contact forces".to_owned(),
-        };
         Self {
             tier: settings.tier,
-            tier_reason,
+            tier_reason: findings.tier_reason.clone(),
             integrator: settings.integrator,
             integrator_reason: findings.choice.reason.clone(),
             impact: settings.impact,
@@ -200,6 +195,8 @@ pub(crate) struct Findings {
     /// Time of the measurements, s.
     pub(crate) t_s: f64,
     pub(crate) touching_pairs: usize,
+    /// Why the tier of the settings was taken.
+    pub(crate) tier_reason: String,
     pub(crate) choice: Choice,
     pub(crate) planar: PlanarFinding,
 }

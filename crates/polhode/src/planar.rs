@@ -8,6 +8,13 @@
 //! space the same motion takes twice the contacts and twice the unknowns, and rounding may lead out of the plane, which
 //! an unstable motion amplifies.
 //!
+//! With friction a motion need not be unique. The mirror image of Coulomb's law is the same law: where the motion is unique it
+//! keeps its symmetry, and where it is not, the plane has one of the motions that space has. A contact and its mirror
+//! image slip alike, along the plane; their forces across it cancel, and their cones become one interval
+//! (`collision/slip_directions.rs`). That asks for normals in the plane: bodies that rub are half-spaces, balls beside convex bodies,
+//! or prisms along the normal of the plane, since two edges of other bodies may touch with normals that lean out of it,
+//! where friction wedges bodies in ways that one interval does not have.
+//!
 //! Assumption: the laws treat all contacts of an instant alike. Propagation, which strikes one contact after the other,
 //! breaks the mirror symmetry; so do the forces of a linear programme. Fails: never; a scene without such a plane is
 //! simulated in space.
@@ -15,8 +22,9 @@
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, IntegratorChoice};
 use crate::settings::Settings;
+use crate::tier::facts::TierFeature;
 use crate::world::{World, WorldBody};
-use polhode_contact::mirror_defect;
+use polhode_contact::{Shape, is_prism_along, mirror_defect};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, UnitVector};
 
@@ -45,8 +53,11 @@ pub(crate) fn find(world: &World, states: &[BodyState], settings: &Settings) -> 
     if !world.prescribed.is_empty() {
         return PlanarFinding::off("the motion of a body is prescribed, and its symmetry is not examined");
     }
-    if world.has_friction() {
-        return PlanarFinding::off("contacts have friction, with which a motion need not keep its symmetry");
+    if world.has_friction() && !settings.takes(TierFeature::PlanarFriction) {
+        return PlanarFinding::off("contacts have friction, which this tier solves for in space");
+    }
+    if world.has_friction() && world.has_grain() {
+        return PlanarFinding::off("friction has a grain, and its symmetry is not examined");
     }
     if world.has_loads() {
         return PlanarFinding::off("force fields, pivots or joints act on bodies, and their symmetry is not examined");
@@ -73,6 +84,9 @@ pub(crate) fn find(world: &World, states: &[BodyState], settings: &Settings) -> 
                  {:.1e} (limit {:.1e})",
                 normal.x, normal.y, normal.z, defect.relative, SYMMETRY_RELATIVE
             );
+            if let Some(fact) = leaning_contacts(world, states, normal) {
+                return PlanarFinding::off(fact);
+            }
             let offset = plane_offset(world, states, normal);
             return PlanarFinding { plane: Some(PlaneOfMotion::new(normal, offset)), fact };
         }
@@ -132,7 +146,7 @@ fn measure(world: &World, states: &[BodyState], normal: DVec3) -> Defect {
     };
     let gravity = world.gravity();
     note(gravity.dot(normal).abs(), gravity.length(), &|| "gravity is not parallel to the plane".to_owned());
-    for (body, state) in world.bodies.iter().zip(states) {
+    for (number, (body, state)) in world.bodies.iter().zip(states).enumerate() {
         let height = normal.dot(state.pose.translation) - offset;
         if let Some(rigid) = &body.rigid {
             let extent = body.size + state.pose.translation.abs().max_element();
@@ -150,6 +164,10 @@ fn measure(world: &World, states: &[BodyState], normal: DVec3) -> Defect {
                 format!("the normal is not a principal axis of {}", body.name)
             });
         }
+        let surface = world.surface_velocity(states, number);
+        note(surface.dot(normal).abs(), surface.length(), &|| {
+            format!("the surface of {} moves out of the plane", body.name)
+        });
     }
     if worst.relative > SYMMETRY_RELATIVE {
         return worst;
@@ -171,4 +189,65 @@ fn measure(world: &World, states: &[BodyState], normal: DVec3) -> Defect {
         }
     }
     worst
+}
+
+/// A body by where the normals of its contacts may point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Form {
+    /// Nothing touches it, or every contact has its own normal.
+    HalfSpace,
+    Ball,
+    /// The same in every plane parallel to the plane of motion.
+    Prism,
+    Convex,
+    Other,
+}
+
+impl Form {
+    /// That of a body with this normal of the plane of motion in its frame.
+    fn of(shape: Option<&Shape>, axis: DVec3) -> Self {
+        match shape {
+            None | Some(Shape::HalfSpace(_)) => Self::HalfSpace,
+            Some(Shape::Sphere(_)) => Self::Ball,
+            Some(shape) if UnitVector::new(axis).is_ok_and(|axis| is_prism_along(shape, axis)) => Self::Prism,
+            Some(Shape::Convex(_) | Shape::Capsule(_) | Shape::Cylinder(_) | Shape::Cone(_)) => Self::Convex,
+            Some(_) => Self::Other,
+        }
+    }
+
+    /// Whether normals of contacts with a body of another form lie in the plane of symmetry of both.
+    fn keeps_normals(self, other: Self) -> bool {
+        match (self, other) {
+            (Self::HalfSpace, _) | (_, Self::HalfSpace) | (Self::Prism, Self::Prism) => true,
+            (Self::Ball, other) | (other, Self::Ball) => other != Self::Other,
+            _ => false,
+        }
+    }
+}
+
+/// Why normals of contacts with friction may lean out of the plane with this normal; none where they do not.
+fn leaning_contacts(world: &World, states: &[BodyState], normal: DVec3) -> Option<String> {
+    if !world.has_friction() {
+        return None;
+    }
+    let form = |(body, state): (&WorldBody, &BodyState)| {
+        Form::of(body.shape.as_ref(), state.pose.rotation.inverse_rotate(normal))
+    };
+    let forms: Vec<Form> = world.bodies.iter().zip(states).map(form).collect();
+    // Pairs of prisms, and with half-spaces, are most: they are not looked at one by one.
+    let others = (0..forms.len()).filter(|&a| matches!(forms[a], Form::Convex | Form::Other));
+    let rub = |a: usize, b: usize| {
+        let material = world.scene.pair_material(a, b);
+        material.static_ellipse().largest().max(material.rolling_friction()).max(material.spinning_friction()) > 0.0
+    };
+    let leans = |&(a, b): &(usize, usize)| {
+        !forms[a].keeps_normals(forms[b])
+            && (world.bodies[a].moves() || world.bodies[b].moves())
+            && world.scene.may_collide(a, b)
+            && rub(a, b)
+    };
+    let mut pairs = others.flat_map(|a| (0..forms.len()).filter(move |&b| b != a).map(move |b| (a, b)));
+    let (a, b) = pairs.find(leans)?;
+    let (a, b) = (&world.bodies[a].name, &world.bodies[b].name);
+    Some(format!("{a} and {b} rub, and where they touch the normal may lean out of the plane of their symmetry"))
 }

@@ -37,6 +37,12 @@ impl PlaneOfMotion {
         (self.axes[0] * x + self.axes[1] * y, self.normal * turn)
     }
 
+    /// Tangents of a contact with this unit normal, which lies in the plane: one in the plane, and the normal of the plane.
+    pub(crate) fn tangents(&self, contact_normal: DVec3) -> [DVec3; 2] {
+        let along = self.normal.cross(self.project_vector(contact_normal));
+        [along.try_normalize().unwrap_or(self.axes[0]), self.normal]
+    }
+
     /// Height of a point above the plane, m.
     pub(crate) fn height(&self, point: DVec3) -> f64 {
         self.normal.dot(point) - self.offset

@@ -114,9 +114,8 @@ impl Settings {
         })
     }
 
-    /// The settings that the method gives, and the tier's defaults for the rest.
-    pub(crate) fn resolve(method: &Method) -> Self {
-        let tier = method.tier.unwrap_or_default();
+    /// The settings that the method gives, and the defaults of this tier for the rest.
+    pub(crate) fn resolve(method: &Method, tier: Tier) -> Self {
         let facts = tier.facts();
         Self {
             tier,

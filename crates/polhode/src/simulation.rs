@@ -7,7 +7,7 @@ use crate::body_queries::BodyQueries;
 use crate::companion::Companion;
 use crate::core::Core;
 use crate::executor::{Executor, OneThread};
-use crate::frame::{ContactView, Frame, IslandView, JointView, PivotView};
+use crate::frame::{ContactView, Frame, IslandView, JointView, MotionKind, PivotView};
 use crate::free_method;
 use crate::joint_id::{CoordinateSample, JointId};
 use crate::observer::{BodySample, Flow, Observer, Unobserved};
@@ -21,6 +21,7 @@ use crate::scene::{Coordinate, Integrator};
 use crate::settings::Settings;
 use crate::snapshot::content::{self, Content};
 use crate::snapshot::{self, Snapshot, SnapshotError};
+use crate::tier::choice::{self, Candidate, TierChoice};
 use crate::tier::{Reached, Tier, engines};
 use crate::world::{World, WorldBody};
 use crate::{
@@ -113,7 +114,35 @@ impl Simulation {
     pub fn with_effects(scene: &Scene, effects: Effects) -> Result<Self, SimulationError> {
         // The method or the duration may have been replaced after the scene was built.
         scene.check_times()?;
-        let mut settings = Settings::resolve(scene.method());
+        match choice::choose(scene) {
+            Candidate::Decided(choice) => Self::in_tier(scene, effects, choice),
+            Candidate::IfAllRest(resting, other) => {
+                // Bodies that do not touch fall: their tier is not begun in vain.
+                let begun = Self::in_tier(scene, effects, other)?;
+                if begun.tier.touching_pairs() < begun.core.world.movable.len() {
+                    return Ok(begun);
+                }
+                // The first instant is resolved with the first step, whose events are for the observer of the run: that of another
+                // simulation tells.
+                let mut trial = Self::in_tier(scene, effects, resting.clone())?;
+                if trial.step().is_ok() && trial.all_rest() {
+                    Self::in_tier(scene, effects, resting)
+                } else {
+                    Ok(begun)
+                }
+            }
+        }
+    }
+
+    /// Whether every body that forces move is at rest.
+    fn all_rest(&self) -> bool {
+        let motions = self.tier.motions(&self.core);
+        self.core.world.movable.iter().all(|&body| motions.get(body) == Some(&MotionKind::Rest))
+    }
+
+    /// Prepares a simulation by this tier.
+    fn in_tier(scene: &Scene, effects: Effects, tier: TierChoice) -> Result<Self, SimulationError> {
+        let mut settings = Settings::resolve(scene.method(), tier.tier);
         let (mut world, mut states) = World::new(scene, PivotRows::of(&settings, effects))?;
         if let Some(error) = singular_force::not_finite(&world, 0.0, &states) {
             return Err(error);
@@ -133,8 +162,9 @@ impl Simulation {
         for what in separated.into_iter().chain(scene.warnings()) {
             core.accounts.warn(0.0, what);
         }
-        let tier = engines::begun(&mut core, states)?;
-        let findings = Findings { t_s: 0.0, touching_pairs: tier.touching_pairs(), choice, planar };
+        let engine = engines::begun(&mut core, states)?;
+        let touching_pairs = engine.touching_pairs();
+        let findings = Findings { t_s: 0.0, touching_pairs, tier_reason: tier.reason, choice, planar };
         let plan = Plan::derive(&core.world, &settings, effects, &findings);
         Ok(Self {
             scene: scene.clone(),
@@ -142,7 +172,7 @@ impl Simulation {
             plane_at_start: core.world.plane,
             plan,
             core,
-            tier,
+            tier: engine,
             plan_changes: Vec::new(),
             ended: false,
             companion: Companion::None,

@@ -5,10 +5,12 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | `choice` | which tier runs a scene that names none, by what it would cost |
 //! | `facts` | [`TierFacts`](crate::scene::TierFacts): what a tier is |
 //! | `list` | the tiers |
 //! | `engines` | their engines, begun and restored |
 
+pub(crate) mod choice;
 pub(crate) mod engines;
 pub(crate) mod facts;
 pub(crate) mod list;

@@ -101,6 +101,7 @@ impl RandomImpact {
         let impact = MultipleFrictionalImpact {
             contacts: &contacts,
             restitution: &restitution,
+            stand_for_several: &[],
             law,
             single,
             settings: &settings,

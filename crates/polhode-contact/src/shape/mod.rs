@@ -17,6 +17,7 @@
 //! | `needle` | normals of very narrow faces |
 //! | `nearer_point` | which of two points is nearer, also when the distances are equal to rounding |
 //! | [`mirror`] | whether a shape is its own mirror image |
+//! | [`prism`] | whether a shape is the same in all planes across an axis |
 //! | [`mod@approximate_decomposition`] | approximate convex parts of a solid |
 //! | `error` | why a shape cannot be made |
 
@@ -39,6 +40,7 @@ mod needle;
 mod point_cloud;
 pub mod polyhedron;
 mod polyhedron_construction;
+pub mod prism;
 pub mod round;
 mod solid;
 mod sphere;

@@ -69,7 +69,14 @@ impl Structure {
         let contacts = self.contacts();
         let settings = MultipleImpactSettings::default();
         let (contacts_ref, restitution) = (&contacts, &self.restitutions[..]);
-        let impact = MultipleFrictionalImpact { contacts: contacts_ref, restitution, law, single, settings: &settings };
+        let impact = MultipleFrictionalImpact {
+            contacts: contacts_ref,
+            restitution,
+            stand_for_several: &[],
+            law,
+            single,
+            settings: &settings,
+        };
         let outcome = impact.resolve().unwrap();
         (contacts, outcome)
     }
@@ -361,6 +368,7 @@ fn jam_beside_a_wall() {
         let impact = MultipleFrictionalImpact {
             contacts: &contacts,
             restitution: &restitution,
+            stand_for_several: &[],
             law: MultipleImpactLaw::Simultaneous,
             single: RestitutionLaw::Stronge,
             settings: &settings,
@@ -420,6 +428,7 @@ fn tangents_and_units_are_a_matter_of_choice() {
         let impact = MultipleFrictionalImpact {
             contacts: &other,
             restitution: &structure.restitutions,
+            stand_for_several: &[],
             law: MultipleImpactLaw::Simultaneous,
             single: RestitutionLaw::Stronge,
             settings: &MultipleImpactSettings::default(),

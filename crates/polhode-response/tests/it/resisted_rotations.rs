@@ -208,7 +208,7 @@ proptest! {
         let settings = MultipleImpactSettings::default();
         let restitution = &structure.restitutions[..];
         let impact = MultipleFrictionalImpact {
-            contacts: &contacts, restitution, law, single: polhode_response::RestitutionLaw::default(), settings: &settings,
+            contacts: &contacts, restitution, stand_for_several: &[], law, single: polhode_response::RestitutionLaw::default(), settings: &settings,
         };
         let outcome = impact.resolve().unwrap();
         prop_assert_ne!(outcome.status, MultipleImpactStatus::NotSolved);
@@ -249,6 +249,7 @@ proptest! {
         let impact = MultipleFrictionalImpact {
             contacts: &contacts,
             restitution: &structure.restitutions,
+            stand_for_several: &[],
             law: MultipleImpactLaw::Simultaneous,
             single: polhode_response::RestitutionLaw::default(),
             settings: &settings,
@@ -288,6 +289,7 @@ proptest! {
         let impact = MultipleFrictionalImpact {
             contacts: &contacts,
             restitution: &structure.restitutions,
+            stand_for_several: &[],
             law: MultipleImpactLaw::Simultaneous,
             single: polhode_response::RestitutionLaw::default(),
             settings: &settings,

@@ -5,6 +5,11 @@
 //! attitude is that of free rotation, unless the scene names an integrator. A step that an event cuts short is repeated
 //! from its start with the shorter step, not interpolated, so that states at events are as accurate as states at step
 //! ends.
+//!
+//! Slow slips. After a small impact a contact slips at `u` (m/s) and friction changes that at the rate `u'` (m/s^2): the slip ends, or
+//! turns, after some `|u| / |u'|`, a ten-thousandth of the step that the bodies made before. A step far beyond that has an error
+//! that hardly falls with its length, so that the error control would shorten it a dozen times. Where the first attempt
+//! is refused, the next one is at most [`SLIP_SHARE`] times that time long, and is mostly accepted.
 
 use super::constrained_step::{ConstrainedStep, StepEndStates, end_of, step_limit, unpack};
 use super::motions::Motions;
@@ -14,6 +19,7 @@ use super::system::ContactSystem;
 use crate::SimulationError;
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_id::ContactId;
+use crate::collision::friction_mode::Slide;
 use crate::core::Core;
 use crate::solve::cone_violation::{CONE_LIMIT, ConeViolation};
 use crate::world::World;
@@ -41,13 +47,27 @@ const DIRECTION_ROUNDING: f64 = 2.0 * f64::EPSILON;
 /// value steps would grow until their own error, which changes the energy, is as large as this allowance.
 const POSE_ROUNDING: f64 = 0.5 * f64::EPSILON;
 
-/// A step that was made, whether or not its error is accepted.
+/// Length of a step after one that was refused, in times in which the slowest slip would end (no unit, 1 to 1.5): its end lies
+/// just within the step.
+const SLIP_SHARE: f64 = 1.25;
+
+/// Most that a step proposes for the next one where slips have shortened it, in its own lengths (no unit): as error control lets steps
+/// grow.
+const SLIP_GROWTH: f64 = 6.0;
+
+/// A step that was made, and whose error is accepted.
 #[derive(Debug)]
 struct MadeStep {
     method: MethodStep,
     dense: DenseStep,
     /// How far the forces at its start are from Coulomb's law.
     violation: Option<ConeViolation>,
+}
+
+/// An attempted step, and in which time the first slip at its start would end, s: infinite where that was not asked for.
+struct Attempted {
+    step: Attempt<MadeStep>,
+    slip_time_s: f64,
 }
 
 /// The steps of bodies with their held contacts from `t` (s).
@@ -58,6 +78,8 @@ struct IslandSteps<'a> {
     active: &'a ActiveContacts,
     t: f64,
     limit_s: f64,
+    /// In which the first slip would end, s; infinite before an attempt has been refused, and without slips.
+    slip_time_s: f64,
 }
 
 impl Steps for IslandSteps<'_> {
@@ -78,8 +100,14 @@ impl Steps for IslandSteps<'_> {
         if is_instant(self.limit_s - proposed_s, self.core.settings.step_s) { self.limit_s } else { proposed_s }
     }
 
+    fn repeated_length(&self, proposed_s: f64) -> f64 {
+        proposed_s.min(SLIP_SHARE * self.slip_time_s)
+    }
+
     fn attempt(&mut self, length_s: f64) -> Result<Attempt<Self::Step>, SimulationError> {
-        Ok(self.motions.attempt_step(self.core, self.bodies, self.active, (self.t, length_s)))
+        let attempted = self.motions.attempt_step(self.core, self.bodies, self.active, (self.t, length_s));
+        self.slip_time_s = self.slip_time_s.min(attempted.slip_time_s);
+        Ok(attempted.step)
     }
 
     fn too_small(&self, _last: Option<f64>) -> SimulationError {
@@ -103,9 +131,11 @@ impl Motions {
         let proposed = bodies.iter().map(|&body| self.tracks[body].proposed_step_s).fold(longest, f64::min);
         let mut control = StepControl::proposing(proposed);
         let limit_s = step_limit(core, (bodies, active.held()), t);
-        let mut steps = IslandSteps { motions: self, core, bodies, active, t, limit_s };
+        let slip_time_s = f64::INFINITY;
+        let mut steps = IslandSteps { motions: self, core, bodies, active, t, limit_s, slip_time_s };
         let Accepted { step, length_s, error } = control.next_step(&mut steps)?;
-        let next = control.proposed_s().min(longest);
+        let most = if steps.slip_time_s.is_finite() { SLIP_GROWTH * length_s } else { f64::INFINITY };
+        let next = control.proposed_s().min(most).min(longest);
         for &body in bodies {
             self.tracks[body].proposed_step_s = next;
         }
@@ -120,7 +150,7 @@ impl Motions {
         active: &ActiveContacts,
         (t, h): (f64, f64),
     ) -> Option<ConstrainedStep> {
-        let accepted = self.attempt_step(core, bodies, active, (t, h)).accepted()?;
+        let accepted = self.attempt_step(core, bodies, active, (t, h)).step.accepted()?;
         Some(self.accepted_step(core, bodies, active, (t, h), accepted))
     }
 
@@ -131,22 +161,61 @@ impl Motions {
         bodies: &[usize],
         active: &ActiveContacts,
         (t, h): (f64, f64),
-    ) -> Attempt<MadeStep> {
+    ) -> Attempted {
         let about = core.accounts.books.ledger.momentum.about;
         let mut scratch = std::mem::take(&mut self.scratch);
         let mut system = ContactSystem::new(&core.world, &mut scratch, bodies, active, about);
-        let attempted = self.attempt(core, &mut system, (t, h)).and_then(|(mut method, error)| {
-            let dense = method.dense(&mut system)?;
-            Ok((MadeStep { method, dense, violation: system.violation_at_start() }, error))
-        });
+        let attempted = self.attempt(core, &mut system, (t, h));
+        let refused = |error: &f64| *error > 1.0 || error.is_nan();
+        let mut slip_time_s = f64::INFINITY;
+        let step = match attempted {
+            Err(_) => Attempt::Failed,
+            // Its states within are of no use.
+            Ok((method, Some(error))) if refused(&error) => {
+                let rates = method.embedded().map_or(&[][..], Dop853::start_rates);
+                slip_time_s = self.slip_time(core, (bodies, active), rates, &mut scratch);
+                Attempt::Refused(error)
+            }
+            Ok((mut method, error)) => match method.dense(&mut system) {
+                Err(_) => Attempt::Failed,
+                // Components without an error estimate may be infinite although all estimated errors are small enough.
+                Ok(_) if method.end_state().iter().any(|number| !number.is_finite()) => Attempt::Failed,
+                Ok(dense) => {
+                    let violation = system.violation_at_start();
+                    Attempt::Made { step: MadeStep { method, dense, violation }, error }
+                }
+            },
+        };
         self.restore_scratch(core, scratch, bodies);
-        let Ok((step, error)) = attempted else { return Attempt::Failed };
-        // Components without an error estimate may be infinite although all estimated errors are small enough.
-        let is_refused = error.is_some_and(|error| error > 1.0 || error.is_nan());
-        if !is_refused && step.method.end_state().iter().any(|number| !number.is_finite()) {
-            return Attempt::Failed;
+        Attempted { step, slip_time_s }
+    }
+
+    /// The least time (s) in which a slip of these bodies would end or turn at the rates of their states at the start; infinite
+    /// where nothing slips. `scratch` is overwritten.
+    fn slip_time(
+        &self,
+        core: &Core,
+        (bodies, active): (&[usize], &ActiveContacts),
+        rates: &[f64],
+        scratch: &mut [BodyState],
+    ) -> f64 {
+        if !active.slides() {
+            return f64::INFINITY;
         }
-        Attempt::Made { step, error }
+        for (&body, rates) in bodies.iter().zip(rates.as_chunks::<WIDTH>().0) {
+            let of = |first: usize| DVec3::new(rates[first], rates[first + 1], rates[first + 2]);
+            let mut ahead = self.states[body];
+            // A second ahead: slips are linear in the velocities.
+            ahead.linear_velocity += of(LINEAR_VELOCITY);
+            ahead.angular_momentum += of(ANGULAR_MOMENTUM);
+            scratch[body] = ahead;
+        }
+        let time = |(id, slide): (ContactId, Slide)| {
+            let slip = core.world.tangential_kinematics(&self.states, id)?.slip_velocity;
+            let change = core.world.tangential_kinematics(scratch, id)?.slip_velocity - slip;
+            (slip.length() > slide.zero_speed()).then(|| slip.length() / change.length())
+        };
+        active.sliding().filter_map(time).fold(f64::INFINITY, f64::min)
     }
 
     /// The step of an accepted attempt, with its error relative to the allowed error.

@@ -35,6 +35,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
         TierFeature::Joints,
         TierFeature::PivotRows,
         TierFeature::ConstrainedRk4,
+        TierFeature::PlanarFriction,
         TierFeature::CrowdedStretches,
     ],
 };

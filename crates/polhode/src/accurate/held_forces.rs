@@ -1,6 +1,6 @@
 //! Forces of active contacts and of bilateral constraints at one stage of a step, the modes of friction given.
 //!
-//! Unknown are the normal forces `f_n` of all contacts, two tangential forces of each contact that sticks, and the
+//! Unknown are the normal forces `f_n` of all contacts, the tangential forces of each contact that sticks, and the
 //! forces of pivots; a contact that slides along `d` adds `-mu f_n d`. The equations are `chi'' = 0` of all contacts,
 //! `u_T' = 0` of those that stick, and `a_Q = 0` of pivots. Friction of rolling and of spinning adds a moment for each
 //! rotation that is held, with `w' = 0`, and `-c f_n w / |w|` for one that turns. Where they do not determine the
@@ -16,6 +16,7 @@ use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_id::ContactId;
 use crate::collision::contact_modes::ContactModes;
 use crate::collision::friction_mode::FrictionMode;
+use crate::collision::slip_directions::SlipDirections;
 use crate::collision::turn::Turn;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::joint_friction::MOST_ROUNDS_OF_BEARINGS;
@@ -32,6 +33,7 @@ use polhode_response::{
     least_norm_sliding_forces,
 };
 use polhode_spatial::DVec3;
+use std::ops::Range;
 
 /// A rotation that friction resists.
 #[derive(Debug, Clone, Copy)]
@@ -49,6 +51,8 @@ pub(super) struct FrictionContact {
     id: ContactId,
     geometry: ContactGeometry,
     terms: TangentialKinematics,
+    /// The directions in which it may slip.
+    slip: SlipDirections,
     /// What its friction opposes: the direction in which it slides (with a grain another one), and its coefficient; none
     /// when it sticks.
     sliding: Option<(DVec3, f64)>,
@@ -63,6 +67,16 @@ pub(super) struct FrictionContact {
 }
 
 impl FrictionContact {
+    /// The row along a tangent (unit vector, world).
+    fn row_along(&self, tangent: DVec3) -> TangentRow {
+        TangentRow::new(self.id, &self.geometry, &self.terms, tangent)
+    }
+
+    /// The rows along the tangents along which it may slip.
+    fn tangent_rows(&self) -> impl Iterator<Item = TangentRow> + '_ {
+        self.slip.tangents(&self.terms.basis).iter().map(|&tangent| self.row_along(tangent))
+    }
+
     /// The row of a rotation about an axis (unit vector, world).
     fn row_about(&self, axis: DVec3) -> RotationRow {
         RotationRow { id: self.id, axis: axis * self.turning_length }
@@ -71,7 +85,7 @@ impl FrictionContact {
     /// The rows of rotations that are held.
     fn held_rotations(&self) -> impl Iterator<Item = RotationRow> + '_ {
         let held = self.turns.iter().flatten().filter(|resisted| resisted.turning.is_none());
-        let axes = held.flat_map(|resisted| resisted.turn.axes(self.geometry.normal, self.terms.basis));
+        let axes = held.flat_map(|resisted| resisted.turn.axes(self.geometry.normal, (&self.terms.basis, self.slip)));
         axes.map(|axis| self.row_about(axis))
     }
 
@@ -135,7 +149,9 @@ pub(super) fn friction_contacts(
         });
         let geometry = kinematics.geometry;
         let turning_length = world.turning_length(id.a, id.b);
-        Some(FrictionContact { contact, id: *id, geometry, terms, sliding, at_rest, rotation, turning_length, turns })
+        let slip = world.slip_directions();
+        let id = *id;
+        Some(FrictionContact { contact, id, geometry, terms, slip, sliding, at_rest, rotation, turning_length, turns })
     };
     contacts.iter().enumerate().filter_map(friction).collect()
 }
@@ -155,18 +171,14 @@ pub(super) fn solve(
 ) -> Result<HeldForces, ResponseError> {
     let rows = contacts.iter().map(|(id, kinematics)| (*id, kinematics.geometry));
     let mut assembly = Assembly::new(world, states, bodies, rows)?;
-    let row = |contact: &FrictionContact, tangent: DVec3| {
-        TangentRow::new(contact.id, &contact.geometry, &contact.terms, tangent)
-    };
     let sticking = friction.iter().filter(|contact| contact.sliding.is_none());
-    let sticking: Vec<_> =
-        sticking.flat_map(|contact| contact.terms.basis.map(|tangent| row(contact, tangent))).collect();
+    let sticking: Vec<TangentRow> = sticking.flat_map(FrictionContact::tangent_rows).collect();
     assembly.push_tangents(states, sticking.into_iter())?;
     assembly.push_rotations(friction.iter().flat_map(FrictionContact::held_rotations))?;
     let equations = assembly.problem.len();
     let slides = friction.iter().filter_map(|contact| Some((contact, contact.sliding?)));
     let slides: Vec<_> =
-        slides.map(|(contact, (direction, mu))| (row(contact, direction), contact.contact, mu)).collect();
+        slides.map(|(contact, (direction, mu))| (contact.row_along(direction), contact.contact, mu)).collect();
     assembly.push_tangents(states, slides.iter().map(|&(row, ..)| row))?;
     let turning = friction.iter().flat_map(|contact| contact.turning().map(|(row, mu)| (row, contact.contact, mu)));
     let turning: Vec<_> = turning.collect();
@@ -242,12 +254,12 @@ fn with_loads_of_bearings(
 /// What bounds the forces of contacts while some slide: cones of friction of those that stick, and the push of all.
 struct StickingCones<'a> {
     blocks: Blocks,
-    /// The contacts that stick, with the first of their two rows along tangents.
-    sticking: Vec<(&'a FrictionContact, usize)>,
+    /// The contacts that stick, with their rows along tangents.
+    sticking: Vec<(&'a FrictionContact, Range<usize>)>,
 }
 
 impl<'a> StickingCones<'a> {
-    /// Those of so many contacts, of which these have friction. The rows of contacts that stick, two each, follow
+    /// Those of so many contacts, of which these have friction. The rows of contacts that stick follow
     /// `first_tangent`. None where a contact resists rotations: the forces at one instant (`solve/rotational_friction.rs`)
     /// are not those of least norm either.
     fn of(contacts: usize, friction: &'a [FrictionContact], first_tangent: usize) -> Option<Self> {
@@ -258,8 +270,8 @@ impl<'a> StickingCones<'a> {
         let mut sticks = friction.iter().filter(|contact| contact.sliding.is_none()).peekable();
         for normal in 0..contacts {
             let own = sticks.next_if(|own| own.contact == normal);
-            let tangents = tangent..tangent + own.map_or(0, |_| 2);
-            sticking.extend(own.map(|own| (own, tangent)));
+            let tangents = tangent..tangent + own.map_or(0, |own| own.slip.count());
+            sticking.extend(own.map(|own| (own, tangents.clone())));
             tangent = tangents.end;
             push_contact(&mut blocks, own.map_or(FrictionEllipse::default(), |own| own.at_rest), normal, tangents);
         }
@@ -288,10 +300,10 @@ impl<'a> StickingCones<'a> {
     }
 
     fn violation(&self, forces: &[f64]) -> Option<ConeViolation> {
-        let rubbing = self.sticking.iter().map(|&(own, row)| RubbingForce {
+        let rubbing = self.sticking.iter().map(|(own, rows)| RubbingForce {
             pair: (own.id.a, own.id.b),
             normal: forces[own.contact],
-            tangential: own.at_rest.length(&forces[row..row + 2]),
+            tangential: own.at_rest.length(&forces[rows.clone()]),
             friction: own.at_rest.largest(),
         });
         largest_violation(rubbing, 0.0)

@@ -231,7 +231,7 @@ impl World {
     }
 
     /// Slip of a contact and the terms of its derivative, in motion in space; none as for [`Self::kinematics`]. Of
-    /// contacts with a grain the first tangent is along it.
+    /// contacts with a grain the first tangent is along it; in planar motion it lies in the plane.
     pub(crate) fn tangential_kinematics(&self, states: &[BodyState], id: ContactId) -> Option<TangentialKinematics> {
         let feature = match id.feature {
             Feature::Shapes(feature) => feature,
@@ -252,6 +252,12 @@ impl World {
         {
             let [x, y] = terms.basis;
             terms.basis = [along, x.cross(y).cross(along)];
+        }
+        if let Some(plane) = &self.plane {
+            let [x, y] = terms.basis;
+            terms.basis = plane.tangents(x.cross(y));
+            // Rounding may leave a slip out of the plane, which would turn the direction of one that ends.
+            terms.slip_velocity = terms.basis[0] * terms.basis[0].dot(terms.slip_velocity);
         }
         Some(terms)
     }

@@ -10,6 +10,7 @@
 //! | `contact_modes` | the modes of a contact between two events |
 //! | `friction_mode` | whether an active contact with friction sticks or slides, and in which direction |
 //! | `friction_ellipse` | Coulomb's law along and across a grain |
+//! | `slip_directions` | the directions in which bodies slip and roll on each other: fewer in planar motion |
 //! | `moving_surfaces` | what belts do to the slip of a contact, and the work of their drives |
 //! | `turn` | rolling and spinning of two bodies on each other, and whether friction holds them |
 //! | `active_contacts` | the active contacts of an island, each with its modes |
@@ -25,4 +26,5 @@ pub(crate) mod friction_mode;
 mod moving_surfaces;
 pub(crate) mod narrow_phase;
 mod passing;
+pub(crate) mod slip_directions;
 pub(crate) mod turn;

@@ -18,7 +18,7 @@ use polhode_spatial::DVec3;
 
 impl World {
     /// `R s`, m/s.
-    fn surface_velocity(&self, states: &[BodyState], body: usize) -> DVec3 {
+    pub(crate) fn surface_velocity(&self, states: &[BodyState], body: usize) -> DVec3 {
         states[body].pose.rotation.rotate(self.scene.bodies()[body].velocity_of_surface())
     }
 

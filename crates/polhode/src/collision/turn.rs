@@ -1,6 +1,7 @@
 //! Rotations of two bodies on each other at a contact: rolling and spinning, and whether friction holds them.
 
 use super::friction_mode::FrictionMode;
+use super::slip_directions::SlipDirections;
 use crate::world::World;
 use polhode_spatial::DVec3;
 
@@ -17,19 +18,20 @@ impl Turn {
     /// Both kinds.
     pub(crate) const ALL: [Self; 2] = [Self::Rolling, Self::Spinning];
 
-    /// Axes of its rows at a contact with this normal and tangents.
-    pub(crate) fn axes(self, normal: DVec3, basis: [DVec3; 2]) -> Vec<DVec3> {
+    /// Axes of its rows at a contact with this normal and tangents, on which bodies slip in these directions.
+    pub(crate) fn axes(self, normal: DVec3, (basis, slip): (&[DVec3; 2], SlipDirections)) -> Vec<DVec3> {
         match self {
-            Self::Rolling => basis.to_vec(),
+            Self::Rolling => slip.rolling_axes(basis).to_vec(),
             Self::Spinning => vec![normal],
         }
     }
 
-    /// The length of its friction between two bodies, m; none without it.
+    /// The length of its friction between two bodies, m; none without it, and of spinning in planar motion.
     pub(crate) fn friction(self, world: &World, (a, b): (usize, usize)) -> Option<f64> {
         let friction = world.rotational_friction_of(a, b)?;
         let length = match self {
             Self::Rolling => friction.rolling,
+            Self::Spinning if world.slip_directions() == SlipDirections::First => return None,
             Self::Spinning => friction.spinning,
         };
         (length > 0.0).then_some(length)

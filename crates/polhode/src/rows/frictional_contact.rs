@@ -2,6 +2,7 @@
 
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
+use crate::collision::slip_directions::SlipDirections;
 use crate::rows::friction_blocks::push_contact;
 use crate::scene::FrictionEllipse;
 use crate::world::World;
@@ -16,6 +17,8 @@ use std::ops::Range;
 pub(crate) struct Frictional {
     pub(crate) coefficients: FrictionCoefficients,
     pub(crate) terms: TangentialKinematics,
+    /// The directions in which it may slip.
+    pub(crate) slip: SlipDirections,
     /// The angular velocity of A relative to B, rad/s.
     pub(crate) rotation: DVec3,
     /// How it slides; none when it sticks.
@@ -51,7 +54,7 @@ impl Frictional {
         };
         let sliding = sliding.map(|direction| Sliding::along(direction, &coefficients, &terms));
         let rotation = world.relative_rotation(states, touch.id);
-        Some(Self { coefficients, terms, rotation, sliding })
+        Some(Self { coefficients, terms, slip: world.slip_directions(), rotation, sliding })
     }
 
     /// Adds the block of a contact with these rows: what they ask for together.
@@ -68,6 +71,6 @@ impl Frictional {
 
     /// The directions of its rows in the tangent plane.
     pub(crate) fn tangents(&self) -> Vec<DVec3> {
-        self.sliding.map_or_else(|| self.terms.basis.to_vec(), |sliding| vec![sliding.row])
+        self.sliding.map_or_else(|| self.slip.tangents(&self.terms.basis).to_vec(), |sliding| vec![sliding.row])
     }
 }

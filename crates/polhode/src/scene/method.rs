@@ -64,6 +64,21 @@ pub struct Method {
 }
 
 impl Method {
+    /// The first setting given that only the default tier has; none where no such setting is given.
+    pub(crate) fn first_of_default_tier(&self) -> Option<&'static str> {
+        let given = [
+            (self.tolerance.is_some(), "method.tolerance"),
+            (self.integrator.is_some(), "method.integrator"),
+            (self.orientation.is_some(), "method.orientation"),
+            (self.rotation_rate.is_some(), "method.rotation_rate"),
+            (self.contact.is_some(), "method.contact"),
+            (self.response.is_some(), "method.response"),
+            (self.crowding.is_some(), "method.crowding"),
+            (self.crowding_tolerance.is_some(), "method.crowding_tolerance"),
+        ];
+        given.into_iter().find(|(is_given, _)| *is_given).map(|(_, key)| key)
+    }
+
     /// Checks the numbers, and that the settings are available together.
     ///
     /// # Errors

@@ -194,7 +194,7 @@ impl Accelerations {
         let ResistedRotations { turns, laws: rotations } = rotations_of(&mut assembly, world, contacts, frictional)?;
         let FreeMotion { free, mut constants } = FreeMotion::of(&assembly, world, (t, states), contacts, loads)?;
         let any_slides = frictional.iter().flatten().any(|friction| friction.sliding.is_some());
-        if !any_slides && rotations.is_empty() && is_for_many(states, &assembly, contacts) {
+        if !any_slides && rotations.is_empty() && is_for_many(world, states, &assembly, contacts) {
             let terms = (free.as_slice(), constants.as_slice());
             if let Some(held) = standing(&assembly, &blocks, terms, frictional)? {
                 return Self::at_rest(contacts, frictional, assembly, (&free, &constants), &held);
@@ -389,7 +389,9 @@ fn all_hold(
     let friction = frictional.iter().map(|friction| match friction {
         None => RowFriction::Frictionless,
         Some(Frictional { sliding: Some(sliding), .. }) => RowFriction::Slides(sliding.coefficient),
-        Some(Frictional { coefficients, .. }) => RowFriction::Sticks(coefficients.at_rest),
+        Some(Frictional { coefficients, slip, .. }) => {
+            RowFriction::Sticks { ellipse: coefficients.at_rest, rows: slip.count() }
+        }
     });
     let scale = largest(constants);
     let rounding = |delassus: &Delassus, forces: &[f64]| STICKING_ACCELERATION * scale + rounding_of(delassus, forces);
@@ -439,7 +441,7 @@ fn rotations_of(
         let Some(frictional) = frictional else { continue };
         for turn in Turn::ALL {
             let Some(friction) = turn.coefficient(world, (touch.id.a, touch.id.b)) else { continue };
-            let axes = turn.axes(touch.kinematics.geometry.normal, frictional.terms.basis);
+            let axes = turn.axes(touch.kinematics.geometry.normal, (&frictional.terms.basis, frictional.slip));
             let along = match touch.modes.rotation.get(turn) {
                 Some(FrictionMode::Sliding(slide)) => {
                     let rotation = turn.part(frictional.rotation, touch.kinematics.geometry.normal);

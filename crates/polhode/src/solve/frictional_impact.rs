@@ -1,7 +1,8 @@
 //! Impacts of a group in which contacts have friction.
 //!
 //! The contacts are struck by the laws of `polhode_response::impact::friction`: one contact alone by Stronge's energetic
-//! restitution along Routh's path of slip, stick and reversal; several together by the cone problem of their velocities
+//! restitution along Routh's path of slip, stick and reversal; several together, as a contact and its mirror image in planar
+//! motion, by the cone problem of their velocities
 //! after generalised reflection, or one after the other where the scene asks for propagation. The coefficient is that of
 //! kinetic friction. Friction of rolling and of spinning gives impulses of moments, bounded by its length times the normal
 //! impulse: a contact with it is struck by the cone problem, also alone. A scene may name another law for one contact alone without it ([`polhode_response::RestitutionLaw`]).
@@ -104,10 +105,13 @@ pub(crate) fn solve(
     let mut restitution: Vec<f64> = contacts.iter().map(|touch| world.restitution_of(touch.id)).collect();
     // Pivots have no restitution.
     restitution.resize(blocks.len(), 0.0);
+    let mirrored: Vec<usize> =
+        (0..contacts.len()).filter(|&contact| world.mirrored(states, contacts[contact].id).is_some()).collect();
     let in_order = law == ImpactLaw::Propagation;
     let impact = MultipleFrictionalImpact {
         contacts: &blocks.problem(&delassus, &before)?,
         restitution: &restitution,
+        stand_for_several: &mirrored,
         law: if in_order { MultipleImpactLaw::Sequence } else { MultipleImpactLaw::Simultaneous },
         single: world.scene.method().restitution_law.unwrap_or_default(),
         settings: &settings,
@@ -219,7 +223,7 @@ fn rotations_of(
             let Some(friction) = turn.coefficient(world, (touch.id.a, touch.id.b)) else { continue };
             let Some(terms) = world.tangential_kinematics(states, touch.id) else { continue };
             let first = assembly.problem.len();
-            let axes = turn.axes(touch.kinematics.geometry.normal, terms.basis).into_iter();
+            let axes = turn.axes(touch.kinematics.geometry.normal, (&terms.basis, world.slip_directions())).into_iter();
             let axes: Vec<RotationRow> = axes.map(|axis| RotationRow::about(world, touch.id, axis)).collect();
             before.extend(axes.iter().map(|row| row.rate(world, states)));
             assembly.push_rotations(axes.into_iter())?;
@@ -248,8 +252,9 @@ fn blocks_of(
         if let Some(terms) = terms {
             ellipse = world.friction_at(states, touch.id, terms.basis).map_or(ellipse, |friction| friction.sliding);
             let row = |tangent| TangentRow::new(touch.id, &touch.kinematics.geometry, &terms, tangent);
-            assembly.push_tangents(states, terms.basis.into_iter().map(row))?;
-            before.extend(terms.basis.map(|tangent| tangent.dot(terms.slip_velocity)));
+            let tangents = world.slip_directions().tangents(&terms.basis);
+            assembly.push_tangents(states, tangents.iter().copied().map(row))?;
+            before.extend(tangents.iter().map(|tangent| tangent.dot(terms.slip_velocity)));
         }
         push_contact(&mut blocks, ellipse, normal, first..assembly.problem.len());
     }

@@ -97,13 +97,14 @@ impl Struck {
             let place = contacts.iter().position(|touch| touch.id == id)?;
             self.outcome.impulses.get(place).copied()
         };
-        let rubbing = |[(id, first, p), (_, second, q)]: &[(ContactId, ContactGeometry, f64); 2]| {
-            let ellipse = world.friction_at(states, *id, [first.normal, second.normal])?.sliding;
-            let tangential = ellipse.length(&[*p, *q]);
+        let rubbing = |own: &[(ContactId, ContactGeometry, f64)]| {
+            let ((id, first, _), (_, last, _)) = (own.first()?, own.last()?);
+            let ellipse = world.friction_at(states, *id, [first.normal, last.normal])?.sliding;
+            let tangential = ellipse.length(&own.iter().map(|(.., p)| *p).collect::<Vec<_>>());
             let friction = ellipse.largest();
             Some(RubbingForce { pair: (id.a, id.b), normal: normal_of(*id)?, tangential, friction })
         };
-        let forces: Vec<RubbingForce> = self.tangential.as_chunks::<2>().0.iter().filter_map(rubbing).collect();
+        let forces: Vec<RubbingForce> = self.tangential.chunk_by(|x, y| x.0 == y.0).filter_map(rubbing).collect();
         largest_violation(forces.into_iter(), 0.0)
     }
 

@@ -41,8 +41,8 @@ pub(crate) fn exceeds_friction(tangential: f64, limit: f64) -> bool {
 pub(crate) enum RowFriction {
     /// It has none.
     Frictionless,
-    /// It sticks up to these coefficients: two rows along tangents.
-    Sticks(FrictionEllipse),
+    /// It sticks up to these coefficients, with so many rows along tangents.
+    Sticks { ellipse: FrictionEllipse, rows: usize },
     /// It slides with this coefficient: one row along what friction opposes.
     Slides(f64),
 }
@@ -52,7 +52,7 @@ impl RowFriction {
     fn rows(self) -> usize {
         match self {
             Self::Frictionless => 0,
-            Self::Sticks(_) => 2,
+            Self::Sticks { rows, .. } => rows,
             Self::Slides(_) => 1,
         }
     }
@@ -96,9 +96,9 @@ impl RowOrder {
         for (normal, &friction) in friction.iter().enumerate() {
             match friction {
                 RowFriction::Frictionless => {}
-                RowFriction::Sticks(ellipse) => {
-                    sticks.push(Sticks { normal, tangents: order.len()..order.len() + 2, ellipse });
-                    order.extend(first..first + 2);
+                RowFriction::Sticks { ellipse, rows } => {
+                    sticks.push(Sticks { normal, tangents: order.len()..order.len() + rows, ellipse });
+                    order.extend(first..first + rows);
                 }
                 RowFriction::Slides(coefficient) => {
                     slides.push((first, SlidingRow { normal, tangent: 0, coefficient }));
@@ -134,7 +134,7 @@ fn blocks_of(contacts: usize, sticks: &[Sticks]) -> Blocks {
 struct StickingContact {
     contact: usize,
     rows: Range<usize>,
-    tangents: [DVec3; 2],
+    tangents: Vec<DVec3>,
 }
 
 /// Shares the tangential force of each pair of bodies among its contacts in proportion to their normal forces, where they
@@ -165,7 +165,7 @@ fn share_by_pressure(contacts: &[Touch], sticking: &[StickingContact], forces: &
         }
         for one in of_pair {
             let own = total * (forces[one.contact] / pressure);
-            for (row, tangent) in one.rows.clone().zip(one.tangents) {
+            for (row, tangent) in one.rows.clone().zip(&one.tangents) {
                 forces[row] = tangent.dot(own);
             }
         }
@@ -212,9 +212,9 @@ pub(crate) fn least_sliding_forces(
     let LeastNormForces { mut forces, loads } =
         least_norm_sliding_forces(&ordered.problem, &delassus, &constants[..held], &sliding)?;
     let tangent = |row: usize| order[row].checked_sub(first_tangent).and_then(|k| assembly.tangents().get(k));
-    let patches = sticks.iter().filter_map(|Sticks { normal, tangents: rows, .. }| {
-        let tangents = [tangent(rows.start)?.along.normal, tangent(rows.start + 1)?.along.normal];
-        Some(StickingContact { contact: *normal, rows: rows.clone(), tangents })
+    let patches = sticks.iter().map(|Sticks { normal, tangents: rows, .. }| {
+        let tangents = rows.clone().filter_map(tangent).map(|row| row.along.normal).collect();
+        StickingContact { contact: *normal, rows: rows.clone(), tangents }
     });
     share_by_pressure(contacts, &patches.collect::<Vec<_>>(), &mut forces);
     if !obey(contacts.len(), &sticks, &forces) {

@@ -357,14 +357,15 @@ pub(crate) fn project_velocities(
     Ok(RemovedVelocities { fastest, impulses, work_j })
 }
 
-/// Rows along both tangents of a contact, each with the slip along it, m/s.
+/// Rows along the tangents of a contact, each with the slip along it, m/s.
 fn slip_rows(world: &World, states: &[BodyState], id: ContactId) -> Vec<(TangentRow, f64)> {
     let both = world.kinematics(states, id).zip(world.tangential_kinematics(states, id));
     let rows = both.map(|(kinematics, terms)| {
-        terms.basis.map(|tangent| {
+        let row = |&tangent: &DVec3| {
             let row = TangentRow::new(id, &kinematics.geometry, &terms, tangent);
             (row, tangent.dot(terms.slip_velocity))
-        })
+        };
+        world.slip_directions().tangents(&terms.basis).iter().map(row).collect::<Vec<_>>()
     });
     rows.into_iter().flatten().collect()
 }
@@ -372,7 +373,8 @@ fn slip_rows(world: &World, states: &[BodyState], id: ContactId) -> Vec<(Tangent
 /// Rows of a rotation, each with its rate, m/s.
 fn turn_rows(world: &World, states: &[BodyState], (id, turn): (ContactId, Turn)) -> Vec<(RotationRow, f64)> {
     let both = world.kinematics(states, id).zip(world.tangential_kinematics(states, id));
-    let rows = both.map(|(kinematics, terms)| turn.axes(kinematics.geometry.normal, terms.basis));
+    let rows =
+        both.map(|(kinematics, terms)| turn.axes(kinematics.geometry.normal, (&terms.basis, world.slip_directions())));
     let row = |axis| {
         let row = RotationRow::about(world, id, axis);
         (row, row.rate(world, states))

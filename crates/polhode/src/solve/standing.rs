@@ -12,6 +12,7 @@ use super::sticking_forces::{HoldingForces, MOST_FRICTION_NEEDED};
 use crate::collision::contact_set::Touch;
 use crate::rows::assembly::Assembly;
 use crate::rows::frictional_contact::Frictional;
+use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::friction::{ContactStatus, Structure};
 use polhode_response::sparse::{BodySettings, BodySolver};
@@ -26,11 +27,14 @@ const LEAST_CONTACTS: usize = 100;
 /// rounding of a few hundred terms.
 const BALANCED_RELATIVE: f64 = 1e-13;
 
-/// Whether bodies are held by the forces found here: none of them moves, and contacts are many.
-pub(super) fn is_for_many(states: &[BodyState], assembly: &Assembly, contacts: &[Touch]) -> bool {
+/// Whether bodies are held by the forces found here: none of them moves, and contacts are many; in planar motion each counts
+/// as two, as it does in space.
+pub(super) fn is_for_many(world: &World, states: &[BodyState], assembly: &Assembly, contacts: &[Touch]) -> bool {
     let is_still = |body: &BodyState| body.linear_velocity == DVec3::ZERO && body.angular_momentum == DVec3::ZERO;
     let is_rigid = assembly.problem.compliances().is_empty();
-    is_rigid && contacts.len() >= LEAST_CONTACTS && assembly.bodies().iter().all(|&body| is_still(&states[body]))
+    let each_for = if world.plane.is_some() { 2 } else { 1 };
+    let are_many = each_for * contacts.len() >= LEAST_CONTACTS;
+    is_rigid && are_many && assembly.bodies().iter().all(|&body| is_still(&states[body]))
 }
 
 /// Forces with which none of the bodies moves, as a solution; none where there are none. `free` are the accelerations of the

@@ -96,6 +96,7 @@ fn rubbing(world: &World, states: &[BodyState], touch: &Touch) -> Rubbing {
         let (against, friction) = coefficients.sliding.opposed(terms.basis, slide.direction);
         return Rubbing { rows: vec![row(&terms, against)], law: Rubs::Slides(friction) };
     }
-    let rows = terms.basis.iter().map(|&tangent| row(&terms, tangent)).collect();
+    let tangents = world.slip_directions().tangents(&terms.basis);
+    let rows = tangents.iter().map(|&tangent| row(&terms, tangent)).collect();
     Rubbing { rows, law: Rubs::Sticks(coefficients.at_rest) }
 }

@@ -136,6 +136,8 @@ pub enum TierFeature {
     Responses,
     /// RK4 for constrained motion too, where the scene names it.
     ConstrainedRk4,
+    /// Friction of contacts in planar motion, in the coordinates of the plane.
+    PlanarFriction,
     /// Stretches of crowded events, advanced by time steps whose error a companion run estimates.
     CrowdedStretches,
 }

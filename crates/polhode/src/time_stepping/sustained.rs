@@ -305,9 +305,11 @@ fn rows(
     let free = assembly.free_accelerations(world, states, &Loads::default());
     let contacts = here.iter().map(|(contact, kinematics)| (near[*contact].id, kinematics));
     let accelerations = assembly.acceleration_constants(world, t, states, &free, contacts)?;
-    let mut slip_rates = accelerations[assembly.first_tangent()..].as_chunks::<2>().0.iter();
+    let mut slip_rates = accelerations[assembly.first_tangent()..].iter().copied();
     let mut with_rates = |row: TangentialRow, contact: usize, acceleration: f64| {
-        slip_rates.next().map(|&rates| row.with_rates((slips[contact], rates), h, 0.5 * h * acceleration))
+        let mut rates = [0.0; 2];
+        rates.iter_mut().take(row.tangents()).zip(slip_rates.by_ref()).for_each(|(rate, found)| *rate = found);
+        Some(row.with_rates((slips[contact], rates), h, 0.5 * h * acceleration))
     };
     let friction = friction.into_iter().zip(&here).zip(&accelerations);
     let friction: Vec<_> =
@@ -369,12 +371,12 @@ fn make_consistent(of_pair: &mut [Row]) {
     let n = normals.iter().sum::<DVec3>().normalize();
     let points = of_pair.iter().map(|row| row.kinematics.geometry.point);
     let centre = points.sum::<DVec3>() / normals.len() as f64;
-    let (x, y) = n.any_orthonormal_pair();
+    let Some(tangents) = of_pair.iter().find_map(|row| Some(row.friction?.tangents_of_patch(n))) else { return };
     for row in of_pair.iter_mut() {
         let ContactKinematics { geometry, separation_rate, .. } = row.kinematics;
         let point = geometry.point - n * n.dot(geometry.point - centre);
         let approach = geometry.normal * separation_rate;
-        row.friction = row.friction.map(|friction| friction.on_patch([x, y], point, approach));
+        row.friction = row.friction.map(|friction| friction.on_patch(tangents, point, approach));
     }
     with_terms(of_pair, |terms| make_rigid(n, terms));
 }

@@ -26,6 +26,7 @@ use super::report::Stop;
 use super::shared_work::Kicked;
 use crate::collision::contact_id::ContactId;
 use crate::collision::friction_mode::FrictionCoefficients;
+use crate::collision::slip_directions::SlipDirections;
 use crate::collision::turn::Turn;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::joint_friction::MOST_ROUNDS_OF_BEARINGS;
@@ -59,6 +60,8 @@ pub(super) struct TangentialRow {
     given: f64,
     /// Rows along both tangents.
     along: [TangentRow; 2],
+    /// Those along which the bodies may slip.
+    slips: SlipDirections,
     /// From the contact to where its rows along the tangents act in a patch, m.
     offset: Option<DVec3>,
     /// The slip after the kick of fields, along the tangents, m/s.
@@ -102,6 +105,7 @@ impl TangentialRow {
             whole_change: [0.0; 2],
             given: 0.0,
             along,
+            slips: world.slip_directions(),
             offset: None,
             slip,
             kicked,
@@ -113,9 +117,25 @@ impl TangentialRow {
         })
     }
 
-    /// The rows along both tangents.
-    pub(super) fn along(&self) -> [TangentRow; 2] {
-        self.along
+    /// The rows along the tangents.
+    pub(super) fn along(&self) -> impl Iterator<Item = TangentRow> + use<> {
+        self.along.into_iter().take(self.slips.count())
+    }
+
+    /// How many there are.
+    pub(super) const fn tangents(&self) -> usize {
+        self.slips.count()
+    }
+
+    /// The tangents of its patch with other contacts, with this mean normal.
+    pub(super) fn tangents_of_patch(&self, normal: DVec3) -> [DVec3; 2] {
+        match self.slips {
+            SlipDirections::Both => normal.any_orthonormal_pair().into(),
+            SlipDirections::First => {
+                let across = self.along[1].along.normal;
+                [across.cross(normal), across]
+            }
+        }
     }
 
     /// The same with its slip at the start of a step of `h` (s), m/s, and the rates of its slip without contact forces,
@@ -142,7 +162,7 @@ impl TangentialRow {
             return None;
         }
         let TangentialPart { normal, along: [px, py] } = impulse;
-        let constants = self.constants();
+        let constants = self.of_both_tangents();
         let [cx, cy] = [velocity[0] - constants[0], velocity[1] - constants[1]];
         let mobility = (cx * px + cy * py) / (px * px + py * py);
         let (before, kick) = (self.slip_before(), self.change_by_kick());
@@ -227,7 +247,7 @@ impl TangentialRow {
     fn rotations(&self) -> impl Iterator<Item = (Turn, f64, Vec<DVec3>)> + '_ {
         let basis = self.along.map(|row| row.along.normal);
         let of = move |(turn, friction): (Turn, &Option<f64>)| {
-            let axes = turn.axes(self.normal, basis).into_iter().map(|axis| axis * self.turning_length);
+            let axes = turn.axes(self.normal, (&basis, self.slips)).into_iter().map(|axis| axis * self.turning_length);
             Some((turn, (*friction)?, axes.collect()))
         };
         Turn::ALL.into_iter().zip(&self.rotational).filter_map(of)
@@ -238,8 +258,14 @@ impl TangentialRow {
         self.rotations().flat_map(|(.., axes)| axes).map(|axis| axis.dot(self.rotation)).collect()
     }
 
-    fn constants(&self) -> [f64; 2] {
+    /// Constant terms of both tangents.
+    fn of_both_tangents(&self) -> [f64; 2] {
         [self.slip[0] + self.half_change[0], self.slip[1] + self.half_change[1]]
+    }
+
+    /// Constant terms of its rows along the tangents.
+    fn constants(&self) -> impl Iterator<Item = f64> + use<> {
+        self.of_both_tangents().into_iter().take(self.slips.count())
     }
 }
 
@@ -396,9 +422,9 @@ pub(super) fn solve(
     let stops = stops(&friction, &rows, &solved);
     let violation = violation_of(&friction, &rows, &solved.reactions);
     let normal = solved.reactions.get(..friction.len()).unwrap_or_default();
-    let along = solved.reactions.get(first_tangent..).unwrap_or_default();
-    let rubbing = friction.iter().filter_map(|row| *row).zip(along.as_chunks::<2>().0);
-    let tangential = rubbing.map(|(row, &impulse)| TangentialImpulse { row, impulse }).collect();
+    let rubbing = friction.iter().zip(&rows).filter_map(|(row, rows)| Some(((*row)?, rows)));
+    let tangential = rubbing.map(|(row, rows)| TangentialImpulse { row, impulse: of_both(&solved.reactions, rows) });
+    let tangential = tangential.collect();
     let rotation = |id: ContactId| friction.iter().flatten().find(|row| row.along[0].id == id).map(|row| row.rotation);
     let moments = assembly.of_rotations(&solved.reactions).map(|(row, moment)| {
         let rotation_before = rotation(row.id).unwrap_or_default();
@@ -410,12 +436,18 @@ pub(super) fn solve(
     Ok(FrictionalImpulses { normal, tangential, moments, reactions, stops, violation, report, factorisations })
 }
 
+/// What values have along both tangents of a contact with these rows: zero along the one that has none.
+fn of_both(values: &[f64], rows: &Range<usize>) -> [f64; 2] {
+    let mut own = rows.clone().map(|row| values.get(row).copied().unwrap_or_default());
+    [(); 2].map(|()| own.next().unwrap_or_default())
+}
+
 /// The contacts whose slips pass through zero within the step.
 fn stops(friction: &[Option<TangentialRow>], rows: &[Range<usize>], solved: &BlocksSolution) -> Vec<Stop> {
     let stop = |normal: f64, friction: &Option<TangentialRow>, rows: &Range<usize>| {
         let friction = friction.as_ref()?;
-        let velocity = solved.velocities.get(rows.clone())?.try_into().ok()?;
-        let along = solved.reactions.get(rows.clone())?.try_into().ok()?;
+        let velocity = of_both(&solved.velocities, rows);
+        let along = of_both(&solved.reactions, rows);
         let part = friction.stops_at(velocity, TangentialPart { normal, along })?;
         Some(Stop { id: friction.along[0].id, part })
     };

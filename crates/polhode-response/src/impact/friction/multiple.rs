@@ -64,6 +64,7 @@ impl Default for MultipleImpactSettings {
 /// let impact = MultipleFrictionalImpact {
 ///     contacts: &contacts,
 ///     restitution: &[0.5, 0.5],
+///     stand_for_several: &[],
 ///     law: Default::default(),
 ///     single: Default::default(),
 ///     settings: &MultipleImpactSettings::default(),
@@ -79,6 +80,9 @@ pub struct MultipleFrictionalImpact<'a> {
     pub contacts: &'a FrictionProblem,
     /// Restitution of each block, from 0 to 1; that of a joint is not used.
     pub restitution: &'a [f64],
+    /// Blocks (ascending) that stand for several contacts each, as a contact and its mirror image in a plane: they are struck
+    /// as several contacts are, also where there is no other.
+    pub stand_for_several: &'a [usize],
     /// How contacts that move each other share the impact.
     pub law: MultipleImpactLaw,
     /// The law where one contact is struck alone.
@@ -93,7 +97,7 @@ impl MultipleFrictionalImpact<'_> {
     /// # Errors
     /// When a list has the wrong length, or a number is not finite or out of its range.
     pub fn resolve(&self) -> Result<MultipleImpact, ResponseError> {
-        self.by_groups(|part, _, struck| self.strike(part, struck))
+        self.by_groups(|part, group, struck| self.strike(part, group, struck))
     }
 
     /// Resolves a jam: contacts that touch and slide, and for which no finite forces satisfy Coulomb's law (Painleve).
@@ -109,7 +113,8 @@ impl MultipleFrictionalImpact<'_> {
         self.by_groups(|part, group, struck| {
             let accelerations: Vec<f64> =
                 group.iter().flat_map(|&block| self.contacts.range(block)).map(|row| free_accelerations[row]).collect();
-            strike_without_collision(part, struck, &accelerations, self.single)
+            let single = (!self.stands_for_several(group)).then_some(self.single);
+            strike_without_collision(part, struck, &accelerations, single)
         })
     }
 
@@ -153,8 +158,13 @@ impl MultipleFrictionalImpact<'_> {
         Ok(outcome)
     }
 
+    /// Whether one of the blocks of a group stands for several contacts.
+    fn stands_for_several(&self, group: &[usize]) -> bool {
+        group.iter().any(|block| self.stand_for_several.binary_search(block).is_ok())
+    }
+
     /// Strikes blocks that move each other, if they approach.
-    fn strike(&self, part: &mut Part, struck: &mut Struck) -> Result<(), ResponseError> {
+    fn strike(&self, part: &mut Part, group: &[usize], struck: &mut Struck) -> Result<(), ResponseError> {
         let contacts = part.touching();
         let approach = contacts.iter().map(|&block| -struck.velocities[part.normal_row(block)]).fold(0.0, f64::max);
         if approach <= 0.0 {
@@ -164,7 +174,8 @@ impl MultipleFrictionalImpact<'_> {
         part.status = part.status.and(MultipleImpactStatus::Separated);
         let resist_rotations = contacts.iter().any(|&block| part.contacts.blocks()[block].resists_rotation());
         let in_order = self.law == MultipleImpactLaw::Sequence;
-        let together = !in_order && (contacts.len() > 1 || resist_rotations);
+        let are_several = contacts.len() > 1 || self.stands_for_several(group);
+        let together = !in_order && (are_several || resist_rotations);
         if together && strike_together(part, struck)? {
             return Ok(());
         }

@@ -23,12 +23,13 @@ const PRESSED: f64 = 1e-7;
 /// a thousand times what pressed the contacts together.
 const FINITE: f64 = 1e3 * PRESSED;
 
-/// Strikes the contacts of a part that the accelerations of its rows press together, where no finite forces resist them.
+/// Strikes the contacts of a part that the accelerations of its rows press together, where no finite forces resist them. One
+/// contact alone is struck by the law of `single`; by none where it stands for several.
 pub(super) fn strike_without_collision(
     part: &mut Part,
     struck: &mut Struck,
     accelerations: &[f64],
-    law: RestitutionLaw,
+    single: Option<RestitutionLaw>,
 ) -> Result<(), ResponseError> {
     let contacts = part.touching();
     let pressed: Vec<f64> =
@@ -42,7 +43,8 @@ pub(super) fn strike_without_collision(
     for &block in &contacts {
         touching[part.normal_row(block)] = touching[part.normal_row(block)].max(0.0);
     }
-    if let [block] = contacts[..] {
+    if let ([block], Some(law)) = (&contacts[..], single) {
+        let block = *block;
         let row = part.normal_row(block);
         // What rounding leaves of a touching contact's normal velocity is no approach.
         struck.velocities[row] = 0.0;
