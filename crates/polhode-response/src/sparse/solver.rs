@@ -17,6 +17,7 @@ use crate::sparse::problem::BodyProblem;
 use crate::sparse::settings::BodySettings;
 use crate::sparse::smoothing::{InteriorEnd, Smoothing, SmoothingLimits};
 use crate::sparse::solution::{BodyMethod, BodyReport, BodySolution};
+use crate::sparse::sweeps::Sweeps;
 use crate::sparse::system::BodySystem;
 
 /// Steps of the interior point (20 to 40).
@@ -32,6 +33,15 @@ const NEWTON_STEPS: usize = 20;
 /// Its steps after the path of compliance, which has come to what is accepted: as exactly as rounding allows, so that what rests
 /// stays at rest.
 const LAST_NEWTON_STEPS: usize = 12;
+
+/// Sweeps to and fro in the first round; each further round has twice as many (4 to 20).
+const FIRST_SWEEPS: usize = 8;
+
+/// What a round may leave of the residual of the last one for another round to be worth its time (no unit, 0.3 to 0.7).
+const SWEEPS_GO_ON: f64 = 0.5;
+
+/// Steps of Newton's method after each round of sweeps.
+const NEWTON_STEPS_AFTER_SWEEPS: usize = 8;
 
 /// Steps in which the residual must halve.
 const PATIENCE: usize = 3;
@@ -152,7 +162,38 @@ impl Chain<'_> {
                 return;
             }
         }
-        self.cold(&without);
+        if !self.sweep(start) {
+            self.cold(&without);
+        }
+    }
+
+    /// Sweeps with Newton's method after them, in rounds that double. Returns whether the answer is found.
+    fn sweep(&mut self, start: Option<&[f64]>) -> bool {
+        let sweeps = if self.settings.rounds_of_sweeps > 0 { Sweeps::new(self.problem) } else { None };
+        let Some(mut sweeps) = sweeps else { return false };
+        let mut reactions = start.map_or_else(|| vec![0.0; self.problem.rows()], <[f64]>::to_vec);
+        let mut last = f64::INFINITY;
+        for round in 0..self.settings.rounds_of_sweeps {
+            sweeps.run(self.problem, &mut reactions, FIRST_SWEEPS << round);
+            let mut swept = Iterate::default();
+            swept.take(self.problem, self.measure, &reactions);
+            let left_by_sweeps = swept.rank;
+            self.take(&swept, BodyMethod::Sweeps);
+            let before = self.system.factorisations;
+            self.run_newton(&mut swept, NEWTON_STEPS_AFTER_SWEEPS);
+            self.report.newton += self.system.factorisations - before;
+            self.take(&swept, BodyMethod::Newton);
+            if self.is_enough() {
+                return true;
+            }
+            // Written so that NaN ends it.
+            let goes_on = left_by_sweeps <= SWEEPS_GO_ON * last;
+            if !goes_on {
+                return false;
+            }
+            last = left_by_sweeps;
+        }
+        false
     }
 
     /// From nothing.

@@ -21,5 +21,5 @@ mod least_sliding_forces;
 pub(crate) mod overlap;
 pub(crate) mod projection;
 pub(crate) mod rotational_friction;
-mod standing;
+pub(crate) mod standing;
 mod sticking_forces;

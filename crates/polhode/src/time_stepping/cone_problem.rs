@@ -45,8 +45,13 @@ const LAST_SWEEPS: u32 = 100;
 const EXACT_ENOUGH: f64 = 1e-8;
 
 /// As exactly as rounding allows where that is found soon, else as exactly as is accepted.
-const SETTINGS_IN_BODIES: BodySettings =
-    BodySettings { tolerance: 1e-12, acceptance: EXACT_ENOUGH, factorisations: 150, warm_steps: 8 };
+const SETTINGS_IN_BODIES: BodySettings = BodySettings {
+    tolerance: 1e-12,
+    acceptance: EXACT_ENOUGH,
+    factorisations: 150,
+    warm_steps: 8,
+    rounds_of_sweeps: 0,
+};
 
 /// The solvers of the groups of a run, and the forces that they start from.
 #[derive(Debug, Default)]
@@ -54,16 +59,23 @@ pub(super) struct ConeSolvers {
     /// By the first body of the group.
     solvers: BTreeMap<usize, BodySolver>,
     pub(super) last: LastForces,
+    /// Rounds of sweeps before a cold start.
+    rounds_of_sweeps: usize,
 }
 
 impl Clone for ConeSolvers {
     /// The state without the memory of the solvers, which changes no answer.
     fn clone(&self) -> Self {
-        Self { solvers: BTreeMap::new(), last: self.last.clone() }
+        Self { solvers: BTreeMap::new(), last: self.last.clone(), rounds_of_sweeps: self.rounds_of_sweeps }
     }
 }
 
 impl ConeSolvers {
+    /// Those that make so many rounds of sweeps before a cold start.
+    pub(super) fn with_sweeps(rounds_of_sweeps: usize) -> Self {
+        Self { rounds_of_sweeps, ..Self::default() }
+    }
+
     /// The problem of the rows of an assembly, the first of which are these contacts, in a step of `h` (s).
     pub(super) fn problem<'a>(
         &'a mut self,
@@ -82,7 +94,8 @@ impl ConeSolvers {
                 start: self.last.start(assembly, contacts, h),
             },
         );
-        ConeProblem { assembly, constants, system, factorisations: 0 }
+        let settings = BodySettings { rounds_of_sweeps: self.rounds_of_sweeps, ..SETTINGS_IN_BODIES };
+        ConeProblem { assembly, constants, system, settings, factorisations: 0 }
     }
 }
 
@@ -92,6 +105,7 @@ pub(super) struct ConeProblem<'a> {
     assembly: &'a Assembly,
     constants: &'a [f64],
     system: System<'a>,
+    settings: BodySettings,
     factorisations: usize,
 }
 
@@ -121,7 +135,7 @@ impl ConeProblem<'_> {
                 let mut best = solve_for_rows(blocks, (delassus, constants), violation)?;
                 if best.report.residual > EXACT_ENOUGH {
                     let problem = &self.assembly.problem;
-                    let system = (&mut BodySolver::default(), &SETTINGS_IN_BODIES);
+                    let system = (&mut BodySolver::default(), &self.settings);
                     let (other, effort) = blocks.solve_in_bodies(problem, constants, Some(&best.reactions), system)?;
                     self.factorisations += effort.factorisations;
                     take_better(&mut best, other);
@@ -135,7 +149,7 @@ impl ConeProblem<'_> {
             System::Bodies { solver, start } => {
                 let problem = &self.assembly.problem;
                 let (mut solved, effort) =
-                    blocks.solve_in_bodies(problem, constants, start.as_deref(), (solver, &SETTINGS_IN_BODIES))?;
+                    blocks.solve_in_bodies(problem, constants, start.as_deref(), (solver, &self.settings))?;
                 self.factorisations += effort.factorisations;
                 if solved.report.status != SolverStatus::Solved && problem.len() <= MOST_ROWS_IN_PLACE {
                     take_better(&mut solved, blocks.solve(&problem.delassus(), constants, None, &exact())?);

@@ -4,8 +4,8 @@ use super::judge::{Judged, Moved};
 use super::scenes::{Form, Scene};
 use polhode::contact::Shape;
 use polhode::scene::{Material, Method, Tier};
-use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, UnitVector};
-use polhode::{Body, BodyId, Geometry, Simulation};
+use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, UnitVector, Velocity};
+use polhode::{Body, BodyId, Certificate, Geometry, Simulation};
 use std::time::Instant;
 
 /// A run.
@@ -26,7 +26,7 @@ impl Ours {
         let method = Method { tier: Some(Tier::Stepped), step_s: Some(scene.step), ..Method::default() };
         let material = Material::new("rough").with_friction(scene.friction)?;
         let duration = scene.step * (scene.steps + 1) as f64;
-        let mut builder = polhode::Scene::builder(scene.name).method(method).duration_s(duration);
+        let mut builder = polhode::Scene::builder(scene.name).method(method).duration_s(duration).output_interval_s(duration);
         for (k, plane) in scene.planes.iter().enumerate() {
             let shape = Shape::half_space(UnitVector::new(plane.normal)?);
             let body = Body::fixed(format!("plane {k}")).geometry(shape.into());
@@ -40,7 +40,8 @@ impl Ours {
                 Form::Sphere(radius) => Shape::sphere(radius)?,
             };
             let body = Body::movable(format!("body {k}"), properties).geometry(Geometry::Shape(shape));
-            builder = builder.body(body.pose(member.pose).material(material.clone()));
+            let velocity = Velocity::new(member.velocity, DVec3::ZERO);
+            builder = builder.body(body.pose(member.pose).velocity(velocity).material(material.clone()));
         }
         let simulation = Simulation::new(&builder.build()?)?;
         Ok(Self { simulation, first: scene.planes.len(), step: scene.step, steps: 0 })
@@ -77,8 +78,8 @@ impl Ours {
         judged.collect()
     }
 
-    /// The residual that the run itself tells, and how often it said that an answer is an approximation.
-    pub(crate) fn own_residual(&self) -> f64 {
-        self.simulation.frame().certificate.max_residual
+    /// What the run itself tells.
+    pub(crate) fn certificate(&self) -> Certificate {
+        self.simulation.frame().certificate
     }
 }

@@ -53,6 +53,7 @@ impl Peer {
             let body = RigidBodyBuilder::dynamic()
                 .additional_mass_properties(properties)
                 .pose(pose(&member.pose))
+                .linvel(member.velocity)
                 .can_sleep(settings == Settings::Defaults);
             let collider = match member.form {
                 Form::Box(edges) => ColliderBuilder::cuboid(0.5 * edges.x, 0.5 * edges.y, 0.5 * edges.z),

@@ -34,12 +34,14 @@ impl Form {
     }
 }
 
-/// A movable body at rest.
+/// A movable body.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Member {
     pub(crate) form: Form,
     pub(crate) mass: f64,
     pub(crate) pose: Pose,
+    /// It does not turn.
+    pub(crate) velocity: DVec3,
 }
 
 /// A half-space: what lies below a plane.
@@ -68,7 +70,7 @@ const FLOOR: Plane = Plane { point: DVec3::ZERO, normal: DVec3::Z };
 const STEP: f64 = 1.0 / 60.0;
 
 fn member(form: Form, mass: f64, place: DVec3) -> Member {
-    Member { form, mass, pose: Pose::from_translation(place) }
+    Member { form, mass, pose: Pose::from_translation(place), velocity: DVec3::ZERO }
 }
 
 fn standing(name: &'static str, members: Vec<Member>, friction: f64, steps: usize) -> Scene {
@@ -82,19 +84,43 @@ fn pyramid(name: &'static str, base: usize, steps: usize) -> Scene {
     standing(name, cubes.map(|at| member(Form::Box(DVec3::ONE), 1.0, at)).collect(), 0.5, steps)
 }
 
-/// A thousand bodies in ten layers above a bin of 11 m, each turned a little.
+/// The same, a cube of the second row hit from the side.
+fn hit_pyramid(name: &'static str, base: usize, steps: usize) -> Scene {
+    let mut scene = pyramid(name, base, steps);
+    if let Some(cube) = scene.members.get_mut(base + base / 2) {
+        cube.velocity = DVec3::Y;
+    }
+    Scene { stands: false, ..scene }
+}
+
+/// A thousand bodies in ten layers above a bin of 11.9 m, each turned a little.
 fn poured(name: &'static str, form: Form) -> Scene {
     let place = |k: usize| {
         let even = |n: usize, generator: f64| (generator.sqrt() * (k * 3 + n + 1) as f64).fract() - 0.5;
         let shift = DVec3::new(even(0, 2.0), even(1, 3.0), even(2, 5.0)) * 0.04;
-        let grid = DVec3::new((k % 10) as f64 - 4.5, (k / 10 % 10) as f64 - 4.5, (k / 100) as f64) * 1.1;
+        let grid = DVec3::new((k % 10) as f64 - 4.5, (k / 10 % 10) as f64 - 4.5, (k / 100) as f64) * 1.15;
         let turn = DVec3::new(even(0, 7.0), even(1, 11.0), even(2, 13.0)) * 0.1;
         Pose::new(Rotation::from_rotation_vector(turn), grid + shift + DVec3::Z * 0.7)
     };
-    let sides = [DVec3::X, DVec3::Y, -DVec3::X, -DVec3::Y].map(|normal| Plane { point: normal * -5.5, normal });
-    let members = (0..1000).map(|k| Member { form, mass: 1.0, pose: place(k) }).collect();
+    let sides = [DVec3::X, DVec3::Y, -DVec3::X, -DVec3::Y].map(|normal| Plane { point: normal * -5.95, normal });
+    let members = (0..1000).map(|k| Member { form, mass: 1.0, pose: place(k), velocity: DVec3::ZERO }).collect();
     let planes = std::iter::once(FLOOR).chain(sides).collect();
     Scene { name, members, planes, friction: 0.5, step: STEP, steps: 300, stands: false }
+}
+
+/// Boxes that fall in a heap from places in a column, turned anyhow.
+fn dropped(name: &'static str, count: usize) -> Scene {
+    let place = |k: usize| {
+        let even = |generator: f64| (generator.sqrt() * (k + 1) as f64).fract() - 0.5;
+        let turn = DVec3::new(even(7.0), even(11.0), even(13.0)) * 6.0;
+        let side = 0.6 * (count as f64 / 20.0).cbrt();
+        let at = DVec3::new(even(2.0) * side, even(3.0) * side, 0.2 + 0.2 * k as f64);
+        Pose::new(Rotation::from_rotation_vector(turn), at)
+    };
+    let edges = DVec3::new(0.12, 0.1, 0.08);
+    let members = (0..count).map(|k| Member { form: Form::Box(edges), mass: 1.0, pose: place(k), velocity: DVec3::ZERO }).collect();
+    let steps = 120 + 2 * count;
+    Scene { name, members, planes: vec![FLOOR], friction: 0.5, step: STEP, steps, stands: false }
 }
 
 /// Courses of bricks in running bond; every other course begins and ends with half a brick.
@@ -164,16 +190,38 @@ fn heavy_top() -> Scene {
     standing("stack-1000kg", (0..11).map(cube).collect(), 0.5, 600)
 }
 
+/// Scenes of one kind from a hundred to twenty thousand bodies: how the cost of a step grows.
+pub(crate) fn growing() -> Vec<(&'static str, Vec<Scene>)> {
+    let walls = [(10, 10), (20, 20), (32, 32), (50, 50), (71, 71), (142, 142)];
+    let pyramids = [14, 28, 45, 70, 100, 200];
+    vec![
+        ("walls", walls.iter().map(|&(courses, columns)| pushed(wall("wall", courses, columns))).collect()),
+        ("pyramids", pyramids.iter().map(|&base| pushed(pyramid("pyramid", base, 8))).collect()),
+    ]
+}
+
+/// The same with a slow push at its highest body, so that nothing rests.
+fn pushed(mut scene: Scene) -> Scene {
+    if let Some(last) = scene.members.last_mut() {
+        last.velocity = DVec3::Y * 0.05;
+    }
+    Scene { steps: 8, stands: false, ..scene }
+}
+
 /// All scenes, in the order of the table.
 pub(crate) fn scenes() -> Vec<Scene> {
     vec![
         pyramid("pyramid-210", 20, 600),
         pyramid("pyramid-5050", 100, 300),
+        hit_pyramid("pyramid-210-hit", 20, 120),
         poured("spheres-1000", Form::Sphere(0.5)),
         poured("boxes-1000", Form::Box(DVec3::ONE)),
         wall("wall-400", 20, 20),
         kapla(),
         diamond(),
         heavy_top(),
+        dropped("drop-20", 20),
+        dropped("drop-50", 50),
+        dropped("drop-100", 100),
     ]
 }
