@@ -37,8 +37,8 @@ const LAST_NEWTON_STEPS: usize = 12;
 /// Sweeps to and fro in the first round; each further round has twice as many (4 to 20).
 const FIRST_SWEEPS: usize = 8;
 
-/// What a round may leave of the residual of the last one for another round to be worth its time (no unit, 0.3 to 0.7).
-const SWEEPS_GO_ON: f64 = 0.5;
+/// Rounds where contacts are redundant (1 to 3).
+const ROUNDS_FOR_REDUNDANT: usize = 2;
 
 /// Steps of Newton's method after each round of sweeps.
 const NEWTON_STEPS_AFTER_SWEEPS: usize = 8;
@@ -172,12 +172,11 @@ impl Chain<'_> {
         let sweeps = if self.settings.rounds_of_sweeps > 0 { Sweeps::new(self.problem) } else { None };
         let Some(mut sweeps) = sweeps else { return false };
         let mut reactions = start.map_or_else(|| vec![0.0; self.problem.rows()], <[f64]>::to_vec);
-        let mut last = f64::INFINITY;
-        for round in 0..self.settings.rounds_of_sweeps {
+        let few = if Sweeps::is_for_redundant(self.problem) { ROUNDS_FOR_REDUNDANT } else { usize::MAX };
+        for round in 0..self.settings.rounds_of_sweeps.min(few) {
             sweeps.run(self.problem, &mut reactions, FIRST_SWEEPS << round);
             let mut swept = Iterate::default();
             swept.take(self.problem, self.measure, &reactions);
-            let left_by_sweeps = swept.rank;
             self.take(&swept, BodyMethod::Sweeps);
             let before = self.system.factorisations;
             self.run_newton(&mut swept, NEWTON_STEPS_AFTER_SWEEPS);
@@ -186,12 +185,6 @@ impl Chain<'_> {
             if self.is_enough() {
                 return true;
             }
-            // Written so that NaN ends it.
-            let goes_on = left_by_sweeps <= SWEEPS_GO_ON * last;
-            if !goes_on {
-                return false;
-            }
-            last = left_by_sweeps;
         }
         false
     }

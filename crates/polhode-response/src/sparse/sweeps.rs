@@ -14,6 +14,9 @@ use crate::friction::single_contact::{self, Square};
 use crate::sparse::block6::{Vector6, dot6};
 use crate::sparse::problem::{BodyProblem, RowBlock};
 
+/// From this share of blocks between the same bodies as the block before on, contacts are taken for redundant (no unit).
+const REDUNDANT_SHARE: f64 = 0.5;
+
 /// The method for one problem.
 #[derive(Debug)]
 pub(crate) struct Sweeps {
@@ -30,6 +33,14 @@ impl Sweeps {
         }
         let diagonal = problem.blocks.iter().map(|block| diagonal_of(problem, block)).collect();
         Some(Self { diagonal, velocities: Vec::new() })
+    }
+
+    /// Whether most contacts are one of several between the same bodies: the corners of faces. Sweeps then hardly come to an end,
+    /// since loads wander between such contacts.
+    pub(crate) fn is_for_redundant(problem: &BodyProblem) -> bool {
+        let bodies = |block: &RowBlock| block.sides.map(|side| side.map(|side| side.node));
+        let same = problem.blocks.windows(2).filter(|two| bodies(&two[0]) == bodies(&two[1])).count();
+        same as f64 >= REDUNDANT_SHARE * problem.blocks.len() as f64
     }
 
     /// Makes so many sweeps to and fro from these reactions.

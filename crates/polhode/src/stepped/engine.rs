@@ -300,16 +300,12 @@ impl SteppedEngine {
         Ok(())
     }
 
-    /// Makes the steps of islands that rest, which change nothing.
-    fn repeat_rest(&self, core: &mut Core, resting: &[Island], interval: (f64, f64)) -> Result<(), SimulationError> {
+    /// Makes the steps of islands that rest, which change nothing: with all effects their contacts and forces are found in each.
+    fn repeat_rest(&self, core: &Core, resting: &[Island], interval: (f64, f64)) -> Result<(), SimulationError> {
         let (mut states, mut stepper) = (self.states.clone(), self.stepper.clone());
         let of = (&mut stepper, &mut states[..]);
         let reports = advance_islands(&core.world, &*core.executor, of, resting, interval);
-        for report in reports.map_err(|source| Core::response_error(core.t, source))? {
-            let certificate = &mut core.accounts.certificate;
-            certificate.max_residual = certificate.max_residual.max(report.residual);
-            certificate.factorisations += report.factorisations;
-        }
+        reports.map_err(|source| Core::response_error(core.t, source))?;
         Ok(())
     }
 
@@ -440,7 +436,9 @@ impl SteppedEngine {
                 .advance(&core.world, &mut states, &island.bodies, &island.pairs, (core.t, t - core.t))
                 .map_err(|source| Core::response_error(core.t, source))?;
         }
-        for body in (0..states.len()).filter(|&body| !in_island[body] && core.world.bodies[body].moves()) {
+        let flies = |body: usize| !in_island[body] && !self.resting.contains(body) && core.world.bodies[body].moves();
+        let flying: Vec<usize> = (0..states.len()).filter(|&body| flies(body)).collect();
+        for body in flying {
             if let Some(flight) = self.flight(core, body) {
                 states[body] = flight.state(t);
                 core.world.keep_in_plane(body, &mut states[body]);

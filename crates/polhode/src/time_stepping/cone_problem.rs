@@ -28,6 +28,9 @@ pub(crate) const LEAST_IN_BODIES: usize = 16;
 /// Most rows whose matrix is formed where the velocities of bodies were not solved for exactly enough (200 to 600).
 const MOST_ROWS_IN_PLACE: usize = 400;
 
+/// The same in the steps of heaps, which have many such groups (60 to 150).
+const MOST_ROWS_IN_HEAPS: usize = 100;
+
 /// The largest residual with which the matrix of few rows is not solved again in another way because of Coulomb's law, but only
 /// because of the residual (no unit, 1e-9 to 1e-5). The rows of contacts that depend on each other, as the four corners of a
 /// box, contradict each other by about this fraction when the body turns or the gaps differ.
@@ -95,7 +98,8 @@ impl ConeSolvers {
             },
         );
         let settings = BodySettings { rounds_of_sweeps: self.rounds_of_sweeps, ..SETTINGS_IN_BODIES };
-        ConeProblem { assembly, constants, system, settings, factorisations: 0 }
+        let most_rows_in_place = if self.rounds_of_sweeps > 0 { MOST_ROWS_IN_HEAPS } else { MOST_ROWS_IN_PLACE };
+        ConeProblem { assembly, constants, system, settings, most_rows_in_place, factorisations: 0 }
     }
 }
 
@@ -106,6 +110,8 @@ pub(super) struct ConeProblem<'a> {
     constants: &'a [f64],
     system: System<'a>,
     settings: BodySettings,
+    /// Most rows whose matrix is formed where the velocities of bodies were not solved for exactly enough.
+    most_rows_in_place: usize,
     factorisations: usize,
 }
 
@@ -151,7 +157,7 @@ impl ConeProblem<'_> {
                 let (mut solved, effort) =
                     blocks.solve_in_bodies(problem, constants, start.as_deref(), (solver, &self.settings))?;
                 self.factorisations += effort.factorisations;
-                if solved.report.status != SolverStatus::Solved && problem.len() <= MOST_ROWS_IN_PLACE {
+                if solved.report.status != SolverStatus::Solved && problem.len() <= self.most_rows_in_place {
                     take_better(&mut solved, blocks.solve(&problem.delassus(), constants, None, &exact())?);
                 }
                 *start = Some(solved.reactions.clone());
