@@ -20,7 +20,7 @@ use crate::sampling::emit_samples_before;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::parts::{restored_flight, restored_forces, restored_id, save_contact, save_flight};
 use crate::snapshot::{SnapshotError, content};
-use crate::solve::standing::HeldAtRest;
+use crate::solve::held_at_rest::HeldAtRest;
 use crate::states_of::{set_states, states_of};
 use crate::tier::{Reached, Tier};
 use crate::time_stepping::{NO_WORK_J, TimeStepReport, TimeStepper, given_by_gravity};

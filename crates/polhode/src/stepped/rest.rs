@@ -1,6 +1,6 @@
 //! Islands that rest, which the steps leave out until something comes near them.
 //!
-//! Bodies at rest whose contacts have forces that hold all of them (`crate::solve::standing`) stay at rest. Likewise, a step
+//! Bodies at rest whose contacts have forces that hold all of them (`crate::solve::held_at_rest`) stay at rest. Likewise, a step
 //! that begins and ends with all bodies of an island at rest, in the same poses, ends so again as long as nothing else
 //! changes: its contacts, their forces and what holds the bodies are the same. Such an island is not stepped again. It keeps
 //! its states, contacts and forces; its weight and what bears it are entered in the books. It is stepped again as soon as
