@@ -28,8 +28,8 @@ impl Units {
         let is_quadratic = beside.get("law").and_then(Value::as_str) == Some("quadratic");
         Some(match key {
             "position" | "positions" | "size" | "radius" | "height" | "major" | "minor" | "pivot" | "anchor"
-            | "anchors" | "length" | "point" | "points" | "center" | "center_of_mass" | "rest_length" | "amplitude"
-            | "rolling_friction" | "spinning_friction" | "scale" | "separate" => length,
+            | "lead" | "anchors" | "length" | "point" | "points" | "center" | "center_of_mass" | "rest_length"
+            | "amplitude" | "rolling_friction" | "spinning_friction" | "scale" | "separate" => length,
             "duration" | "step" | "interval" | "times" => time,
             "gravity" => length / (time * time),
             "velocity" | "surface_velocity" | "wind" => speed,
@@ -105,8 +105,9 @@ impl Units {
                 "velocity" => multiply(value, of.coordinate / time),
                 "stiffness" => multiply(value, effort / of.coordinate),
                 "damping" | "gain" => multiply(value, effort * time / of.coordinate),
-                "effort" | "most" => multiply(value, effort),
-                "motor" => self.freedom(value, of),
+                "radius" => multiply(value, length),
+                "effort" | "most" | "breakaway" => multiply(value, effort),
+                "motor" | "friction" => self.freedom(value, of),
                 _ => {}
             }
         }

@@ -223,7 +223,7 @@ pub fn least_norm_forces(
     let mut correction = vec![0.0; b.len()];
     for _ in 0..rounds(ratio) {
         let loads = precise::loads(problem, &rows, &forces);
-        let w = precise::accelerations_under(problem, &rows, b, &loads);
+        let w = precise::accelerations_under(problem, &rows, b, (&forces, &loads));
         for ((change, w), scale) in correction.iter_mut().zip(&w).zip(&hold.scale) {
             *change = -w * scale;
         }

@@ -13,7 +13,7 @@ use polhode_spatial::DoubleDouble;
 const SPREAD: f64 = 256.0;
 
 impl ContactProblem {
-    /// `b + J (M^-1 J^T f)`: the accelerations (velocities) of all rows under the forces (impulses) `f`, where `b` are those
+    /// `b + J (M^-1 J^T f) + c f`: the accelerations (velocities) of all rows under the forces (impulses) `f`, where `b` are those
     /// without them. Forces are summed body by body in twice the working precision, so that large ones that cancel on a light
     /// body leave the rounding of each of them and no more: that of the entries of `G`, and of its products, is not in it.
     ///
@@ -26,16 +26,19 @@ impl ContactProblem {
         Ok(residual(self, &rows, b, forces, &rows))
     }
 
-    /// The same where the forces add up to these loads on the bodies, in blocks of the problem's width.
+    /// The same where the forces add up to these loads on the bodies, in blocks of the problem's width. Of soft rows their own
+    /// forces count.
     ///
     /// # Errors
-    /// When `b` has not one number for each row, or `loads` not `width` for each body.
-    pub fn accelerations_under(&self, b: &[f64], loads: &[f64]) -> Result<Vec<f64>, ResponseError> {
+    /// When `b` or `forces` has not one number for each row, or `loads` not `width` for each body.
+    pub fn accelerations_under(&self, b: &[f64], forces: &[f64], loads: &[f64]) -> Result<Vec<f64>, ResponseError> {
         check_length("constant terms", self.len(), b.len())?;
+        check_length("forces", self.len(), forces.len())?;
         check_length("loads", self.bodies() * self.width(), loads.len())?;
         let rows: Vec<usize> = (0..self.len()).collect();
-        let loads: Vec<DoubleDouble> = loads.iter().map(|&load| DoubleDouble::new(load)).collect();
-        Ok(accelerations_under(self, &rows, b, &loads))
+        let [forces, loads] =
+            [forces, loads].map(|of| of.iter().map(|&one| DoubleDouble::new(one)).collect::<Vec<_>>());
+        Ok(accelerations_under(self, &rows, b, (&forces, &loads)))
     }
 }
 
@@ -50,6 +53,11 @@ pub(crate) fn delassus(problem: &ContactProblem, rows: &[usize], matrix: &mut Ve
     matrix.clear();
     matrix.resize(size * size, DoubleDouble::default());
     let mut response = vec![DoubleDouble::default(); width];
+    for &(row, compliance) in problem.compliances() {
+        if let Some(line) = rows.iter().position(|&own| own == row) {
+            matrix[line * size + line] = DoubleDouble::new(compliance);
+        }
+    }
     for (line, &row) in rows.iter().enumerate() {
         for entry in problem.entries(row) {
             let inverse = problem.inverse_mass(entry.body);
@@ -87,14 +95,24 @@ pub(crate) fn accelerations(problem: &ContactProblem, rows: &[usize], b: &[f64],
             }
         }
     }
-    row_accelerations(problem, rows, b, &motion)
+    let forces: Vec<DoubleDouble> = forces.iter().map(|&force| DoubleDouble::new(force)).collect();
+    row_accelerations(problem, rows, b, (&forces, &motion))
 }
 
-/// `b + J x` of `rows` for a motion `x` of all bodies, rounded after the sum.
-fn row_accelerations(problem: &ContactProblem, rows: &[usize], b: &[f64], motion: &[DoubleDouble]) -> Vec<f64> {
+/// `b + J x + c f` of `rows` with these forces, for a motion `x` of all bodies, rounded after the sum.
+fn row_accelerations(
+    problem: &ContactProblem,
+    rows: &[usize],
+    b: &[f64],
+    (forces, motion): (&[DoubleDouble], &[DoubleDouble]),
+) -> Vec<f64> {
     let width = problem.width();
-    let acceleration = |(&row, &constant): (&usize, &f64)| {
+    let acceleration = |((&row, &constant), &force): ((&usize, &f64), &DoubleDouble)| {
         let mut sum = DoubleDouble::new(constant);
+        let compliance = problem.compliances().iter().find(|(soft, _)| *soft == row);
+        if let Some(&(_, compliance)) = compliance {
+            sum = sum.plus_long_product(compliance, force);
+        }
         for entry in problem.entries(row) {
             let block = &motion[entry.body * width..(entry.body + 1) * width];
             for (jacobian, component) in entry.jacobian.iter().zip(block) {
@@ -103,7 +121,7 @@ fn row_accelerations(problem: &ContactProblem, rows: &[usize], b: &[f64], motion
         }
         sum.value()
     };
-    rows.iter().zip(b).map(acceleration).collect()
+    rows.iter().zip(b).zip(forces).map(acceleration).collect()
 }
 
 /// `J^T f` of all bodies: what the forces of `rows` add up to, in blocks of the problem's width.
@@ -121,13 +139,13 @@ pub(crate) fn loads(problem: &ContactProblem, rows: &[usize], forces: &[DoubleDo
     loads
 }
 
-/// `b + J (M^-1 x)` of `rows` under the loads `x` on all bodies, rounded after the sum. The inverse masses act on the
+/// `b + J (M^-1 x) + c f` of `rows` with these forces under the loads `x` on all bodies, rounded after the sum. The inverse masses act on the
 /// sum and not on each force, whose rounded products would not cancel.
 pub(crate) fn accelerations_under(
     problem: &ContactProblem,
     rows: &[usize],
     b: &[f64],
-    loads: &[DoubleDouble],
+    (forces, loads): (&[DoubleDouble], &[DoubleDouble]),
 ) -> Vec<f64> {
     let width = problem.width();
     let mut motion = Vec::with_capacity(loads.len());
@@ -142,7 +160,7 @@ pub(crate) fn accelerations_under(
             motion.push(terms.fold(DoubleDouble::default(), |sum, (m, x)| sum.plus_long_product(*m, *x)));
         }
     }
-    row_accelerations(problem, rows, b, &motion)
+    row_accelerations(problem, rows, b, (forces, &motion))
 }
 
 /// `w` of the rows at `positions` of `rows`, under forces and constant terms that are given in the order of `rows`.
@@ -156,5 +174,6 @@ pub(crate) fn residual(
     let carrying: Vec<usize> = positions.iter().map(|&k| rows[k]).collect();
     let forces: Vec<DoubleDouble> = positions.iter().map(|&k| DoubleDouble::new(forces[k])).collect();
     let constants: Vec<f64> = positions.iter().map(|&k| b[k]).collect();
-    accelerations_under(problem, &carrying, &constants, &loads(problem, &carrying, &forces))
+    let loads = loads(problem, &carrying, &forces);
+    accelerations_under(problem, &carrying, &constants, (&forces, &loads))
 }

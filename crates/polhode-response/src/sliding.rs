@@ -133,7 +133,7 @@ fn refined(
     slide(&mut exact);
     for _ in 0..steps {
         let loads = precise::loads(problem, &rows, &exact);
-        let left = precise::accelerations_under(problem, &rows[..b.len()], b, &loads);
+        let left = precise::accelerations_under(problem, &rows[..b.len()], b, (&exact, &loads));
         let wanted: Vec<f64> = left.iter().zip(scale).map(|(left, scale)| -left * scale).collect();
         for ((force, change), scale) in exact.iter_mut().zip(factor.solve_transpose(&wanted)).zip(scale) {
             *force = force.plus_product(change, *scale);

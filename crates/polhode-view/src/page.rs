@@ -11,7 +11,7 @@ use crate::event_list::EventList;
 use crate::mesh_library::MeshLibrary;
 use crate::quanta::Quanta;
 use crate::series::Series;
-use crate::shown_scene::{ShownBody, ShownScene};
+use crate::shown_scene::{JointEnd, ShownBody, ShownJoint, ShownScene};
 use crate::surface_mesh::SurfaceMesh;
 use crate::text;
 use crate::thinning::Thinning;
@@ -178,6 +178,7 @@ impl<W: Write> PageRun<W> {
             "outcome": outcome,
             "duration_s": duration_s,
             "bodies": self.shown.bodies.iter().map(body_json).collect::<Vec<_>>(),
+            "joints": self.shown.joints.iter().map(joint_json).collect::<Vec<_>>(),
             "initial": self.initial,
             "frames": {
                 "count": self.times.len(),
@@ -322,6 +323,11 @@ fn mesh_json(mesh: &SurfaceMesh) -> Value {
         "indices": text::base64_u32(mesh.triangles.iter().flatten().copied()),
         "edges": text::base64_u32(mesh.lines.iter().flatten().copied()),
     })
+}
+
+fn joint_json(joint: &ShownJoint) -> Value {
+    let ends = joint.ends.map(|JointEnd { body, point }| json!({ "body": body, "point": point.to_array() }));
+    json!({ "link": joint.is_link, "ends": ends })
 }
 
 fn body_json(body: &ShownBody) -> Value {

@@ -3,9 +3,9 @@
 use crate::mesh_library::MeshLibrary;
 use crate::tessellation::parts::equivalent_ellipsoid;
 use crate::tessellation::{Detail, Parts, parts_of};
-use polhode::scene::Force;
+use polhode::scene::{Force, Joint, JointKind};
 use polhode::spatial::{DVec3, MassProperties, Pose};
-use polhode::{Body, Scene};
+use polhode::{Body, BodyId, Scene};
 
 /// A body as it is shown.
 #[derive(Debug, Clone)]
@@ -47,6 +47,24 @@ impl ShownBody {
     }
 }
 
+/// A joint as it is shown.
+#[derive(Debug, Clone, Copy)]
+pub struct ShownJoint {
+    /// Whether it is a rod or a rope, drawn as a line between its ends.
+    pub is_link: bool,
+    /// Where it holds its bodies.
+    pub ends: [JointEnd; 2],
+}
+
+/// An end of a joint.
+#[derive(Debug, Clone, Copy)]
+pub struct JointEnd {
+    /// Number of the body; none of an end in the world.
+    pub body: Option<usize>,
+    /// In the frame of the body, or in the world, m.
+    pub point: DVec3,
+}
+
 /// A scene as it is shown.
 #[derive(Debug, Clone)]
 pub struct ShownScene {
@@ -62,6 +80,8 @@ pub struct ShownScene {
     pub moving: Vec<usize>,
     /// Points that attract all bodies, m.
     pub centers: Vec<DVec3>,
+    /// Its joints, in the order of the scene.
+    pub joints: Vec<ShownJoint>,
 }
 
 impl ShownScene {
@@ -81,7 +101,20 @@ impl ShownScene {
             bodies,
             moving,
             centers: centers.collect(),
+            joints: scene.joints().iter().map(|joint| shown_joint(scene, joint)).collect(),
         }
+    }
+}
+
+fn shown_joint(scene: &Scene, joint: &Joint) -> ShownJoint {
+    let end = |body: Option<BodyId>, place: DVec3| {
+        let body = body.map(BodyId::index);
+        let pose = body.and_then(|body| scene.bodies().get(body)).map(|body| *body.initial_pose());
+        JointEnd { body, point: pose.map_or(place, |pose| pose.inverse_transform_point(place)) }
+    };
+    ShownJoint {
+        is_link: matches!(joint.kind(), JointKind::Rod { .. } | JointKind::Rope { .. }),
+        ends: [end(Some(joint.body()), joint.anchor()), end(joint.other(), joint.other_anchor())],
     }
 }
 

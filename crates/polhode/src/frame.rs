@@ -1,6 +1,7 @@
 //! A frame: everything that a viewer draws at one time.
 
 use crate::BodyId;
+use crate::JointId;
 use crate::body_sample::BodySample;
 use crate::collision::contact_id::Feature;
 use crate::collision::contact_set::Touch;
@@ -65,6 +66,22 @@ pub struct PivotView {
     /// Force of the pivot on the body, world, N; NaN if the solver found no force. It is unique unless contact forces
     /// of the body are not.
     pub force_n: DVec3,
+}
+
+/// What a joint does to its first body, and the opposite of what it does to the second one: its reactions, with what stops and
+/// friction do. Springs, dampers and motors at it are not part of that. Of joints that hold more than they need to the reactions
+/// of least norm are given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct JointView {
+    /// The joint.
+    pub joint: JointId,
+    /// Its anchor on the first body, world, m.
+    pub point_m: DVec3,
+    /// Force at the anchor, world, N; NaN if the solver found none.
+    pub force_n: DVec3,
+    /// Moment about the anchor, world, N m.
+    pub moment_n_m: DVec3,
 }
 
 /// An island: bodies that move together or rest together, connected by active contacts or by forces that couple them.

@@ -211,7 +211,7 @@ pub use energy::Energy;
 pub use error::SimulationError;
 pub use event::{Event, EventKind};
 pub use executor::{Executor, OneThread, Task};
-pub use frame::{ContactView, Frame, IslandView, MotionKind, PivotView};
+pub use frame::{ContactView, Frame, IslandView, JointView, MotionKind, PivotView};
 pub use joint_id::{CoordinateSample, JointId};
 pub use ledger::Ledger;
 pub use momentum_ledger::{Momentum, MomentumLedger, MomentumSum};

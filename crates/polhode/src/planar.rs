@@ -119,7 +119,7 @@ fn plane_offset(world: &World, states: &[BodyState], normal: DVec3) -> f64 {
     first.map_or(0.0, |(state, _)| normal.dot(state.pose.translation))
 }
 
-/// The largest defect of symmetry in the plane with this normal.
+/// The largest defect of symmetry in the plane with this normal: of the motions, and of the shapes where the motions have none.
 fn measure(world: &World, states: &[BodyState], normal: DVec3) -> Defect {
     let offset = plane_offset(world, states, normal);
     let mut worst = Defect { relative: 0.0, what: String::new() };
@@ -150,12 +150,24 @@ fn measure(world: &World, states: &[BodyState], normal: DVec3) -> Defect {
                 format!("the normal is not a principal axis of {}", body.name)
             });
         }
+    }
+    if worst.relative > SYMMETRY_RELATIVE {
+        return worst;
+    }
+    let mut note = |defect: f64, size: f64, body: &WorldBody| {
+        if defect > worst.relative * size {
+            let what = format!("the shape of {} is not its own mirror image", body.name);
+            worst = Defect { relative: defect / size, what };
+        }
+    };
+    for (body, state) in world.bodies.iter().zip(states) {
         if let Some(shape) = &body.shape {
+            let height = normal.dot(state.pose.translation) - offset;
             let axis = UnitVector::new(state.pose.rotation.inverse_rotate(normal));
             let offset = if body.moves() { 0.0 } else { -height };
             let defect = axis.map_or(f64::INFINITY, |axis| mirror_defect(shape, axis, offset));
             let size = if body.size == 0.0 { 1.0 } else { body.size };
-            note(defect, size, &|| format!("the shape of {} is not its own mirror image", body.name));
+            note(defect, size, body);
         }
     }
     worst

@@ -7,7 +7,7 @@ use crate::body_queries::BodyQueries;
 use crate::companion::Companion;
 use crate::core::Core;
 use crate::executor::{Executor, OneThread};
-use crate::frame::{ContactView, Frame, IslandView, PivotView};
+use crate::frame::{ContactView, Frame, IslandView, JointView, PivotView};
 use crate::free_method;
 use crate::joint_id::{CoordinateSample, JointId};
 use crate::observer::{BodySample, Flow, Observer, Unobserved};
@@ -304,6 +304,26 @@ impl Simulation {
     /// ```
     pub fn pivots(&self) -> Vec<PivotView> {
         self.tier.pivots(&self.core, self.core.t, &self.tier.states(&self.core))
+    }
+
+    /// Forces and moments of the joints at the present, in the order of their handles; in tier `accurate` alone.
+    ///
+    /// ```
+    /// use polhode::mesh::solid_box;
+    /// use polhode::scene::{Joint, JointKind};
+    /// use polhode::spatial::{DVec3, Mass};
+    /// use polhode::{Body, Scene, Simulation};
+    /// // A beam of 2 kg and 1 m is fixed at its end: the joint bears its weight, and the moment of it.
+    /// let mut builder = Scene::builder("cantilever");
+    /// let beam = builder.add_body(Body::movable("beam", solid_box(DVec3::new(1.0, 0.1, 0.1), Mass::new(2.0)?)?));
+    /// let scene = builder.joint(Joint::new(JointKind::Fixed, beam, DVec3::X * -0.5)).build()?;
+    /// let load = Simulation::new(&scene)?.joint_loads()[0];
+    /// assert!((load.force_n - DVec3::Z * 19.62).length() < 1e-12);
+    /// assert!((load.moment_n_m - DVec3::Y * -9.81).length() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn joint_loads(&self) -> Vec<JointView> {
+        self.tier.joint_loads(&self.core, self.core.t, &self.tier.states(&self.core))
     }
 
     /// A coordinate of a joint at the present; none of one that the joint does not have, or of a joint that was removed

@@ -160,7 +160,7 @@ pub(crate) fn of_contacts(
     for group in coupled_groups(&core.world, ids, &at_rest) {
         let members: Vec<Touch> = group.contacts.iter().map(|&index| touches[index]).collect();
         let is_still = group.bodies.iter().all(|body| at_rest.binary_search(body).is_ok());
-        let has_limits = core.world.stop_pairs_among(&group.bodies).next().is_some();
+        let has_limits = core.world.joint_contact_pairs_among(&group.bodies).next().is_some();
         if members.is_empty() || !is_still || has_limits || members.iter().any(|touch| slips(core, states, touch)) {
             continue;
         }

@@ -15,7 +15,7 @@ pub(crate) mod list;
 
 use crate::accounting::Accounts;
 use crate::core::Core;
-use crate::frame::{ContactView, IslandView, MotionKind, PivotView};
+use crate::frame::{ContactView, IslandView, JointView, MotionKind, PivotView};
 use crate::observer::{BodySample, Observer};
 use crate::snapshot::content;
 use crate::{Acceleration, SimulationError};
@@ -89,6 +89,11 @@ pub(crate) trait Tier: std::fmt::Debug + Send {
 
     /// Forces of the pivots at `t` (s), when the bodies have these states; empty for a tier that does not compute them.
     fn pivots(&self, _core: &Core, _t: f64, _states: &[BodyState]) -> Vec<PivotView> {
+        Vec::new()
+    }
+
+    /// What the joints do at `t` (s), when the bodies have these states; empty for a tier that does not compute it.
+    fn joint_loads(&self, _core: &Core, _t: f64, _states: &[BodyState]) -> Vec<JointView> {
         Vec::new()
     }
 

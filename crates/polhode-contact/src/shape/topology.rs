@@ -111,7 +111,13 @@ struct JoinedEdges {
 
 /// Pairs every directed edge with its opposite.
 fn join_edges(vertex_count: usize, loops: &[Vec<u32>]) -> Result<JoinedEdges, ShapeError> {
-    let mut joined = JoinedEdges { endpoints: Vec::new(), faces: Vec::new(), edges: Vec::new() };
+    let corners = loops.iter().map(Vec::len).sum::<usize>();
+    let edges = corners / 2;
+    let mut joined = JoinedEdges {
+        endpoints: Vec::with_capacity(edges),
+        faces: Vec::with_capacity(edges),
+        edges: Vec::with_capacity(corners),
+    };
     let fail =
         |edges: usize, reason| Err(ShapeError::NotClosed { vertices: vertex_count, edges, faces: loops.len(), reason });
     // The number of the edge for every directed edge whose opposite has not occurred yet.

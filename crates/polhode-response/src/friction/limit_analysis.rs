@@ -23,10 +23,13 @@
 use crate::dense::kernels::largest;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::blocks::Blocks;
-use crate::friction::equilibrium::unload;
 use crate::interior_point::{ConeProgramme, ConeRows, least_cost};
 use crate::law::Law;
 use crate::problem::ContactProblem;
+
+/// Contacts that bear less than this part of the forces on the lighter loaded of their bodies bear nothing (no unit, 1e-9 to
+/// 1e-6): the tolerance of the interior point.
+const UNLOADED: f64 = 1e-8;
 
 /// The largest load that is looked for, and the largest part of the coefficients of friction, as a multiple (no unit, 1e2 to
 /// 1e6): a structure that bears more is wedged, one that needs more cannot stand.
@@ -385,6 +388,18 @@ fn units_of_forces(problem: &ContactProblem, blocks: &Blocks, free: &[f64], near
         if response > 0.0 && acceleration > 0.0 { acceleration / response } else { 1.0 }
     };
     blocks.rows().iter().map(unit).collect()
+}
+
+/// Takes what bears nothing to the tolerance of the interior point out of forces in their units, in the order of the blocks.
+fn unload(parts: &mut [f64], blocks: &Blocks) {
+    let mut first = 0;
+    for law in blocks.laws() {
+        let own = &mut parts[first..first + law.rows()];
+        if matches!(law, Law::Push | Law::Cone { .. }) && own[0] <= UNLOADED {
+            own.fill(0.0);
+        }
+        first += law.rows();
+    }
 }
 
 #[cfg(test)]

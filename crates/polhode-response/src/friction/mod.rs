@@ -17,7 +17,6 @@
 //! | `node_matrix`, `node_laws` | contacts of the same two bodies, reduced to what is independent |
 //! | `newton` | the semismooth Newton method |
 //! | `cone_programme` | the convex relative, and the proof that there is no solution |
-//! | `equilibrium` | [`balancing_forces`]: what is at rest stays at rest if it can |
 //! | `limit_analysis` | [`Structure`]: how far what stands is from moving |
 //! | `solver` | [`solve_friction`]: the chain of methods |
 //! | `settings`, `solution` | [`FrictionSettings`], [`Redundancy`], [`FrictionSolution`] |
@@ -27,7 +26,6 @@ mod blocks;
 mod cone_programme;
 pub(crate) mod coulomb_cone;
 pub(crate) mod elimination_order;
-mod equilibrium;
 mod gauss_seidel;
 mod limit_analysis;
 pub(crate) mod linearisation;
@@ -44,7 +42,6 @@ mod solver;
 
 pub use block_matrix::BlockMatrix;
 pub use blocks::{Blocks, BlocksSolution, ResistedPart};
-pub use equilibrium::balancing_forces;
 pub use gauss_seidel::gauss_seidel;
 pub use limit_analysis::{Limit, MOST_FACTOR, Structure};
 pub use linearisation::ContactStatus;

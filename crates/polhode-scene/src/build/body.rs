@@ -90,6 +90,6 @@ fn fixed(entry: &BodyEntry, path: &KeyPath) -> Result<Body, Fault> {
 }
 
 /// A vector that is zero when absent.
-fn optional(value: Option<&Exactly<f64, 3>>, path: &KeyPath, key: &str) -> Result<DVec3, Fault> {
+fn optional(value: Option<&Exactly<f64, 3>>, path: &KeyPath, key: &'static str) -> Result<DVec3, Fault> {
     value.map_or(Ok(DVec3::ZERO), |value| vector(value, &path.key(key)))
 }

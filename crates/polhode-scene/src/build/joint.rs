@@ -4,9 +4,13 @@ use super::bodies::Bodies;
 use super::fault::{Fault, Faults, positive, vector};
 use crate::document::KeyPath;
 use crate::error::Refusal;
-use crate::format::{Exactly, FreedomEntry, JointEntry, JointKindEntry, MotorEntry, RopeEntry, SceneFile, Vector};
+use crate::format::{
+    Exactly, FreedomEntry, JointEntry, JointFrictionEntry, JointKindEntry, MotorEntry, RopeEntry, SceneFile, Vector,
+};
 use polhode::BodyId;
-use polhode::scene::{Coordinate, Drive, Freedom, FreedomError, Joint, JointKind, Limits, LimitsError, Motor};
+use polhode::scene::{
+    Coordinate, Drive, Freedom, FreedomError, Joint, JointFriction, JointKind, Limits, LimitsError, Motor,
+};
 use polhode::spatial::{DVec3, UnitVector};
 
 /// The joints of the file.
@@ -37,7 +41,7 @@ impl<'a> Entry<'a> {
     fn with(mut self, coordinate: Coordinate, entry: Option<&FreedomEntry>) -> Result<Self, Fault> {
         if let Some(entry) = entry {
             let path = self.path.key(coordinate.name());
-            self.freedoms.push((coordinate, freedom(entry, &path)?));
+            self.freedoms.push((coordinate, freedom(entry, coordinate, &path)?));
         }
         Ok(self)
     }
@@ -76,6 +80,11 @@ fn entry<'a>(kind: &'a JointKindEntry, path: &KeyPath) -> Result<Entry<'a>, Faul
             let entry = Entry::new(&own.bodies, &own.anchor, path, kind);
             let entry = entry.with(Coordinate::Angle, own.angle.as_ref())?;
             entry.with(Coordinate::Displacement, own.displacement.as_ref())?
+        }
+        JointKindEntry::Screw(own) => {
+            let path = path.key("screw");
+            let kind = JointKind::Screw { axis: axis(&own.axis, &path)?, lead: own.lead };
+            Entry::new(&own.bodies, &own.anchor, path, kind).with(Coordinate::Angle, own.angle.as_ref())?
         }
         JointKindEntry::Planar(own) => {
             let path = path.key("planar");
@@ -129,7 +138,7 @@ fn rope_limits(entry: &RopeEntry, ends: &Ends<'_>, path: &KeyPath) -> Result<Lim
 }
 
 /// What acts along a coordinate.
-fn freedom(entry: &FreedomEntry, path: &KeyPath) -> Result<Freedom, Fault> {
+fn freedom(entry: &FreedomEntry, coordinate: Coordinate, path: &KeyPath) -> Result<Freedom, Fault> {
     let mut freedom = Freedom::default();
     match entry.range {
         Some(Exactly([lower, upper])) => {
@@ -147,7 +156,44 @@ fn freedom(entry: &FreedomEntry, path: &KeyPath) -> Result<Freedom, Fault> {
     if let Some(entry) = &entry.motor {
         freedom = freedom.with_motor(motor(entry, &path.key("motor"))?);
     }
+    if let Some(entry) = &entry.friction {
+        freedom = freedom.with_friction(friction(entry, coordinate, &path.key("friction"))?);
+    }
     Ok(freedom)
+}
+
+/// Dry friction.
+fn friction(entry: &JointFrictionEntry, coordinate: Coordinate, path: &KeyPath) -> Result<JointFriction, Fault> {
+    let JointFrictionEntry { effort, breakaway, coefficient, radius } = *entry;
+    let refused = |error: FreedomError| (path.clone(), error.into());
+    let mut friction = JointFriction::default();
+    if effort.is_some() || coefficient.is_none() {
+        let effort = effort.ok_or_else(|| (path.clone(), Refusal::MissingKey("effort".to_owned())))?;
+        friction = JointFriction::new(effort).map_err(refused)?;
+        if let Some(breakaway) = breakaway {
+            friction = friction.with_breakaway(breakaway).map_err(refused)?;
+        }
+    } else if breakaway.is_some() {
+        let what = "friction without `effort`";
+        return Err((path.key("breakaway"), Refusal::Meaningless { key: "breakaway", what }));
+    }
+    let Some(coefficient) = coefficient else {
+        let what = "friction without `coefficient`";
+        return match radius {
+            Some(_) => Err((path.key("radius"), Refusal::Meaningless { key: "radius", what })),
+            None => Ok(friction),
+        };
+    };
+    let radius = match (coordinate, radius) {
+        (Coordinate::Angle, None) => return Err((path.clone(), Refusal::MissingKey("radius".to_owned()))),
+        (Coordinate::Angle, Some(radius)) => radius,
+        (_, Some(_)) => {
+            let what = "a coordinate that is no angle";
+            return Err((path.key("radius"), Refusal::Meaningless { key: "radius", what }));
+        }
+        (_, None) => 1.0,
+    };
+    friction.with_bearing(coefficient, radius).map_err(refused)
 }
 
 /// A motor.

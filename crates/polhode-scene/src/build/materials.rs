@@ -17,7 +17,7 @@ impl Materials {
     pub(super) fn build(entries: &BTreeMap<String, MaterialEntry>, faults: &mut Faults) -> Self {
         let mut materials = BTreeMap::new();
         for (name, entry) in entries {
-            let path = KeyPath::of(&["materials", name]);
+            let path = KeyPath::of(&["materials"]).key(name.clone());
             if name.is_empty() {
                 // The empty name is the engine's for bodies without a material.
                 let accepted = "a name that is not empty".to_owned();

@@ -146,6 +146,6 @@ fn vectors(entries: &[Vector], path: &KeyPath) -> Result<Vec<DVec3>, Fault> {
 }
 
 /// A vector that is zero when absent.
-fn optional(value: Option<&Vector>, path: &KeyPath, key: &str) -> Result<DVec3, Fault> {
+fn optional(value: Option<&Vector>, path: &KeyPath, key: &'static str) -> Result<DVec3, Fault> {
     value.map_or(Ok(DVec3::ZERO), |value| vector(value, &path.key(key)))
 }

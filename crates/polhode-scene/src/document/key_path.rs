@@ -1,16 +1,21 @@
 //! Where a value stands in a document: `bodies.2.mass`.
+//!
+//! A reader makes a path for each value that it takes, and needs it only for those that it refuses: keys that the program knows
+//! are not copied.
+
+use std::borrow::Cow;
 
 /// One step down.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Step {
     /// To a member of a table.
-    Key(String),
+    Key(Cow<'static, str>),
     /// To an element of an array, from 0.
     Index(usize),
 }
 
 impl Step {
-    pub(crate) fn key(name: impl Into<String>) -> Self {
+    pub(crate) fn key(name: impl Into<Cow<'static, str>>) -> Self {
         Self::Key(name.into())
     }
 }
@@ -26,24 +31,25 @@ impl KeyPath {
     }
 
     /// From keys alone, such as `method.step`.
-    pub(crate) fn of(keys: &[&str]) -> Self {
+    pub(crate) fn of(keys: &[&'static str]) -> Self {
         Self(keys.iter().map(|key| Step::key(*key)).collect())
     }
 
     /// The element `index` of the array `key` at the root.
-    pub(crate) fn element(key: &str, index: usize) -> Self {
+    pub(crate) fn element(key: &'static str, index: usize) -> Self {
         Self(vec![Step::key(key), Step::Index(index)])
     }
 
     /// One step further.
     pub(crate) fn then(&self, step: Step) -> Self {
-        let mut steps = self.0.clone();
+        let mut steps = Vec::with_capacity(self.0.len() + 1);
+        steps.extend_from_slice(&self.0);
         steps.push(step);
         Self(steps)
     }
 
     /// One key further.
-    pub(crate) fn key(&self, name: &str) -> Self {
+    pub(crate) fn key(&self, name: impl Into<Cow<'static, str>>) -> Self {
         self.then(Step::key(name))
     }
 

@@ -44,7 +44,7 @@ impl Damage {
         }
         let is_name = path.steps().len() <= 2 || last == Step::key("name");
         if let (Some(Step::Key(top)), true) = (path.steps().first(), is_name) {
-            self.names.push(top.clone());
+            self.names.push(top.to_string());
         }
         tree::take(root.get_mut(), &path)
     }

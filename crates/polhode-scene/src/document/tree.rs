@@ -39,18 +39,18 @@ pub(super) fn is_table(root: &Spanned<DeTable<'_>>, path: &KeyPath) -> bool {
 pub(super) fn take(root: &mut DeTable<'_>, path: &KeyPath) -> bool {
     let Some((last, above)) = path.steps().split_last() else { return false };
     let Some((Step::Key(first), above)) = above.split_first() else {
-        return matches!(last, Step::Key(key) if root.remove(key.as_str()).is_some());
+        return matches!(last, Step::Key(key) if root.remove(&**key).is_some());
     };
-    let mut value = root.get_mut(first.as_str()).map(Spanned::get_mut);
+    let mut value = root.get_mut(&**first).map(Spanned::get_mut);
     for step in above {
         value = match (value, step) {
-            (Some(DeValue::Table(table)), Step::Key(key)) => table.get_mut(key.as_str()).map(Spanned::get_mut),
+            (Some(DeValue::Table(table)), Step::Key(key)) => table.get_mut(&**key).map(Spanned::get_mut),
             (Some(DeValue::Array(array)), Step::Index(index)) => array.get_mut(*index).map(Spanned::get_mut),
             _ => None,
         };
     }
     match (value, last) {
-        (Some(DeValue::Table(table)), Step::Key(key)) => table.remove(key.as_str()).is_some(),
+        (Some(DeValue::Table(table)), Step::Key(key)) => table.remove(&**key).is_some(),
         (Some(DeValue::Array(array)), Step::Index(index)) if *index < array.len() => {
             let all = std::mem::replace(array, DeArray::new()).into_iter().enumerate();
             *array = all.filter(|(number, _)| number != index).map(|(_, value)| value).collect();
@@ -110,7 +110,7 @@ impl<'t, 'i> Container<'t, 'i> {
     fn entry(&self, step: &Step) -> Option<(Range<usize>, &'t Spanned<DeValue<'i>>)> {
         match (self, step) {
             (Self::Table(table), Step::Key(key)) => {
-                table.get_key_value(key.as_str()).map(|(found, value)| (found.span(), value))
+                table.get_key_value(&**key).map(|(found, value)| (found.span(), value))
             }
             (Self::Array(array), Step::Index(index)) => array.get(*index).map(|value| (value.span(), value)),
             _ => None,
@@ -130,7 +130,7 @@ struct Search {
 impl Search {
     fn table(&mut self, table: &DeTable<'_>) {
         for (key, value) in table {
-            self.at.push(Step::key(key.get_ref().as_ref()));
+            self.at.push(Step::key(key.get_ref().to_string()));
             self.consider(&key.span());
             self.value(value);
             self.at.pop();

@@ -31,7 +31,9 @@ pub enum JointKindEntry {
     /// A line of the second body, or of the world, on which a point of the first slides without a rotation.
     Slider(SliderEntry),
     /// An axis of both bodies: the rotation about it and the displacement along it are free.
-    Cylindrical(CylindricalEntry),
+    Cylindrical(Box<CylindricalEntry>),
+    /// An axis of both bodies, and a displacement along it that goes with the rotation about it.
+    Screw(ScrewEntry),
     /// A plane of the second body, or of the world, in which a point of the first slides; both keep its normal.
     Planar(PlanarJointEntry),
     /// A rod without mass: the distance of a point of each stays.
@@ -74,6 +76,24 @@ pub struct FreedomEntry {
     pub damping: f64,
     /// A motor.
     pub motor: Option<MotorEntry>,
+    /// Dry friction.
+    pub friction: Option<JointFrictionEntry>,
+}
+
+/// Dry friction along a coordinate of a joint: `effort`, a bearing by `coefficient`, or both.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JointFrictionEntry {
+    /// Its torque (N m) or force (N) against the motion.
+    pub effort: Option<f64>,
+    /// The largest one that holds what is at rest; as large as `effort` without this key.
+    pub breakaway: Option<f64>,
+    /// Of a bearing: friction over the force on it across the axis.
+    #[schemars(range(min = 0.0))]
+    pub coefficient: Option<f64>,
+    /// Of a bearing: the radius at which it rubs, m; of angles alone.
+    #[schemars(range(min = 0.0))]
+    pub radius: Option<f64>,
 }
 
 /// A motor: exactly one of `effort`, `velocity` and `position`.
@@ -174,6 +194,23 @@ pub struct CylindricalEntry {
     pub angle: Option<FreedomEntry>,
     /// What acts along its displacement along the axis.
     pub displacement: Option<FreedomEntry>,
+}
+
+/// A screw.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ScrewEntry {
+    /// Names of the two bodies; of one that is held by the world.
+    #[schemars(length(min = 1, max = 2))]
+    pub bodies: Vec<String>,
+    /// A point of the axis at t = 0, m, world.
+    pub anchor: Vector,
+    /// The direction of the axis at t = 0, world; of any length but zero.
+    pub axis: Vector,
+    /// The displacement along the axis for each revolution, m: positive for a right-handed thread, not zero.
+    pub lead: f64,
+    /// What acts along the angle of the first body about the axis, relative to the second one or the world.
+    pub angle: Option<FreedomEntry>,
 }
 
 /// A universal joint.

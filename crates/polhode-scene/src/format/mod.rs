@@ -50,8 +50,8 @@ pub use friction::{FrictionEntry, GrainEntry, NumberOr, StaticFrictionEntry, Sta
 pub use integrator::IntegratorName;
 pub(crate) use joint::JOINTS;
 pub use joint::{
-    CylindricalEntry, FreedomEntry, HingeEntry, JointEntry, JointKindEntry, MotorEntry, PlanarJointEntry,
-    PointJointEntry, RodEntry, RopeEntry, SliderEntry, UniversalJointEntry,
+    CylindricalEntry, FreedomEntry, HingeEntry, JointEntry, JointFrictionEntry, JointKindEntry, MotorEntry,
+    PlanarJointEntry, PointJointEntry, RodEntry, RopeEntry, ScrewEntry, SliderEntry, UniversalJointEntry,
 };
 pub use method::{
     ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,

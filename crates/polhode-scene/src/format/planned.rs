@@ -60,10 +60,9 @@ pub(crate) fn requested(root: &DeTable<'_>) -> Option<Request> {
 
 fn in_table(planned: &Planned, path: &[&str], table: &DeTable<'_>, at: &KeyPath) -> Option<Request> {
     let (name, rest) = path.split_first()?;
-    table
-        .iter()
-        .filter(|(key, _)| *name == "*" || key.get_ref() == name)
-        .find_map(|(key, value)| in_value(planned, rest, value.get_ref(), &at.then(Step::key(key.get_ref().as_ref()))))
+    table.iter().filter(|(key, _)| *name == "*" || key.get_ref() == name).find_map(|(key, value)| {
+        in_value(planned, rest, value.get_ref(), &at.then(Step::key(key.get_ref().to_string())))
+    })
 }
 
 fn in_value(planned: &Planned, rest: &[&str], value: &DeValue<'_>, at: &KeyPath) -> Option<Request> {

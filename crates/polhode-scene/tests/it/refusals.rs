@@ -427,7 +427,21 @@ fn errors_of_the_engine() {
 #[test]
 fn joints_that_cannot_hold() {
     let hinge = |bodies: &str, axis: &str| format!("type.hinge = {{ bodies = {bodies}, anchor = [0, 0, 0]{axis} }}");
+    let rough = |friction: &str| {
+        hinge("[\"brick\"]", &format!(", axis = [0, 0, 1], angle = {{ friction = {{ {friction} }} }}"))
+    };
+    let friction = "joints.0.type.hinge.angle.friction";
+    let slider = "type.slider = { bodies = [\"brick\"], anchor = [0, 0, 0], axis = [0, 0, 1], displacement = { friction = \
+                  { coefficient = 0.2, radius = 0.1 } } }";
     let cases = [
+        (rough("effort = 0"), friction, "above 0"),
+        (rough("effort = 1, breakaway = 0.5"), friction, "at least the effort"),
+        (rough("breakaway = 0.5"), friction, "missing key `effort`"),
+        (rough("coefficient = 0.1"), friction, "missing key `radius`"),
+        (rough("coefficient = -0.1, radius = 0.02"), friction, "at least 0"),
+        (rough("effort = 1, radius = 0.02"), "joints.0.type.hinge.angle.friction.radius", "without `coefficient`"),
+        (rough("coefficient = 0.1, radius = 0.02, breakaway = 2"), friction, "without `effort`"),
+        (slider.to_owned(), "joints.0.type.slider.displacement.friction.radius", "no angle"),
         (hinge("[\"brik\"]", ", axis = [0, 0, 1]"), "joints.0.type.hinge.bodies.0", "brick"),
         (hinge("[]", ", axis = [0, 0, 1]"), "joints.0.type.hinge.bodies", "the names of two bodies"),
         (hinge("[\"brick\", \"brick\"]", ", axis = [0, 0, 1]"), "joints.0.type.hinge.bodies.1", "brick"),

@@ -1,4 +1,5 @@
-//! Marks: bodies too small to be seen are drawn as discs of a least size, with the path that they have come.
+//! Marks: bodies too small to be seen are drawn as discs of a least size, with the path that they have come; ropes and rods are
+//! drawn as lines.
 //!
 //! A satellite on its orbit is a millionth of the picture, a point of a point set has no size at all. A body of diameter `s`
 //! at distance `z` has a radius of `f s / (2 z)` pixels, `f` being the focal length in pixels; where that is less than
@@ -7,7 +8,7 @@
 
 use crate::camera::Camera;
 use crate::recording::{MOST_PATHS, Recording};
-use crate::shown_scene::ShownBody;
+use crate::shown_scene::{JointEnd, ShownBody};
 use polhode::spatial::{DVec3, Pose};
 
 /// Radius of a mark, as a fraction of the picture's height: at 720 pixels 5.
@@ -34,10 +35,10 @@ pub struct Disc {
     pub color: u16,
 }
 
-/// Where a marked body has been.
+/// Where a marked body has been, or a rope or a rod.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Path {
-    /// Places of its middle in order of time, m.
+    /// Places of its middle in order of time, or its ends, m.
     pub places: Vec<DVec3>,
     /// Number of its colour.
     pub color: u16,
@@ -56,7 +57,7 @@ impl Marks {
     /// Those of a frame that a camera sees in a picture of this height, pixels.
     pub fn of_frame(recording: &Recording, frame: usize, camera: &Camera, height_px: u32) -> Self {
         let shown = recording.shown();
-        let mut marks = Self::default();
+        let mut marks = Self { discs: Vec::new(), paths: links(recording, frame) };
         if shown.moving.len() > MOST_PATHS {
             return marks;
         }
@@ -88,6 +89,20 @@ impl Marks {
         }
         marks
     }
+}
+
+/// The ropes and rods of a frame, each from end to end.
+fn links(recording: &Recording, frame: usize) -> Vec<Path> {
+    let links: Vec<_> = recording.shown().joints.iter().filter(|joint| joint.is_link).collect();
+    if links.is_empty() {
+        return Vec::new();
+    }
+    let poses = recording.poses(frame);
+    let place = |end: &JointEnd| {
+        let pose = end.body.and_then(|body| poses.get(body));
+        pose.map_or(end.point, |pose| pose.transform_point(end.point))
+    };
+    links.iter().map(|joint| Path { places: joint.ends.iter().map(place).collect(), color: GREY }).collect()
 }
 
 /// How large things are in a picture.

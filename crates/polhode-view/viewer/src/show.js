@@ -98,6 +98,7 @@ function readRun(run, index, mesh_count, notices) {
     outcome: run.outcome ?? 'completed',
     duration: Number.isFinite(run.duration_s) ? run.duration_s : (times.at(-1) ?? 0),
     bodies,
+    joints: (run.joints ?? []).map((joint, at) => readJoint(joint, at, bodies.length, what)),
     initial: Float64Array.from(run.initial.flat()),
     times,
     moving,
@@ -123,6 +124,15 @@ function readBody(body, index, mesh_count, what) {
     half_spaces: body.half_spaces ?? [],
     box: body.box ?? null,
   };
+}
+
+/** A joint: whether it is drawn as a line, and its ends, of a body (or null, of the world) and a point in its frame. */
+function readJoint(joint, index, body_count, what) {
+  const ends = (joint.ends ?? []).map(({ body, point }) => ({ body: body ?? null, point }));
+  if (ends.length !== 2 || ends.some(({ body }) => body !== null && !(body >= 0 && body < body_count))) {
+    throw new PageError(`${what}: joint ${index} does not have two ends of bodies that it knows.`);
+  }
+  return { link: Boolean(joint.link), ends };
 }
 
 /** Chunks must follow one another and cover all frames. */

@@ -7,6 +7,7 @@ import { SELECTED_COLOUR } from './colours.js';
 import { Frames } from './frames.js';
 import { Ground } from './ground.js';
 import { instancedLines } from './instances.js';
+import { Joints } from './joints.js';
 import { quantile } from './numbers.js';
 import { cubeEdges, placeBox } from './overlays/boxes.js';
 import { OVERLAYS } from './overlays/index.js';
@@ -53,7 +54,8 @@ export class View {
     const bounds = this.bounds();
     const reach = bounds.getBoundingSphere(new Sphere()).radius;
     this.ground = new Ground(run, Math.max(6 * reach, 12 * this.size), look.shadows);
-    this.group.add(this.ground.group, this.selected);
+    this.joints = new Joints(run);
+    this.group.add(this.ground.group, this.selected, this.joints.group);
     this.setGhost(false);
   }
 
@@ -62,6 +64,7 @@ export class View {
     if (this.bodies) this.group.remove(this.bodies.group);
     this.bodies = new Bodies(this.run, this.geometries, { ...this.look, ghost });
     this.ground.group.visible = !ghost;
+    this.joints.group.visible = !ghost;
     this.group.add(this.bodies.group);
     this.update();
   }
@@ -77,6 +80,7 @@ export class View {
     // Overlays first, because some paint the bodies.
     for (const overlay of this.overlays.values()) if (overlay.on) overlay.part.update();
     this.bodies.update(this.snapshot, this.eye());
+    this.joints.update(this.snapshot.poses);
     this.ground.update(this.snapshot);
     this.markFollowed();
   }

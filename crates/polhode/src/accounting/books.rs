@@ -32,6 +32,17 @@ pub(crate) struct Received {
     pub(crate) external_j: f64,
 }
 
+impl Received {
+    /// Adds the work (J) of fields of an account. What fields with a potential do is in the potential energy.
+    pub(crate) fn add_work(&mut self, account: Account, work_j: f64) {
+        match account {
+            Account::Potential => {}
+            Account::Damping => self.damping_j -= work_j,
+            Account::External => self.external_j += work_j,
+        }
+    }
+}
+
 impl std::ops::AddAssign for Received {
     fn add_assign(&mut self, other: Self) {
         self.gravity = self.gravity + other.gravity;
@@ -251,13 +262,13 @@ impl Books {
         let scale = kinetic + potential.abs();
         // In a scene at rest this scale is zero; its potential energy is used instead.
         let scale = if scale == 0.0 { world.start_potential().abs() } else { scale };
-        self.ledger.scale_j = self.ledger.scale_j.max(scale);
+        self.ledger.scale_j = self.ledger.scale_j.max(scale).max(world.friction_energy_j());
     }
 
     fn note_momentum(&mut self, totals: &Totals) {
         let ledger = &mut self.ledger.momentum;
         ledger.current = totals.momentum.value();
-        let given = ledger.gravity.value();
+        let given = ledger.gravity.value() + ledger.fields.value();
         ledger.scale_linear = ledger.scale_linear.max(totals.linear).max(given.linear.length());
         ledger.scale_angular = ledger.scale_angular.max(totals.angular).max(given.angular.length());
         // The moments of weights on both sides of the point cancel, but their rounding errors do not.
@@ -278,7 +289,7 @@ struct Totals {
     /// Magnitudes of linear (N s) and angular momentum (N m s) of all bodies added up.
     linear: f64,
     angular: f64,
-    /// Largest distance of a movable body from the point, m.
+    /// Largest distance of a point of a movable body from the point, m.
     extent: f64,
 }
 
@@ -293,7 +304,7 @@ impl Totals {
             let body = &world.bodies[index];
             let distance = (state.pose.translation - about).length();
             if body.moves() {
-                totals.extent = distance.max(totals.extent);
+                totals.extent = totals.extent.max(distance + body.size);
             }
             if let Some(rigid) = body.rigid.as_ref().filter(|_| world.carries_momentum(index)) {
                 let linear = linear_momentum(rigid, state);
@@ -339,11 +350,7 @@ pub(crate) fn given_by_fields(world: &World, t: f64, states: &[BodyState], bodie
                 sum.add(Momentum { linear: wrench.force, angular: wrench.torque + arm.cross(wrench.force) });
             }
         }
-        match account {
-            Account::Potential => {}
-            Account::Damping => received.damping_j = -power,
-            Account::External => received.external_j = power,
-        }
+        received.add_work(account, power);
     }
     received.fields = sum.value();
     received

@@ -35,8 +35,8 @@ impl ConstrainedStep {
     /// The pairs whose contacts may close within the step: those with held contacts, and those with stops, ascending.
     pub(super) fn watched_pairs(&self, world: &World) -> Vec<(usize, usize)> {
         let mut pairs: Vec<_> = self.active.held().iter().map(|id| (id.a, id.b)).collect();
-        if world.has_stops() {
-            pairs.extend(world.stop_pairs_among(&self.bodies));
+        if world.has_joint_contacts() {
+            pairs.extend(world.joint_contact_pairs_among(&self.bodies));
             pairs.sort_unstable();
         }
         pairs.dedup();

@@ -68,7 +68,7 @@ impl CrowdPart {
 /// Whether two bodies in these states may touch within `h` (s). Bodies without a shape, and those whose motion is
 /// prescribed, always may.
 pub(super) fn may_touch_within(world: &World, states: &[BodyState], (a, b): (usize, usize), h: f64) -> bool {
-    if !world.stops_of_pair((a, b)).is_empty() {
+    if !world.joint_contacts_of_pair((a, b)).is_empty() {
         return true;
     }
     let Some((shape_a, shape_b)) = world.shapes(a, b) else { return true };

@@ -250,7 +250,7 @@ impl Engine {
                     }
                     pairs.insert((body.min(other), body.max(other)));
                 }
-                pairs.extend(core.world.stop_partners(body).map(|other| (body.min(other), body.max(other))));
+                pairs.extend(core.world.joint_contact_partners(body).map(|other| (body.min(other), body.max(other))));
                 let coupled = core.world.couplings_of(body).flatten();
                 joins.extend(coupled.copied().filter(|other| instant.bodies.binary_search(other).is_err()));
             }

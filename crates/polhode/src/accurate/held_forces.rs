@@ -18,6 +18,7 @@ use crate::collision::contact_modes::ContactModes;
 use crate::collision::friction_mode::FrictionMode;
 use crate::collision::turn::Turn;
 use crate::constraint::bilateral::{Bilateral, Reaction};
+use crate::constraint::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::push_contact;
 use crate::rows::rotation_row::RotationRow;
@@ -174,23 +175,31 @@ pub(super) fn solve(
     let kinematics = contacts.iter().map(|(id, kinematics)| (*id, kinematics));
     let mut constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
     let delassus = assembly.problem.delassus();
-    let (LeastNormForces { forces, loads }, violation) = if slides.is_empty() && turning.is_empty() {
-        (least_norm_forces(&assembly.problem, &delassus, &constants)?, None)
-    } else {
-        constants.truncate(equations);
-        let slides = slides.iter().map(|&(_, normal, coefficient)| (normal, coefficient));
-        let turning = turning.iter().map(|&(_, normal, coefficient)| (normal, coefficient));
-        let sliding = slides.chain(turning).enumerate().map(|(k, (normal, coefficient))| SlidingRow {
-            normal,
-            tangent: equations + k,
-            coefficient,
-        });
-        let sliding: Vec<SlidingRow> = sliding.collect();
-        let least = least_norm_sliding_forces(&assembly.problem, &delassus, &constants, &sliding)?;
-        match StickingCones::of(contacts.len(), friction, assembly.first_tangent()) {
-            Some(cones) => cones.put_into((&delassus, equations, &sliding), least)?,
-            None => (least, None),
+    let slides = slides.iter().map(|&(_, normal, coefficient)| (normal, coefficient));
+    let turning = turning.iter().map(|&(_, normal, coefficient)| (normal, coefficient));
+    let sliding = slides.chain(turning).enumerate().map(|(k, (normal, coefficient))| SlidingRow {
+        normal,
+        tangent: equations + k,
+        coefficient,
+    });
+    let sliding: Vec<SlidingRow> = sliding.collect();
+    constants.truncate(equations);
+    let mut rounds = 0;
+    let (LeastNormForces { forces, loads }, violation) = loop {
+        let found = if sliding.is_empty() {
+            (least_norm_forces(&assembly.problem, &delassus, &constants)?, None)
+        } else {
+            let least = least_norm_sliding_forces(&assembly.problem, &delassus, &constants, &sliding)?;
+            match StickingCones::of(contacts.len(), friction, assembly.first_tangent()) {
+                Some(cones) => cones.put_into((&delassus, equations, &sliding), least)?,
+                None => (least, None),
+            }
+        };
+        rounds += 1;
+        if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.0.forces, 1.0) {
+            break found;
         }
+        assembly.press(&mut constants, 1.0);
     };
     let tangential = assembly.of_tangents(&forces).map(|(row, force)| (row.id, row.along, force)).collect();
     let moments = assembly.of_rotations(&forces).map(|(row, moment)| (row.id, row.axis * moment)).collect();

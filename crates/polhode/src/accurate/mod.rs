@@ -26,7 +26,7 @@
 //! | `jam`, `turning` | impacts without a collision; rotations that friction of rolling and spinning holds |
 //! | `contact_change` | what changes at the contacts of an island at the end of its active set |
 //! | `contacts` | the touching contacts at their last evaluation |
-//! | `pivot_views` | forces of pivots at the present |
+//! | `load_views` | forces of pivots, forces and moments of joints, for programs |
 //! | `pace` | whether time advances: stalls and crowded events |
 //! | `crowding`, `crowd_parts`, `crowd_step` | time steps through stretches of crowded events |
 //! | `start` | the first instant |
@@ -56,12 +56,12 @@ mod instant;
 mod island;
 mod jam;
 mod lifting;
+mod load_views;
 mod locate;
 mod motions;
 mod near_pairs;
 mod pace;
 mod penetration;
-mod pivot_views;
 mod present;
 mod present_crowds;
 mod program;

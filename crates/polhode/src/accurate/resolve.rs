@@ -339,7 +339,7 @@ impl Resolution<'_> {
         let change = &self.instant.change;
         let noise = slip_noise(self.core, self.instant.speed_scale, touch);
         let friction = match change.slipping.get(&touch.id) {
-            Some(&direction) if self.core.world.friction_of(touch.id.a, touch.id.b).is_some() => {
+            Some(&direction) if self.core.world.friction_of(touch.id).is_some() => {
                 Some(FrictionMode::Sliding(Slide::beginning(direction, noise)))
             }
             _ if change.stopping.contains(&touch.id) => None,
@@ -584,7 +584,7 @@ impl Resolution<'_> {
 impl Motions {
     /// The friction of a contact that has a slip; none without a slip or friction.
     pub(super) fn slide_of(&self, core: &Core, speed_scale: f64, touch: &Touch) -> Option<FrictionMode> {
-        core.world.friction_of(touch.id.a, touch.id.b)?;
+        core.world.friction_of(touch.id)?;
         let slip = core.world.tangential_kinematics(&self.states, touch.id)?.slip_velocity;
         let speed = slip.length();
         let slides = speed > self.sustained_speed(core, speed_scale, touch);

@@ -24,6 +24,6 @@ impl Schedule {
     /// The bodies that a body may meet or touches, itself where it has stops with the world; some are repeated.
     pub(super) fn partners<'a>(&'a self, core: &'a Core, body: usize) -> impl Iterator<Item = usize> + 'a {
         let near = self.near.partners(body).iter().copied().chain(self.contacts.partners(body));
-        near.chain(core.world.stop_partners(body))
+        near.chain(core.world.joint_contact_partners(body))
     }
 }

@@ -102,7 +102,7 @@ impl Engine {
         }
         let mut pairs = Vec::new();
         boxes.all_pairs(&core.world, |a, b| pairs.push((a, b)))?;
-        pairs.extend(core.world.stop_pairs());
+        pairs.extend(core.world.joint_contact_pairs());
         Ok(pairs)
     }
 

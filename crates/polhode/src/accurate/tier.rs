@@ -9,7 +9,7 @@ use super::motions::{Mode, Track, book_flight};
 use crate::accounting::Accounts;
 use crate::accounting::books::Received;
 use crate::core::Core;
-use crate::frame::{ContactView, IslandView, MotionKind, PivotView};
+use crate::frame::{ContactView, IslandView, JointView, MotionKind, PivotView};
 use crate::observer::{BodySample, Observer};
 use crate::rows::assembly::free_acceleration;
 use crate::snapshot::content;
@@ -222,6 +222,10 @@ impl Tier for Engine {
 
     fn pivots(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<PivotView> {
         self.pivot_views(core, t, states)
+    }
+
+    fn joint_loads(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<JointView> {
+        self.joint_views(core, t, states)
     }
 
     fn motions(&self, core: &Core) -> Vec<MotionKind> {

@@ -1,5 +1,6 @@
 //! Identity of a contact: which bodies touch, and by what.
 
+use crate::constraint::coordinate_id::CoordinateId;
 use crate::constraint::stop_id::StopId;
 use polhode_contact::ContactFeature;
 use polhode_spatial::DVec3;
@@ -11,10 +12,12 @@ pub(crate) enum Feature {
     Shapes(ContactFeature),
     /// A joint at one of its limits.
     Stop(StopId),
+    /// Dry friction of a joint along one of its coordinates.
+    JointFriction(CoordinateId),
 }
 
-/// Identity of a contact point: two bodies (by index, A before B) and the features that touch. A stop between a body and the
-/// world has that body twice.
+/// Identity of a contact point: two bodies (by index, A before B) and the features that touch. A stop or the friction of a joint
+/// between a body and the world has that body twice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct ContactId {
     pub(crate) a: usize,

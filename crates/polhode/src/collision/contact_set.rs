@@ -151,7 +151,7 @@ impl World {
     pub(super) fn kinematics_in_space(&self, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
         let feature = match id.feature {
             Feature::Shapes(feature) => feature,
-            Feature::Stop(stop) => return self.stop_kinematics(states, stop),
+            Feature::Stop(_) | Feature::JointFriction(_) => return self.joint_contact_kinematics(states, id),
         };
         let (shape_a, shape_b) = self.shapes(id.a, id.b)?;
         let (state_a, state_b) = (&states[id.a], &states[id.b]);
@@ -166,9 +166,17 @@ impl World {
         )
     }
 
-    /// The coefficients of friction of two bodies; none without friction.
-    pub(crate) fn friction_of(&self, a: usize, b: usize) -> Option<FrictionCoefficients> {
-        if !self.has_friction() || !self.stops_of_pair((a, b)).is_empty() {
+    /// The coefficients of friction of a contact; none without friction.
+    pub(crate) fn friction_of(&self, id: ContactId) -> Option<FrictionCoefficients> {
+        match id.feature {
+            Feature::Shapes(_) => self.friction_of_surfaces((id.a, id.b)),
+            Feature::Stop(_) => None,
+            Feature::JointFriction(of) => self.friction_of_joint(of),
+        }
+    }
+
+    fn friction_of_surfaces(&self, (a, b): (usize, usize)) -> Option<FrictionCoefficients> {
+        if !self.has_friction() {
             return None;
         }
         let material = self.scene.pair_material(a, b);
@@ -186,7 +194,7 @@ impl World {
         id: ContactId,
         basis: [DVec3; 2],
     ) -> Option<FrictionCoefficients> {
-        let coefficients = self.friction_of(id.a, id.b)?;
+        let coefficients = self.friction_of(id)?;
         if !self.has_grain() || self.grain_in_plane(states, id, basis).is_some() {
             return Some(coefficients);
         }
@@ -208,7 +216,7 @@ impl World {
 
     /// The friction of rolling and spinning of two bodies; none without either.
     pub(crate) fn rotational_friction_of(&self, a: usize, b: usize) -> Option<RotationalFriction> {
-        if !self.has_rotational_friction() || !self.stops_of_pair((a, b)).is_empty() {
+        if !self.has_rotational_friction() || !self.joint_contacts_of_pair((a, b)).is_empty() {
             return None;
         }
         let material = self.scene.pair_material(a, b);
@@ -225,7 +233,11 @@ impl World {
     /// Slip of a contact and the terms of its derivative, in motion in space; none as for [`Self::kinematics`]. Of
     /// contacts with a grain the first tangent is along it.
     pub(crate) fn tangential_kinematics(&self, states: &[BodyState], id: ContactId) -> Option<TangentialKinematics> {
-        let Feature::Shapes(feature) = id.feature else { return None };
+        let feature = match id.feature {
+            Feature::Shapes(feature) => feature,
+            Feature::Stop(_) => return None,
+            Feature::JointFriction(of) => return self.friction_slip(states, of),
+        };
         let (shape_a, shape_b) = self.shapes(id.a, id.b)?;
         let (state_a, state_b) = (&states[id.a], &states[id.b]);
         let (velocity_a, velocity_b) = (self.velocity(id.a, state_a), self.velocity(id.b, state_b));
@@ -260,7 +272,7 @@ impl World {
 
     /// The separation of one pair, m, and its contacts as [`Self::contacts_of_pair`] gives them.
     pub(crate) fn pair(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> Pair {
-        if let Some(stops) = self.pair_of_stops(states, (a, b), reach) {
+        if let Some(stops) = self.pair_of_joint_contacts(states, (a, b), reach) {
             return stops;
         }
         let found = self.manifold_with_counterparts(states, (a, b), reach);
@@ -276,7 +288,7 @@ impl World {
         depth: f64,
     ) -> Option<Pair> {
         let penetrates = |separation: f64| separation < -depth;
-        if let Some(stops) = self.pair_of_stops(states, (a, b), reach) {
+        if let Some(stops) = self.pair_of_joint_contacts(states, (a, b), reach) {
             return penetrates(stops.separation).then_some(stops);
         }
         let (separation, contacts) = self.manifold_with_counterparts(states, (a, b), reach)?;
@@ -284,12 +296,12 @@ impl World {
         (is_deep || penetrates(separation)).then(|| self.pair_of(states, (a, b), reach, (separation, contacts)))
     }
 
-    /// The stops of two bodies of a joint; none of bodies without stops.
-    fn pair_of_stops(&self, states: &[BodyState], pair: (usize, usize), reach: f64) -> Option<Pair> {
-        if !self.has_stops() || self.stops_of_pair(pair).is_empty() {
+    /// The contacts at the joints of two bodies; none of bodies without them.
+    fn pair_of_joint_contacts(&self, states: &[BodyState], pair: (usize, usize), reach: f64) -> Option<Pair> {
+        if !self.has_joint_contacts() || self.joint_contacts_of_pair(pair).is_empty() {
             return None;
         }
-        let contacts = self.stops_within(states, pair, reach).into_iter();
+        let contacts = self.joint_contacts_within(states, pair, reach).into_iter();
         let contacts: Vec<FoundContact> =
             contacts.map(|found| FoundContact { kinematics: self.in_plane(found.kinematics), ..found }).collect();
         let separations = contacts.iter().map(|found| found.kinematics.geometry.separation);
@@ -312,7 +324,7 @@ impl World {
     /// The separation of one pair, m, and its contacts with a separation of at most `reach` (m) by the poses of its
     /// bodies alone: also those at which the bodies pass each other.
     pub(crate) fn pair_at_poses(&self, states: &[BodyState], a: usize, b: usize, reach: f64) -> Pair {
-        if let Some(stops) = self.pair_of_stops(states, (a, b), reach) {
+        if let Some(stops) = self.pair_of_joint_contacts(states, (a, b), reach) {
             return stops;
         }
         let Some((separation, contacts)) = self.manifold_with_counterparts(states, (a, b), reach) else {

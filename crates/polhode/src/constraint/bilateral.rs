@@ -79,6 +79,10 @@ impl Bilateral {
             match row.kind {
                 RowKind::Along(direction) => reaction.force += direction * multiplier,
                 RowKind::About(axis) => reaction.moment += axis * multiplier,
+                RowKind::Helix { along, about } => {
+                    reaction.force += along * multiplier;
+                    reaction.moment += about * multiplier;
+                }
             }
         }
         reaction
@@ -108,9 +112,9 @@ impl Bilateral {
 
 impl BilateralRow {
     /// Its multiplier in a reaction, where directions of a constraint are orthogonal to each other, and so are axes.
-    fn multiplier(&self, reaction: Reaction) -> f64 {
+    pub(crate) fn multiplier(&self, reaction: Reaction) -> f64 {
         match self.kind {
-            RowKind::Along(direction) => reaction.force.dot(direction),
+            RowKind::Along(direction) | RowKind::Helix { along: direction, .. } => reaction.force.dot(direction),
             RowKind::About(axis) => reaction.moment.dot(axis) / axis.length_squared(),
         }
     }

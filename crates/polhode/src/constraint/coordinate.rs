@@ -55,9 +55,26 @@ pub(crate) struct CoordinateAt {
     pub(crate) direction: DVec3,
     /// Of an angle: the moment on A that such a force of 1 N stands for, N m, world.
     pub(crate) moment: Option<DVec3>,
+    /// Of an angle: such a force at the lever of B.
+    at_second: Option<AtLever>,
+}
+
+/// A force at a lever of a body, which stands for the moment about a hinge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct AtLever {
+    point: DVec3,
+    direction: DVec3,
+    rate: f64,
+    bias: f64,
 }
 
 impl CoordinateAt {
+    /// The same with the force of an angle at the lever of B, which turns with that body.
+    pub(super) fn at_lever_of_second(self) -> Self {
+        let at = |AtLever { point, direction, rate, bias }| Self { rate, bias, point, direction, ..self };
+        self.at_second.map_or(self, at)
+    }
+
     /// The row that keeps the coordinate at a value (m).
     pub(super) fn row(&self, value: f64) -> BilateralRow {
         BilateralRow { kind: RowKind::Along(self.direction), gap: self.value - value, rate: self.rate, bias: self.bias }
@@ -76,6 +93,14 @@ impl Measured {
         Self::Displacement { axis: b.inverse_rotate(axis) }
     }
 
+    /// Its axis in the axes of B, a unit vector.
+    pub(super) fn axis(&self) -> Option<DVec3> {
+        match *self {
+            Self::Angle { axis, .. } | Self::Displacement { axis } => Some(axis),
+            Self::Distance => None,
+        }
+    }
+
     /// The coordinate of these ends. `length` is that of the joint, m; an angle is given within half a revolution of `near` (its arc, m).
     pub(super) fn at(&self, a: &EndKinematics, b: &EndKinematics, length: f64, near: f64) -> Option<CoordinateAt> {
         match *self {
@@ -85,7 +110,16 @@ impl Measured {
                 let row = line::row(axis, way, a, &b.at_point(a.point));
                 let RowKind::Along(direction) = row.kind else { return None };
                 let point = a.point;
-                Some(CoordinateAt { value: row.gap, rate: row.rate, bias: row.bias, point, direction, moment: None })
+                let (moment, at_second) = (None, None);
+                Some(CoordinateAt {
+                    value: row.gap,
+                    rate: row.rate,
+                    bias: row.bias,
+                    point,
+                    direction,
+                    moment,
+                    at_second,
+                })
             }
             Self::Distance => distance(a, b),
         }
@@ -100,22 +134,27 @@ fn angle(
     near: f64,
 ) -> CoordinateAt {
     let (axis, at_b) = (b.rotation.rotate(axis), b.rotation.rotate(of_b));
-    let lever = a.rotation.rotate(of_a);
-    let direction = axis.cross(lever);
-    let angle = libm::atan2(axis.dot(at_b.cross(lever)), at_b.dot(lever));
+    let at_a = a.rotation.rotate(of_a);
+    let angle = libm::atan2(axis.dot(at_b.cross(at_a)), at_b.dot(at_a));
     let whole = libm::round((near / length - angle) / (2.0 * PI));
-    let point = a.point + lever * length;
-    // What the joint keeps at the anchor determines the acceleration there along the direction of the force.
-    let kept = line::bias(direction, a, &b.at_point(a.point));
     let turning = length * b.angular.cross(axis).dot(a.angular - b.angular);
-    let slip = a.at_point(point).velocity - b.at_point(point).velocity;
+    let at_lever = |lever: DVec3| {
+        let direction = axis.cross(lever);
+        // What the joint keeps at the anchor determines the acceleration there along the direction of the force.
+        let kept = line::bias(direction, a, &b.at_point(a.point));
+        let point = a.point + lever * length;
+        let slip = a.at_point(point).velocity - b.at_point(point).velocity;
+        AtLever { point, direction, rate: direction.dot(slip), bias: kept + turning }
+    };
+    let AtLever { point, direction, rate, bias } = at_lever(at_a);
     CoordinateAt {
         value: length * (angle + 2.0 * PI * whole),
-        rate: direction.dot(slip),
-        bias: kept + turning,
+        rate,
+        bias,
         point,
         direction,
         moment: Some(axis * length),
+        at_second: Some(at_lever(at_b)),
     }
 }
 
@@ -128,5 +167,5 @@ pub(super) fn distance(a: &EndKinematics, b: &EndKinematics) -> Option<Coordinat
     let rate = direction.dot(slip);
     let across = (slip - direction * rate).length_squared();
     let bias = direction.dot(a.acceleration - b.acceleration) + across / value;
-    Some(CoordinateAt { value, rate, bias, point: a.point, direction, moment: None })
+    Some(CoordinateAt { value, rate, bias, point: a.point, direction, moment: None, at_second: None })
 }

@@ -8,6 +8,7 @@
 //! | fixed | a point and the attitude (`fixed.rs`) | nothing |
 //! | slider | a line and the attitude (`slider.rs`) | the displacement along the line |
 //! | cylindrical | an axis (`cylindrical.rs`) | the rotation about it and the displacement along it |
+//! | screw | an axis, and a displacement along it for each rotation about it (`screw.rs`) | the rotation about the axis, with its displacement |
 //! | rod | the distance of two points | all but displacements along their line |
 //! | rope | nothing: limits of a distance are stops | all |
 //! | planar | a point in a plane, and its normal (`planar.rs`) | displacements in it and the rotation about the normal |
@@ -17,8 +18,8 @@ use super::end::End;
 use super::joint_coordinate::{JointCoordinate, coordinates};
 use super::kept::Kept;
 use super::row::RowsAt;
-use super::stop::{Reversed, Stop};
-use super::{cylindrical, fixed, hinge, planar, point, slider, universal};
+use super::stop::Stop;
+use super::{cylindrical, fixed, hinge, planar, point, screw, slider, universal};
 use crate::body_id::BodyId;
 use crate::scene::{Coordinate, Joint, JointKind, Motor};
 use polhode_contact::ContactKinematics;
@@ -30,6 +31,23 @@ pub(crate) enum HeldBody {
     Fixed,
     Movable(Pose),
     Kinematic(Pose),
+}
+
+/// Whether the first body of a contact at a joint is the first one of the joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Order {
+    Same,
+    Reversed,
+}
+
+impl Order {
+    /// The sign of motions of the first body of the joint in those of the first one of the contact.
+    pub(super) fn sign(self) -> f64 {
+        match self {
+            Self::Same => 1.0,
+            Self::Reversed => -1.0,
+        }
+    }
 }
 
 /// A joint of the model.
@@ -69,6 +87,7 @@ impl WorldJoint {
             JointKind::Fixed => fixed::kept(attitudes),
             JointKind::Slider { axis } => slider::kept(axis.get(), attitudes),
             JointKind::Cylindrical { axis } => cylindrical::kept(axis.get(), attitudes),
+            JointKind::Screw { axis, lead } => screw::kept((axis.get(), lead), attitudes),
             JointKind::Planar { normal } => planar::kept(normal.get(), attitudes),
             JointKind::Rod { to } => Kept::distance((joint.anchor() - to).length()),
             JointKind::Rope { .. } => Kept::nothing(),
@@ -111,9 +130,13 @@ impl WorldJoint {
         place: usize,
         motion: impl Fn(usize) -> (Pose, Velocity),
     ) -> Option<ContactKinematics> {
+        self.stop(place)?.at(|measured, near| self.coordinate_at((measured, near), motion), self.order())
+    }
+
+    /// Which end the first body of its pair is at.
+    pub(super) fn order(&self) -> Order {
         let is_first = self.a.body().or_else(|| self.a.driver()) == Some(self.pair().0);
-        let reversed = if is_first { Reversed::No } else { Reversed::Yes };
-        self.stop(place)?.at(|measured, near| self.coordinate_at((measured, near), motion), reversed)
+        if is_first { Order::Same } else { Order::Reversed }
     }
 
     /// A coordinate where bodies have these poses of their moving frames, and velocities: its value lies within half a revolution of
@@ -125,6 +148,23 @@ impl WorldJoint {
     ) -> Option<CoordinateAt> {
         let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
         measured.at(&a, &b, self.length, near)
+    }
+
+    /// Where it holds its first body, world, m.
+    pub(super) fn anchor(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> DVec3 {
+        self.a.at(motion).point
+    }
+
+    /// The axis of one of its coordinates (unit vector, world): of an angle or a displacement; zero of a distance.
+    pub(super) fn axis_of(&self, place: usize, motion: impl Fn(usize) -> (Pose, Velocity)) -> DVec3 {
+        let b = self.b.at(motion);
+        let axis = self.coordinates.get(place).and_then(|own| own.measured.axis());
+        axis.map_or(DVec3::ZERO, |axis| b.rotation.rotate(axis))
+    }
+
+    /// Length of its rows of rotation, m.
+    pub(super) fn length(&self) -> f64 {
+        self.length
     }
 
     /// Its coordinates.

@@ -3,6 +3,7 @@
 use super::end::EndKinematics;
 use super::perpendicular::Perpendicular;
 use super::row::RowsAt;
+use super::screw::Thread;
 use super::{coordinate, line, point};
 use polhode_spatial::{DVec3, Rotation};
 
@@ -21,28 +22,29 @@ enum StaysAlong {
 pub(super) struct Kept {
     displacement: StaysAlong,
     rotation: Vec<Perpendicular>,
+    thread: Option<Thread>,
 }
 
 impl Kept {
     /// A point: A does not move away from B, but turns.
     pub(super) fn point() -> Self {
-        Self { displacement: StaysAlong::All, rotation: Vec::new() }
+        Self { displacement: StaysAlong::All, rotation: Vec::new(), thread: None }
     }
 
     /// A point of A does not move along these directions of the world (unit vectors), fixed in B with this attitude.
     pub(super) fn along<const N: usize>(directions: [DVec3; N], b: Rotation) -> Self {
         let directions = directions.iter().map(|direction| b.inverse_rotate(*direction)).collect();
-        Self { displacement: StaysAlong::Some(directions), rotation: Vec::new() }
+        Self { displacement: StaysAlong::Some(directions), rotation: Vec::new(), thread: None }
     }
 
     /// Nothing.
     pub(super) fn nothing() -> Self {
-        Self { displacement: StaysAlong::Some(Vec::new()), rotation: Vec::new() }
+        Self { displacement: StaysAlong::Some(Vec::new()), rotation: Vec::new(), thread: None }
     }
 
     /// A point of A stays at this distance (m) from one of B.
     pub(super) fn distance(distance: f64) -> Self {
-        Self { displacement: StaysAlong::Line(distance), rotation: Vec::new() }
+        Self { displacement: StaysAlong::Line(distance), rotation: Vec::new(), thread: None }
     }
 
     /// These pairs of directions of the world, the first fixed in A and the second in B, stay perpendicular too.
@@ -55,6 +57,11 @@ impl Kept {
         self
     }
 
+    /// A displacement that goes with a rotation is kept too.
+    pub(super) fn with_thread(self, thread: Thread) -> Self {
+        Self { thread: Some(thread), ..self }
+    }
+
     /// How many rows it has.
     pub(super) fn rows(&self) -> usize {
         let displacement = match &self.displacement {
@@ -62,13 +69,14 @@ impl Kept {
             StaysAlong::Some(directions) => directions.len(),
             StaysAlong::Line(_) => 1,
         };
-        displacement + self.rotation.len()
+        displacement + self.rotation.len() + usize::from(self.thread.is_some())
     }
 
     /// The rows of these ends; `length` is that of rows of rotation, m. Where both are bodies and the point of A stays at that of
     /// B, the force acts between them; where it slides, at the point of A.
     pub(super) fn rows_at(&self, mut a: EndKinematics, mut b: EndKinematics, length: f64) -> RowsAt {
         let gap = a.point - b.point;
+        let thread = self.thread.and_then(|thread| thread.row(&a, &b));
         let mut rows: Vec<_> = match &self.displacement {
             StaysAlong::All => {
                 if !a.is_in_world() && !b.is_in_world() {
@@ -88,6 +96,7 @@ impl Kept {
             }
         };
         rows.extend(self.rotation.iter().map(|pair| pair.row(&a, &b, length)));
+        rows.extend(thread);
         let members = a.member(1.0).into_iter().chain(b.member(-1.0)).collect();
         RowsAt { point: a.point, members, driver: a.driver(1.0).or_else(|| b.driver(-1.0)), rows }
     }

@@ -2,26 +2,32 @@
 //!
 //! | constraint | law of its rows | signed event functions |
 //! |---|---|---|
-//! | contact | push; with its tangents a cone, or a slide | separation; margin of its features; margin to contact break |
+//! | contact | push; with its tangents a cone, or a slide | separation; margin of its features; margin to contact break; with friction the slip and the rotation against their directions, and the margin of the cone |
 //! | pivot | hold, three rows | none: it never breaks |
 //! | joint | hold, rows of its kind (`joint.rs`) | none: it never breaks |
 //! | stop: a limit of a joint (`stop.rs`) | push, as a contact without friction | separation; margin to contact break |
+//! | friction of a joint (`joint_friction.rs`) | a contact with friction that a given force presses | slip; margin of the cone |
 //!
 //! Whoever adds a kind of joint adds one file, its line in the list of `joint.rs`, and its data in `scene/joint.rs`.
 //!
-//! An event function is positive before the event and crosses zero there; one locator (`crate::constraint::locator`)
-//! finds the time.
+//! An event function is positive before the event and crosses zero there. Within a step of bodies that hold each other one
+//! locator (`crate::constraint::locator`) finds the time, on the motion of the step; at how many times it looks, and what it does not
+//! see between two of them, `accurate/locate.rs` says. When bodies that are apart meet is found by bounds on their motions, which
+//! overlook nothing (`polhode-contact`).
 
 pub(crate) mod bilateral;
 mod coordinate;
+pub(crate) mod coordinate_id;
 mod cylindrical;
 mod end;
 mod fixed;
 mod held;
 mod hinge;
 pub(crate) mod joint;
+mod joint_contacts;
 mod joint_coordinate;
 pub(crate) mod joint_forces;
+pub(crate) mod joint_friction;
 mod kept;
 mod line;
 pub(crate) mod locator;
@@ -30,12 +36,12 @@ mod perpendicular;
 mod planar;
 mod point;
 pub(crate) mod row;
+mod screw;
 mod slider;
 mod soft_rows;
 pub(crate) mod softness;
 mod stop;
 pub(crate) mod stop_id;
-mod stops;
 mod universal;
 
 use crate::collision::contact_id::ContactId;

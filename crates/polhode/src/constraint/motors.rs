@@ -9,11 +9,6 @@ use polhode_dynamics::BodyState;
 use polhode_spatial::{Pose, Velocity};
 
 impl World {
-    /// The joint of this number; none where there is none, or it was removed with a body.
-    fn joint_numbered(&self, joint: usize) -> Option<usize> {
-        self.joints.binary_search_by_key(&joint, WorldJoint::number).ok()
-    }
-
     /// A coordinate of a joint in these states; none of one that the joint does not have.
     pub(crate) fn coordinate_of(
         &self,
@@ -21,7 +16,7 @@ impl World {
         joint: usize,
         coordinate: Coordinate,
     ) -> Option<CoordinateSample> {
-        let joint = self.joints.get(self.joint_numbered(joint)?)?;
+        let joint = self.joint_numbered(joint)?;
         let own = joint.coordinates().iter().find(|own| own.coordinate == coordinate)?;
         let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
         let at = joint.coordinate_at((&own.measured, own.near * own.unit), motion)?;
@@ -30,7 +25,7 @@ impl World {
 
     /// The bodies of a joint with this coordinate between bodies that forces move; none where there is none.
     pub(crate) fn bodies_at(&self, joint: usize, coordinate: Coordinate) -> Option<Vec<usize>> {
-        let joint = self.joints.get(self.joint_numbered(joint)?).filter(|joint| joint.driver().is_none())?;
+        let joint = self.joint_numbered(joint).filter(|joint| joint.driver().is_none())?;
         joint.coordinates().iter().any(|own| own.coordinate == coordinate).then(|| joint.bodies().collect())
     }
 
@@ -44,7 +39,7 @@ impl World {
         coordinate: Coordinate,
         motor: Option<Motor>,
     ) -> Result<(), crate::SceneError> {
-        if let Some(place) = self.joint_numbered(joint)
+        if let Ok(place) = self.joints.binary_search_by_key(&joint, WorldJoint::number)
             && self.joints[place].set_motor(coordinate, motor)
         {
             self.motors.insert((joint, coordinate), motor);

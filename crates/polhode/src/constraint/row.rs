@@ -19,6 +19,13 @@ pub(crate) enum RowKind {
     Along(DVec3),
     /// Rotation about an axis, times a length (m, world).
     About(DVec3),
+    /// Displacement along a direction (unit vector, world) with rotation about an axis, times a length (m, world).
+    Helix {
+        /// The direction.
+        along: DVec3,
+        /// The axis.
+        about: DVec3,
+    },
 }
 
 /// A row of a bilateral constraint.
@@ -39,6 +46,7 @@ impl BilateralRow {
         match self.kind {
             RowKind::Along(direction) => (direction * member.sign, member.arm.cross(direction) * member.sign),
             RowKind::About(axis) => (DVec3::ZERO, axis * member.sign),
+            RowKind::Helix { along, about } => (along * member.sign, (member.arm.cross(along) + about) * member.sign),
         }
     }
 }

@@ -20,12 +20,26 @@ impl World {
     }
 
     /// The other forces at joints of these bodies as soft rows of a step of `h` (s) in the states of its middle; `kicks` are the
-    /// numbers of those that have been given.
-    pub(crate) fn soft_rows(&self, states: &[BodyState], bodies: &[usize], h: f64, kicks: &[usize]) -> Vec<Bilateral> {
+    /// numbers of those that have been given, and `kicked` is by how much the kick has changed the rate of a row (m/s).
+    pub(crate) fn soft_rows(
+        &self,
+        (states, bodies): (&[BodyState], &[usize]),
+        h: f64,
+        kicks: &[usize],
+        kicked: impl Fn(&Bilateral, &BilateralRow) -> f64,
+    ) -> Vec<Bilateral> {
         let own: Vec<_> = self.joint_forces_among(bodies).filter(|(number, _)| !kicks.contains(number)).collect();
         let coordinate = |force: &JointForce| (force.joint.number(), force.place);
         let of_coordinate = |forces: &[(usize, &JointForce)]| JointForce::soft_row(forces, self, states, h);
-        own.chunk_by(|(_, x), (_, y)| coordinate(x) == coordinate(y)).filter_map(of_coordinate).collect()
+        let mut rows: Vec<Bilateral> =
+            own.chunk_by(|(_, x), (_, y)| coordinate(x) == coordinate(y)).filter_map(of_coordinate).collect();
+        for bilateral in &mut rows {
+            let change: f64 = bilateral.rows.iter().map(|row| kicked(bilateral, row)).sum();
+            if let Some(softness) = &mut bilateral.softness {
+                softness.rate_before = softness.rate - change;
+            }
+        }
+        rows
     }
 
     /// The forces at joints of these bodies, with their numbers among the fields.
@@ -83,7 +97,9 @@ impl JointForce {
         };
         row.rate = members.iter().map(rate).sum();
         let none = LinearForce::default();
-        let mut softness = Softness { spring: none, damper: none, motor: none, value: at.value, rate: row.rate, h };
+        let (spring, damper, motor) = (none, none, none);
+        let mut softness =
+            Softness { spring, damper, motor, value: at.value, rate_before: row.rate, rate: row.rate, h };
         for (_, force) in forces {
             match force.source {
                 Source::Spring { .. } => softness.spring = force.linear(),

@@ -4,7 +4,7 @@
 //!
 //! `l = h f(q_m, u_m)`, `u_m = (u- + u+)/2`, `q_m = q + h/4 (u+ - u-)`
 //!
-//! with the value `q` in the middle of the step, and the rates `u-` before and `u+` after the impulses. With
+//! with the value `q` in the middle of the step, and the rates `u-` before the kick of fields and `u+` after all impulses. With
 //! `f = -k (q - q0) - c u + e` that is
 //!
 //! `l = h e - h k (q - q0) + a_k u- - a_c u- - a u+`, `a_k = h^2 k/4`, `a_c = h c/2`, `a = a_k + a_c`
@@ -50,6 +50,8 @@ pub(crate) struct Softness {
     /// The value in the middle of the step, m.
     pub(crate) value: f64,
     /// `u-`, m/s.
+    pub(crate) rate_before: f64,
+    /// The rate after the kick, m/s.
     pub(crate) rate: f64,
     /// Length of the step, s.
     pub(crate) h: f64,
@@ -92,7 +94,7 @@ impl Softness {
         self.resistance().recip()
     }
 
-    /// What the row adds to its rate at rest of the second half: `u- - l_0/a` with the impulse `l_0` where `u+` is zero, m/s.
+    /// The constant term of the row: the rate after the kick less `l_0/a`, with the impulse `l_0` where `u+` is zero, m/s.
     pub(crate) fn constant(&self) -> f64 {
         self.rate - self.impulse(0.0) / self.resistance()
     }
@@ -104,7 +106,8 @@ impl Softness {
     }
 
     fn mean(&self, after: f64) -> Mean {
-        Mean { value: self.value + 0.25 * self.h * (after - self.rate), rate: 0.5 * (self.rate + after) }
+        let before = self.rate_before;
+        Mean { value: self.value + 0.25 * self.h * (after - before), rate: 0.5 * (before + after) }
     }
 
     /// The works of its parts, of which this impulse (N s) is the sum.
@@ -132,7 +135,7 @@ mod tests {
             let start = energy(q, u);
             for _ in 0..100 {
                 let middle = q + 0.5 * h * u;
-                let soft = Softness { spring, damper: none, motor: none, value: middle, rate: u, h };
+                let soft = Softness { spring, damper: none, motor: none, value: middle, rate_before: u, rate: u, h };
                 let impulse = -soft.constant() / (1.0 / mass + soft.compliance());
                 let after = u + impulse / mass;
                 let works = soft.works(impulse);

@@ -11,6 +11,7 @@
 //! are not seen.
 
 use super::coordinate::{CoordinateAt, Measured};
+use super::joint::Order;
 use super::joint_coordinate::JointCoordinate;
 use crate::scene::Limits;
 use polhode_contact::{ContactGeometry, ContactKinematics};
@@ -62,25 +63,15 @@ impl Stop {
     pub(super) fn at(
         &self,
         coordinate: impl FnOnce(&Measured, f64) -> Option<CoordinateAt>,
-        is_reversed: Reversed,
+        order: Order,
     ) -> Option<ContactKinematics> {
         let CoordinateAt { value, rate, bias, point, direction, .. } = coordinate(&self.measured, self.middle)?;
         let sign = self.side.sign();
-        let normal = match is_reversed {
-            Reversed::No => direction * sign,
-            Reversed::Yes => direction * -sign,
-        };
+        let normal = direction * (sign * order.sign());
         Some(ContactKinematics {
             geometry: ContactGeometry { point, normal, separation: (value - self.limit) * sign, margin: f64::INFINITY },
             separation_rate: rate * sign,
             acceleration_bias: bias * sign,
         })
     }
-}
-
-/// Whether the first body of a contact is the second one of its joint.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Reversed {
-    No,
-    Yes,
 }

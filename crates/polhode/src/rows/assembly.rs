@@ -5,9 +5,10 @@
 //! (thesis 3.4, equations 15-18). Immovable bodies have no entry (erratum E17). In planar motion a velocity has three
 //! coordinates instead of six, and everything else is the same.
 
-use crate::collision::contact_id::ContactId;
+use crate::collision::contact_id::{ContactId, Feature};
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, Reaction};
+use crate::constraint::joint_friction::{JointForces, Pressed};
 use crate::constraint::row::{BilateralRow, Member};
 use crate::constraint::softness::Softness;
 use crate::plane_of_motion::PlaneOfMotion;
@@ -100,6 +101,10 @@ pub(crate) struct Assembly {
     tangent_rows: Vec<usize>,
     rotations: Vec<RotationRow>,
     rotation_rows: Vec<usize>,
+    /// The rows of contacts that a given force presses.
+    pressed: Vec<(usize, Pressed)>,
+    /// The rows of stops: the joint, and the normal.
+    stops: Vec<(usize, usize, DVec3)>,
     /// Movable bodies, in the order of the problem's blocks.
     bodies: Vec<usize>,
     coordinates: Coordinates,
@@ -124,10 +129,21 @@ impl Assembly {
         }
         let mut problem = ContactProblem::new(width, inverse_masses)?;
         let mut constraints = Vec::new();
+        let (mut pressed, mut stops) = (Vec::new(), Vec::new());
         let rows = ContactRows { states, bodies, coordinates };
         for (id, geometry) in contacts {
             constraints.push(ConstraintId::Contact(id));
-            rows.row(id, &geometry, |entries| problem.push_row(entries))?;
+            if let Feature::Stop(stop) = id.feature {
+                stops.push((problem.len(), stop.joint, geometry.normal));
+            }
+            if let Some(own) = world.pressed(states, id) {
+                let row = problem.len();
+                rows.row(id, &geometry, |entries| problem.push_held_row(entries))?;
+                problem.soften(row, own.compliance)?;
+                pressed.push((row, own));
+            } else {
+                rows.row(id, &geometry, |entries| problem.push_row(entries))?;
+            }
         }
         let contacts = problem.len();
         let bilaterals: Vec<Bilateral> = world.bilaterals(states, bodies).collect();
@@ -147,6 +163,8 @@ impl Assembly {
             tangent_rows,
             rotations,
             rotation_rows,
+            pressed,
+            stops,
             bodies,
             coordinates,
         })
@@ -170,14 +188,18 @@ impl Assembly {
         Ok(())
     }
 
-    /// Constant terms of the rows of contacts and bilateral constraints in a time step, from those of the contacts, m/s. A bilateral
-    /// constraint that is rigid ends with the opposite of the rate that it begins with, so that it does no work, and the second half
-    /// of the step takes back the gap of the first.
-    pub(crate) fn step_constants(&self, of_contacts: impl Iterator<Item = f64>) -> Vec<f64> {
-        let soft = |bilateral: &Bilateral| bilateral.softness.as_ref().map(Softness::constant);
-        let of_rows = move |bilateral: &'_ Bilateral| {
-            let soft = soft(bilateral);
-            bilateral.rows.iter().map(move |row| soft.unwrap_or(2.0 * row.rate)).collect::<Vec<_>>()
+    /// Constant terms of the rows of contacts and bilateral constraints in a time step, from those of the contacts, m/s, where the
+    /// kick of fields has changed the rate of a row by `kicked` (m/s). A bilateral constraint that is rigid ends with the opposite of
+    /// its rate before the kick, so that it does no work, and the second half of the step takes back the gap of the first.
+    pub(crate) fn step_constants(
+        &self,
+        of_contacts: impl Iterator<Item = f64>,
+        kicked: impl Fn(&Bilateral, &BilateralRow) -> f64,
+    ) -> Vec<f64> {
+        let of_rows = |bilateral: &Bilateral| {
+            let soft = bilateral.softness.as_ref().map(Softness::constant);
+            let rigid = |row: &BilateralRow| 2.0 * row.rate - kicked(bilateral, row);
+            bilateral.rows.iter().map(move |row| soft.unwrap_or_else(|| rigid(row))).collect::<Vec<_>>()
         };
         of_contacts.chain(self.bilaterals.iter().flat_map(of_rows)).collect()
     }
@@ -194,8 +216,15 @@ impl Assembly {
         let (bodies, coordinates) = (&self.bodies, self.coordinates);
         let (problem, rows) = (&mut self.problem, ContactRows { states, bodies, coordinates });
         for tangent in tangents {
-            self.tangent_rows.push(problem.len());
+            let row = problem.len();
+            self.tangent_rows.push(row);
             rows.row(tangent.id, &tangent.along, |entries| problem.push_held_row(entries))?;
+            // A joint with friction slips along one line: its second tangent acts on nothing.
+            if tangent.along.normal == DVec3::ZERO
+                && let Some(compliance) = self.pressed.iter().map(|(_, own)| own.compliance).next()
+            {
+                problem.soften(row, compliance)?;
+            }
             self.tangents.push(tangent);
         }
         Ok(())
@@ -323,6 +352,7 @@ impl Assembly {
         for (constant, (id, k)) in b.iter_mut().zip(contacts) {
             *constant += k.acceleration_bias + world.prescribed_acceleration_of(t, states, id, &k.geometry);
         }
+        self.press(&mut b, 1.0);
         let rows = self.bilaterals.iter().flat_map(|own| own.rows.iter().map(move |row| (own, row)));
         for (constant, (bilateral, row)) in b.iter_mut().skip(self.contacts).zip(rows) {
             *constant += row.bias + world.driven_acceleration(t, bilateral, row);
@@ -336,6 +366,38 @@ impl Assembly {
             *constant += row.prescribed_acceleration(world, t);
         }
         Ok(b)
+    }
+
+    /// Sets the constant terms of the rows of contacts that a given force presses: of forces, or of impulses over `h` (s) in a step.
+    pub(crate) fn press(&self, constants: &mut [f64], h: f64) {
+        for (row, Pressed { force, compliance, .. }) in &self.pressed {
+            constants[*row] = -compliance * force * h;
+        }
+    }
+
+    /// Presses bearings by the loads that follow from these forces (N, or impulses over `h`, s) of all rows. Returns whether any
+    /// changes.
+    pub(crate) fn press_by_loads(&mut self, forces: &[f64], h: f64) -> bool {
+        if self.pressed.is_empty() {
+            return false;
+        }
+        let of_joint = |joint: usize| {
+            let is_own = |id: ConstraintId| matches!(id, ConstraintId::Joint { joint: own, .. } if own == joint);
+            let reactions = self.reactions(forces).filter(|(of, _)| is_own(of.id) && of.softness.is_none());
+            let is_at = |id: ContactId| matches!(id.feature, Feature::JointFriction(of) if of.joint == joint);
+            let tangents = self.of_tangents(forces).filter(|(row, _)| is_at(row.id));
+            let stops = self.stops.iter().filter(|(_, stop, _)| *stop == joint);
+            JointForces {
+                reaction: reactions.map(|(_, reaction)| reaction.force).sum(),
+                at_levers: tangents.map(|(row, force)| row.along.normal * force).sum::<DVec3>()
+                    + stops.filter_map(|(row, _, normal)| Some(*normal * *forces.get(*row)?)).sum::<DVec3>(),
+            }
+        };
+        let renewed: Vec<(usize, Pressed)> =
+            self.pressed.iter().map(|(row, own)| (*row, own.renewed(of_joint, h).unwrap_or(*own))).collect();
+        let changes = renewed != self.pressed;
+        self.pressed = renewed;
+        changes
     }
 
     /// Splits generalised velocities, accelerations or forces into (body, linear part, angular part).

@@ -42,7 +42,7 @@ impl Sliding {
 
 impl Frictional {
     pub(crate) fn of(world: &World, states: &[BodyState], touch: &Touch) -> Option<Self> {
-        world.friction_of(touch.id.a, touch.id.b)?;
+        world.friction_of(touch.id)?;
         let terms = world.tangential_kinematics(states, touch.id)?;
         let coefficients = world.friction_at(states, touch.id, terms.basis)?;
         let sliding = match touch.modes.friction {

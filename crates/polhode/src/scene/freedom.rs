@@ -1,5 +1,5 @@
-//! What acts along a freedom of a joint: limits, each of them a stop that bodies meet as they meet each other, and a spring, a damper
-//! and a motor.
+//! What acts along a freedom of a joint: limits, each of them a stop that bodies meet as they meet each other, a spring, a damper,
+//! a motor, and dry friction.
 
 use thiserror::Error;
 
@@ -195,7 +195,84 @@ impl Motor {
     }
 }
 
-/// What acts along one coordinate of a joint: limits, a spring, a damper, a motor. Nothing by default.
+/// Dry friction of a joint along a coordinate: an effort of this size against the motion, and one of at most the effort of
+/// breakaway that holds the coordinate where it is; with a bearing it grows with the force that the joint bears.
+///
+/// ```
+/// use polhode::scene::JointFriction;
+/// let friction = JointFriction::new(0.3)?.with_breakaway(0.4)?;
+/// assert_eq!((friction.effort(), friction.breakaway()), (0.3, 0.4));
+/// // A journal of 10 mm radius adds 0.1 of 10 mm times the force that it bears.
+/// let journal = friction.with_bearing(0.1, 0.01)?;
+/// assert_eq!(journal.arm(), 0.001);
+/// # Ok::<(), polhode::scene::FreedomError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct JointFriction {
+    effort: f64,
+    breakaway: f64,
+    arm: f64,
+}
+
+impl JointFriction {
+    /// Friction of this effort (N m of an angle, N otherwise), in motion and at rest.
+    ///
+    /// # Errors
+    /// When it is not above zero and finite.
+    pub fn new(effort: f64) -> Result<Self, FreedomError> {
+        if effort > 0.0 && effort.is_finite() {
+            Ok(Self { effort, breakaway: effort, arm: 0.0 })
+        } else {
+            Err(number("effort of friction", effort, "a finite number above 0"))
+        }
+    }
+
+    /// The same friction, which holds what is at rest up to this effort (N m, N).
+    ///
+    /// # Errors
+    /// When it is below the effort in motion, or not finite.
+    pub fn with_breakaway(self, breakaway: f64) -> Result<Self, FreedomError> {
+        if breakaway >= self.effort && breakaway.is_finite() {
+            Ok(Self { breakaway, ..self })
+        } else {
+            Err(number("breakaway of friction", breakaway, "a finite number of at least the effort in motion"))
+        }
+    }
+
+    /// The same friction with that of a bearing, `coefficient` times the force on it across the axis: of an angle times the radius
+    /// (m) at which it rubs, of a displacement times 1 (`radius` is 1 there). At rest it is larger as breakaway is than the effort. Of
+    /// [`JointFriction::default`] it is all there is.
+    ///
+    /// # Errors
+    /// When the coefficient or the radius is negative or not finite.
+    pub fn with_bearing(self, coefficient: f64, radius: f64) -> Result<Self, FreedomError> {
+        not_negative("coefficient of a bearing", coefficient)?;
+        not_negative("radius of a bearing", radius)?;
+        Ok(Self { arm: coefficient * radius, ..self })
+    }
+
+    /// Of a bearing: the effort for each newton on it across the axis, m of an angle, a coefficient otherwise; zero without one.
+    pub const fn arm(&self) -> f64 {
+        self.arm
+    }
+
+    /// The largest friction at rest over that in motion.
+    pub fn static_ratio(&self) -> f64 {
+        if self.effort > 0.0 { self.breakaway / self.effort } else { 1.0 }
+    }
+
+    /// In motion, N m or N.
+    pub const fn effort(&self) -> f64 {
+        self.effort
+    }
+
+    /// The largest one at rest, N m or N.
+    pub const fn breakaway(&self) -> f64 {
+        self.breakaway
+    }
+}
+
+/// What acts along one coordinate of a joint: limits, a spring, a damper, a motor, dry friction. Nothing by default.
 ///
 /// ```
 /// use polhode::scene::{Drive, Freedom, Limits, Motor};
@@ -211,6 +288,7 @@ pub struct Freedom {
     rest: f64,
     damping: f64,
     motor: Option<Motor>,
+    friction: Option<JointFriction>,
 }
 
 impl Freedom {
@@ -243,6 +321,11 @@ impl Freedom {
         Self { motor: Some(motor), ..self }
     }
 
+    /// With dry friction.
+    pub const fn with_friction(self, friction: JointFriction) -> Self {
+        Self { friction: Some(friction), ..self }
+    }
+
     /// Its limits.
     pub const fn limits(&self) -> Option<Limits> {
         self.limits
@@ -268,18 +351,23 @@ impl Freedom {
         self.motor
     }
 
+    /// Its dry friction.
+    pub const fn friction(&self) -> Option<JointFriction> {
+        self.friction
+    }
+
     /// The same with another motor, or none.
     pub(crate) const fn driven_by(self, motor: Option<Motor>) -> Self {
         Self { motor, ..self }
     }
 
-    /// Whether it exerts forces besides those of its stops.
+    /// Whether it exerts forces besides those of its stops and its friction.
     pub(crate) fn has_forces(&self) -> bool {
         self.stiffness > 0.0 || self.damping > 0.0 || self.motor.is_some()
     }
 }
 
-/// Why a spring, a damper or a motor is refused.
+/// Why a spring, a damper, a motor or friction is refused.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error("{quantity} of a joint is {value}: {accepted} is needed")]
 pub struct FreedomError {

@@ -36,6 +36,13 @@ pub enum JointKind {
         /// The axis at the start, world, fixed in the other body or in the world.
         axis: UnitVector,
     },
+    /// Rotation about an axis through the anchor, with a displacement along it that goes with the rotation.
+    Screw {
+        /// The axis at the start, world, fixed in the other body or in the world.
+        axis: UnitVector,
+        /// The displacement for each revolution, m: positive for a right-handed thread.
+        lead: f64,
+    },
     /// Displacements in a plane through the anchor and rotation about its normal.
     Planar {
         /// The normal of the plane at the start, world. The plane is fixed in the other body or in the world.
@@ -64,6 +71,7 @@ impl JointKind {
             Self::Fixed => "fixed",
             Self::Slider { .. } => "slider",
             Self::Cylindrical { .. } => "cylindrical",
+            Self::Screw { .. } => "screw",
             Self::Planar { .. } => "planar",
             Self::Rod { .. } => "rod",
             Self::Rope { .. } => "rope",
@@ -73,7 +81,9 @@ impl JointKind {
     /// The axis of its coordinates at the start, world.
     pub(crate) const fn axis(self) -> Option<UnitVector> {
         match self {
-            Self::Hinge { axis } | Self::Slider { axis } | Self::Cylindrical { axis } => Some(axis),
+            Self::Hinge { axis } | Self::Slider { axis } | Self::Cylindrical { axis } | Self::Screw { axis, .. } => {
+                Some(axis)
+            }
             _ => None,
         }
     }
@@ -81,7 +91,7 @@ impl JointKind {
     /// The coordinates along which it leaves its bodies free, those that can have limits.
     pub const fn coordinates(self) -> &'static [Coordinate] {
         match self {
-            Self::Hinge { .. } => &[Coordinate::Angle],
+            Self::Hinge { .. } | Self::Screw { .. } => &[Coordinate::Angle],
             Self::Slider { .. } => &[Coordinate::Displacement],
             Self::Cylindrical { .. } => &[Coordinate::Angle, Coordinate::Displacement],
             Self::Rope { .. } => &[Coordinate::Distance],

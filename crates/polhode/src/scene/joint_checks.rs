@@ -49,6 +49,11 @@ impl Scene {
                     "its axes are not at right angles: two axes whose directions are perpendicular are needed",
                 ));
             }
+            if let JointKind::Screw { lead, .. } = joint.kind()
+                && !(lead != 0.0 && lead.is_finite())
+            {
+                return Err(refused("its lead is zero or not finite: a displacement for each revolution is needed"));
+            }
             check_limits(number, joint)?;
             let is_driven = joint.bodies().any(|body| self.bodies[body].motion().is_some());
             let has_forces = |&coordinate: &Coordinate| joint.freedom(coordinate).is_some_and(|own| own.has_forces());
@@ -109,7 +114,7 @@ impl Scene {
         let (mut apart, mut across) = (0.0, 0.0);
         for row in world_joint.rows_at(motion).rows {
             match row.kind {
-                RowKind::Along(_) => apart = libm::hypot(apart, row.rate),
+                RowKind::Along(_) | RowKind::Helix { .. } => apart = libm::hypot(apart, row.rate),
                 RowKind::About(_) => across = libm::hypot(across, row.rate),
             }
         }

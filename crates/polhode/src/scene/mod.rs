@@ -43,7 +43,7 @@ pub use builder::SceneBuilder;
 pub use error::{OverlapAtStart, SceneError};
 pub(crate) use force::MovingFrames;
 pub use force::{Attachment, Force};
-pub use freedom::{Coordinate, Drive, Freedom, FreedomError, Limits, LimitsError, Motor};
+pub use freedom::{Coordinate, Drive, Freedom, FreedomError, JointFriction, Limits, LimitsError, Motor};
 pub use geometry::{ApproximateParts, Geometry};
 pub use grain::FrictionEllipse;
 pub(crate) use grain::GrainOf;

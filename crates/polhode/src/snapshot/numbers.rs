@@ -3,6 +3,7 @@
 use super::SnapshotError;
 use crate::Momentum;
 use crate::collision::contact_id;
+use crate::constraint::coordinate_id::CoordinateId;
 use crate::constraint::stop_id::StopId;
 use polhode_contact::{ContactFeature, ContactGeometry, ContactKinematics, Side, SurfaceFeature};
 use polhode_dynamics::BodyState;
@@ -62,6 +63,7 @@ pub(crate) enum Feature {
     Spheres { center_a: u32, center_b: u32 },
     Elements { a: Part, b: Part },
     Stop { joint: u64, stop: u64 },
+    JointFriction { joint: u64, coordinate: u64 },
 }
 
 /// [`Side`].
@@ -157,6 +159,9 @@ impl From<contact_id::Feature> for Feature {
         match feature {
             contact_id::Feature::Shapes(feature) => feature.into(),
             contact_id::Feature::Stop(StopId { joint, stop }) => Self::Stop { joint: joint as u64, stop: stop as u64 },
+            contact_id::Feature::JointFriction(CoordinateId { joint, place }) => {
+                Self::JointFriction { joint: joint as u64, coordinate: place as u64 }
+            }
         }
     }
 }
@@ -167,6 +172,9 @@ impl From<Feature> for contact_id::Feature {
         Self::Shapes(match feature {
             Feature::Stop { joint, stop } => {
                 return Self::Stop(StopId { joint: joint as usize, stop: stop as usize });
+            }
+            Feature::JointFriction { joint, coordinate } => {
+                return Self::JointFriction(CoordinateId { joint: joint as usize, place: coordinate as usize });
             }
             Feature::VertexFace { vertex_of, vertex, face } => {
                 Of::VertexFace { vertex_of: vertex_of.into(), vertex, face }

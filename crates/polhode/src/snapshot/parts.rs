@@ -21,7 +21,7 @@ pub(crate) fn restored_id(world: &World, saved: &Contact) -> Result<ContactId, S
     let feature = feature.into();
     let can_touch = match feature {
         Feature::Shapes(_) => a < b && b < world.bodies.len() && world.shapes(a, b).is_some(),
-        Feature::Stop(stop) => world.stops_of_pair((a, b)).contains(&stop),
+        Feature::Stop(_) | Feature::JointFriction(_) => world.joint_contacts_of_pair((a, b)).contains(&feature),
     };
     if can_touch {
         Ok(ContactId { a, b, feature })

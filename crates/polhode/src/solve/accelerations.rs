@@ -13,6 +13,7 @@ use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::{Hold, Touch};
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::collision::turn::Turn;
+use crate::constraint::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{direction_of, push_held, with_rotations};
 use crate::rows::frictional_contact::{Frictional, Sliding};
@@ -191,7 +192,7 @@ impl Accelerations {
         let mut assembly = Assembly::new(world, states, bodies, rows)?;
         let blocks = blocks_of(&mut assembly, states, (contacts, frictional))?;
         let ResistedRotations { turns, laws: rotations } = rotations_of(&mut assembly, world, contacts, frictional)?;
-        let FreeMotion { free, constants } = FreeMotion::of(&assembly, world, (t, states), contacts, loads)?;
+        let FreeMotion { free, mut constants } = FreeMotion::of(&assembly, world, (t, states), contacts, loads)?;
         let any_slides = frictional.iter().flatten().any(|friction| friction.sliding.is_some());
         if !any_slides && rotations.is_empty() && is_for_many(states, &assembly, contacts) {
             let terms = (free.as_slice(), constants.as_slice());
@@ -200,18 +201,16 @@ impl Accelerations {
             }
         }
         let delassus = assembly.problem.delassus();
-        let mut exact = None;
-        let solved = if !rotations.is_empty() {
-            let turns = rotations.iter().any(|rotation| rotation.turns);
-            let settings = if any_slides || turns { sliding_settings() } else { FrictionSettings::default() };
-            with_rotations(blocks, &rotations).solve(&delassus, &constants, None, &settings)?
-        } else if any_slides {
+        let blocks = with_rotations(blocks, &rotations);
+        let mut rounds = 0;
+        let (solved, exact) = loop {
             let of = (world, states, contacts);
-            let (solved, how) = of_slips(of, &assembly, (&blocks, &delassus, &constants), frictional)?;
-            exact = how;
-            solved
-        } else {
-            of_no_slip((world, states, contacts), &assembly, (&blocks, &delassus, &constants), frictional)?
+            let found = of_modes(of, &assembly, (&blocks, &delassus, &constants), (frictional, &rotations))?;
+            rounds += 1;
+            if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.0.reactions, 1.0) {
+                break found;
+            }
+            assembly.press(&mut constants, 1.0);
         };
         let of_bodies = with_free(assembly.problem.response(&solved.reactions)?, &free);
         let mut first = assembly.first_tangent();
@@ -340,6 +339,26 @@ pub(crate) fn blocks_of(
 enum Choice {
     Idle,
     DecidesMotion,
+}
+
+/// The solution with these modes of contacts and rotations, and whether the motion depends on the choice of forces where they are
+/// exact.
+fn of_modes(
+    of: (&World, &[BodyState], &[Touch]),
+    assembly: &Assembly,
+    (blocks, delassus, constants): (&Blocks, &Delassus, &[f64]),
+    (frictional, rotations): (&[Option<Frictional>], &[ResistedRotation]),
+) -> Result<(BlocksSolution, Option<Choice>), ResponseError> {
+    let any_slides = frictional.iter().flatten().any(|friction| friction.sliding.is_some());
+    if !rotations.is_empty() {
+        let turns = rotations.iter().any(|rotation| rotation.turns);
+        let settings = if any_slides || turns { sliding_settings() } else { FrictionSettings::default() };
+        return Ok((blocks.solve(delassus, constants, None, &settings)?, None));
+    }
+    if any_slides {
+        return of_slips(of, assembly, (blocks, delassus, constants), frictional);
+    }
+    Ok((of_no_slip(of, assembly, (blocks, delassus, constants), frictional)?, None))
 }
 
 /// The solution where some contacts slide: the least forces with which every contact holds, or none of these and those of

@@ -69,7 +69,7 @@ pub(crate) enum Restitution {
 
 /// Whether one of some contacts has friction.
 pub(crate) fn have_friction(world: &World, contacts: &[Touch]) -> bool {
-    world.has_friction() && contacts.iter().any(|touch| world.friction_of(touch.id.a, touch.id.b).is_some())
+    world.has_friction() && contacts.iter().any(|touch| world.friction_of(touch.id).is_some())
 }
 
 /// Solves for the impulses at `contacts` and at the pivots of `bodies` (movable, ascending).
@@ -241,7 +241,7 @@ fn blocks_of(
     let mut before = assembly.rates(contacts.iter().map(|touch| touch.kinematics.separation_rate));
     let mut blocks = Blocks::default();
     for (normal, touch) in contacts.iter().enumerate() {
-        let friction = world.friction_of(touch.id.a, touch.id.b).filter(|friction| friction.sliding.largest() > 0.0);
+        let friction = world.friction_of(touch.id).filter(|friction| friction.sliding.largest() > 0.0);
         let terms = friction.and_then(|_| world.tangential_kinematics(states, touch.id));
         let first = assembly.problem.len();
         let mut ellipse = FrictionEllipse::default();

@@ -29,7 +29,8 @@ const BALANCED_RELATIVE: f64 = 1e-13;
 /// Whether bodies are held by the forces found here: none of them moves, and contacts are many.
 pub(super) fn is_for_many(states: &[BodyState], assembly: &Assembly, contacts: &[Touch]) -> bool {
     let is_still = |body: &BodyState| body.linear_velocity == DVec3::ZERO && body.angular_momentum == DVec3::ZERO;
-    contacts.len() >= LEAST_CONTACTS && assembly.bodies().iter().all(|&body| is_still(&states[body]))
+    let is_rigid = assembly.problem.compliances().is_empty();
+    is_rigid && contacts.len() >= LEAST_CONTACTS && assembly.bodies().iter().all(|&body| is_still(&states[body]))
 }
 
 /// Forces with which none of the bodies moves, as a solution; none where there are none. `free` are the accelerations of the

@@ -123,7 +123,7 @@ impl HoldingForces {
 /// What forces leave of accelerations of all rows, m/s^2.
 fn left_by(assembly: &Assembly, accelerations: &[f64], least: &LeastNormForces) -> Result<Vec<f64>, ResponseError> {
     match &least.loads {
-        Some(loads) => assembly.problem.accelerations_under(accelerations, loads),
+        Some(loads) => assembly.problem.accelerations_under(accelerations, &least.forces, loads),
         None => assembly.problem.accelerations(accelerations, &least.forces),
     }
 }
@@ -180,6 +180,10 @@ fn in_equilibrium(
     frictional: &[Option<Frictional>],
     least: &HoldingForces,
 ) -> Result<Option<BlocksSolution>, ResponseError> {
+    // Limit analysis asks what bodies press on each other by; what presses a joint is given.
+    if !assembly.problem.compliances().is_empty() {
+        return Ok(None);
+    }
     let free: Vec<f64> = assembly.problem.response(&least.forces)?.iter().map(|acceleration| -acceleration).collect();
     let limit = Structure::new(&assembly.problem, blocks, &free, &least.forces)?.friction_limit()?;
     let Some(limit) = limit.filter(|limit| limit.factor <= MOST_FRICTION_NEEDED) else { return Ok(None) };

@@ -85,7 +85,7 @@ enum Rubs {
 
 fn rubbing(world: &World, states: &[BodyState], touch: &Touch) -> Rubbing {
     let none = Rubbing { rows: Vec::new(), law: Rubs::Sticks(FrictionEllipse::default()) };
-    if world.friction_of(touch.id.a, touch.id.b).is_none() {
+    if world.friction_of(touch.id).is_none() {
         return none;
     }
     let Some(terms) = world.tangential_kinematics(states, touch.id) else { return none };

@@ -48,7 +48,7 @@ impl IslandSearch {
         interval: (f64, f64),
     ) -> Result<Vec<(usize, usize)>, BroadPhaseError> {
         if !world.may_collide_at_all() {
-            return Ok(world.stop_pairs().collect());
+            return Ok(world.joint_contact_pairs().collect());
         }
         self.boxes.clear();
         for &body in &self.colliders {
@@ -58,7 +58,7 @@ impl IslandSearch {
         let pairs = self.box_pairs.iter().map(|&(i, j)| (self.colliders[i as usize], self.colliders[j as usize]));
         let pairs = pairs.map(|(a, b)| (a.min(b), a.max(b)));
         let mut pairs: Vec<_> = pairs.filter(|&(a, b)| world.scene.may_collide(a, b)).collect();
-        pairs.extend(world.stop_pairs());
+        pairs.extend(world.joint_contact_pairs());
         pairs.sort_unstable();
         Ok(pairs)
     }

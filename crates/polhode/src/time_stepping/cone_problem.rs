@@ -139,8 +139,8 @@ impl ConeProblem<'_> {
         match &mut self.system {
             System::Rows(delassus) => {
                 let mut best = solve_for_rows(blocks, (delassus, constants), violation)?;
-                if best.report.residual > EXACT_ENOUGH {
-                    let problem = &self.assembly.problem;
+                let problem = &self.assembly.problem;
+                if best.report.residual > EXACT_ENOUGH && problem.compliances().is_empty() {
                     let system = (&mut BodySolver::default(), &self.settings);
                     let (other, effort) = blocks.solve_in_bodies(problem, constants, Some(&best.reactions), system)?;
                     self.factorisations += effort.factorisations;

@@ -249,7 +249,7 @@ fn near_contact(
 /// The speeds of slip of contacts at the start of a step, m/s; zero without friction.
 pub(super) fn slips_at_start(world: &World, states: &[BodyState], near: &[NearContact]) -> Vec<f64> {
     let slip = |near: &NearContact| {
-        world.friction_of(near.id.a, near.id.b)?;
+        world.friction_of(near.id)?;
         Some(world.tangential_kinematics(states, near.id)?.slip_velocity.length())
     };
     near.iter().map(|near| slip(near).unwrap_or(0.0)).collect()

@@ -18,7 +18,7 @@
 //! ([`TimeStepper::advance`]).
 //!
 //! Energy is never gained at contacts: drifts conserve it, the impulses of stage 3 change it by exactly
-//! `sum p.(u- + u+)/2`, and r is chosen so that no term of it is positive; in stage 2 the impact laws ensure it.
+//! `sum p.(u- + u+)/2` (`shared_work.rs`), and r is chosen so that no term of it is positive; in stage 2 the impact laws ensure it.
 //! Source: docs/REFERENCES.md, Moreau 1988, Jean 1999; the energy of Moreau's midpoint rule after Acary 2016.
 //!
 //! Assumes that no body is thinner than the motion within a step. Limit: a contact that was not detected at the start

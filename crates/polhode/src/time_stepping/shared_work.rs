@@ -1,25 +1,32 @@
-//! The work that contacts and forces with a potential share when both act in one step.
+//! The work that the impulses of constraints share with force fields, when both act in one step.
 //!
-//! Such forces give the momentum `K` as one kick in the middle of a step, the contacts then `P`. The bodies move half of the
-//! step with the velocities before both and half of it with those after both, so that the force does the work
-//! `K.(v- + v+)/2` along the way that they go: half of `P` counts. Booked in the order in which they act, the force would
-//! do `K.(v- + K/2M)` instead, and the integrator would seem to lose or gain `K.P/2M`: a body that rests under a spring
-//! would gain `K^2/2M` in each step and lose it at its contact. Half of the kick is therefore counted before the impulses
-//! of the contacts and half of it after them: of each contact's work `p.du/2` is booked as the integrator's, with the
-//! change `du` of its rate by the kick.
+//! Fields give the momentum `K` as one kick in the middle of a step, constraints then `P`. The bodies move half of the
+//! step with the velocities `v-` before both and half of it with those after both, `v+`, so that a field does the work
+//! `K.(v- + v+)/2` along the way that they go, and constraints `P.(v- + v+)/2`: at one pose these add up to the change of the
+//! kinetic energy. Booked in the order in which they act, a field would do `K.(v- + K/2M)` instead, and the integrator would
+//! seem to lose or gain `K.P/2M`: a body that rests under a spring would gain `K^2/2M` in each step and lose it at its contact,
+//! and a motor would do work on the parts of its effort that the joint takes.
 //!
-//! This changes no motion. Contacts give no energy: where their work in this order would, it is zero. Source: the
-//! symmetric splitting of Strang 1968 (docs/REFERENCES.md).
+//! So all rates "before" are those before the kick: those from which restitution, the bounds without gain of energy and the
+//! works of rows follow. What is measured in the order of action (`P.(v- + K/M + v+)/2`) shares `P.du/2` with the kick, where
+//! `du` is the change of the rate of its row by the kick.
+//!
+//! Contacts give no energy: where their work in this order would, it is zero. Source: the symmetric splitting of Strang 1968
+//! (docs/REFERENCES.md).
 
+use super::implicit_kick::Twist;
 use super::kick::Kick;
 use crate::collision::contact_id::ContactId;
+use crate::constraint::bilateral::{Bilateral, Reaction};
+use crate::constraint::row::{BilateralRow, Member};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
-/// The kick of a step as its contacts see it.
+/// The kick of a step as constraints see it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Kicked<'a> {
+    /// Of the middle of the step.
     pub(super) states: &'a [BodyState],
     /// Movable bodies, ascending.
     pub(super) bodies: &'a [usize],
@@ -27,35 +34,68 @@ pub(super) struct Kicked<'a> {
 }
 
 impl Kicked<'_> {
-    /// The changes of the velocity of a body's centre of mass (m/s) and of its angular velocity (rad/s).
-    fn change(&self, body: usize) -> (DVec3, DVec3) {
-        let change = self.bodies.binary_search(&body).ok().and_then(|place| self.kick.stored.get(place));
-        change.map_or((DVec3::ZERO, DVec3::ZERO), |change| (change.linear, change.angular))
+    /// Whether any field has acted.
+    fn is_none(&self) -> bool {
+        self.kick.changes.is_empty()
     }
 
-    /// By how much the kick has changed the rate of a contact along the normal of its geometry, m/s.
-    fn rate(&self, id: ContactId, geometry: &ContactGeometry) -> f64 {
-        let change = |body: usize| {
-            let (linear, angular) = self.change(body);
-            linear + angular.cross(geometry.point - self.states[body].pose.translation)
+    /// By how much the kick has changed the velocity of a body, about the origin of its frame.
+    fn change(&self, body: usize) -> Twist {
+        let change = self.bodies.binary_search(&body).ok().and_then(|place| self.kick.changes.get(place));
+        change.copied().unwrap_or_default()
+    }
+
+    /// By how much it has changed the relative velocity of the bodies of a contact at a point (world, m), m/s.
+    pub(super) fn change_at(&self, id: ContactId, point: DVec3) -> DVec3 {
+        if self.is_none() {
+            return DVec3::ZERO;
+        }
+        id.relative(|body| {
+            let change = self.change(body);
+            change.linear + change.angular.cross(point - self.states[body].pose.translation)
+        })
+    }
+
+    /// By how much it has changed their relative rotation, rad/s.
+    pub(super) fn change_of_rotation(&self, id: ContactId) -> DVec3 {
+        if self.is_none() { DVec3::ZERO } else { id.relative(|body| self.change(body).angular) }
+    }
+
+    /// By how much it has changed the rate of a row of a bilateral constraint, m/s.
+    pub(super) fn change_of_row(&self, of: &Bilateral, row: &BilateralRow) -> f64 {
+        if self.is_none() {
+            return 0.0;
+        }
+        let by_member = |member: &Member| {
+            let ((along, about), change) = (row.entries(member), self.change(member.body));
+            along.dot(change.linear) + about.dot(change.angular)
         };
-        geometry.normal.dot(id.relative(change))
+        of.members.iter().map(by_member).sum()
     }
 
     /// The work that impulses along the normals of these geometries (N s) share with the kick, J.
     pub(super) fn shared_j<'g>(&self, impulses: impl Iterator<Item = (ContactId, &'g ContactGeometry, f64)>) -> f64 {
-        if self.kick.stored.is_empty() {
+        if self.is_none() {
             return 0.0;
         }
-        0.5 * impulses.map(|(id, geometry, impulse)| impulse * self.rate(id, geometry)).sum::<f64>()
+        let shared = |(id, geometry, impulse): (ContactId, &ContactGeometry, f64)| {
+            impulse * geometry.normal.dot(self.change_at(id, geometry.point))
+        };
+        0.5 * impulses.map(shared).sum::<f64>()
     }
 
     /// The work that impulses of moments on the bodies A (N m s) share with it, J.
     pub(super) fn shared_by_moments_j(&self, moments: impl Iterator<Item = (ContactId, DVec3)>) -> f64 {
-        if self.kick.stored.is_empty() {
+        if self.is_none() {
             return 0.0;
         }
-        0.5 * moments.map(|(id, moment)| moment.dot(self.change(id.a).1 - self.change(id.b).1)).sum::<f64>()
+        0.5 * moments.map(|(id, moment)| moment.dot(self.change_of_rotation(id))).sum::<f64>()
+    }
+
+    /// The work that the impulse of a bilateral constraint shares with it, J.
+    pub(super) fn shared_by_reaction_j(&self, of: &Bilateral, impulse: Reaction) -> f64 {
+        let row = |row: &BilateralRow| row.multiplier(impulse) * self.change_of_row(of, row);
+        if self.is_none() { 0.0 } else { 0.5 * of.rows.iter().map(row).sum::<f64>() }
     }
 }
 

@@ -271,16 +271,16 @@ impl TimeStepper {
         let before = report.books.balance(world, states, bodies);
         let mut received = self.fly(world, states, bodies, 0.5 * h);
         world.prescribe_members(pairs, t + 0.5 * h, states);
-        let kick = kick(world, states, bodies, t + 0.5 * h, h, &report.books);
-        received += kick.received;
-        let middle = report.books.balance(world, states, bodies);
-        report.books.smooth_stage(before, middle, received);
+        let kick = kick(world, states, bodies, t + 0.5 * h, h);
+        let kicked = report.books.balance(world, states, bodies);
 
         let middle = Middle { t: t + 0.5 * h, h, stops, kick: &kick };
         let carrying = self.sustain(world, states, bodies, (&near, &slips), middle, &mut report)?;
         if !report.stops.is_empty() {
             return Ok(report);
         }
+        received += kick.received(world, states, bodies, h, &report.books);
+        report.books.smooth_stage(before, kicked, received);
         let before = report.books.balance(world, states, bodies);
         let received = self.fly(world, states, bodies, 0.5 * h);
         world.prescribe_members(pairs, t + h, states);

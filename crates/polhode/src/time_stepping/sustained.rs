@@ -1,7 +1,7 @@
 //! The impulses of sustained contacts over a step: one complementarity problem at velocity level.
 //!
-//! In the middle of the step, after a free flight of h/2, let `chi` be the separation of a contact, `u-` its rate
-//! before and `u+` after the impulses, `a` the part of `chi''` that is not due to contacts. Flight for the other half
+//! In the middle of the step, after a free flight of h/2, let `chi` be the separation of a contact, `u-` its rate before the
+//! kick of fields and `u+` after all impulses, `a` the part of `chi''` that is due to neither. Flight for the other half
 //! gives `chi_end = chi + h/2 u+ + h^2/8 a` and `u_end = u+ + h/2 a`. A contact must not penetrate at the end:
 //!
 //! `0 <= p _|_ u+ + r >= 0`,  `r = max(2 chi/h + h/4 a, h/2 a, u-)`:
@@ -9,7 +9,7 @@
 //! - the first term is the gap: the contact may approach as long as it does not penetrate at the end, and its gap
 //!   closes exactly;
 //! - the second applies to bodies that already touch and approach: they end at rest relative to each other;
-//! - the third ensures that no energy is gained: `p (u- + u+)/2 = p (u- - r)/2 <= 0`, row by row.
+//! - the third ensures that no energy is gained: `p (u- + u+)/2 = p (u- - r)/2 <= 0`, row by row (`shared_work.rs`).
 //!
 //! For bodies that rest, all three agree: `u- = -g h/2` and `u+ = g h/2`, and they end exactly where they began. Since
 //! velocities that are reversed, `u+ = -u-`, satisfy all rows, the problem always has a solution.
@@ -29,6 +29,7 @@
 
 use super::cone_problem::LEAST_IN_BODIES;
 use super::contacts::{NearContact, kinematics_at_point, with_rate_at_point};
+use super::kick::Kick;
 use super::middle::{Middle, Stops};
 use super::report::{ContactImpulse, ImpulseKind, Stop, TimeStepReport};
 use super::rigid_terms::{Term, make_rigid, make_tangential_terms_rigid};
@@ -37,6 +38,8 @@ use super::step::TimeStepper;
 use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
 use crate::collision::contact_id::ContactId;
 use crate::constraint::bilateral::{Bilateral, Reaction, bilateral_support};
+use crate::constraint::joint_friction::Pressed;
+use crate::constraint::row::BilateralRow;
 use crate::constraint::softness::SoftWork;
 use crate::rows::assembly::Assembly;
 use crate::rows::groups::{Group, coupled_groups};
@@ -69,7 +72,10 @@ const NEARLY_FLUSH_NORMAL: f64 = 1e-2;
 #[derive(Debug, Clone, Copy)]
 struct Row {
     contact: usize,
+    /// After the kick of fields.
     kinematics: ContactKinematics,
+    /// `u-`, m/s.
+    rate_before: f64,
     /// r, m/s.
     bound: f64,
     /// `h/2 a`, m/s.
@@ -112,7 +118,7 @@ impl TimeStepper {
         Middle { t, h, stops, kick }: Middle<'_>,
         report: &mut TimeStepReport,
     ) -> Result<Vec<usize>, ResponseError> {
-        let mut rows = rows(world, states, bodies, (near, slips), (t, h))?;
+        let mut rows = rows(world, Kicked { states, bodies, kick }, (near, slips), (t, h))?;
         if let Stops::At(ids) = stops {
             for row in rows.iter_mut().filter(|row| ids.contains(&near[row.contact].id)) {
                 row.friction = row.friction.map(TangentialRow::coming_to_rest);
@@ -136,12 +142,11 @@ impl TimeStepper {
                 solved.push(if let Some(place) = known {
                     last.swap_remove(place)
                 } else {
-                    let soft = world.soft_rows(states, &group.bodies, h, &kick.of_joints);
-                    self.solve_group((world, states), (group, soft), &rows, (near, h), report)?
+                    self.solve_group(world, Kicked { states, bodies, kick }, group, &rows, (near, h), report)?
                 });
             }
             for group in &mut solved {
-                group.apply(world, states, &rows, near);
+                group.apply(world, states, (bodies, kick), &rows, near);
             }
             if add_closing(world, states, near, &rows, &mut taken) {
                 set_states(states, bodies, &before);
@@ -183,18 +188,22 @@ impl TimeStepper {
 
     fn solve_group(
         &mut self,
-        (world, states): (&World, &[BodyState]),
-        (group, soft): (Group, Vec<Bilateral>),
+        world: &World,
+        kicked: Kicked<'_>,
+        group: Group,
         rows: &[Row],
         (near, h): (&[NearContact], f64),
         report: &mut TimeStepReport,
     ) -> Result<SolvedGroup, ResponseError> {
+        let states = kicked.states;
         let members: Vec<&Row> = group.contacts.iter().map(|&index| &rows[index]).collect();
         let geometries = members.iter().map(|row| (near[row.contact].id, row.kinematics.geometry));
         let mut assembly = Assembly::new(world, states, &group.bodies, geometries)?;
+        let kick_of_row = |of: &Bilateral, row: &BilateralRow| kicked.change_of_row(of, row);
+        let soft = world.soft_rows((states, &group.bodies), h, &kicked.kick.of_joints, kick_of_row);
         assembly.push_soft(states, soft)?;
         let of_contacts = members.iter().map(|row| row.kinematics.separation_rate + row.bound);
-        let constants = assembly.step_constants(of_contacts);
+        let constants = assembly.step_constants(of_contacts, kick_of_row);
         if members.iter().any(|row| row.friction.is_some()) {
             let friction: Vec<_> = members.iter().map(|row| row.friction).collect();
             let found = sustained_friction::solve(assembly, states, constants, &friction, (&mut self.cones, h))?;
@@ -218,9 +227,11 @@ impl TimeStepper {
         let found = Found { residual, is_approximate: !solved, violation: None, stops: Vec::new() };
         let mut impulses = solution.forces.clone();
         if !solved {
-            // An inexact solution must not add energy. Scaled by s with p.u- + s p.G p/2 <= 0 it does not.
+            // An inexact solution must not add energy. Scaled by s with p.u + s p.G p/2 <= 0 it does not, where u is the mean of the
+            // rates before and after the kick.
             let product = |a: &[f64]| impulses.iter().zip(a).map(|(p, a)| p * a).sum::<f64>();
-            let rates = assembly.rates(members.iter().map(|row| row.kinematics.separation_rate));
+            let mean = |row: &&Row| 0.5 * (row.rate_before + row.kinematics.separation_rate);
+            let rates = assembly.rates(members.iter().map(mean));
             let (work, stored) = (product(&rates), 0.5 * product(&self.delassus.times(&impulses)?));
             let share = if stored > 0.0 { (-work / stored).clamp(0.0, 1.0) } else { 1.0 };
             for impulse in &mut impulses {
@@ -291,11 +302,11 @@ fn add_closing(world: &World, states: &[BodyState], near: &[NearContact], rows: 
 /// The contacts in the middle of the step; those whose features no longer define a contact are left out.
 fn rows(
     world: &World,
-    states: &[BodyState],
-    bodies: &[usize],
+    kicked: Kicked<'_>,
     (near, slips): (&[NearContact], &[f64]),
     (t, h): (f64, f64),
 ) -> Result<Vec<Row>, ResponseError> {
+    let Kicked { states, bodies, .. } = kicked;
     let here: Vec<(usize, ContactKinematics)> = near
         .iter()
         .enumerate()
@@ -304,7 +315,7 @@ fn rows(
     let geometries = here.iter().map(|&(contact, kinematics)| (near[contact].id, kinematics.geometry));
     let mut assembly = Assembly::new(world, states, bodies, geometries)?;
     let of = |(contact, kinematics): &(usize, ContactKinematics)| {
-        TangentialRow::of(world, states, near[*contact].id, kinematics)
+        TangentialRow::of(world, states, near[*contact].id, (kinematics, kicked))
     };
     let friction: Vec<_> = here.iter().map(of).collect();
     assembly.push_tangents(states, friction.iter().flatten().flat_map(TangentialRow::along))?;
@@ -325,8 +336,14 @@ fn rows(
         let gap_bound = 2.0 * kinematics.geometry.separation / h + 0.5 * half_fall;
         // A gap within rounding counts as zero.
         let gap_bound = if gap_bound <= half_fall + rounding { half_fall } else { gap_bound };
-        let bound = gap_bound.max(kinematics.separation_rate);
-        Row { contact, kinematics, bound, half_fall, rounding, friction }
+        let geometry = &kinematics.geometry;
+        let rate_before = kinematics.separation_rate - geometry.normal.dot(kicked.change_at(id, geometry.point));
+        // What presses a joint with friction gives the impulse of its force.
+        let bound = match world.pressed(states, id) {
+            Some(Pressed { force, compliance, .. }) => -compliance * force * h,
+            None => gap_bound.max(rate_before),
+        };
+        Row { contact, kinematics, rate_before, bound, half_fall, rounding, friction }
     };
     let mut rows: Vec<Row> = here.into_iter().zip(accelerations).zip(friction).map(row).collect();
     let pair = |row: &Row| (near[row.contact].id.a, near[row.contact].id.b);
@@ -347,7 +364,8 @@ fn flush_normals(of_pair: &[Row], most: f64) -> Option<Vec<DVec3>> {
     let normals: Vec<DVec3> = of_pair.iter().map(|row| row.kinematics.geometry.normal).collect();
     let first = *normals.first()?;
     let apart = normals.iter().map(|n| (*n - first).abs().max_element()).fold(0.0, f64::max);
-    let is_flush = apart <= most && normals.len() > 1 && of_pair.iter().all(|row| row.friction.is_some());
+    let is_plane = first != DVec3::ZERO && of_pair.iter().all(|row| row.friction.is_some());
+    let is_flush = apart <= most && normals.len() > 1 && is_plane;
     is_flush.then_some(normals)
 }
 
@@ -395,7 +413,7 @@ fn with_terms(of_pair: &mut [Row], change: impl FnOnce(&mut [Term])) {
     let mut terms: Vec<Term> = of_pair.iter().map(term).collect();
     change(&mut terms);
     for (row, term) in of_pair.iter_mut().zip(&terms) {
-        row.bound = term.normal.max(row.kinematics.separation_rate);
+        row.bound = term.normal.max(row.rate_before);
         row.friction = row.friction.map(|friction| friction.with_half_change(term.tangential));
     }
     let share = of_pair.iter().filter_map(|row| Some(row.friction?.share())).fold(1.0, f64::min);
@@ -439,9 +457,11 @@ fn note(
         report.books.ledger.numerical.add(of_integrator_j);
         // Reactions do no work but for what the solver leaves.
         let after = world.bilaterals(states, &group.group.bodies);
-        let rigid = group.reactions.iter().filter(|(of, _)| of.softness.is_none());
-        let by_reactions = rigid.zip(after).map(|((of, impulse), after)| of.work(&after, *impulse));
+        let (rigid, yielding): (Vec<_>, Vec<_>) = group.reactions.iter().partition(|(of, _)| of.softness.is_none());
+        let by_reactions = rigid.iter().zip(after).map(|((of, impulse), after)| of.work(&after, *impulse));
         report.books.ledger.numerical.add(-by_reactions.sum::<f64>());
+        let shared_j = yielding.iter().map(|(of, impulse)| kicked.shared_by_reaction_j(of, *impulse)).sum::<f64>();
+        report.books.ledger.numerical.add(-shared_j);
         let soft = group.soft_work();
         // What a spring gives is taken from its potential, which changes with the poses.
         report.books.ledger.numerical.add(-soft.spring);
@@ -458,9 +478,9 @@ fn note(
                 continue;
             }
             // The speed of approach of the contact at the start of the step.
-            let approach = -(row.kinematics.separation_rate - row.half_fall);
+            let approach = -(row.rate_before - row.half_fall);
             let kind = if approach > contact.resting_speed && contact.closing_time().is_some_and(|time| time <= h) {
-                let energy_change_j = 0.5 * impulse * (row.kinematics.separation_rate - row.bound);
+                let energy_change_j = 0.5 * impulse * (row.rate_before - row.bound);
                 ImpulseKind::Impact { energy_change_j }
             } else {
                 ImpulseKind::Sustained
@@ -510,8 +530,8 @@ impl Found {
 }
 
 impl SolvedGroup {
-    /// Change of kinetic energy, J, `sum p.(u- + u+)/2` with the present rates of the bodies: where large impulses
-    /// cancel, these differ by rounding from the solution of the problem.
+    /// Change of kinetic energy in the order of action, J, `sum p.(u + u+)/2` with the rates `u` after the kick and the present
+    /// ones of the bodies: where large impulses cancel, these differ by rounding from the solution of the problem.
     fn energy_change(&self, world: &World, states: &[BodyState], rows: &[Row], near: &[NearContact]) -> f64 {
         let parts = self.group.contacts.iter().zip(&self.impulses).filter(|(_, p)| **p > 0.0);
         let change = |(&index, &p): (&usize, &f64)| {
@@ -569,12 +589,24 @@ impl SolvedGroup {
     }
 
     /// Applies the impulses. Impulses that add energy are discarded.
-    fn apply(&mut self, world: &World, states: &mut [BodyState], rows: &[Row], near: &[NearContact]) {
+    fn apply(
+        &mut self,
+        world: &World,
+        states: &mut [BodyState],
+        (bodies, kick): (&[usize], &Kick),
+        rows: &[Row],
+        near: &[NearContact],
+    ) {
         let impulses = (self.impulses_of(rows, near), self.reactions.iter().map(|(of, impulse)| (of, *impulse)));
         let moments: Vec<_> = self.moments.iter().map(SustainedMoment::on_a).collect();
         let soft = self.soft_work();
         let by_soft = soft.spring + soft.damper + soft.motor;
-        let given = (&moments[..], self.work_of_surfaces(world, states) + by_soft);
+        let kicked = Kicked { states, bodies, kick };
+        let by_reactions = self.reactions.iter().map(|(of, impulse)| kicked.shared_by_reaction_j(of, *impulse));
+        let shared_j = kicked.shared_j(self.impulses_of(rows, near))
+            + kicked.shared_by_moments_j(moments.iter().copied())
+            + by_reactions.sum::<f64>();
+        let given = (&moments[..], self.work_of_surfaces(world, states) + by_soft + shared_j);
         let is_sound = apply_without_gain(world, states, &self.group.bodies, impulses, given);
         if !is_sound {
             self.impulses.fill(0.0);

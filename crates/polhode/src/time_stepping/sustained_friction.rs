@@ -1,12 +1,12 @@
 //! Friction of sustained contacts over a step, at velocity level.
 //!
-//! In the middle of the step, after a free flight of h/2, let `u-` be the slip of a contact before the impulses and `u+`
-//! after them, `a` the part of its rate that is not due to contacts. The slip at the end is `u+ + r` with `r = h/2 a`.
+//! In the middle of the step, after a free flight of h/2, let `u-` be the slip of a contact before the kick of fields and `u+`
+//! after all impulses, `a` the part of its rate that is due to neither. The slip at the end is `u+ + r` with `r = h/2 a`.
 //! Coulomb's law holds for that slip and the impulses of the step: it is zero where `|p_t| <= mu p_n` can make it zero, and
 //! opposite to `p_t = -mu p_n u / |u|` otherwise. A body that rests on a slope ends exactly where it began: `u- = r`,
 //! `u+ = -r`, and the ways of both halves of the step cancel.
 //!
-//! Impulses that stick do the work `p_t.(u- + u+)/2 = -(|u-|^2 - |r|^2) / 2G`. So that none is gained, `r` is shortened to
+//! Without a kick impulses that stick do the work `p_t.(u- + u+)/2 = -(|u-|^2 - |r|^2) / 2G`. So that none is gained, `r` is shortened to
 //! the length of `u-` where it is longer.
 //!
 //! A contact without slip at the start of the step bears up to its static coefficient. If it slides nevertheless, the
@@ -23,10 +23,12 @@
 use super::cone_problem::ConeSolvers;
 use super::contacts::kinematics_at_point;
 use super::report::Stop;
+use super::shared_work::Kicked;
 use crate::collision::contact_id::ContactId;
 use crate::collision::friction_mode::FrictionCoefficients;
 use crate::collision::turn::Turn;
 use crate::constraint::bilateral::{Bilateral, Reaction};
+use crate::constraint::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{push_contact, push_held, with_rotations};
 use crate::rows::resisted_rotation::ResistedRotation;
@@ -59,8 +61,10 @@ pub(super) struct TangentialRow {
     along: [TangentRow; 2],
     /// From the contact to where its rows along the tangents act in a patch, m.
     offset: Option<DVec3>,
-    /// `u-` along the tangents, m/s.
+    /// The slip after the kick of fields, along the tangents, m/s.
     slip: [f64; 2],
+    /// By how much the kick has changed the relative velocity at the contact, m/s, and the relative rotation, rad/s.
+    kicked: (DVec3, DVec3),
     /// `r` along the tangents, m/s.
     half_change: [f64; 2],
     /// The normal, for rotations.
@@ -79,9 +83,9 @@ impl TangentialRow {
         world: &World,
         states: &[BodyState],
         id: ContactId,
-        kinematics: &ContactKinematics,
+        (kinematics, kicked): (&ContactKinematics, Kicked<'_>),
     ) -> Option<Self> {
-        world.friction_of(id.a, id.b)?;
+        world.friction_of(id)?;
         let terms = world.tangential_kinematics(states, id)?;
         let coefficients = world.friction_at(states, id, terms.basis)?;
         let along = terms.basis.map(|tangent| TangentRow::new(id, &kinematics.geometry, &terms, tangent));
@@ -90,6 +94,7 @@ impl TangentialRow {
         let turning_length = world.turning_length(id.a, id.b);
         let rotation = world.relative_rotation(states, id);
         let normal = kinematics.geometry.normal;
+        let kicked = (kicked.change_at(id, kinematics.geometry.point), kicked.change_of_rotation(id));
         let half_change = [0.0; 2];
         Some(Self {
             coefficients,
@@ -99,6 +104,7 @@ impl TangentialRow {
             along,
             offset: None,
             slip,
+            kicked,
             half_change,
             normal,
             rotation,
@@ -139,12 +145,14 @@ impl TangentialRow {
         let constants = self.constants();
         let [cx, cy] = [velocity[0] - constants[0], velocity[1] - constants[1]];
         let mobility = (cx * px + cy * py) / (px * px + py * py);
-        let [x, y] = [0, 1].map(|axis: usize| self.slip[axis] - self.whole_change[axis]);
+        let (before, kick) = (self.slip_before(), self.change_by_kick());
+        let [x, y] = [0, 1].map(|axis: usize| before[axis] - self.whole_change[axis]);
         let basis = self.along.map(|row| row.along.normal);
         let start = (basis[0] * x + basis[1] * y).try_normalize()?;
         let (against, coefficient) = self.coefficients.sliding.opposed(basis, start);
         let braking = mobility * coefficient * normal;
-        let [dx, dy] = [0, 1].map(|axis: usize| 2.0 * self.whole_change[axis] - braking * basis[axis].dot(against));
+        let change = |axis: usize| 2.0 * self.whole_change[axis] + kick[axis] - braking * basis[axis].dot(against);
+        let [dx, dy] = [0, 1].map(change);
         let part = -(x * dx + y * dy) / (dx * dx + dy * dy);
         let nearest = libm::hypot(x + part * dx, y + part * dy);
         // NaN, without an impulse or a change, gives none.
@@ -162,6 +170,8 @@ impl TangentialRow {
         let offset = point - self.along[0].along.point;
         let vector = |[x, y]: [f64; 2]| self.along[0].along.normal * x + self.along[1].along.normal * y;
         let slip = vector(self.slip) + approach + self.rotation.cross(offset);
+        let (velocity, rotation) = self.kicked;
+        let kicked = (velocity + rotation.cross(offset), rotation);
         let bias = vector(self.along.map(|row| row.acceleration_bias));
         let components = |vector: DVec3| tangents.map(|tangent| tangent.dot(vector));
         let mut along = self.along;
@@ -171,7 +181,7 @@ impl TangentialRow {
         }
         let (slip, whole_change) = (components(slip), components(vector(self.whole_change)));
         let half_change = components(vector(self.half_change));
-        Self { along, offset: Some(offset), slip, whole_change, half_change, ..self }
+        Self { along, offset: Some(offset), slip, kicked, whole_change, half_change, ..self }
     }
 
     /// `r` as a vector, m/s.
@@ -185,9 +195,20 @@ impl TangentialRow {
         Self { half_change: change, ..self }
     }
 
+    /// By how much the kick has changed the slip, along the tangents, m/s.
+    fn change_by_kick(&self) -> [f64; 2] {
+        self.along.map(|row| row.along.normal.dot(self.kicked.0))
+    }
+
+    /// `u-` along the tangents, m/s.
+    fn slip_before(&self) -> [f64; 2] {
+        let [x, y] = self.change_by_kick();
+        [self.slip[0] - x, self.slip[1] - y]
+    }
+
     /// The longest part of `r` that gains no energy (no unit, at most 1).
     pub(super) fn share(&self) -> f64 {
-        let [before, length] = [self.slip, self.half_change].map(|[x, y]| libm::hypot(x, y));
+        let [before, length] = [self.slip_before(), self.half_change].map(|[x, y]| libm::hypot(x, y));
         if length > before { before / length } else { 1.0 }
     }
 
@@ -259,7 +280,8 @@ impl TangentialImpulse {
         Some(slip + approach + world.relative_rotation(states, self.id()).cross(offset))
     }
 
-    /// Energy lost to friction, J: `-p.(u- + u+)/2` with the slip in the present states, after all impulses.
+    /// Energy lost to friction in the order of action, J: `-p.(u + u+)/2` with the slips after the kick and, in the present
+    /// states, after all impulses.
     pub(super) fn lost_j(&self, world: &World, states: &[BodyState]) -> Option<f64> {
         let slip = self.slip(world, states)?;
         let along = self.row.along.iter().zip(self.row.slip).zip(self.impulse);
@@ -348,20 +370,29 @@ pub(super) fn solve(
     }
     let rotations = resisted_rotations(&mut assembly, friction)?;
     constants.extend(friction.iter().flatten().flat_map(TangentialRow::rotation_constants));
-    let mut friction: Vec<Option<TangentialRow>> = friction.to_vec();
-    let mut problem = solvers.problem(&assembly, &constants, friction.len(), h);
-    let solved = loop {
-        let mut blocks = with_rotations(blocks(&friction, &rows), &rotations);
-        push_held(&mut blocks, friction.len()..first_tangent);
-        let solved = problem.solve(&blocks, |reactions| violation_of(&friction, &rows, reactions))?;
-        if !slide_under_static_friction(&mut friction, &rows, &solved, &constants) {
-            break solved;
+    let first = friction;
+    let (mut rounds, mut factorisations) = (0, 0);
+    let (friction, solved) = loop {
+        let mut friction: Vec<Option<TangentialRow>> = first.to_vec();
+        let mut problem = solvers.problem(&assembly, &constants, friction.len(), h);
+        let solved = loop {
+            let mut blocks = with_rotations(blocks(&friction, &rows), &rotations);
+            push_held(&mut blocks, friction.len()..first_tangent);
+            let solved = problem.solve(&blocks, |reactions| violation_of(&friction, &rows, reactions))?;
+            if !slide_under_static_friction(&mut friction, &rows, &solved, &constants) {
+                break solved;
+            }
+        };
+        factorisations += problem.factorisations();
+        if problem.is_in_bodies() {
+            solvers.last.note(&assembly, &solved.reactions, friction.len(), h);
         }
+        rounds += 1;
+        if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&solved.reactions, h) {
+            break (friction, solved);
+        }
+        assembly.press(&mut constants, h);
     };
-    let factorisations = problem.factorisations();
-    if problem.is_in_bodies() {
-        solvers.last.note(&assembly, &solved.reactions, friction.len(), h);
-    }
     let stops = stops(&friction, &rows, &solved);
     let violation = violation_of(&friction, &rows, &solved.reactions);
     let normal = solved.reactions.get(..friction.len()).unwrap_or_default();

@@ -8,7 +8,9 @@
 use super::body::WorldBody;
 use super::field_index::{FieldBuffers, FieldIndex};
 use super::steered::Steered;
+use crate::collision::contact_id::Feature;
 use crate::collision::narrow_phase::NarrowPhase;
+use crate::constraint::coordinate_id::CoordinateId;
 use crate::constraint::joint::{HeldBody, WorldJoint, row_length};
 use crate::constraint::joint_forces::JointForce;
 use crate::constraint::stop_id::StopId;
@@ -77,10 +79,10 @@ pub(crate) struct World {
     pub(crate) joints_of: BTreeMap<usize, Vec<usize>>,
     /// The kinematic bodies that joints hold, ascending.
     pub(crate) joint_drivers: Vec<usize>,
-    /// The stops of joints, by their pairs of bodies.
-    pub(crate) stops: BTreeMap<(usize, usize), Vec<StopId>>,
-    /// The bodies that a body has stops with, itself for those with the world.
-    pub(crate) stop_partners: BTreeMap<usize, BTreeSet<usize>>,
+    /// The contacts at joints, by their pairs of bodies, ascending.
+    pub(crate) joint_contacts: BTreeMap<(usize, usize), Vec<Feature>>,
+    /// The bodies that a body has such contacts with, itself for those with the world.
+    pub(crate) joint_contact_partners: BTreeMap<usize, BTreeSet<usize>>,
     /// For which pivoted bodies there are such rows.
     pub(crate) pivot_rows: PivotRows,
     /// Force fields over the movable bodies.
@@ -101,6 +103,8 @@ pub(crate) struct World {
     pub(super) collides: bool,
     /// The friction of bodies that may collide.
     pub(super) friction: FrictionKinds,
+    /// Whether any joint has friction.
+    joints_have_friction: bool,
     /// What else their surfaces do.
     pub(super) surfaces: SurfaceEffects,
     /// Force and torque (N, N m, world) that a program applies, by body.
@@ -118,9 +122,14 @@ pub(crate) struct World {
 }
 
 impl World {
-    /// Whether any two bodies that may collide have friction.
+    /// Whether any two bodies that may collide have friction, or any joint.
     pub(crate) fn has_friction(&self) -> bool {
-        self.friction != FrictionKinds::None
+        self.friction != FrictionKinds::None || self.joints_have_friction
+    }
+
+    /// Whether any joint has friction.
+    pub(crate) fn joints_have_friction(&self) -> bool {
+        self.joints_have_friction
     }
 
     /// Whether friction of any two depends on the direction.
@@ -165,8 +174,8 @@ impl World {
             joints: Vec::new(),
             joints_of: BTreeMap::new(),
             joint_drivers: Vec::new(),
-            stops: BTreeMap::new(),
-            stop_partners: BTreeMap::new(),
+            joint_contacts: BTreeMap::new(),
+            joint_contact_partners: BTreeMap::new(),
             pivot_rows,
             fields: Arc::from(Vec::new()),
             joint_forces: Vec::new(),
@@ -179,6 +188,7 @@ impl World {
             narrow_phase: NarrowPhase::default(),
             collides: scene.any_may_collide(),
             friction: FrictionKinds::of(scene),
+            joints_have_friction: false,
             surfaces: SurfaceEffects::of(scene),
             applied: BTreeMap::new(),
             steered: BTreeMap::new(),
@@ -220,17 +230,23 @@ impl World {
         }
         let drivers: BTreeSet<usize> = self.joints.iter().filter_map(WorldJoint::driver).collect();
         self.joint_drivers = drivers.into_iter().collect();
-        self.stops.clear();
-        self.stop_partners.clear();
+        self.joint_contacts.clear();
+        self.joint_contact_partners.clear();
         for joint in &self.joints {
-            let own = (0..joint.stops()).map(|stop| StopId { joint: joint.number(), stop });
-            if joint.stops() > 0 {
+            let number = joint.number();
+            let stops = (0..joint.stops()).map(|stop| Feature::Stop(StopId { joint: number, stop }));
+            let friction = joint.coordinates_with_friction();
+            let friction = friction.map(|place| Feature::JointFriction(CoordinateId { joint: number, place }));
+            for feature in stops.chain(friction) {
                 let (a, b) = joint.pair();
-                self.stops.entry((a, b)).or_default().extend(own);
-                self.stop_partners.entry(a).or_default().insert(b);
-                self.stop_partners.entry(b).or_default().insert(a);
+                self.joint_contacts.entry((a, b)).or_default().push(feature);
+                self.joint_contact_partners.entry(a).or_default().insert(b);
+                self.joint_contact_partners.entry(b).or_default().insert(a);
             }
         }
+        self.joint_contacts.values_mut().for_each(|of_pair| of_pair.sort_unstable());
+        let is_rough = |feature: &Feature| matches!(feature, Feature::JointFriction(_));
+        self.joints_have_friction = self.joint_contacts.values().flatten().any(is_rough);
         let is_held = |body: &usize| self.bodies[*body].held.is_some() || self.joints_of.contains_key(body);
         self.held_by_rows = (0..self.bodies.len()).filter(is_held).collect();
     }

@@ -225,3 +225,31 @@ fn axes_of_a_universal_joint_are_at_right_angles() {
         scene("skew").body(body).joint(Joint::new(JointKind::Universal { axes }, BodyId::new(0), DVec3::ZERO)).build();
     assert!(matches!(built, Err(SceneError::Joint { number: 0, .. })));
 }
+
+/// A nut on a screw that stands upright falls with `g/(1 + I/(m p^2))`, `p` the displacement for each radian, and turns by its thread
+/// the way that its hand says, beyond revolutions too; its energy stays. In both tiers.
+#[test]
+fn a_nut_falls_on_a_screw() {
+    for lead in [0.12, -0.05] {
+        let pitch = lead / std::f64::consts::TAU;
+        let nut = brick("nut", DVec3::new(0.3, 0.3, 0.1), DVec3::Z * 0.4);
+        let properties = nut.mass_properties().unwrap();
+        let (mass, moment) = (properties.mass(), properties.inertia().matrix().z_axis.z);
+        let fall = 9.81 / (1.0 + moment / (mass * pitch * pitch));
+        let step = Method { tier: Some(Tier::Stepped), step_s: Some(1e-3), ..Method::default() };
+        for (method, allowed) in [(accurate(), 1e-11), (step, 1e-6)] {
+            let kind = JointKind::Screw { axis: UnitVector::Z, lead };
+            let built = Scene::builder("screw").method(method).gravity(DVec3::Z * -9.81).duration_s(4.0);
+            let built = built.body(nut.clone()).joint(Joint::new(kind, BodyId::new(0), DVec3::ZERO)).build().unwrap();
+            let (report, recorder) = run(&built, Effects::Planned);
+            for (row, &t) in recorder.samples.iter().zip(&recorder.times_s) {
+                let off = (row[0].pose.translation - DVec3::Z * (0.4 - 0.5 * fall * t * t)).length();
+                assert!(off < allowed, "t = {t}: {off:e} m off");
+                let spin = row[0].velocity.angular.z + fall * t / pitch;
+                assert!(spin.abs() < allowed * 1e3, "t = {t}: {spin:e} rad/s off");
+            }
+            assert!(fall * 8.0 / pitch.abs() > 6.3, "it makes more than a revolution");
+            assert_closes(&report);
+        }
+    }
+}

@@ -273,18 +273,17 @@ fn a_snapshot_keeps_stops() {
             .joint(joint)
             .build()
             .unwrap();
-        let mut whole = Simulation::new(&built).unwrap();
         for t in [0.31, 0.42, 0.77] {
+            let mut whole = Simulation::new(&built).unwrap();
             whole.advance_to(t).unwrap();
             let snapshot = Snapshot::from_bytes(&whole.snapshot().to_bytes()).unwrap();
-            let mut other = Simulation::new(&built).unwrap();
-            other.restore(&snapshot).unwrap();
-            assert_eq!(other.snapshot().to_bytes(), snapshot.to_bytes());
-            other.advance_to(0.9).unwrap();
-            let mut same = Simulation::new(&built).unwrap();
-            same.restore(&snapshot).unwrap();
-            same.advance_to(0.9).unwrap();
-            assert_eq!(other.snapshot().to_bytes(), same.snapshot().to_bytes());
+            let mut restored = Simulation::new(&built).unwrap();
+            restored.restore(&snapshot).unwrap();
+            assert_eq!(restored.snapshot().to_bytes(), snapshot.to_bytes());
+            for simulation in [&mut whole, &mut restored] {
+                simulation.advance_to(0.9).unwrap();
+            }
+            assert_eq!(restored.snapshot().to_bytes(), whole.snapshot().to_bytes());
         }
     }
 }

@@ -1,4 +1,6 @@
-//! Forces of pivots and joints at one instant.
+//! Forces of pivots, and forces and moments of joints, at one instant.
+//!
+//! A joint does what its reactions do, and what its stops and its friction do at levers.
 //!
 //! If constraint rows hold the body, it is the force of these rows. If the motion is reduced to rotation about the
 //! pivot, it follows from Newton's law for the centre of mass, `F = m (a_cm - g) - F_fields - sum +-n f`, with
@@ -6,12 +8,13 @@
 
 use super::engine::Engine;
 use super::hold::Forces;
-use crate::BodyId;
 use crate::collision::contact_set::Touch;
+use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::Reaction;
 use crate::core::Core;
-use crate::frame::PivotView;
+use crate::frame::{JointView, PivotView};
 use crate::rows::assembly::free_acceleration;
+use crate::{BodyId, JointId};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::ComplementaritySolver;
 use polhode_spatial::DVec3;
@@ -55,7 +58,8 @@ impl Engine {
                 needed.insert(body, newton(body, linear, angular) - by_contacts.sum::<DVec3>());
             }
             let reactions = forces.assembly.reactions(&forces.solution.forces);
-            by_rows.extend(reactions.map(|(of, Reaction { force, .. })| PivotView {
+            let pivots = reactions.filter(|(of, _)| matches!(of.id, ConstraintId::Pivot { .. }));
+            by_rows.extend(pivots.map(|(of, Reaction { force, .. })| PivotView {
                 body: BodyId::new(of.id.bodies().0),
                 point_m: of.point,
                 force_n: force,
@@ -67,4 +71,45 @@ impl Engine {
         views.sort_by_key(|view| view.body);
         views
     }
+
+    /// What every joint does at `t` (s) at these states.
+    pub(super) fn joint_views(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<JointView> {
+        let world = &core.world;
+        let mut views: BTreeMap<usize, JointView> = BTreeMap::new();
+        if world.joints.is_empty() {
+            return Vec::new();
+        }
+        let mut solver = ComplementaritySolver::default();
+        for (group, members) in self.present_groups(core, states) {
+            let none = (DVec3::NAN, DVec3::NAN);
+            let Ok(forces) = Forces::solve(world, t, states, &group, &members, &mut solver) else {
+                let joints = group.iter().filter_map(|body| world.joints_of.get(body)).flatten();
+                for joint in joints.map(|&place| &world.joints[place]) {
+                    let (number, point_m) = (joint.number(), world.anchor_of(states, joint));
+                    views.insert(number, view(number, point_m, none));
+                }
+                continue;
+            };
+            for (of, reaction) in forces.assembly.reactions(&forces.solution.forces) {
+                if let ConstraintId::Joint { joint, .. } = of.id {
+                    views.insert(joint, view(joint, of.point, (reaction.force, reaction.moment)));
+                }
+            }
+            for (index, (touch, normal)) in members.iter().zip(forces.of_contacts()).enumerate() {
+                let tangential = forces.friction(index).map_or(DVec3::ZERO, |friction| friction.force);
+                let on_first = touch.kinematics.geometry.normal * *normal + tangential;
+                let Some((joint, force)) = world.joint_force_of(touch.id, on_first) else { continue };
+                let anchor = world.joints.iter().find(|own| own.number() == joint);
+                let anchor = anchor.map_or(touch.kinematics.geometry.point, |own| world.anchor_of(states, own));
+                let own = views.entry(joint).or_insert_with(|| view(joint, anchor, (DVec3::ZERO, DVec3::ZERO)));
+                own.force_n += force;
+                own.moment_n_m += (touch.kinematics.geometry.point - own.point_m).cross(force);
+            }
+        }
+        views.into_values().collect()
+    }
+}
+
+fn view(joint: usize, point_m: DVec3, (force_n, moment_n_m): (DVec3, DVec3)) -> JointView {
+    JointView { joint: JointId::new(joint), point_m, force_n, moment_n_m }
 }

@@ -1,0 +1,117 @@
+//! The contacts at joints: their stops (`stop.rs`) and their dry friction (`joint_friction.rs`).
+
+use super::joint::WorldJoint;
+use crate::collision::contact_id::{ContactId, Feature};
+use crate::collision::contact_set::FoundContact;
+use crate::world::World;
+use polhode_contact::ContactKinematics;
+use polhode_dynamics::BodyState;
+use polhode_spatial::{DVec3, Pose, Velocity};
+use std::collections::BTreeSet;
+
+impl World {
+    /// Whether any joint has limits or friction.
+    pub(crate) fn has_joint_contacts(&self) -> bool {
+        !self.joint_contacts.is_empty()
+    }
+
+    /// The contacts at joints between two bodies, A <= B, ascending; the same body twice for those with the world.
+    pub(crate) fn joint_contacts_of_pair(&self, pair: (usize, usize)) -> &[Feature] {
+        self.joint_contacts.get(&pair).map_or(&[], Vec::as_slice)
+    }
+
+    /// The pairs with such contacts that have one of these bodies, A <= B, ascending.
+    pub(crate) fn joint_contact_pairs_among(&self, bodies: &[usize]) -> impl Iterator<Item = (usize, usize)> + use<> {
+        let bodies = if self.has_joint_contacts() { bodies } else { &[] };
+        let of_body =
+            |&body: &usize| self.joint_contact_partners(body).map(move |other| (body.min(other), body.max(other)));
+        let pairs: BTreeSet<(usize, usize)> = bodies.iter().flat_map(of_body).collect();
+        pairs.into_iter()
+    }
+
+    /// All pairs with contacts at joints, A <= B, ascending.
+    pub(crate) fn joint_contact_pairs(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.joint_contacts.keys().copied()
+    }
+
+    /// The bodies that have contacts at joints with this one, itself for those with the world.
+    pub(crate) fn joint_contact_partners(&self, body: usize) -> impl Iterator<Item = usize> + '_ {
+        self.joint_contact_partners.get(&body).into_iter().flatten().copied()
+    }
+
+    /// The contacts at joints of a pair with a separation of at most `reach` (m), in order.
+    pub(crate) fn joint_contacts_within(
+        &self,
+        states: &[BodyState],
+        (a, b): (usize, usize),
+        reach: f64,
+    ) -> Vec<FoundContact> {
+        let found = self.joint_contacts_of_pair((a, b)).iter().filter_map(|&feature| {
+            let id = ContactId { a, b, feature };
+            let kinematics = self.joint_contact_kinematics(states, id)?;
+            (kinematics.geometry.separation <= reach).then_some(FoundContact { id, kinematics })
+        });
+        found.collect()
+    }
+
+    /// A contact at a joint in these states; none where its coordinate has no direction, and of contacts of shapes.
+    pub(crate) fn joint_contact_kinematics(&self, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
+        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
+        match id.feature {
+            Feature::Shapes(_) => None,
+            Feature::Stop(stop) => self.joint_numbered(stop.joint)?.stop_at(stop.stop, motion),
+            Feature::JointFriction(of) => self.friction_kinematics(states, of),
+        }
+    }
+
+    /// Coefficient of restitution of a contact.
+    pub(crate) fn restitution_of(&self, id: ContactId) -> f64 {
+        match id.feature {
+            Feature::Shapes(_) => self.scene.pair_material(id.a, id.b).restitution(),
+            Feature::Stop(stop) => {
+                let of = self.joint_numbered(stop.joint).and_then(|joint| joint.stop(stop.stop));
+                of.map_or(0.0, |stop| stop.restitution)
+            }
+            Feature::JointFriction(_) => 0.0,
+        }
+    }
+
+    /// Whether a body is beyond a limit of a joint by more than counts as touch.
+    pub(crate) fn exceeds_limits(&self, states: &[BodyState], body: usize) -> bool {
+        let is_beyond = |pair: (usize, usize)| {
+            let touch = self.touch_distance(states, pair.0, pair.1);
+            !self.joint_contacts_within(states, pair, -touch).is_empty()
+        };
+        self.joint_contact_pairs_among(&[body]).any(is_beyond)
+    }
+
+    /// The largest coefficient of restitution of any stop; zero without stops.
+    pub(crate) fn largest_restitution_of_stops(&self) -> f64 {
+        let own = |joint: &WorldJoint| {
+            (0..joint.stops()).filter_map(|place| joint.stop(place)).map(|stop| stop.restitution).fold(0.0, f64::max)
+        };
+        self.joints.iter().map(own).fold(0.0, f64::max)
+    }
+
+    /// Where a joint holds its first body, world, m.
+    pub(crate) fn anchor_of(&self, states: &[BodyState], joint: &WorldJoint) -> DVec3 {
+        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
+        joint.anchor(motion)
+    }
+
+    /// The joint of a contact at a joint, and the force on its first body where this one is on the first body of the contact.
+    pub(crate) fn joint_force_of(&self, id: ContactId, force: DVec3) -> Option<(usize, DVec3)> {
+        let joint = match id.feature {
+            Feature::Shapes(_) => return None,
+            Feature::Stop(stop) => stop.joint,
+            Feature::JointFriction(of) => of.joint,
+        };
+        Some((joint, force * self.joint_numbered(joint)?.order().sign()))
+    }
+
+    /// The joint of this number; none where there is none, or it was removed with a body.
+    pub(super) fn joint_numbered(&self, joint: usize) -> Option<&WorldJoint> {
+        let place = self.joints.binary_search_by_key(&joint, WorldJoint::number).ok()?;
+        self.joints.get(place)
+    }
+}

@@ -1,0 +1,163 @@
+//! Dry friction of joints, as contacts that a given force presses: shoes of a brake.
+//!
+//! A shoe is pressed by the force `N = T/l`, where `T` is the effort of friction in motion (N m of an angle, N of a displacement)
+//! and `l` the length that gives angles the unit of displacements (`coordinate.rs`; 1 otherwise). It slips along the coordinate, with
+//! the coefficient 1 in motion and `T_b/T` at rest, where `T_b` is the effort of breakaway. So Coulomb's law for it is that of dry
+//! friction, and all that contacts with friction have (modes, events, warm starts, what is booked) holds for joints.
+//!
+//! A bearing adds `k R` to the effort, where `R` is the force of the joint on the body across the axis and `k` the coefficient times
+//! the radius at which it rubs (times 1 of a displacement). That force follows from the reactions, which are found again with it until
+//! it stays ([`Pressed::renewed`]); what acts at a lever is part of the moment, so that `R` counts the force there too.
+//!
+//! Its rows: the one along the "normal" acts on no body. It has a compliance `c`, and its constant term is `-c N`, so that its
+//! reaction is `N`. The first tangent is the coordinate; there is no second one, so that its row acts on nothing either.
+//! A force at a lever of the second body stands for the moment about a hinge: its direction is fixed in that body.
+//!
+//! A bearing whose friction holds by more than it is pressed, `k` above the levers of its joint, locks itself: no force is found for
+//! it, and the last one is taken.
+//!
+//! Sources: thesis 3.4 (contacts with friction); Featherstone 2008, chapter 9 (forces at joints). Assumption: what the joint keeps
+//! holds. Finite forces give no impulse: in impacts joints have no friction.
+
+use super::coordinate_id::CoordinateId;
+use super::joint::WorldJoint;
+use super::joint_coordinate::JointCoordinate;
+use crate::collision::contact_id::{ContactId, Feature};
+use crate::collision::friction_mode::FrictionCoefficients;
+use crate::scene::{FrictionEllipse, JointFriction};
+use crate::world::World;
+use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
+use polhode_dynamics::{BodyState, RigidBody};
+use polhode_spatial::{DVec3, Pose, Velocity};
+
+/// What presses the shoe of a joint with friction, in the row along its normal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Pressed {
+    /// N.
+    pub(crate) force: f64,
+    /// Of its row, 1/kg.
+    pub(crate) compliance: f64,
+    of: CoordinateId,
+    bearing: Option<Bearing>,
+}
+
+/// How the load of a bearing presses the shoe.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Bearing {
+    /// The force without load, N.
+    unloaded: f64,
+    /// The force of the shoe for each newton across the axis (no unit).
+    share: f64,
+    /// Unit vector, world.
+    axis: DVec3,
+    /// The sign of motions of the first body of the joint in those of the first one of the contact.
+    sign: f64,
+}
+
+/// Rounds in which the load of bearings is found (10 to 100): each takes `k` over the levers of the joint of the error.
+pub(crate) const MOST_ROUNDS_OF_BEARINGS: usize = 60;
+
+/// Loads of bearings that differ by less than this part of them count as found (no unit): some rounding units.
+const SAME_LOAD: f64 = 4.0 * f64::EPSILON;
+
+impl Pressed {
+    /// The same where the joint bears these forces (N; impulses over `h`, s, that are N s): the reaction on its first body, and those at
+    /// levers on the first body of the contact. None where nothing changes.
+    pub(crate) fn renewed(&self, forces: impl Fn(usize) -> JointForces, h: f64) -> Option<Self> {
+        let Bearing { unloaded, share, axis, sign } = self.bearing?;
+        let JointForces { reaction, at_levers } = forces(self.of.joint);
+        let whole = (reaction + at_levers * sign) / h;
+        let load = (whole - axis * axis.dot(whole)).length();
+        let force = unloaded + share * load;
+        ((force - self.force).abs() > SAME_LOAD * force).then_some(Self { force, ..*self })
+    }
+}
+
+/// The forces of a joint (N) or its impulses (N s), world.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct JointForces {
+    /// On its first body.
+    pub(crate) reaction: DVec3,
+    /// Of stops and friction, on the first body of their contact.
+    pub(crate) at_levers: DVec3,
+}
+
+impl WorldJoint {
+    /// The friction of one of its coordinates, and the length that makes displacements of its values, m.
+    fn friction(&self, place: usize) -> Option<(JointFriction, f64)> {
+        let JointCoordinate { freedom, unit, .. } = self.coordinates().get(place)?;
+        Some((freedom.friction()?, *unit))
+    }
+
+    /// The places of its coordinates with friction.
+    pub(crate) fn coordinates_with_friction(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.coordinates().len()).filter(|&place| self.friction(place).is_some())
+    }
+}
+
+impl World {
+    /// The place of the shoe in these states, which always touches.
+    pub(crate) fn friction_kinematics(&self, states: &[BodyState], of: CoordinateId) -> Option<ContactKinematics> {
+        let (point, _) = self.slip_at_joint(states, of)?;
+        let geometry = ContactGeometry { point, normal: DVec3::ZERO, separation: 0.0, margin: f64::INFINITY };
+        Some(ContactKinematics { geometry, separation_rate: 0.0, acceleration_bias: 0.0 })
+    }
+
+    /// The slip of the shoe in these states.
+    pub(crate) fn friction_slip(&self, states: &[BodyState], of: CoordinateId) -> Option<TangentialKinematics> {
+        self.slip_at_joint(states, of).map(|(_, slip)| slip)
+    }
+
+    /// Where friction acts, and the slip of the first body of its contact on the second one.
+    fn slip_at_joint(&self, states: &[BodyState], of: CoordinateId) -> Option<(DVec3, TangentialKinematics)> {
+        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
+        let joint = self.joint_numbered(of.joint)?;
+        let JointCoordinate { measured, unit, near, .. } = joint.coordinates().get(of.place)?;
+        let at = joint.coordinate_at((measured, near * unit), motion)?.at_lever_of_second();
+        let basis = at.direction * joint.order().sign();
+        let terms = TangentialKinematics {
+            basis: [basis, DVec3::ZERO],
+            slip_velocity: basis * at.rate,
+            acceleration_bias: basis * at.bias,
+            point_velocity: DVec3::ZERO,
+            normal_rate: DVec3::ZERO,
+        };
+        Some((at.point, terms))
+    }
+
+    /// The coefficients of the shoe.
+    pub(crate) fn friction_of_joint(&self, of: CoordinateId) -> Option<FrictionCoefficients> {
+        let (friction, _) = self.joint_numbered(of.joint)?.friction(of.place)?;
+        let at_rest = FrictionEllipse::circle(friction.static_ratio());
+        Some(FrictionCoefficients { at_rest, sliding: FrictionEllipse::circle(1.0) })
+    }
+
+    /// What friction of joints takes over a radian, and over the sizes of their bodies, J: the scale of energies where it holds all
+    /// that could move.
+    pub(crate) fn friction_energy_j(&self) -> f64 {
+        let of_joint = |joint: &WorldJoint| {
+            let span = |place: usize| match joint.friction(place) {
+                Some((friction, unit)) => friction.effort() / unit * joint.length(),
+                None => 0.0,
+            };
+            (0..joint.coordinates().len()).map(span).sum::<f64>()
+        };
+        if self.joints_have_friction() { self.joints.iter().map(of_joint).sum() } else { 0.0 }
+    }
+
+    /// What presses a contact in these states, bearings without load; none of one that bodies press.
+    pub(crate) fn pressed(&self, states: &[BodyState], id: ContactId) -> Option<Pressed> {
+        let Feature::JointFriction(of) = id.feature else { return None };
+        let joint = self.joint_numbered(of.joint)?;
+        let (friction, unit) = joint.friction(of.place)?;
+        let mass = |(body, _): (usize, f64)| self.bodies[body].rigid.as_ref().map(RigidBody::mass);
+        let compliance = id.members().filter_map(mass).map(f64::recip).sum();
+        let unloaded = friction.effort() / unit;
+        let bearing = (friction.arm() > 0.0).then(|| {
+            let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
+            let axis = joint.axis_of(of.place, motion);
+            Bearing { unloaded, share: friction.arm() / unit, axis, sign: joint.order().sign() }
+        });
+        Some(Pressed { force: unloaded, compliance, of, bearing })
+    }
+}
