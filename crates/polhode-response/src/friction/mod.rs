@@ -36,7 +36,7 @@ mod node_matrix;
 pub(crate) mod problem;
 pub(crate) mod rows_behind;
 mod settings;
-mod single_contact;
+pub(crate) mod single_contact;
 mod solution;
 mod solver;
 

@@ -14,6 +14,7 @@
 //! | measure | the one residual of all methods | `iterate.rs` |
 //! | interior point | cold start, from loads that would hold everything | `interior_point.rs`, `interior_cone.rs`, `cone_form.rs`, `jordan.rs` |
 //! | semismooth Newton | the end of it, and warm starts | `newton.rs` |
+//! | sweeps | where steps of Newton go in circles: one contact after the other | `sweeps.rs` |
 //! | path of compliance | where neither comes to the end | `compliance_path.rs`, `compliant_law.rs` |
 //! | smoothing Newton | where the path turns back | `smoothing.rs`, `smoothed_cone.rs` |
 //! | balance | makes forces balance to rounding | `balance.rs` |
@@ -43,6 +44,7 @@ mod smoothed_cone;
 mod smoothing;
 mod solution;
 mod solver;
+mod sweeps;
 mod system;
 
 pub use balance::BalancedForces;

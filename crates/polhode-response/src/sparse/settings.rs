@@ -14,11 +14,13 @@ pub struct BodySettings {
     /// Steps of a warm start, before a cold one: it takes one or two where little has changed, eight where a box is
     /// pushed.
     pub warm_steps: usize,
+    /// Rounds of sweeps over all contacts, each with Newton's method after it, before a cold start. 0: none.
+    pub rounds_of_sweeps: usize,
 }
 
 impl Default for BodySettings {
     fn default() -> Self {
-        Self { tolerance: 1e-12, acceptance: 1e-8, factorisations: 150, warm_steps: 8 }
+        Self { tolerance: 1e-12, acceptance: 1e-8, factorisations: 150, warm_steps: 8, rounds_of_sweeps: 0 }
     }
 }
 

@@ -20,6 +20,8 @@ pub enum BodyMethod {
     Smoothing,
     /// The path of compliance.
     Compliance,
+    /// Sweeps over all contacts.
+    Sweeps,
 }
 
 impl BodyMethod {
@@ -32,6 +34,7 @@ impl BodyMethod {
             Self::Newton => "newton",
             Self::Smoothing => "smoothing-newton",
             Self::Compliance => "compliance-path",
+            Self::Sweeps => "sweeps",
         }
     }
 }

@@ -17,6 +17,7 @@ use crate::sparse::problem::BodyProblem;
 use crate::sparse::settings::BodySettings;
 use crate::sparse::smoothing::{InteriorEnd, Smoothing, SmoothingLimits};
 use crate::sparse::solution::{BodyMethod, BodyReport, BodySolution};
+use crate::sparse::sweeps::Sweeps;
 use crate::sparse::system::BodySystem;
 
 /// Steps of the interior point (20 to 40).
@@ -32,6 +33,15 @@ const NEWTON_STEPS: usize = 20;
 /// Its steps after the path of compliance, which has come to what is accepted: as exactly as rounding allows, so that what rests
 /// stays at rest.
 const LAST_NEWTON_STEPS: usize = 12;
+
+/// Sweeps to and fro in the first round; each further round has twice as many (4 to 20).
+const FIRST_SWEEPS: usize = 8;
+
+/// Rounds where contacts are redundant (1 to 3).
+const ROUNDS_FOR_REDUNDANT: usize = 2;
+
+/// Steps of Newton's method after each round of sweeps.
+const NEWTON_STEPS_AFTER_SWEEPS: usize = 8;
 
 /// Steps in which the residual must halve.
 const PATIENCE: usize = 3;
@@ -152,7 +162,31 @@ impl Chain<'_> {
                 return;
             }
         }
-        self.cold(&without);
+        if !self.sweep(start) {
+            self.cold(&without);
+        }
+    }
+
+    /// Sweeps with Newton's method after them, in rounds that double. Returns whether the answer is found.
+    fn sweep(&mut self, start: Option<&[f64]>) -> bool {
+        let sweeps = if self.settings.rounds_of_sweeps > 0 { Sweeps::new(self.problem) } else { None };
+        let Some(mut sweeps) = sweeps else { return false };
+        let mut reactions = start.map_or_else(|| vec![0.0; self.problem.rows()], <[f64]>::to_vec);
+        let few = if Sweeps::is_for_redundant(self.problem) { ROUNDS_FOR_REDUNDANT } else { usize::MAX };
+        for round in 0..self.settings.rounds_of_sweeps.min(few) {
+            sweeps.run(self.problem, &mut reactions, FIRST_SWEEPS << round);
+            let mut swept = Iterate::default();
+            swept.take(self.problem, self.measure, &reactions);
+            self.take(&swept, BodyMethod::Sweeps);
+            let before = self.system.factorisations;
+            self.run_newton(&mut swept, NEWTON_STEPS_AFTER_SWEEPS);
+            self.report.newton += self.system.factorisations - before;
+            self.take(&swept, BodyMethod::Newton);
+            if self.is_enough() {
+                return true;
+            }
+        }
+        false
     }
 
     /// From nothing.

@@ -226,6 +226,26 @@ impl Books {
         self.ledger.momentum.support.add(Momentum::default() - gravity - fields);
     }
 
+    /// The weight of bodies that rest, with its moment, N and N m.
+    pub(crate) fn weight_of(
+        &self,
+        world: &World,
+        states: &[BodyState],
+        bodies: impl Iterator<Item = usize>,
+    ) -> Momentum {
+        let about = self.ledger.momentum.about;
+        let mut sum = crate::MomentumSum::default();
+        bodies.for_each(|body| sum.add(gravity_at(world, states, body, about, 1.0)));
+        sum.value()
+    }
+
+    /// Books `dt` seconds in which supports bear a weight (N, N m).
+    pub(crate) fn borne(&mut self, weight: Momentum, dt: f64) {
+        let given = Momentum { linear: weight.linear * dt, angular: weight.angular * dt };
+        self.ledger.momentum.gravity.add(given);
+        self.ledger.momentum.support.add(Momentum::default() - given);
+    }
+
     /// Records energies and momenta now: the totals, and the scales for the closure of the ledger.
     pub(crate) fn observe(&mut self, world: &World, states: &[BodyState]) -> Energy {
         let totals = Totals::of(world, states, self.ledger.momentum.about);

@@ -17,6 +17,11 @@ use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
 impl World {
+    /// Whether the surface of a body moves.
+    pub(crate) fn has_moving_surface(&self, body: usize) -> bool {
+        self.scene.bodies().get(body).is_some_and(|body| body.velocity_of_surface() != DVec3::ZERO)
+    }
+
     /// `R s`, m/s.
     pub(crate) fn surface_velocity(&self, states: &[BodyState], body: usize) -> DVec3 {
         states[body].pose.rotation.rotate(self.scene.bodies()[body].velocity_of_surface())

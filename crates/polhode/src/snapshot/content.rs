@@ -471,6 +471,8 @@ pub(crate) struct Stepped {
     pub(crate) errors: Vec<[f64; 3]>,
     /// Friction of the contacts of `forces`, N.
     pub(crate) friction: Vec<[f64; 3]>,
+    /// Whether each body rests and is left out of the steps.
+    pub(crate) resting: Vec<bool>,
     pub(crate) grid: u64,
     pub(crate) begun: bool,
 }

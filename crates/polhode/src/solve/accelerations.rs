@@ -280,15 +280,15 @@ impl Accelerations {
 }
 
 /// Accelerations without the forces that are asked for.
-struct FreeMotion {
+pub(super) struct FreeMotion {
     /// Of the bodies.
-    free: Vec<f64>,
+    pub(super) free: Vec<f64>,
     /// Of the rows, m/s^2.
-    constants: Vec<f64>,
+    pub(super) constants: Vec<f64>,
 }
 
 impl FreeMotion {
-    fn of(
+    pub(super) fn of(
         assembly: &Assembly,
         world: &World,
         (t, states): (f64, &[BodyState]),

@@ -5,7 +5,7 @@
 //! |---|---|
 //! | `accelerations` | forces and accelerations at one instant: which contacts hold, stick and slide |
 //! | `sticking_forces`, `least_sliding_forces` | those of contacts that all stick, and of some that slide |
-//! | `standing` | those of many contacts of bodies at rest |
+//! | `standing`, `held_at_rest` | those of many contacts of bodies at rest |
 //! | `impact`, `frictional_impact` | impulses of an impact, and of one with friction |
 //! | `bounce_friction` | what ending bounces takes, with the friction that belongs to it |
 //! | `rotational_friction` | moments of rolling and spinning: their work and their support |
@@ -16,6 +16,7 @@ pub(crate) mod accelerations;
 pub(crate) mod bounce_friction;
 pub(crate) mod cone_violation;
 pub(crate) mod frictional_impact;
+pub(crate) mod held_at_rest;
 pub(crate) mod impact;
 mod least_sliding_forces;
 pub(crate) mod overlap;

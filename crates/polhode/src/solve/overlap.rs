@@ -10,12 +10,14 @@
 
 use crate::collision::contact_id::ContactId;
 use crate::rows::assembly::{Assembly, largest_change};
+use crate::rows::friction_blocks::push_held;
 use crate::rows::groups::groups;
 use crate::states_of::states_of;
 use crate::world::World;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
-use polhode_response::{ComplementaritySolver, Delassus, ResponseError, SolverSettings, SolverStatus};
+use polhode_response::sparse::{BodySettings, BodySolver};
+use polhode_response::{Blocks, ComplementaritySolver, Delassus, Law, ResponseError, SolverSettings, SolverStatus};
 use polhode_spatial::{DVec3, Pose, Rotation};
 
 /// Most rounds. Each squares the remaining penetration relative to the size, so that the third reaches rounding even
@@ -28,6 +30,9 @@ const LEFT_OVERLAP_RELATIVE: f64 = 2.5e-13;
 
 /// Fraction of the rounding of two poses (eight units in the last place) that may remain: two such units.
 const LEFT_ROUNDING: f64 = 0.25;
+
+/// From so many contacts in a group on their overlaps are removed in the displacements of bodies (48 to 200).
+const MANY_OVERLAPS: usize = 64;
 
 /// A contact point has jumped if it is farther away than this fraction of the size of the smaller body.
 const MOVED_AWAY_RELATIVE: f64 = 1e-3;
@@ -132,7 +137,7 @@ impl Overlaps {
             if !self.is_excess {
                 break;
             }
-            let jumped = earlier.iter().filter(|old| !self.has_at_place(world, &old.overlap));
+            let jumped = earlier.iter().filter(|old| !self.has_at_place(world, old.overlap));
             let carried: Vec<Overlap> = jumped.map(|old| old.carried(states)).collect();
             earlier.extend(self.contacts.iter().map(|&overlap| Earlier::new(overlap, states)));
             let mut rows = std::mem::take(&mut self.contacts);
@@ -145,10 +150,13 @@ impl Overlaps {
     }
 
     /// Whether a contact is among these, at its old point.
-    fn has_at_place(&self, world: &World, old: &Overlap) -> bool {
+    fn has_at_place(&self, world: &World, old: Overlap) -> bool {
         let near = MOVED_AWAY_RELATIVE * world.pair_size(old.id.a, old.id.b);
-        let same = |now: &Overlap| now.id == old.id && now.geometry.point.distance(old.geometry.point) <= near;
-        self.contacts.iter().any(same)
+        let same = |now: &&Overlap| now.id == old.id && now.geometry.point.distance(old.geometry.point) <= near;
+        let pair = |of: &Overlap| (of.id.a, of.id.b);
+        // Pairs are in ascending order.
+        let first = self.contacts.partition_point(|now| pair(now) < pair(&old));
+        self.contacts[first..].iter().take_while(|now| pair(now) == pair(&old)).any(|now| same(&now))
     }
 }
 
@@ -168,13 +176,18 @@ fn move_out(
         let geometries = members.iter().map(|row| (row.id, row.geometry));
         let assembly = Assembly::new(world, states, &group.bodies, geometries)?;
         let separations = assembly.gaps(members.iter().map(|row| row.geometry.separation));
-        assembly.problem.delassus_into(delassus);
-        let roundings = members.iter().map(|row| world.rounding(states, row.id.a, row.id.b));
-        let noise_floor = LEFT_ROUNDING * roundings.fold(f64::INFINITY, f64::min);
-        solver.set_settings(SolverSettings { noise_floor, ..SolverSettings::default() });
-        let solution = solver.solve(&assembly.problem, delassus, &separations, None)?;
-        fallbacks += u64::from(solution.report.status != SolverStatus::Solved);
-        let response = assembly.problem.response(&solution.forces)?;
+        let forces = if let Some(found) = forces_of_many(&assembly, &separations)? {
+            found
+        } else {
+            assembly.problem.delassus_into(delassus);
+            let roundings = members.iter().map(|row| world.rounding(states, row.id.a, row.id.b));
+            let noise_floor = LEFT_ROUNDING * roundings.fold(f64::INFINITY, f64::min);
+            solver.set_settings(SolverSettings { noise_floor, ..SolverSettings::default() });
+            let solution = solver.solve(&assembly.problem, delassus, &separations, None)?;
+            fallbacks += u64::from(solution.report.status != SolverStatus::Solved);
+            solution.forces.clone()
+        };
+        let response = assembly.problem.response(&forces)?;
         let share = share_of_move(world, &members, assembly.split(&response));
         for (body, linear, angular) in assembly.split(&response) {
             let pose = &mut states[body].pose;
@@ -184,6 +197,23 @@ fn move_out(
         }
     }
     Ok(fallbacks)
+}
+
+/// The forces that remove many overlaps, found in the displacements of bodies: without a matrix of their rows, which grows with
+/// the square of their number. None for few, or where they are not found.
+fn forces_of_many(assembly: &Assembly, separations: &[f64]) -> Result<Option<Vec<f64>>, ResponseError> {
+    let contacts = assembly.problem.len() - assembly.bilaterals().iter().map(|own| own.rows.len()).sum::<usize>();
+    if contacts < MANY_OVERLAPS {
+        return Ok(None);
+    }
+    let mut blocks = Blocks::default();
+    for row in 0..contacts {
+        blocks.push(Law::Push, [row]);
+    }
+    push_held(&mut blocks, contacts..assembly.problem.len());
+    let system = (&mut BodySolver::default(), &BodySettings::default());
+    let (solved, _) = blocks.solve_in_bodies(&assembly.problem, separations, None, system)?;
+    Ok((solved.report.status == SolverStatus::Solved).then_some(solved.reactions))
 }
 
 /// The fraction of a displacement within which its linearised contacts are valid. Bodies in a straight row between

@@ -3,6 +3,8 @@
 use super::instant_forces::{BodyAcceleration, PresentForces};
 use super::island_steps::advance_islands;
 use super::islands::{Island, IslandSearch, islands};
+use super::present_forces::STICKING_RELATIVE;
+use super::rest::{Resting, may_rest, touching_groups};
 use crate::accounting::books::Received;
 use crate::accounting::long_steps::Movement;
 use crate::collision::contact_id::ContactId;
@@ -18,12 +20,14 @@ use crate::sampling::emit_samples_before;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::parts::{restored_flight, restored_forces, restored_id, save_contact, save_flight};
 use crate::snapshot::{SnapshotError, content};
-use crate::states_of::states_of;
+use crate::solve::held_at_rest::HeldAtRest;
+use crate::states_of::{set_states, states_of};
 use crate::tier::{Reached, Tier};
-use crate::time_stepping::{TimeStepReport, TimeStepper, given_by_gravity};
-use crate::world::World;
-use crate::{Acceleration, BodyId, SimulationError};
+use crate::time_stepping::{NO_WORK_J, TimeStepReport, TimeStepper, given_by_gravity};
+use crate::world::{Loads, World};
+use crate::{Acceleration, BodyId, Effects, SimulationError};
 use polhode_dynamics::{BodyState, Flight};
+use polhode_response::ResponseError;
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -66,6 +70,7 @@ pub(crate) struct SteppedEngine {
     errors: ErrorEstimate,
     /// Bodies of each island of the last step.
     islands: Vec<Vec<usize>>,
+    resting: Resting,
     /// Index of the last step that ended on the grid of multiples of the step, and whether any step has been made.
     grid: u64,
     begun: bool,
@@ -80,9 +85,14 @@ impl SteppedEngine {
         let mut engine = Self::unbegun(core, states);
         let world = &core.world;
         let pairs = engine.search.pairs(world, &engine.states, (core.t, 0.0)).map_err(SimulationError::BroadPhase)?;
-        engine.islands = islands(world, &pairs).into_iter().map(|island| island.bodies).collect();
-        let touches = engine.resting_touches(core, &pairs);
-        engine.touching = touches.iter().map(|touch| (touch.id.a, touch.id.b)).collect();
+        let all = islands(world, &pairs);
+        for island in &all {
+            engine.come_to_rest(core, island).map_err(|source| Core::response_error(core.t, source))?;
+        }
+        engine.islands = all.into_iter().map(|island| island.bodies).collect();
+        let moving = pairs.into_iter().filter(|&pair| !engine.resting.holds_pair(pair));
+        let touches = engine.resting_touches(core, &moving.collect::<Vec<_>>());
+        engine.touching.extend(touches.iter().map(|touch| (touch.id.a, touch.id.b)));
         for (bodies, contacts) in joined(world, &touches) {
             let found = PresentForces::solve(core, &engine.states, &bodies, &contacts).unwrap_or_default();
             for (index, touch) in contacts.iter().enumerate() {
@@ -99,9 +109,10 @@ impl SteppedEngine {
         let about = core.accounts.books.ledger.momentum.about;
         Self {
             errors: ErrorEstimate::new(states.len()),
+            resting: Resting::none(states.len()),
             flights: vec![None; states.len()],
             states,
-            stepper: TimeStepper::new(core.settings.impact, about, MOST_SPLITS),
+            stepper: TimeStepper::new(core.settings.impact, about, MOST_SPLITS).for_heaps(),
             search: IslandSearch::new(&core.world, core.settings.broad_phase.build()),
             touching: BTreeSet::new(),
             forces: BTreeMap::new(),
@@ -123,7 +134,11 @@ impl SteppedEngine {
         let refused = SnapshotError::Invalid("it does not say how each body moves");
         let are_bodies = |list: &Vec<usize>| list.iter().all(|&body| body < bodies);
         let are_pairs = saved.touching.iter().all(|&(a, b)| a <= b && b < bodies);
-        if saved.flights.len() != bodies || !saved.islands.iter().all(are_bodies) || !are_pairs {
+        if saved.flights.len() != bodies
+            || saved.resting.len() != bodies
+            || !saved.islands.iter().all(are_bodies)
+            || !are_pairs
+        {
             return Err(refused);
         }
         for (body, flight) in saved.flights.iter().enumerate() {
@@ -145,6 +160,7 @@ impl SteppedEngine {
         engine.forces = normal.into_iter().zip(&saved.friction).map(force).collect();
         engine.errors = ErrorEstimate::restored(&saved.errors, bodies)?;
         engine.islands.clone_from(&saved.islands);
+        engine.resting = Resting::restored(saved.resting.clone());
         (engine.grid, engine.begun) = (saved.grid, saved.begun);
         Ok(engine)
     }
@@ -156,12 +172,29 @@ impl SteppedEngine {
     fn step(&mut self, core: &mut Core, t_next: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
         let h = t_next - core.t;
         let interval = (core.t, h);
+        if core.effects == Effects::Planned
+            && core.world.prescribed.is_empty()
+            && self.resting.is_everything(&core.world)
+        {
+            return self.rest_on(core, t_next, observer);
+        }
         let pairs = self.search.pairs(&core.world, &self.states, interval).map_err(SimulationError::BroadPhase)?;
-        let islands = islands(&core.world, &pairs);
+        let pairs = self.resting.without_idle_pairs(&core.world, &self.states, pairs, (&self.touching, h));
+        let all = islands(&core.world, &pairs);
+        self.islands = all.iter().map(|island| island.bodies.clone()).collect();
+        for island in &all {
+            self.come_to_rest(core, island).map_err(|source| Core::response_error(core.t, source))?;
+        }
+        let (resting, islands): (Vec<_>, Vec<_>) = all.into_iter().partition(|own| self.resting.contains_all(own));
         self.emit_samples_within(core, &islands, t_next, observer)?;
-        self.fly(core, &islands, t_next);
-        let mut touching = BTreeSet::new();
-        self.forces.clear();
+        self.fly(core, t_next);
+        if core.effects == Effects::All {
+            self.repeat_rest(core, &resting, interval)?;
+        }
+        let mut touching: BTreeSet<_> =
+            self.touching.iter().copied().filter(|&pair| self.resting.holds_pair(pair)).collect();
+        self.forces.retain(|id, _| self.resting.holds_pair((id.a, id.b)));
+        self.resting.book(&core.world, &self.states, &mut core.accounts.books, h);
         let compares = core.accounts.steps().is_multiple_of(EVERY);
         let halves = if compares { Some(self.in_two_halves(core, &islands, interval)?) } else { None };
         let start: Vec<Vec<BodyState>> = islands.iter().map(|own| states_of(&self.states, &own.bodies)).collect();
@@ -171,35 +204,115 @@ impl SteppedEngine {
         for ((island, start), report) in islands.iter().zip(&start).zip(&reports) {
             self.note(core, report, h);
             self.note_movement(core, island, start, h);
+            self.resting.note(&core.world, island, report.at_rest);
             for (&body, halves) in island.bodies.iter().filter_map(|body| Some((body, halves.as_ref()?))) {
                 self.errors.compare(&core.world, body, &self.states[body], &halves[body]);
             }
-            if let Some(&first) = island.bodies.first()
-                && report.left_penetration_m > LEFT_BY_STEP_RELATIVE * core.world.bodies[first].size
-            {
-                let name = &core.world.bodies[first].name;
-                let what =
-                    format!("the projection of the bodies around {name} left a penetration above 1e-11 of their size");
-                core.accounts.warn(core.t, what);
-            }
+            warn_of_overlap(core, island, report);
             touching.extend(report.touching.iter().copied());
         }
-        self.islands = islands.into_iter().map(|island| island.bodies).collect();
         core.world.prescribe(t_next, &mut self.states);
         core.t = t_next;
+        let before = std::mem::replace(&mut self.touching, touching);
+        if compares {
+            for (island, report) in islands.iter().zip(&reports).filter(|(_, report)| !report.at_rest) {
+                let settled = self.settle(core, island, &report.touching, h);
+                settled.map_err(|source| Core::response_error(core.t, source))?;
+            }
+        }
         self.errors.go_on(&core.world, &self.states, h);
         core.accounts.certificate.estimated_error = Some(self.errors.largest(&core.world));
         core.accounts.count_step();
-        self.report_pairs(core, touching);
+        self.report_pairs(core, &before);
         core.accounts.emit_events(core.t, observer);
         core.accounts.observe(&core.world, &self.states, core.t)?;
         Ok(())
     }
 
+    /// Notes an island as resting whose bodies are at rest where forces of their contacts hold them so.
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    fn come_to_rest(&mut self, core: &Core, island: &Island) -> Result<(), ResponseError> {
+        let world = &core.world;
+        let is_still = |&body: &usize| world.point_speed(&self.states, body) == 0.0;
+        if self.resting.contains_all(island) || !island.bodies.iter().all(is_still) || !may_rest(world, island) {
+            return Ok(());
+        }
+        let touches = self.resting_touches(core, &island.pairs);
+        let loads = Loads::default();
+        let held = HeldAtRest::of(world, (core.t, &self.states), &island.bodies, &touches, &loads)?;
+        let Some(held) = held else { return Ok(()) };
+        let forces = touches.iter().zip(&held.normal).zip(&held.friction);
+        let forces = forces.map(|((touch, &normal), &friction)| (touch.id, MeanForce { normal, friction }));
+        self.forces.extend(forces.clone());
+        self.stepper.start_from(forces.map(|(id, force)| (id, force.normal, force.friction)));
+        self.touching.extend(touches.iter().map(|touch| (touch.id.a, touch.id.b)));
+        self.resting.note(world, island, true);
+        Ok(())
+    }
+
+    /// Ends the last of the motion of bodies that a step has left slower than it can tell from rest, where forces of their
+    /// contacts hold them: each group of bodies that touch each other for itself. `pairs` touch.
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    fn settle(
+        &mut self,
+        core: &mut Core,
+        island: &Island,
+        pairs: &[(usize, usize)],
+        h: f64,
+    ) -> Result<(), ResponseError> {
+        let slow = STICKING_RELATIVE * core.world.gravity().length() * h;
+        for group in touching_groups(&core.world, island, pairs) {
+            let world = &core.world;
+            let is_slow = |&body: &usize| world.point_speed(&self.states, body) <= slow;
+            if !group.bodies.iter().all(is_slow) || !may_rest(world, &group) {
+                continue;
+            }
+            let moving = states_of(&self.states, &group.bodies);
+            let before = core.accounts.books.balance(world, &self.states, &group.bodies);
+            for &body in &group.bodies {
+                self.states[body] = BodyState::at_rest(self.states[body].pose);
+            }
+            self.come_to_rest(core, &group)?;
+            if self.resting.contains_all(&group) {
+                let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
+                core.accounts.books.rest(before, after, NO_WORK_J);
+            } else {
+                set_states(&mut self.states, &group.bodies, &moving);
+            }
+        }
+        Ok(())
+    }
+
+    /// A step to `t_next` in which nothing moves: its cost does not depend on the number of bodies.
+    ///
+    /// # Errors
+    /// As an observer's sample.
+    fn rest_on(&mut self, core: &mut Core, t_next: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
+        self.emit_samples_within(core, &[], t_next, observer)?;
+        self.resting.book(&core.world, &self.states, &mut core.accounts.books, t_next - core.t);
+        core.t = t_next;
+        core.accounts.count_step();
+        core.accounts.emit_events(core.t, observer);
+        Ok(())
+    }
+
+    /// Makes the steps of islands that rest, which change nothing: with all effects their contacts and forces are found in each.
+    fn repeat_rest(&self, core: &Core, resting: &[Island], interval: (f64, f64)) -> Result<(), SimulationError> {
+        let (mut states, mut stepper) = (self.states.clone(), self.stepper.clone());
+        let of = (&mut stepper, &mut states[..]);
+        let reports = advance_islands(&core.world, &*core.executor, of, resting, interval);
+        reports.map_err(|source| Core::response_error(core.t, source))?;
+        Ok(())
+    }
+
     /// Moves all bodies that are in no island to `t_next` in free flight.
-    fn fly(&mut self, core: &mut Core, islands: &[Island], t_next: f64) {
+    fn fly(&mut self, core: &mut Core, t_next: f64) {
         let mut free = vec![true; self.states.len()];
-        for &body in islands.iter().flat_map(|island| &island.bodies) {
+        for &body in self.islands.iter().flatten() {
             free[body] = false;
             self.flights[body] = None;
         }
@@ -269,8 +382,7 @@ impl SteppedEngine {
 
     /// Adds an event for every pair that has begun or ceased to touch in this step. The pairs of the first step touched
     /// at the start and give no events.
-    fn report_pairs(&mut self, core: &mut Core, touching: BTreeSet<(usize, usize)>) {
-        let before = std::mem::replace(&mut self.touching, touching);
+    fn report_pairs(&mut self, core: &mut Core, before: &BTreeSet<(usize, usize)>) {
         if !std::mem::replace(&mut self.begun, true) {
             return;
         }
@@ -291,7 +403,7 @@ impl SteppedEngine {
             }
         };
         let ended = before.difference(&self.touching).map(|pair| event(EventKind::ContactEnd, pair));
-        let begun = self.touching.difference(&before).map(|pair| event(EventKind::ContactBegin, pair));
+        let begun = self.touching.difference(before).map(|pair| event(EventKind::ContactBegin, pair));
         for event in ended.chain(begun).collect::<Vec<_>>() {
             core.accounts.add_event(event);
         }
@@ -324,7 +436,9 @@ impl SteppedEngine {
                 .advance(&core.world, &mut states, &island.bodies, &island.pairs, (core.t, t - core.t))
                 .map_err(|source| Core::response_error(core.t, source))?;
         }
-        for body in (0..states.len()).filter(|&body| !in_island[body] && core.world.bodies[body].moves()) {
+        let flies = |body: usize| !in_island[body] && !self.resting.contains(body) && core.world.bodies[body].moves();
+        let flying: Vec<usize> = (0..states.len()).filter(|&body| flies(body)).collect();
+        for body in flying {
             if let Some(flight) = self.flight(core, body) {
                 states[body] = flight.state(t);
                 core.world.keep_in_plane(body, &mut states[body]);
@@ -343,6 +457,17 @@ impl SteppedEngine {
         };
         let touches = pairs.iter().flat_map(of_pair);
         touches.filter(|touch| touch.kinematics.separation_rate.abs() <= slow).map(Touch::from).collect()
+    }
+}
+
+/// Warns of penetration that the projection of a step has left.
+fn warn_of_overlap(core: &mut Core, island: &Island, report: &TimeStepReport) {
+    if let Some(&first) = island.bodies.first()
+        && report.left_penetration_m > LEFT_BY_STEP_RELATIVE * core.world.bodies[first].size
+    {
+        let name = &core.world.bodies[first].name;
+        let what = format!("the projection of the bodies around {name} left a penetration above 1e-11 of their size");
+        core.accounts.warn(core.t, what);
     }
 }
 
@@ -434,7 +559,7 @@ impl Tier for SteppedEngine {
             }
         }
         for &body in self.islands.iter().flatten() {
-            kinds[body] = MotionKind::Integrated;
+            kinds[body] = if self.resting.contains(body) { MotionKind::Rest } else { MotionKind::Integrated };
         }
         kinds
     }
@@ -446,6 +571,7 @@ impl Tier for SteppedEngine {
 
     fn interrupt(&mut self, _core: &mut Core, bodies: &[usize]) -> Result<(), SimulationError> {
         // All states are those of the present between two steps; bodies in free flight get new records.
+        self.resting.wake_all();
         for &body in bodies {
             self.flights[body] = None;
         }
@@ -460,11 +586,13 @@ impl Tier for SteppedEngine {
         self.states.push(state);
         self.flights.push(None);
         self.errors.add_body();
+        self.resting.add_body();
         self.search = IslandSearch::new(&core.world, core.settings.broad_phase.build());
     }
 
     fn remove_body(&mut self, body: usize) {
         self.flights[body] = None;
+        self.resting.wake_all();
         self.search.forget(body);
         self.touching.retain(|&(a, b)| a != body && b != body);
     }
@@ -484,6 +612,7 @@ impl Tier for SteppedEngine {
             friction: self.forces.values().map(|force| force.friction.to_array()).collect(),
             errors: self.errors.save(),
             islands: self.islands.clone(),
+            resting: self.resting.save(),
             grid: self.grid,
             begun: self.begun,
         })

@@ -66,20 +66,26 @@ impl IslandSearch {
 
 /// The box of a body, enlarged by the distance that it may travel from `t` to `t + h` (s).
 fn swept_box(world: &World, states: &[BodyState], body: usize, (t, h): (f64, f64)) -> Aabb {
-    let (own, state) = (&world.bodies[body], &states[body]);
-    let Some(shape) = &own.shape else { return Aabb::UNBOUNDED };
-    let mut travel = world.touch_distance(states, body, body);
-    if own.moves() {
-        let velocity = world.velocity(body, state);
-        let speed = velocity.linear.length() + velocity.angular.length() * own.size;
-        travel += SWEEP_FACTOR * h * (speed + world.gravity().length() * h);
-    }
+    let state = &states[body];
+    let Some(shape) = &world.bodies[body].shape else { return Aabb::UNBOUNDED };
+    let travel = world.touch_distance(states, body, body) + travel_of(world, states, body, h);
     let swept = match world.trajectory(body) {
         Some(trajectory) => swept_aabb(shape, trajectory, t, t + h),
         None => swept_aabb(shape, &Still(state.pose), 0.0, 0.0),
     };
     // A motion without bounds gets an unbounded box.
     swept.and_then(|aabb| aabb.inflated(travel)).unwrap_or(Aabb::UNBOUNDED)
+}
+
+/// How far a body that is free may travel within `h` (s), m; impulses included. Zero where it does not move or follows a motion.
+pub(super) fn travel_of(world: &World, states: &[BodyState], body: usize, h: f64) -> f64 {
+    let own = &world.bodies[body];
+    if !own.moves() {
+        return 0.0;
+    }
+    let velocity = world.velocity(body, &states[body]);
+    let speed = velocity.linear.length() + velocity.angular.length() * own.size;
+    SWEEP_FACTOR * h * (speed + world.gravity().length() * h)
 }
 
 /// The islands: connected components of the movable bodies by pairs and couplings, ordered by their first bodies. A

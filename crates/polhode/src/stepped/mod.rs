@@ -13,6 +13,7 @@
 //! | `engine` | a run, one step of it, and queries at the present |
 //! | `islands` | the islands of a step |
 //! | `island_steps` | their time steps, on the threads that the program gives |
+//! | `rest` | islands that rest and are left out |
 //! | `instant_forces` | what forces and accelerations at one instant are |
 //! | `present_forces` | forces and accelerations at one instant, for queries |
 //! | `forces_of_many` | the same of many contacts with friction |
@@ -24,6 +25,7 @@ mod instant_forces;
 mod island_steps;
 mod islands;
 mod present_forces;
+mod rest;
 
 pub(crate) use engine::SteppedEngine;
 pub(crate) use facts::FACTS;

@@ -16,7 +16,7 @@ use polhode_spatial::DVec3;
 
 /// A slip below this part of the speed that gravity gives in a step is none (no unit, 1e-6 to 1e-4): steps leave contacts
 /// that stick with the residual of their problem, at most 1e-6 of it.
-const STICKING_RELATIVE: f64 = 1e-5;
+pub(super) const STICKING_RELATIVE: f64 = 1e-5;
 
 impl PresentForces {
     /// Those of these contacts between `bodies` (movable, ascending).

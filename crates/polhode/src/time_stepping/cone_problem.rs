@@ -28,6 +28,9 @@ pub(crate) const LEAST_IN_BODIES: usize = 16;
 /// Most rows whose matrix is formed where the velocities of bodies were not solved for exactly enough (200 to 600).
 const MOST_ROWS_IN_PLACE: usize = 400;
 
+/// The same in the steps of heaps, which have many such groups (60 to 150).
+const MOST_ROWS_IN_HEAPS: usize = 100;
+
 /// The largest residual with which the matrix of few rows is not solved again in another way because of Coulomb's law, but only
 /// because of the residual (no unit, 1e-9 to 1e-5). The rows of contacts that depend on each other, as the four corners of a
 /// box, contradict each other by about this fraction when the body turns or the gaps differ.
@@ -45,8 +48,13 @@ const LAST_SWEEPS: u32 = 100;
 const EXACT_ENOUGH: f64 = 1e-8;
 
 /// As exactly as rounding allows where that is found soon, else as exactly as is accepted.
-const SETTINGS_IN_BODIES: BodySettings =
-    BodySettings { tolerance: 1e-12, acceptance: EXACT_ENOUGH, factorisations: 150, warm_steps: 8 };
+const SETTINGS_IN_BODIES: BodySettings = BodySettings {
+    tolerance: 1e-12,
+    acceptance: EXACT_ENOUGH,
+    factorisations: 150,
+    warm_steps: 8,
+    rounds_of_sweeps: 0,
+};
 
 /// The solvers of the groups of a run, and the forces that they start from.
 #[derive(Debug, Default)]
@@ -54,16 +62,23 @@ pub(super) struct ConeSolvers {
     /// By the first body of the group.
     solvers: BTreeMap<usize, BodySolver>,
     pub(super) last: LastForces,
+    /// Rounds of sweeps before a cold start.
+    rounds_of_sweeps: usize,
 }
 
 impl Clone for ConeSolvers {
     /// The state without the memory of the solvers, which changes no answer.
     fn clone(&self) -> Self {
-        Self { solvers: BTreeMap::new(), last: self.last.clone() }
+        Self { solvers: BTreeMap::new(), last: self.last.clone(), rounds_of_sweeps: self.rounds_of_sweeps }
     }
 }
 
 impl ConeSolvers {
+    /// Those that make so many rounds of sweeps before a cold start.
+    pub(super) fn with_sweeps(rounds_of_sweeps: usize) -> Self {
+        Self { rounds_of_sweeps, ..Self::default() }
+    }
+
     /// The problem of the rows of an assembly, the first of which are these contacts, in a step of `h` (s).
     pub(super) fn problem<'a>(
         &'a mut self,
@@ -82,7 +97,9 @@ impl ConeSolvers {
                 start: self.last.start(assembly, contacts, h),
             },
         );
-        ConeProblem { assembly, constants, system, factorisations: 0 }
+        let settings = BodySettings { rounds_of_sweeps: self.rounds_of_sweeps, ..SETTINGS_IN_BODIES };
+        let most_rows_in_place = if self.rounds_of_sweeps > 0 { MOST_ROWS_IN_HEAPS } else { MOST_ROWS_IN_PLACE };
+        ConeProblem { assembly, constants, system, settings, most_rows_in_place, factorisations: 0 }
     }
 }
 
@@ -92,6 +109,9 @@ pub(super) struct ConeProblem<'a> {
     assembly: &'a Assembly,
     constants: &'a [f64],
     system: System<'a>,
+    settings: BodySettings,
+    /// Most rows whose matrix is formed where the velocities of bodies were not solved for exactly enough.
+    most_rows_in_place: usize,
     factorisations: usize,
 }
 
@@ -121,7 +141,7 @@ impl ConeProblem<'_> {
                 let mut best = solve_for_rows(blocks, (delassus, constants), violation)?;
                 let problem = &self.assembly.problem;
                 if best.report.residual > EXACT_ENOUGH && problem.compliances().is_empty() {
-                    let system = (&mut BodySolver::default(), &SETTINGS_IN_BODIES);
+                    let system = (&mut BodySolver::default(), &self.settings);
                     let (other, effort) = blocks.solve_in_bodies(problem, constants, Some(&best.reactions), system)?;
                     self.factorisations += effort.factorisations;
                     take_better(&mut best, other);
@@ -135,9 +155,9 @@ impl ConeProblem<'_> {
             System::Bodies { solver, start } => {
                 let problem = &self.assembly.problem;
                 let (mut solved, effort) =
-                    blocks.solve_in_bodies(problem, constants, start.as_deref(), (solver, &SETTINGS_IN_BODIES))?;
+                    blocks.solve_in_bodies(problem, constants, start.as_deref(), (solver, &self.settings))?;
                 self.factorisations += effort.factorisations;
-                if solved.report.status != SolverStatus::Solved && problem.len() <= MOST_ROWS_IN_PLACE {
+                if solved.report.status != SolverStatus::Solved && problem.len() <= self.most_rows_in_place {
                     take_better(&mut solved, blocks.solve(&problem.delassus(), constants, None, &exact())?);
                 }
                 *start = Some(solved.reactions.clone());

@@ -93,6 +93,14 @@ impl LastForces {
         }
     }
 
+    /// Takes forces of contacts on A: along the normal and in the tangent plane, world, N.
+    pub(super) fn take_held(&mut self, forces: impl Iterator<Item = (ContactId, f64, DVec3)>) {
+        for (id, normal, along) in forces {
+            let force = ContactForce { normal, along, moment: DVec3::ZERO };
+            self.by_pair.entry((id.a, id.b)).or_default().insert(id.feature, force);
+        }
+    }
+
     /// Takes the forces of these pairs, and of the bilateral constraints of these bodies (ascending), from others.
     pub(super) fn take_from(&mut self, others: &Self, bodies: &[usize], pairs: &[(usize, usize)]) {
         for pair in pairs {

@@ -49,7 +49,7 @@ use polhode_dynamics::{BodyState, Flight};
 
 /// Work of prescribed motions, J, when penetration is removed or velocities are set to zero: none, because their work
 /// in a step is booked with its impulses.
-const NO_WORK_J: f64 = 0.0;
+pub(crate) const NO_WORK_J: f64 = 0.0;
 
 /// The state of a body after `h` seconds of free flight under gravity alone: exact; without rotation the attitude is
 /// unchanged to the last bit.

@@ -1,7 +1,7 @@
 //! One time step, and steps that are split at impacts.
 
 use super::NO_WORK_J;
-use super::cone_problem::ConeSolvers;
+use super::cone_problem::{ConeSolvers, LEAST_IN_BODIES};
 use super::contacts::{NearContact, Span, may_change_features, near_contacts, slips_at_start};
 use super::drift;
 use super::kick::kick;
@@ -24,6 +24,12 @@ use std::collections::BTreeMap;
 /// Impacts closer to each other than this fraction of a step belong to one instant. It is far too short for their order
 /// to matter, and above the error of predicted times (of order h^2).
 const SAME_INSTANT: f64 = 1e-4;
+
+/// Most rounds of sweeps before a cold start (5 to 8).
+const ROUNDS_OF_SWEEPS: usize = 7;
+
+/// Where no impact is resolved at the start of a step for being there (s): no contact closes before its start.
+const NO_INSTANT: f64 = -1.0;
 
 /// Most slips at whose ends a step is split, besides its impacts: those of further ones end with the last part of the
 /// step.
@@ -66,6 +72,15 @@ pub(super) struct Substep {
     pub(super) instant: f64,
 }
 
+/// How the impacts of islands with many contacts are resolved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Heaps {
+    /// As those of few: each at its time.
+    OneByOne,
+    /// At the end of a step, all together.
+    Together,
+}
+
 /// Makes time steps. Keeps its buffers and the warm start from step to step.
 #[derive(Debug, Clone)]
 pub(crate) struct TimeStepper {
@@ -74,6 +89,7 @@ pub(crate) struct TimeStepper {
     pub(super) about: DVec3,
     /// Most impacts at which [`TimeStepper::advance`] splits a step.
     splits: u32,
+    heaps: Heaps,
     /// Largest height of a bounce that need not be resolved, relative to the size of the smaller body ([`Span`]).
     pub(super) unseen_bounce: f64,
     pub(super) solver: ComplementaritySolver,
@@ -87,7 +103,31 @@ impl TimeStepper {
     pub(crate) fn new(law: ImpactLaw, about: DVec3, splits: u32) -> Self {
         let (solver, delassus) = (ComplementaritySolver::default(), Delassus::default());
         let (carried, cones) = (Carried::default(), ConeSolvers::default());
-        Self { law, about, splits, unseen_bounce: f64::INFINITY, solver, delassus, carried, cones }
+        Self {
+            law,
+            about,
+            splits,
+            heaps: Heaps::OneByOne,
+            unseen_bounce: f64::INFINITY,
+            solver,
+            delassus,
+            carried,
+            cones,
+        }
+    }
+
+    /// The same stepper for heaps: where an island has many contacts its step is not split at impacts. Those without restitution
+    /// are resolved together, by the problem of the step, which leaves no contact approaching at its end: a step that is split
+    /// at each of them would solve a problem of all contacts every time.
+    pub(crate) fn for_heaps(mut self) -> Self {
+        self.heaps = Heaps::Together;
+        self.cones = ConeSolvers::with_sweeps(ROUNDS_OF_SWEEPS);
+        self
+    }
+
+    /// Whether the impacts of an island with so many contacts are resolved together.
+    pub(super) fn resolves_together(&self, contacts: usize) -> bool {
+        self.heaps == Heaps::Together && contacts >= LEAST_IN_BODIES
     }
 
     /// The point about which moments are booked, m.
@@ -118,6 +158,11 @@ impl TimeStepper {
     /// their pair.
     pub(crate) fn carry(&mut self, contacts: Vec<ContactId>) {
         self.carried.replace(&[], contacts.into_iter());
+    }
+
+    /// Starts the next problems from forces of contacts on A: along the normal and in the tangent plane, world, N.
+    pub(crate) fn start_from(&mut self, forces: impl Iterator<Item = (ContactId, f64, DVec3)>) {
+        self.cones.last.take_held(forces);
     }
 
     /// The forces of the last step as plain data.
@@ -158,17 +203,19 @@ impl TimeStepper {
     ) -> Result<TimeStepReport, ResponseError> {
         let mut report = TimeStepReport::new(self.about);
         let (mut done, instant) = (0.0, SAME_INSTANT * h);
-        let (mut splits, mut stops) = (self.splits, MOST_STOPS);
+        let (mut splits_left, mut stops) = (self.splits, MOST_STOPS);
         while done < h {
             let left = h - done;
             let span = Span { h: left, unseen_bounce: self.unseen_bounce };
             let near = near_contacts(world, states, bodies, pairs, t + done, span);
+            let together = self.resolves_together(near.len());
+            let (splits, instant) = if together { (0, NO_INSTANT) } else { (splits_left, instant) };
             let first = if splits > 0 { first_impact(&near, instant, left) } else { None };
             let interval = Substep { t: t + done, h: first.unwrap_or(left), instant };
             let made = self.step_by(world, states, bodies, (near, pairs), (interval, Stops::Sought))?;
             if made.stops.is_empty() {
                 report.append(made);
-                splits = splits.saturating_sub(1);
+                splits_left = splits.saturating_sub(1);
                 if first.is_none() {
                     break;
                 }

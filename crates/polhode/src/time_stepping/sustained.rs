@@ -124,7 +124,7 @@ impl TimeStepper {
                 row.friction = row.friction.map(TangentialRow::coming_to_rest);
             }
         }
-        let mut taken = first_choice(world, states, near, &rows, h);
+        let mut taken = self.first_choice(world, states, near, &rows, h);
         let before = states_of(states, bodies);
         let held = world.held_among(bodies);
         let mut solved: Vec<SolvedGroup> = Vec::new();
@@ -164,6 +164,26 @@ impl TimeStepper {
             let kicked = Kicked { states, bodies, kick };
             return Ok(note(world, kicked, near, &rows, &solved, (t, h), report));
         }
+    }
+
+    /// Which rows are in the problem of a step of `h` (s) from the beginning. In a heap the contacts that bore a force in the
+    /// last step are among them: without, they would be found again one layer after the other, each by a problem of its own.
+    fn first_choice(
+        &self,
+        world: &World,
+        states: &[BodyState],
+        near: &[NearContact],
+        rows: &[Row],
+        h: f64,
+    ) -> Vec<bool> {
+        let is_heap = self.resolves_together(near.len());
+        let choose = |row: &Row| {
+            let contact = &near[row.contact];
+            (is_heap && self.carried.contains(contact.id)) || row.is_first_choice(world, states, contact, h)
+        };
+        let mut taken: Vec<bool> = rows.iter().map(choose).collect();
+        thin_out(near, rows, &mut taken);
+        taken
     }
 
     fn solve_group(
@@ -234,10 +254,8 @@ fn pairs<'a>(near: &'a [NearContact], rows: &'a [Row]) -> impl Iterator<Item = s
     })
 }
 
-/// Which rows are in the problem of a step of `h` (s) from the beginning.
-fn first_choice(world: &World, states: &[BodyState], near: &[NearContact], rows: &[Row], h: f64) -> Vec<bool> {
-    let mut taken: Vec<bool> =
-        rows.iter().map(|row| row.is_first_choice(world, states, &near[row.contact], h)).collect();
+/// Leaves of the rows of pairs with many contacts those that are furthest out.
+fn thin_out(near: &[NearContact], rows: &[Row], taken: &mut [bool]) {
     for of_pair in pairs(near, rows) {
         if of_pair.clone().filter(|&index| taken[index]).count() > MANY_CONTACTS {
             let some = of_pair.clone().filter(|&index| taken[index]);
@@ -249,7 +267,6 @@ fn first_choice(world: &World, states: &[BodyState], near: &[NearContact], rows:
             }
         }
     }
-    taken
 }
 
 /// Adds the rows that close with the present velocities; of pairs with many contacts the one that closes most. Among many rows
@@ -452,12 +469,16 @@ fn note(
         report.books.ledger.numerical.add(-soft.spring);
         report.books.ledger.damping.add(-soft.damper);
         report.books.ledger.external.add(soft.motor);
+        // In the order of the contacts, of which only some have friction.
+        let mut tangential = group.tangential.iter().peekable();
         for (&index, &impulse) in group.group.contacts.iter().zip(&group.impulses) {
+            let row = &rows[index];
+            let contact = &near[row.contact];
+            let friction =
+                tangential.next_if(|own| own.id() == contact.id).map_or(DVec3::ZERO, TangentialImpulse::on_a);
             if impulse <= 0.0 {
                 continue;
             }
-            let row = &rows[index];
-            let contact = &near[row.contact];
             // The speed of approach of the contact at the start of the step.
             let approach = -(row.rate_before - row.half_fall);
             let kind = if approach > contact.resting_speed && contact.closing_time().is_some_and(|time| time <= h) {
@@ -467,8 +488,6 @@ fn note(
                 ImpulseKind::Sustained
             };
             let geometry = row.kinematics.geometry;
-            let own = group.tangential.iter().filter(|tangential| tangential.id() == contact.id);
-            let friction = own.map(TangentialImpulse::on_a).sum();
             report.impulses.push(ContactImpulse { t, id: contact.id, geometry, impulse, friction, kind });
             carrying.push(row.contact);
         }

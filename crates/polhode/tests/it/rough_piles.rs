@@ -60,19 +60,26 @@ fn hit(rows: usize) -> Vec<Body> {
     cubes
 }
 
+/// A run in which contacts of many are solved for.
 fn run(scene: &SceneBuilder) -> (RunReport, Recorder) {
-    let scene = scene.clone().method(stepped(STEP_S)).build().unwrap();
-    let mut recorder = Recorder::default();
-    let report = Simulation::new(&scene).unwrap().run_observed(&mut recorder).unwrap();
-    assert_closes(&report);
+    let (report, recorder) = run_any(scene);
     assert!(report.certificate.factorisations > 0, "no group is large: {:?}", report.certificate);
     (report, recorder)
 }
 
-/// 21 cubes stand for a second of 60 steps, to the last bit.
+fn run_any(scene: &SceneBuilder) -> (RunReport, Recorder) {
+    let scene = scene.clone().method(stepped(STEP_S)).build().unwrap();
+    let mut recorder = Recorder::default();
+    let report = Simulation::new(&scene).unwrap().run_observed(&mut recorder).unwrap();
+    assert_closes(&report);
+    (report, recorder)
+}
+
+/// 21 cubes stand for a second of 60 steps, to the last bit: forces that hold them are found at the start, so that no step solves
+/// for any.
 #[test]
 fn a_pyramid_stands_exactly() {
-    let (report, recorder) = run(&on_a_floor(pyramid(6), 1.0));
+    let (report, recorder) = run_any(&on_a_floor(pyramid(6), 1.0));
     assert!(recorder.samples.iter().all(|sample| *sample == recorder.samples[0]));
     assert!(report.certificate.max_residual < 1e-9, "{:?}", report.certificate);
     assert_eq!(report.certificate.fallbacks, 0);

@@ -1,0 +1,98 @@
+//! Block Gauss-Seidel in the velocities of bodies: a way out for Newton's method, which decides for all contacts at once.
+//!
+//! Contact after contact is solved exactly while the others keep their reactions; the velocities of its bodies follow at once,
+//! so that a sweep costs a few products for each contact and no matrix is formed. From blocks that move against each other
+//! Newton's method often goes in circles: which contacts part, stick and slide changes for many of them in every step. Sweeps
+//! change one after the other and find most of these sets, while their residual falls slowly; from there Newton's method takes
+//! a few steps. At large ratios of masses, and in high stacks, sweeps hardly help: then the other methods of the chain follow.
+//!
+//! Sweeps go to and fro over the blocks in their order, so that the bits are those of the problem. Source: Jourdan, Alart and
+//! Jean 1998 (NSGS). Assumption: no block resists rotations. Failure: reactions that are no numbers are set to zero.
+
+use crate::friction::coulomb_cone::rows_of;
+use crate::friction::single_contact::{self, Square};
+use crate::sparse::block6::{Vector6, dot6};
+use crate::sparse::problem::{BodyProblem, RowBlock};
+
+/// From this share of blocks between the same bodies as the block before on, contacts are taken for redundant (no unit).
+const REDUNDANT_SHARE: f64 = 0.5;
+
+/// The method for one problem.
+#[derive(Debug)]
+pub(crate) struct Sweeps {
+    /// The block of `H M^-1 H^T + C` of each block of rows, the identity in the place of missing rows.
+    diagonal: Vec<Square>,
+    velocities: Vec<Vector6>,
+}
+
+impl Sweeps {
+    /// For a problem; none where a block resists rotations.
+    pub(crate) fn new(problem: &BodyProblem) -> Option<Self> {
+        if problem.blocks.iter().any(|block| block.law.resists_rotation()) {
+            return None;
+        }
+        let diagonal = problem.blocks.iter().map(|block| diagonal_of(problem, block)).collect();
+        Some(Self { diagonal, velocities: Vec::new() })
+    }
+
+    /// Whether most contacts are one of several between the same bodies: the corners of faces. Sweeps then hardly come to an end,
+    /// since loads wander between such contacts.
+    pub(crate) fn is_for_redundant(problem: &BodyProblem) -> bool {
+        let bodies = |block: &RowBlock| block.sides.map(|side| side.map(|side| side.node));
+        let same = problem.blocks.windows(2).filter(|two| bodies(&two[0]) == bodies(&two[1])).count();
+        same as f64 >= REDUNDANT_SHARE * problem.blocks.len() as f64
+    }
+
+    /// Makes so many sweeps to and fro from these reactions.
+    pub(crate) fn run(&mut self, problem: &BodyProblem, reactions: &mut [f64], count: usize) {
+        problem.scaled_velocities(reactions, &mut self.velocities);
+        for _ in 0..count {
+            for block in 0..problem.blocks.len() {
+                self.solve(problem, block, reactions);
+            }
+            for block in (0..problem.blocks.len()).rev() {
+                self.solve(problem, block, reactions);
+            }
+        }
+    }
+
+    /// Solves one block.
+    fn solve(&mut self, problem: &BodyProblem, index: usize, reactions: &mut [f64]) {
+        let (block, a) = (&problem.blocks[index], &self.diagonal[index]);
+        let (rows, size) = (block.rows.clone(), block.rows.len());
+        let old = rows_of(&reactions[rows.clone()]);
+        let mut u = rows_of(&problem.bias[rows.clone()]);
+        for (u, (c, r)) in u.iter_mut().zip(problem.compliance[rows.clone()].iter().zip(old)) {
+            *u += c * r;
+        }
+        problem.add_rates(block, &self.velocities, &mut u[..size]);
+        for i in 0..size {
+            u[i] -= (0..size).map(|j| a[i][j] * old[j]).sum::<f64>();
+        }
+        let mut new = single_contact::solve(block.law, a, u);
+        if !new.iter().all(|reaction| reaction.is_finite()) {
+            new = [0.0; 3];
+        }
+        let change: [f64; 3] = std::array::from_fn(|k| new[k] - old[k]);
+        if change != [0.0; 3] {
+            problem.add_impulses(block, &change[..size], &mut self.velocities);
+            reactions[rows].copy_from_slice(&new[..size]);
+        }
+    }
+}
+
+fn diagonal_of(problem: &BodyProblem, block: &RowBlock) -> Square {
+    let size = block.rows.len();
+    let entry = |i: usize, j: usize| {
+        if i >= size || j >= size {
+            return f64::from(u8::from(i == j));
+        }
+        let of_side = |side| {
+            let lines = problem.lines(block, side);
+            dot6(&lines[i], &lines[j])
+        };
+        let own = if i == j { problem.compliance[block.rows.start + i] } else { 0.0 };
+        block.movable().map(of_side).fold(own, |sum, value| sum + value)
+    };
+    std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
+}
