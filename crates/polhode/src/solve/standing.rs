@@ -31,13 +31,12 @@ const BALANCED_RELATIVE: f64 = 1e-13;
 /// as two, as it does in space.
 pub(super) fn is_for_many(world: &World, states: &[BodyState], assembly: &Assembly, contacts: &[Touch]) -> bool {
     let is_still = |body: &BodyState| body.linear_velocity == DVec3::ZERO && body.angular_momentum == DVec3::ZERO;
-    let is_rigid = assembly.problem.compliances().is_empty();
     let each_for = if world.plane.is_some() { 2 } else { 1 };
     let are_many = each_for * contacts.len() >= LEAST_CONTACTS;
-    is_rigid && are_many && assembly.bodies().iter().all(|&body| is_still(&states[body]))
+    are_many && assembly.bodies().iter().all(|&body| is_still(&states[body]))
 }
 
-/// Forces with which none of the bodies moves, as a solution; none where there are none. `free` are the accelerations of the
+/// Forces with which none of the bodies moves, as a solution; none where there are none, or a joint has friction. `free` are the accelerations of the
 /// bodies without contact forces, `constants` those of the rows.
 ///
 /// # Errors
@@ -48,6 +47,10 @@ pub(super) fn standing(
     (free, constants): (&[f64], &[f64]),
     frictional: &[Option<Frictional>],
 ) -> Result<Option<BlocksSolution>, ResponseError> {
+    // What presses joints with friction is given: the velocities of bodies know nothing of it.
+    if !assembly.problem.compliances().is_empty() {
+        return Ok(None);
+    }
     let system = (&mut BodySolver::default(), &BodySettings::default());
     let (solved, _) = blocks.solve_in_bodies(&assembly.problem, constants, None, system)?;
     if solved.report.status == SolverStatus::Solved && !solved.statuses.contains(&ContactStatus::Slide) {
