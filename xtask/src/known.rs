@@ -115,12 +115,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
         reason: STEP_BEHIND_GAP,
     },
     KnownFailure {
-        case: "crowds: friction far away",
-        quantity: "motions in a plane that end with other bits beside it",
-        reason: "the reduction to planar motion is one decision for the whole scene (`planar.rs`): a pair with friction, or a body \
-                 that is not symmetric, anywhere, lets bodies apart from it move in space",
-    },
-    KnownFailure {
         case: "random scenes",
         quantity: "seeds whose copies are other runs, of 100",
         reason: "seed 39: a box on a ground that shakes bounces at 1e-9 m/s, a velocity that is known to 1e-7 of itself. The impacts \

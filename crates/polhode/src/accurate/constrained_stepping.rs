@@ -173,7 +173,7 @@ impl Motions {
             // Its states within are of no use.
             Ok((method, Some(error))) if refused(&error) => {
                 let rates = method.embedded().map_or(&[][..], Dop853::start_rates);
-                slip_time_s = self.slip_time(core, (bodies, active), rates, &mut scratch);
+                slip_time_s = self.slip_time(core, (bodies, active), (rates, h), &mut scratch);
                 Attempt::Refused(error)
             }
             Ok((mut method, error)) => match method.dense(&mut system) {
@@ -196,7 +196,7 @@ impl Motions {
         &self,
         core: &Core,
         (bodies, active): (&[usize], &ActiveContacts),
-        rates: &[f64],
+        (rates, h): (&[f64], f64),
         scratch: &mut [BodyState],
     ) -> f64 {
         if !active.slides() {
@@ -205,15 +205,15 @@ impl Motions {
         for (&body, rates) in bodies.iter().zip(rates.as_chunks::<WIDTH>().0) {
             let of = |first: usize| DVec3::new(rates[first], rates[first + 1], rates[first + 2]);
             let mut ahead = self.states[body];
-            // A second ahead: slips are linear in the velocities.
-            ahead.linear_velocity += of(LINEAR_VELOCITY);
-            ahead.angular_momentum += of(ANGULAR_MOMENTUM);
+            // A step of `h` ahead: slips are linear in the velocities.
+            ahead.linear_velocity += of(LINEAR_VELOCITY) * h;
+            ahead.angular_momentum += of(ANGULAR_MOMENTUM) * h;
             scratch[body] = ahead;
         }
         let time = |(id, slide): (ContactId, Slide)| {
             let slip = core.world.tangential_kinematics(&self.states, id)?.slip_velocity;
             let change = core.world.tangential_kinematics(scratch, id)?.slip_velocity - slip;
-            (slip.length() > slide.zero_speed()).then(|| slip.length() / change.length())
+            (slip.length() > slide.zero_speed()).then(|| h * slip.length() / change.length())
         };
         active.sliding().filter_map(time).fold(f64::INFINITY, f64::min)
     }
