@@ -123,7 +123,9 @@ impl Motions {
         let step = match &saved.step {
             content::Step::Waiting(t) => Step::Waiting(*t),
             content::Step::Crowd(end, pairs) => {
-                let can_touch = |&(a, b): &(usize, usize)| a < b && b < self.states.len();
+                // A joint with the world has its contacts between its body and itself.
+                let is_at_joint = |pair: (usize, usize)| !core.world.joint_contacts_of_pair(pair).is_empty();
+                let can_touch = |&(a, b): &(usize, usize)| (a < b || is_at_joint((a, b))) && b < self.states.len();
                 if !(pairs.iter().all(can_touch) && t < *end && end.is_finite()) {
                     return Err(SnapshotError::Invalid(
                         "a time step of crowded events has pairs or times that no run has",
