@@ -1,12 +1,13 @@
 //! Sparse elimination in blocks of 6 x 6: `A = I + H^T K H`, symmetric positive definite (Cholesky) or not symmetric
 //! (LU).
 //!
-//! A symmetric `K` comes from contacts that are held or whose slip is taken as known, one that is not from contacts
-//! that slide: the velocity along the normal changes the reaction along the slip, and not the other way round. The
-//! pattern is that of the [`Elimination`] in both cases. Bodies are eliminated one after the other, within a body
-//! with the largest pivot of each column, between bodies without exchanges: `A` has a diagonal of ones before
-//! contacts are added. Every sum has one order. Sources: George and Liu 1989; Golub and Van Loan, section 4.2.
-//! Failure: a symmetric matrix that rounding has made indefinite is told, and taken for one that is not symmetric.
+//! A symmetric `K` comes from contacts that are held or whose slip is taken as known, one that is not from contacts that
+//! slide: the velocity along the normal changes the reaction along the slip, and not the other way round. The pattern is
+//! that of the [`Elimination`] in both cases. Bodies are eliminated one after the other, within a body with the largest
+//! pivot of each column, between bodies without exchanges: `A` has a diagonal of ones before contacts are added. Couplings
+//! without entries, as those by open contacts, are passed over. Every sum has one order. Sources: George and Liu 1989; Golub
+//! and Van Loan, section 4.2. Failure: a symmetric matrix that rounding has made indefinite is told, and taken for one that
+//! is not symmetric.
 
 use crate::sparse::block6::{
     Block6, CholeskyBlock, FactoredBlock, Vector6, WIDTH, ZERO, subtract_product, subtract_times,
@@ -33,6 +34,8 @@ pub(crate) struct Factors {
     lower: Vec<Block6>,
     /// Above it.
     upper: Vec<Block6>,
+    /// Whether each coupling has entries: bodies that only open contacts couple have none.
+    filled: Vec<bool>,
     general: Vec<FactoredBlock>,
     symmetric: Vec<CholeskyBlock>,
 }
@@ -49,6 +52,8 @@ impl Factors {
         self.diagonal.resize(elimination.bodies(), unit);
         self.lower.clear();
         self.lower.resize(elimination.couplings(), ZERO);
+        self.filled.clear();
+        self.filled.resize(elimination.couplings(), false);
         self.upper.clear();
         if symmetry == Symmetry::General {
             self.upper.resize(elimination.couplings(), ZERO);
@@ -60,8 +65,9 @@ impl Factors {
         &mut self.diagonal[turn]
     }
 
-    /// The block of a coupling below the diagonal.
+    /// The block of a coupling below the diagonal, which then counts as filled.
     pub(crate) fn lower_mut(&mut self, coupling: usize) -> &mut Block6 {
+        self.filled[coupling] = true;
         &mut self.lower[coupling]
     }
 
@@ -89,19 +95,22 @@ impl Factors {
         let Some(pivot) = CholeskyBlock::of(&self.diagonal[turn]) else { return false };
         let range = elimination.range(turn);
         let (own, rest) = self.lower[range.start..].split_at_mut(range.len());
+        let (own_filled, rest_filled) = self.filled[range.start..].split_at_mut(range.len());
         let later = &elimination.later()[range.clone()];
-        for block in &mut *own {
+        for (block, _) in own.iter_mut().zip(&*own_filled).filter(|(_, filled)| **filled) {
             pivot.solve_from_the_right(block);
         }
-        for (place, &column) in later.iter().enumerate() {
+        for (place, &column) in later.iter().enumerate().filter(|(place, _)| own_filled[*place]) {
             let right = transposed(&own[place]);
             subtract_product(&own[place], &right, &mut self.diagonal[column as usize]);
             let mut target = elimination.range(column as usize).start;
-            for (left, &row) in own.iter().zip(later).skip(place + 1) {
-                while elimination.later()[target] != row {
+            for other in (place + 1..later.len()).filter(|other| own_filled[*other]) {
+                while elimination.later()[target] != later[other] {
                     target += 1;
                 }
-                subtract_product(left, &right, &mut rest[target - range.end]);
+                let at = target - range.end;
+                subtract_product(&own[other], &right, &mut rest[at]);
+                rest_filled[at] = true;
             }
         }
         self.symmetric.push(pivot);
@@ -113,21 +122,24 @@ impl Factors {
         let range = elimination.range(turn);
         let (lower, lower_rest) = self.lower[range.start..].split_at_mut(range.len());
         let (upper, upper_rest) = self.upper[range.start..].split_at_mut(range.len());
+        let (own_filled, rest_filled) = self.filled[range.start..].split_at_mut(range.len());
         let later = &elimination.later()[range.clone()];
-        for (lower, upper) in lower.iter_mut().zip(&mut *upper) {
+        let own = lower.iter_mut().zip(&mut *upper).zip(&*own_filled);
+        for ((lower, upper), _) in own.filter(|(_, filled)| **filled) {
             pivot.solve_upper_from_the_right(lower);
             pivot.solve_lower_block(upper);
         }
-        for (place, &column) in later.iter().enumerate() {
+        for (place, &column) in later.iter().enumerate().filter(|(place, _)| own_filled[*place]) {
             subtract_product(&lower[place], &upper[place], &mut self.diagonal[column as usize]);
             let mut target = elimination.range(column as usize).start;
-            for (other, &row) in later.iter().enumerate().skip(place + 1) {
-                while elimination.later()[target] != row {
+            for other in (place + 1..later.len()).filter(|other| own_filled[*other]) {
+                while elimination.later()[target] != later[other] {
                     target += 1;
                 }
                 let at = target - range.end;
                 subtract_product(&lower[other], &upper[place], &mut lower_rest[at]);
                 subtract_product(&lower[place], &upper[other], &mut upper_rest[at]);
+                rest_filled[at] = true;
             }
         }
         self.general.push(pivot);
@@ -142,25 +154,21 @@ impl Factors {
             }
             let own = x[turn];
             let range = elimination.range(turn);
-            for (block, &row) in self.lower[range.clone()].iter().zip(&elimination.later()[range]) {
-                subtract_times(block, &own, &mut x[row as usize]);
+            for at in range.filter(|at| self.filled[*at]) {
+                subtract_times(&self.lower[at], &own, &mut x[elimination.later()[at] as usize]);
             }
         }
         for turn in (0..elimination.bodies()).rev() {
             let mut own = x[turn];
-            let range = elimination.range(turn);
-            let later = &elimination.later()[range.clone()];
+            let filled = elimination.range(turn).filter(|at| self.filled[*at]);
+            let row = |at: usize| elimination.later()[at] as usize;
             match self.symmetry {
                 Symmetry::Symmetric => {
-                    for (block, &row) in self.lower[range].iter().zip(later) {
-                        subtract_transposed_times(block, &x[row as usize], &mut own);
-                    }
+                    filled.for_each(|at| subtract_transposed_times(&self.lower[at], &x[row(at)], &mut own));
                     self.symmetric[turn].solve_upper(&mut own);
                 }
                 Symmetry::General => {
-                    for (block, &row) in self.upper[range].iter().zip(later) {
-                        subtract_times(block, &x[row as usize], &mut own);
-                    }
+                    filled.for_each(|at| subtract_times(&self.upper[at], &x[row(at)], &mut own));
                     self.general[turn].solve_upper(&mut own);
                 }
             }

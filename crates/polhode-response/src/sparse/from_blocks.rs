@@ -266,7 +266,9 @@ fn report_of(report: &BodyReport) -> SolverReport {
         BodyMethod::Start | BodyMethod::Warm => Method::WarmStart,
         BodyMethod::Newton => Method::ActiveSet,
         BodyMethod::InteriorPoint => Method::InteriorPoint,
-        BodyMethod::Smoothing | BodyMethod::Compliance | BodyMethod::Sweeps => Method::ColdStart,
+        BodyMethod::Smoothing | BodyMethod::Compliance | BodyMethod::Sweeps | BodyMethod::Lagrangian => {
+            Method::ColdStart
+        }
     };
     SolverReport {
         status: report.status,

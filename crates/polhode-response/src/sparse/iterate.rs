@@ -7,13 +7,14 @@
 //!
 //! Under heavy loads that alone says little of light bodies. The balanced residual has `1 / rho_i` no larger than a
 //! velocity over the load of the contact, so that reactions and velocities count alike in each, and is in units of
-//! the largest velocity `u` without reactions. Answers are ranked by the residual, and by a share of the balanced one
+//! the largest velocity `u` without reactions of a block that needs some. Answers are ranked by the residual, and by a
+//! share of the balanced one
 //! as far as that is no rounding.
 
 use crate::certificate::nan_max;
 use crate::dense::kernels::largest;
 use crate::friction::coulomb_cone::natural_map;
-use crate::law::Law;
+use crate::law::{Law, MOST_ROWS};
 use crate::sparse::block6::Vector6;
 use crate::sparse::problem::{BodyProblem, RowBlock};
 
@@ -69,7 +70,7 @@ pub(crate) struct Measure {
     pub(crate) inverse_masses: Vec<f64>,
     /// The largest reaction that would stop an approach on its own.
     stopping: f64,
-    /// The largest velocity `u` without reactions (m/s).
+    /// The largest velocity `u` without reactions of a block that needs some (m/s).
     pub(crate) speed: f64,
 }
 
@@ -85,7 +86,13 @@ impl Measure {
             speed / inverse_mass
         };
         let stopping = problem.blocks.iter().zip(&inverse_masses).map(stopping).fold(0.0, f64::max);
-        Self { inverse_masses, stopping, speed: largest(&rates) }
+        // A contact that parts needs no reaction: its rate, however large, says nothing of the others.
+        let asks = |(block, inverse_mass): &(&RowBlock, &f64)| {
+            map_of(block.law, **inverse_mass, &[0.0; MOST_ROWS][..block.rows.len()], &rates[block.rows.clone()]) > 0.0
+        };
+        let asking = problem.blocks.iter().zip(&inverse_masses).filter(asks);
+        let speed = asking.map(|(block, _)| largest(&rates[block.rows.clone()])).fold(0.0, f64::max);
+        Self { inverse_masses, stopping, speed }
     }
 
     /// See the top.

@@ -12,9 +12,10 @@
 //! | factors | Cholesky where `K` is symmetric, LU where contacts slide | `factors.rs`, `block6.rs` |
 //! | system | assembles, factorises, and solves for what rounding has left | `system.rs` |
 //! | measure | the one residual of all methods | `iterate.rs` |
-//! | interior point | cold start, from loads that would hold everything | `interior_point.rs`, `interior_cone.rs`, `cone_form.rs`, `jordan.rs` |
+//! | augmented Lagrangian | problems without friction, which are convex | `augmented_lagrangian.rs` |
+//! | interior point | cold start, from the loads of sweeps or from those that would hold everything | `interior_point.rs`, `interior_cone.rs`, `cone_form.rs`, `jordan.rs` |
 //! | semismooth Newton | the end of it, and warm starts | `newton.rs` |
-//! | sweeps | where steps of Newton go in circles: one contact after the other | `sweeps.rs` |
+//! | sweeps | one contact after the other: the size of loads, and a way out where steps of Newton go in circles | `sweeps.rs` |
 //! | path of compliance | where neither comes to the end | `compliance_path.rs`, `compliant_law.rs` |
 //! | smoothing Newton | where the path turns back | `smoothing.rs`, `smoothed_cone.rs` |
 //! | balance | makes forces balance to rounding | `balance.rs` |
@@ -23,6 +24,7 @@
 //! The residual is the natural map in units of impulse per unit of the largest reaction; what is not reached within
 //! the budget of factorisations is told by it, and by the status.
 
+mod augmented_lagrangian;
 mod balance;
 mod block6;
 mod body;

@@ -14,7 +14,8 @@ pub struct BodySettings {
     /// Steps of a warm start, before a cold one: it takes one or two where little has changed, eight where a box is
     /// pushed.
     pub warm_steps: usize,
-    /// Rounds of sweeps over all contacts, each with Newton's method after it, before a cold start. 0: none.
+    /// Rounds of sweeps over all contacts: one before a cold start, which takes their loads, and the others after it, each with
+    /// Newton's method. 0: none.
     pub rounds_of_sweeps: usize,
 }
 

@@ -22,6 +22,8 @@ pub enum BodyMethod {
     Compliance,
     /// Sweeps over all contacts.
     Sweeps,
+    /// The augmented Lagrangian of a problem without friction.
+    Lagrangian,
 }
 
 impl BodyMethod {
@@ -35,6 +37,7 @@ impl BodyMethod {
             Self::Smoothing => "smoothing-newton",
             Self::Compliance => "compliance-path",
             Self::Sweeps => "sweeps",
+            Self::Lagrangian => "augmented-lagrangian",
         }
     }
 }
@@ -62,6 +65,8 @@ pub struct BodyReport {
     pub newton: usize,
     /// Those of the path of compliance.
     pub path: usize,
+    /// Those of the augmented Lagrangian.
+    pub lagrangian: usize,
     /// Those of the smoothing Newton method.
     pub smoothing: usize,
     /// Whether the elimination of the last solve was kept.

@@ -1,12 +1,15 @@
 //! The chain of methods in the velocities of bodies, and one residual for all of them.
 //!
-//! Warm: semismooth Newton from the reactions given. Cold, or where that was not enough: loads that would hold everything, the interior point from them, and Newton's method to the
-//! end; where that finds none, the path of compliance from the best answer; where that turns back, smoothing Newton with
-//! Newton's method, and the path from no reactions at all. The best of all is returned, with its residual and what became
-//! of it.
+//! Warm: semismooth Newton from the reactions given. Where that was not enough, and where sweeps are asked for, a first
+//! round of them. Without friction the augmented Lagrangian follows, with Newton's method to the end. With friction: the
+//! interior point, from the loads that sweeps have found or from those that would hold everything, and Newton's method;
+//! further rounds of sweeps with Newton's method; where these find no answer, the path of compliance from the best one;
+//! where that turns back, smoothing Newton with Newton's method, and the path from no reactions at all. The best of all is
+//! returned, with its residual and what became of it.
 
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::report::SolverStatus;
+use crate::sparse::augmented_lagrangian::AugmentedLagrangian;
 use crate::sparse::compliance_path::{CompliancePath, PathLimits};
 use crate::sparse::cone_form::ConeForm;
 use crate::sparse::elimination::Elimination;
@@ -40,8 +43,8 @@ const FIRST_SWEEPS: usize = 8;
 /// Rounds where contacts are redundant (1 to 3).
 const ROUNDS_FOR_REDUNDANT: usize = 2;
 
-/// Steps of Newton's method after each round of sweeps.
-const NEWTON_STEPS_AFTER_SWEEPS: usize = 8;
+/// Steps of Newton's method after each round of sweeps, and after the augmented Lagrangian.
+const NEWTON_STEPS_AFTER_ROUNDS: usize = 8;
 
 /// Steps in which the residual must halve.
 const PATIENCE: usize = 3;
@@ -128,6 +131,15 @@ impl BodySolver {
     }
 }
 
+/// Sweeps, and where they are.
+#[derive(Debug)]
+struct Swept {
+    sweeps: Sweeps,
+    reactions: Vec<f64>,
+    /// Rounds so far.
+    round: usize,
+}
+
 /// The methods with the best answer so far.
 #[derive(Debug)]
 struct Chain<'a> {
@@ -162,44 +174,74 @@ impl Chain<'_> {
                 return;
             }
         }
-        if !self.sweep(start) {
-            self.cold(&without);
+        let swept = self.sweep(start);
+        if self.minimise(swept.as_ref()) {
+            return;
         }
+        self.cold(&without, swept);
     }
 
-    /// Sweeps with Newton's method after them, in rounds that double. Returns whether the answer is found.
-    fn sweep(&mut self, start: Option<&[f64]>) -> bool {
-        let sweeps = if self.settings.rounds_of_sweeps > 0 { Sweeps::new(self.problem) } else { None };
-        let Some(mut sweeps) = sweeps else { return false };
-        let mut reactions = start.map_or_else(|| vec![0.0; self.problem.rows()], <[f64]>::to_vec);
-        let few = if Sweeps::is_for_redundant(self.problem) { ROUNDS_FOR_REDUNDANT } else { usize::MAX };
-        for round in 0..self.settings.rounds_of_sweeps.min(few) {
-            sweeps.run(self.problem, &mut reactions, FIRST_SWEEPS << round);
-            let mut swept = Iterate::default();
-            swept.take(self.problem, self.measure, &reactions);
-            self.take(&swept, BodyMethod::Sweeps);
-            let before = self.system.factorisations;
-            self.run_newton(&mut swept, NEWTON_STEPS_AFTER_SWEEPS);
-            self.report.newton += self.system.factorisations - before;
-            self.take(&swept, BodyMethod::Newton);
-            if self.is_enough() {
-                return true;
-            }
+    /// A first round of sweeps, where they are asked for and no block resists rotations: about the size of the answer.
+    fn sweep(&mut self, start: Option<&[f64]>) -> Option<Swept> {
+        let sweeps = Sweeps::new(self.problem).filter(|_| self.settings.rounds_of_sweeps > 0)?;
+        let reactions = start.map_or_else(|| vec![0.0; self.problem.rows()], <[f64]>::to_vec);
+        let mut swept = Swept { sweeps, reactions, round: 0 };
+        self.sweep_on(&mut swept);
+        Some(swept)
+    }
+
+    /// The next round, of twice as many sweeps.
+    fn sweep_on(&mut self, swept: &mut Swept) -> Iterate {
+        swept.sweeps.run(self.problem, &mut swept.reactions, FIRST_SWEEPS << swept.round);
+        swept.round += 1;
+        let mut iterate = Iterate::default();
+        iterate.take(self.problem, self.measure, &swept.reactions);
+        self.take(&iterate, BodyMethod::Sweeps);
+        iterate
+    }
+
+    /// The augmented Lagrangian where there is no friction. Returns whether the answer is found.
+    fn minimise(&mut self, swept: Option<&Swept>) -> bool {
+        let method = AugmentedLagrangian::new(self.problem, self.elimination, self.measure);
+        let Some(mut method) = method else { return false };
+        let mut near = self.best.clone();
+        if let Some(swept) = swept {
+            near.take(self.problem, self.measure, &swept.reactions);
         }
-        false
+        let limits = NewtonLimits { most: self.left(), patience: PATIENCE, tolerance: self.enough() };
+        let before = self.system.factorisations;
+        method.run(self.system, &mut near, limits);
+        self.report.lagrangian = self.system.factorisations - before;
+        self.take(&near, BodyMethod::Lagrangian);
+        self.finish_with_newton(near, NEWTON_STEPS_AFTER_ROUNDS);
+        self.is_enough()
+    }
+
+    /// Further rounds of sweeps, each with Newton's method after it. Returns whether the answer is found.
+    fn sweep_and_finish(&mut self, mut swept: Swept) -> bool {
+        swept.reactions.clone_from(&self.best.reactions);
+        let few = if Sweeps::is_for_redundant(self.problem) { ROUNDS_FOR_REDUNDANT } else { usize::MAX };
+        while swept.round < self.settings.rounds_of_sweeps.min(few) && !self.is_enough() {
+            let near = self.sweep_on(&mut swept);
+            self.finish_with_newton(near, NEWTON_STEPS_AFTER_ROUNDS);
+        }
+        self.is_enough()
     }
 
     /// From nothing.
-    fn cold(&mut self, without: &Iterate) {
+    fn cold(&mut self, without: &Iterate, swept: Option<Swept>) {
         let before = self.system.factorisations;
-        let loads = self.newton.holding(self.system, without).to_vec();
+        let loads = match &swept {
+            Some(swept) => swept.reactions.clone(),
+            None => self.newton.holding(self.system, without).to_vec(),
+        };
         let mut point = InteriorPoint::new(self.problem, self.elimination, self.measure, &loads);
         let mut near = without.clone();
         point.run(self.system, &mut near, MOST_INTERIOR_STEPS.min(self.left()));
         self.report.interior = self.system.factorisations - before;
         self.take(&near, BodyMethod::InteriorPoint);
         self.finish_with_newton(near, FIRST_NEWTON_STEPS);
-        if self.is_reached() {
+        if self.is_reached() || swept.is_some_and(|swept| self.sweep_and_finish(swept)) {
             return;
         }
         let before = self.system.factorisations;

@@ -46,6 +46,10 @@ impl BodySystem {
         self.factors.clear(elimination, symmetry);
         for (index, block) in problem.blocks.iter().enumerate() {
             let stiffness = &self.stiffness[index];
+            if stiffness.as_flattened().iter().all(|value| *value == 0.0) {
+                // An open contact.
+                continue;
+            }
             let mut sides = block.movable();
             let (first, second) = (sides.next(), sides.next());
             for side in block.movable() {

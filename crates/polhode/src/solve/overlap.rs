@@ -31,6 +31,10 @@ const LEFT_OVERLAP_RELATIVE: f64 = 2.5e-13;
 /// Fraction of the rounding of two poses (eight units in the last place) that may remain: two such units.
 const LEFT_ROUNDING: f64 = 0.25;
 
+/// What the solver may leave of what a round leaves anyway, in units of the largest displacement (no unit, 1e-4 to 1e-2): it is many
+/// times the overlap where layers push each other.
+const SHARE_OF_ROUND: f64 = 1e-2;
+
 /// From so many contacts in a group on their overlaps are removed in the displacements of bodies (48 to 200).
 const MANY_OVERLAPS: usize = 64;
 
@@ -176,7 +180,7 @@ fn move_out(
         let geometries = members.iter().map(|row| (row.id, row.geometry));
         let assembly = Assembly::new(world, states, &group.bodies, geometries)?;
         let separations = assembly.gaps(members.iter().map(|row| row.geometry.separation));
-        let forces = if let Some(found) = forces_of_many(&assembly, &separations)? {
+        let forces = if let Some(found) = forces_of_many(&assembly, &separations, accuracy(world, &members))? {
             found
         } else {
             assembly.problem.delassus_into(delassus);
@@ -199,9 +203,17 @@ fn move_out(
     Ok(fallbacks)
 }
 
+/// How exactly a round is worth being solved, relative to its largest overlap (no unit). What turning normals leave of an overlap
+/// `d` of bodies of size `r` is about `d^2 / r`, and what may be left is a part of `r`: the next round removes either.
+fn accuracy(world: &World, rows: &[Overlap]) -> f64 {
+    let part = |row: &Overlap| -row.geometry.separation / world.pair_size(row.id.a, row.id.b);
+    let deepest = rows.iter().map(part).fold(LEFT_OVERLAP_RELATIVE, f64::max);
+    SHARE_OF_ROUND * deepest.max(LEFT_OVERLAP_RELATIVE / deepest).min(1.0)
+}
+
 /// The forces that remove many overlaps, found in the displacements of bodies: without a matrix of their rows, which grows with
 /// the square of their number. None for few, or where they are not found.
-fn forces_of_many(assembly: &Assembly, separations: &[f64]) -> Result<Option<Vec<f64>>, ResponseError> {
+fn forces_of_many(assembly: &Assembly, separations: &[f64], accuracy: f64) -> Result<Option<Vec<f64>>, ResponseError> {
     let contacts = assembly.problem.len() - assembly.bilaterals().iter().map(|own| own.rows.len()).sum::<usize>();
     if contacts < MANY_OVERLAPS {
         return Ok(None);
@@ -211,7 +223,9 @@ fn forces_of_many(assembly: &Assembly, separations: &[f64]) -> Result<Option<Vec
         blocks.push(Law::Push, [row]);
     }
     push_held(&mut blocks, contacts..assembly.problem.len());
-    let system = (&mut BodySolver::default(), &BodySettings::default());
+    let settings =
+        BodySettings { tolerance: accuracy, acceptance: accuracy, rounds_of_sweeps: 1, ..BodySettings::default() };
+    let system = (&mut BodySolver::default(), &settings);
     let (solved, _) = blocks.solve_in_bodies(&assembly.problem, separations, None, system)?;
     Ok((solved.report.status == SolverStatus::Solved).then_some(solved.reactions))
 }

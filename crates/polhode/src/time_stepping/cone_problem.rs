@@ -62,7 +62,7 @@ pub(super) struct ConeSolvers {
     /// By the first body of the group.
     solvers: BTreeMap<usize, BodySolver>,
     pub(super) last: LastForces,
-    /// Rounds of sweeps before a cold start.
+    /// Rounds of sweeps of each problem.
     rounds_of_sweeps: usize,
 }
 
@@ -74,7 +74,7 @@ impl Clone for ConeSolvers {
 }
 
 impl ConeSolvers {
-    /// Those that make so many rounds of sweeps before a cold start.
+    /// Those that make so many rounds of sweeps.
     pub(super) fn with_sweeps(rounds_of_sweeps: usize) -> Self {
         Self { rounds_of_sweeps, ..Self::default() }
     }

@@ -25,8 +25,8 @@ use std::collections::BTreeMap;
 /// to matter, and above the error of predicted times (of order h^2).
 const SAME_INSTANT: f64 = 1e-4;
 
-/// Most rounds of sweeps before a cold start (5 to 8).
-const ROUNDS_OF_SWEEPS: usize = 7;
+/// Most rounds of sweeps of a heap's problem (4 to 7).
+const ROUNDS_OF_SWEEPS: usize = 5;
 
 /// Where no impact is resolved at the start of a step for being there (s): no contact closes before its start.
 const NO_INSTANT: f64 = -1.0;

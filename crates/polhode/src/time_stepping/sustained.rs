@@ -182,6 +182,14 @@ impl TimeStepper {
             (is_heap && self.carried.contains(contact.id)) || row.is_first_choice(world, states, contact, h)
         };
         let mut taken: Vec<bool> = rows.iter().map(choose).collect();
+        if is_heap {
+            // What is deflected closes other contacts, about as fast: with them one problem is enough.
+            let speed = |row: &Row| row.kinematics.separation_rate + row.bound;
+            let fastest = rows.iter().map(speed).fold(0.0, f64::min);
+            for (row, taken) in rows.iter().zip(&mut taken) {
+                *taken |= speed(row) < -fastest;
+            }
+        }
         thin_out(near, rows, &mut taken);
         taken
     }
