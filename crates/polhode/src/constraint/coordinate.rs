@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | angle about an axis `n` (unit vector, fixed in B) | `l atan2(n.(e_B x e_A), e_B.e_A)` | `n x e_A` at `p_A + l e_A` |
 //! | displacement along an axis `d` (unit vector, fixed in B) | `d.(p_A - p_B)` | `d` at `p_A` |
+//! | arc length along a track, height above one | `track.rs` | `track.rs` |
 //! | distance of two points | `abs(p_A - p_B)` | `(p_A - p_B)/abs(p_A - p_B)` at `p_A` |
 //!
 //! `p` are the anchors (m), `e` unit vectors at right angles to the axis, one at the start, and `l` a length of the joint (m) that
@@ -21,11 +22,13 @@
 use super::end::EndKinematics;
 use super::line;
 use super::row::{BilateralRow, RowKind};
+use super::track::Guide;
 use polhode_spatial::{DVec3, Rotation};
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// A coordinate of a joint.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum Measured {
     /// Unit vectors: the axis in the axes of B, and those at right angles to it in the axes of A and B.
     Angle {
@@ -38,6 +41,10 @@ pub(super) enum Measured {
         axis: DVec3,
     },
     Distance,
+    /// Arc length along a track.
+    Along(Arc<Guide>),
+    /// Height above the side to which a track pushes.
+    Height(Arc<Guide>),
 }
 
 /// A coordinate in given states.
@@ -69,6 +76,12 @@ struct AtLever {
 }
 
 impl CoordinateAt {
+    /// That of a row of displacement along a direction (unit vector, world) at a point (m), whose gap is its value.
+    pub(super) fn displacement(row: &BilateralRow, point: DVec3, direction: DVec3) -> Self {
+        let BilateralRow { gap: value, rate, bias, .. } = *row;
+        Self { value, rate, bias, point, direction, moment: None, at_second: None }
+    }
+
     /// The same with the force of an angle at the lever of B, which turns with that body.
     pub(super) fn at_lever_of_second(self) -> Self {
         let at = |AtLever { point, direction, rate, bias }| Self { rate, bias, point, direction, ..self };
@@ -97,7 +110,7 @@ impl Measured {
     pub(super) fn axis(&self) -> Option<DVec3> {
         match *self {
             Self::Angle { axis, .. } | Self::Displacement { axis } => Some(axis),
-            Self::Distance => None,
+            Self::Distance | Self::Along(_) | Self::Height(_) => None,
         }
     }
 
@@ -109,19 +122,11 @@ impl Measured {
                 let way = a.point - b.point;
                 let row = line::row(axis, way, a, &b.at_point(a.point));
                 let RowKind::Along(direction) = row.kind else { return None };
-                let point = a.point;
-                let (moment, at_second) = (None, None);
-                Some(CoordinateAt {
-                    value: row.gap,
-                    rate: row.rate,
-                    bias: row.bias,
-                    point,
-                    direction,
-                    moment,
-                    at_second,
-                })
+                Some(CoordinateAt::displacement(&row, a.point, direction))
             }
             Self::Distance => distance(a, b),
+            Self::Along(ref guide) => Some(guide.along(a, b, near)),
+            Self::Height(ref guide) => guide.height(a, b),
         }
     }
 }

@@ -43,6 +43,8 @@ pub(crate) mod softness;
 mod stop;
 pub(crate) mod stop_id;
 mod thread;
+mod track;
+pub(crate) mod track_springs;
 mod universal;
 
 use crate::collision::contact_id::ContactId;

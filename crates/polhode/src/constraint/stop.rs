@@ -13,8 +13,10 @@
 use super::coordinate::{CoordinateAt, Measured};
 use super::end::Order;
 use super::joint_coordinate::JointCoordinate;
-use crate::scene::Limits;
+use super::track::Guide;
+use crate::scene::{Limits, TrackEnds};
 use polhode_contact::{ContactGeometry, ContactKinematics};
+use std::sync::Arc;
 
 /// On which side of a stop the coordinate is free.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,7 +35,7 @@ impl FreeSide {
 }
 
 /// A limit of a coordinate.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Stop {
     measured: Measured,
     /// m; of an angle the length of its arc.
@@ -42,21 +44,61 @@ pub(super) struct Stop {
     /// Middle of the range, within half a revolution of which angles are, m.
     middle: f64,
     pub(super) restitution: f64,
+    at: StopAt,
+}
+
+/// What a stop is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum StopAt {
+    /// What bodies strike.
+    Limit,
+    /// The end of a track: the joint holds nothing beyond it.
+    End,
 }
 
 impl Stop {
     /// The stops of a coordinate.
     pub(super) fn of(coordinate: &JointCoordinate) -> impl Iterator<Item = Self> + use<> {
-        let JointCoordinate { measured, unit, near, freedom, .. } = *coordinate;
+        let JointCoordinate { measured, unit, near, freedom, .. } = coordinate.clone();
         let stop = move |limits: Limits, limit: f64, side| {
             let restitution = limits.restitution();
             let (limit, middle) = (limit * unit, near * unit);
-            limit.is_finite().then_some(Self { measured, limit, side, middle, restitution })
+            let measured = measured.clone();
+            limit.is_finite().then_some(Self { measured, limit, side, middle, restitution, at: StopAt::Limit })
         };
         let both = move |limits: Limits| {
             [stop(limits, limits.lower(), FreeSide::Above), stop(limits, limits.upper(), FreeSide::Below)]
         };
         freedom.limits().into_iter().flat_map(both).flatten()
+    }
+
+    /// The side of a track that pushes, with this coefficient of restitution.
+    pub(super) fn one_side(guide: &Arc<Guide>, restitution: f64) -> Self {
+        let measured = Measured::Height(Arc::clone(guide));
+        Self { measured, limit: 0.0, side: FreeSide::Above, middle: 0.0, restitution, at: StopAt::Limit }
+    }
+
+    /// The ends of a track; none of a closed one, or one that goes on.
+    pub(super) fn at_ends(guide: &Arc<Guide>, ends: TrackEnds) -> impl Iterator<Item = Self> + use<> {
+        let (restitution, at) = match ends {
+            TrackEnds::Free => (0.0, Some(StopAt::End)),
+            TrackEnds::Stops(restitution) => (restitution, Some(StopAt::Limit)),
+            TrackEnds::Straight => (0.0, None),
+        };
+        let of_end = |guide: &Arc<Guide>, at: StopAt, (limit, side): (f64, FreeSide)| {
+            let measured = Measured::Along(Arc::clone(guide));
+            Self { measured, limit, side, middle: limit, restitution, at }
+        };
+        let limits = at.and_then(|at| Some((at, guide.ends()?)));
+        let made = limits.map(|(at, [first, last])| {
+            [(first, FreeSide::Above), (last, FreeSide::Below)].map(|end| of_end(guide, at, end))
+        });
+        made.into_iter().flatten()
+    }
+
+    /// Whether the joint holds nothing beyond it.
+    pub(super) fn ends_joint(&self) -> bool {
+        self.at == StopAt::End
     }
 
     /// Where the stop acts in given states; none where the coordinate has no direction.

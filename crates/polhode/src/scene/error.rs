@@ -169,6 +169,21 @@ pub enum SceneError {
         /// The upper limit.
         upper: f64,
     },
+    /// A body begins off its track.
+    #[error(
+        "joint {number} begins {how}, {distance_mm} mm away: at most {most_mm} mm are taken as digits of a file, and its anchor is moved \
+         onto the track; place the body on it"
+    )]
+    OffTrack {
+        /// Its number.
+        number: usize,
+        /// In which way.
+        how: &'static str,
+        /// How far, mm.
+        distance_mm: f64,
+        /// How far it may be, mm.
+        most_mm: f64,
+    },
     /// Joints in a tier that has none.
     #[error("joints are not yet available in tier `{tier}`: use tier {instead}")]
     JointsInTier {

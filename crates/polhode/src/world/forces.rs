@@ -6,6 +6,7 @@
 use super::field_index::{FieldIndex, acted_on};
 use super::model::World;
 use crate::constraint::joint_forces::JointForce;
+use crate::constraint::track_springs::TrackSpring;
 use crate::scene::SceneError;
 use crate::snapshot::SnapshotError;
 use polhode_dynamics::field::{
@@ -38,6 +39,8 @@ impl World {
         self.first_joint_force = fields.len();
         fields.extend(at_joints.iter().map(|force| Box::new(force.clone()) as Box<dyn Field>));
         self.joint_forces = at_joints;
+        let springs = self.joints.iter().flat_map(|joint| TrackSpring::of(joint, |body| self.slot(body)));
+        fields.extend(springs.map(|spring| Box::new(spring) as Box<dyn Field>));
         for (&body, wrench) in &self.applied {
             let force = self.scene.forces().len();
             let made = applied_fields(self.slot(body), wrench);

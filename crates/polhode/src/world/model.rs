@@ -214,7 +214,7 @@ impl World {
                 own if own.trajectory.is_some() => HeldBody::Kinematic(states[body].pose),
                 _ => HeldBody::Fixed,
             };
-            WorldJoint::new(number, joint, held, row_length(moving.map(size)))
+            WorldJoint::new((number, joint), &self.scene.tracks, held, row_length(moving.map(size)))
         });
         self.joints = made.collect();
         self.index_joints();
