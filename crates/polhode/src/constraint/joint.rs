@@ -53,6 +53,7 @@ pub(crate) struct WorldJoint {
     /// Its track, if it is one.
     guide: Option<Arc<Guide>>,
     hold: Option<TrackHold>,
+    lets_go_at_ends: bool,
 }
 
 impl WorldJoint {
@@ -93,7 +94,8 @@ impl WorldJoint {
         let of_track = guide.iter().flat_map(|guide| track::stops(guide, joint.kind()));
         let stops = coordinates.iter().flat_map(Stop::of).chain(of_track).collect();
         let (a, b) = (end(a, joint.anchor()), end(b, joint.other_anchor()));
-        Self { number, a, b, kept, coordinates, stops, length, guide, hold: track::hold(joint.kind()) }
+        let (hold, lets_go_at_ends) = (track::hold(joint.kind()), track::lets_go_at_ends(joint.kind()));
+        Self { number, a, b, kept, coordinates, stops, length, guide, hold, lets_go_at_ends }
     }
 
     /// The movable bodies that it holds.
@@ -197,6 +199,17 @@ impl WorldJoint {
     /// Its track, if it is one.
     pub(super) fn guide(&self) -> Option<&Guide> {
         self.guide.as_deref()
+    }
+
+    /// Whether it is a track that lets go at its ends.
+    pub(crate) fn lets_go_at_ends(&self) -> bool {
+        self.lets_go_at_ends && self.guide().is_some_and(|guide| guide.ends().is_some())
+    }
+
+    /// Whether its body is beyond an end at which it lets go.
+    pub(super) fn has_passed_end(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> bool {
+        let [a, b] = self.ends_at(motion);
+        self.lets_go_at_ends && self.guide().is_some_and(|guide| guide.is_beyond(&a, &b))
     }
 
     /// How its track holds its body, if it is one.

@@ -35,6 +35,7 @@ mod motors;
 mod perpendicular;
 mod planar;
 mod point;
+pub(crate) mod released;
 pub(crate) mod row;
 mod screw;
 mod slider;

@@ -14,7 +14,7 @@ use super::coordinate::{CoordinateAt, Measured};
 use super::end::Order;
 use super::joint_coordinate::JointCoordinate;
 use super::track::Guide;
-use crate::scene::{Limits, TrackEnds};
+use crate::scene::Limits;
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use std::sync::Arc;
 
@@ -44,16 +44,6 @@ pub(super) struct Stop {
     /// Middle of the range, within half a revolution of which angles are, m.
     middle: f64,
     pub(super) restitution: f64,
-    at: StopAt,
-}
-
-/// What a stop is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum StopAt {
-    /// What bodies strike.
-    Limit,
-    /// The end of a track: the joint holds nothing beyond it.
-    End,
 }
 
 impl Stop {
@@ -64,7 +54,7 @@ impl Stop {
             let restitution = limits.restitution();
             let (limit, middle) = (limit * unit, near * unit);
             let measured = measured.clone();
-            limit.is_finite().then_some(Self { measured, limit, side, middle, restitution, at: StopAt::Limit })
+            limit.is_finite().then_some(Self { measured, limit, side, middle, restitution })
         };
         let both = move |limits: Limits| {
             [stop(limits, limits.lower(), FreeSide::Above), stop(limits, limits.upper(), FreeSide::Below)]
@@ -75,30 +65,15 @@ impl Stop {
     /// The side of a track that pushes, with this coefficient of restitution.
     pub(super) fn one_side(guide: &Arc<Guide>, restitution: f64) -> Self {
         let measured = Measured::Height(Arc::clone(guide));
-        Self { measured, limit: 0.0, side: FreeSide::Above, middle: 0.0, restitution, at: StopAt::Limit }
+        Self { measured, limit: 0.0, side: FreeSide::Above, middle: 0.0, restitution }
     }
 
-    /// The ends of a track; none of a closed one, or one that goes on.
-    pub(super) fn at_ends(guide: &Arc<Guide>, ends: TrackEnds) -> impl Iterator<Item = Self> + use<> {
-        let (restitution, at) = match ends {
-            TrackEnds::Free => (0.0, Some(StopAt::End)),
-            TrackEnds::Stops(restitution) => (restitution, Some(StopAt::Limit)),
-            TrackEnds::Straight => (0.0, None),
-        };
-        let of_end = |guide: &Arc<Guide>, at: StopAt, (limit, side): (f64, FreeSide)| {
+    /// The ends of a track, at these arc lengths (m), with this coefficient of restitution.
+    pub(super) fn at_ends(guide: &Arc<Guide>, [first, last]: [f64; 2], restitution: f64) -> [Self; 2] {
+        [(first, FreeSide::Above), (last, FreeSide::Below)].map(|(limit, side)| {
             let measured = Measured::Along(Arc::clone(guide));
-            Self { measured, limit, side, middle: limit, restitution, at }
-        };
-        let limits = at.and_then(|at| Some((at, guide.ends()?)));
-        let made = limits.map(|(at, [first, last])| {
-            [(first, FreeSide::Above), (last, FreeSide::Below)].map(|end| of_end(guide, at, end))
-        });
-        made.into_iter().flatten()
-    }
-
-    /// Whether the joint holds nothing beyond it.
-    pub(super) fn ends_joint(&self) -> bool {
-        self.at == StopAt::End
+            Self { measured, limit, side, middle: limit, restitution }
+        })
     }
 
     /// Where the stop acts in given states; none where the coordinate has no direction.

@@ -22,7 +22,7 @@ use super::kept::Kept;
 use super::line;
 use super::row::{BilateralRow, RowKind};
 use super::stop::Stop;
-use crate::scene::{Joint, JointKind, TrackHold};
+use crate::scene::{Joint, JointKind, TrackEnds, TrackHold};
 use polhode_spatial::curve::{Curve, CurvePlane, CurvePoint};
 use polhode_spatial::{DVec3, Rotation};
 use std::sync::Arc;
@@ -33,6 +33,10 @@ const LEAST_STRETCH: f64 = 1e-3;
 
 /// A reference direction at an angle to the tangent whose sine is below this is replaced (no unit, 0.01 to 0.5).
 const LEAST_ANGLE: f64 = 0.1;
+
+/// How far beyond an end of a track a body has left it, as a part of its length: rounding of a body that starts at the end (no unit,
+/// 1e-15 to 1e-11).
+const BEYOND_END: f64 = 1e-13;
 
 /// How many rows a track has that holds from both sides.
 pub(super) const ROWS: usize = 2;
@@ -90,6 +94,13 @@ impl Guide {
     /// The arc lengths of the ends of an open track from the foot at the start, m.
     pub(super) fn ends(&self) -> Option<[f64; 2]> {
         (!self.curve.is_closed()).then(|| [-self.start, self.curve.length() - self.start])
+    }
+
+    /// Whether a point is beyond an end of an open track.
+    pub(super) fn is_beyond(&self, a: &EndKinematics, b: &EndKinematics) -> bool {
+        let length = self.curve.length();
+        let arc = self.curve.nearest(self.origin + self.to_curve(b, a.point - b.point)).arc;
+        !self.curve.is_closed() && (arc < -BEYOND_END * length || arc > (1.0 + BEYOND_END) * length)
     }
 
     fn to_curve(&self, b: &EndKinematics, vector: DVec3) -> DVec3 {
@@ -211,7 +222,16 @@ pub(super) fn stops(guide: &Arc<Guide>, kind: JointKind) -> Vec<Stop> {
         TrackHold::OneSide(side) => Some(Stop::one_side(guide, side.restitution)),
         TrackHold::Both | TrackHold::Springs(_) => None,
     };
-    side.into_iter().chain(Stop::at_ends(guide, ends)).collect()
+    let at_ends = match ends {
+        TrackEnds::Stops(restitution) => guide.ends().map(|ends| Stop::at_ends(guide, ends, restitution)),
+        TrackEnds::Free | TrackEnds::Straight => None,
+    };
+    side.into_iter().chain(at_ends.into_iter().flatten()).collect()
+}
+
+/// Whether a track holds nothing beyond its ends.
+pub(super) fn lets_go_at_ends(kind: JointKind) -> bool {
+    matches!(kind, JointKind::Track { ends: TrackEnds::Free, .. })
 }
 
 /// How a track holds its body; none of another kind.

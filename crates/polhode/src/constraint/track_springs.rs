@@ -58,7 +58,7 @@ impl TrackSpring {
         })
     }
 
-    /// None beyond the reach.
+    /// None beyond the reach, and beyond an end at which the track lets go.
     fn at(&self, bodies: &[RigidBody], states: &[BodyState]) -> Option<At> {
         let motion = |body: usize| -> (Pose, Velocity) {
             let slot = self.ends.iter().flatten().find(|(own, _)| *own == body).map(|(_, slot)| *slot);
@@ -66,7 +66,11 @@ impl TrackSpring {
                 .map_or((Pose::IDENTITY, Velocity::ZERO), |(own, state)| (state.pose, own.velocity(state)))
         };
         let [a, b]: [EndKinematics; 2] = self.joint.ends_at(motion);
-        let off = self.joint.guide()?.deviation(&a, &b);
+        let guide = self.joint.guide()?;
+        if self.joint.lets_go_at_ends() && guide.is_beyond(&a, &b) {
+            return None;
+        }
+        let off = guide.deviation(&a, &b);
         (off.way.length() <= self.reach).then_some(At { point: a.point, off })
     }
 }

@@ -89,7 +89,8 @@ fn swings_on_a_cycloid_are_isochronous() {
 /// On curves of all kinds, in the plane and in space, energy stays to 1e-12 of what moves, and the point on the track to 1e-12 m.
 #[test]
 fn energy_stays_and_no_point_leaves_its_track() {
-    let points = [[0., 0., 2.], [1., 0.5, 1.2], [2., 1.5, 1.0], [1., 2.5, 1.5], [-0.5, 2., 1.0], [-1., 1., 0.8]].map(DVec3::from);
+    let points = [[0., 0., 2.], [1., 0.5, 1.2], [2., 1.5, 1.0], [1., 2.5, 1.5], [-0.5, 2., 1.0], [-1., 1., 0.8]]
+        .map(DVec3::from);
     let bends = [
         Bend { length: 2.0, curvature: [0.0, 0.0] },
         Bend { length: 1.5, curvature: [0.0, 0.9] },
@@ -100,7 +101,8 @@ fn energy_stays_and_no_point_leaves_its_track() {
     let curves = [
         Curve::spline(&points, SplineEnds::Closed).unwrap(),
         Curve::path(DVec3::ZERO, down, DVec3::Z, &bends).unwrap(),
-        Curve::wave(DVec3::ZERO, UnitVector::X, DVec3::Z, Wave { amplitude: 0.5, wavelength: 3.0, length: 90.0 }).unwrap(),
+        Curve::wave(DVec3::ZERO, UnitVector::X, DVec3::Z, Wave { amplitude: 0.5, wavelength: 3.0, length: 90.0 })
+            .unwrap(),
     ];
     for curve in curves {
         let start = curve.at(0.2);
