@@ -1,11 +1,12 @@
 //! Joints.
 
 use super::exactly::{Exactly, Vector};
+use super::track::TrackJointEntry;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Kinds of joint, for messages.
-pub(crate) const JOINTS: &str = "ball, hinge, universal, fixed, slider, cylindrical, planar, rod or rope";
+pub(crate) const JOINTS: &str = "ball, hinge, universal, fixed, slider, cylindrical, planar, screw, rod, rope or track";
 
 /// A joint: what holds two bodies, or a body and the world, together.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -40,6 +41,8 @@ pub enum JointKindEntry {
     Rod(RodEntry),
     /// A rope without mass between a point of each.
     Rope(RopeEntry),
+    /// A curve of the second body, or of the world, along which a point of the first one moves.
+    Track(Box<TrackJointEntry>),
 }
 
 /// A joint at a point.

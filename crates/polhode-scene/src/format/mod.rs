@@ -35,6 +35,7 @@ pub(crate) mod planned;
 mod scene;
 mod signal;
 mod tier;
+mod track;
 
 pub(crate) use array::LAYOUTS;
 pub use array::{ArrayEntry, DropEntry, GridEntry, LayoutEntry, PyramidEntry, WallEntry};
@@ -64,6 +65,11 @@ pub use motion::{ConstantMotionEntry, InterpolationEntry, MotionEntry, SineMotio
 pub use scene::{MaterialEntry, NoContactEntry, OutputEntry, PairEntry, SceneFile, StartEntry};
 pub use signal::{SignalEntry, SinusoidEntry};
 pub use tier::TierName;
+pub(crate) use track::CURVES;
+pub use track::{
+    BendEntry, CircleEntry, CurveEntry, CycloidEntry, HelixEntry, LineEntry, PathEntry, PolynomialEntry, SplineEntry,
+    TrackEndsName, TrackEntry, TrackJointEntry, TrackSpringsEntry, WaveEntry,
+};
 
 /// Version of the format that this crate reads.
 pub const VERSION: u32 = 1;

@@ -68,6 +68,11 @@ impl Stop {
         Self { measured, limit: 0.0, side: FreeSide::Above, middle: 0.0, restitution }
     }
 
+    /// Whether it is the side of a track that pushes.
+    pub(super) fn is_side_of_track(&self) -> bool {
+        matches!(self.measured, Measured::Height(_))
+    }
+
     /// The ends of a track, at these arc lengths (m), with this coefficient of restitution.
     pub(super) fn at_ends(guide: &Arc<Guide>, [first, last]: [f64; 2], restitution: f64) -> [Self; 2] {
         [(first, FreeSide::Above), (last, FreeSide::Below)].map(|(limit, side)| {
