@@ -5,12 +5,12 @@ use super::joint::direction;
 use crate::document::KeyPath;
 use crate::error::{Refusal, nearest};
 use crate::format::{
-    BendEntry, CircleEntry, CurveEntry, CycloidEntry, HelixEntry, PathEntry, SceneFile, TrackEndsName, TrackEntry,
-    TrackJointEntry, Vector, WaveEntry,
+    BendEntry, CircleEntry, CurveEntry, CycloidEntry, FollowsName, HelixEntry, PathEntry, SceneFile, TrackEndsName,
+    TrackEntry, TrackJointEntry, Vector, WaveEntry,
 };
 use glam::DVec3;
 use polhode::SceneBuilder;
-use polhode::scene::{JointKind, OneSide, TrackEnds, TrackHold, TrackId, TrackSprings};
+use polhode::scene::{Follows, JointKind, OneSide, TrackEnds, TrackHold, TrackId, TrackSprings};
 use polhode::spatial::curve::{Bend, Coil, Curve, CurveError, Rolling, SplineEnds, Wave};
 use std::collections::BTreeMap;
 
@@ -51,6 +51,20 @@ impl<'a> Tracks<'a> {
     pub(super) fn kind(&self, entry: &TrackJointEntry, path: &KeyPath) -> Result<JointKind, Fault> {
         let track = self.get(&entry.track, &path.key("track"))?;
         let restitution = entry.restitution.unwrap_or(0.0);
+        let up = entry.up.as_ref().map(|up| direction(up, &path.key("up"))).transpose()?;
+        let follows = match (entry.follows, up) {
+            (FollowsName::Frame, up) => Follows::Frame { up },
+            (_, Some(_)) => {
+                let what = "a track without `follows = \"frame\"`";
+                return Err((path.key("up"), Refusal::Meaningless { key: "up", what }));
+            }
+            (FollowsName::Point, None) => Follows::Point,
+            (FollowsName::Tangent, None) => Follows::Tangent,
+        };
+        if entry.follows != FollowsName::Point && (entry.side.is_some() || entry.springs.is_some()) {
+            let what = "a track with a `side` or `springs`: a joint at each of two points of the body turns it";
+            return Err((path.key("follows"), Refusal::Meaningless { key: "follows", what }));
+        }
         let hold = match (&entry.side, &entry.springs) {
             (Some(_), Some(_)) => {
                 return Err((path.key("springs"), Refusal::Excludes { key: "springs", other: "side" }));
@@ -63,7 +77,7 @@ impl<'a> Tracks<'a> {
                 damping: springs.damping,
                 reach: springs.reach.unwrap_or(f64::INFINITY),
             }),
-            (None, None) => TrackHold::Both,
+            (None, None) => TrackHold::Both(follows),
         };
         let ends = match entry.ends {
             TrackEndsName::Free => TrackEnds::Free,

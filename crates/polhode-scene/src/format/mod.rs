@@ -67,8 +67,8 @@ pub use signal::{SignalEntry, SinusoidEntry};
 pub use tier::TierName;
 pub(crate) use track::CURVES;
 pub use track::{
-    BendEntry, CircleEntry, CurveEntry, CycloidEntry, HelixEntry, LineEntry, PathEntry, PolynomialEntry, SplineEntry,
-    TrackEndsName, TrackEntry, TrackJointEntry, TrackSpringsEntry, WaveEntry,
+    BendEntry, CircleEntry, CurveEntry, CycloidEntry, FollowsName, HelixEntry, LineEntry, PathEntry, PolynomialEntry,
+    SplineEntry, TrackEndsName, TrackEntry, TrackJointEntry, TrackSpringsEntry, WaveEntry,
 };
 
 /// Version of the format that this crate reads.

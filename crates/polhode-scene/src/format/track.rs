@@ -181,6 +181,12 @@ pub struct TrackJointEntry {
     pub track: String,
     /// The point of the body at t = 0, m, world.
     pub anchor: Vector,
+    /// What of the body follows the track.
+    #[serde(default)]
+    pub follows: FollowsName,
+    /// With `follows = "frame"`: the direction at t = 0, world, against which the body does not lean; without this key the normal of the
+    /// plane of the track.
+    pub up: Option<Vector>,
     /// One-sided: the track only pushes, to the side to which this direction points at t = 0, world. Without this key it holds from
     /// both sides.
     pub side: Option<Vector>,
@@ -210,6 +216,19 @@ pub struct TrackSpringsEntry {
     /// Distance from the track beyond which there is no force, m; without this key there is no such distance.
     #[schemars(extend("exclusiveMinimum" = 0.0))]
     pub reach: Option<f64>,
+}
+
+/// What of a body follows a track.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum FollowsName {
+    /// The point: the body turns about it freely.
+    #[default]
+    Point,
+    /// The tangent too: the body rolls about it freely.
+    Tangent,
+    /// The tangent and a direction across it: the body turns with the track.
+    Frame,
 }
 
 /// What happens at the ends of an open track.

@@ -31,6 +31,9 @@ use std::f64::consts::TAU;
 /// How far from a plane the points of a curve in it may be, as a part of its size (no unit, 1e-14 to 1e-10): rounding.
 const IN_PLANE_RELATIVE: f64 = 1e-12;
 
+/// Curvatures that differ by less than this part of them are equal (no unit, 1e-12 to 1e-6): the digits of a file.
+const CURVATURE_JUMP: f64 = 1e-9;
+
 /// How far apart the ends of a closed path may be, as a part of its length (no unit, 1e-12 to 1e-9): rounding of its lengths.
 const CLOSED_RELATIVE: f64 = 1e-9;
 
@@ -278,6 +281,22 @@ impl Curve {
         self.at_parameter(number, u)
     }
 
+    /// The first place, as arc length (m), at which the curvature jumps: between two pieces, as from a straight line to a circle. That of a
+    /// straight continuation beyond an end does not count.
+    pub fn curvature_jump(&self) -> Option<f64> {
+        let ends = |spans: [&Span; 2]| {
+            let [before, after] = spans;
+            let end = self.stretches[before.piece].piece.at(before.to, before.known()).curvature();
+            let start = self.stretches[after.piece].piece.at(after.from, after.known()).curvature();
+            let size = end.length().max(start.length());
+            ((end - start).length() > CURVATURE_JUMP * size).then_some(after.arc)
+        };
+        let first_and_last = self.spans.first().zip(self.spans.last()).filter(|_| self.is_closed);
+        let mut inside = self.spans.windows(2).filter(|pair| pair[0].piece != pair[1].piece);
+        let inside = inside.find_map(|pair| ends([&pair[0], &pair[1]]));
+        inside.or_else(|| first_and_last.and_then(|(first, last)| ends([last, first])))
+    }
+
     /// Arc length, m.
     pub fn length(&self) -> f64 {
         self.length
@@ -293,10 +312,15 @@ impl Curve {
         self.plane
     }
 
-    /// Points along it with which it can be drawn, m: both ends, and at least one for each quarter of a radian.
+    /// Points along it with which it can be drawn, m: both ends, and where it bends at least sixteen for each radian.
     pub fn polyline(&self) -> Vec<DVec3> {
-        let ends = self.spans.iter().map(|span| span.end);
-        self.spans.first().map(|span| span.start).into_iter().chain(ends).collect()
+        let of_span = |span: &Span| {
+            let parts: u32 = if span.sagitta > 0.0 { 4 } else { 1 };
+            let (from, length) = (span.arc, span.length);
+            (1..=parts).map(move |k| from + length * f64::from(k) / f64::from(parts))
+        };
+        let arcs = self.spans.iter().flat_map(of_span);
+        std::iter::once(0.0).chain(arcs).map(|arc| self.at(arc).point).collect()
     }
 }
 

@@ -23,6 +23,8 @@ pub struct CurvePoint {
     pub tangent: DVec3,
     /// Derivative of the tangent by the arc length, 1/m.
     pub curvature: DVec3,
+    /// Derivative of the curvature by the arc length, 1/m^2.
+    pub curvature_rate: DVec3,
     /// Arc length from the start, m: below zero or above the length beyond the ends of an open curve, which goes on straight there.
     pub arc: f64,
 }
@@ -61,7 +63,8 @@ impl Curve {
         let piece = &self.stretches[span.piece].piece;
         let jet = piece.at(u, span.known());
         let arc = span.arc + piece.arc_length((span.from, u));
-        CurvePoint { point: jet.point, tangent: jet.tangent(), curvature: jet.curvature(), arc }
+        let (tangent, curvature) = (jet.tangent(), jet.curvature());
+        CurvePoint { point: jet.point, tangent, curvature, curvature_rate: jet.curvature_rate(), arc }
     }
 
     /// The place on the straight continuation, if a foot at the end of an open curve is beyond it.
@@ -78,6 +81,7 @@ impl Curve {
         is_beyond.then(|| CurvePoint {
             point: end.point + end.tangent * beyond,
             curvature: DVec3::ZERO,
+            curvature_rate: DVec3::ZERO,
             arc: if is_start { beyond } else { self.length + beyond },
             ..end
         })

@@ -70,6 +70,7 @@ pub(super) struct Jet {
     pub(super) point: DVec3,
     pub(super) first: DVec3,
     pub(super) second: DVec3,
+    pub(super) third: DVec3,
 }
 
 impl Jet {
@@ -88,6 +89,15 @@ impl Jet {
         let tangent = self.tangent();
         (self.second - tangent * tangent.dot(self.second)) / self.first.length_squared()
     }
+
+    /// Derivative of the curvature by the arc length, 1/m^2.
+    pub(super) fn curvature_rate(&self) -> DVec3 {
+        let (speed, tangent, curvature) = (self.speed(), self.tangent(), self.curvature());
+        let (turning, speeding) = (curvature * speed, tangent.dot(self.second));
+        let across =
+            self.third - tangent * tangent.dot(self.third) - turning * speeding - tangent * turning.dot(self.second);
+        (across / (speed * speed) - curvature * (2.0 * speeding / speed)) / speed
+    }
 }
 
 impl Piece {
@@ -105,8 +115,8 @@ impl Piece {
                     if is_straight { *heading * (u - known) } else { integral(DVec3::ZERO, (known, u), direction) };
                 let (sin, cos) = libm::sincos(angle(u));
                 let across = *left * cos - *heading * sin;
-                let point = known_point + way;
-                Jet { point, first: direction(u), second: across * (curvature + curvature_rate * u) }
+                let (point, first, bend) = (known_point + way, direction(u), curvature + curvature_rate * u);
+                Jet { point, first, second: across * bend, third: across * *curvature_rate - first * (bend * bend) }
             }
             Self::Helix { center, x, y, axis, radius, advance } => {
                 let (sin, cos) = libm::sincos(u);
@@ -115,16 +125,19 @@ impl Piece {
                     point: *center + out + *axis * (advance * u),
                     first: (*y * cos - *x * sin) * *radius + *axis * *advance,
                     second: -out,
+                    third: (*x * sin - *y * cos) * *radius,
                 }
             }
             Self::Polynomial(coefficients) => {
                 let (mut point, mut first, mut half_second) = (DVec3::ZERO, DVec3::ZERO, DVec3::ZERO);
+                let mut sixth_third = DVec3::ZERO;
                 for &coefficient in coefficients.iter().rev() {
+                    sixth_third = sixth_third * u + half_second;
                     half_second = half_second * u + first;
                     first = first * u + point;
                     point = point * u + coefficient;
                 }
-                Jet { point, first, second: half_second * 2.0 }
+                Jet { point, first, second: half_second * 2.0, third: sixth_third * 6.0 }
             }
             Self::Wave { start, along, up, amplitude, wavenumber } => {
                 let (sin, cos) = libm::sincos(wavenumber * u);
@@ -133,6 +146,7 @@ impl Piece {
                     point: *start + *along * u + height * cos,
                     first: *along - height * (wavenumber * sin),
                     second: -height * (wavenumber * wavenumber * cos),
+                    third: height * (wavenumber * wavenumber * wavenumber * sin),
                 }
             }
             Self::Cycloid { lowest, along, up, radius } => {
@@ -144,6 +158,7 @@ impl Piece {
                     point: *lowest + along * (u + sin) + up * (2.0 * half * half),
                     first: along * (1.0 + cos) + up * sin,
                     second: up * cos - along * sin,
+                    third: -up * sin - along * cos,
                 }
             }
         }

@@ -46,8 +46,34 @@ fn tangents_and_curvatures_are_derivatives_by_arc_length() {
             assert!(at.tangent.dot(at.curvature).abs() < 1e-13);
             near((after.point - before.point) / (2.0 * h), at.tangent, 2e-9);
             near((after.tangent - before.tangent) / (2.0 * h), at.curvature, 1e-4);
+            if !curve_kinks_near(&curve, s, h) {
+                near(
+                    (after.curvature - before.curvature) / (2.0 * h),
+                    at.curvature_rate,
+                    2e-6 * (1.0 + at.curvature_rate.length()),
+                );
+            }
         }
     }
+}
+
+/// Whether the curvature or its rate may jump near an arc length: at the joints of paths and splines.
+fn curve_kinks_near(curve: &Curve, s: f64, h: f64) -> bool {
+    let [before, after] = [s - h, s + h].map(|s| curve.at(s).curvature_rate);
+    (before - after).length() > 1e-3 * (1.0 + before.length())
+}
+
+/// Curvature jumps from a straight line to a circle, and not along a clothoid or a spline.
+#[test]
+fn jumps_of_curvature_are_told() {
+    let straight = Bend { length: 3.0, curvature: [0.0; 2] };
+    let turn = Bend { length: 1.0, curvature: [0.5; 2] };
+    let clothoid = Bend { length: 2.0, curvature: [0.0, 0.5] };
+    let jump = |bends: &[Bend]| Curve::path(DVec3::ZERO, UnitVector::X, DVec3::Z, bends).unwrap().curvature_jump();
+    assert_eq!(jump(&[straight, turn]), Some(3.0));
+    assert_eq!(jump(&[straight, clothoid, turn]), None);
+    let all = curves();
+    assert!([1, 2, 4, 5, 8].iter().all(|&kind| all[kind].curvature_jump().is_none()));
 }
 
 /// From points off the curve, by less than its radius, the foot is found again; so it is from points on it.

@@ -88,7 +88,7 @@ impl WorldJoint {
             JointKind::Planar { normal } => planar::kept(normal.get(), attitudes),
             JointKind::Rod { to } => Kept::distance((joint.anchor() - to).length()),
             JointKind::Rope { .. } => Kept::nothing(),
-            JointKind::Track { hold, .. } => track::kept(guide.as_ref(), hold, attitudes.1),
+            JointKind::Track { hold, .. } => track::kept(guide.as_ref(), hold, attitudes),
         };
         let coordinates = coordinates(joint, attitudes, length, guide.as_ref());
         let of_track = guide.iter().flat_map(|guide| track::stops(guide, joint.kind()));

@@ -5,6 +5,7 @@ use super::perpendicular::Perpendicular;
 use super::row::RowsAt;
 use super::thread::Thread;
 use super::track::{self, Guide};
+use super::track_frame::Followed;
 use super::{coordinate, line, point};
 use polhode_spatial::{DVec3, Rotation};
 use std::sync::Arc;
@@ -17,8 +18,8 @@ enum StaysAlong {
     Some(Vec<DVec3>),
     /// Along the line through both: their distance stays this, m.
     Line(f64),
-    /// Across a track.
-    Track(Arc<Guide>),
+    /// Across a track, with what of the body turns with it.
+    Track(Arc<Guide>, Option<Followed>),
 }
 
 /// What a joint keeps.
@@ -51,9 +52,9 @@ impl Kept {
         Self { displacement: StaysAlong::Line(distance), rotation: Vec::new(), thread: None }
     }
 
-    /// A point of A stays on a track.
-    pub(super) fn track(guide: &Arc<Guide>) -> Self {
-        Self { displacement: StaysAlong::Track(Arc::clone(guide)), rotation: Vec::new(), thread: None }
+    /// A point of A stays on a track, and this follows it.
+    pub(super) fn track(guide: &Arc<Guide>, followed: Option<Followed>) -> Self {
+        Self { displacement: StaysAlong::Track(Arc::clone(guide), followed), rotation: Vec::new(), thread: None }
     }
 
     /// These pairs of directions of the world, the first fixed in A and the second in B, stay perpendicular too.
@@ -77,7 +78,7 @@ impl Kept {
             StaysAlong::All => point::ROWS,
             StaysAlong::Some(directions) => directions.len(),
             StaysAlong::Line(_) => 1,
-            StaysAlong::Track(_) => track::ROWS,
+            StaysAlong::Track(_, followed) => track::ROWS + followed.as_ref().map_or(0, Followed::rows),
         };
         displacement + self.rotation.len() + usize::from(self.thread.is_some())
     }
@@ -104,8 +105,9 @@ impl Kept {
                 b = b.at_point(a.point);
                 row.into_iter().collect()
             }
-            StaysAlong::Track(guide) => {
-                let rows = guide.rows(&a, &b).to_vec();
+            StaysAlong::Track(guide, followed) => {
+                let mut rows = guide.rows(&a, &b).to_vec();
+                rows.extend(followed.iter().flat_map(|own| own.rows_at(guide, (&a, &b), length)));
                 b = b.at_point(a.point);
                 rows
             }

@@ -45,6 +45,7 @@ mod stop;
 pub(crate) mod stop_id;
 mod thread;
 mod track;
+pub(crate) mod track_frame;
 pub(crate) mod track_springs;
 mod universal;
 

@@ -35,6 +35,12 @@ impl World {
         self.make_fields()
     }
 
+    /// Whether two bodies had contacts at joints that hold nothing any more. Their shapes do not collide for that.
+    pub(crate) fn lost_joint_contacts(&self, pair: (usize, usize)) -> bool {
+        let is_at = |joint: &WorldJoint| self.is_released(joint) && joint.pair() == pair;
+        !self.released.is_empty() && self.joints.iter().any(is_at)
+    }
+
     /// The joints of these bodies on tracks whose ends they have passed in these states, in the order of the scene.
     pub(crate) fn run_off(&self, states: &[BodyState], bodies: &[usize]) -> Vec<RunOff> {
         let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };

@@ -22,9 +22,10 @@ use super::kept::Kept;
 use super::line;
 use super::row::{BilateralRow, RowKind};
 use super::stop::Stop;
-use crate::scene::{Joint, JointKind, TrackEnds, TrackHold};
+use super::track_frame::Followed;
+use crate::scene::{Follows, Joint, JointKind, TrackEnds, TrackHold};
 use polhode_spatial::curve::{Curve, CurvePlane, CurvePoint};
-use polhode_spatial::{DVec3, Rotation};
+use polhode_spatial::{DVec3, Rotation, UnitVector};
 use std::sync::Arc;
 
 /// Least value of `1 - k.d` (no unit): nearer to a centre of curvature the foot runs along the curve faster than any step follows. Only
@@ -120,6 +121,21 @@ impl Guide {
         Near { foot, way, slip, rate: foot.tangent.dot(slip) / stretch }
     }
 
+    /// The place of the point on the curve, and the row along it.
+    pub(super) fn place(&self, a: &EndKinematics, b: &EndKinematics) -> (CurvePoint, CoordinateAt) {
+        (self.near(a, b).foot, self.along(a, b, 0.0))
+    }
+
+    /// The rotation from the frame of the curve to the world.
+    pub(super) fn rotation(&self, b: &EndKinematics) -> Rotation {
+        b.rotation * self.attitude.inverse()
+    }
+
+    /// The place at the start.
+    pub(super) fn start(&self) -> CurvePoint {
+        self.curve.nearest(self.origin)
+    }
+
     /// The rows across the track.
     pub(super) fn rows(&self, a: &EndKinematics, b: &EndKinematics) -> [BilateralRow; ROWS] {
         let near = self.near(a, b);
@@ -201,16 +217,27 @@ pub(super) fn guide(joint: &Joint, tracks: &[Arc<Curve>], attitude: Rotation) ->
     let JointKind::Track { track, hold, .. } = joint.kind() else { return None };
     let towards = match hold {
         TrackHold::OneSide(side) => Some(side.towards.get()),
-        TrackHold::Both | TrackHold::Springs(_) => None,
+        TrackHold::Both(_) | TrackHold::Springs(_) => None,
     };
     Some(Guide::new(tracks.get(track.index())?, joint.anchor(), attitude, towards))
 }
 
-/// What a track keeps of the motion of its body on another one with this attitude at the start.
-pub(super) fn kept(guide: Option<&Arc<Guide>>, hold: TrackHold, attitude: Rotation) -> Kept {
+/// What of a body with this attitude at the start follows its track.
+fn followed(guide: &Guide, follows: Follows, attitude: Rotation) -> Option<Followed> {
+    let (up, rows) = match follows {
+        Follows::Point => return None,
+        Follows::Tangent => (None, 2),
+        Follows::Frame { up } => (up, 3),
+    };
+    let reference = up.map_or(guide.normal, UnitVector::get);
+    Some(Followed::new(reference, &guide.start(), attitude, rows))
+}
+
+/// What a track keeps of the motion of its body on another one with these attitudes at the start.
+pub(super) fn kept(guide: Option<&Arc<Guide>>, hold: TrackHold, (a, b): (Rotation, Rotation)) -> Kept {
     match (guide, hold) {
-        (Some(guide), TrackHold::Both) => Kept::track(guide),
-        (Some(guide), TrackHold::OneSide(_)) => Kept::along([guide.plane_normal()], attitude),
+        (Some(guide), TrackHold::Both(follows)) => Kept::track(guide, followed(guide, follows, a)),
+        (Some(guide), TrackHold::OneSide(_)) => Kept::along([guide.plane_normal()], b),
         (_, TrackHold::Springs(_)) | (None, _) => Kept::nothing(),
     }
 }
@@ -220,7 +247,7 @@ pub(super) fn stops(guide: &Arc<Guide>, kind: JointKind) -> Vec<Stop> {
     let JointKind::Track { hold, ends, .. } = kind else { return Vec::new() };
     let side = match hold {
         TrackHold::OneSide(side) => Some(Stop::one_side(guide, side.restitution)),
-        TrackHold::Both | TrackHold::Springs(_) => None,
+        TrackHold::Both(_) | TrackHold::Springs(_) => None,
     };
     let at_ends = match ends {
         TrackEnds::Stops(restitution) => guide.ends().map(|ends| Stop::at_ends(guide, ends, restitution)),

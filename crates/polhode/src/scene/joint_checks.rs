@@ -115,7 +115,7 @@ impl Scene {
         for row in world_joint.rows_at(motion).rows {
             match row.kind {
                 RowKind::Along(_) | RowKind::Helix { .. } => apart = libm::hypot(apart, row.rate),
-                RowKind::About(_) => across = libm::hypot(across, row.rate),
+                RowKind::About(_) | RowKind::Turning { .. } => across = libm::hypot(across, row.rate),
             }
         }
         let (mut speed, mut turning) = (0.0, 0.0);

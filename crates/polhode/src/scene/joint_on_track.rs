@@ -2,7 +2,8 @@
 //!
 //! Within the digits of a file the anchor is moved onto the track, or of a track with one side into its plane; more is refused.
 
-use super::{Joint, JointKind, OneSide, Scene, SceneError, TrackEnds, TrackHold, TrackSprings};
+use super::{Follows, Joint, JointKind, OneSide, Scene, SceneError, TrackEnds, TrackHold, TrackSprings};
+use crate::constraint::track_frame::LEAST_SINE;
 use polhode_spatial::DVec3;
 use polhode_spatial::curve::{Curve, CurvePlane, CurvePoint};
 use std::sync::Arc;
@@ -10,6 +11,9 @@ use std::sync::Arc;
 /// How far the anchor may be off the track at the start, as a part of the length of the track: the digits of a file (no unit, 1e-12 to
 /// 1e-6).
 const START_OFF_TRACK: f64 = 1e-9;
+
+/// Places of a track at which its direction is compared with the one that is up.
+const PLACES_ALONG: u32 = 1000;
 
 impl Scene {
     /// The curves that bodies can be held to.
@@ -57,7 +61,8 @@ impl Scene {
             }
         }
         match hold {
-            TrackHold::Both => {
+            TrackHold::Both(follows) => {
+                check_frame(curve, follows, ends).map_err(refused)?;
                 let distance = way.length();
                 if distance > START_OFF_TRACK * curve.length() {
                     return Err(off("off its track", distance));
@@ -110,6 +115,36 @@ fn normals(curve: &Curve, foot: &CurvePoint, side: OneSide) -> Option<Across> {
     let up = normal.cross(foot.tangent);
     let along = up.dot(towards);
     (along.abs() > LEAST_ANGLE).then(|| Across { normal, up: up * along.signum() })
+}
+
+/// Whether a body can turn with a curve.
+fn check_frame(curve: &Curve, follows: Follows, ends: TrackEnds) -> Result<(), &'static str> {
+    let reference = match (follows, curve.plane()) {
+        (Follows::Point, _) => return Ok(()),
+        (Follows::Frame { up: Some(up) }, _) => Some(up.get()),
+        (Follows::Frame { up: None }, CurvePlane::None) => {
+            return Err("it is to follow the frame of a track in no plane: a direction that is up is needed");
+        }
+        (Follows::Tangent | Follows::Frame { up: None }, _) => None,
+    };
+    let bends_at_ends = || [0.0, curve.length()].iter().any(|&arc| curve.at(arc).curvature != DVec3::ZERO);
+    let goes_on_straight = ends == TrackEnds::Straight && !curve.is_closed();
+    if curve.curvature_jump().is_some() || (goes_on_straight && bends_at_ends()) {
+        return Err(
+            "the curvature of its track jumps, so that a body that turns with it would begin to turn at once: a clothoid between the \
+             parts is needed, or a joint at each of two points of the body in the place of one that follows the tangent",
+        );
+    }
+    let is_along = |reference: DVec3| {
+        let mut arcs = (0..=PLACES_ALONG).map(|k| curve.length() * f64::from(k) / f64::from(PLACES_ALONG));
+        arcs.any(|arc| reference.cross(curve.at(arc).tangent).length() < LEAST_SINE)
+    };
+    if reference.is_some_and(is_along) {
+        return Err(
+            "the direction that is up is along its track at some place: one that is nowhere along it is needed",
+        );
+    }
+    Ok(())
 }
 
 fn check_one_side(joint: &Joint, side: OneSide) -> Result<(), &'static str> {

@@ -59,7 +59,7 @@ pub use motion::{
 };
 pub use polhode_dynamics::field::{DragLaw, Frame, Signal};
 pub use polhode_response::RestitutionLaw;
-pub use track::{OneSide, TrackEnds, TrackHold, TrackId, TrackSprings};
+pub use track::{Follows, OneSide, TrackEnds, TrackHold, TrackId, TrackSprings};
 
 use crate::body_id::BodyId;
 use polhode_spatial::DVec3;

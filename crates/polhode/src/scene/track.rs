@@ -25,11 +25,28 @@ impl TrackId {
 #[non_exhaustive]
 pub enum TrackHold {
     /// From both sides, as a wire holds a bead.
-    Both,
+    Both(Follows),
     /// In its plane, and there from one side: it pushes, but does not pull. The body may leave it and land on it again.
     OneSide(OneSide),
     /// By springs and dampers across it in the place of a constraint (thesis, section on penalty methods).
     Springs(TrackSprings),
+}
+
+/// What of a body follows a track that holds it from both sides.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
+pub enum Follows {
+    /// A point: the body turns about it freely.
+    #[default]
+    Point,
+    /// The tangent too: the direction of the body along the track at the start stays along it, and the body rolls about it freely.
+    Tangent,
+    /// The tangent, and a direction at right angles to it: the body does not turn against the track. The body does not lean sideways
+    /// against `up` (world at the start), which is nowhere along the track; without it, against the normal of the plane of the track.
+    Frame {
+        /// The direction; none for the normal of the plane.
+        up: Option<UnitVector>,
+    },
 }
 
 /// A track that only pushes.

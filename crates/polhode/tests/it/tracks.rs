@@ -2,14 +2,14 @@
 //! the force of a track that only pushes is zero (JT-10 of the reference catalogue, and the same with other numbers), and lands where its
 //! parabola meets the track again. A track does no work, so that energy stays, and no point leaves it.
 
-use crate::checks::{assert_closes, root};
-use crate::support::{accurate, ball, run};
+use crate::checks::{assert_closes, complete_elliptic, root};
+use crate::support::{accurate, ball, brick, run};
 use polhode::scene::{
-    Coordinate, Freedom, Joint, JointFriction, JointKind, Method, OneSide, SceneError, Tier, TrackEnds, TrackHold,
-    TrackId, TrackSprings,
+    Coordinate, Drive, Follows, Freedom, Joint, JointFriction, JointKind, Limits, Method, Motor, OneSide, SceneError,
+    Tier, TrackEnds, TrackHold, TrackId, TrackSprings,
 };
-use polhode::spatial::curve::{Bend, Curve, Rolling, SplineEnds, Wave};
-use polhode::spatial::{DVec3, UnitVector};
+use polhode::spatial::curve::{Bend, Coil, Curve, Rolling, SplineEnds, Wave};
+use polhode::spatial::{DQuat, DVec3, Pose, Rotation, UnitVector, Velocity};
 use polhode::{Body, BodyId, Effects, Event, EventKind, JointId, Recorder, Scene, SceneBuilder, Simulation, Snapshot};
 use std::f64::consts::TAU;
 
@@ -18,6 +18,8 @@ const G: f64 = 9.81;
 fn stepped(step_s: f64) -> Method {
     Method { tier: Some(Tier::Stepped), step_s: Some(step_s), ..Method::default() }
 }
+
+const BOTH: TrackHold = TrackHold::Both(Follows::Point);
 
 fn one_side(towards: DVec3) -> TrackHold {
     TrackHold::OneSide(OneSide { towards: UnitVector::new(towards).unwrap(), restitution: 0.0 })
@@ -55,7 +57,7 @@ fn a_bead_on_a_circle_has_the_period_of_a_pendulum() {
     for (degrees, period) in periods {
         let angle = degrees.to_radians();
         let place = DVec3::new(angle.sin(), 0.0, -angle.cos());
-        let scene = car(upright_circle(1.0), TrackHold::Both, place, DVec3::ZERO).duration_s(10.0).build().unwrap();
+        let scene = car(upright_circle(1.0), BOTH, place, DVec3::ZERO).duration_s(10.0).build().unwrap();
         let mut simulation = Simulation::new(&scene).unwrap();
         for quarter in [1.0, 3.0] {
             simulation.advance_to(0.25 * quarter * period).unwrap();
@@ -66,7 +68,7 @@ fn a_bead_on_a_circle_has_the_period_of_a_pendulum() {
         let along = simulation.coordinate(JointId::new(0), Coordinate::Displacement).unwrap();
         assert!((along.value + angle).abs() < 1e-9, "{along:?}");
     }
-    let scene = car(upright_circle(1.0), TrackHold::Both, DVec3::X, DVec3::ZERO).duration_s(2.0).build().unwrap();
+    let scene = car(upright_circle(1.0), BOTH, DVec3::X, DVec3::ZERO).duration_s(2.0).build().unwrap();
     let mut simulation = Simulation::new(&scene).unwrap();
     simulation.advance_to(1.0).unwrap();
     let at = simulation.body(BodyId::new(0)).pose.translation;
@@ -81,7 +83,7 @@ fn swings_on_a_cycloid_are_isochronous() {
     let period = 2.0 * TAU * (radius / G).sqrt();
     for part in [0.05, 0.3, 0.49] {
         let start = curve.at(curve.length() * (0.5 + part));
-        let scene = car(curve.clone(), TrackHold::Both, start.point, DVec3::ZERO).duration_s(4.0).build().unwrap();
+        let scene = car(curve.clone(), BOTH, start.point, DVec3::ZERO).duration_s(4.0).build().unwrap();
         let mut simulation = Simulation::new(&scene).unwrap();
         simulation.advance_to(0.75 * period).unwrap();
         let at = simulation.body(BodyId::new(0));
@@ -109,7 +111,7 @@ fn energy_stays_and_no_point_leaves_its_track() {
     ];
     for curve in curves {
         let start = curve.at(0.2);
-        let scene = car(curve.clone(), TrackHold::Both, start.point, start.tangent * 2.0).duration_s(3.0);
+        let scene = car(curve.clone(), BOTH, start.point, start.tangent * 2.0).duration_s(3.0);
         let (report, recorder) = run(&scene.build().unwrap(), Effects::Planned);
         for row in &recorder.samples {
             let place = row[0].pose.translation;
@@ -266,7 +268,7 @@ fn a_body_runs_off_the_end_of_its_track() {
     let after = DVec3::new(4.0, 0.0, 0.0) + DVec3::new(0.8, 0.0, -0.6) * speed * (2.0 - end)
         - DVec3::Z * (0.5 * G * (2.0 - end).powi(2));
     for (method, exact) in [(accurate(), 1e-11), (stepped(1e-3), 0.05), (stepped(1e-4), 0.005)] {
-        let at = on_track(slope.clone(), TrackHold::Both, TrackEnds::Free, DVec3::Z * 3.0, DVec3::ZERO);
+        let at = on_track(slope.clone(), BOTH, TrackEnds::Free, DVec3::Z * 3.0, DVec3::ZERO);
         let (report, recorder) = run(&at.method(method).duration_s(2.0).build().unwrap(), Effects::Planned);
         let event = first(&recorder, EventKind::Detach).expect("it runs off");
         assert!((event.t_s - end).abs() < 0.1 * exact + 1e-11, "{event:?} for {end}");
@@ -274,19 +276,34 @@ fn a_body_runs_off_the_end_of_its_track() {
         assert!((found - after).length() < exact, "{found} for {after}");
         assert_closes(&report);
     }
-    let at = on_track(slope, TrackHold::Both, TrackEnds::Stops(1.0), DVec3::Z * 3.0, DVec3::ZERO);
+    let at = on_track(slope, BOTH, TrackEnds::Stops(1.0), DVec3::Z * 3.0, DVec3::ZERO);
     let (report, recorder) = run(&at.duration_s(2.0 * end).build().unwrap(), Effects::Planned);
     let impact = first(&recorder, EventKind::Impact).expect("it meets the stop");
     assert!((impact.t_s - end).abs() < 1e-11);
     assert!((report.bodies[0].state.pose.translation - DVec3::Z * 3.0).length() < 1e-10);
 }
 
+/// A car that leaves the end of a one-sided track, in contact with it, flies on as a parabola.
+#[test]
+fn a_car_leaves_the_end_of_a_one_sided_track() {
+    let quarter = Bend { length: 2.0, curvature: [0.5, 0.5] };
+    let ramp = Curve::path(DVec3::ZERO, UnitVector::X, DVec3::Z, &[quarter]).unwrap();
+    let scene = car(ramp.clone(), one_side(DVec3::Z), DVec3::ZERO, DVec3::X * 8.0).duration_s(1.0).build().unwrap();
+    let (report, recorder) = run(&scene, Effects::Planned);
+    let event = first(&recorder, EventKind::Detach).expect("it leaves the end");
+    let end = ramp.at(2.0);
+    assert!((event.point - end.point).length() < 1e-11);
+    let (speed, left) = ((64.0 - 2.0 * G * end.point.z).sqrt(), 1.0 - event.t_s);
+    let expected = end.point + end.tangent * (speed * left) - DVec3::Z * (0.5 * G * left * left);
+    assert!((report.bodies[0].state.pose.translation - expected).length() < 1e-10);
+    assert_closes(&report);
+}
+
 /// What continues from a snapshot has the same bits, before and after a body has run off its track.
 #[test]
 fn a_snapshot_keeps_who_has_run_off() {
     let slope = Curve::line(DVec3::Z * 3.0, DVec3::new(4.0, 0.0, 0.0)).unwrap();
-    let scene =
-        on_track(slope, TrackHold::Both, TrackEnds::Free, DVec3::Z * 3.0, DVec3::ZERO).duration_s(3.0).build().unwrap();
+    let scene = on_track(slope, BOTH, TrackEnds::Free, DVec3::Z * 3.0, DVec3::ZERO).duration_s(3.0).build().unwrap();
     for method in [accurate(), stepped(1e-2)] {
         let scene = scene.clone().with_method(method);
         let mut whole = Simulation::new(&scene).unwrap();
@@ -323,7 +340,7 @@ fn rough_car(curve: Curve, hold: TrackHold, coefficient: f64, place: DVec3, velo
 #[test]
 fn friction_on_a_straight_track_is_that_of_a_ramp() {
     let down = DVec3::new(0.8, 0.0, -0.6);
-    for hold in [TrackHold::Both, one_side(DVec3::Z)] {
+    for hold in [BOTH, one_side(DVec3::Z)] {
         let line = Curve::line(-down * 10.0, down * 30.0).unwrap();
         let scene = rough_car(line.clone(), hold, 0.2, DVec3::ZERO, down * 1.5).duration_s(1.5).build().unwrap();
         let (report, recorder) = run(&scene, Effects::Planned);
@@ -371,7 +388,7 @@ fn friction_on_a_circle_is_that_of_its_load() {
     }
     assert!(rate < 0.0, "it has not turned yet");
     let place = |angle: f64| DVec3::new(angle.sin(), 0.0, -angle.cos()) * radius;
-    for hold in [TrackHold::Both, one_side(DVec3::new(-1.0, 0.0, 1.0))] {
+    for hold in [BOTH, one_side(DVec3::new(-1.0, 0.0, 1.0))] {
         let scene = rough_car(upright_circle(radius), hold, coefficient, place(start), DVec3::ZERO);
         let (report, _) = run(&scene.duration_s(duration).build().unwrap(), Effects::Planned);
         let found = report.bodies[0].state.pose.translation;
@@ -387,11 +404,7 @@ fn friction_on_a_circle_is_that_of_its_load() {
 fn time_steps_on_a_track_are_of_second_order() {
     let place = DVec3::X;
     let end = |method: Method| {
-        let scene = car(upright_circle(1.0), TrackHold::Both, place, DVec3::ZERO)
-            .method(method)
-            .duration_s(1.0)
-            .build()
-            .unwrap();
+        let scene = car(upright_circle(1.0), BOTH, place, DVec3::ZERO).method(method).duration_s(1.0).build().unwrap();
         run(&scene, Effects::Planned).0.bodies[0].state.pose.translation
     };
     let exact = end(accurate());
@@ -435,26 +448,174 @@ fn springs_in_the_place_of_a_track_oscillate_and_do_not_let_go_in_time() {
 fn tracks_that_cannot_hold_are_refused() {
     let circle = || upright_circle(1.0);
     let error = |scene: SceneBuilder| scene.build().unwrap_err();
-    let off = error(car(circle(), TrackHold::Both, DVec3::X * 1.002, DVec3::ZERO));
+    let off = error(car(circle(), BOTH, DVec3::X * 1.002, DVec3::ZERO));
     let SceneError::OffTrack { number: 0, distance_mm, .. } = off else { panic!("{off}") };
     assert!((distance_mm - 2.0).abs() < 1e-9 && off.to_string().contains("mm"), "{off}");
     // The digits of a file are taken, and the point is moved onto the track.
-    let near = car(circle(), TrackHold::Both, DVec3::X * (1.0 + 1e-9), DVec3::ZERO).build().unwrap();
+    let near = car(circle(), BOTH, DVec3::X * (1.0 + 1e-9), DVec3::ZERO).build().unwrap();
     assert!((near.joints()[0].anchor() - DVec3::X).length() < 1e-15);
     let wrong = error(car(circle(), one_side(DVec3::Z), -DVec3::Z * 1.1, DVec3::ZERO));
     assert!(matches!(wrong, SceneError::OffTrack { how: "on the wrong side of its track", .. }), "{wrong}");
-    let moving = error(car(circle(), TrackHold::Both, DVec3::X, DVec3::X));
+    let moving = error(car(circle(), BOTH, DVec3::X, DVec3::X));
     assert!(matches!(moving, SceneError::JointMoves { .. }), "{moving}");
-    let helix =
-        Curve::helix(DVec3::ZERO, UnitVector::Z, DVec3::X, polhode::spatial::curve::Coil { advance: 0.3, turns: 2.0 })
-            .unwrap();
+    let helix = Curve::helix(DVec3::ZERO, UnitVector::Z, DVec3::X, Coil { advance: 0.3, turns: 2.0 }).unwrap();
     let skew = error(car(helix, one_side(DVec3::Z), DVec3::X, DVec3::ZERO));
     assert!(skew.to_string().contains("plane"), "{skew}");
     let none = Scene::builder("none").body(bead(DVec3::ZERO, DVec3::ZERO));
-    let kind = JointKind::Track { track: TrackId::new(3), hold: TrackHold::Both, ends: TrackEnds::Free };
+    let kind = JointKind::Track { track: TrackId::new(3), hold: BOTH, ends: TrackEnds::Free };
     let none = error(none.joint(Joint::new(kind, BodyId::new(0), DVec3::ZERO)));
     assert!(none.to_string().contains("does not have"), "{none}");
     let thesis = Method { tier: Some(Tier::Thesis), ..Method::default() };
-    let thesis = error(car(circle(), TrackHold::Both, DVec3::X, DVec3::ZERO).method(thesis));
+    let thesis = error(car(circle(), BOTH, DVec3::X, DVec3::ZERO).method(thesis));
     assert!(matches!(thesis, SceneError::JointsInTier { .. }), "{thesis}");
+}
+
+fn turning(q: DQuat) -> Rotation {
+    Rotation::from_wxyz([q.w, q.x, q.y, q.z]).unwrap()
+}
+
+/// A long car that follows the tangent, or the frame, of a clothoid bend, a closed spline in space and a helix: it keeps its energy, and its
+/// axis the direction of the track. On a circle its moment of inertia adds to its mass, `T = T_0 sqrt(1 + I/(m R^2))`.
+#[test]
+fn a_car_turns_with_its_track() {
+    let points = [[0., 0., 2.], [1., 0.5, 1.2], [2., 1.5, 1.0], [1., 2.5, 1.5], [-0.5, 2., 1.0], [-1., 1., 0.8]]
+        .map(DVec3::from);
+    let bends = [
+        Bend { length: 2.0, curvature: [0.0, 0.0] },
+        Bend { length: 1.5, curvature: [0.0, 0.9] },
+        Bend { length: 1.0, curvature: [0.9, 0.9] },
+    ];
+    let slope = UnitVector::new(DVec3::new(1.0, 0.0, -0.7)).unwrap();
+    let helix = Coil { advance: 0.4, turns: 9.0 };
+    let up = Some(UnitVector::Z);
+    let cases = [
+        (Curve::spline(&points, SplineEnds::Closed).unwrap(), Follows::Tangent),
+        (Curve::spline(&points, SplineEnds::Closed).unwrap(), Follows::Frame { up }),
+        (Curve::path(DVec3::ZERO, slope, DVec3::Z, &bends).unwrap(), Follows::Frame { up: None }),
+        (Curve::helix(DVec3::ZERO, UnitVector::Z, DVec3::X, helix).unwrap(), Follows::Frame { up }),
+    ];
+    for (curve, follows) in cases {
+        let start = curve.at(0.3);
+        let mut scene = Scene::builder("car").method(accurate()).duration_s(0.9);
+        let track = scene.add_track(curve.clone());
+        let kind = JointKind::Track { track, hold: TrackHold::Both(follows), ends: TrackEnds::Free };
+        let attitude = turning(DQuat::from_rotation_arc(DVec3::X, start.tangent));
+        let body = brick("car", DVec3::new(0.5, 0.2, 0.1), start.point);
+        let body = body.pose(Pose { rotation: attitude, translation: start.point });
+        let scene = scene.body(body).joint(Joint::new(kind, BodyId::new(0), start.point)).build().unwrap();
+        let (report, recorder) = run(&scene, Effects::Planned);
+        for row in &recorder.samples {
+            let at = curve.nearest(row[0].pose.translation);
+            let ahead = row[0].pose.rotation.rotate(DVec3::X);
+            assert!((ahead - at.tangent).length() < 1e-11, "{ahead} {}", at.tangent);
+            assert!((row[0].pose.translation - at.point).length() < 1e-12);
+        }
+        assert!(report.ledger.numerical.value().abs() < 1e-11 * report.ledger.scale_j, "{:?}", report.ledger.numerical);
+        assert!(report.bodies[0].state.velocity.linear.length() > 0.5);
+        assert_closes(&report);
+    }
+    let (radius, small) = (1.0, 0.01_f64);
+    let place = DVec3::new(small.sin(), 0.0, -small.cos()) * radius;
+    let attitude = turning(DQuat::from_rotation_y(-small));
+    let body = brick("car", DVec3::new(0.8, 0.2, 0.6), place).pose(Pose { rotation: attitude, translation: place });
+    let mut scene = Scene::builder("car").method(accurate()).duration_s(3.0);
+    let track = scene.add_track(upright_circle(radius));
+    let kind = JointKind::Track { track, hold: TrackHold::Both(Follows::Tangent), ends: TrackEnds::Free };
+    let scene = scene.body(body).joint(Joint::new(kind, BodyId::new(0), place)).build().unwrap();
+    let inertia = (0.64 + 0.36) / 12.0;
+    let period = 4.0 * ((1.0 + inertia) / G).sqrt() * complete_elliptic((0.5 * small).sin());
+    let mut simulation = Simulation::new(&scene).unwrap();
+    simulation.advance_to(0.25 * period).unwrap();
+    let at = simulation.body(BodyId::new(0));
+    assert!((at.pose.translation.x / at.velocity.linear.x).abs() < 1e-10, "{at:?}");
+}
+
+/// A body that turns with its track takes no jump of its curvature, and needs a direction that is nowhere along it.
+#[test]
+fn a_car_does_not_turn_with_a_track_whose_curvature_jumps() {
+    let bends = [Bend { length: 2.0, curvature: [0.0; 2] }, Bend { length: 1.0, curvature: [0.9; 2] }];
+    let path = Curve::path(DVec3::ZERO, UnitVector::X, DVec3::Z, &bends).unwrap();
+    let error = car(path, TrackHold::Both(Follows::Tangent), DVec3::X, DVec3::ZERO).build().unwrap_err();
+    assert!(error.to_string().contains("clothoid"), "{error}");
+    let upright = Follows::Frame { up: Some(UnitVector::Z) };
+    let error = car(upright_circle(1.0), TrackHold::Both(upright), -DVec3::Z, DVec3::ZERO).build().unwrap_err();
+    assert!(error.to_string().contains("up is along"), "{error}");
+}
+
+/// In time steps a car leaves the hill too, and flies on: its error falls with the step.
+#[test]
+fn time_steps_leave_a_hill_and_land() {
+    let end = |method: Method, duration_s: f64| {
+        let hill = Curve::circle(DVec3::ZERO, UnitVector::Y, DVec3::Z * 10.0).unwrap();
+        let scene =
+            car(hill, one_side(DVec3::Z), DVec3::Z * 10.0, DVec3::X * 3.0).method(method).duration_s(duration_s);
+        let (report, _) = run(&scene.build().unwrap(), Effects::Planned);
+        assert_closes(&report);
+        report.bodies[0].state.pose.translation
+    };
+    let exact = end(accurate(), 3.0);
+    assert!(exact.length() > 10.5, "it has left the hill: {exact}");
+    let errors = [4e-3, 2e-3, 1e-3].map(|h| (end(stepped(h), 3.0) - exact).length());
+    assert!(errors[2] < 1e-4 && errors[2] < 0.6 * errors[1] && errors[1] < 0.6 * errors[0], "{errors:?}");
+    let wave = |method: Method| {
+        let wave = Wave { amplitude: 1.0, wavelength: TAU, length: 20.0 };
+        let wave = Curve::wave(DVec3::ZERO, UnitVector::X, DVec3::Z, wave).unwrap();
+        let scene =
+            car(wave, one_side(DVec3::Z), DVec3::Z, DVec3::X * 4.0).method(method).duration_s(1.3).build().unwrap();
+        run(&scene, Effects::Planned).0.bodies[0].state.pose.translation
+    };
+    let exact = wave(accurate());
+    let errors = [4e-3, 2e-3, 1e-3].map(|h| (wave(stepped(h)) - exact).length());
+    assert!(errors[2] < 1e-3, "{errors:?}");
+}
+
+/// A track fixed in a body moves with it: a bead on a ring that swings on a hinge keeps energy, and between two bodies momentum stays.
+#[test]
+fn a_track_moves_with_the_body_that_it_is_fixed_in() {
+    let (radius, place) = (0.5, DVec3::new(0.0, 0.5, 0.0));
+    let mut scene = Scene::builder("ring and bead").method(accurate()).gravity(DVec3::ZERO).duration_s(2.0);
+    let track = scene.add_track(Curve::circle(DVec3::ZERO, UnitVector::Z, DVec3::X * radius).unwrap());
+    let spin = DVec3::new(0.7, -0.4, 1.1);
+    let plate = brick("plate", DVec3::new(0.4, 0.6, 0.2), DVec3::ZERO).velocity(Velocity::new(DVec3::ZERO, spin));
+    let velocity = spin.cross(place) + DVec3::X * 0.8;
+    let kind = JointKind::Track { track, hold: BOTH, ends: TrackEnds::Free };
+    let scene = scene.body(plate).body(ball("bead", 0.4, 0.02, place, velocity));
+    let joint = Joint::new(kind, BodyId::new(1), place).with(BodyId::new(0));
+    let scene = scene.joint(joint).no_contact([BodyId::new(0), BodyId::new(1)]).build().unwrap();
+    let (report, recorder) = run(&scene, Effects::Planned);
+    for row in &recorder.samples {
+        let local = row[0].pose.inverse_transform_point(row[1].pose.translation);
+        assert!(local.z.abs() < 1e-12 && (local.length() - radius).abs() < 1e-12, "{local}");
+    }
+    let start = &recorder.samples[0];
+    let momentum = |row: &[polhode::BodySample]| row[0].velocity.linear * 1.0 + row[1].velocity.linear * 0.4;
+    let end = recorder.samples.last().unwrap();
+    assert!((momentum(end) - momentum(start)).length() < 1e-12);
+    assert!(report.ledger.numerical.value().abs() < 1e-11 * report.ledger.scale_j);
+    assert!((end[0].velocity.linear - start[0].velocity.linear).length() > 0.05, "the plate is moved");
+    assert_closes(&report);
+}
+
+/// Motors and limits act along a track: a servo drives a car up a helix at its speed, and a limit stops it.
+#[test]
+fn a_motor_drives_a_car_along_its_track() {
+    let helix = Curve::helix(DVec3::ZERO, UnitVector::Z, DVec3::X * 2.0, Coil { advance: 1.0, turns: 5.0 }).unwrap();
+    let start = helix.at(1.0).point;
+    let servo = Motor::new(Drive::Velocity { velocity: 2.0, gain: 1e3 }).unwrap();
+    let freedom = Freedom::default().with_motor(servo).with_limits(Limits::new(-0.5, 3.0).unwrap());
+    for (method, exact) in [(accurate(), 1e-9), (stepped(1e-3), 1e-6)] {
+        let mut scene = Scene::builder("chain lift").method(method).duration_s(3.0);
+        let track = scene.add_track(helix.clone());
+        let kind = JointKind::Track { track, hold: BOTH, ends: TrackEnds::Free };
+        let joint = Joint::new(kind, BodyId::new(0), start).along(Coordinate::Displacement, freedom);
+        let scene = scene.body(bead(start, DVec3::ZERO)).joint(joint).build().unwrap();
+        let mut simulation = Simulation::new(&scene).unwrap();
+        simulation.advance_to(1.0).unwrap();
+        let slope = 1.0 / (TAU * 2.0).hypot(1.0);
+        let along = simulation.coordinate(JointId::new(0), Coordinate::Displacement).unwrap();
+        assert!((along.rate - (2.0 - 1.3 * G * slope / 1e3)).abs() < exact, "{along:?}");
+        simulation.advance_to(3.0).unwrap();
+        let along = simulation.coordinate(JointId::new(0), Coordinate::Displacement).unwrap();
+        assert!((along.value - 3.0).abs() < 1e-9 && along.rate.abs() < 1e-9, "{along:?}");
+    }
 }
