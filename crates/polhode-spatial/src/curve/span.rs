@@ -11,7 +11,7 @@ const MOST_TURNING: f64 = 0.25;
 const ARC_LENGTH_RELATIVE: f64 = 2e-15;
 
 /// Most spans of a curve.
-const MOST_SPANS: usize = 20_000;
+const MOST_SPANS: usize = 8_000;
 
 /// Samples of the curvature within a span.
 const CURVATURE_SAMPLES: u32 = 8;

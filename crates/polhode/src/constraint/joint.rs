@@ -201,6 +201,11 @@ impl WorldJoint {
         self.guide.as_deref()
     }
 
+    /// Whether it holds a body to a track.
+    pub(crate) fn is_on_track(&self) -> bool {
+        self.guide.is_some()
+    }
+
     /// Whether it is a track that lets go at its ends.
     pub(crate) fn lets_go_at_ends(&self) -> bool {
         self.lets_go_at_ends && self.guide().is_some_and(|guide| guide.ends().is_some())

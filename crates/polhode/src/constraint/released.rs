@@ -44,7 +44,7 @@ impl World {
     /// The joints of these bodies on tracks whose ends they have passed in these states, in the order of the scene.
     pub(crate) fn run_off(&self, states: &[BodyState], bodies: &[usize]) -> Vec<RunOff> {
         let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
-        let bodies = if self.tracks_have_ends { bodies } else { &[] };
+        let bodies = if self.ending_tracks > 0 { bodies } else { &[] };
         let passed = self.joints_among(bodies).filter(|joint| joint.has_passed_end(motion));
         passed.filter_map(|joint| self.place_on_track(states, joint.number())).collect()
     }

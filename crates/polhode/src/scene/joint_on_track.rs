@@ -12,6 +12,9 @@ use std::sync::Arc;
 /// 1e-6).
 const START_OFF_TRACK: f64 = 1e-9;
 
+/// Curvature times length of a track below which its end is straight (no unit, 1e-12 to 1e-6): rounding.
+const STRAIGHT_END: f64 = 1e-9;
+
 /// Places of a track at which its direction is compared with the one that is up.
 const PLACES_ALONG: u32 = 1000;
 
@@ -127,7 +130,8 @@ fn check_frame(curve: &Curve, follows: Follows, ends: TrackEnds) -> Result<(), &
         }
         (Follows::Tangent | Follows::Frame { up: None }, _) => None,
     };
-    let bends_at_ends = || [0.0, curve.length()].iter().any(|&arc| curve.at(arc).curvature != DVec3::ZERO);
+    let bends_at_ends =
+        || [0.0, curve.length()].iter().any(|&arc| curve.at(arc).curvature.length() * curve.length() > STRAIGHT_END);
     let goes_on_straight = ends == TrackEnds::Straight && !curve.is_closed();
     if curve.curvature_jump().is_some() || (goes_on_straight && bends_at_ends()) {
         return Err(

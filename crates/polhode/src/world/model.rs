@@ -113,8 +113,8 @@ pub(crate) struct World {
     pub(crate) motors: BTreeMap<(usize, Coordinate), Option<Motor>>,
     /// Numbers of the joints that hold nothing any more.
     pub(crate) released: BTreeSet<usize>,
-    /// Whether any joint is on a track that lets go at its ends.
-    pub(crate) tracks_have_ends: bool,
+    /// How many joints are on tracks that let go at their ends.
+    pub(crate) ending_tracks: usize,
     /// The motions that a program has given kinematic bodies.
     pub(super) steered: BTreeMap<usize, Steered>,
     /// Potential energy of the fields at the start, J.
@@ -198,7 +198,7 @@ impl World {
             steered: BTreeMap::new(),
             motors: BTreeMap::new(),
             released: BTreeSet::new(),
-            tracks_have_ends: false,
+            ending_tracks: 0,
             initial_field_potential: 0.0,
             start_potential_j: 0.0,
             plane: None,
@@ -223,7 +223,7 @@ impl World {
             WorldJoint::new((number, joint), &self.scene.tracks, held, row_length(moving.map(size)))
         });
         self.joints = made.collect();
-        self.tracks_have_ends = self.joints.iter().any(WorldJoint::lets_go_at_ends);
+        self.ending_tracks = self.joints.iter().filter(|joint| joint.lets_go_at_ends()).count();
         self.index_joints();
     }
 
