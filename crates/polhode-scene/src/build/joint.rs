@@ -1,7 +1,7 @@
 //! Joints.
 
 use super::bodies::Bodies;
-use super::fault::{Fault, Faults, positive, vector};
+use super::fault::{Fault, Faults, direction, positive, vector};
 use super::track::Tracks;
 use crate::document::KeyPath;
 use crate::error::Refusal;
@@ -12,7 +12,7 @@ use polhode::BodyId;
 use polhode::scene::{
     Coordinate, Drive, Freedom, FreedomError, Joint, JointFriction, JointKind, Limits, LimitsError, Motor,
 };
-use polhode::spatial::{DVec3, UnitVector};
+use polhode::spatial::DVec3;
 
 /// The joints of the file.
 pub(super) fn build(file: &SceneFile, bodies: &Bodies<'_>, tracks: &Tracks<'_>, faults: &mut Faults) -> Vec<Joint> {
@@ -239,11 +239,6 @@ fn motor(entry: &MotorEntry, path: &KeyPath) -> Result<Motor, Fault> {
 fn limits((lower, upper): (f64, f64), restitution: f64, path: &KeyPath) -> Result<Limits, Fault> {
     let refused = |error: LimitsError| (path.clone(), error.into());
     Limits::new(lower, upper).and_then(|limits| limits.with_restitution(restitution)).map_err(refused)
-}
-
-/// A direction of any length but zero.
-pub(super) fn direction(entry: &Vector, path: &KeyPath) -> Result<UnitVector, Fault> {
-    UnitVector::new(vector(entry, path)?).map_err(|error| (path.clone(), error.into()))
 }
 
 /// The numbers of the bodies of a joint: one, and another or the world.

@@ -1,7 +1,6 @@
 //! Tracks, and the joints that hold bodies to them.
 
-use super::fault::{Fault, Faults, vector};
-use super::joint::direction;
+use super::fault::{Fault, Faults, direction, vector};
 use crate::document::KeyPath;
 use crate::error::{Refusal, nearest};
 use crate::format::{

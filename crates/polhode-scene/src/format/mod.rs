@@ -54,7 +54,8 @@ pub use integrator::IntegratorName;
 pub(crate) use joint::JOINTS;
 pub use joint::{
     CylindricalEntry, FreedomEntry, HingeEntry, JointEntry, JointFrictionEntry, JointKindEntry, MotorEntry,
-    PlanarJointEntry, PointJointEntry, RodEntry, RopeEntry, ScrewEntry, SliderEntry, UniversalJointEntry,
+    PlanarJointEntry, PointJointEntry, RodEntry, RopeEntry, ScrewEntry, SliderEntry, TrackJointEntry,
+    UniversalJointEntry,
 };
 pub use method::{
     ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,
@@ -68,7 +69,7 @@ pub use tier::TierName;
 pub(crate) use track::CURVES;
 pub use track::{
     BendEntry, CircleEntry, CurveEntry, CycloidEntry, FollowsName, HelixEntry, LineEntry, PathEntry, PolynomialEntry,
-    SplineEntry, TrackEndsName, TrackEntry, TrackJointEntry, TrackSpringsEntry, WaveEntry,
+    SplineEntry, TrackEndsName, TrackEntry, TrackSpringsEntry, WaveEntry,
 };
 
 /// Version of the format that this crate reads.

@@ -1,7 +1,6 @@
-//! Tracks: curves that points of bodies follow.
+//! Tracks: curves that points of bodies follow, and how.
 
 use super::exactly::{Exactly, Vector};
-use super::joint::FreedomEntry;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -168,38 +167,6 @@ pub struct CycloidEntry {
     /// By how much the wheel turns to either side, rad: below pi.
     #[schemars(extend("exclusiveMinimum" = 0.0))]
     pub angle: f64,
-}
-
-/// A joint that holds a point of a body to a track.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct TrackJointEntry {
-    /// Names of the body, and of the one that the track is fixed in; without a second one that is the world.
-    #[schemars(length(min = 1, max = 2))]
-    pub bodies: Vec<String>,
-    /// Name of the track.
-    pub track: String,
-    /// The point of the body at t = 0, m, world.
-    pub anchor: Vector,
-    /// What of the body follows the track.
-    #[serde(default)]
-    pub follows: FollowsName,
-    /// With `follows = "frame"`: the direction at t = 0, world, against which the body does not lean; without this key the normal of the
-    /// plane of the track.
-    pub up: Option<Vector>,
-    /// One-sided: the track only pushes, to the side to which this direction points at t = 0, world. Without this key it holds from
-    /// both sides.
-    pub side: Option<Vector>,
-    /// Coefficient of restitution where the body lands on a one-sided track, and at `ends = "stops"`.
-    #[schemars(range(min = 0.0, max = 1.0))]
-    pub restitution: Option<f64>,
-    /// Springs and dampers in the place of a constraint.
-    pub springs: Option<TrackSpringsEntry>,
-    /// What happens at the ends of an open track.
-    #[serde(default)]
-    pub ends: TrackEndsName,
-    /// What acts along the displacement of the body on the track.
-    pub displacement: Option<FreedomEntry>,
 }
 
 /// Springs across a track.

@@ -1,7 +1,8 @@
 //! Whether a curve comes near itself: a point there would have two places on it.
 
-use super::Curve;
 use super::error::CurveError;
+use super::piecewise::Curve;
+use super::span::Span;
 use glam::DVec3;
 
 /// Least distance of two parts of a curve, as a part of its length (no unit, 1e-9 to 1e-3): far above the rounding of a point that is
@@ -51,7 +52,7 @@ impl Curve {
     /// When two parts of the curve that do not follow each other are nearer than a millionth of its length.
     pub(super) fn check_distance_from_itself(&self) -> Result<(), CurveError> {
         let least_m = LEAST_DISTANCE * self.length;
-        let part = |span: &super::span::Span| Part {
+        let part = |span: &Span| Part {
             from: span.arc,
             to: span.arc + span.length,
             start: span.start,

@@ -4,7 +4,8 @@
 //! nearest point the foot is the zero of `g(u) = (p - c(u)).c'(u)`, by Newton's iteration within a bracket. Of all feet the nearest is
 //! taken, of equal ones the first. So it depends on the point alone, and not on what was asked before.
 
-use super::Curve;
+use super::piecewise::Curve;
+use super::place::CurvePoint;
 use super::span::Span;
 use glam::DVec3;
 
@@ -13,21 +14,6 @@ const MOST_STEPS: usize = 80;
 
 /// Newton's iteration ends when it changes the parameter by less than this part of it and of its range (no unit): rounding.
 const STEP_RELATIVE: f64 = 4.0 * f64::EPSILON;
-
-/// A place of a curve.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CurvePoint {
-    /// World or frame of the curve, m.
-    pub point: DVec3,
-    /// Unit vector in the direction of growing arc length.
-    pub tangent: DVec3,
-    /// Derivative of the tangent by the arc length, 1/m.
-    pub curvature: DVec3,
-    /// Derivative of the curvature by the arc length, 1/m^2.
-    pub curvature_rate: DVec3,
-    /// Arc length from the start, m: below zero or above the length beyond the ends of an open curve, which goes on straight there.
-    pub arc: f64,
-}
 
 /// A foot in a span.
 #[derive(Debug, Clone, Copy)]
@@ -55,16 +41,6 @@ impl Curve {
         // Only a point that is not finite has no foot.
         let Foot { span, u, .. } = best.unwrap_or(Foot { span: 0, u: self.spans[0].from, distance: f64::NAN });
         self.beyond_end(to, span, u).unwrap_or_else(|| self.at_parameter(span, u))
-    }
-
-    /// The place at a parameter in a span.
-    pub(super) fn at_parameter(&self, number: usize, u: f64) -> CurvePoint {
-        let span = &self.spans[number];
-        let piece = &self.stretches[span.piece].piece;
-        let jet = piece.at(u, span.known());
-        let arc = span.arc + piece.arc_length((span.from, u));
-        let (tangent, curvature) = (jet.tangent(), jet.curvature());
-        CurvePoint { point: jet.point, tangent, curvature, curvature_rate: jet.curvature_rate(), arc }
     }
 
     /// The place on the straight continuation, if a foot at the end of an open curve is beyond it.

@@ -21,7 +21,7 @@ use super::kept::Kept;
 use super::row::RowsAt;
 use super::stop::Stop;
 use super::track::Guide;
-use super::{cylindrical, fixed, hinge, planar, point, screw, slider, track, universal};
+use super::{cylindrical, fixed, hinge, on_track, planar, point, screw, slider, universal};
 use crate::body_id::BodyId;
 use crate::scene::{Coordinate, Joint, JointKind, Motor, TrackHold};
 use polhode_contact::ContactKinematics;
@@ -76,7 +76,7 @@ impl WorldJoint {
             Some((_, HeldBody::Movable(pose) | HeldBody::Kinematic(pose))) => pose.rotation,
         };
         let attitudes = (attitude(a), attitude(b));
-        let guide = track::guide(joint, tracks, attitudes.1).map(Arc::new);
+        let guide = on_track::guide(joint, tracks, attitudes.1).map(Arc::new);
         let kept = match joint.kind() {
             JointKind::Ball => Kept::point(),
             JointKind::Hinge { axis } => hinge::kept(axis.get(), attitudes),
@@ -88,13 +88,13 @@ impl WorldJoint {
             JointKind::Planar { normal } => planar::kept(normal.get(), attitudes),
             JointKind::Rod { to } => Kept::distance((joint.anchor() - to).length()),
             JointKind::Rope { .. } => Kept::nothing(),
-            JointKind::Track { hold, .. } => track::kept(guide.as_ref(), hold, attitudes),
+            JointKind::Track { hold, .. } => on_track::kept(guide.as_ref(), hold, attitudes),
         };
         let coordinates = coordinates(joint, attitudes, length, guide.as_ref());
-        let of_track = guide.iter().flat_map(|guide| track::stops(guide, joint.kind()));
+        let of_track = guide.iter().flat_map(|guide| on_track::stops(guide, joint.kind()));
         let stops = coordinates.iter().flat_map(Stop::of).chain(of_track).collect();
         let (a, b) = (end(a, joint.anchor()), end(b, joint.other_anchor()));
-        let (hold, lets_go_at_ends) = (track::hold(joint.kind()), track::lets_go_at_ends(joint.kind()));
+        let (hold, lets_go_at_ends) = (on_track::hold(joint.kind()), on_track::lets_go_at_ends(joint.kind()));
         Self { number, a, b, kept, coordinates, stops, length, guide, hold, lets_go_at_ends }
     }
 

@@ -18,6 +18,7 @@
 
 pub(crate) mod bilateral;
 mod coordinate;
+mod coordinate_at;
 pub(crate) mod coordinate_id;
 mod cylindrical;
 mod end;
@@ -33,6 +34,7 @@ mod kept;
 mod line;
 pub(crate) mod locator;
 mod motors;
+mod on_track;
 mod perpendicular;
 mod planar;
 mod point;

@@ -108,7 +108,7 @@ struct Across {
 
 fn normals(curve: &Curve, foot: &CurvePoint, side: OneSide) -> Option<Across> {
     /// Sine of the least angle between the side and the track (no unit, 1e-6 to 0.1): less is a mistake.
-    const LEAST_ANGLE: f64 = 1e-3;
+    const LEAST_SIDE: f64 = 1e-3;
     let towards = side.towards.get();
     let normal = match curve.plane() {
         CurvePlane::Plane(normal) => normal.get(),
@@ -117,7 +117,7 @@ fn normals(curve: &Curve, foot: &CurvePoint, side: OneSide) -> Option<Across> {
     };
     let up = normal.cross(foot.tangent);
     let along = up.dot(towards);
-    (along.abs() > LEAST_ANGLE).then(|| Across { normal, up: up * along.signum() })
+    (along.abs() > LEAST_SIDE).then(|| Across { normal, up: up * along.signum() })
 }
 
 /// Whether a body can turn with a curve.
