@@ -514,7 +514,7 @@ fn tracks_that_cannot_be_followed() {
         (
             (format!("name = \"t\"\n{ring}"), format!("{on_ring} }}").replace("[0, 0, 1]", "[0, 0, 1.003]")),
             "joints.0",
-            "3.0",
+            "off its track, 3 mm",
         ),
     ];
     for ((track, joint), key, message) in cases {

@@ -1,7 +1,7 @@
 //! Errors of a scene: why it is refused.
 
 use super::MotionError;
-use crate::few_digits::length;
+use crate::few_digits::{self, length};
 use polhode_contact::ShapeError;
 use polhode_dynamics::field::FieldError;
 use thiserror::Error;
@@ -171,8 +171,10 @@ pub enum SceneError {
     },
     /// A body begins off its track.
     #[error(
-        "joint {number} begins {how}, {distance_mm} mm away: at most {most_mm} mm are taken as digits of a file, and its anchor is moved \
-         onto the track; place the body on it"
+        "joint {number} begins {how}, {} mm away: at most {} mm are taken as digits of a file, and its anchor is moved onto the track; \
+         place the body on it",
+        few_digits::number(*distance_mm),
+        few_digits::number(*most_mm)
     )]
     OffTrack {
         /// Its number.
