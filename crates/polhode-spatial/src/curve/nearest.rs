@@ -1,12 +1,13 @@
 //! The point of a curve nearest to another one: its foot.
 //!
-//! A span is at most its sagitta from its chord, so that distances from chords bound those from spans. In each span that may hold the
+//! A span is at most its sagitta from its chord, so that distances from chords bound those from spans; balls around some spans that follow
+//! each other say which need no look at all. In each span that may hold the
 //! nearest point the foot is the zero of `g(u) = (p - c(u)).c'(u)`, by Newton's iteration within a bracket. Of all feet the nearest is
 //! taken, of equal ones the first. So it depends on the point alone, and not on what was asked before.
 
 use super::piecewise::Curve;
 use super::place::CurvePoint;
-use super::span::Span;
+use super::span::{Block, Span};
 use glam::DVec3;
 
 /// Most steps of an iteration: bisection alone would take 52.
@@ -27,9 +28,18 @@ impl Curve {
     /// The place nearest to a point (m). Beyond the ends of an open curve it lies on the straight continuation.
     pub fn nearest(&self, to: DVec3) -> CurvePoint {
         let to_chord = |span: &Span| distance_from_chord(to, span.start, span.end);
-        let nearest = self.spans.iter().fold(f64::INFINITY, |least, span| (to_chord(span) + span.sagitta).min(least));
+        let farthest_in = |block: &Block| {
+            let own = self.spans[block.range.clone()].iter();
+            own.fold(f64::INFINITY, |least, span| (to_chord(span) + span.sagitta).min(least))
+        };
+        let first = self.blocks.iter().min_by(|x, y| x.least_distance(to).total_cmp(&y.least_distance(to)));
+        let from_first = first.map_or(f64::INFINITY, farthest_in);
+        // What is skipped is farther than something else.
+        let near = || self.blocks.iter().filter(|block| !block.is_farther(to, from_first));
+        let nearest = near().map(farthest_in).fold(from_first, f64::min);
         let mut best: Option<Foot> = None;
-        for (number, span) in self.spans.iter().enumerate() {
+        for number in near().flat_map(|block| block.range.clone()) {
+            let span = &self.spans[number];
             if to_chord(span) - span.sagitta > nearest {
                 continue;
             }

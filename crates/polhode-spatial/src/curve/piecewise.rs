@@ -12,7 +12,7 @@
 use super::error::{CurveError, finite, positive};
 use super::piece::{Piece, Stretch};
 use super::place::CurvePoint;
-use super::span::{Span, spans};
+use super::span::{Block, Span, blocks, spans};
 use super::spline::{self, SplineEnds};
 use crate::unit_vector::UnitVector;
 use glam::DVec3;
@@ -66,6 +66,7 @@ pub struct Bend {
 pub struct Curve {
     pub(super) stretches: Vec<Stretch>,
     pub(super) spans: Vec<Span>,
+    pub(super) blocks: Vec<Block>,
     pub(super) length: f64,
     pub(super) is_closed: bool,
     plane: CurvePlane,
@@ -221,7 +222,8 @@ impl Curve {
         let spans = spans(&stretches, start)?;
         let length = spans.last().map_or(0.0, |span| span.arc + span.length);
         positive("the length", length)?;
-        let mut curve = Self { stretches, spans, length, is_closed, plane: CurvePlane::None };
+        let blocks = blocks(&spans);
+        let mut curve = Self { stretches, spans, blocks, length, is_closed, plane: CurvePlane::None };
         curve.plane = plane.unwrap_or_else(|| curve.find_plane());
         // A path is checked when it is known whether it is closed.
         if !matches!(curve.stretches[0].piece, Piece::Bend { .. }) {

@@ -3,6 +3,7 @@
 use super::error::CurveError;
 use super::piece::{Jet, Stretch};
 use glam::DVec3;
+use std::ops::Range;
 
 /// Most angle by which a span turns, rad (0.05 to 0.5): the nearest point to one within two radii of curvature is unique there.
 const MOST_TURNING: f64 = 0.25;
@@ -46,6 +47,47 @@ impl Span {
     pub(super) fn known(&self) -> (f64, DVec3) {
         (self.from, self.start)
     }
+}
+
+/// How many spans a block has.
+const BLOCK: usize = 8;
+
+/// By how much the ball of a block is larger than its spans (no unit): rounding.
+const BLOCK_SAFETY: f64 = 1.0 + 1e-9;
+
+/// Some spans that follow each other, in a ball.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Block {
+    pub(super) range: Range<usize>,
+    center: DVec3,
+    radius: f64,
+}
+
+impl Block {
+    fn new(first: usize, spans: &[Span]) -> Self {
+        let ends = || spans.iter().flat_map(|span| [span.start, span.end]);
+        let low = ends().fold(DVec3::INFINITY, DVec3::min);
+        let high = ends().fold(DVec3::NEG_INFINITY, DVec3::max);
+        let center = (low + high) * 0.5;
+        let to_ends = ends().fold(0.0, |most: f64, end| most.max((end - center).length()));
+        let sagitta = spans.iter().fold(0.0, |most: f64, span| most.max(span.sagitta));
+        Self { range: first..first + spans.len(), center, radius: (to_ends + sagitta) * BLOCK_SAFETY }
+    }
+
+    /// Distance of its spans from a point, at least, m: below zero where it may be in the ball.
+    pub(super) fn least_distance(&self, to: DVec3) -> f64 {
+        (to - self.center).length() - self.radius
+    }
+
+    /// Whether its spans are farther from a point than this distance (m).
+    pub(super) fn is_farther(&self, to: DVec3, distance: f64) -> bool {
+        self.least_distance(to) > distance
+    }
+}
+
+/// The spans in blocks.
+pub(super) fn blocks(spans: &[Span]) -> Vec<Block> {
+    spans.chunks(BLOCK).enumerate().map(|(number, own)| Block::new(number * BLOCK, own)).collect()
 }
 
 /// The spans of a curve of these stretches, the first of which begins at `start` (m).

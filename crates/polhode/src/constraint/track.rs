@@ -119,7 +119,8 @@ impl Guide {
 
     /// The place of the point on the curve, and the row along it.
     pub(super) fn place(&self, a: &EndKinematics, b: &EndKinematics) -> (CurvePoint, CoordinateAt) {
-        (self.near(a, b).foot, self.along(a, b, 0.0))
+        let near = self.near(a, b);
+        (near.foot, self.along_at(&near, a, b, 0.0))
     }
 
     /// The rotation from the frame of the curve to the world.
@@ -171,7 +172,10 @@ impl Guide {
 
     /// The arc length from the foot at the start, within half a round of `near_value` on a closed track, m.
     pub(super) fn along(&self, a: &EndKinematics, b: &EndKinematics, near_value: f64) -> CoordinateAt {
-        let near = self.near(a, b);
+        self.along_at(&self.near(a, b), a, b, near_value)
+    }
+
+    fn along_at(&self, near: &Near, a: &EndKinematics, b: &EndKinematics, near_value: f64) -> CoordinateAt {
         let mut value = near.foot.arc - self.start;
         if self.curve.is_closed() {
             let round = self.curve.length();
