@@ -29,7 +29,9 @@ impl Units {
         Some(match key {
             "position" | "positions" | "size" | "radius" | "height" | "major" | "minor" | "pivot" | "anchor"
             | "lead" | "anchors" | "length" | "point" | "points" | "center" | "center_of_mass" | "rest_length"
-            | "amplitude" | "rolling_friction" | "spinning_friction" | "scale" | "separate" => length,
+            | "start" | "lowest" | "advance" | "wavelength" | "reach" | "coefficients" | "amplitude"
+            | "rolling_friction" | "spinning_friction" | "scale" | "separate" => length,
+            "curvature" => 1.0 / length,
             "duration" | "step" | "interval" | "times" => time,
             "gravity" => length / (time * time),
             "velocity" | "surface_velocity" | "wind" => speed,

@@ -7,6 +7,7 @@ use polhode::contact::{ApproximateError, ShapeError};
 use polhode::dynamics::field::FieldError;
 use polhode::mesh::{MeshError, PrimitiveError};
 use polhode::scene::{FreedomError, LimitsError, MotionError, OverlapAtStart};
+use polhode::spatial::curve::CurveError;
 use polhode::spatial::{InertiaError, MassPropertiesError, RotationError, UnitVectorError};
 use std::fmt::{self, Write as _};
 use std::io;
@@ -201,6 +202,9 @@ pub enum Refusal {
     /// A joint has no kind, or several.
     #[error("a joint is exactly one of the kinds")]
     JointKinds,
+    /// The curve of a track has no kind, or several.
+    #[error("a curve is exactly one of the kinds")]
+    CurveKinds,
     /// A motor has no drive, or several.
     #[error("a motor is exactly one of `effort`, `velocity` and `position`")]
     MotorKinds,
@@ -325,6 +329,9 @@ pub enum Refusal {
     /// A spring, a damper or a motor of a joint is refused.
     #[error(transparent)]
     Freedom(#[from] FreedomError),
+    /// The curve of a track is refused.
+    #[error(transparent)]
+    Curve(#[from] CurveError),
     /// A mesh file is refused.
     #[error(transparent)]
     MeshFile(#[from] MeshFileError),
@@ -385,6 +392,7 @@ impl Refusal {
                 Kinds::Motions => Self::MotionKinds,
                 Kinds::Joints => Self::JointKinds,
                 Kinds::Layouts => Self::LayoutKinds,
+                Kinds::Curves => Self::CurveKinds,
             };
         }
         Self::Other(message.to_owned())
@@ -411,6 +419,7 @@ impl Refusal {
             Self::ForceKinds => Some(format!("accepted: one of {}", crate::format::FORCES)),
             Self::MotionKinds => Some(format!("accepted: one of {}", crate::format::MOTIONS)),
             Self::JointKinds => Some(format!("accepted: one of {}", crate::format::JOINTS)),
+            Self::CurveKinds => Some(format!("accepted: one of {}", crate::format::CURVES)),
             Self::LayoutKinds => Some(format!("accepted: one of {}", crate::format::LAYOUTS)),
             Self::Version(_) => Some(format!("accepted: {}", crate::format::VERSION)),
             Self::NotYetAvailable { instead, .. } => Some(format!("use {instead}")),
@@ -430,6 +439,7 @@ enum Kinds {
     Motions,
     Joints,
     Layouts,
+    Curves,
 }
 
 impl Kinds {
@@ -439,6 +449,8 @@ impl Kinds {
             Self::Forces
         } else if steps.first() == Some(&Step::key("joints")) {
             Self::Joints
+        } else if steps.first() == Some(&Step::key("tracks")) {
+            Self::Curves
         } else if steps.contains(&Step::key("layout")) {
             Self::Layouts
         } else if steps.contains(&Step::key("motion")) {
@@ -464,6 +476,7 @@ fn plain(text: &str, kinds: Kinds) -> String {
                 "a joint with its keys, such as type.hinge = { bodies = [\"door\"], anchor = [0, 0, 0], axis = [0, 0, 1] }"
             }
             Kinds::Layouts => "a layout with its keys, such as layout.pyramid = { base = 10, spacing = [0.44, 0.4] }",
+            Kinds::Curves => "a curve with its keys, such as curve.circle = { center = [0, 0, 0], axis = [0, 1, 0], radius = 1 }",
             Kinds::Motions => "a motion with its keys, such as motion.constant.velocity = [1, 0, 0]",
         }
         .to_owned(),

@@ -12,6 +12,7 @@
 //! | [`velocity`] | [`Velocity`] of a body, velocity of its points |
 //! | [`unit_vector`] | [`UnitVector`]: a direction |
 //! | [`motion`] | [`Motion`]: a pose as a function of time, with bounds; [`Still`], [`ConstantVelocity`], [`ConstantScrew`], [`SteadyFlight`] |
+//! | [`curve`] | [`Curve`](curve::Curve): a curve by arc length, with the place nearest to a point |
 //! | [`inertia`] | [`Inertia`]: a valid rotational inertia and its algebra |
 //! | [`principal_axes`] | eigen-decomposition of symmetric 3x3 matrices |
 //! | [`mass_properties`] | [`MassProperties`], [`Mass`], [`Density`] |
@@ -46,6 +47,7 @@
 //! | motion | gives a pose at any time, with bounds over an interval | `motion` |
 
 pub mod compensated_sum;
+pub mod curve;
 pub mod disjoint_sets;
 pub mod double_double;
 pub mod inertia;

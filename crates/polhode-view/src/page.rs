@@ -178,7 +178,7 @@ impl<W: Write> PageRun<W> {
             "outcome": outcome,
             "duration_s": duration_s,
             "bodies": self.shown.bodies.iter().map(body_json).collect::<Vec<_>>(),
-            "joints": self.shown.joints.iter().map(joint_json).collect::<Vec<_>>(),
+            "joints": self.shown.joints.iter().chain(&self.shown.tracks).map(joint_json).collect::<Vec<_>>(),
             "initial": self.initial,
             "frames": {
                 "count": self.times.len(),

@@ -6,6 +6,7 @@ use crate::tessellation::{Detail, Parts, parts_of};
 use polhode::scene::{Force, Joint, JointKind};
 use polhode::spatial::{DVec3, MassProperties, Pose};
 use polhode::{Body, BodyId, Scene};
+use std::collections::BTreeSet;
 
 /// A body as it is shown.
 #[derive(Debug, Clone)]
@@ -82,6 +83,8 @@ pub struct ShownScene {
     pub centers: Vec<DVec3>,
     /// Its joints, in the order of the scene.
     pub joints: Vec<ShownJoint>,
+    /// The chords of the curves that its bodies are held to, as links.
+    pub tracks: Vec<ShownJoint>,
 }
 
 impl ShownScene {
@@ -102,20 +105,42 @@ impl ShownScene {
             moving,
             centers: centers.collect(),
             joints: scene.joints().iter().map(|joint| shown_joint(scene, joint)).collect(),
+            tracks: shown_tracks(scene),
         }
     }
 }
 
 fn shown_joint(scene: &Scene, joint: &Joint) -> ShownJoint {
-    let end = |body: Option<BodyId>, place: DVec3| {
-        let body = body.map(BodyId::index);
-        let pose = body.and_then(|body| scene.bodies().get(body)).map(|body| *body.initial_pose());
-        JointEnd { body, point: pose.map_or(place, |pose| pose.inverse_transform_point(place)) }
-    };
     ShownJoint {
         is_link: matches!(joint.kind(), JointKind::Rod { .. } | JointKind::Rope { .. }),
-        ends: [end(Some(joint.body()), joint.anchor()), end(joint.other(), joint.other_anchor())],
+        ends: [end(scene, Some(joint.body()), joint.anchor()), end(scene, joint.other(), joint.other_anchor())],
     }
+}
+
+/// Chords of tracks, once for each body that a track is fixed in.
+fn shown_tracks(scene: &Scene) -> Vec<ShownJoint> {
+    let mut drawn = BTreeSet::new();
+    let mut chords = Vec::new();
+    for joint in scene.joints() {
+        let JointKind::Track { track, .. } = joint.kind() else { continue };
+        let Some(curve) = scene.tracks().get(track.index()) else { continue };
+        if !drawn.insert((track, joint.other())) {
+            continue;
+        }
+        for pair in curve.polyline().windows(2) {
+            chords.push(ShownJoint {
+                is_link: true,
+                ends: [pair[0], pair[1]].map(|place| end(scene, joint.other(), place)),
+            });
+        }
+    }
+    chords
+}
+
+fn end(scene: &Scene, body: Option<BodyId>, place: DVec3) -> JointEnd {
+    let body = body.map(BodyId::index);
+    let pose = body.and_then(|body| scene.bodies().get(body)).map(|body| *body.initial_pose());
+    JointEnd { body, point: pose.map_or(place, |pose| pose.inverse_transform_point(place)) }
 }
 
 fn shown(body: &Body, detail: Detail, library: &mut MeshLibrary) -> ShownBody {

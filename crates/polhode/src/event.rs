@@ -17,7 +17,7 @@ pub enum EventKind {
     Rest,
     /// A resting body begins to move.
     Wake,
-    /// The force of one contact point has reached zero, and the contact opens.
+    /// The force of one contact point has reached zero, and the contact opens; or a body has run off the end of its track.
     Detach,
     /// The slip of a contact point with friction has vanished, and the contact sticks.
     Stick,

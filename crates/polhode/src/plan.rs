@@ -249,7 +249,9 @@ fn joint_decision(world: &World) -> EffectDecision {
         let form = if has_loop(world) { "some of them close loops" } else { "none of them closes a loop" };
         let stops: usize = world.joints.iter().map(WorldJoint::stops).sum();
         let limits = if stops > 0 { format!(", {stops} limits") } else { String::new() };
-        let fact = format!("{} joints with {rows} constraint rows{limits}, {form}", world.joints.len());
+        let tracks = world.joints.iter().filter(|joint| joint.is_on_track()).count();
+        let tracks = if tracks > 0 { format!(", {tracks} of them on tracks") } else { String::new() };
+        let fact = format!("{} joints with {rows} constraint rows{limits}{tracks}, {form}", world.joints.len());
         return decision(Effect::Joints, true, fact, SOLVED);
     }
     let pivots = present(world).filter(|(_, body)| body.pivot_point().is_some()).count();

@@ -455,6 +455,7 @@ impl Simulation {
             applied: self.core.world.applied(),
             steered: self.core.world.steered(),
             motors: self.core.world.motors(),
+            released: self.core.world.released.iter().copied().collect(),
             in_plane: self.core.world.plane.is_some(),
             integrator: self.core.settings.integrator.name().to_owned(),
             plan: self.plan.save(&self.plan_at_start),
@@ -487,6 +488,7 @@ impl Simulation {
         world.replace_applied(&content.applied)?;
         world.replace_steered(&content.steered)?;
         world.replace_motors(&content.motors)?;
+        world.replace_released(&content.released)?;
         world.plane = self.plane_at_start.filter(|_| content.in_plane);
         settings.integrator = Integrator::from_name(&content.integrator)
             .map_err(|_| SnapshotError::Invalid("it names an integrator that does not exist"))?;

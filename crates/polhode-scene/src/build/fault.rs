@@ -4,6 +4,7 @@ use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::Exactly;
 use glam::DVec3;
+use polhode::spatial::UnitVector;
 
 /// A refusal and the path of the key it is about.
 pub(crate) type Fault = (KeyPath, Refusal);
@@ -65,4 +66,9 @@ pub(super) fn vector(value: &Exactly<f64, 3>, path: &KeyPath) -> Result<DVec3, F
         finite(component, &path.index(index))?;
     }
     Ok(DVec3::from_array(value.0))
+}
+
+/// A direction of any length but zero.
+pub(super) fn direction(entry: &Exactly<f64, 3>, path: &KeyPath) -> Result<UnitVector, Fault> {
+    UnitVector::new(vector(entry, path)?).map_err(|error| (path.clone(), error.into()))
 }

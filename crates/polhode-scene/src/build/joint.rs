@@ -1,7 +1,8 @@
 //! Joints.
 
 use super::bodies::Bodies;
-use super::fault::{Fault, Faults, positive, vector};
+use super::fault::{Fault, Faults, direction, positive, vector};
+use super::track::Tracks;
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{
@@ -11,12 +12,12 @@ use polhode::BodyId;
 use polhode::scene::{
     Coordinate, Drive, Freedom, FreedomError, Joint, JointFriction, JointKind, Limits, LimitsError, Motor,
 };
-use polhode::spatial::{DVec3, UnitVector};
+use polhode::spatial::DVec3;
 
 /// The joints of the file.
-pub(super) fn build(file: &SceneFile, bodies: &Bodies<'_>, faults: &mut Faults) -> Vec<Joint> {
+pub(super) fn build(file: &SceneFile, bodies: &Bodies<'_>, tracks: &Tracks<'_>, faults: &mut Faults) -> Vec<Joint> {
     let of_entry = |(index, entry): (usize, &JointEntry)| {
-        faults.note(joint(&entry.kind, bodies, &KeyPath::element("joints", index).key("type")))
+        faults.note(joint(&entry.kind, (bodies, tracks), &KeyPath::element("joints", index).key("type")))
     };
     file.joints.iter().enumerate().filter_map(of_entry).collect()
 }
@@ -47,8 +48,8 @@ impl<'a> Entry<'a> {
     }
 }
 
-fn joint(kind: &JointKindEntry, bodies: &Bodies<'_>, path: &KeyPath) -> Result<Joint, Fault> {
-    let entry = entry(kind, path)?;
+fn joint(kind: &JointKindEntry, (bodies, tracks): (&Bodies<'_>, &Tracks<'_>), path: &KeyPath) -> Result<Joint, Fault> {
+    let entry = entry(kind, tracks, path)?;
     let anchor = vector(entry.anchor, &entry.anchor_path)?;
     let (body, other) = pair(entry.names, bodies, &entry.path.key("bodies"))?;
     let mut joint = Joint::new(entry.kind, body, anchor);
@@ -58,7 +59,7 @@ fn joint(kind: &JointKindEntry, bodies: &Bodies<'_>, path: &KeyPath) -> Result<J
     Ok(other.map_or(joint, |other| joint.with(other)))
 }
 
-fn entry<'a>(kind: &'a JointKindEntry, path: &KeyPath) -> Result<Entry<'a>, Fault> {
+fn entry<'a>(kind: &'a JointKindEntry, tracks: &Tracks<'_>, path: &KeyPath) -> Result<Entry<'a>, Fault> {
     let axis = |vector, path: &KeyPath| direction(vector, &path.key("axis"));
     Ok(match kind {
         JointKindEntry::Ball(own) => Entry::new(&own.bodies, &own.anchor, path.key("ball"), JointKind::Ball),
@@ -97,6 +98,12 @@ fn entry<'a>(kind: &'a JointKindEntry, path: &KeyPath) -> Result<Entry<'a>, Faul
             let [first, second] = &own.axes.0;
             let axes = [direction(first, &of_axes.index(0))?, direction(second, &of_axes.index(1))?];
             Entry::new(&own.bodies, &own.anchor, path, JointKind::Universal { axes })
+        }
+        JointKindEntry::Track(own) => {
+            let path = path.key("track");
+            let kind = tracks.kind(own, &path)?;
+            Entry::new(&own.bodies, &own.anchor, path, kind)
+                .with(Coordinate::Displacement, own.displacement.as_ref())?
         }
         JointKindEntry::Rod(own) => {
             let (ends, path) = (Ends::of(&own.anchors, &path.key("rod"))?, path.key("rod"));
@@ -232,11 +239,6 @@ fn motor(entry: &MotorEntry, path: &KeyPath) -> Result<Motor, Fault> {
 fn limits((lower, upper): (f64, f64), restitution: f64, path: &KeyPath) -> Result<Limits, Fault> {
     let refused = |error: LimitsError| (path.clone(), error.into());
     Limits::new(lower, upper).and_then(|limits| limits.with_restitution(restitution)).map_err(refused)
-}
-
-/// A direction of any length but zero.
-fn direction(entry: &Vector, path: &KeyPath) -> Result<UnitVector, Fault> {
-    UnitVector::new(vector(entry, path)?).map_err(|error| (path.clone(), error.into()))
 }
 
 /// The numbers of the bodies of a joint: one, and another or the world.

@@ -24,6 +24,7 @@
 //! | `shape` | shapes, and the meshes they are read from |
 //! | `signal` | signals, which forces are multiplied by |
 //! | `spring` | springs |
+//! | `track` | tracks, and the joints that hold bodies to them |
 
 mod approximate;
 mod array;
@@ -45,6 +46,7 @@ mod scene;
 mod shape;
 mod signal;
 mod spring;
+mod track;
 
 pub(crate) use model::PlacedRobot;
 pub(crate) use scene::{Built, path_of, scene};

@@ -4,6 +4,7 @@ use super::bodies::Bodies;
 use super::fault::{Fault, Faults, not_negative, positive, vector};
 use super::materials::Materials;
 use super::model::{self, PlacedRobot};
+use super::track::Tracks;
 use super::{array, body, force, joint, method};
 use crate::document::KeyPath;
 use crate::error::Refusal;
@@ -55,7 +56,8 @@ pub(crate) fn scene(file: &SceneFile, folder: &MeshFolder, name: &str) -> Result
     for force in force::build(file, &bodies, &mut faults) {
         builder = builder.force(force);
     }
-    for joint in joint::build(file, &bodies, &mut faults) {
+    let tracks = Tracks::build(file, &mut builder, &mut faults);
+    for joint in joint::build(file, &bodies, &tracks, &mut faults) {
         builder = builder.joint(joint);
     }
     for (joint, no_contact) in robots.iter().map(|robot| (&robot.joints, &robot.no_contact)) {
@@ -145,6 +147,7 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile, robots: &[PlacedRobo
         SceneError::Joint { number, .. }
         | SceneError::JointBeyondLimits { number, .. }
         | SceneError::JointMoves { number, .. }
+        | SceneError::OffTrack { number, .. }
         | SceneError::JointTurns { number, .. } => match number.checked_sub(file.joints.len()) {
             None => KeyPath::element("joints", *number),
             Some(later) => {

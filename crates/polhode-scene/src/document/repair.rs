@@ -60,6 +60,7 @@ impl Damage {
             | Refusal::ForceKinds
             | Refusal::MotionKinds
             | Refusal::JointKinds
+            | Refusal::CurveKinds
             | Refusal::LayoutKinds => self.tables.contains(&span),
             _ => false,
         }

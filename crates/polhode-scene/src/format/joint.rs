@@ -1,11 +1,12 @@
 //! Joints.
 
 use super::exactly::{Exactly, Vector};
+use super::track::{FollowsName, TrackEndsName, TrackSpringsEntry};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Kinds of joint, for messages.
-pub(crate) const JOINTS: &str = "ball, hinge, universal, fixed, slider, cylindrical, planar, rod or rope";
+pub(crate) const JOINTS: &str = "ball, hinge, universal, fixed, slider, cylindrical, planar, screw, rod, rope or track";
 
 /// A joint: what holds two bodies, or a body and the world, together.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -40,6 +41,8 @@ pub enum JointKindEntry {
     Rod(RodEntry),
     /// A rope without mass between a point of each.
     Rope(RopeEntry),
+    /// A curve of the second body, or of the world, along which a point of the first one moves.
+    Track(Box<TrackJointEntry>),
 }
 
 /// A joint at a point.
@@ -238,4 +241,36 @@ pub struct PlanarJointEntry {
     pub anchor: Vector,
     /// The normal of the plane at t = 0, world; of any length but zero.
     pub normal: Vector,
+}
+
+/// A joint that holds a point of a body to a track.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TrackJointEntry {
+    /// Names of the body, and of the one that the track is fixed in; without a second one that is the world.
+    #[schemars(length(min = 1, max = 2))]
+    pub bodies: Vec<String>,
+    /// Name of the track.
+    pub track: String,
+    /// The point of the body at t = 0, m, world.
+    pub anchor: Vector,
+    /// What of the body follows the track.
+    #[serde(default)]
+    pub follows: FollowsName,
+    /// With `follows = "frame"`: the direction at t = 0, world, against which the body does not lean; without this key the normal of the
+    /// plane of the track.
+    pub up: Option<Vector>,
+    /// One-sided: the track only pushes, to the side to which this direction points at t = 0, world. Without this key it holds from
+    /// both sides.
+    pub side: Option<Vector>,
+    /// Coefficient of restitution where the body lands on a one-sided track, and at `ends = "stops"`.
+    #[schemars(range(min = 0.0, max = 1.0))]
+    pub restitution: Option<f64>,
+    /// Springs and dampers in the place of a constraint.
+    pub springs: Option<TrackSpringsEntry>,
+    /// What happens at the ends of an open track.
+    #[serde(default)]
+    pub ends: TrackEndsName,
+    /// What acts along the displacement of the body on the track.
+    pub displacement: Option<FreedomEntry>,
 }

@@ -35,6 +35,7 @@ pub(crate) mod planned;
 mod scene;
 mod signal;
 mod tier;
+mod track;
 
 pub(crate) use array::LAYOUTS;
 pub use array::{ArrayEntry, DropEntry, GridEntry, LayoutEntry, PyramidEntry, WallEntry};
@@ -53,7 +54,8 @@ pub use integrator::IntegratorName;
 pub(crate) use joint::JOINTS;
 pub use joint::{
     CylindricalEntry, FreedomEntry, HingeEntry, JointEntry, JointFrictionEntry, JointKindEntry, MotorEntry,
-    PlanarJointEntry, PointJointEntry, RodEntry, RopeEntry, ScrewEntry, SliderEntry, UniversalJointEntry,
+    PlanarJointEntry, PointJointEntry, RodEntry, RopeEntry, ScrewEntry, SliderEntry, TrackJointEntry,
+    UniversalJointEntry,
 };
 pub use method::{
     ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,
@@ -64,6 +66,11 @@ pub use motion::{ConstantMotionEntry, InterpolationEntry, MotionEntry, SineMotio
 pub use scene::{MaterialEntry, NoContactEntry, OutputEntry, PairEntry, SceneFile, StartEntry};
 pub use signal::{SignalEntry, SinusoidEntry};
 pub use tier::TierName;
+pub(crate) use track::CURVES;
+pub use track::{
+    BendEntry, CircleEntry, CurveEntry, CycloidEntry, FollowsName, HelixEntry, LineEntry, PathEntry, PolynomialEntry,
+    SplineEntry, TrackEndsName, TrackEntry, TrackSpringsEntry, WaveEntry,
+};
 
 /// Version of the format that this crate reads.
 pub const VERSION: u32 = 1;

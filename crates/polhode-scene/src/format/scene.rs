@@ -3,6 +3,7 @@
 use super::exactly::{Exactly, Vector};
 use super::{
     ArrayEntry, BodyEntry, ForceEntry, FrictionEntry, JointEntry, MethodEntry, ModelEntry, StaticFrictionEntry,
+    TrackEntry,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -54,6 +55,9 @@ pub struct SceneFile {
     /// What holds two bodies, or a body and the world, together. Jointed bodies do not collide with each other.
     #[serde(default)]
     pub joints: Vec<JointEntry>,
+    /// Curves that joints hold bodies to.
+    #[serde(default)]
+    pub tracks: Vec<TrackEntry>,
     /// Groups of bodies that do not collide with each other.
     #[serde(default)]
     pub no_contact: Vec<NoContactEntry>,

@@ -456,3 +456,71 @@ fn joints_that_cannot_hold() {
         assert!(refused.place.key.starts_with(key) && refused.to_string().contains(message), "{joint}: {refused}");
     }
 }
+
+/// What is wrong with a track, or with a joint on one, is said where it stands in the file, with what is accepted.
+#[test]
+fn tracks_that_cannot_be_followed() {
+    let ring = "curve.circle = { center = [0, 0, 0], axis = [0, 1, 0], radius = 1 }";
+    let on_ring = "type.track = { bodies = [\"brick\"], track = \"t\", anchor = [0, 0, 1]";
+    let curve = |curve: &str| (format!("name = \"t\"\n{curve}"), String::new());
+    let joint = |rest: &str| (format!("name = \"t\"\n{ring}"), format!("{on_ring}{rest} }}"));
+    let cases = [
+        (
+            curve("curve.circle = { center = [0, 0, 0], axis = [0, 1, 0], radius = 0 }"),
+            "tracks.0.curve.circle",
+            "above 0",
+        ),
+        (curve("curve.line = { points = [[1, 0, 0], [1, 0, 0]] }"), "tracks.0.curve.line", "at one place"),
+        (
+            curve("curve.spline = { points = [[0, 0, 0], [1, 0, 0], [1, 0, 0]] }"),
+            "tracks.0.curve.spline",
+            "points 1 and 2",
+        ),
+        (
+            curve("curve.path = { start = [0, 0, 0], heading = [1, 0, 0], up = [1, 0, 0], parts = [{ length = 1 }] }"),
+            "tracks.0.curve.path",
+            "parallel",
+        ),
+        (
+            curve("curve.path = { start = [0, 0, 0], heading = [1, 0, 0], up = [0, 0, 1], parts = [{ radius = 1 }] }"),
+            "tracks.0.curve.path.parts.0",
+            "missing key `angle`",
+        ),
+        (
+            curve(
+                "curve.path = { start = [0, 0, 0], heading = [1, 0, 0], up = [0, 0, 1], parts = [{ radius = 1, length = 1 }] }",
+            ),
+            "tracks.0.curve.path.parts.0.radius",
+            "cannot both",
+        ),
+        (curve("curve.spiral = { radius = 1 }"), "tracks.0.curve", "circle"),
+        (curve("curve = 3"), "tracks.0.curve", "a curve"),
+        (
+            ("name = \"\"\ncurve.line = { points = [[0, 0, 0], [1, 0, 0]] }".to_owned(), String::new()),
+            "tracks.0.name",
+            "a name of its own",
+        ),
+        (joint(", restitution = 0.5"), "joints.0.type.track.restitution", "without a `side`"),
+        (joint(", side = [0, 0, 1], springs = { stiffness = 1 }"), "joints.0.type.track.springs", "cannot both"),
+        (joint(", side = [0, 0, 1], follows = \"frame\""), "joints.0.type.track.follows", "two points"),
+        (joint(", up = [0, 0, 1]"), "joints.0.type.track.up", "frame"),
+        (joint(", ends = \"soft\""), "joints.0.type.track.ends", "stops"),
+        (joint(", springs = { stiffness = 0 }"), "joints.0", "stiffness"),
+        (
+            (format!("name = \"u\"\n{ring}"), format!("{on_ring} }}")),
+            "joints.0.type.track.track",
+            "no track is named `t`",
+        ),
+        (
+            (format!("name = \"t\"\n{ring}"), format!("{on_ring} }}").replace("[0, 0, 1]", "[0, 0, 1.003]")),
+            "joints.0",
+            "off its track, 3 mm",
+        ),
+    ];
+    for ((track, joint), key, message) in cases {
+        let joint = if joint.is_empty() { joint } else { format!("[[joints]]\n{joint}\n") };
+        let refused = refused(&format!("{BASE}\n[[tracks]]\n{track}\n{joint}"));
+        let is_told = refused.place.key.starts_with(key) && refused.to_string().contains(message);
+        assert!(is_told, "{track} {joint}: {} {refused}", refused.place.key);
+    }
+}

@@ -7,6 +7,7 @@
 )]
 
 mod compensated_sum;
+mod curves;
 mod inertia;
 mod mass_properties;
 mod motions;

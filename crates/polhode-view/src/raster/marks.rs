@@ -93,7 +93,8 @@ impl Marks {
 
 /// The ropes and rods of a frame, each from end to end.
 fn links(recording: &Recording, frame: usize) -> Vec<Path> {
-    let links: Vec<_> = recording.shown().joints.iter().filter(|joint| joint.is_link).collect();
+    let links: Vec<_> =
+        recording.shown().joints.iter().chain(&recording.shown().tracks).filter(|joint| joint.is_link).collect();
     if links.is_empty() {
         return Vec::new();
     }

@@ -6,8 +6,8 @@
 //! `chi'' = 0` at every contact. A failure of one of these conditions is called a violation. The event locator
 //! (`crate::constraint::locator`) finds the first one on the dense output of the step, to 1e-13 of the step.
 //!
-//! It looks for (a) and (b) at eight times of a step, and for (c), slips and rotations at its end; where a kinematic body moves, for
-//! all at each of the eight. What begins and ends again between two looks is not seen: a stop or an edge that is crossed twice, or
+//! It looks for (a) and (b) at eight times of a step, and for (c), slips and rotations at its end; where a kinematic body moves, or a
+//! track with one side presses, for all at each of the eight. What begins and ends again between two looks is not seen: a stop or an edge that is crossed twice, or
 //! a force that pulls for less than a step. The error control keeps steps short where motions curve; the penetration that is left is
 //! measured at each sample and reported.
 
@@ -62,7 +62,7 @@ impl Motions {
         let mut states = std::mem::take(&mut self.scratch);
         let mut search =
             StepSearch { core, step, start: &self.states, states: &mut states, tolerated: BTreeSet::new() };
-        let change = search.change_within(limit, pace);
+        let change = search.change_within(limit, pace).map(|change| search.or_end_of_track(limit, change));
         self.restore_scratch(core, states, &step.bodies);
         change
     }
@@ -167,12 +167,13 @@ impl StepSearch<'_> {
 
     /// The first of some intervals of the step at whose end a held contact has left its features or an open contact
     /// penetrates. Bodies that rock on each other may penetrate and separate again within a step, which a check at its
-    /// end alone would miss. It would also miss that a moving kinematic body loses contact for a short time: if one
-    /// moves, forces are checked too.
+    /// end alone would miss. It would also miss that a moving kinematic body, or a car at the top of a loop, loses contact for a short
+    /// time: if one moves, or a track presses, forces are checked too.
     fn first_violation_interval(&mut self, start: f64, limit: f64) -> Result<Option<(f64, f64)>, SimulationError> {
         let is_moved = |body| !self.core.world.stands_still(body, start, limit);
         let driven = self.step.active.held().iter().flat_map(|id| [id.a, id.b]).any(is_moved)
-            || self.core.world.drivers_of(&self.step.bodies).any(is_moved);
+            || self.core.world.drivers_of(&self.step.bodies).any(is_moved)
+            || self.step.active.held().iter().any(|&id| self.core.world.is_side_of_track(id));
         let first_check = start + (limit - start) / f64::from(PENETRATION_CHECKS);
         if let Some(interval) = self.approach_interval((start, first_check)) {
             return Ok(Some(interval));

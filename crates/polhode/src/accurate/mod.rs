@@ -76,6 +76,7 @@ mod state_cache;
 mod step_search;
 mod system;
 mod tier;
+mod track_ends;
 mod turning;
 
 pub(crate) use engine::Engine;

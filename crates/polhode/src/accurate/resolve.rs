@@ -87,6 +87,7 @@ impl Resolution<'_> {
     /// # Errors
     /// When an impact or the contact forces cannot be solved.
     pub(super) fn resolve(&mut self) -> Result<(), SimulationError> {
+        self.let_go_at_ends_of_tracks()?;
         let held_before = self.instant.held_pairs();
         let passing = self.detect();
         self.lift_onto_faces(&passing);

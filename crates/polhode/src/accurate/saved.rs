@@ -225,6 +225,7 @@ fn restored_change(world: &World, saved: &content::Island) -> Result<ContactChan
         slipping: slipping.collect::<Result<_, SnapshotError>>()?,
         settling: settling.collect::<Result<_, SnapshotError>>()?,
         turning: turning.collect::<Result<_, SnapshotError>>()?,
+        running_off: saved.running_off.iter().copied().collect(),
     })
 }
 
@@ -288,6 +289,7 @@ fn save_island(island: &Island) -> content::Island {
             .map(|(id, own)| (save_contact(id), save_rotation(&own.rotation)))
             .collect(),
         settling: island.change.settling.iter().map(|&(id, turn)| (save_contact(id), turn == Turn::Spinning)).collect(),
+        running_off: island.change.running_off.iter().copied().collect(),
         turning: island
             .change
             .turning

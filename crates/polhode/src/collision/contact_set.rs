@@ -305,7 +305,7 @@ impl World {
     /// The contacts at the joints of two bodies; none of bodies without them.
     fn pair_of_joint_contacts(&self, states: &[BodyState], pair: (usize, usize), reach: f64) -> Option<Pair> {
         if !self.has_joint_contacts() || self.joint_contacts_of_pair(pair).is_empty() {
-            return None;
+            return self.lost_joint_contacts(pair).then(Pair::far);
         }
         let contacts = self.joint_contacts_within(states, pair, reach).into_iter();
         let contacts: Vec<FoundContact> =

@@ -79,7 +79,7 @@ impl Bilateral {
             match row.kind {
                 RowKind::Along(direction) => reaction.force += direction * multiplier,
                 RowKind::About(axis) => reaction.moment += axis * multiplier,
-                RowKind::Helix { along, about } => {
+                RowKind::Helix { along, about } | RowKind::Turning { along, about } => {
                     reaction.force += along * multiplier;
                     reaction.moment += about * multiplier;
                 }
@@ -115,7 +115,9 @@ impl BilateralRow {
     pub(crate) fn multiplier(&self, reaction: Reaction) -> f64 {
         match self.kind {
             RowKind::Along(direction) | RowKind::Helix { along: direction, .. } => reaction.force.dot(direction),
-            RowKind::About(axis) => reaction.moment.dot(axis) / axis.length_squared(),
+            RowKind::About(axis) | RowKind::Turning { about: axis, .. } => {
+                reaction.moment.dot(axis) / axis.length_squared()
+            }
         }
     }
 }

@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | angle about an axis `n` (unit vector, fixed in B) | `l atan2(n.(e_B x e_A), e_B.e_A)` | `n x e_A` at `p_A + l e_A` |
 //! | displacement along an axis `d` (unit vector, fixed in B) | `d.(p_A - p_B)` | `d` at `p_A` |
+//! | arc length along a track, height above one | `track.rs` | `track.rs` |
 //! | distance of two points | `abs(p_A - p_B)` | `(p_A - p_B)/abs(p_A - p_B)` at `p_A` |
 //!
 //! `p` are the anchors (m), `e` unit vectors at right angles to the axis, one at the start, and `l` a length of the joint (m) that
@@ -18,14 +19,18 @@
 //! Assumptions: what the joint keeps holds. An angle is known up to whole revolutions. Two points at one place have no direction:
 //! there is no row then.
 
+use super::coordinate_at::AtLever;
+pub(crate) use super::coordinate_at::CoordinateAt;
 use super::end::EndKinematics;
 use super::line;
-use super::row::{BilateralRow, RowKind};
+use super::row::RowKind;
+use super::track::Guide;
 use polhode_spatial::{DVec3, Rotation};
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// A coordinate of a joint.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum Measured {
     /// Unit vectors: the axis in the axes of B, and those at right angles to it in the axes of A and B.
     Angle {
@@ -38,47 +43,10 @@ pub(super) enum Measured {
         axis: DVec3,
     },
     Distance,
-}
-
-/// A coordinate in given states.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct CoordinateAt {
-    /// m; of an angle the length of its arc.
-    pub(crate) value: f64,
-    /// m/s.
-    pub(crate) rate: f64,
-    /// m/s^2.
-    pub(crate) bias: f64,
-    /// Where a force along the coordinate acts, world, m.
-    pub(crate) point: DVec3,
-    /// Its direction on A (unit vector, world).
-    pub(crate) direction: DVec3,
-    /// Of an angle: the moment on A that such a force of 1 N stands for, N m, world.
-    pub(crate) moment: Option<DVec3>,
-    /// Of an angle: such a force at the lever of B.
-    at_second: Option<AtLever>,
-}
-
-/// A force at a lever of a body, which stands for the moment about a hinge.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct AtLever {
-    point: DVec3,
-    direction: DVec3,
-    rate: f64,
-    bias: f64,
-}
-
-impl CoordinateAt {
-    /// The same with the force of an angle at the lever of B, which turns with that body.
-    pub(super) fn at_lever_of_second(self) -> Self {
-        let at = |AtLever { point, direction, rate, bias }| Self { rate, bias, point, direction, ..self };
-        self.at_second.map_or(self, at)
-    }
-
-    /// The row that keeps the coordinate at a value (m).
-    pub(super) fn row(&self, value: f64) -> BilateralRow {
-        BilateralRow { kind: RowKind::Along(self.direction), gap: self.value - value, rate: self.rate, bias: self.bias }
-    }
+    /// Arc length along a track.
+    Along(Arc<Guide>),
+    /// Height above the side to which a track pushes.
+    Height(Arc<Guide>),
 }
 
 impl Measured {
@@ -97,7 +65,7 @@ impl Measured {
     pub(super) fn axis(&self) -> Option<DVec3> {
         match *self {
             Self::Angle { axis, .. } | Self::Displacement { axis } => Some(axis),
-            Self::Distance => None,
+            Self::Distance | Self::Along(_) | Self::Height(_) => None,
         }
     }
 
@@ -109,19 +77,11 @@ impl Measured {
                 let way = a.point - b.point;
                 let row = line::row(axis, way, a, &b.at_point(a.point));
                 let RowKind::Along(direction) = row.kind else { return None };
-                let point = a.point;
-                let (moment, at_second) = (None, None);
-                Some(CoordinateAt {
-                    value: row.gap,
-                    rate: row.rate,
-                    bias: row.bias,
-                    point,
-                    direction,
-                    moment,
-                    at_second,
-                })
+                Some(CoordinateAt::displacement(&row, a.point, direction))
             }
             Self::Distance => distance(a, b),
+            Self::Along(ref guide) => Some(guide.along(a, b, near)),
+            Self::Height(ref guide) => guide.height(a, b),
         }
     }
 }

@@ -12,18 +12,22 @@
 //! | rod | the distance of two points | all but displacements along their line |
 //! | rope | nothing: limits of a distance are stops | all |
 //! | planar | a point in a plane, and its normal (`planar.rs`) | displacements in it and the rotation about the normal |
+//! | track | a point on a curve (`track.rs`), or in its plane and on one side of it, or nothing: springs | the displacement along it, all rotations |
 
 use super::coordinate::{CoordinateAt, Measured};
-use super::end::{End, Order};
+use super::end::{End, EndKinematics, Order};
 use super::joint_coordinate::{JointCoordinate, coordinates};
 use super::kept::Kept;
 use super::row::RowsAt;
 use super::stop::Stop;
-use super::{cylindrical, fixed, hinge, planar, point, screw, slider, universal};
+use super::track::Guide;
+use super::{cylindrical, fixed, hinge, on_track, planar, point, screw, slider, universal};
 use crate::body_id::BodyId;
-use crate::scene::{Coordinate, Joint, JointKind, Motor};
+use crate::scene::{Coordinate, Joint, JointKind, Motor, TrackHold};
 use polhode_contact::ContactKinematics;
+use polhode_spatial::curve::Curve;
 use polhode_spatial::{DVec3, Pose, Rotation, Velocity};
+use std::sync::Arc;
 
 /// How a joint holds a body at the start: the pose of its moving frame, if that can change.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,11 +50,20 @@ pub(crate) struct WorldJoint {
     stops: Vec<Stop>,
     /// Length of its rows of rotation, m.
     length: f64,
+    /// Its track, if it is one.
+    guide: Option<Arc<Guide>>,
+    hold: Option<TrackHold>,
+    lets_go_at_ends: bool,
 }
 
 impl WorldJoint {
-    /// A joint of a scene, where this is how bodies are held at the start. `length` is that of rows of rotation, m.
-    pub(crate) fn new(number: usize, joint: &Joint, held: impl Fn(usize) -> HeldBody, length: f64) -> Self {
+    /// A joint of a scene with these tracks, where this is how bodies are held at the start. `length` is that of rows of rotation, m.
+    pub(crate) fn new(
+        (number, joint): (usize, &Joint),
+        tracks: &[Arc<Curve>],
+        held: impl Fn(usize) -> HeldBody,
+        length: f64,
+    ) -> Self {
         let held = |body: Option<usize>| body.map(|body| (body, held(body)));
         let [a, b] = [held(Some(joint.body().index())), held(joint.other().map(BodyId::index))];
         let end = |held: Option<(usize, HeldBody)>, anchor: DVec3| match held {
@@ -63,6 +76,7 @@ impl WorldJoint {
             Some((_, HeldBody::Movable(pose) | HeldBody::Kinematic(pose))) => pose.rotation,
         };
         let attitudes = (attitude(a), attitude(b));
+        let guide = on_track::guide(joint, tracks, attitudes.1).map(Arc::new);
         let kept = match joint.kind() {
             JointKind::Ball => Kept::point(),
             JointKind::Hinge { axis } => hinge::kept(axis.get(), attitudes),
@@ -74,10 +88,14 @@ impl WorldJoint {
             JointKind::Planar { normal } => planar::kept(normal.get(), attitudes),
             JointKind::Rod { to } => Kept::distance((joint.anchor() - to).length()),
             JointKind::Rope { .. } => Kept::nothing(),
+            JointKind::Track { hold, .. } => on_track::kept(guide.as_ref(), hold, attitudes),
         };
-        let coordinates = coordinates(joint, attitudes, length);
-        let stops = coordinates.iter().flat_map(Stop::of).collect();
-        Self { number, a: end(a, joint.anchor()), b: end(b, joint.other_anchor()), kept, coordinates, stops, length }
+        let coordinates = coordinates(joint, attitudes, length, guide.as_ref());
+        let of_track = guide.iter().flat_map(|guide| on_track::stops(guide, joint.kind()));
+        let stops = coordinates.iter().flat_map(Stop::of).chain(of_track).collect();
+        let (a, b) = (end(a, joint.anchor()), end(b, joint.other_anchor()));
+        let (hold, lets_go_at_ends) = (on_track::hold(joint.kind()), on_track::lets_go_at_ends(joint.kind()));
+        Self { number, a, b, kept, coordinates, stops, length, guide, hold, lets_go_at_ends }
     }
 
     /// The movable bodies that it holds.
@@ -140,9 +158,12 @@ impl WorldJoint {
 
     /// The axis of one of its coordinates (unit vector, world): of an angle or a displacement; zero of a distance.
     pub(super) fn axis_of(&self, place: usize, motion: impl Fn(usize) -> (Pose, Velocity)) -> DVec3 {
-        let b = self.b.at(motion);
-        let axis = self.coordinates.get(place).and_then(|own| own.measured.axis());
-        axis.map_or(DVec3::ZERO, |axis| b.rotation.rotate(axis))
+        let Some(own) = self.coordinates.get(place) else { return DVec3::ZERO };
+        let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
+        match (&own.measured, own.measured.axis()) {
+            (Measured::Along(guide), _) => guide.along(&a, &b, 0.0).direction,
+            (_, axis) => axis.map_or(DVec3::ZERO, |axis| b.rotation.rotate(axis)),
+        }
     }
 
     /// Length of its rows of rotation, m.
@@ -168,6 +189,37 @@ impl WorldJoint {
     /// The movable bodies at its first and second end.
     pub(super) fn ends(&self) -> [Option<usize>; 2] {
         [self.a.body(), self.b.body()]
+    }
+
+    /// Its ends in given states.
+    pub(super) fn ends_at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> [EndKinematics; 2] {
+        [&self.a, &self.b].map(|end| end.at(&motion))
+    }
+
+    /// Its track, if it is one.
+    pub(super) fn guide(&self) -> Option<&Guide> {
+        self.guide.as_deref()
+    }
+
+    /// Whether it holds a body to a track.
+    pub(crate) fn is_on_track(&self) -> bool {
+        self.guide.is_some()
+    }
+
+    /// Whether it is a track that lets go at its ends.
+    pub(crate) fn lets_go_at_ends(&self) -> bool {
+        self.lets_go_at_ends && self.guide().is_some_and(|guide| guide.ends().is_some())
+    }
+
+    /// Whether its body is beyond an end at which it lets go.
+    pub(super) fn has_passed_end(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> bool {
+        let [a, b] = self.ends_at(motion);
+        self.lets_go_at_ends && self.guide().is_some_and(|guide| guide.is_beyond(&a, &b))
+    }
+
+    /// How its track holds its body, if it is one.
+    pub(super) fn hold(&self) -> Option<TrackHold> {
+        self.hold
     }
 
     /// How many rows it has.

@@ -1,6 +1,7 @@
 //! The contacts at joints: their stops (`stop.rs`) and their dry friction (`joint_friction.rs`).
 
 use super::joint::WorldJoint;
+use super::stop::Stop;
 use crate::collision::contact_id::{ContactId, Feature};
 use crate::collision::contact_set::FoundContact;
 use crate::world::World;
@@ -62,6 +63,13 @@ impl World {
             Feature::Stop(stop) => self.joint_numbered(stop.joint)?.stop_at(stop.stop, motion),
             Feature::JointFriction(of) => self.friction_kinematics(states, of),
         }
+    }
+
+    /// Whether a contact is the side of a track that pushes.
+    pub(crate) fn is_side_of_track(&self, id: ContactId) -> bool {
+        let Feature::Stop(stop) = id.feature else { return false };
+        let of = self.joint_numbered(stop.joint).and_then(|joint| joint.stop(stop.stop));
+        of.is_some_and(Stop::is_side_of_track)
     }
 
     /// Coefficient of restitution of a contact.

@@ -81,13 +81,16 @@ impl JointForce {
     pub(crate) fn of(joint: &WorldJoint, slot: impl Fn(usize) -> Option<usize>) -> impl Iterator<Item = Self> {
         let ends = joint.ends().map(|body| body.and_then(|body| Some((body, slot(body)?))));
         joint.coordinates().iter().enumerate().flat_map(move |(place, coordinate)| {
-            let &JointCoordinate { measured, unit, near, freedom, .. } = coordinate;
+            let JointCoordinate { measured, unit, near, freedom, .. } = coordinate.clone();
             let spring = Source::Spring { stiffness: freedom.stiffness(), rest: freedom.rest() };
             let spring = (freedom.stiffness() > 0.0).then_some(spring);
             let damper = (freedom.damping() > 0.0).then_some(Source::Damper { damping: freedom.damping() });
             let motor = freedom.motor().map(Source::Motor);
             let sources = [spring, damper, motor].into_iter().flatten();
-            sources.map(move |source| Self { joint: joint.clone(), place, measured, unit, near, source, ends })
+            sources.map(move |source| {
+                let measured = measured.clone();
+                Self { joint: joint.clone(), place, measured, unit, near, source, ends }
+            })
         })
     }
 

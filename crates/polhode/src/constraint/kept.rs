@@ -4,8 +4,11 @@ use super::end::EndKinematics;
 use super::perpendicular::Perpendicular;
 use super::row::RowsAt;
 use super::thread::Thread;
+use super::track::{self, Guide};
+use super::track_frame::Followed;
 use super::{coordinate, line, point};
 use polhode_spatial::{DVec3, Rotation};
+use std::sync::Arc;
 
 /// Along which directions the point of A stays at that of B.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,6 +18,8 @@ enum StaysAlong {
     Some(Vec<DVec3>),
     /// Along the line through both: their distance stays this, m.
     Line(f64),
+    /// Across a track, with what of the body turns with it.
+    Track(Arc<Guide>, Option<Followed>),
 }
 
 /// What a joint keeps.
@@ -47,6 +52,11 @@ impl Kept {
         Self { displacement: StaysAlong::Line(distance), rotation: Vec::new(), thread: None }
     }
 
+    /// A point of A stays on a track, and this follows it.
+    pub(super) fn track(guide: &Arc<Guide>, followed: Option<Followed>) -> Self {
+        Self { displacement: StaysAlong::Track(Arc::clone(guide), followed), rotation: Vec::new(), thread: None }
+    }
+
     /// These pairs of directions of the world, the first fixed in A and the second in B, stay perpendicular too.
     pub(super) fn with_rotation<const N: usize>(
         mut self,
@@ -68,6 +78,7 @@ impl Kept {
             StaysAlong::All => point::ROWS,
             StaysAlong::Some(directions) => directions.len(),
             StaysAlong::Line(_) => 1,
+            StaysAlong::Track(_, followed) => track::ROWS + followed.as_ref().map_or(0, Followed::rows),
         };
         displacement + self.rotation.len() + usize::from(self.thread.is_some())
     }
@@ -76,7 +87,7 @@ impl Kept {
     /// B, the force acts between them; where it slides, at the point of A.
     pub(super) fn rows_at(&self, mut a: EndKinematics, mut b: EndKinematics, length: f64) -> RowsAt {
         let gap = a.point - b.point;
-        let thread = self.thread.and_then(|thread| thread.row(&a, &b));
+        let thread = self.thread.as_ref().and_then(|thread| thread.row(&a, &b));
         let mut rows: Vec<_> = match &self.displacement {
             StaysAlong::All => {
                 if !a.is_in_world() && !b.is_in_world() {
@@ -93,6 +104,12 @@ impl Kept {
                 let row = coordinate::distance(&a, &b).map(|at| at.row(*distance));
                 b = b.at_point(a.point);
                 row.into_iter().collect()
+            }
+            StaysAlong::Track(guide, followed) => {
+                let mut rows = guide.rows(&a, &b).to_vec();
+                rows.extend(followed.iter().flat_map(|own| own.rows_at(guide, (&a, &b), length)));
+                b = b.at_point(a.point);
+                rows
             }
         };
         rows.extend(self.rotation.iter().map(|pair| pair.row(&a, &b, length)));

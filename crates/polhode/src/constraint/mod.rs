@@ -6,6 +6,7 @@
 //! | pivot | hold, three rows | none: it never breaks |
 //! | joint | hold, rows of its kind (`joint.rs`) | none: it never breaks |
 //! | stop: a limit of a joint (`stop.rs`) | push, as a contact without friction | separation; margin to contact break |
+//! | track with one side: a stop across it (`track.rs`) | push, as a stop | as of a stop; the end of an open track, where the joint lets go (`released.rs`) |
 //! | friction of a joint (`joint_friction.rs`) | a contact with friction that a given force presses | slip; margin of the cone |
 //!
 //! Whoever adds a kind of joint adds one file, its line in the list of `joint.rs`, and its data in `scene/joint.rs`.
@@ -17,6 +18,7 @@
 
 pub(crate) mod bilateral;
 mod coordinate;
+mod coordinate_at;
 pub(crate) mod coordinate_id;
 mod cylindrical;
 mod end;
@@ -32,9 +34,11 @@ mod kept;
 mod line;
 pub(crate) mod locator;
 mod motors;
+mod on_track;
 mod perpendicular;
 mod planar;
 mod point;
+pub(crate) mod released;
 pub(crate) mod row;
 mod screw;
 mod slider;
@@ -43,6 +47,9 @@ pub(crate) mod softness;
 mod stop;
 pub(crate) mod stop_id;
 mod thread;
+mod track;
+pub(crate) mod track_frame;
+pub(crate) mod track_springs;
 mod universal;
 
 use crate::collision::contact_id::ContactId;

@@ -26,6 +26,13 @@ pub(crate) enum RowKind {
         /// The axis.
         about: DVec3,
     },
+    /// Rotation about an axis, times a length (m, world), with displacement along a direction times a part of it (no unit, world).
+    Turning {
+        /// The direction times its part.
+        along: DVec3,
+        /// The axis.
+        about: DVec3,
+    },
 }
 
 /// A row of a bilateral constraint.
@@ -46,7 +53,9 @@ impl BilateralRow {
         match self.kind {
             RowKind::Along(direction) => (direction * member.sign, member.arm.cross(direction) * member.sign),
             RowKind::About(axis) => (DVec3::ZERO, axis * member.sign),
-            RowKind::Helix { along, about } => (along * member.sign, (member.arm.cross(along) + about) * member.sign),
+            RowKind::Helix { along, about } | RowKind::Turning { along, about } => {
+                (along * member.sign, (member.arm.cross(along) + about) * member.sign)
+            }
         }
     }
 }

@@ -13,8 +13,10 @@
 use super::coordinate::{CoordinateAt, Measured};
 use super::end::Order;
 use super::joint_coordinate::JointCoordinate;
+use super::track::Guide;
 use crate::scene::Limits;
 use polhode_contact::{ContactGeometry, ContactKinematics};
+use std::sync::Arc;
 
 /// On which side of a stop the coordinate is free.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,7 +35,7 @@ impl FreeSide {
 }
 
 /// A limit of a coordinate.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Stop {
     measured: Measured,
     /// m; of an angle the length of its arc.
@@ -47,16 +49,36 @@ pub(super) struct Stop {
 impl Stop {
     /// The stops of a coordinate.
     pub(super) fn of(coordinate: &JointCoordinate) -> impl Iterator<Item = Self> + use<> {
-        let JointCoordinate { measured, unit, near, freedom, .. } = *coordinate;
+        let JointCoordinate { measured, unit, near, freedom, .. } = coordinate.clone();
         let stop = move |limits: Limits, limit: f64, side| {
             let restitution = limits.restitution();
             let (limit, middle) = (limit * unit, near * unit);
+            let measured = measured.clone();
             limit.is_finite().then_some(Self { measured, limit, side, middle, restitution })
         };
         let both = move |limits: Limits| {
             [stop(limits, limits.lower(), FreeSide::Above), stop(limits, limits.upper(), FreeSide::Below)]
         };
         freedom.limits().into_iter().flat_map(both).flatten()
+    }
+
+    /// The side of a track that pushes, with this coefficient of restitution.
+    pub(super) fn one_side(guide: &Arc<Guide>, restitution: f64) -> Self {
+        let measured = Measured::Height(Arc::clone(guide));
+        Self { measured, limit: 0.0, side: FreeSide::Above, middle: 0.0, restitution }
+    }
+
+    /// Whether it is the side of a track that pushes.
+    pub(super) fn is_side_of_track(&self) -> bool {
+        matches!(self.measured, Measured::Height(_))
+    }
+
+    /// The ends of a track, at these arc lengths (m), with this coefficient of restitution.
+    pub(super) fn at_ends(guide: &Arc<Guide>, [first, last]: [f64; 2], restitution: f64) -> [Self; 2] {
+        [(first, FreeSide::Above), (last, FreeSide::Below)].map(|(limit, side)| {
+            let measured = Measured::Along(Arc::clone(guide));
+            Self { measured, limit, side, middle: limit, restitution }
+        })
     }
 
     /// Where the stop acts in given states; none where the coordinate has no direction.

@@ -11,7 +11,7 @@ use polhode_spatial::{DVec3, Rotation};
 use std::f64::consts::TAU;
 
 /// A displacement along an axis that goes with the rotation about it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Thread {
     displacement: Measured,
     angle: Measured,

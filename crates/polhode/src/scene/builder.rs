@@ -1,11 +1,15 @@
 //! Builds a scene from its parts and checks them together.
 
 use super::error::positive;
-use super::{Body, DEFAULT_GRAVITY, Force, Joint, Method, PairRule, Scene, SceneError, Tier, TierFeature, force};
+use super::{
+    Body, DEFAULT_GRAVITY, Force, Joint, Method, PairRule, Scene, SceneError, Tier, TierFeature, TrackId, force,
+};
 use crate::body_id::BodyId;
 use crate::joint_id::JointId;
 use polhode_spatial::DVec3;
+use polhode_spatial::curve::Curve;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// Simulated time when none is given, s.
 const DEFAULT_DURATION_S: f64 = 1.0;
@@ -38,6 +42,7 @@ impl SceneBuilder {
                 bodies: Vec::new(),
                 forces: Vec::new(),
                 joints: Vec::new(),
+                tracks: Vec::new(),
                 pair_rules: Vec::new(),
                 no_contact: Vec::new(),
                 start_separation_m: 0.0,
@@ -99,6 +104,12 @@ impl SceneBuilder {
         JointId::new(self.scene.joints.len() - 1)
     }
 
+    /// Adds a track, a curve of the world at the start, and returns its handle, for [`JointKind::Track`](super::JointKind::Track).
+    pub fn add_track(&mut self, curve: Curve) -> TrackId {
+        self.scene.tracks.push(Arc::new(curve));
+        TrackId::new(self.scene.tracks.len() - 1)
+    }
+
     /// One more rule for a pair of materials.
     pub fn pair_rule(mut self, rule: PairRule) -> Self {
         self.scene.pair_rules.push(rule);
@@ -124,7 +135,7 @@ impl SceneBuilder {
     /// asks for something that is not yet available. Bodies that overlap are found later, by
     /// [`Simulation::new`](crate::Simulation::new).
     pub fn build(self) -> Result<Scene, SceneError> {
-        let scene = self.scene;
+        let mut scene = self.scene;
         positive("duration", scene.duration_s)?;
         positive("output.interval", scene.output_interval_s)?;
         let separation_m = scene.start_separation_m;
@@ -155,6 +166,7 @@ impl SceneBuilder {
             force::check(number, force, &scene.bodies)?;
         }
         force::check_integrator(scene.method.integrator, &scene.forces)?;
+        scene.place_on_tracks()?;
         scene.check_joints()?;
         scene.check_joint_method()?;
         scene.check_grains()?;

@@ -1,7 +1,7 @@
 //! Errors of a scene: why it is refused.
 
 use super::MotionError;
-use crate::few_digits::length;
+use crate::few_digits::{self, length};
 use polhode_contact::ShapeError;
 use polhode_dynamics::field::FieldError;
 use thiserror::Error;
@@ -168,6 +168,23 @@ pub enum SceneError {
         lower: f64,
         /// The upper limit.
         upper: f64,
+    },
+    /// A body begins off its track.
+    #[error(
+        "joint {number} begins {how}, {} mm away: at most {} mm are taken as digits of a file, and its anchor is moved onto the track; \
+         place the body on it",
+        few_digits::number(*distance_mm),
+        few_digits::number(*most_mm)
+    )]
+    OffTrack {
+        /// Its number.
+        number: usize,
+        /// In which way.
+        how: &'static str,
+        /// How far, mm.
+        distance_mm: f64,
+        /// How far it may be, mm.
+        most_mm: f64,
     },
     /// Joints in a tier that has none.
     #[error("joints are not yet available in tier `{tier}`: use tier {instead}")]

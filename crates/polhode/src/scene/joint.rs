@@ -5,6 +5,7 @@
 //! and its work is in the ledger. Jointed bodies do not collide with each other.
 
 use super::freedom::{Coordinate, Freedom, Limits, LimitsError};
+use super::track::{TrackEnds, TrackHold, TrackId};
 use crate::body_id::BodyId;
 use polhode_spatial::{DVec3, UnitVector};
 
@@ -59,6 +60,15 @@ pub enum JointKind {
         /// The anchor of the other body at the start, world, m.
         to: DVec3,
     },
+    /// Displacement along a curve that is fixed in the other body or in the world, and all rotations about the anchor.
+    Track {
+        /// The curve, world at the start.
+        track: TrackId,
+        /// How it holds the anchor.
+        hold: TrackHold,
+        /// What happens at its ends, if it is open.
+        ends: TrackEnds,
+    },
 }
 
 impl JointKind {
@@ -75,6 +85,7 @@ impl JointKind {
             Self::Planar { .. } => "planar",
             Self::Rod { .. } => "rod",
             Self::Rope { .. } => "rope",
+            Self::Track { .. } => "track",
         }
     }
 
@@ -92,7 +103,7 @@ impl JointKind {
     pub const fn coordinates(self) -> &'static [Coordinate] {
         match self {
             Self::Hinge { .. } | Self::Screw { .. } => &[Coordinate::Angle],
-            Self::Slider { .. } => &[Coordinate::Displacement],
+            Self::Slider { .. } | Self::Track { .. } => &[Coordinate::Displacement],
             Self::Cylindrical { .. } => &[Coordinate::Angle, Coordinate::Displacement],
             Self::Rope { .. } => &[Coordinate::Distance],
             Self::Ball | Self::Universal { .. } | Self::Fixed | Self::Planar { .. } | Self::Rod { .. } => &[],
@@ -210,6 +221,11 @@ impl Joint {
     /// The same joint with another body in the place of the world.
     pub const fn with(self, other: BodyId) -> Self {
         Self { other: Some(other), ..self }
+    }
+
+    /// The same joint at another point of the world at the start, m.
+    pub(crate) const fn at(self, anchor: DVec3) -> Self {
+        Self { anchor, ..self }
     }
 
     /// What it leaves free.

@@ -110,12 +110,12 @@ impl Scene {
             _ => HeldBody::Fixed,
         };
         // The length of rows of rotation cancels.
-        let world_joint = WorldJoint::new(number, joint, held, 1.0);
+        let world_joint = WorldJoint::new((number, joint), &self.tracks, held, 1.0);
         let (mut apart, mut across) = (0.0, 0.0);
         for row in world_joint.rows_at(motion).rows {
             match row.kind {
                 RowKind::Along(_) | RowKind::Helix { .. } => apart = libm::hypot(apart, row.rate),
-                RowKind::About(_) => across = libm::hypot(across, row.rate),
+                RowKind::About(_) | RowKind::Turning { .. } => across = libm::hypot(across, row.rate),
             }
         }
         let (mut speed, mut turning) = (0.0, 0.0);

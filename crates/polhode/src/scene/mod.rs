@@ -13,6 +13,7 @@
 //! | `force` | [`Force`]: forces besides uniform gravity and contact |
 //! | `freedom` | [`Coordinate`], [`Freedom`]: what a joint leaves free, and what acts along it: [`Limits`], springs, a [`Motor`] |
 //! | `joint` | [`Joint`]: what holds two bodies, or a body and the world, together; `joint_checks` says when one is refused |
+//! | `track` | [`TrackId`], [`TrackHold`]: curves that bodies follow; `joint_on_track` places bodies on them |
 //! | [`motion`] | prescribed motions of kinematic bodies |
 //! | `method` | [`Method`]: the tier and the settings that override its choices; [`TierFacts`] says what a tier is |
 //! | `laws` | [`ImpactLaw`], [`ContactMethod`], [`Response`], [`Integrator`] and other choices of a method |
@@ -28,11 +29,13 @@ mod geometry;
 mod grain;
 mod joint;
 mod joint_checks;
+mod joint_on_track;
 mod laws;
 mod material;
 mod method;
 pub mod motion;
 mod pairs;
+mod track;
 
 pub use crate::tier::facts::{
     ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature, TierPromise,
@@ -56,9 +59,12 @@ pub use motion::{
 };
 pub use polhode_dynamics::field::{DragLaw, Frame, Signal};
 pub use polhode_response::RestitutionLaw;
+pub use track::{Follows, OneSide, TrackEnds, TrackHold, TrackId, TrackSprings};
 
 use crate::body_id::BodyId;
 use polhode_spatial::DVec3;
+use polhode_spatial::curve::Curve;
+use std::sync::Arc;
 
 /// Standard gravity of the scene format, m/s^2.
 pub const DEFAULT_GRAVITY: DVec3 = DVec3::new(0.0, 0.0, -9.81);
@@ -77,6 +83,7 @@ pub struct Scene {
     pub(crate) bodies: Vec<Body>,
     pub(crate) forces: Vec<Force>,
     pub(crate) joints: Vec<Joint>,
+    pub(crate) tracks: Vec<Arc<Curve>>,
     pub(crate) pair_rules: Vec<PairRule>,
     pub(crate) no_contact: Vec<Vec<usize>>,
     pub(crate) start_separation_m: f64,

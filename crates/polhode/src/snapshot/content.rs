@@ -23,6 +23,8 @@ pub(crate) struct Content {
     pub(crate) steered: Vec<Steered>,
     /// Motors that a program has given joints.
     pub(crate) motors: Vec<Motor>,
+    /// Joints that hold nothing any more.
+    pub(crate) released: Vec<usize>,
     /// Whether the motion is confined to the plane of its start.
     pub(crate) in_plane: bool,
     /// Name of the integrator of free motion that the plan has chosen.
@@ -391,6 +393,8 @@ pub(crate) struct Island {
     pub(crate) settling: Vec<(Contact, bool)>,
     /// Directions in which rotations (spinning: true) begin.
     pub(crate) turning: Vec<(Contact, bool, Vector)>,
+    /// Joints whose bodies run off the ends of their tracks then.
+    pub(crate) running_off: Vec<usize>,
 }
 
 /// [`FrictionMode`](crate::collision::friction_mode::FrictionMode).

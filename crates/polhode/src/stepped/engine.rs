@@ -5,6 +5,7 @@ use super::island_steps::advance_islands;
 use super::islands::{Island, IslandSearch, islands};
 use super::present_forces::STICKING_RELATIVE;
 use super::rest::{Resting, may_rest, touching_groups};
+use super::track_ends::let_go_at_ends_of_tracks;
 use crate::accounting::books::Received;
 use crate::accounting::long_steps::Movement;
 use crate::collision::contact_id::ContactId;
@@ -212,6 +213,7 @@ impl SteppedEngine {
             touching.extend(report.touching.iter().copied());
         }
         core.world.prescribe(t_next, &mut self.states);
+        let_go_at_ends_of_tracks(core, &self.states, t_next)?;
         core.t = t_next;
         let before = std::mem::replace(&mut self.touching, touching);
         if compares {

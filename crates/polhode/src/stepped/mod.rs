@@ -26,6 +26,7 @@ mod island_steps;
 mod islands;
 mod present_forces;
 mod rest;
+mod track_ends;
 
 pub(crate) use engine::SteppedEngine;
 pub(crate) use facts::FACTS;

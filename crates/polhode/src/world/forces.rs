@@ -5,7 +5,9 @@
 
 use super::field_index::{FieldIndex, acted_on};
 use super::model::World;
+use crate::constraint::joint::WorldJoint;
 use crate::constraint::joint_forces::JointForce;
+use crate::constraint::track_springs::TrackSpring;
 use crate::scene::SceneError;
 use crate::snapshot::SnapshotError;
 use polhode_dynamics::field::{
@@ -33,11 +35,15 @@ impl World {
             }
             fields.extend(made);
         }
-        let at_joints = self.joints.iter().flat_map(|joint| JointForce::of(joint, |body| self.slot(body)));
+        let holding: Vec<&WorldJoint> = self.joints.iter().filter(|joint| !self.is_released(joint)).collect();
+        let at_joints = holding.iter().flat_map(|joint| JointForce::of(joint, |body| self.slot(body)));
         let at_joints: Vec<JointForce> = at_joints.collect();
+        let springs = holding.iter().flat_map(|joint| TrackSpring::of(joint, |body| self.slot(body)));
+        let springs: Vec<TrackSpring> = springs.collect();
         self.first_joint_force = fields.len();
         fields.extend(at_joints.iter().map(|force| Box::new(force.clone()) as Box<dyn Field>));
         self.joint_forces = at_joints;
+        fields.extend(springs.into_iter().map(|spring| Box::new(spring) as Box<dyn Field>));
         for (&body, wrench) in &self.applied {
             let force = self.scene.forces().len();
             let made = applied_fields(self.slot(body), wrench);
@@ -53,7 +59,7 @@ impl World {
                 self.couplings.push(together.into_iter().map(|slot| self.movable[slot]).collect());
             }
         }
-        for joint in &self.joints {
+        for joint in self.joints.iter().filter(|joint| !self.released.contains(&joint.number())) {
             let together: Vec<usize> = joint.bodies().collect();
             let slots: Vec<usize> = together.iter().filter_map(|&body| self.slot(body)).collect();
             if slots.len() > 1 {

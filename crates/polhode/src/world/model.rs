@@ -111,6 +111,10 @@ pub(crate) struct World {
     pub(super) applied: BTreeMap<usize, Wrench>,
     /// The motors that a program has given coordinates of joints; none where it has taken one away.
     pub(crate) motors: BTreeMap<(usize, Coordinate), Option<Motor>>,
+    /// Numbers of the joints that hold nothing any more.
+    pub(crate) released: BTreeSet<usize>,
+    /// How many joints are on tracks that let go at their ends.
+    pub(crate) ending_tracks: usize,
     /// The motions that a program has given kinematic bodies.
     pub(super) steered: BTreeMap<usize, Steered>,
     /// Potential energy of the fields at the start, J.
@@ -193,6 +197,8 @@ impl World {
             applied: BTreeMap::new(),
             steered: BTreeMap::new(),
             motors: BTreeMap::new(),
+            released: BTreeSet::new(),
+            ending_tracks: 0,
             initial_field_potential: 0.0,
             start_potential_j: 0.0,
             plane: None,
@@ -214,25 +220,30 @@ impl World {
                 own if own.trajectory.is_some() => HeldBody::Kinematic(states[body].pose),
                 _ => HeldBody::Fixed,
             };
-            WorldJoint::new(number, joint, held, row_length(moving.map(size)))
+            WorldJoint::new((number, joint), &self.scene.tracks, held, row_length(moving.map(size)))
         });
         self.joints = made.collect();
+        self.ending_tracks = self.joints.iter().filter(|joint| joint.lets_go_at_ends()).count();
         self.index_joints();
     }
 
     /// Enters the joints at their bodies, and the bodies that constraint rows hold.
-    fn index_joints(&mut self) {
+    pub(crate) fn index_joints(&mut self) {
         self.joints_of.clear();
         for (number, joint) in self.joints.iter().enumerate() {
+            if self.released.contains(&joint.number()) {
+                continue;
+            }
             for body in joint.bodies() {
                 self.joints_of.entry(body).or_default().push(number);
             }
         }
-        let drivers: BTreeSet<usize> = self.joints.iter().filter_map(WorldJoint::driver).collect();
+        let drivers: BTreeSet<usize> =
+            self.joints.iter().filter(|joint| !self.is_released(joint)).filter_map(WorldJoint::driver).collect();
         self.joint_drivers = drivers.into_iter().collect();
         self.joint_contacts.clear();
         self.joint_contact_partners.clear();
-        for joint in &self.joints {
+        for joint in self.joints.iter().filter(|joint| !self.released.contains(&joint.number())) {
             let number = joint.number();
             let stops = (0..joint.stops()).map(|stop| Feature::Stop(StopId { joint: number, stop }));
             let friction = joint.coordinates_with_friction();

@@ -67,4 +67,5 @@ mod table_edge;
 mod threads;
 mod tier_choice;
 mod touching_without_pressing;
+mod tracks;
 mod units;

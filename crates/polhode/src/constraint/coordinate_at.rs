@@ -1,0 +1,51 @@
+//! A coordinate of a joint in given states: its value, its rate, and the row of forces along it.
+
+use super::row::{BilateralRow, RowKind};
+use polhode_spatial::DVec3;
+
+/// A coordinate in given states.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct CoordinateAt {
+    /// m; of an angle the length of its arc.
+    pub(crate) value: f64,
+    /// m/s.
+    pub(crate) rate: f64,
+    /// m/s^2.
+    pub(crate) bias: f64,
+    /// Where a force along the coordinate acts, world, m.
+    pub(crate) point: DVec3,
+    /// Its direction on A (unit vector, world).
+    pub(crate) direction: DVec3,
+    /// Of an angle: the moment on A that such a force of 1 N stands for, N m, world.
+    pub(crate) moment: Option<DVec3>,
+    /// Of an angle: such a force at the lever of B.
+    pub(super) at_second: Option<AtLever>,
+}
+
+/// A force at a lever of a body, which stands for the moment about a hinge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct AtLever {
+    pub(super) point: DVec3,
+    pub(super) direction: DVec3,
+    pub(super) rate: f64,
+    pub(super) bias: f64,
+}
+
+impl CoordinateAt {
+    /// That of a row of displacement along a direction (unit vector, world) at a point (m), whose gap is its value.
+    pub(super) fn displacement(row: &BilateralRow, point: DVec3, direction: DVec3) -> Self {
+        let BilateralRow { gap: value, rate, bias, .. } = *row;
+        Self { value, rate, bias, point, direction, moment: None, at_second: None }
+    }
+
+    /// The same with the force of an angle at the lever of B, which turns with that body.
+    pub(super) fn at_lever_of_second(self) -> Self {
+        let at = |AtLever { point, direction, rate, bias }| Self { rate, bias, point, direction, ..self };
+        self.at_second.map_or(self, at)
+    }
+
+    /// The row that keeps the coordinate at a value (m).
+    pub(super) fn row(&self, value: f64) -> BilateralRow {
+        BilateralRow { kind: RowKind::Along(self.direction), gap: self.value - value, rate: self.rate, bias: self.bias }
+    }
+}
