@@ -6,7 +6,7 @@ use polhode::SceneError;
 use polhode::contact::{ApproximateError, ShapeError};
 use polhode::dynamics::field::FieldError;
 use polhode::mesh::{MeshError, PrimitiveError};
-use polhode::scene::{FreedomError, LimitsError, MotionError, OverlapAtStart};
+use polhode::scene::{FreedomError, GearError, LimitsError, MotionError, OverlapAtStart};
 use polhode::spatial::{InertiaError, MassPropertiesError, RotationError, UnitVectorError};
 use std::fmt::{self, Write as _};
 use std::io;
@@ -325,6 +325,9 @@ pub enum Refusal {
     /// A spring, a damper or a motor of a joint is refused.
     #[error(transparent)]
     Freedom(#[from] FreedomError),
+    /// A gear that is refused.
+    #[error(transparent)]
+    Gear(#[from] GearError),
     /// A mesh file is refused.
     #[error(transparent)]
     MeshFile(#[from] MeshFileError),

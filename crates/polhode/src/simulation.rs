@@ -311,7 +311,9 @@ impl Simulation {
 
     /// Poses and velocities of all bodies at the present, by [`BodyId::index`].
     pub fn bodies(&self) -> Vec<BodySample> {
-        self.tier.samples(&self.core)
+        let mut samples = self.tier.samples(&self.core);
+        samples.truncate(self.core.world.shown());
+        samples
     }
 
     /// Contacts that touch at the present, with their forces. Single forces may not be unique ([`ContactView`]).
@@ -389,7 +391,9 @@ impl Simulation {
     /// # Errors
     /// When the contact forces cannot be found.
     pub fn accelerations(&mut self) -> Result<Vec<Acceleration>, SimulationError> {
-        self.tier.accelerations(&mut self.core)
+        let mut accelerations = self.tier.accelerations(&mut self.core)?;
+        accelerations.truncate(self.core.world.shown());
+        Ok(accelerations)
     }
 
     /// How far the bodies at rest are from moving at the present: how far friction may fall, and how far the scene may be tilted
@@ -455,6 +459,7 @@ impl Simulation {
             applied: self.core.world.applied(),
             steered: self.core.world.steered(),
             motors: self.core.world.motors(),
+            turns: self.core.world.turns(),
             in_plane: self.core.world.plane.is_some(),
             integrator: self.core.settings.integrator.name().to_owned(),
             plan: self.plan.save(&self.plan_at_start),
@@ -487,6 +492,7 @@ impl Simulation {
         world.replace_applied(&content.applied)?;
         world.replace_steered(&content.steered)?;
         world.replace_motors(&content.motors)?;
+        world.replace_turns(&content.turns)?;
         world.plane = self.plane_at_start.filter(|_| content.in_plane);
         settings.integrator = Integrator::from_name(&content.integrator)
             .map_err(|_| SnapshotError::Invalid("it names an integrator that does not exist"))?;

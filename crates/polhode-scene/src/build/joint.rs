@@ -47,6 +47,25 @@ impl<'a> Entry<'a> {
     }
 }
 
+/// What acts along the coordinates of the joint of an entry, with the path of its keys.
+pub(super) fn freedoms<'a>(kind: &'a JointKindEntry, path: &KeyPath) -> Vec<(Coordinate, &'a FreedomEntry, KeyPath)> {
+    let (name, angle, displacement) = match kind {
+        JointKindEntry::Hinge(own) => ("hinge", own.angle.as_ref(), None),
+        JointKindEntry::Slider(own) => ("slider", None, own.displacement.as_ref()),
+        JointKindEntry::Cylindrical(own) => ("cylindrical", own.angle.as_ref(), own.displacement.as_ref()),
+        JointKindEntry::Screw(own) => ("screw", own.angle.as_ref(), None),
+        JointKindEntry::Ball(_)
+        | JointKindEntry::Universal(_)
+        | JointKindEntry::Fixed(_)
+        | JointKindEntry::Planar(_)
+        | JointKindEntry::Rod(_)
+        | JointKindEntry::Rope(_) => return Vec::new(),
+    };
+    let both = [(Coordinate::Angle, angle), (Coordinate::Displacement, displacement)];
+    let path = |coordinate: Coordinate| path.key(name).key(coordinate.name());
+    both.into_iter().filter_map(|(coordinate, own)| Some((coordinate, own?, path(coordinate)))).collect()
+}
+
 fn joint(kind: &JointKindEntry, bodies: &Bodies<'_>, path: &KeyPath) -> Result<Joint, Fault> {
     let entry = entry(kind, path)?;
     let anchor = vector(entry.anchor, &entry.anchor_path)?;

@@ -2,7 +2,8 @@
 
 use super::exactly::{Exactly, Vector};
 use super::{
-    ArrayEntry, BodyEntry, ForceEntry, FrictionEntry, JointEntry, MethodEntry, ModelEntry, StaticFrictionEntry,
+    ArrayEntry, BodyEntry, ForceEntry, FrictionEntry, GearEntry, JointEntry, MethodEntry, ModelEntry,
+    StaticFrictionEntry,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -54,6 +55,9 @@ pub struct SceneFile {
     /// What holds two bodies, or a body and the world, together. Jointed bodies do not collide with each other.
     #[serde(default)]
     pub joints: Vec<JointEntry>,
+    /// Coordinates of two joints that move together.
+    #[serde(default)]
+    pub gears: Vec<GearEntry>,
     /// Groups of bodies that do not collide with each other.
     #[serde(default)]
     pub no_contact: Vec<NoContactEntry>,

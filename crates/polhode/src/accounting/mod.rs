@@ -282,7 +282,8 @@ impl Accounts {
         if !observer.wants_samples() {
             return true;
         }
-        let samples: Vec<_> = states.iter().enumerate().map(|(body, state)| world.sample(body, state)).collect();
+        let shown = states.iter().take(world.shown()).enumerate();
+        let samples: Vec<_> = shown.map(|(body, state)| world.sample(body, state)).collect();
         observer.sample(t, &samples);
         true
     }

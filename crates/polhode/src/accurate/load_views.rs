@@ -1,6 +1,7 @@
 //! Forces of pivots, and forces and moments of joints, at one instant.
 //!
-//! A joint does what its reactions do, and what its stops and its friction do at levers.
+//! A joint does what its reactions do, what gears and prescribed motions do along its coordinates, and what its stops and its
+//! friction do at levers.
 //!
 //! If constraint rows hold the body, it is the force of these rows. If the motion is reduced to rotation about the
 //! pivot, it follows from Newton's law for the centre of mass, `F = m (a_cm - g) - F_fields - sum +-n f`, with
@@ -11,6 +12,7 @@ use super::hold::Forces;
 use crate::collision::contact_set::Touch;
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::Reaction;
+use crate::constraint::ties::LoadOfTie;
 use crate::core::Core;
 use crate::frame::{JointView, PivotView};
 use crate::rows::assembly::free_acceleration;
@@ -93,6 +95,11 @@ impl Engine {
             for (of, reaction) in forces.assembly.reactions(&forces.solution.forces) {
                 if let ConstraintId::Joint { joint, .. } = of.id {
                     views.insert(joint, view(joint, of.point, (reaction.force, reaction.moment)));
+                }
+                for LoadOfTie { joint, point, force, moment } in world.joint_loads_of_tie(of, reaction) {
+                    let own = views.entry(joint).or_insert_with(|| view(joint, point, (DVec3::ZERO, DVec3::ZERO)));
+                    own.force_n += force;
+                    own.moment_n_m += moment + (point - own.point_m).cross(force);
                 }
             }
             for (index, (touch, normal)) in members.iter().zip(forces.of_contacts()).enumerate() {

@@ -53,10 +53,21 @@ pub(crate) struct CoordinateAt {
     pub(crate) point: DVec3,
     /// Its direction on A (unit vector, world).
     pub(crate) direction: DVec3,
-    /// Of an angle: the moment on A that such a force of 1 N stands for, N m, world.
-    pub(crate) moment: Option<DVec3>,
+    /// Of an angle: the moment on A that such a force of 1 N stands for.
+    pub(crate) moment: Option<AsMoment>,
     /// Of an angle: such a force at the lever of B.
     at_second: Option<AtLever>,
+}
+
+/// The row of an angle as a moment about the axis, without a lever.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct AsMoment {
+    /// The moment on A of a multiplier of 1 N, N m, world: the axis times the length.
+    pub(crate) axis: DVec3,
+    /// m/s.
+    pub(crate) rate: f64,
+    /// m/s^2.
+    pub(crate) bias: f64,
 }
 
 /// A force at a lever of a body, which stands for the moment about a hinge.
@@ -137,7 +148,8 @@ fn angle(
     let at_a = a.rotation.rotate(of_a);
     let angle = libm::atan2(axis.dot(at_b.cross(at_a)), at_b.dot(at_a));
     let whole = libm::round((near / length - angle) / (2.0 * PI));
-    let turning = length * b.angular.cross(axis).dot(a.angular - b.angular);
+    let turns = a.angular - b.angular;
+    let turning = length * b.angular.cross(axis).dot(turns);
     let at_lever = |lever: DVec3| {
         let direction = axis.cross(lever);
         // What the joint keeps at the anchor determines the acceleration there along the direction of the force.
@@ -153,7 +165,7 @@ fn angle(
         bias,
         point,
         direction,
-        moment: Some(axis * length),
+        moment: Some(AsMoment { axis: axis * length, rate: length * axis.dot(turns), bias: turning }),
         at_second: Some(at_lever(at_b)),
     }
 }

@@ -139,7 +139,7 @@ impl Field for JointForce {
             let (Some(state), Some(wrench)) = (states.get(*slot), wrenches.get_mut(*slot)) else { continue };
             let along = along * sign;
             if let Some(moment) = at.moment {
-                wrench.torque += moment * along;
+                wrench.torque += moment.axis * along;
             } else {
                 let force = at.direction * along;
                 wrench.force += force;

@@ -5,6 +5,7 @@
 //! | contact | push; with its tangents a cone, or a slide | separation; margin of its features; margin to contact break; with friction the slip and the rotation against their directions, and the margin of the cone |
 //! | pivot | hold, three rows | none: it never breaks |
 //! | joint | hold, rows of its kind (`joint.rs`) | none: it never breaks |
+//! | tie: a gear, or a prescribed motion of a joint (`tie.rs`) | hold, one row | none: it never breaks |
 //! | stop: a limit of a joint (`stop.rs`) | push, as a contact without friction | separation; margin to contact break |
 //! | friction of a joint (`joint_friction.rs`) | a contact with friction that a given force presses | slip; margin of the cone |
 //!
@@ -43,12 +44,14 @@ pub(crate) mod softness;
 mod stop;
 pub(crate) mod stop_id;
 mod thread;
+pub(crate) mod tie;
+pub(crate) mod ties;
 mod universal;
 
 use crate::collision::contact_id::ContactId;
 use polhode_contact::ContactKinematics;
 
-/// Identity of a constraint: contacts before pivots, each in its own order.
+/// Identity of a constraint: contacts before pivots, then joints, then ties, each in its own order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum ConstraintId {
     /// A contact point, by its bodies and the features that meet.
@@ -65,6 +68,13 @@ pub(crate) enum ConstraintId {
         /// Its bodies; the same body twice if it connects the body to the world.
         bodies: (usize, usize),
     },
+    /// A tie.
+    Tie {
+        /// Its number.
+        tie: usize,
+        /// Two of its movable bodies; the same body twice if it has one.
+        bodies: (usize, usize),
+    },
 }
 
 impl ConstraintId {
@@ -73,7 +83,7 @@ impl ConstraintId {
         match *self {
             Self::Contact(id) => (id.a, id.b),
             Self::Pivot { body } => (body, body),
-            Self::Joint { bodies, .. } => bodies,
+            Self::Joint { bodies, .. } | Self::Tie { bodies, .. } => bodies,
         }
     }
 
@@ -81,7 +91,7 @@ impl ConstraintId {
     pub(crate) fn contact(&self) -> Option<ContactId> {
         match *self {
             Self::Contact(id) => Some(id),
-            Self::Pivot { .. } | Self::Joint { .. } => None,
+            Self::Pivot { .. } | Self::Joint { .. } | Self::Tie { .. } => None,
         }
     }
 }

@@ -4,7 +4,7 @@ use super::ConstraintId;
 use super::bilateral::Bilateral;
 use super::coordinate::CoordinateAt;
 use super::joint_forces::{Gains, JointForce, Source};
-use super::row::{BilateralRow, Member, RowKind, RowsAt};
+use super::row::{BilateralRow, Member, Part, RowKind, RowsAt};
 use super::softness::{LinearForce, Softness};
 use crate::scene::Drive;
 use crate::world::World;
@@ -85,10 +85,10 @@ impl JointForce {
         let signs = first.ends.iter().zip([1.0, -1.0]);
         let member = |(end, sign): (&Option<(usize, usize)>, f64)| {
             let (body, _) = (*end)?;
-            Some(Member { body, arm: at.point - states[body].pose.translation, sign })
+            Some(Member { body, arm: at.point - states[body].pose.translation, sign, part: Part::First })
         };
         let members: Vec<Member> = signs.filter_map(member).collect();
-        let kind = at.moment.map_or(RowKind::Along(at.direction), RowKind::About);
+        let kind = at.moment.map_or(RowKind::Along(at.direction), |moment| RowKind::About(moment.axis));
         let mut row = BilateralRow { kind, gap: 0.0, rate: 0.0, bias: 0.0 };
         let rate = |member: &Member| {
             let (along, about) = row.entries(member);
@@ -109,7 +109,7 @@ impl JointForce {
         }
         let (first_body, second_body) = first.joint.pair();
         let id = ConstraintId::Joint { joint: first.joint.number(), bodies: (first_body, second_body) };
-        let rows = RowsAt { point: at.point, members, driver: None, rows: vec![row] };
+        let rows = RowsAt { point: at.point, members, drivers: Vec::new(), rows: vec![row] };
         softness.responds().then(|| Bilateral::soft(id, rows, softness))
     }
 }

@@ -23,6 +23,8 @@ pub(crate) struct Content {
     pub(crate) steered: Vec<Steered>,
     /// Motors that a program has given joints.
     pub(crate) motors: Vec<Motor>,
+    /// The angles whose revolutions gears count, rad, by the numbers of the gears.
+    pub(crate) turns: Vec<(usize, f64)>,
     /// Whether the motion is confined to the plane of its start.
     pub(crate) in_plane: bool,
     /// Name of the integrator of free motion that the plan has chosen.
@@ -504,6 +506,8 @@ pub(crate) enum Held {
     Pivot(usize),
     /// A joint and its bodies.
     Joint(usize, (usize, usize)),
+    /// A gear or a prescribed motion, by its number, and two of its bodies.
+    Tie(usize, (usize, usize)),
 }
 
 /// The tier `thesis`.

@@ -20,6 +20,7 @@ use crate::sampling::emit_samples_before;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::parts::{restored_flight, restored_forces, restored_id, save_contact, save_flight};
 use crate::snapshot::{SnapshotError, content};
+use crate::solve::contradiction::refuse_contradictions;
 use crate::solve::held_at_rest::HeldAtRest;
 use crate::states_of::{set_states, states_of};
 use crate::tier::{Reached, Tier};
@@ -186,6 +187,9 @@ impl SteppedEngine {
             self.come_to_rest(core, island).map_err(|source| Core::response_error(core.t, source))?;
         }
         let (resting, islands): (Vec<_>, Vec<_>) = all.into_iter().partition(|own| self.resting.contains_all(own));
+        for island in &islands {
+            refuse_contradictions(core, core.t, &self.states, &island.bodies)?;
+        }
         self.emit_samples_within(core, &islands, t_next, observer)?;
         self.fly(core, t_next);
         if core.effects == Effects::All {
@@ -212,6 +216,7 @@ impl SteppedEngine {
             touching.extend(report.touching.iter().copied());
         }
         core.world.prescribe(t_next, &mut self.states);
+        core.world.count_all_turns(&self.states);
         core.t = t_next;
         let before = std::mem::replace(&mut self.touching, touching);
         if compares {

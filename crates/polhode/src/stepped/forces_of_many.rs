@@ -31,6 +31,9 @@ pub(super) fn forces_of_many(
 ) -> Result<Option<PresentForces>, ResponseError> {
     let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let mut assembly = Assembly::new(world, states, bodies, rows)?;
+    if !assembly.problem.is_of_pairs() {
+        return Ok(None);
+    }
     let free = assembly.free_accelerations(world, states, loads);
     let mut blocks = Blocks::default();
     // The contact of each row along a tangent.

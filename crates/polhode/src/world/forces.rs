@@ -6,6 +6,7 @@
 use super::field_index::{FieldIndex, acted_on};
 use super::model::World;
 use crate::constraint::joint_forces::JointForce;
+use crate::constraint::tie::Tie;
 use crate::scene::SceneError;
 use crate::snapshot::SnapshotError;
 use polhode_dynamics::field::{
@@ -53,8 +54,9 @@ impl World {
                 self.couplings.push(together.into_iter().map(|slot| self.movable[slot]).collect());
             }
         }
-        for joint in &self.joints {
-            let together: Vec<usize> = joint.bodies().collect();
+        let of_joints = self.joints.iter().map(|joint| joint.bodies().collect::<Vec<usize>>());
+        let together: Vec<Vec<usize>> = of_joints.chain(self.ties.iter().map(Tie::bodies)).collect();
+        for together in together {
             let slots: Vec<usize> = together.iter().filter_map(|&body| self.slot(body)).collect();
             if slots.len() > 1 {
                 self.field_index.couple(self.couplings.len(), &slots);

@@ -6,6 +6,7 @@
 //! `reported.rs` transforms results back.
 
 use super::body::WorldBody;
+use super::carriages::add_carriages;
 use super::field_index::{FieldBuffers, FieldIndex};
 use super::steered::Steered;
 use crate::collision::contact_id::Feature;
@@ -14,6 +15,7 @@ use crate::constraint::coordinate_id::CoordinateId;
 use crate::constraint::joint::{HeldBody, WorldJoint, row_length};
 use crate::constraint::joint_forces::JointForce;
 use crate::constraint::stop_id::StopId;
+use crate::constraint::tie::Tie;
 use crate::pivot_form::{PivotForm, PivotRows};
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::scene::{Body, Coordinate, Motor, MovingFrames, Scene, SceneError};
@@ -21,6 +23,7 @@ use polhode_dynamics::field::{Field, Wrench};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The friction that any two bodies which may collide have.
@@ -77,8 +80,14 @@ pub(crate) struct World {
     pub(crate) joints: Vec<WorldJoint>,
     /// Which of them hold a movable body.
     pub(crate) joints_of: BTreeMap<usize, Vec<usize>>,
-    /// The kinematic bodies that joints hold, ascending.
+    /// The kinematic bodies that joints and ties hold, ascending.
     pub(crate) joint_drivers: Vec<usize>,
+    /// Gears and prescribed motions of joints.
+    pub(crate) ties: Vec<Tie>,
+    /// Which of them hold a movable body.
+    pub(crate) ties_of: BTreeMap<usize, Vec<usize>>,
+    /// The bodies that carry prescribed motions of joints.
+    pub(crate) carriages: Range<usize>,
     /// The contacts at joints, by their pairs of bodies, ascending.
     pub(crate) joint_contacts: BTreeMap<(usize, usize), Vec<Feature>>,
     /// The bodies that a body has such contacts with, itself for those with the world.
@@ -158,14 +167,17 @@ impl World {
             let form = if is_jointed { PivotForm::jointed(body) } else { pivot_rows.form(body, || may_collide(index)) };
             WorldBody::new(body, form, || may_collide(index))
         });
-        let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
+        let mut bodies = bodies.collect::<Result<Vec<_>, _>>()?;
+        let mut of_world = scene.clone();
+        bodies.extend(add_carriages(&mut of_world)?);
+        let carriages = scene.bodies().len()..bodies.len();
         let states: Vec<_> =
-            scene.bodies().iter().zip(&bodies).map(|(body, world)| world.state_at(body, 0.0)).collect();
+            of_world.bodies().iter().zip(&bodies).map(|(body, world)| world.state_at(body, 0.0)).collect();
         let movable: Vec<usize> = (0..bodies.len()).filter(|&body| bodies[body].moves()).collect();
         let prescribed = (0..bodies.len()).filter(|&body| bodies[body].trajectory.is_some()).collect();
         let rigid = bodies.iter().filter_map(|body| body.rigid).collect();
         let mut world = Self {
-            scene: scene.clone(),
+            scene: of_world,
             bodies,
             movable,
             prescribed,
@@ -174,6 +186,9 @@ impl World {
             joints: Vec::new(),
             joints_of: BTreeMap::new(),
             joint_drivers: Vec::new(),
+            ties: Vec::new(),
+            ties_of: BTreeMap::new(),
+            carriages,
             joint_contacts: BTreeMap::new(),
             joint_contact_partners: BTreeMap::new(),
             pivot_rows,
@@ -198,6 +213,8 @@ impl World {
             plane: None,
         };
         world.make_joints(&states);
+        world.make_ties(&states);
+        world.index_joints();
         world.make_fields()?;
         world.initial_field_potential = world.field_potential(&states);
         world.start_potential_j = world.sum_start_potentials();
@@ -217,7 +234,6 @@ impl World {
             WorldJoint::new(number, joint, held, row_length(moving.map(size)))
         });
         self.joints = made.collect();
-        self.index_joints();
     }
 
     /// Enters the joints at their bodies, and the bodies that constraint rows hold.
@@ -228,7 +244,9 @@ impl World {
                 self.joints_of.entry(body).or_default().push(number);
             }
         }
-        let drivers: BTreeSet<usize> = self.joints.iter().filter_map(WorldJoint::driver).collect();
+        self.index_ties();
+        let carriages = self.ties.iter().filter_map(Tie::carriage);
+        let drivers: BTreeSet<usize> = self.joints.iter().filter_map(WorldJoint::driver).chain(carriages).collect();
         self.joint_drivers = drivers.into_iter().collect();
         self.joint_contacts.clear();
         self.joint_contact_partners.clear();
@@ -298,6 +316,12 @@ impl World {
         self.steered.remove(&body);
         self.start_potential_j = self.sum_start_potentials();
         self.make_fields()
+    }
+
+    /// How many bodies samples and reports show: all but carriages at the end.
+    pub(crate) fn shown(&self) -> usize {
+        let all = self.bodies.len();
+        if self.carriages.end == all { self.carriages.start } else { all }
     }
 
     /// Mass properties of the movable bodies, shared.
