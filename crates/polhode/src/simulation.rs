@@ -338,7 +338,8 @@ impl Simulation {
         self.tier.pivots(&self.core, self.core.t, &self.tier.states(&self.core))
     }
 
-    /// Forces and moments of the joints at the present, in the order of their handles; in tier `accurate` alone.
+    /// Forces and moments of the joints at the present, in the order of their handles; by the law of time steps in tier
+    /// `stepped`, none in tier `thesis`.
     ///
     /// ```
     /// use polhode::mesh::solid_box;
@@ -459,6 +460,7 @@ impl Simulation {
             applied: self.core.world.applied(),
             steered: self.core.world.steered(),
             motors: self.core.world.motors(),
+            broken: self.core.world.broken(),
             turns: self.core.world.turns(),
             in_plane: self.core.world.plane.is_some(),
             integrator: self.core.settings.integrator.name().to_owned(),
@@ -491,6 +493,7 @@ impl Simulation {
         let mut world = self.core.world.clone();
         world.replace_applied(&content.applied)?;
         world.replace_steered(&content.steered)?;
+        world.replace_broken(&content.broken)?;
         world.replace_motors(&content.motors)?;
         world.replace_turns(&content.turns)?;
         world.plane = self.plane_at_start.filter(|_| content.in_plane);

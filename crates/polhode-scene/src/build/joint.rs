@@ -5,18 +5,23 @@ use super::fault::{Fault, Faults, positive, vector};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{
-    Exactly, FreedomEntry, JointEntry, JointFrictionEntry, JointKindEntry, MotorEntry, RopeEntry, SceneFile, Vector,
+    Exactly, FreedomEntry, JointEntry, JointFrictionEntry, JointKindEntry, MotorEntry, RopeEntry, SceneFile, StrengthEntry, Vector,
 };
 use polhode::BodyId;
 use polhode::scene::{
-    Coordinate, Drive, Freedom, FreedomError, Joint, JointFriction, JointKind, Limits, LimitsError, Motor,
+    Coordinate, Drive, Freedom, FreedomError, Joint, JointFriction, JointKind, Limits, LimitsError, Motor, Strength,
 };
 use polhode::spatial::{DVec3, UnitVector};
 
 /// The joints of the file.
 pub(super) fn build(file: &SceneFile, bodies: &Bodies<'_>, faults: &mut Faults) -> Vec<Joint> {
     let of_entry = |(index, entry): (usize, &JointEntry)| {
-        faults.note(joint(&entry.kind, bodies, &KeyPath::element("joints", index).key("type")))
+        let path = KeyPath::element("joints", index);
+        let joint = faults.note(joint(&entry.kind, bodies, &path.key("type")))?;
+        match entry.breaks_at.as_ref().map(|own| strength(own, &path.key("breaks_at"))) {
+            None => Some(joint),
+            Some(strength) => faults.note(strength).map(|strength| joint.breaking_at(strength)),
+        }
     };
     file.joints.iter().enumerate().filter_map(of_entry).collect()
 }
@@ -45,6 +50,30 @@ impl<'a> Entry<'a> {
         }
         Ok(self)
     }
+}
+
+/// The load at which a joint breaks.
+fn strength(entry: &StrengthEntry, path: &KeyPath) -> Result<Strength, Fault> {
+    let StrengthEntry { force, moment, impulse } = *entry;
+    if force.is_none() && moment.is_none() && impulse.is_none() {
+        let (what, needed) = ("the strength of a joint", "`force`, `moment` or `impulse`");
+        return Err((path.clone(), Refusal::Needs { what, needed }));
+    }
+    let at = |key: &str| {
+        let path = path.key(key);
+        move |error: FreedomError| (path, error.into())
+    };
+    let mut strength = Strength::default();
+    if let Some(force) = force {
+        strength = strength.force(force).map_err(at("force"))?;
+    }
+    if let Some(moment) = moment {
+        strength = strength.moment(moment).map_err(at("moment"))?;
+    }
+    if let Some(impulse) = impulse {
+        strength = strength.impulse(impulse).map_err(at("impulse"))?;
+    }
+    Ok(strength)
 }
 
 /// What acts along the coordinates of the joint of an entry, with the path of its keys.

@@ -17,6 +17,23 @@ pub struct JointEntry {
     /// What kind of joint.
     #[serde(rename = "type")]
     pub kind: JointKindEntry,
+    /// The load at which it breaks; without this key none breaks it.
+    pub breaks_at: Option<StrengthEntry>,
+}
+
+/// The load at which a joint breaks; at least one of the keys.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StrengthEntry {
+    /// The greatest force, N.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub force: Option<f64>,
+    /// The greatest moment at the anchor, N m.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub moment: Option<f64>,
+    /// The greatest impulse of an impact, N s; without this key impacts do not break it.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub impulse: Option<f64>,
 }
 
 /// Kinds of joint.

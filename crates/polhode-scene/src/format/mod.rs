@@ -54,7 +54,8 @@ pub(crate) use joint::JOINTS;
 pub use joint::{
     CoordinateMotionEntry, CoordinateName, CoordinateSineEntry, CoordinateTableEntry, CylindricalEntry, FreedomEntry,
     GearEntry, HingeEntry, JointEntry, JointFrictionEntry, JointKindEntry, MotorEntry, PlanarJointEntry,
-    PointJointEntry, RodEntry, RopeEntry, ScrewEntry, SliderEntry, UniversalJointEntry,
+    PointJointEntry, RodEntry, RopeEntry, ScrewEntry, SliderEntry, StrengthEntry,
+    UniversalJointEntry,
 };
 pub use method::{
     ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,

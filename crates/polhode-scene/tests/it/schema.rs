@@ -44,7 +44,7 @@ fn lists_what_is_accepted() {
         rotational wind points anchor stiffness rest_length damping propagation simultaneous reflection least-force active-set constraint impulse impulse-projection \
         impulse-unconditional title description static_friction rolling_friction spinning_friction along across \
         surface_velocity restitution_law approximate parts joints ball hinge universal fixed slider cylindrical planar anchor axis axes normal \
-        breakaway coefficient screw lead gears ratio coordinates rate values distance tangential_restitution arrays layout grid pyramid wall drop counts spacing base length height turn count seed stronge poisson newton whittaker chatterjee-ruina";
+        breakaway coefficient screw lead gears breaks_at moment ratio coordinates rate values distance tangential_restitution arrays layout grid pyramid wall drop counts spacing base length height turn count seed stronge poisson newton whittaker chatterjee-ruina";
     let integrators = Integrator::ALL.map(Integrator::name);
     for word in accepted.split_whitespace().chain(integrators) {
         assert!(words.iter().any(|known| known == word), "{word} is missing");

@@ -196,6 +196,7 @@ fn save_event(event: &Event) -> content::Event {
         EventKind::Stick => content::EventKind::Stick,
         EventKind::Slide => content::EventKind::Slide,
         EventKind::Jam => content::EventKind::Jam,
+        EventKind::Break => content::EventKind::Break,
     };
     let (point, normal) = (point.to_array(), normal.to_array());
     let (body_a, body_b) = (body_a.index(), body_b.map(BodyId::index));
@@ -216,6 +217,7 @@ fn restored_event(saved: &content::Event, bodies: usize) -> Result<Event, Snapsh
         content::EventKind::Stick => EventKind::Stick,
         content::EventKind::Slide => EventKind::Slide,
         content::EventKind::Jam => EventKind::Jam,
+        content::EventKind::Break => EventKind::Break,
     };
     Ok(Event {
         t_s: saved.t,

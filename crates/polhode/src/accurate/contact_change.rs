@@ -23,6 +23,8 @@ pub(super) struct ContactChange {
     pub(super) settling: BTreeSet<(ContactId, Turn)>,
     /// Rotations that friction can hold no longer, and the direction in which they begin (unit vectors, world).
     pub(super) turning: BTreeMap<(ContactId, Turn), DVec3>,
+    /// Joints that break then.
+    pub(super) breaking: BTreeSet<usize>,
 }
 
 impl ContactChange {
@@ -33,6 +35,7 @@ impl ContactChange {
         self.fading.extend(other.fading.iter().copied());
         self.slipping.extend(other.slipping.iter().map(|(&id, &direction)| (id, direction)));
         self.settling.extend(other.settling.iter().copied());
+        self.breaking.extend(&other.breaking);
         self.turning.extend(other.turning.iter().map(|(&turn, &direction)| (turn, direction)));
     }
 }

@@ -9,14 +9,15 @@
 
 use super::engine::Engine;
 use super::hold::Forces;
+use super::joint_breaks::loads_of;
 use crate::collision::contact_set::Touch;
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::Reaction;
-use crate::constraint::ties::LoadOfTie;
 use crate::core::Core;
 use crate::frame::{JointView, PivotView};
 use crate::rows::assembly::free_acceleration;
-use crate::{BodyId, JointId};
+use crate::BodyId;
+use crate::solve::joint_loads::joint_view;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::ComplementaritySolver;
 use polhode_spatial::DVec3;
@@ -88,35 +89,12 @@ impl Engine {
                 let joints = group.iter().filter_map(|body| world.joints_of.get(body)).flatten();
                 for joint in joints.map(|&place| &world.joints[place]) {
                     let (number, point_m) = (joint.number(), world.anchor_of(states, joint));
-                    views.insert(number, view(number, point_m, none));
+                    views.insert(number, joint_view(number, point_m, none));
                 }
                 continue;
             };
-            for (of, reaction) in forces.assembly.reactions(&forces.solution.forces) {
-                if let ConstraintId::Joint { joint, .. } = of.id {
-                    views.insert(joint, view(joint, of.point, (reaction.force, reaction.moment)));
-                }
-                for LoadOfTie { joint, point, force, moment } in world.joint_loads_of_tie(of, reaction) {
-                    let own = views.entry(joint).or_insert_with(|| view(joint, point, (DVec3::ZERO, DVec3::ZERO)));
-                    own.force_n += force;
-                    own.moment_n_m += moment + (point - own.point_m).cross(force);
-                }
-            }
-            for (index, (touch, normal)) in members.iter().zip(forces.of_contacts()).enumerate() {
-                let tangential = forces.friction(index).map_or(DVec3::ZERO, |friction| friction.force);
-                let on_first = touch.kinematics.geometry.normal * *normal + tangential;
-                let Some((joint, force)) = world.joint_force_of(touch.id, on_first) else { continue };
-                let anchor = world.joints.iter().find(|own| own.number() == joint);
-                let anchor = anchor.map_or(touch.kinematics.geometry.point, |own| world.anchor_of(states, own));
-                let own = views.entry(joint).or_insert_with(|| view(joint, anchor, (DVec3::ZERO, DVec3::ZERO)));
-                own.force_n += force;
-                own.moment_n_m += (touch.kinematics.geometry.point - own.point_m).cross(force);
-            }
+            views.extend(loads_of(core, states, (&forces, &members)));
         }
         views.into_values().collect()
     }
-}
-
-fn view(joint: usize, point_m: DVec3, (force_n, moment_n_m): (DVec3, DVec3)) -> JointView {
-    JointView { joint: JointId::new(joint), point_m, force_n, moment_n_m }
 }

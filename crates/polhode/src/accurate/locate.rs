@@ -62,7 +62,7 @@ impl Motions {
         let mut states = std::mem::take(&mut self.scratch);
         let mut search =
             StepSearch { core, step, start: &self.states, states: &mut states, tolerated: BTreeSet::new() };
-        let change = search.change_within(limit, pace);
+        let change = search.change_within(limit, pace).and_then(|found| search.or_earlier_break(found, limit));
         self.restore_scratch(core, states, &step.bodies);
         change
     }

@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | contact | push; with its tangents a cone, or a slide | separation; margin of its features; margin to contact break; with friction the slip and the rotation against their directions, and the margin of the cone |
 //! | pivot | hold, three rows | none: it never breaks |
-//! | joint | hold, rows of its kind (`joint.rs`) | none: it never breaks |
+//! | joint | hold, rows of its kind (`joint.rs`) | its strength less its load, if it has one (`breaking.rs`) |
 //! | tie: a gear, or a prescribed motion of a joint (`tie.rs`) | hold, one row | none: it never breaks |
 //! | stop: a limit of a joint (`stop.rs`) | push, as a contact without friction | separation; margin to contact break |
 //! | friction of a joint (`joint_friction.rs`) | a contact with friction that a given force presses | slip; margin of the cone |
@@ -17,6 +17,7 @@
 //! overlook nothing (`polhode-contact`).
 
 pub(crate) mod bilateral;
+mod breaking;
 mod coordinate;
 pub(crate) mod coordinate_id;
 mod cylindrical;

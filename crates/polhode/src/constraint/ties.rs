@@ -11,7 +11,7 @@ use crate::snapshot::SnapshotError;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose, Velocity};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What a tie does to the first body of a joint, world.
 #[derive(Debug, Clone, Copy)]
@@ -53,17 +53,25 @@ impl World {
         self.index_ties();
     }
 
-    /// Keeps the ties whose joints are still there, and enters them at their bodies.
+    /// Enters the ties whose joints are there at their bodies.
     pub(crate) fn index_ties(&mut self) {
-        let mut ties = std::mem::take(&mut self.ties);
-        ties.retain(|tie| tie.joints().all(|joint| self.joint_numbered(joint.number()).is_some()));
-        self.ties_of.clear();
-        for (place, tie) in ties.iter().enumerate() {
+        let mut ties_of: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for (place, tie) in self.ties.iter().enumerate().filter(|(_, tie)| self.is_at_work(tie)) {
             for body in tie.bodies() {
-                self.ties_of.entry(body).or_default().push(place);
+                ties_of.entry(body).or_default().push(place);
             }
         }
-        self.ties = ties;
+        self.ties_of = ties_of;
+    }
+
+    /// Whether the joints of a tie are there.
+    fn is_at_work(&self, tie: &Tie) -> bool {
+        tie.joints().all(|joint| self.joint_numbered(joint.number()).is_some())
+    }
+
+    /// The ties whose joints are there.
+    pub(crate) fn ties_at_work(&self) -> impl Iterator<Item = &Tie> {
+        self.ties.iter().filter(|tie| self.is_at_work(tie))
     }
 
     /// The ties of these bodies, in order.

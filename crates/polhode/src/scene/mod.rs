@@ -15,6 +15,7 @@
 //! | `joint` | [`Joint`]: what holds two bodies, or a body and the world, together; `joint_checks` says when one is refused |
 //! | `gear` | [`Gear`]: coordinates of two joints that move together |
 //! | `coordinate_motion` | [`CoordinateMotion`]: the prescribed motion of a coordinate; `tie_checks` says when one, or a gear, is refused |
+//! | `strength` | [`Strength`]: the load at which a joint breaks |
 //! | [`motion`] | prescribed motions of kinematic bodies |
 //! | `method` | [`Method`]: the tier and the settings that override its choices; [`TierFacts`] says what a tier is |
 //! | `laws` | [`ImpactLaw`], [`ContactMethod`], [`Response`], [`Integrator`] and other choices of a method |
@@ -37,6 +38,7 @@ mod material;
 mod method;
 pub mod motion;
 mod pairs;
+mod strength;
 mod tie_checks;
 
 pub use crate::tier::facts::{
@@ -59,6 +61,7 @@ pub use joint::{Joint, JointKind};
 pub use laws::{BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Orientation, Response, RotationRate};
 pub use material::{Material, PairRule};
 pub use method::{Crowding, Method};
+pub use strength::Strength;
 pub use motion::{
     Excursion, Interpolation, MotionError, MotionTable, PrescribedMotion, SampledOrientations, Trajectory,
 };

@@ -23,6 +23,8 @@ pub(crate) struct Content {
     pub(crate) steered: Vec<Steered>,
     /// Motors that a program has given joints.
     pub(crate) motors: Vec<Motor>,
+    /// The joints that have broken.
+    pub(crate) broken: Vec<usize>,
     /// The angles whose revolutions gears count, rad, by the numbers of the gears.
     pub(crate) turns: Vec<(usize, f64)>,
     /// Whether the motion is confined to the plane of its start.
@@ -279,6 +281,7 @@ pub(crate) enum EventKind {
     Stick,
     Slide,
     Jam,
+    Break,
 }
 
 /// The data from which the tier continues.
@@ -390,6 +393,8 @@ pub(crate) struct Island {
     pub(crate) slipping: Vec<(Contact, Vector)>,
     /// Rolling, then spinning.
     pub(crate) rotation: Vec<(Contact, [Option<Friction>; 2])>,
+    /// Joints that break at its end.
+    pub(crate) breaking: Vec<usize>,
     pub(crate) settling: Vec<(Contact, bool)>,
     /// Directions in which rotations (spinning: true) begin.
     pub(crate) turning: Vec<(Contact, bool, Vector)>,

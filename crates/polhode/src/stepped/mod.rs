@@ -24,6 +24,7 @@ mod forces_of_many;
 mod instant_forces;
 mod island_steps;
 mod islands;
+mod joint_breaks;
 mod present_forces;
 mod rest;
 

@@ -55,7 +55,7 @@ impl World {
             }
         }
         let of_joints = self.joints.iter().map(|joint| joint.bodies().collect::<Vec<usize>>());
-        let together: Vec<Vec<usize>> = of_joints.chain(self.ties.iter().map(Tie::bodies)).collect();
+        let together: Vec<Vec<usize>> = of_joints.chain(self.ties_at_work().map(Tie::bodies)).collect();
         for together in together {
             let slots: Vec<usize> = together.iter().filter_map(|&body| self.slot(body)).collect();
             if slots.len() > 1 {

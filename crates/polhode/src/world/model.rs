@@ -82,6 +82,10 @@ pub(crate) struct World {
     pub(crate) joints_of: BTreeMap<usize, Vec<usize>>,
     /// The kinematic bodies that joints and ties hold, ascending.
     pub(crate) joint_drivers: Vec<usize>,
+    /// Joints that have broken, by their numbers.
+    pub(crate) broken: BTreeMap<usize, WorldJoint>,
+    /// Whether any joint of the scene may break.
+    pub(crate) may_break: bool,
     /// Gears and prescribed motions of joints.
     pub(crate) ties: Vec<Tie>,
     /// Which of them hold a movable body.
@@ -186,6 +190,8 @@ impl World {
             joints: Vec::new(),
             joints_of: BTreeMap::new(),
             joint_drivers: Vec::new(),
+            broken: BTreeMap::new(),
+            may_break: scene.joints().iter().any(|joint| joint.strength().is_some()),
             ties: Vec::new(),
             ties_of: BTreeMap::new(),
             carriages,
@@ -237,7 +243,7 @@ impl World {
     }
 
     /// Enters the joints at their bodies, and the bodies that constraint rows hold.
-    fn index_joints(&mut self) {
+    pub(crate) fn index_joints(&mut self) {
         self.joints_of.clear();
         for (number, joint) in self.joints.iter().enumerate() {
             for body in joint.bodies() {
@@ -245,7 +251,8 @@ impl World {
             }
         }
         self.index_ties();
-        let carriages = self.ties.iter().filter_map(Tie::carriage);
+        let tied: BTreeSet<usize> = self.ties_of.values().flatten().copied().collect();
+        let carriages = tied.into_iter().filter_map(|tie| self.ties[tie].carriage());
         let drivers: BTreeSet<usize> = self.joints.iter().filter_map(WorldJoint::driver).chain(carriages).collect();
         self.joint_drivers = drivers.into_iter().collect();
         self.joint_contacts.clear();
@@ -309,6 +316,7 @@ impl World {
         self.bodies[body].trajectory = None;
         self.bodies[body].held = None;
         self.joints.retain(|joint| joint.bodies().all(|held| held != body));
+        self.broken.retain(|_, joint| joint.bodies().all(|held| held != body));
         self.index_joints();
         self.prescribed.retain(|&other| other != body);
         self.scene.bodies[body].geometry = None;

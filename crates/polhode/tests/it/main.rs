@@ -4,6 +4,7 @@
 
 mod bad_numbers;
 mod bounces_with_friction;
+mod breaking_joints;
 mod broad_phases;
 mod checks;
 mod constrained_methods;
