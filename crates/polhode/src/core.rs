@@ -47,7 +47,12 @@ impl Core {
     ///
     /// # Errors
     /// When the fields of the remaining joints cannot be made.
-    pub(crate) fn break_joints(&mut self, t: f64, states: &[BodyState], joints: &[usize]) -> Result<(), SimulationError> {
+    pub(crate) fn break_joints(
+        &mut self,
+        t: f64,
+        states: &[BodyState],
+        joints: &[usize],
+    ) -> Result<(), SimulationError> {
         if joints.is_empty() {
             return Ok(());
         }

@@ -3,6 +3,7 @@
 use crate::SimulationError;
 use crate::core::Core;
 use crate::frame::Frame;
+use crate::joint_sample::joint_samples;
 use crate::observer::Observer;
 use crate::tier::Tier;
 use polhode_dynamics::BodyState;
@@ -50,6 +51,9 @@ pub(crate) fn emit_sample(
         }
     }
     let emitted = core.accounts.emit_sample(&core.world, states, t, observer);
+    if emitted && observer.wants_joints() {
+        observer.joints(t, &joint_samples(tier, core, t, states));
+    }
     if emitted && observer.wants_frames() {
         observer.frame(&frame(tier, core, t, states));
     }

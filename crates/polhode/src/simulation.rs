@@ -10,6 +10,7 @@ use crate::executor::{Executor, OneThread};
 use crate::frame::{ContactView, Frame, IslandView, JointView, MotionKind, PivotView};
 use crate::free_method;
 use crate::joint_id::{CoordinateSample, JointId};
+use crate::joint_sample::{JointSample, joint_samples};
 use crate::observer::{BodySample, Flow, Observer, Unobserved};
 use crate::pivot_form::PivotRows;
 use crate::plan::Findings;
@@ -357,6 +358,11 @@ impl Simulation {
     /// ```
     pub fn joint_loads(&self) -> Vec<JointView> {
         self.tier.joint_loads(&self.core, self.core.t, &self.tier.states(&self.core))
+    }
+
+    /// The joints at the present, in the order of their handles: coordinates, loads and powers.
+    pub fn joints(&self) -> Vec<JointSample> {
+        joint_samples(&*self.tier, &self.core, self.core.t, &self.tier.states(&self.core))
     }
 
     /// A coordinate of a joint at the present; none of one that the joint does not have, or of a joint that was removed

@@ -5,7 +5,8 @@ use super::fault::{Fault, Faults, positive, vector};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{
-    Exactly, FreedomEntry, JointEntry, JointFrictionEntry, JointKindEntry, MotorEntry, RopeEntry, SceneFile, StrengthEntry, Vector,
+    Exactly, FreedomEntry, JointEntry, JointFrictionEntry, JointKindEntry, MotorEntry, RopeEntry, SceneFile,
+    StrengthEntry, Vector,
 };
 use polhode::BodyId;
 use polhode::scene::{
@@ -59,7 +60,7 @@ fn strength(entry: &StrengthEntry, path: &KeyPath) -> Result<Strength, Fault> {
         let (what, needed) = ("the strength of a joint", "`force`, `moment` or `impulse`");
         return Err((path.clone(), Refusal::Needs { what, needed }));
     }
-    let at = |key: &str| {
+    let at = |key: &'static str| {
         let path = path.key(key);
         move |error: FreedomError| (path, error.into())
     };

@@ -54,8 +54,7 @@ pub(crate) use joint::JOINTS;
 pub use joint::{
     CoordinateMotionEntry, CoordinateName, CoordinateSineEntry, CoordinateTableEntry, CylindricalEntry, FreedomEntry,
     GearEntry, HingeEntry, JointEntry, JointFrictionEntry, JointKindEntry, MotorEntry, PlanarJointEntry,
-    PointJointEntry, RodEntry, RopeEntry, ScrewEntry, SliderEntry, StrengthEntry,
-    UniversalJointEntry,
+    PointJointEntry, RodEntry, RopeEntry, ScrewEntry, SliderEntry, StrengthEntry, UniversalJointEntry,
 };
 pub use method::{
     ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,

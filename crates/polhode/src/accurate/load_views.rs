@@ -10,13 +10,13 @@
 use super::engine::Engine;
 use super::hold::Forces;
 use super::joint_breaks::loads_of;
+use crate::BodyId;
 use crate::collision::contact_set::Touch;
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::Reaction;
 use crate::core::Core;
 use crate::frame::{JointView, PivotView};
 use crate::rows::assembly::free_acceleration;
-use crate::BodyId;
 use crate::solve::joint_loads::joint_view;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::ComplementaritySolver;

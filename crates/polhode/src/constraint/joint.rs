@@ -143,6 +143,14 @@ impl WorldJoint {
         Some((measured.at(&a, &b, self.length, near)?, [a, b]))
     }
 
+    /// The velocity of its first body at its anchor relative to the second one or the world there, and its angular velocity relative to
+    /// that.
+    pub(super) fn slip(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> Velocity {
+        let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
+        let b = b.at_point(a.point);
+        Velocity::new(a.velocity - b.velocity, a.angular - b.angular)
+    }
+
     /// Where it holds its first body, world, m.
     pub(super) fn anchor(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> DVec3 {
         self.a.at(motion).point

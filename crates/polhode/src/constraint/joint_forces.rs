@@ -96,6 +96,14 @@ impl JointForce {
         self.joint.coordinate_at((&self.measured, self.near * self.unit), motion)
     }
 
+    /// Its effort times the rate of its coordinate, W.
+    pub(super) fn power(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> f64 {
+        self.coordinate_at(motion).map_or(0.0, |at| {
+            let rate = at.moment.map_or(at.rate, |moment| moment.rate) / self.unit;
+            self.source.effort(at.value / self.unit, rate) * rate
+        })
+    }
+
     fn at(&self, bodies: &[RigidBody], states: &[BodyState]) -> Option<CoordinateAt> {
         let motion = |body: usize| -> (Pose, Velocity) {
             let slot = self.ends.iter().flatten().find(|(own, _)| *own == body).map(|(_, slot)| *slot);

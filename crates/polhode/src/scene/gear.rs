@@ -27,13 +27,13 @@ pub enum GearError {
 /// A gear: a coordinate of one joint that moves by a ratio times a coordinate of another one.
 ///
 /// ```
-/// use polhode::mesh::solid_cylinder;
+/// use polhode::mesh::Cylinder;
 /// use polhode::prelude::*;
 /// use polhode::scene::Gear;
 /// use polhode::spatial::Velocity;
 /// // A wheel with 20 teeth drives one with 60 teeth: it turns three times as fast, the other way round.
 /// let wheel = |name: &str, radius: f64, rate: f64| -> Result<Body, Box<dyn std::error::Error>> {
-///     let body = Body::movable(name, solid_cylinder(radius, 0.02, Mass::new(1.0)?)?);
+///     let body = Body::movable(name, Cylinder::new(radius, 0.02)?.solid(Mass::new(1.0)?)?);
 ///     Ok(body.velocity(Velocity::new(DVec3::ZERO, DVec3::Z * rate)))
 /// };
 /// let mut scene = Scene::builder("gear");

@@ -55,6 +55,13 @@ impl Scene {
                 return Err(refused("its lead is zero or not finite: a displacement for each revolution is needed"));
             }
             check_limits(number, joint)?;
+            let is_none = |&coordinate: &Coordinate| {
+                let friction = joint.freedom(coordinate).and_then(|own| own.friction());
+                friction.is_some_and(|friction| friction.effort() == 0.0 && friction.arm() == 0.0)
+            };
+            if joint.kind().coordinates().iter().any(is_none) {
+                return Err(refused("its friction has neither an effort nor a bearing: one of both is needed"));
+            }
             let is_driven = joint.bodies().any(|body| self.bodies[body].motion().is_some());
             let has_forces = |&coordinate: &Coordinate| joint.freedom(coordinate).is_some_and(|own| own.has_forces());
             if is_driven && joint.kind().coordinates().iter().any(has_forces) {

@@ -61,12 +61,12 @@ pub use joint::{Joint, JointKind};
 pub use laws::{BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Orientation, Response, RotationRate};
 pub use material::{Material, PairRule};
 pub use method::{Crowding, Method};
-pub use strength::Strength;
 pub use motion::{
     Excursion, Interpolation, MotionError, MotionTable, PrescribedMotion, SampledOrientations, Trajectory,
 };
 pub use polhode_dynamics::field::{DragLaw, Frame, Signal};
 pub use polhode_response::RestitutionLaw;
+pub use strength::Strength;
 
 use crate::body_id::BodyId;
 use polhode_spatial::DVec3;

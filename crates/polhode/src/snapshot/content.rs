@@ -158,6 +158,8 @@ pub(crate) struct Certificate {
     pub(crate) max_penetration_m: f64,
     pub(crate) max_acceleration_error_bound: Option<f64>,
     pub(crate) max_step_error: Option<f64>,
+    pub(crate) max_joint_error_m: Option<f64>,
+    pub(crate) max_joint_error_rad: Option<f64>,
     pub(crate) estimated_error: Option<f64>,
     pub(crate) factorisations: u64,
     pub(crate) fallbacks: u64,

@@ -44,6 +44,13 @@ fn contradicted(core: &Core, t: f64, states: &[BodyState], bodies: &[usize]) -> 
     let still = assembly.uniform_accelerations(polhode_spatial::DVec3::ZERO);
     let constants = assembly.acceleration_constants(world, t, states, &still, std::iter::empty())?;
     let largest = constants.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
+    // Terms of motions that cancel leave the rounding of their parts.
+    let parts = bodies.iter().chain(world.prescribed()).map(|&body| {
+        let velocity = world.velocity(body, &states[body]);
+        let turning = velocity.angular.length();
+        turning * (turning * world.bodies[body].size + velocity.linear.length())
+    });
+    let largest = largest.max(parts.fold(0.0, f64::max));
     if largest == 0.0 {
         return Ok(None);
     }

@@ -23,7 +23,13 @@ impl SteppedEngine {
             if broken.is_empty() {
                 break;
             }
-            let bodies: Vec<usize> = core.world.joints.iter().filter(|joint| broken.contains(&joint.number())).flat_map(WorldJoint::bodies).collect();
+            let bodies: Vec<usize> = core
+                .world
+                .joints
+                .iter()
+                .filter(|joint| broken.contains(&joint.number()))
+                .flat_map(WorldJoint::bodies)
+                .collect();
             core.break_joints(core.t, &self.states, &broken)?;
             self.resting.wake_all();
             bodies.into_iter().for_each(|body| self.flights[body] = None);

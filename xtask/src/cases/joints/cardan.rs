@@ -7,7 +7,7 @@ use super::{bodies_at, rows_of_energy, run, scene};
 use crate::cases::{CaseResult, Context};
 use crate::row::Row;
 use glam::DVec3;
-use polhode::mesh::solid_cylinder;
+use polhode::mesh::Cylinder;
 use polhode::scene::{Coordinate, CoordinateMotion, Joint, JointKind};
 use polhode::spatial::{Mass, Pose, Rotation, UnitVector, Velocity};
 use polhode::{Body, Scene};
@@ -33,14 +33,14 @@ fn shafts(fork: Fork, duration_s: f64) -> super::Result<Scene> {
     let shaft = |name: &str, direction: DVec3, rate: f64| -> super::Result<Body> {
         let along_x = Rotation::from_rotation_vector(DVec3::Y * FRAC_PI_2);
         let rotation = Rotation::from_rotation_vector(super::turn_from_x(direction)) * along_x;
-        let body = Body::movable(name, solid_cylinder(0.05, 0.5, Mass::new(1.0)?)?);
+        let body = Body::movable(name, Cylinder::new(0.05, 0.5)?.solid(Mass::new(1.0)?)?);
         Ok(body.pose(Pose::new(rotation, direction * 0.3)).velocity(Velocity::new(DVec3::ZERO, direction * rate)))
     };
     let mut builder = scene("Cardan").duration_s(duration_s);
-    let driving = builder.add_body(shaft("driving", DVec3::X, 1.0)?.pose(Pose::new(
-        Rotation::from_rotation_vector(DVec3::Y * FRAC_PI_2),
-        DVec3::X * -0.3,
-    )));
+    let driving = builder.add_body(
+        shaft("driving", DVec3::X, 1.0)?
+            .pose(Pose::new(Rotation::from_rotation_vector(DVec3::Y * FRAC_PI_2), DVec3::X * -0.3)),
+    );
     let driven = builder.add_body(shaft("driven", other, ratio)?);
     let bearing = builder.add_joint(Joint::hinge(driving, DVec3::X * -0.3, UnitVector::X));
     builder.add_joint(Joint::hinge(driven, other * 0.3, UnitVector::new(other)?));
@@ -78,6 +78,11 @@ pub(crate) fn jt_11(context: &Context) -> CaseResult {
         let across = bodies[0].pose.rotation.rotate(DVec3::Y);
         across.z.atan2(across.y)
     });
-    rows.push(Row::at_most("JT-11", "error of the driving shaft's angle after 20 s, rad", 1e-11, (turned - 20.0).abs()));
+    rows.push(Row::at_most(
+        "JT-11",
+        "error of the driving shaft's angle after 20 s, rad",
+        1e-11,
+        (turned - 20.0).abs(),
+    ));
     Ok(rows)
 }

@@ -157,7 +157,11 @@ pub(crate) fn jt_09(context: &Context) -> CaseResult {
     let load = simulation.joint_loads()[0].force_n;
     let largest = simulation.accelerations()?.iter().map(|own| own.linear.length() / G).fold(0.0, f64::max);
     simulation.advance_to(1.0)?;
-    let moved = simulation.bodies().iter().zip(built.bodies()).map(|(now, then)| (now.pose.translation - then.initial_pose().translation).length());
+    let bodies = simulation.bodies();
+    let moved = bodies
+        .iter()
+        .zip(built.bodies())
+        .map(|(now, then)| (now.pose.translation - then.initial_pose().translation).length());
     let row = |quantity: &str, value: f64| context.reference.row("JT-09", quantity, value);
     Ok(vec![
         row("horizontal tension H", load.x.abs())?,

@@ -90,7 +90,10 @@ fn bricard(duration_s: f64) -> super::Result<Scene> {
         let (along, across) = (0.01 / 6.0, 1.01 / 12.0);
         let inertia = Inertia::from_diagonal(DVec3::new(along, across, across))?;
         let properties = MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, inertia);
-        let pose = Pose::new(Rotation::from_rotation_vector(super::turn_from_x(way)), (corners[link] + corners[link + 1]) * 0.5);
+        let pose = Pose::new(
+            Rotation::from_rotation_vector(super::turn_from_x(way)),
+            (corners[link] + corners[link + 1]) * 0.5,
+        );
         builder.add_body(Body::movable(format!("rod {link}"), properties).pose(pose));
     }
     for corner in 0..6 {

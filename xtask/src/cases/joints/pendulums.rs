@@ -1,6 +1,9 @@
 //! JT-01 to JT-03: pendulums of particles and rods.
 
-use super::{bodies_at, first_zero, from_hanging, hinge, massless_rod, particle, rod, rows_of_energy, run, scene, whole_angle, zeros};
+use super::{
+    bodies_at, first_zero, from_hanging, hinge, massless_rod, particle, rod, rows_of_energy, run, scene, whole_angle,
+    zeros,
+};
 use crate::cases::{CaseResult, Context};
 use glam::DVec3;
 use polhode::spatial::UnitVector;
@@ -80,7 +83,8 @@ pub(crate) fn jt_02(context: &Context) -> CaseResult {
     let whole = run(&scene)?;
     // The height turns where the vertical velocity is zero: at the lowest point, and where the bob is as high as at the start.
     let turns = zeros(&whole, 2, |bodies| bodies[0].velocity.linear.z)?;
-    let [lowest, highest] = [turns[0], turns[1]].map(|t| bodies_at(&scene, t).map(|bodies| polar(&bodies).to_degrees()));
+    let [lowest, highest] =
+        [turns[0], turns[1]].map(|t| bodies_at(&scene, t).map(|bodies| polar(&bodies).to_degrees()));
     rows.push(context.reference.row("JT-02", "polar angle range (deg from down)", [lowest?, highest?])?);
     let period = whole_angle(&run(&scene.clone().with_duration(turns[1])?)?, azimuth);
     rows.push(context.reference.row("JT-02", "vertical period, azimuth per period (rad)", [turns[1], period])?);
@@ -108,7 +112,8 @@ pub(crate) fn jt_03(context: &Context) -> CaseResult {
             let angle = |arm: usize| whole_angle(&run, |bodies| ways(bodies)[arm].x.atan2(-ways(bodies)[arm].z));
             let end: Vec<BodySample> = run.report.bodies.iter().map(|body| body.state).collect();
             let rate = |arm: usize| {
-                let (way, speeds) = (ways(&end)[arm], [end[0].velocity.linear, end[1].velocity.linear - end[0].velocity.linear]);
+                let (way, speeds) =
+                    (ways(&end)[arm], [end[0].velocity.linear, end[1].velocity.linear - end[0].velocity.linear]);
                 // The direction in which the angle grows is that of the arm turned by a quarter from -z to x.
                 speeds[arm].dot(DVec3::new(-way.z, 0.0, way.x)) / way.length_squared()
             };

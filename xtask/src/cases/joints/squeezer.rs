@@ -121,8 +121,21 @@ fn squeezer(duration_s: f64) -> super::Result<Scene> {
     let end = Attachment::Body { body: body(3), point: rotation.rotate(d - centres(START)[2]) };
     let torque = DVec3::Z * TORQUE;
     Ok(builder
-        .force(Force::Applied { body: body(1), force: DVec3::ZERO, torque, frame: Frame::World, point: None, signal: Signal::ONE })
-        .force(Force::Spring { a: end, b: Attachment::World(C), stiffness: SPRING.0, rest_length: SPRING.1, damping: 0.0 })
+        .force(Force::Applied {
+            body: body(1),
+            force: DVec3::ZERO,
+            torque,
+            frame: Frame::World,
+            point: None,
+            signal: Signal::ONE,
+        })
+        .force(Force::Spring {
+            a: end,
+            b: Attachment::World(C),
+            stiffness: SPRING.0,
+            rest_length: SPRING.1,
+            damping: 0.0,
+        })
         .build()?)
 }
 
@@ -156,7 +169,12 @@ pub(crate) fn jt_08(context: &Context) -> CaseResult {
     let end = at(0.03, turned)?;
     rows.push(context.reference.row("JT-08", quantity, end)?);
     rows.push(context.reference.row("JT-08", "t=0.01", at(0.01, 2.16)?)?);
-    rows.push(Row::info("JT-08", "beta at 0.03 s, against the 11 digits of 15.810771195", 15.810_771_195_153_691, end[0]));
+    rows.push(Row::info(
+        "JT-08",
+        "beta at 0.03 s, against the 11 digits of 15.810771195",
+        15.810_771_195_153_691,
+        end[0],
+    ));
     rows.extend(rows_of_energy("JT-08", &whole.report));
     Ok(rows)
 }
