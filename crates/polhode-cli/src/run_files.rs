@@ -131,7 +131,9 @@ fn show(mut pictures: Pictures, outcome: &str, report: &Value, interrupt: &Inter
 /// That stdout is asked for by one thing at the most.
 fn check_stdout(asked: &RunOutputArgs) -> Result<(), Failure> {
     let count = asked.output.iter().filter(|path| is_stdout(path)).count();
-    let refused = if asked.events.as_deref().is_some_and(is_stdout) {
+    let refused = if asked.joints.as_deref().is_some_and(is_stdout) {
+        "error: --joints -: only trajectories go to stdout, by -o -; give a file"
+    } else if asked.events.as_deref().is_some_and(is_stdout) {
         "error: --events -: only trajectories go to stdout, by -o -; give a file"
     } else if count > 1 {
         "error: -o - is named twice: every output needs a place of its own"

@@ -171,3 +171,40 @@ pub(crate) fn jt_09(context: &Context) -> CaseResult {
         Row::at_most("JT-09", "largest displacement after 1 s, m", 1e-9, moved.fold(0.0, f64::max)),
     ])
 }
+
+/// A hanging chain of a hundred links whose last one carries a million times their mass: it bears what statics says, and hangs still.
+pub(crate) fn heavy_end(_: &Context) -> CaseResult {
+    const CASE: &str = "chain with a heavy end";
+    const LINKS: usize = 100;
+    const LINK: (f64, f64) = (0.1, 0.01);
+    const HEAVY: f64 = 1e6 * LINK.1;
+    let (length, mass) = LINK;
+    let at = |place: usize| DVec3::Z * -(place as f64 * length);
+    let mut builder = scene("chain with a heavy end").duration_s(60.0).output_interval_s(1.0);
+    let mut above = None;
+    for link in 0..LINKS {
+        let body = builder.add_body(rod(&format!("link {link}"), mass, [at(link), at(link + 1)])?);
+        let joint = Joint::ball(body, at(link));
+        builder = builder.joint(above.map_or(joint, |above| joint.with(above)));
+        above = Some(body);
+    }
+    let properties = polhode::mesh::solid_sphere(0.5, polhode::spatial::Mass::new(HEAVY)?)?;
+    let load = polhode::Body::movable("load", properties);
+    let load = builder.add_body(load.pose(polhode::spatial::Pose::from_translation(at(LINKS) - DVec3::Z * 0.5)));
+    let last = Joint::ball(load, at(LINKS));
+    builder = builder.joint(above.map_or(last, |above| last.with(above)));
+    let built = builder.build()?;
+    let simulation = Simulation::new(&built)?;
+    let loads = simulation.joint_loads();
+    let error = loads.iter().enumerate().map(|(joint, load)| {
+        let hangs = HEAVY + mass * (LINKS - joint) as f64;
+        (load.force_n.length() / (hangs * G) - 1.0).abs()
+    });
+    let statics = error.fold(0.0, f64::max);
+    let still = run(&built)?;
+    Ok(vec![
+        Row::at_most(CASE, "error of the forces of its joints, relative", 1e-9, statics),
+        Row::at_most(CASE, "largest movement in 60 s, m", 1e-9, still.largest_movement_m()),
+        Row::at_most(CASE, "closure of the ledger", 1e-12, still.report.ledger.closure_relative()),
+    ])
+}

@@ -156,3 +156,53 @@ pub(crate) fn jt_07(context: &Context) -> CaseResult {
     rows.push(Row::at_most("JT-07", "change of energy in 10 s over the largest", 1e-12, change));
     Ok(rows)
 }
+
+/// A linkage of bars of 0.10, 0.30 and 0.25 m over a ground of 0.30 m, each with 1 kg for each metre, that swings without damping.
+pub(crate) fn linkage(_: &Context) -> CaseResult {
+    const CASE: &str = "four-bar linkage";
+    const BARS: [f64; 3] = [0.10, 0.30, 0.25];
+    const GROUND: f64 = 0.30;
+    let mut rows = Vec::new();
+    for start in [1.2_f64, 2.4] {
+        let crank = DVec3::new(start.cos(), 0.0, start.sin()) * BARS[0];
+        let foot = DVec3::X * GROUND;
+        let way = foot - crank;
+        let along = (BARS[1] * BARS[1] - BARS[2] * BARS[2] + way.length_squared()) / (2.0 * way.length());
+        let across = (BARS[1] * BARS[1] - along * along).sqrt();
+        let unit = way.normalize();
+        let pin = crank + unit * along + DVec3::new(-unit.z, 0.0, unit.x) * across;
+        let mut builder = scene("four-bar linkage").duration_s(5.0);
+        let bar = |name: &str, ends: [DVec3; 2]| rod(name, (ends[1] - ends[0]).length(), ends);
+        let crank_bar = builder.add_body(bar("crank", [DVec3::ZERO, crank])?);
+        let coupler = builder.add_body(bar("coupler", [crank, pin])?);
+        let rocker = builder.add_body(bar("rocker", [pin, foot])?);
+        for joint in [
+            hinge(crank_bar, DVec3::ZERO, UnitVector::Y),
+            hinge(coupler, crank, UnitVector::Y).with(crank_bar),
+            hinge(rocker, pin, UnitVector::Y).with(coupler),
+            hinge(rocker, foot, UnitVector::Y),
+        ] {
+            builder = builder.joint(joint);
+        }
+        let run = run(&builder.build()?)?;
+        let certificate = &run.report.certificate;
+        let named = |what: &str| format!("crank from {start} rad: {what}");
+        let energy = &run.report.energy;
+        let change = (energy.final_j - energy.initial_j).abs() / run.report.ledger.scale_j;
+        rows.push(Row::at_most(
+            CASE,
+            &named("largest gap of a hinge, m"),
+            1e-12,
+            certificate.max_joint_error_m.unwrap_or(f64::NAN),
+        ));
+        rows.push(Row::at_most(
+            CASE,
+            &named("largest tilt of a hinge, rad"),
+            1e-12,
+            certificate.max_joint_error_rad.unwrap_or(f64::NAN),
+        ));
+        rows.push(Row::at_most(CASE, &named("change of energy in 5 s over the largest"), 1e-12, change));
+        rows.extend(rows_of_energy(CASE, &run.report));
+    }
+    Ok(rows)
+}

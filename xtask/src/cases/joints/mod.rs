@@ -10,8 +10,8 @@ mod pendulums;
 mod squeezer;
 
 pub(super) use cardan::jt_11;
-pub(super) use chains::{jt_04, jt_05, jt_09};
-pub(super) use loops::{jt_06, jt_07};
+pub(super) use chains::{heavy_end, jt_04, jt_05, jt_09};
+pub(super) use loops::{jt_06, jt_07, linkage};
 pub(super) use pendulums::{jt_01, jt_02, jt_03};
 pub(super) use squeezer::jt_08;
 
