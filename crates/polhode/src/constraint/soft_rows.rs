@@ -9,6 +9,7 @@ use super::softness::{LinearForce, Softness};
 use crate::scene::Drive;
 use crate::world::World;
 use polhode_dynamics::BodyState;
+use polhode_dynamics::field::{Dependence, Field};
 use polhode_spatial::{Pose, Velocity};
 
 impl World {
@@ -17,6 +18,12 @@ impl World {
     pub(crate) fn kicks_of_joints(&self, states: &[BodyState], bodies: &[usize]) -> Vec<usize> {
         let own = self.joint_forces_among(bodies);
         own.filter(|(_, force)| force.is_constant(self, states)).map(|(number, _)| number).collect()
+    }
+
+    /// Whether any of these forces at joints, given as a kick, is that of a motor at its bound.
+    pub(crate) fn are_motors_at_bounds(&self, kicks: &[usize]) -> bool {
+        let force = |number: &usize| self.joint_forces.get(number.checked_sub(self.first_joint_force)?);
+        kicks.iter().filter_map(force).any(|force| force.dependence() == Dependence::Velocities)
     }
 
     /// The other forces at joints of these bodies as soft rows of a step of `h` (s) in the states of its middle; `kicks` are the

@@ -39,7 +39,7 @@ fn accelerations(angles: [f64; LINKS]) -> super::Result<[f64; LINKS]> {
 
 /// How the accelerations change with the angles at the hanging chain, 1/s^2: central differences of three steps, extrapolated.
 fn stiffness() -> super::Result<DMat4> {
-    const STEPS: [f64; 3] = [0.04, 0.02, 0.01];
+    const STEPS: [f64; 3] = [0.012, 0.006, 0.003];
     let mut columns = [[0.0; LINKS]; LINKS];
     for (link, column) in columns.iter_mut().enumerate() {
         let difference = |step: f64| -> super::Result<[f64; LINKS]> {
