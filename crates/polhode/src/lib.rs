@@ -170,6 +170,7 @@ mod free_method;
 mod free_stage;
 mod joint_id;
 mod joint_sample;
+mod joint_samples;
 pub mod ledger;
 pub mod momentum_ledger;
 pub mod observer;

@@ -3,7 +3,7 @@
 use crate::SimulationError;
 use crate::core::Core;
 use crate::frame::Frame;
-use crate::joint_sample::joint_samples;
+use crate::joint_samples::joint_samples;
 use crate::observer::Observer;
 use crate::tier::Tier;
 use polhode_dynamics::BodyState;

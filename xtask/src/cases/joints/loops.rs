@@ -1,7 +1,7 @@
 //! JT-06 and JT-07: the four-bar linkage of N loops that stands upright, which passes the flat position at which it could bifurcate,
 //! and Bricard's loop of six hinges, which holds more than it needs to.
 
-use super::{bodies_at, first_zero, hinge, rod, rows_of_energy, run, scene, whole_angle};
+use super::{WORK_OF_JOINTS, bodies_at, first_zero, hinge, rod, rows_of_energy, run, scene, whole_angle};
 use crate::cases::motion::{angle_between, least_turn, zero};
 use crate::cases::run::Run;
 use crate::cases::{CaseResult, Context};
@@ -153,7 +153,7 @@ pub(crate) fn jt_07(context: &Context) -> CaseResult {
     rows.extend(rows_of_energy("JT-07", &long.report));
     let energy = &long.report.energy;
     let change = (energy.final_j - energy.initial_j).abs() / long.report.ledger.scale_j;
-    rows.push(Row::at_most("JT-07", "change of energy in 10 s over the largest", 1e-12, change));
+    rows.push(Row::at_most("JT-07", "change of energy in 10 s over the largest", WORK_OF_JOINTS, change));
     Ok(rows)
 }
 
@@ -192,16 +192,16 @@ pub(crate) fn linkage(_: &Context) -> CaseResult {
         rows.push(Row::at_most(
             CASE,
             &named("largest gap of a hinge, m"),
-            1e-12,
+            WORK_OF_JOINTS,
             certificate.max_joint_error_m.unwrap_or(f64::NAN),
         ));
         rows.push(Row::at_most(
             CASE,
             &named("largest tilt of a hinge, rad"),
-            1e-12,
+            WORK_OF_JOINTS,
             certificate.max_joint_error_rad.unwrap_or(f64::NAN),
         ));
-        rows.push(Row::at_most(CASE, &named("change of energy in 5 s over the largest"), 1e-12, change));
+        rows.push(Row::at_most(CASE, &named("change of energy in 5 s over the largest"), WORK_OF_JOINTS, change));
         rows.extend(rows_of_energy(CASE, &run.report));
     }
     Ok(rows)

@@ -39,6 +39,9 @@ const B: DVec3 = DVec3::new(-0.036_35, 0.032_73, 0.0);
 const C: DVec3 = DVec3::new(0.014, 0.072, 0.0);
 /// Spring: N/m, and its length at rest, m.
 const SPRING: (f64, f64) = (4530.0, 0.077_85);
+/// Longest step and time between samples, s: the mechanism turns some revolutions in 0.03 s.
+const STEP_S: f64 = 1e-3;
+const INTERVAL_S: f64 = 1e-4;
 /// Torque on K1, N m.
 const TORQUE: f64 = 0.033;
 /// Lengths of Hairer and Wanner's figure 7.1, m.
@@ -90,9 +93,9 @@ fn squeezer(duration_s: f64) -> super::Result<Scene> {
     let e = f - at(beta + theta) * D;
     let (g, h) = (A + at(delta) * ZT, A + DVec3::new(epsilon.sin(), -epsilon.cos(), 0.0) * U);
     let d = B + DVec3::new(SD * gamma.cos() + SC * gamma.sin(), SD * gamma.sin() - SC * gamma.cos(), 0.0);
-    let method = Method { tier: Some(Tier::Accurate), step_s: Some(1e-3), ..Method::default() };
+    let method = Method { tier: Some(Tier::Accurate), step_s: Some(STEP_S), ..Method::default() };
     let mut builder = scene("squeezer").method(method).gravity(DVec3::ZERO).duration_s(duration_s);
-    builder = builder.output_interval_s(1e-4);
+    builder = builder.output_interval_s(INTERVAL_S);
     for (number, ((mass, moment), (centre, attitude))) in
         MATTER.into_iter().zip(centres(START).into_iter().zip(attitudes(START))).enumerate()
     {
