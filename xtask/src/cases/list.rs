@@ -96,6 +96,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "JT-09", rows: joints::jt_09 },
     Case { name: "JT-11", rows: joints::jt_11 },
     Case { name: "four-bar linkage", rows: joints::linkage },
+    Case { name: "joints of shipped scenes", rows: joints::drift },
     Case { name: "chain with a heavy end", rows: joints::heavy_end },
     Case { name: "convergence", rows: convergence::orders },
     Case { name: "work-precision", rows: convergence::work_precision },
