@@ -56,6 +56,7 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure { case: "JT-06", quantity: "t=5", reason: FLAT_LINKAGE },
     KnownFailure { case: "JT-06", quantity: "t=10", reason: FLAT_LINKAGE },
     KnownFailure { case: "JT-06", quantity: "work", reason: FLAT_LINKAGE },
+    KnownFailure { case: "joints of shipped scenes", quantity: "car: ", reason: OVERLAPS_LAST },
     KnownFailure { case: "joints of shipped scenes", quantity: "flyball-governor: apart", reason: OVERLAPS_LAST },
     KnownFailure { case: "joints of shipped scenes", quantity: "hanging-bridge: apart", reason: OVERLAPS_LAST },
     KnownFailure { case: "joints of shipped scenes", quantity: "quadruped: apart", reason: OVERLAPS_LAST },
