@@ -102,14 +102,12 @@ impl Units {
         let effort = mass * length / (time * time) * of.arm;
         for (key, value) in value.as_table_mut().into_iter().flatten() {
             match key.as_str() {
-                "range" | "rest" | "position" => multiply(value, of.coordinate),
-                "velocity" => multiply(value, of.coordinate / time),
+                "range" | "rest" | "position" | "amplitude" | "values" => multiply(value, of.coordinate),
+                "velocity" | "rate" => multiply(value, of.coordinate / time),
                 "stiffness" => multiply(value, effort / of.coordinate),
                 "damping" | "gain" => multiply(value, effort * time / of.coordinate),
                 "radius" => multiply(value, length),
                 "effort" | "most" | "breakaway" => multiply(value, effort),
-                "amplitude" | "values" => multiply(value, of.coordinate),
-                "rate" => multiply(value, of.coordinate / time),
                 "frequency" => multiply(value, 1.0 / time),
                 "times" => multiply(value, time),
                 "motor" | "friction" | "motion" | "sine" | "table" => self.freedom(value, of),

@@ -73,8 +73,7 @@ fn gear(entry: &GearEntry, joints: &Joints, path: &KeyPath) -> Result<Gear, Faul
     let gear = Gear::new(first.0, second.0, entry.ratio).map_err(|error| (path.key("ratio"), error.into()))?;
     let named = entry.coordinates.as_ref().map(|Exactly(names)| names.map(coordinate));
     Ok(match (named, first.1, second.1) {
-        (Some([first, second]), _, _) => gear.between(first, second),
-        (None, Some(first), Some(second)) => gear.between(first, second),
+        (Some([first, second]), _, _) | (None, Some(first), Some(second)) => gear.between(first, second),
         _ => gear,
     })
 }

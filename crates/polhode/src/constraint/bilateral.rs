@@ -79,15 +79,16 @@ impl Bilateral {
         for (row, &multiplier) in self.rows.iter().zip(multipliers) {
             match row.kind {
                 RowKind::Along(direction) => reaction.force += direction * multiplier,
-                RowKind::About(axis) => reaction.moment += axis * multiplier,
+                RowKind::About(axis) | RowKind::Tied { first: Action::Moment(axis), .. } => {
+                    reaction.moment += axis * multiplier;
+                }
                 RowKind::Helix { along, about } => {
                     reaction.force += along * multiplier;
                     reaction.moment += about * multiplier;
                 }
                 RowKind::Tied { first: Action::Force { direction, .. }, .. } => {
-                    reaction.force += direction * multiplier
+                    reaction.force += direction * multiplier;
                 }
-                RowKind::Tied { first: Action::Moment(axis), .. } => reaction.moment += axis * multiplier,
             }
         }
         reaction
@@ -143,11 +144,12 @@ impl BilateralRow {
     pub(crate) fn multiplier(&self, reaction: Reaction) -> f64 {
         match self.kind {
             RowKind::Along(direction) | RowKind::Helix { along: direction, .. } => reaction.force.dot(direction),
-            RowKind::About(axis) => reaction.moment.dot(axis) / axis.length_squared(),
+            RowKind::About(axis) | RowKind::Tied { first: Action::Moment(axis), .. } => {
+                reaction.moment.dot(axis) / axis.length_squared()
+            }
             RowKind::Tied { first: Action::Force { direction, .. }, .. } => {
                 reaction.force.dot(direction) / direction.length_squared()
             }
-            RowKind::Tied { first: Action::Moment(axis), .. } => reaction.moment.dot(axis) / axis.length_squared(),
         }
     }
 }
@@ -198,7 +200,9 @@ pub(crate) fn bilateral_support<'a>(
     let mut sum = MomentumSum::default();
     for (constraint, reaction) in reactions {
         if let Some(row) = constraint.tied() {
-            tie_support(constraint, row, reaction, about).into_iter().for_each(|own| sum.add(own));
+            for own in tie_support(constraint, row, reaction, about) {
+                sum.add(own);
+            }
             continue;
         }
         let [member] = constraint.members[..] else { continue };

@@ -16,9 +16,14 @@ impl World {
         self.scene.joints().get(joint)?.strength()
     }
 
+    /// Whether any joint of the scene may break.
+    pub(crate) fn may_break(&self) -> bool {
+        !self.breakable.is_empty()
+    }
+
     /// Whether any joint of these bodies may break.
     pub(crate) fn may_break_among(&self, bodies: &[usize]) -> bool {
-        self.may_break && self.joints_among(bodies).any(|joint| self.strength_of(joint.number()).is_some())
+        self.may_break() && self.joints_among(bodies).any(|joint| self.breakable.contains(&joint.number()))
     }
 
     /// The joints that impulses of an impact (N s) break.
@@ -30,7 +35,7 @@ impl World {
             }
             _ => None,
         };
-        if self.may_break { impulses.iter().filter_map(is_broken).collect() } else { Vec::new() }
+        if self.may_break() { impulses.iter().filter_map(is_broken).collect() } else { Vec::new() }
     }
 
     /// Breaks joints. Those that are not there are passed over.

@@ -26,8 +26,9 @@ impl World {
             let (mut apart, mut turned) = (0.0_f64, 0.0_f64);
             for BilateralRow { kind, gap, .. } in &own.rows {
                 match kind {
-                    RowKind::Along(_) | RowKind::Helix { .. } => apart = libm::hypot(apart, *gap),
-                    RowKind::Tied { first: Action::Force { .. }, .. } => apart = libm::hypot(apart, *gap),
+                    RowKind::Along(_) | RowKind::Helix { .. } | RowKind::Tied { first: Action::Force { .. }, .. } => {
+                        apart = libm::hypot(apart, *gap);
+                    }
                     RowKind::About(axis) | RowKind::Tied { first: Action::Moment(axis), .. } => {
                         turned = libm::hypot(turned, gap / axis.length());
                     }

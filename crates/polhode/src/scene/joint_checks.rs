@@ -129,7 +129,7 @@ impl Scene {
         for row in world_joint.rows_at(motion).rows {
             match row.kind {
                 RowKind::Along(_) | RowKind::Helix { .. } | RowKind::Tied { .. } => {
-                    apart = libm::hypot(apart, row.rate)
+                    apart = libm::hypot(apart, row.rate);
                 }
                 RowKind::About(_) => across = libm::hypot(across, row.rate),
             }

@@ -17,7 +17,7 @@ impl SteppedEngine {
     /// # Errors
     /// When a number is not finite.
     pub(super) fn break_overloaded(&mut self, core: &mut Core) -> Result<(), SimulationError> {
-        while core.world.may_break {
+        while core.world.may_break() {
             let loads = self.loads_of_joints(core, &self.states);
             let broken = overloaded(&core.world, &loads);
             if broken.is_empty() {
@@ -32,7 +32,9 @@ impl SteppedEngine {
                 .collect();
             core.break_joints(core.t, &self.states, &broken)?;
             self.resting.wake_all();
-            bodies.into_iter().for_each(|body| self.flights[body] = None);
+            for body in bodies {
+                self.flights[body] = None;
+            }
         }
         Ok(())
     }

@@ -84,8 +84,8 @@ pub(crate) struct World {
     pub(crate) joint_drivers: Vec<usize>,
     /// Joints that have broken, by their numbers.
     pub(crate) broken: BTreeMap<usize, WorldJoint>,
-    /// Whether any joint of the scene may break.
-    pub(crate) may_break: bool,
+    /// The joints of the scene that may break.
+    pub(crate) breakable: BTreeSet<usize>,
     /// Gears and prescribed motions of joints.
     pub(crate) ties: Vec<Tie>,
     /// Which of them hold a movable body.
@@ -191,7 +191,7 @@ impl World {
             joints_of: BTreeMap::new(),
             joint_drivers: Vec::new(),
             broken: BTreeMap::new(),
-            may_break: scene.joints().iter().any(|joint| joint.strength().is_some()),
+            breakable: (0..scene.joints().len()).filter(|&joint| scene.joints()[joint].strength().is_some()).collect(),
             ties: Vec::new(),
             ties_of: BTreeMap::new(),
             carriages,
