@@ -247,16 +247,16 @@ fn a_joint_that_follows_another_is_a_gear() {
     let more = "name = \"r\"\nbase = \"fixed\"\nconfiguration.lead = 0.25\n[[gears]]\njoints = [\"r/slide\", \"r/lead\"]\nratio = 0.1\n";
     let loaded = folder.scene("robot.urdf", more).unwrap();
     let gears: Vec<_> =
-        loaded.scene.gears().iter().map(|gear| (gear.joints().map(|joint| joint.index()), gear.ratio())).collect();
+        loaded.scene.gears().iter().map(|gear| (gear.joints().map(polhode::JointId::index), gear.ratio())).collect();
     assert_eq!(gears, [([2, 0], 0.1), ([1, 0], -2.0)]);
     // -2 of 0.25 rad and 0.5 rad are zero: the follower stands as in the file.
     let follower = loaded.scene.bodies().iter().find(|body| body.name() == "r/c").unwrap();
     assert!(follower.initial_pose().rotation.angle_to(Rotation::IDENTITY) < 1e-12);
     let unknown = text.replace("mimic joint=\"lead\"", "mimic joint=\"nobody\"");
-    let error = Folder::new().with("robot.urdf", &unknown).scene("robot.urdf", "").unwrap_err().to_string();
+    let error = Folder::new().with("robot.urdf", &unknown).scene("robot.urdf", "").unwrap_err();
     assert!(error.contains("nobody"), "{error}");
     let contradicts = "configuration.lead = 0.25\nconfiguration.follow = 0.3\n";
-    let error = folder.scene("robot.urdf", contradicts).unwrap_err().to_string();
+    let error = folder.scene("robot.urdf", contradicts).unwrap_err();
     assert!(error.contains("it follows `lead`"), "{error}");
 }
 
