@@ -42,7 +42,8 @@ impl Units {
             "stiffness" => mass / (time * time),
             "mu" => length * length * length / (time * time),
             "force" => mass * length / (time * time),
-            "torque" => mass * length * length / (time * time),
+            "torque" | "moment" => mass * length * length / (time * time),
+            "impulse" => mass * length / time,
             "translational" if is_quadratic => mass / length,
             "damping" | "translational" => mass / time,
             "rotational" if is_quadratic => mass * length * length,
@@ -103,14 +104,37 @@ impl Units {
         let effort = mass * length / (time * time) * of.arm;
         for (key, value) in value.as_table_mut().into_iter().flatten() {
             match key.as_str() {
-                "range" | "rest" | "position" => multiply(value, of.coordinate),
-                "velocity" => multiply(value, of.coordinate / time),
+                "range" | "rest" | "position" | "amplitude" | "values" => multiply(value, of.coordinate),
+                "velocity" | "rate" => multiply(value, of.coordinate / time),
                 "stiffness" => multiply(value, effort / of.coordinate),
                 "damping" | "gain" => multiply(value, effort * time / of.coordinate),
                 "radius" => multiply(value, length),
                 "effort" | "most" | "breakaway" => multiply(value, effort),
-                "motor" | "friction" => self.freedom(value, of),
+                "frequency" => multiply(value, 1.0 / time),
+                "times" => multiply(value, time),
+                "motor" | "friction" | "motion" | "sine" | "table" => self.freedom(value, of),
                 _ => {}
+            }
+        }
+    }
+
+    /// Of a gear the ratio has the unit of its first coordinate over that of its second one.
+    fn gears(self, scene: &mut Table) {
+        let joints = scene.get("joints").and_then(Value::as_array).cloned().unwrap_or_default();
+        let length = |name: Option<&Value>, coordinate: Option<&Value>| {
+            let joint = joints.iter().find(|joint| joint.get("name") == name)?.get("type")?.as_table()?;
+            let is_angle = coordinate.map_or(joint.contains_key("hinge") || joint.contains_key("screw"), |named| {
+                named.as_str() == Some("angle")
+            });
+            Some(if is_angle { 1.0 } else { self.length })
+        };
+        for gear in scene.get_mut("gears").and_then(Value::as_array_mut).into_iter().flatten() {
+            let of = |place: usize| {
+                length(gear.get("joints")?.get(place), gear.get("coordinates").and_then(|named| named.get(place)))
+            };
+            let (first, second) = (of(0).unwrap_or(1.0), of(1).unwrap_or(1.0));
+            if let Some(ratio) = gear.get_mut("ratio") {
+                multiply(ratio, first / second);
             }
         }
     }
@@ -133,6 +157,7 @@ impl Units {
                 table.entry(key).or_insert(Value::Float(STEP_S));
             }
         }
+        self.gears(&mut scene);
         self.table(&mut scene);
         Ok(toml::to_string(&scene)?)
     }

@@ -135,6 +135,9 @@ pub(crate) struct RunOutputArgs {
     /// Writes the events as CSV (`resume`: from the checkpoint on)
     #[arg(long, value_name = "FILE")]
     pub(crate) events: Option<PathBuf>,
+    /// Writes coordinates, loads and powers of the joints at every sample as CSV (`resume`: from the checkpoint on)
+    #[arg(long, value_name = "FILE")]
+    pub(crate) joints: Option<PathBuf>,
     /// Prints the report of the whole run as JSON
     #[arg(long)]
     pub(crate) json: bool,

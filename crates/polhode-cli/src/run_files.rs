@@ -45,7 +45,8 @@ impl RunFiles {
     ) -> Result<Self, Failure> {
         check_stdout(asked)?;
         let (to_stdout, output): (Vec<_>, Vec<_>) = asked.output.iter().cloned().partition(|path| is_stdout(path));
-        check_names(&output, asked.events.as_deref(), inputs, checkpoints)?;
+        let tables: Vec<&Path> = asked.events.iter().chain(&asked.joints).map(PathBuf::as_path).collect();
+        check_names(&output, &tables, inputs, checkpoints)?;
         let is_picture = |path: &&PathBuf| Kind::of(path).is_some();
         let shown: Vec<PathBuf> = output.iter().filter(is_picture).cloned().collect();
         let plotted: Vec<PathBuf> = output.iter().filter(|path| is_plot(path)).cloned().collect();
@@ -55,7 +56,13 @@ impl RunFiles {
         let heading = Heading::of(std::iter::once(loaded));
         let create = || Pictures::create(&shown, &heading, Options::default());
         let mut pictures = interrupt.remove(create, |pictures| pictures.temporary().to_vec())?;
-        let create = || Outputs::create(&loaded.scene, &trajectories, asked.events.as_deref());
+        let create = || {
+            let outputs = Outputs::create(&loaded.scene, &trajectories, asked.events.as_deref())?;
+            match &asked.joints {
+                Some(path) => outputs.with_joints(path, loaded.joint_names()),
+                None => Ok(outputs),
+            }
+        };
         let outputs = interrupt.keep(create, Outputs::unfinished).map_err(|error| match error {
             OutputError::Ending { .. } => Failure::Usage(format!("error: {error}, {ENDINGS}, .svg, or - for stdout")),
             error => error.into(),
@@ -124,7 +131,9 @@ fn show(mut pictures: Pictures, outcome: &str, report: &Value, interrupt: &Inter
 /// That stdout is asked for by one thing at the most.
 fn check_stdout(asked: &RunOutputArgs) -> Result<(), Failure> {
     let count = asked.output.iter().filter(|path| is_stdout(path)).count();
-    let refused = if asked.events.as_deref().is_some_and(is_stdout) {
+    let refused = if asked.joints.as_deref().is_some_and(is_stdout) {
+        "error: --joints -: only trajectories go to stdout, by -o -; give a file"
+    } else if asked.events.as_deref().is_some_and(is_stdout) {
         "error: --events -: only trajectories go to stdout, by -o -; give a file"
     } else if count > 1 {
         "error: -o - is named twice: every output needs a place of its own"
@@ -139,11 +148,11 @@ fn check_stdout(asked: &RunOutputArgs) -> Result<(), Failure> {
 /// That outputs are none of the inputs, and have names of their own.
 fn check_names(
     output: &[PathBuf],
-    events: Option<&Path>,
+    tables: &[&Path],
     inputs: &[PathBuf],
     checkpoints: &Checkpoints,
 ) -> Result<(), Failure> {
-    let all: Vec<&Path> = output.iter().map(PathBuf::as_path).chain(events).collect();
+    let all: Vec<&Path> = output.iter().map(PathBuf::as_path).chain(tables.iter().copied()).collect();
     for (number, &path) in all.iter().enumerate() {
         inputs::check_output(path, inputs.iter().map(PathBuf::as_path))?;
         let is_named = |other: &&Path| inputs::is_same(path, other);

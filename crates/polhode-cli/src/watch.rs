@@ -2,7 +2,7 @@
 
 use crate::interrupt::Interrupt;
 use crate::progress::Progress;
-use polhode::{BodySample, Event, Flow, Frame, Observer};
+use polhode::{BodySample, Event, Flow, Frame, JointSample, Observer};
 
 /// Tells all that a run is watched by, shows progress, and stops the run at Ctrl-C, SIGTERM or when a checkpoint is due.
 pub(crate) struct Watch<'a> {
@@ -31,6 +31,14 @@ impl Observer for Watch<'_> {
 
     fn frame(&mut self, frame: &Frame) {
         self.observers.iter_mut().for_each(|observer| observer.frame(frame));
+    }
+
+    fn wants_joints(&self) -> bool {
+        self.observers.iter().any(|observer| observer.wants_joints())
+    }
+
+    fn joints(&mut self, t: f64, joints: &[JointSample]) {
+        self.observers.iter_mut().for_each(|observer| observer.joints(t, joints));
     }
 
     fn progress(&mut self, t: f64) -> Flow {

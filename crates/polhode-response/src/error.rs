@@ -58,8 +58,10 @@ pub enum ResponseError {
         /// The body named twice.
         body: usize,
     },
-    /// A row must touch one or two bodies.
-    #[error("a row touches one or two movable bodies, found {0}; leave out contacts between immovable bodies")]
+    /// A row must touch one or two bodies, that of a gear up to four.
+    #[error(
+        "a row touches one or two movable bodies, of a gear up to four, found {0}; leave out contacts between immovable bodies"
+    )]
     RowBodies(usize),
     /// A row cannot have this compliance.
     #[error(

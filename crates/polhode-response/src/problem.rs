@@ -1,7 +1,7 @@
 //! A contact problem: inverse masses of the bodies and one Jacobian row for each contact.
 //!
 //! A body has a generalised velocity of `width` components (6 in space: linear and angular; 3 in a plane), an inverse
-//! mass block `M_b^-1` (`width x width`, symmetric, positive semidefinite), and a row `i` touches one or two bodies:
+//! mass block `M_b^-1` (`width x width`, symmetric, positive semidefinite), and a row `i` touches one to four bodies:
 //! `u_i = sum_b J_ib v_b` is the rate of separation of contact `i` (m/s), and a force `f_i` (N) along it accelerates
 //! the bodies by `M^-1 J^T f`. For a contact with normal `n` from B to A and arms `r_A`, `r_B` from the centres of
 //! mass, `J_iA = (n, r_A x n)` and `J_iB = -(n, r_B x n)`; these are the coefficients of the thesis's equations
@@ -46,6 +46,8 @@ pub struct ContactProblem {
     compliances: Vec<(usize, f64)>,
     /// First row and law of the blocks with friction.
     frictional: Vec<(usize, Law)>,
+    /// What rows of more than two bodies have beside the first two: (row, body, `J_ib`, `M_b^-1 J_ib^T`), ascending by row.
+    others: Vec<OtherEntry>,
     /// Two blocks of `width` numbers for each row; the second is unused when the row touches one body.
     jacobian: Vec<f64>,
     /// `M^-1 J^T` in the layout of `jacobian`.
@@ -67,6 +69,18 @@ enum Sign {
 struct RowBodies {
     bodies: [u32; 2],
     count: u8,
+}
+
+/// Most bodies that a row touches: a gear couples two joints of two bodies each.
+const MOST_BODIES_OF_A_ROW: usize = 4;
+
+/// The share of the third or fourth body of a row.
+#[derive(Debug, Clone, PartialEq)]
+struct OtherEntry {
+    row: usize,
+    body: usize,
+    jacobian: Vec<f64>,
+    response: Vec<f64>,
 }
 
 /// One body's share of a row.
@@ -108,16 +122,17 @@ impl ContactProblem {
             holds: Vec::new(),
             compliances: Vec::new(),
             frictional: Vec::new(),
+            others: Vec::new(),
             jacobian: Vec::new(),
             response: Vec::new(),
         })
     }
 
-    /// Adds a row that pushes, `0 <= f _|_ w >= 0`, touches one or two bodies, and returns its index. Each block has `width`
-    /// numbers.
+    /// Adds a row that pushes, `0 <= f _|_ w >= 0`, touches one to four bodies, and returns its index. Each block has `width`
+    /// numbers. The methods that solve in the velocities of bodies take rows of one or two ([`Self::is_of_pairs`]).
     ///
     /// # Errors
-    /// When there are no or more than two bodies, a body is unknown or named twice, a block has the wrong length, or
+    /// When there are no or more than four bodies, a body is unknown or named twice, a block has the wrong length, or
     /// a number is not finite.
     pub fn push_row(&mut self, entries: &[(usize, &[f64])]) -> Result<usize, ResponseError> {
         self.push(entries, Sign::Pushes)
@@ -214,7 +229,7 @@ impl ContactProblem {
     }
 
     fn push(&mut self, entries: &RowEntries<'_>, sign: Sign) -> Result<usize, ResponseError> {
-        if entries.is_empty() || entries.len() > 2 {
+        if entries.is_empty() || entries.len() > MOST_BODIES_OF_A_ROW {
             return Err(ResponseError::RowBodies(entries.len()));
         }
         for &(body, block) in entries {
@@ -225,10 +240,11 @@ impl ContactProblem {
             check_finite("Jacobian block", block)?;
         }
         let mut row = RowBodies { bodies: [entries[0].0 as u32; 2], count: entries.len() as u8 };
+        let is_repeated = |place: usize| entries[..place].iter().any(|(body, _)| *body == entries[place].0);
+        if let Some(place) = (1..entries.len()).find(|&place| is_repeated(place)) {
+            return Err(ResponseError::RepeatedBody { body: entries[place].0 });
+        }
         if let Some(&(body, _)) = entries.get(1) {
-            if body == entries[0].0 {
-                return Err(ResponseError::RepeatedBody { body });
-            }
             row.bodies[1] = body as u32;
         }
         if self.rows.is_empty() {
@@ -242,6 +258,12 @@ impl ContactProblem {
                 self.jacobian.resize(self.jacobian.len() + self.width, 0.0);
                 self.response.resize(self.response.len() + self.width, 0.0);
             }
+        }
+        for &(body, block) in entries.iter().skip(2) {
+            let first = self.response.len();
+            self.push_response(body, block);
+            let response = self.response.split_off(first);
+            self.others.push(OtherEntry { row: self.rows.len(), body, jacobian: block.to_vec(), response });
         }
         self.rows.push(row);
         self.holds.push(sign == Sign::Either);
@@ -262,6 +284,7 @@ impl ContactProblem {
         self.holds.clear();
         self.compliances.clear();
         self.frictional.clear();
+        self.others.clear();
         self.jacobian.clear();
         self.response.clear();
     }
@@ -272,6 +295,7 @@ impl ContactProblem {
         self.holds.truncate(rows);
         self.compliances.retain(|(row, _)| *row < rows);
         self.frictional.retain(|(first, _)| *first < rows);
+        self.others.retain(|other| other.row < rows);
         self.jacobian.truncate(2 * rows * self.width);
         self.response.truncate(2 * rows * self.width);
     }
@@ -284,6 +308,11 @@ impl ContactProblem {
     /// Whether there is no row.
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
+    }
+
+    /// Whether no row touches more than two bodies.
+    pub fn is_of_pairs(&self) -> bool {
+        self.others.is_empty()
     }
 
     /// Number of bodies.
@@ -349,6 +378,11 @@ impl ContactProblem {
                 }
             }
         }
+        for other in alike.others.iter_mut().filter(|other| largest[other.body] > 0.0) {
+            for component in &mut other.response {
+                *component /= largest[other.body];
+            }
+        }
         for (block, largest) in alike.inverse_masses.chunks_exact_mut(self.width * self.width).zip(largest) {
             if largest > 0.0 {
                 for entry in block {
@@ -377,13 +411,18 @@ impl ContactProblem {
         if row < self.len() { self.entries(row).map(own).sum() } else { 0.0 }
     }
 
-    /// How many bodies `row` touches: 1 or 2.
+    /// How many bodies `row` touches: 1 to 4.
     pub(crate) fn touched(&self, row: usize) -> usize {
         usize::from(self.rows[row].count)
     }
 
-    /// The share of one body in a row; `slot` is 0 or 1.
+    /// The share of one body in a row; `slot` is below [`Self::touched`].
     pub(crate) fn entry(&self, row: usize, slot: usize) -> RowEntry<'_> {
+        if slot >= 2 {
+            let first = self.others.partition_point(|other| other.row < row);
+            let OtherEntry { body, jacobian, response, .. } = &self.others[first + slot - 2];
+            return RowEntry { body: *body, jacobian, response };
+        }
         let start = (2 * row + slot) * self.width;
         let range = start..start + self.width;
         RowEntry {

@@ -6,7 +6,7 @@ use polhode::SceneError;
 use polhode::contact::{ApproximateError, ShapeError};
 use polhode::dynamics::field::FieldError;
 use polhode::mesh::{MeshError, PrimitiveError};
-use polhode::scene::{FreedomError, LimitsError, MotionError, OverlapAtStart};
+use polhode::scene::{FreedomError, GearError, LimitsError, MotionError, OverlapAtStart};
 use polhode::spatial::curve::CurveError;
 use polhode::spatial::{InertiaError, MassPropertiesError, RotationError, UnitVectorError};
 use std::fmt::{self, Write as _};
@@ -332,6 +332,9 @@ pub enum Refusal {
     /// The curve of a track is refused.
     #[error(transparent)]
     Curve(#[from] CurveError),
+    /// A gear that is refused.
+    #[error(transparent)]
+    Gear(#[from] GearError),
     /// A mesh file is refused.
     #[error(transparent)]
     MeshFile(#[from] MeshFileError),

@@ -8,7 +8,7 @@
 //! | [`mod@load`] | [`load`](load()): from a file to a [`polhode::Scene`] |
 //! | [`error`] | [`SceneFileError`]: file, line, column, key and what is accepted, with the line shown |
 //! | [`mod@schema`] | [`schema`](schema()): the JSON Schema of the format |
-//! | [`output`] | [`Outputs`]: trajectories as CSV, NPY and JSON, events as CSV |
+//! | [`output`] | [`Outputs`]: trajectories as CSV, NPY and JSON, events and joints as CSV |
 //! | [`checkpoint`] | [`Checkpoint`]: a run that can be continued later |
 //! | [`mod@compare`] | [`compare`](compare()): two trajectories, number by number |
 //! | [`trajectory`] | [`TrajectoryReader`]: a trajectory read back, held against its scene |

@@ -35,6 +35,27 @@ impl LoadedScene {
         of_shapes.chain(self.robots.iter().flat_map(|robot| robot.robot.all_files())).collect()
     }
 
+    /// The names of the joints by their handles: those of the file, and of robots; a joint without a name has its number, counted from 1.
+    pub fn joint_names(&self) -> Vec<String> {
+        let count = self.scene.joints().len();
+        let mut names: Vec<String> = (1..=count).map(|number| format!("joint {number}")).collect();
+        for (name, entry) in names.iter_mut().zip(&self.file.joints) {
+            if let Some(own) = &entry.name {
+                name.clone_from(own);
+            }
+        }
+        let mut first = self.file.joints.len();
+        for robot in &self.robots {
+            for (name, joint, _) in &robot.joint_names {
+                if let Some(own) = names.get_mut(first + joint) {
+                    name.clone_into(own);
+                }
+            }
+            first += robot.joints.len();
+        }
+        names
+    }
+
     /// What the scene is, in a few words: its `title`, or else its name.
     pub fn title(&self) -> String {
         self.file.title.as_deref().and_then(on_one_line).unwrap_or_else(|| self.scene.name().to_owned())

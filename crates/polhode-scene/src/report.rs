@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 /// The report of a run; `wall_s` is the time it took, s.
 pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
     let (energy, ledger, certificate) = (&report.energy, &report.ledger, &report.certificate);
-    json!({
+    let mut value = json!({
         "scene": report.scene,
         "tier": names::tier(report.plan.tier),
         "outcome": names::outcome(report.outcome),
@@ -66,7 +66,10 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
         "warnings": report.warnings,
         "tolerated": report.tolerated.iter().map(tolerated_json).collect::<Vec<_>>(),
         "bodies": report.bodies.iter().map(|body| body_json(&body.name, &body.state)).collect::<Vec<_>>(),
-    })
+    });
+    value["max_joint_error_m"] = json!(certificate.max_joint_error_m);
+    value["max_joint_error_rad"] = json!(certificate.max_joint_error_rad);
+    value
 }
 
 /// The report of a run of a scene from a file, with what the file says of it.

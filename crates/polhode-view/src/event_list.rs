@@ -51,6 +51,8 @@ impl EventList {
             EventKind::Stick => format!("a contact of {a} and {b} sticks"),
             EventKind::Slide => format!("a contact of {a} and {b} begins to slide"),
             EventKind::Jam => format!("a contact of {a} and {b} jams"),
+            EventKind::Break if event.body_b.is_none() => format!("a joint of {a} breaks"),
+            EventKind::Break => format!("a joint of {a} and {b} breaks"),
             other => format!("{a} and {b}: {}", other.word()),
         };
         self.events.push(ListedEvent { t: event.t_s, kind, bodies, text });

@@ -2,10 +2,12 @@
 
 use crate::accounting::Accounts;
 use crate::accounting::last_sample::LastSample;
+use crate::event::{Event, EventKind};
 use crate::executor::Executor;
 use crate::settings::Settings;
 use crate::world::World;
-use crate::{Effects, SimulationError};
+use crate::{BodyId, Effects, SimulationError};
+use polhode_dynamics::BodyState;
 use polhode_response::{ComplementaritySolver, ResponseError};
 use std::sync::Arc;
 
@@ -39,6 +41,29 @@ impl Core {
     /// Whether the run ends at `t` (s); a program may advance further.
     pub(crate) fn is_end_of_run(&self, t: f64) -> bool {
         t == self.world.scene.duration_s()
+    }
+
+    /// Breaks joints at `t` (s), where bodies have these states, and reports it.
+    ///
+    /// # Errors
+    /// When the fields of the remaining joints cannot be made.
+    pub(crate) fn break_joints(
+        &mut self,
+        t: f64,
+        states: &[BodyState],
+        joints: &[usize],
+    ) -> Result<(), SimulationError> {
+        if joints.is_empty() {
+            return Ok(());
+        }
+        for joint in self.world.joints.iter().filter(|joint| joints.contains(&joint.number())) {
+            let (first, second) = joint.pair();
+            let body_b = (second != first).then(|| BodyId::new(second));
+            let point = self.world.anchor_of(states, joint);
+            let event = Event::new(t, EventKind::Break, BodyId::new(first));
+            self.accounts.add_event(Event { body_b, point, ..event });
+        }
+        Ok(self.world.break_joints(joints)?)
     }
 
     /// The error of a contact problem at `t` (s) that could not be set up.

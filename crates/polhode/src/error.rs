@@ -76,6 +76,17 @@ pub enum SimulationError {
         /// Why.
         source: IntegrationError,
     },
+    /// Gears or prescribed motions of joints ask for what cannot be together.
+    #[error(
+        "{what} contradicts other gears, prescribed motions or joints at t = {t_s} s: no motion of the bodies keeps all of them; leave \
+         one of them out, or give it the motion that the others determine"
+    )]
+    JointsContradict {
+        /// When, s.
+        t_s: f64,
+        /// One of them, by its number in the scene.
+        what: String,
+    },
     /// The data of a contact problem are not valid.
     #[error("the contact problem at t = {t_s} s cannot be set up: {source}")]
     ContactProblem {

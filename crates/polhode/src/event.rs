@@ -26,6 +26,8 @@ pub enum EventKind {
     /// An impulse at one contact point without a collision: the contact slides, and no system of finite forces
     /// satisfies Coulomb's law (Painleve).
     Jam,
+    /// A joint has broken.
+    Break,
 }
 
 impl EventKind {
@@ -41,6 +43,7 @@ impl EventKind {
             Self::Stick => "stick",
             Self::Slide => "slide",
             Self::Jam => "jam",
+            Self::Break => "break",
         }
     }
 }

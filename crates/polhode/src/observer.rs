@@ -3,6 +3,7 @@
 pub use crate::body_sample::BodySample;
 use crate::event::Event;
 use crate::frame::Frame;
+use crate::joint_sample::JointSample;
 
 /// Whether a run continues.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,6 +40,17 @@ pub trait Observer {
     /// [`Observer::wants_frames`].
     fn frame(&mut self, frame: &Frame) {
         let _ = frame;
+    }
+
+    /// Whether [`Observer::joints`] is called. What joints bear costs a solve for the contact forces.
+    fn wants_joints(&self) -> bool {
+        false
+    }
+
+    /// The joints at the time of a sample, in the order of their handles. It is called after that sample, if
+    /// [`Observer::wants_joints`].
+    fn joints(&mut self, t_s: f64, joints: &[JointSample]) {
+        let _ = (t_s, joints);
     }
 
     /// Called after every step with the time reached, s.

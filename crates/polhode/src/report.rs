@@ -61,6 +61,11 @@ pub struct Certificate {
     /// Largest estimated local error of a step under error control, of free or constrained motion, relative to its
     /// tolerance. None where no step was under error control.
     pub max_step_error: Option<f64>,
+    /// Largest distance of a joint from what it keeps, m, at any observation: at samples, and at least once in a longest step. None
+    /// without joints.
+    pub max_joint_error_m: Option<f64>,
+    /// The same of its rotations, rad.
+    pub max_joint_error_rad: Option<f64>,
     /// Estimated error of a run by fixed steps of the tiers `stepped` and `thesis`: the largest sum of the errors of
     /// position of a body, relative to its size, each by comparison with two steps of half the length; in the tier
     /// `thesis` with the deepest overlap. It does not contain what an unstable motion adds. None in the tier `accurate`.

@@ -3,6 +3,7 @@
 use crate::SimulationError;
 use crate::core::Core;
 use crate::frame::Frame;
+use crate::joint_samples::joint_samples;
 use crate::observer::Observer;
 use crate::tier::Tier;
 use polhode_dynamics::BodyState;
@@ -15,8 +16,8 @@ pub(crate) fn frame(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) 
     let energy = books.observe(&core.world, states);
     Frame {
         t_s: t,
-        bodies: states.iter().enumerate().map(sample).collect(),
-        motions: tier.motions(core),
+        bodies: states.iter().take(core.world.shown()).enumerate().map(sample).collect(),
+        motions: shown(core, tier.motions(core)),
         contacts: tier.contacts(core, t, states),
         islands: tier.islands(core),
         energy,
@@ -24,6 +25,12 @@ pub(crate) fn frame(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) 
         certificate: core.accounts.certificate_now(&books.ledger),
         steps: core.accounts.steps(),
     }
+}
+
+/// Those of the bodies that are shown.
+fn shown<T>(core: &Core, mut of_bodies: Vec<T>) -> Vec<T> {
+    of_bodies.truncate(core.world.shown());
+    of_bodies
 }
 
 /// Gives the observer a sample of the states at `t` (s), unless it already has one of that time, and a frame if it
@@ -44,6 +51,9 @@ pub(crate) fn emit_sample(
         }
     }
     let emitted = core.accounts.emit_sample(&core.world, states, t, observer);
+    if emitted && observer.wants_joints() {
+        observer.joints(t, &joint_samples(tier, core, t, states));
+    }
     if emitted && observer.wants_frames() {
         observer.frame(&frame(tier, core, t, states));
     }

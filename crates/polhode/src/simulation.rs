@@ -10,6 +10,8 @@ use crate::executor::{Executor, OneThread};
 use crate::frame::{ContactView, Frame, IslandView, JointView, MotionKind, PivotView};
 use crate::free_method;
 use crate::joint_id::{CoordinateSample, JointId};
+use crate::joint_sample::JointSample;
+use crate::joint_samples::joint_samples;
 use crate::observer::{BodySample, Flow, Observer, Unobserved};
 use crate::pivot_form::PivotRows;
 use crate::plan::Findings;
@@ -311,7 +313,9 @@ impl Simulation {
 
     /// Poses and velocities of all bodies at the present, by [`BodyId::index`].
     pub fn bodies(&self) -> Vec<BodySample> {
-        self.tier.samples(&self.core)
+        let mut samples = self.tier.samples(&self.core);
+        samples.truncate(self.core.world.shown());
+        samples
     }
 
     /// Contacts that touch at the present, with their forces. Single forces may not be unique ([`ContactView`]).
@@ -336,7 +340,8 @@ impl Simulation {
         self.tier.pivots(&self.core, self.core.t, &self.tier.states(&self.core))
     }
 
-    /// Forces and moments of the joints at the present, in the order of their handles; in tier `accurate` alone.
+    /// Forces and moments of the joints at the present, in the order of their handles; by the law of time steps in tier
+    /// `stepped`, none in tier `thesis`.
     ///
     /// ```
     /// use polhode::mesh::solid_box;
@@ -354,6 +359,11 @@ impl Simulation {
     /// ```
     pub fn joint_loads(&self) -> Vec<JointView> {
         self.tier.joint_loads(&self.core, self.core.t, &self.tier.states(&self.core))
+    }
+
+    /// The joints at the present, in the order of their handles: coordinates, loads and powers.
+    pub fn joints(&self) -> Vec<JointSample> {
+        joint_samples(&*self.tier, &self.core, self.core.t, &self.tier.states(&self.core))
     }
 
     /// A coordinate of a joint at the present; none of one that the joint does not have, or of a joint that was removed
@@ -389,7 +399,9 @@ impl Simulation {
     /// # Errors
     /// When the contact forces cannot be found.
     pub fn accelerations(&mut self) -> Result<Vec<Acceleration>, SimulationError> {
-        self.tier.accelerations(&mut self.core)
+        let mut accelerations = self.tier.accelerations(&mut self.core)?;
+        accelerations.truncate(self.core.world.shown());
+        Ok(accelerations)
     }
 
     /// How far the bodies at rest are from moving at the present: how far friction may fall, and how far the scene may be tilted
@@ -456,6 +468,8 @@ impl Simulation {
             steered: self.core.world.steered(),
             motors: self.core.world.motors(),
             released: self.core.world.released.iter().copied().collect(),
+            broken: self.core.world.broken(),
+            turns: self.core.world.turns(),
             in_plane: self.core.world.plane.is_some(),
             integrator: self.core.settings.integrator.name().to_owned(),
             plan: self.plan.save(&self.plan_at_start),
@@ -487,8 +501,10 @@ impl Simulation {
         let mut world = self.core.world.clone();
         world.replace_applied(&content.applied)?;
         world.replace_steered(&content.steered)?;
+        world.replace_broken(&content.broken)?;
         world.replace_motors(&content.motors)?;
         world.replace_released(&content.released)?;
+        world.replace_turns(&content.turns)?;
         world.plane = self.plane_at_start.filter(|_| content.in_plane);
         settings.integrator = Integrator::from_name(&content.integrator)
             .map_err(|_| SnapshotError::Invalid("it names an integrator that does not exist"))?;

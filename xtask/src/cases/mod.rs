@@ -44,6 +44,7 @@ mod heavy_tops;
 mod impact_chains;
 mod impacts;
 mod invariances;
+mod joints;
 mod ledger;
 mod list;
 mod long_runs;

@@ -175,6 +175,9 @@ fn certificate(report: &RunReport) -> String {
     table.row(["largest residual of a contact problem", &number(certificate.max_residual)]);
     table.row(["bound on the error of an acceleration", &measured(certificate.max_acceleration_error_bound)]);
     table.row(["largest error of a step, of its tolerance", &measured(certificate.max_step_error)]);
+    if let (Some(apart), Some(turned)) = (certificate.max_joint_error_m, certificate.max_joint_error_rad) {
+        table.row(["largest error of a joint", &format!("{} m, {} rad", number(apart), number(turned))]);
+    }
     table.row(["estimated error of the run, of a body's size", &measured(certificate.estimated_error)]);
     table.row(["fallbacks", &certificate.fallbacks.to_string()]);
     table.print()

@@ -6,18 +6,24 @@ use super::track::Tracks;
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{
-    Exactly, FreedomEntry, JointEntry, JointFrictionEntry, JointKindEntry, MotorEntry, RopeEntry, SceneFile, Vector,
+    Exactly, FreedomEntry, JointEntry, JointFrictionEntry, JointKindEntry, MotorEntry, RopeEntry, SceneFile,
+    StrengthEntry, Vector,
 };
 use polhode::BodyId;
 use polhode::scene::{
-    Coordinate, Drive, Freedom, FreedomError, Joint, JointFriction, JointKind, Limits, LimitsError, Motor,
+    Coordinate, Drive, Freedom, FreedomError, Joint, JointFriction, JointKind, Limits, LimitsError, Motor, Strength,
 };
 use polhode::spatial::DVec3;
 
 /// The joints of the file.
 pub(super) fn build(file: &SceneFile, bodies: &Bodies<'_>, tracks: &Tracks<'_>, faults: &mut Faults) -> Vec<Joint> {
     let of_entry = |(index, entry): (usize, &JointEntry)| {
-        faults.note(joint(&entry.kind, (bodies, tracks), &KeyPath::element("joints", index).key("type")))
+        let path = KeyPath::element("joints", index);
+        let joint = faults.note(joint(&entry.kind, (bodies, tracks), &path.key("type")))?;
+        match entry.breaks_at.as_ref().map(|own| strength(own, &path.key("breaks_at"))) {
+            None => Some(joint),
+            Some(strength) => faults.note(strength).map(|strength| joint.breaking_at(strength)),
+        }
     };
     file.joints.iter().enumerate().filter_map(of_entry).collect()
 }
@@ -46,6 +52,50 @@ impl<'a> Entry<'a> {
         }
         Ok(self)
     }
+}
+
+/// The load at which a joint breaks.
+fn strength(entry: &StrengthEntry, path: &KeyPath) -> Result<Strength, Fault> {
+    let StrengthEntry { force, moment, impulse } = *entry;
+    if force.is_none() && moment.is_none() && impulse.is_none() {
+        let (what, needed) = ("the strength of a joint", "`force`, `moment` or `impulse`");
+        return Err((path.clone(), Refusal::Needs { what, needed }));
+    }
+    let at = |key: &'static str| {
+        let path = path.key(key);
+        move |error: FreedomError| (path, error.into())
+    };
+    let mut strength = Strength::default();
+    if let Some(force) = force {
+        strength = strength.force(force).map_err(at("force"))?;
+    }
+    if let Some(moment) = moment {
+        strength = strength.moment(moment).map_err(at("moment"))?;
+    }
+    if let Some(impulse) = impulse {
+        strength = strength.impulse(impulse).map_err(at("impulse"))?;
+    }
+    Ok(strength)
+}
+
+/// What acts along the coordinates of the joint of an entry, with the path of its keys.
+pub(super) fn freedoms<'a>(kind: &'a JointKindEntry, path: &KeyPath) -> Vec<(Coordinate, &'a FreedomEntry, KeyPath)> {
+    let (name, angle, displacement) = match kind {
+        JointKindEntry::Hinge(own) => ("hinge", own.angle.as_ref(), None),
+        JointKindEntry::Slider(own) => ("slider", None, own.displacement.as_ref()),
+        JointKindEntry::Cylindrical(own) => ("cylindrical", own.angle.as_ref(), own.displacement.as_ref()),
+        JointKindEntry::Screw(own) => ("screw", own.angle.as_ref(), None),
+        JointKindEntry::Track(own) => ("track", None, own.displacement.as_ref()),
+        JointKindEntry::Ball(_)
+        | JointKindEntry::Universal(_)
+        | JointKindEntry::Fixed(_)
+        | JointKindEntry::Planar(_)
+        | JointKindEntry::Rod(_)
+        | JointKindEntry::Rope(_) => return Vec::new(),
+    };
+    let both = [(Coordinate::Angle, angle), (Coordinate::Displacement, displacement)];
+    let path = |coordinate: Coordinate| path.key(name).key(coordinate.name());
+    both.into_iter().filter_map(|(coordinate, own)| Some((coordinate, own?, path(coordinate)))).collect()
 }
 
 fn joint(kind: &JointKindEntry, (bodies, tracks): (&Bodies<'_>, &Tracks<'_>), path: &KeyPath) -> Result<Joint, Fault> {

@@ -11,6 +11,8 @@
 //! | `body` | a body: its pose, motion, shape and mass |
 //! | `fault` | what is refused and at which key; checks of numbers |
 //! | `force` | forces |
+//! | `gear` | gears, and joints by name |
+//! | `coordinate_motion` | prescribed motions of joints |
 //! | `layout` | where the bodies of an array stand |
 //! | `mass` | mass properties from mass or density, shape and inertia |
 //! | `materials` | materials and rules for pairs of them |
@@ -30,8 +32,10 @@ mod approximate;
 mod array;
 mod bodies;
 mod body;
+mod coordinate_motion;
 mod fault;
 mod force;
+mod gear;
 mod joint;
 mod layout;
 mod mass;

@@ -8,10 +8,10 @@ use crate::error::Refusal;
 use crate::format::{BaseName, ModelEntry, SceneFile, UnphysicalName};
 use crate::mesh_file::MeshFolder;
 use crate::robot::{
-    Assembly, Base, Finding, Placement, Robot, RobotFile, RobotFileError, SelfCollision, Unphysical, assembled,
-    read_robot,
+    Assembly, Base, Finding, Placement, Robot, RobotFile, RobotFileError, RobotGear, SelfCollision, Unphysical,
+    assembled, read_robot,
 };
-use polhode::scene::{Joint, Material};
+use polhode::scene::{Coordinate, Joint, Material};
 use polhode::{Body, BodyId};
 use std::io;
 use std::path::PathBuf;
@@ -36,6 +36,10 @@ pub(crate) struct PlacedRobot {
     pub(crate) joints: Vec<Joint>,
     /// Groups of its bodies that do not collide.
     pub(crate) no_contact: Vec<Vec<BodyId>>,
+    /// The coordinates of its joints by their names in the scene: the place of the joint, and which it is.
+    pub(crate) joint_names: Vec<(String, usize, Coordinate)>,
+    /// Its coordinates that follow others.
+    pub(crate) gears: Vec<RobotGear>,
 }
 
 /// The robots of all models, whose bodies are added to the list, and what they are made of.
@@ -81,12 +85,12 @@ fn assemble(
     let made = assembled(&robot, &placement, bodies.len());
     let (assembly, found) = made.map_err(|found| (path.key("file"), Refusal::Robot(RobotFileError::Refused(found))))?;
     findings.extend(found);
-    let Assembly { bodies: mut own, joints, no_contact } = assembly;
+    let Assembly { bodies: mut own, joints, no_contact, joint_names, gears } = assembly;
     let names = own.iter().map(|body| body.name().to_owned()).collect();
     let movable = own.iter().filter(|body| !body.is_fixed()).count();
     bodies.append(&mut own);
     let findings = Arc::new(findings);
-    Ok(PlacedRobot { index, robot, placement, findings, movable, names, joints, no_contact })
+    Ok(PlacedRobot { index, robot, placement, findings, movable, names, joints, no_contact, joint_names, gears })
 }
 
 /// Where and how the robot of an entry stands.

@@ -115,12 +115,7 @@ fn table(entry: &TableMotionEntry, path: &KeyPath) -> Result<PrescribedMotion, F
         }
         (None, None) => None,
     };
-    let interpolation = match entry.interpolation {
-        None => Interpolation::default(),
-        Some(InterpolationEntry::Monotone) => Interpolation::Monotone,
-        Some(InterpolationEntry::Spline) => Interpolation::Spline,
-        Some(InterpolationEntry::Linear) => Interpolation::Linear,
-    };
+    let interpolation = interpolation(entry.interpolation);
     let (times_s, positions_m) = (entry.times.clone(), positions.transpose()?);
     let table = MotionTable { times_s, positions_m, orientations, interpolation };
     PrescribedMotion::table(&table).map_err(|error| {
@@ -135,6 +130,16 @@ fn table(entry: &TableMotionEntry, path: &KeyPath) -> Result<PrescribedMotion, F
         };
         (path, error.into())
     })
+}
+
+/// What is between the samples of a table.
+pub(super) fn interpolation(entry: Option<InterpolationEntry>) -> Interpolation {
+    match entry {
+        None => Interpolation::default(),
+        Some(InterpolationEntry::Monotone) => Interpolation::Monotone,
+        Some(InterpolationEntry::Spline) => Interpolation::Spline,
+        Some(InterpolationEntry::Linear) => Interpolation::Linear,
+    }
 }
 
 fn vectors(entries: &[Vector], path: &KeyPath) -> Result<Vec<DVec3>, Fault> {

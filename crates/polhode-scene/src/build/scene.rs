@@ -5,7 +5,7 @@ use super::fault::{Fault, Faults, not_negative, positive, vector};
 use super::materials::Materials;
 use super::model::{self, PlacedRobot};
 use super::track::Tracks;
-use super::{array, body, force, joint, method};
+use super::{array, body, coordinate_motion, force, gear, joint, method};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{self, NoContactEntry, SceneFile};
@@ -63,6 +63,10 @@ pub(crate) fn scene(file: &SceneFile, folder: &MeshFolder, name: &str) -> Result
     for (joint, no_contact) in robots.iter().map(|robot| (&robot.joints, &robot.no_contact)) {
         builder = joint.iter().fold(builder, |builder, &joint| builder.joint(joint));
         builder = no_contact.iter().fold(builder, |builder, group| builder.no_contact(group.iter().copied()));
+    }
+    builder = gear::build(file, &robots, &mut faults).into_iter().fold(builder, SceneBuilder::gear);
+    for (joint, coordinate, motion) in coordinate_motion::build(file, &mut faults) {
+        builder = builder.coordinate_motion(joint, coordinate, motion);
     }
     for (index, group) in file.no_contact.iter().enumerate() {
         if let Some(group) = faults.note(no_contact(group, &bodies, &KeyPath::element("no_contact", index))) {
@@ -144,7 +148,12 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile, robots: &[PlacedRobo
         SceneError::IntegratorTakesNoVelocities { .. } | SceneError::JointsWithIntegrator { .. } => {
             KeyPath::of(&["method", "integrator"])
         }
-        SceneError::Joint { number, .. }
+        SceneError::Gear { number, .. } | SceneError::GearRate { number, .. } if *number < file.gears.len() => {
+            KeyPath::element("gears", *number)
+        }
+        SceneError::CoordinateMotion { joint: number, .. }
+        | SceneError::CoordinateRate { joint: number, .. }
+        | SceneError::Joint { number, .. }
         | SceneError::JointBeyondLimits { number, .. }
         | SceneError::JointMoves { number, .. }
         | SceneError::OffTrack { number, .. }

@@ -1,6 +1,7 @@
 //! Joints.
 
 use super::exactly::{Exactly, Vector};
+use super::motion::InterpolationEntry;
 use super::track::{FollowsName, TrackEndsName, TrackSpringsEntry};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -12,9 +13,28 @@ pub(crate) const JOINTS: &str = "ball, hinge, universal, fixed, slider, cylindri
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JointEntry {
+    /// Its name, for gears; joints need none.
+    pub name: Option<String>,
     /// What kind of joint.
     #[serde(rename = "type")]
     pub kind: JointKindEntry,
+    /// The load at which it breaks; without this key none breaks it.
+    pub breaks_at: Option<StrengthEntry>,
+}
+
+/// The load at which a joint breaks; at least one of the keys.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StrengthEntry {
+    /// The greatest force, N.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub force: Option<f64>,
+    /// The greatest moment at the anchor, N m.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub moment: Option<f64>,
+    /// The greatest impulse of an impact, N s; without this key impacts do not break it.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub impulse: Option<f64>,
 }
 
 /// Kinds of joint.
@@ -81,6 +101,71 @@ pub struct FreedomEntry {
     pub motor: Option<MotorEntry>,
     /// Dry friction.
     pub friction: Option<JointFrictionEntry>,
+    /// A motion that the coordinate follows, whatever acts on the bodies.
+    pub motion: Option<CoordinateMotionEntry>,
+}
+
+/// How a coordinate moves from its value at t = 0: exactly one of the kinds.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum CoordinateMotionEntry {
+    /// A constant rate, rad/s or m/s.
+    Rate(f64),
+    /// An oscillation, amplitude sin(2 pi frequency t + phase).
+    Sine(CoordinateSineEntry),
+    /// Values joined by a curve.
+    Table(CoordinateTableEntry),
+}
+
+/// An oscillation of a coordinate.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CoordinateSineEntry {
+    /// Amplitude, rad or m.
+    pub amplitude: f64,
+    /// Frequency, Hz.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub frequency: f64,
+    /// Phase at t = 0, rad; 0 when absent.
+    pub phase: Option<f64>,
+}
+
+/// Values of a coordinate. Before the first and after the last one it stands still.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CoordinateTableEntry {
+    /// Times, s, that rise.
+    #[schemars(length(min = 2))]
+    pub times: Vec<f64>,
+    /// Values, rad or m, one for each time; what counts is how they differ from the one at t = 0.
+    #[schemars(length(min = 2))]
+    pub values: Vec<f64>,
+    /// What is between the values; monotone when absent. Linear is refused: the rate would jump.
+    pub interpolation: Option<InterpolationEntry>,
+}
+
+/// A gear: the coordinate of one joint moves by a ratio times that of another one.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GearEntry {
+    /// Names of the two joints: the first one moves by `ratio` times what the second one moves.
+    pub joints: Exactly<String, 2>,
+    /// The coordinates of the joints; needed of cylindrical joints, which have two.
+    pub coordinates: Option<Exactly<CoordinateName, 2>>,
+    /// What the first coordinate moves for each unit of the second one: rad of hinges, m of sliders; not zero.
+    pub ratio: f64,
+}
+
+/// A coordinate of a joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum CoordinateName {
+    /// The angle about the axis.
+    Angle,
+    /// The displacement along the axis.
+    Displacement,
+    /// The distance of the anchors.
+    Distance,
 }
 
 /// Dry friction along a coordinate of a joint: `effort`, a bearing by `coefficient`, or both.

@@ -13,7 +13,7 @@
 //! | `body` | [`BodyEntry`], [`ShapeEntry`], [`InertiaEntry`] |
 //! | `friction` | [`FrictionEntry`], [`StaticFrictionEntry`]: coefficients that may depend on the direction |
 //! | `force` | [`ForceEntry`] and the kinds of force |
-//! | `joint` | [`JointEntry`] and the kinds of joint |
+//! | `joint` | [`JointEntry`] and the kinds of joint, [`GearEntry`] |
 //! | `model` | [`ModelEntry`]: robots from files of their own |
 //! | `motion` | [`MotionEntry`] and the kinds of prescribed motion |
 //! | `signal` | [`SignalEntry`]: numbers as functions of time |
@@ -53,9 +53,9 @@ pub use friction::{FrictionEntry, GrainEntry, NumberOr, StaticFrictionEntry, Sta
 pub use integrator::IntegratorName;
 pub(crate) use joint::JOINTS;
 pub use joint::{
-    CylindricalEntry, FreedomEntry, HingeEntry, JointEntry, JointFrictionEntry, JointKindEntry, MotorEntry,
-    PlanarJointEntry, PointJointEntry, RodEntry, RopeEntry, ScrewEntry, SliderEntry, TrackJointEntry,
-    UniversalJointEntry,
+    CoordinateMotionEntry, CoordinateName, CoordinateSineEntry, CoordinateTableEntry, CylindricalEntry, FreedomEntry,
+    GearEntry, HingeEntry, JointEntry, JointFrictionEntry, JointKindEntry, MotorEntry, PlanarJointEntry,
+    PointJointEntry, RodEntry, RopeEntry, ScrewEntry, SliderEntry, StrengthEntry, TrackJointEntry, UniversalJointEntry,
 };
 pub use method::{
     ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,

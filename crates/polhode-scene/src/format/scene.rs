@@ -2,8 +2,8 @@
 
 use super::exactly::{Exactly, Vector};
 use super::{
-    ArrayEntry, BodyEntry, ForceEntry, FrictionEntry, JointEntry, MethodEntry, ModelEntry, StaticFrictionEntry,
-    TrackEntry,
+    ArrayEntry, BodyEntry, ForceEntry, FrictionEntry, GearEntry, JointEntry, MethodEntry, ModelEntry,
+    StaticFrictionEntry, TrackEntry,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -58,6 +58,9 @@ pub struct SceneFile {
     /// Curves that joints hold bodies to.
     #[serde(default)]
     pub tracks: Vec<TrackEntry>,
+    /// Coordinates of two joints that move together.
+    #[serde(default)]
+    pub gears: Vec<GearEntry>,
     /// Groups of bodies that do not collide with each other.
     #[serde(default)]
     pub no_contact: Vec<NoContactEntry>,

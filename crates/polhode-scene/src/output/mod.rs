@@ -11,12 +11,14 @@
 //! | `csv`, `npy`, `json` | the kinds of trajectory |
 //! | `csv_stream` | a trajectory as CSV to any writer |
 //! | `events` | events as CSV |
+//! | `joints` | coordinates, loads and powers of joints as CSV |
 //! | `outputs` | [`Outputs`]: the observer |
 
 pub mod atomic_file;
 mod csv;
 mod csv_stream;
 mod events;
+mod joints;
 mod json;
 mod npy;
 mod outputs;
@@ -25,6 +27,7 @@ pub use atomic_file::{AtomicFile, LeftBehind, Unfinished};
 pub use csv::COLUMNS;
 pub use csv_stream::CsvStream;
 pub use events::EVENT_COLUMNS;
+pub use joints::JOINT_COLUMNS;
 pub use npy::{NPY_WIDTH, npy_row};
 pub use outputs::{OutputError, Outputs};
 

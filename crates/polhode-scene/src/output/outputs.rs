@@ -4,8 +4,8 @@ use super::atomic_file::{AtomicFile, LeftBehind, Unfinished};
 use super::csv::Csv;
 use super::json::Json;
 use super::npy::Npy;
-use super::{TrajectoryFormat, cut_to_line, events};
-use polhode::{BodySample, Event, Flow, Observer, Scene};
+use super::{TrajectoryFormat, cut_to_line, events, joints};
+use polhode::{BodySample, Event, Flow, JointSample, Observer, Scene};
 use std::fs::File;
 use std::io::{self, Cursor};
 use std::path::{Path, PathBuf};
@@ -21,7 +21,7 @@ pub enum OutputError {
         path: PathBuf,
     },
     /// The ending of a file's name says that it holds something else than events.
-    #[error("{}: events are written as CSV: name a file that ends in .csv", path.display())]
+    #[error("{}: events and joints are written as CSV: name a file that ends in .csv", path.display())]
     EventsEnding {
         /// The file.
         path: PathBuf,
@@ -92,6 +92,8 @@ pub struct Outputs {
     bodies: Vec<String>,
     trajectories: Vec<(AtomicFile, Box<dyn TrajectoryFormat>)>,
     events: Option<AtomicFile>,
+    /// The file of joints, and their names.
+    joints: Option<(AtomicFile, Vec<String>)>,
     fault: Option<OutputError>,
 }
 
@@ -114,7 +116,7 @@ impl Outputs {
         for path in trajectories {
             formats.push(format_of(path, scene.name(), &bodies)?);
         }
-        let mut outputs = Self { bodies, trajectories: Vec::new(), events: None, fault: None };
+        let mut outputs = Self { bodies, trajectories: Vec::new(), events: None, joints: None, fault: None };
         for (path, mut format) in trajectories.iter().zip(formats) {
             let mut mender = format.mender();
             let file = AtomicFile::create_mending(path, |open| {
@@ -136,6 +138,28 @@ impl Outputs {
             outputs.events = Some(file);
         }
         Ok(outputs)
+    }
+
+    /// The same with a file (CSV) of the joints, which have these names by their handles.
+    ///
+    /// # Errors
+    /// When its ending is another than `.csv`, its name is that of another output, or it cannot be opened.
+    pub fn with_joints(mut self, path: &Path, names: Vec<String>) -> Result<Self, OutputError> {
+        if !may_hold_events(path) {
+            return Err(OutputError::EventsEnding { path: path.to_owned() });
+        }
+        if self.files().any(|file| file.target() == path) {
+            return Err(OutputError::Twice { path: path.to_owned() });
+        }
+        let file = AtomicFile::create_mending(path, |open| {
+            let mut empty = Cursor::new(Vec::new());
+            joints::begin(&mut empty)?;
+            mended(open, empty.position(), cut_to_line)
+        });
+        let mut file = file.map_err(|source| fault(path, source))?;
+        joints::begin(&mut file).map_err(|source| fault(path, source))?;
+        self.joints = Some((file, names));
+        Ok(self)
     }
 
     /// Completes all files and moves them to their names.
@@ -166,12 +190,14 @@ impl Outputs {
             kept.extend(file.salvage(|open| format.mend(open)));
         }
         kept.extend(self.events.as_mut().and_then(|file| file.salvage(cut_to_line).ok()));
+        kept.extend(self.joints.as_mut().and_then(|(file, _)| file.salvage(cut_to_line).ok()));
         if kept.is_empty() { fault } else { OutputError::Kept { fault: Box::new(fault), kept } }
     }
 
     /// What programs that were killed while they wrote the same files had left behind.
     pub fn left_behind(&self) -> Vec<LeftBehind> {
         let files = self.trajectories.iter().map(|(file, _)| file).chain(&self.events);
+        let files = files.chain(self.joints.iter().map(|(file, _)| file));
         files.flat_map(|file| file.left_behind().to_vec()).collect()
     }
 
@@ -182,7 +208,8 @@ impl Outputs {
             file.unfinished(move |open| mender.mend(open))
         });
         let events = self.events.as_ref().and_then(|file| file.unfinished(cut_to_line));
-        trajectories.chain(events).collect()
+        let joints = self.joints.as_ref().and_then(|(file, _)| file.unfinished(cut_to_line));
+        trajectories.chain(events).chain(joints).collect()
     }
 
     /// After a run that failed: keeps what has been written under the names with `.partial` at their end, which are
@@ -211,7 +238,8 @@ impl Outputs {
     }
 
     fn files(&mut self) -> impl Iterator<Item = &mut AtomicFile> {
-        self.trajectories.iter_mut().map(|(file, _)| file).chain(self.events.as_mut())
+        let joints = self.joints.iter_mut().map(|(file, _)| file);
+        self.trajectories.iter_mut().map(|(file, _)| file).chain(self.events.as_mut()).chain(joints)
     }
 }
 
@@ -234,6 +262,21 @@ impl Observer for Outputs {
         }
         if let Some(file) = &mut self.events
             && let Err(source) = events::row(file, event, &self.bodies)
+        {
+            self.fault = Some(fault(file.target(), source));
+        }
+    }
+
+    fn wants_joints(&self) -> bool {
+        self.joints.is_some()
+    }
+
+    fn joints(&mut self, t_s: f64, joints: &[JointSample]) {
+        if self.fault.is_some() {
+            return;
+        }
+        if let Some((file, names)) = &mut self.joints
+            && let Err(source) = joints::rows(file, t_s, joints, names)
         {
             self.fault = Some(fault(file.target(), source));
         }

@@ -66,7 +66,27 @@ pub(crate) struct Assembly {
     pub(crate) joints: Vec<Joint>,
     /// Groups of bodies that do not collide.
     pub(crate) no_contact: Vec<Vec<BodyId>>,
+    /// The coordinates of its joints by their names in the scene: the place of the joint, and which it is.
+    pub(crate) joint_names: Vec<(String, usize, Coordinate)>,
+    /// Coordinates that follow others.
+    pub(crate) gears: Vec<RobotGear>,
 }
+
+/// A coordinate of a robot that follows another one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct RobotGear {
+    /// The place of its joint.
+    pub(crate) joint: usize,
+    /// That of the joint that it follows.
+    pub(crate) leader: usize,
+    /// Both coordinates, its own first.
+    pub(crate) coordinates: [Coordinate; 2],
+    /// What it moves for each unit of the other one.
+    pub(crate) ratio: f64,
+}
+
+/// Why a joint that follows another one has no effect.
+const NOT_THERE: &str = "one of both is no joint of the scene: it is fixed, or nothing with mass hangs at it";
 
 /// What an assembly is made with.
 struct Making<'a> {
@@ -127,6 +147,7 @@ pub(crate) fn assembled(
     };
     making.bodies();
     making.loops();
+    making.followers();
     making.no_contact();
     let Making { findings, made, .. } = making;
     let is_refused = findings.refuse();
@@ -289,9 +310,35 @@ impl Making<'_> {
 
     /// A body with its name in the scene and its material.
     fn named(&self, body: Body) -> Body {
-        let prefix = &self.placement.prefix;
-        let name = if prefix.is_empty() { body.name().to_owned() } else { format!("{prefix}/{}", body.name()) };
+        let name = self.name(body.name());
         body.renamed(name).material(self.placement.material.clone())
+    }
+
+    /// A name of the file as it is in the scene.
+    fn name(&self, own: &str) -> String {
+        let prefix = &self.placement.prefix;
+        if prefix.is_empty() { own.to_owned() } else { format!("{prefix}/{own}") }
+    }
+
+    /// Coordinates that follow others become gears.
+    fn followers(&mut self) {
+        for own in &self.robot.followers {
+            let find = |name: &str| {
+                let name = self.name(name);
+                let found = self.made.joint_names.iter().find(|(known, ..)| *known == name);
+                found.map(|(_, joint, coordinate)| (*joint, *coordinate))
+            };
+            if let (Some((joint, first)), Some((leader, second))) = (find(&own.name), find(&own.leader)) {
+                let (coordinates, ratio) = ([first, second], own.multiplier);
+                self.made.gears.push(RobotGear { joint, leader, coordinates, ratio });
+            } else if !self.robot.joints.iter().any(|joint| joint.name == own.leader) {
+                let unknown = RobotDefect::UnknownName { kind: "joint", name: own.leader.clone() };
+                self.findings.add(&own.place, format!("joint `{}`", own.name), unknown);
+            } else {
+                let what = format!("`{}`, which follows `{}`", own.name, own.leader);
+                self.findings.add(&own.place, "robot", RobotDefect::Ignored { what, count: 1, why: NOT_THERE });
+            }
+        }
     }
 
     fn push(&mut self, body: Body, pose: Pose) -> BodyId {
@@ -315,6 +362,8 @@ impl Making<'_> {
         for (&coordinate, number) in kind.coordinates().iter().zip(coordinates) {
             let value = self.values[number];
             if let Some(own) = self.robot.joints[number].coordinates.first() {
+                let name = self.name(&own.name);
+                self.made.joint_names.push((name, self.made.joints.len(), coordinate));
                 joint = joint.along(coordinate, freedom(own, coordinate, value, &mut self.findings));
             }
         }

@@ -371,6 +371,16 @@ pub enum RobotDefect {
         "it is part of a {0} joint, along whose coordinates nothing acts: its limits, springs, dampers and friction are not kept"
     )]
     Unlimited(&'static str),
+    /// A configuration gives a coordinate that follows another one a value that does not follow.
+    #[error("it follows `{leader}` and is at {value} then, but its configuration says {given}")]
+    Follows {
+        /// What it follows.
+        leader: String,
+        /// Its value then, rad or m.
+        value: f64,
+        /// The value of the configuration.
+        given: f64,
+    },
     /// Something has no effect.
     #[error("{what}{}: {why}", times(*count))]
     Ignored {

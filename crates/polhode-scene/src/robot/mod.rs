@@ -41,12 +41,13 @@ mod tree;
 mod urdf;
 mod weld;
 
-pub(crate) use assemble::{Assembly, assembled};
+pub(crate) use assemble::{Assembly, RobotGear, assembled};
 pub use assemble::{Base, Placement, SelfCollision};
 pub use doctor::examine;
 pub use finding::{Finding, RobotDefect, RobotPlace, Severity};
 pub use model::{
-    Closure, ClosureKind, Geom, GeomForm, Inertial, Link, Robot, RobotCoordinate, RobotJoint, RobotJointKind, Root,
+    Closure, ClosureKind, Follower, Geom, GeomForm, Inertial, Link, Robot, RobotCoordinate, RobotJoint, RobotJointKind,
+    Root,
 };
 pub use read::{RobotFile, read_robot, read_text};
 pub(crate) use stage::{is_robot_file, scene_of};

@@ -21,6 +21,8 @@ pub struct Robot {
     pub joints: Vec<RobotJoint>,
     /// What closes loops.
     pub loops: Vec<Closure>,
+    /// Coordinates that follow others.
+    pub followers: Vec<Follower>,
     /// Pairs of links that do not collide.
     pub apart: Vec<[usize; 2]>,
     /// What holds the root when the scene does not say.
@@ -214,6 +216,21 @@ pub struct RobotCoordinate {
     pub stiffness: f64,
     /// The value at which the spring is at rest, rad or m.
     pub rest: f64,
+}
+
+/// A coordinate that follows another one: `q = multiplier q_leader + offset`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Follower {
+    /// Where it is given.
+    pub place: RobotPlace,
+    /// Its name: that of its joint in the file.
+    pub name: String,
+    /// The name of the one that it follows.
+    pub leader: String,
+    /// rad or m for each rad or m of the leader.
+    pub multiplier: f64,
+    /// rad or m.
+    pub offset: f64,
 }
 
 /// What closes a loop between two links.

@@ -18,6 +18,7 @@ pub(super) fn start(robot: &Robot, given: &BTreeMap<String, f64>, findings: &mut
         let value = joint.coordinates.first().map_or(0.0, |coordinate| start_of(coordinate, given, findings));
         values.push(value);
     }
+    follow(robot, &mut values, given, findings);
     for name in given.keys() {
         let joint = robot.joints.iter().find(|joint| joint.name == *name);
         if robot.joints.iter().any(|joint| joint.coordinates.iter().any(|own| own.name == *name)) {
@@ -30,6 +31,40 @@ pub(super) fn start(robot: &Robot, given: &BTreeMap<String, f64>, findings: &mut
         findings.add(place, format!("configuration of `{name}`"), defect);
     }
     values
+}
+
+/// Largest difference of a value that is given for a coordinate from the one that it has because it follows another, rad or m: the
+/// digits of a file.
+const SAME_VALUE: f64 = 1e-6;
+
+/// Gives coordinates that follow others the values that follow.
+fn follow(robot: &Robot, values: &mut [f64], given: &BTreeMap<String, f64>, findings: &mut Findings) {
+    let place = |name: &str| {
+        robot.joints.iter().position(|joint| joint.coordinates.first().is_some_and(|own| own.name == name))
+    };
+    // One may follow another that follows in turn: a chain of all of them is done after so many rounds.
+    for _ in 0..robot.followers.len() {
+        for own in &robot.followers {
+            if let (Some(joint), Some(leader)) = (place(&own.name), place(&own.leader)) {
+                values[joint] = own.multiplier * values[leader] + own.offset;
+            }
+        }
+    }
+    for own in &robot.followers {
+        let Some(joint) = place(&own.name) else { continue };
+        let (value, subject) = (values[joint], format!("joint `{}`", own.name));
+        if let Some(&asked) = given.get(&own.name).filter(|&&asked| (asked - value).abs() > SAME_VALUE) {
+            findings.add(
+                &own.place,
+                &subject,
+                RobotDefect::Follows { leader: own.leader.clone(), value, given: asked },
+            );
+        }
+        let limits = robot.joints[joint].coordinates.first().and_then(|own| own.limits);
+        if let Some([lower, upper]) = limits.filter(|[lower, upper]| !(*lower..=*upper).contains(&value)) {
+            findings.add(&own.place, subject, RobotDefect::BeyondLimits { value, lower, upper });
+        }
+    }
 }
 
 fn start_of(coordinate: &RobotCoordinate, given: &BTreeMap<String, f64>, findings: &mut Findings) -> f64 {

@@ -5,9 +5,11 @@
 
 use super::element::Element;
 use super::finding::RobotDefect;
-use super::joint_extras::{self, MIMIC};
+use super::joint_extras;
 use super::mesh_path::MeshPaths;
-use super::model::{Geom, GeomForm, Inertial, Link, Robot, RobotCoordinate, RobotJoint, RobotJointKind, Root};
+use super::model::{
+    Follower, Geom, GeomForm, Inertial, Link, Robot, RobotCoordinate, RobotJoint, RobotJointKind, Root,
+};
 use super::reading::{Reading, turned};
 use glam::{DMat3, DVec3};
 use polhode::spatial::{Pose, Rotation, UnitVector};
@@ -45,7 +47,9 @@ pub(super) fn read(root: &Element, paths: &MeshPaths, reading: &mut Reading) -> 
     }
     let mut joints: Vec<RobotJoint> = Vec::new();
     let mut names = std::collections::BTreeSet::new();
+    let mut followers = Vec::new();
     for element in root.all("joint") {
+        followers.extend(element.first("mimic").and_then(|own| follower(element, own, reading)));
         if let Some(joint) = joint(element, &numbers, reading) {
             if !names.insert(joint.name.clone()) {
                 reading.refuse(element, format!("joint `{}`", joint.name), RobotDefect::DuplicateName("joint"));
@@ -54,7 +58,8 @@ pub(super) fn read(root: &Element, paths: &MeshPaths, reading: &mut Reading) -> 
         }
     }
     let (place, files) = (root.place.clone(), Vec::new());
-    Some(Robot { name, place, links, joints, loops: Vec::new(), apart: Vec::new(), root: Root::Link, files })
+    let (loops, apart) = (Vec::new(), Vec::new());
+    Some(Robot { name, place, links, joints, loops, followers, apart, root: Root::Link, files })
 }
 
 /// The robot, whose first link is its root, with what the root stands for by its name.
@@ -196,6 +201,20 @@ fn joint(element: &Element, numbers: &BTreeMap<String, usize>, reading: &mut Rea
     Some(RobotJoint { name, place, parent, child, origin, anchor: DVec3::ZERO, kind, coordinates })
 }
 
+/// Which joint a joint follows.
+fn follower(element: &Element, own: &Element, reading: &mut Reading) -> Option<Follower> {
+    let name = element.attribute("name").unwrap_or_default().trim().to_owned();
+    let subject = format!("joint `{name}`");
+    let Some(leader) = own.attribute("joint") else {
+        reading.refuse(own, &subject, RobotDefect::MissingAttribute("joint"));
+        return None;
+    };
+    let multiplier = reading.number(own, "multiplier", &subject).unwrap_or(1.0);
+    let offset = reading.number(own, "offset", &subject).unwrap_or(0.0);
+    let (place, leader) = (own.place.clone(), leader.trim().to_owned());
+    joint_extras::follower(Follower { place, name, leader, multiplier, offset }, own, reading)
+}
+
 /// What the joint leaves free.
 fn kind(element: &Element, subject: &str, reading: &mut Reading) -> Option<RobotJointKind> {
     let Some(word) = element.attribute("type") else {
@@ -269,9 +288,6 @@ fn coordinates(
 
 /// What a joint has that has no effect.
 fn extras(element: &Element, kind: RobotJointKind, subject: &str, reading: &mut Reading) {
-    if let Some(own) = element.first("mimic") {
-        reading.ignore(own, "<mimic> of joints", MIMIC);
-    }
     for name in ["safety_controller", "calibration"] {
         if let Some(own) = element.first(name) {
             reading.ignore(own, format!("<{name}> of joints"), OF_OTHERS);

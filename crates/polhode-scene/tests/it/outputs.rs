@@ -148,6 +148,44 @@ fn events() {
     assert_eq!(read(&path), expected);
 }
 
+/// Joints: one row for each sample, with the coordinates that they have, their loads and their powers. A motor of 0.5 N m turns a wheel of
+/// 1 kg m^2: after a second it gives 0.25 W; the bearing bears the weight of 2 kg.
+#[test]
+fn joints() {
+    let text = r#"
+format = 1
+duration = 1.0
+output.interval = 1.0
+[[bodies]]
+name = "wheel"
+shape.cylinder = { radius = 0.1, height = 0.1 }
+mass = 2.0
+inertia = [1, 1, 1]
+[[joints]]
+name = "shaft"
+type.hinge = { bodies = ["wheel"], anchor = [0, 0, 0], axis = [0, 0, 1], angle = { motor = { effort = 0.5 } } }
+"#;
+    let loaded = polhode_scene::load_text("wheel.toml", text, &[]).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("joints.csv");
+    let outputs = Outputs::create(&loaded.scene, &[], None).unwrap();
+    let mut outputs = outputs.with_joints(&path, loaded.joint_names()).unwrap();
+    polhode::Simulation::new(&loaded.scene).unwrap().run_observed(&mut outputs).unwrap();
+    outputs.finish().unwrap();
+    let written = read(&path);
+    let lines: Vec<Vec<&str>> = written.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(lines[0], polhode_scene::output::JOINT_COLUMNS);
+    assert_eq!(lines.len(), 3, "{written}");
+    let number = |place: usize| lines[2][place].parse::<f64>().unwrap();
+    assert_eq!((number(0), lines[2][1]), (1.0, "shaft"));
+    assert_eq!(lines[2][4..8], [""; 4]);
+    for (place, expected) in [(2, 0.25), (3, 0.5), (8, 0.0), (9, 0.0), (10, 19.62), (14, 0.25)] {
+        assert!((number(place) - expected).abs() < 1e-12, "column {place}: {written}");
+    }
+    let wrong = Outputs::create(&loaded.scene, &[], Some(&path)).unwrap().with_joints(&path, Vec::new());
+    assert!(matches!(wrong, Err(OutputError::Twice { .. })));
+}
+
 /// Until a run is finished nothing changes under a file's name, and a run that is dropped leaves no trace.
 #[test]
 fn files_appear_whole() {

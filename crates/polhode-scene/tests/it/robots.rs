@@ -203,7 +203,7 @@ fn limits_move_with_the_start() {
 /// What is not simulated is listed with the place where it stands first and how often.
 #[test]
 fn what_is_ignored_is_listed() {
-    let follows = "<mimic joint=\"lead\"/><dynamics friction=\"0.5\"/>";
+    let follows = "<mimic joint=\"lead\" multiplier=\"0\"/><dynamics friction=\"0.5\"/>";
     let text = urdf(&[
         link("a", 1.0, [0.0; 3], UNIT),
         link("b", 1.0, [0.0; 3], UNIT),
@@ -219,10 +219,45 @@ fn what_is_ignored_is_listed() {
         assert_eq!(finding.severity(), Severity::Ignored);
         let _ = writeln!(told, "{finding}");
     }
-    for expected in ["<gazebo> of <robot>", "<transmission> of <robot>", "<mimic> of joints"] {
+    for expected in ["<gazebo> of <robot>", "<transmission> of <robot>", "a joint that follows another one"] {
         assert!(told.contains(expected), "{told}");
     }
     assert!(told.contains("robot.urdf:6:"), "{told}");
+}
+
+/// A joint that follows another one is a gear of the scene: it starts where the other one says, and moves with it. Joints of robots have
+/// names in the scene.
+#[test]
+fn a_joint_that_follows_another_is_a_gear() {
+    let text = urdf(&[
+        link("a", 1.0, [0.0; 3], UNIT),
+        link("b", 1.0, [0.0; 3], UNIT),
+        link("c", 1.0, [0.0; 3], UNIT),
+        link("d", 1.0, [0.0; 3], UNIT),
+        joint("lead", "continuous", ["a", "b"], "<axis xyz=\"0 0 1\"/>"),
+        joint(
+            "follow",
+            "continuous",
+            ["a", "c"],
+            "<axis xyz=\"0 0 1\"/><mimic joint=\"lead\" multiplier=\"-2\" offset=\"0.5\"/>",
+        ),
+        joint("slide", "prismatic", ["a", "d"], "<axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\"/>"),
+    ]);
+    let folder = Folder::new().with("robot.urdf", &text);
+    let more = "name = \"r\"\nbase = \"fixed\"\nconfiguration.lead = 0.25\n[[gears]]\njoints = [\"r/slide\", \"r/lead\"]\nratio = 0.1\n";
+    let loaded = folder.scene("robot.urdf", more).unwrap();
+    let gears: Vec<_> =
+        loaded.scene.gears().iter().map(|gear| (gear.joints().map(polhode::JointId::index), gear.ratio())).collect();
+    assert_eq!(gears, [([2, 0], 0.1), ([1, 0], -2.0)]);
+    // -2 of 0.25 rad and 0.5 rad are zero: the follower stands as in the file.
+    let follower = loaded.scene.bodies().iter().find(|body| body.name() == "r/c").unwrap();
+    assert!(follower.initial_pose().rotation.angle_to(Rotation::IDENTITY) < 1e-12);
+    let unknown = text.replace("mimic joint=\"lead\"", "mimic joint=\"nobody\"");
+    let error = Folder::new().with("robot.urdf", &unknown).scene("robot.urdf", "").unwrap_err();
+    assert!(error.contains("nobody"), "{error}");
+    let contradicts = "configuration.lead = 0.25\nconfiguration.follow = 0.3\n";
+    let error = folder.scene("robot.urdf", contradicts).unwrap_err();
+    assert!(error.contains("it follows `lead`"), "{error}");
 }
 
 /// A part without mass between two hinges whose axes cross is a universal joint; at the end of a branch it is left out.

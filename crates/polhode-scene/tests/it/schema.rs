@@ -45,7 +45,8 @@ fn lists_what_is_accepted() {
         impulse-unconditional title description static_friction rolling_friction spinning_friction along across \
         surface_velocity restitution_law approximate parts joints ball hinge universal fixed slider cylindrical planar anchor axis axes normal \
         breakaway coefficient screw lead tracks track curve line circle helix path spline wave cycloid closed \
-        start heading up curvature coefficients advance turns wavelength lowest side springs follows tangent reach ends free stops straight tangential_restitution arrays layout grid pyramid wall drop counts spacing base length height turn count seed stronge poisson newton whittaker chatterjee-ruina";
+        start heading up curvature coefficients advance turns wavelength lowest side springs follows tangent reach ends free stops straight \
+        gears breaks_at moment ratio coordinates rate values distance tangential_restitution arrays layout grid pyramid wall drop counts spacing base length height turn count seed stronge poisson newton whittaker chatterjee-ruina";
     let integrators = Integrator::ALL.map(Integrator::name);
     for word in accepted.split_whitespace().chain(integrators) {
         assert!(words.iter().any(|known| known == word), "{word} is missing");

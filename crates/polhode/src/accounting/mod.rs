@@ -210,6 +210,12 @@ impl Accounts {
         check_finite(world, states, t)?;
         let energy = self.books.observe(world, states);
         self.measures.numerical.note(world, states, t, &self.books.ledger);
+        if let Some(error) = world.joint_error(states) {
+            let worst = |known: Option<f64>, own: f64| Some(known.map_or(own, |known| known.max(own)));
+            let certificate = &mut self.certificate;
+            certificate.max_joint_error_m = worst(certificate.max_joint_error_m, error.apart_m);
+            certificate.max_joint_error_rad = worst(certificate.max_joint_error_rad, error.turned_rad);
+        }
         if energy.final_j.is_finite() { Ok(energy) } else { Err(SimulationError::EnergyOverflow { t_s: t }) }
     }
 
@@ -282,7 +288,8 @@ impl Accounts {
         if !observer.wants_samples() {
             return true;
         }
-        let samples: Vec<_> = states.iter().enumerate().map(|(body, state)| world.sample(body, state)).collect();
+        let shown = states.iter().take(world.shown()).enumerate();
+        let samples: Vec<_> = shown.map(|(body, state)| world.sample(body, state)).collect();
         observer.sample(t, &samples);
         true
     }

@@ -165,6 +165,8 @@ fn save_certificate(certificate: &Certificate) -> content::Certificate {
         max_penetration_m: certificate.max_penetration_m,
         max_acceleration_error_bound: certificate.max_acceleration_error_bound,
         max_step_error: certificate.max_step_error,
+        max_joint_error_m: certificate.max_joint_error_m,
+        max_joint_error_rad: certificate.max_joint_error_rad,
         estimated_error: certificate.estimated_error,
         factorisations: certificate.factorisations,
         fallbacks: certificate.fallbacks,
@@ -177,6 +179,8 @@ fn restored_certificate(saved: &content::Certificate) -> Certificate {
         max_penetration_m: saved.max_penetration_m,
         max_acceleration_error_bound: saved.max_acceleration_error_bound,
         max_step_error: saved.max_step_error,
+        max_joint_error_m: saved.max_joint_error_m,
+        max_joint_error_rad: saved.max_joint_error_rad,
         estimated_error: saved.estimated_error,
         factorisations: saved.factorisations,
         fallbacks: saved.fallbacks,
@@ -196,6 +200,7 @@ fn save_event(event: &Event) -> content::Event {
         EventKind::Stick => content::EventKind::Stick,
         EventKind::Slide => content::EventKind::Slide,
         EventKind::Jam => content::EventKind::Jam,
+        EventKind::Break => content::EventKind::Break,
     };
     let (point, normal) = (point.to_array(), normal.to_array());
     let (body_a, body_b) = (body_a.index(), body_b.map(BodyId::index));
@@ -216,6 +221,7 @@ fn restored_event(saved: &content::Event, bodies: usize) -> Result<Event, Snapsh
         content::EventKind::Stick => EventKind::Stick,
         content::EventKind::Slide => EventKind::Slide,
         content::EventKind::Jam => EventKind::Jam,
+        content::EventKind::Break => EventKind::Break,
     };
     Ok(Event {
         t_s: saved.t,

@@ -22,6 +22,7 @@ use crate::collision::contact_id::ContactId;
 use crate::collision::friction_mode::Slide;
 use crate::core::Core;
 use crate::solve::cone_violation::{CONE_LIMIT, ConeViolation};
+use crate::solve::contradiction::refuse_contradictions;
 use crate::world::World;
 use polhode_dynamics::error_allowance::{ErrorAllowance, LargestError};
 use polhode_dynamics::field::Wrench;
@@ -119,7 +120,7 @@ impl Motions {
     /// Integrates bodies with their held contacts from `t` over the longest step that the error control accepts.
     ///
     /// # Errors
-    /// When no step is short enough.
+    /// When no step is short enough, or gears and prescribed motions contradict each other.
     pub(super) fn constrained_step(
         &mut self,
         core: &mut Core,
@@ -127,6 +128,7 @@ impl Motions {
         active: &ActiveContacts,
         t: f64,
     ) -> Result<ConstrainedStep, SimulationError> {
+        refuse_contradictions(core, t, &self.states, bodies)?;
         let longest = core.settings.step_s;
         let proposed = bodies.iter().map(|&body| self.tracks[body].proposed_step_s).fold(longest, f64::min);
         let mut control = StepControl::proposing(proposed);

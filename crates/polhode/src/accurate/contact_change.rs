@@ -25,6 +25,8 @@ pub(super) struct ContactChange {
     pub(super) turning: BTreeMap<(ContactId, Turn), DVec3>,
     /// Joints whose bodies run off the ends of their tracks then.
     pub(super) running_off: BTreeSet<usize>,
+    /// Joints that break then.
+    pub(super) breaking: BTreeSet<usize>,
 }
 
 impl ContactChange {
@@ -36,6 +38,7 @@ impl ContactChange {
         self.slipping.extend(other.slipping.iter().map(|(&id, &direction)| (id, direction)));
         self.settling.extend(other.settling.iter().copied());
         self.running_off.extend(&other.running_off);
+        self.breaking.extend(&other.breaking);
         self.turning.extend(other.turning.iter().map(|(&turn, &direction)| (turn, direction)));
     }
 }

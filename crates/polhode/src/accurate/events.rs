@@ -59,7 +59,7 @@ impl Engine {
                 }
                 self.begin_stretch(core, instant, stuck)
             }
-            None => match self.resolve(core, &mut instant) {
+            None => match self.break_joints(core, &mut instant).and_then(|()| self.resolve(core, &mut instant)) {
                 Ok(()) => self.continue_motion(core, instant),
                 Err(error) => self.begin_stretch_if_unsolved(core, instant, error),
             },
@@ -72,6 +72,12 @@ impl Engine {
     /// When an impact or the contact forces cannot be solved.
     pub(super) fn resolve(&mut self, core: &mut Core, instant: &mut Instant) -> Result<(), SimulationError> {
         Resolution { core, motions: &mut self.motions, schedule: &self.schedule, instant }.resolve()
+    }
+
+    /// Breaks the joints that break at an instant.
+    fn break_joints(&mut self, core: &mut Core, instant: &mut Instant) -> Result<(), SimulationError> {
+        let broken: Vec<usize> = std::mem::take(&mut instant.change.breaking).into_iter().collect();
+        core.break_joints(instant.t, &self.motions.states, &broken)
     }
 
     /// If the contact forces could not be found, time steps advance the bodies of an instant; other errors are
@@ -524,6 +530,7 @@ impl Motions {
             Step::Crowd(step) => {
                 let (states, report) = self.crowd_end(core, step, &island.bodies, t)?;
                 set_states(&mut self.states, &island.bodies, &states);
+                core.world.count_turns(&self.states, &island.bodies);
                 core.note_crowd_step(t, &self.states, &report);
                 return Ok(None);
             }
@@ -534,6 +541,7 @@ impl Motions {
             core.world.keep_in_plane(body, &mut state);
             self.states[body] = state;
         }
+        core.world.count_turns(&self.states, &island.bodies);
         let integrated = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
         core.accounts.books.smooth_stage(before, integrated, received);
         Ok(Some(integrated))

@@ -236,9 +236,9 @@ impl Forces {
             }
         }
         for (bilateral, reaction) in self.assembly.reactions(&self.solution.forces) {
-            for member in &bilateral.members {
-                force_sums[member.body] += reaction.force.length();
-                moment_sums[member.body] += reaction.force.length() * member.arm.length() + reaction.moment.length();
+            for (body, force, moment) in bilateral.magnitudes(reaction) {
+                force_sums[body] += force;
+                moment_sums[body] += moment;
             }
         }
         self.accelerations()

@@ -1,6 +1,7 @@
 //! Forces of pivots, and forces and moments of joints, at one instant.
 //!
-//! A joint does what its reactions do, and what its stops and its friction do at levers.
+//! A joint does what its reactions do, what gears and prescribed motions do along its coordinates, and what its stops and its
+//! friction do at levers.
 //!
 //! If constraint rows hold the body, it is the force of these rows. If the motion is reduced to rotation about the
 //! pivot, it follows from Newton's law for the centre of mass, `F = m (a_cm - g) - F_fields - sum +-n f`, with
@@ -8,13 +9,15 @@
 
 use super::engine::Engine;
 use super::hold::Forces;
+use super::joint_breaks::loads_of;
+use crate::BodyId;
 use crate::collision::contact_set::Touch;
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::Reaction;
 use crate::core::Core;
 use crate::frame::{JointView, PivotView};
 use crate::rows::assembly::free_acceleration;
-use crate::{BodyId, JointId};
+use crate::solve::joint_loads::joint_view;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::ComplementaritySolver;
 use polhode_spatial::DVec3;
@@ -86,30 +89,12 @@ impl Engine {
                 let joints = group.iter().filter_map(|body| world.joints_of.get(body)).flatten();
                 for joint in joints.map(|&place| &world.joints[place]) {
                     let (number, point_m) = (joint.number(), world.anchor_of(states, joint));
-                    views.insert(number, view(number, point_m, none));
+                    views.insert(number, joint_view(number, point_m, none));
                 }
                 continue;
             };
-            for (of, reaction) in forces.assembly.reactions(&forces.solution.forces) {
-                if let ConstraintId::Joint { joint, .. } = of.id {
-                    views.insert(joint, view(joint, of.point, (reaction.force, reaction.moment)));
-                }
-            }
-            for (index, (touch, normal)) in members.iter().zip(forces.of_contacts()).enumerate() {
-                let tangential = forces.friction(index).map_or(DVec3::ZERO, |friction| friction.force);
-                let on_first = touch.kinematics.geometry.normal * *normal + tangential;
-                let Some((joint, force)) = world.joint_force_of(touch.id, on_first) else { continue };
-                let anchor = world.joints.iter().find(|own| own.number() == joint);
-                let anchor = anchor.map_or(touch.kinematics.geometry.point, |own| world.anchor_of(states, own));
-                let own = views.entry(joint).or_insert_with(|| view(joint, anchor, (DVec3::ZERO, DVec3::ZERO)));
-                own.force_n += force;
-                own.moment_n_m += (touch.kinematics.geometry.point - own.point_m).cross(force);
-            }
+            views.extend(loads_of(core, states, (&forces, &members)));
         }
         views.into_values().collect()
     }
-}
-
-fn view(joint: usize, point_m: DVec3, (force_n, moment_n_m): (DVec3, DVec3)) -> JointView {
-    JointView { joint: JointId::new(joint), point_m, force_n, moment_n_m }
 }

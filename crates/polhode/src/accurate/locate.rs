@@ -63,6 +63,7 @@ impl Motions {
         let mut search =
             StepSearch { core, step, start: &self.states, states: &mut states, tolerated: BTreeSet::new() };
         let change = search.change_within(limit, pace).map(|change| search.or_end_of_track(limit, change));
+        let change = change.and_then(|found| search.or_earlier_break(found, limit));
         self.restore_scratch(core, states, &step.bodies);
         change
     }

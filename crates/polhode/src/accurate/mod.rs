@@ -24,6 +24,7 @@
 //! | `resolve`, `hold` | resolution of an instant, and the active contacts |
 //! | `lifting`, `ending_bounces`, `ending_slips` | bodies that pass onto a higher face; ends of bounces and slips that are too small to resolve |
 //! | `jam`, `turning` | impacts without a collision; rotations that friction of rolling and spinning holds |
+//! | `joint_breaks` | when joints break |
 //! | `contact_change` | what changes at the contacts of an island at the end of its active set |
 //! | `contacts` | the touching contacts at their last evaluation |
 //! | `load_views` | forces of pivots, forces and moments of joints, for programs |
@@ -55,6 +56,7 @@ mod impact_search;
 mod instant;
 mod island;
 mod jam;
+mod joint_breaks;
 mod lifting;
 mod load_views;
 mod locate;

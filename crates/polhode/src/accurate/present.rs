@@ -89,10 +89,10 @@ impl Engine {
                 .into_iter()
                 .map(|group| (group.bodies, group.contacts.iter().map(|&i| contacts[i]).collect()))
                 .collect();
-        // A pivoted body without contacts is a group of its own.
+        // A pivoted body without contacts is a group of its own, and so are jointed ones together.
         for &body in &core.world.held_by_rows {
             if !found.iter().any(|(bodies, _)| bodies.binary_search(&body).is_ok()) {
-                found.push((vec![body], Vec::new()));
+                found.push((core.world.with_jointed(vec![body]), Vec::new()));
             }
         }
         found

@@ -92,6 +92,8 @@ impl Resolution<'_> {
         let passing = self.detect();
         self.lift_onto_faces(&passing);
         self.strike_approaching()?;
+        let broken: Vec<usize> = std::mem::take(&mut self.instant.change.breaking).into_iter().collect();
+        self.core.break_joints(self.instant.t, &self.motions.states, &broken)?;
         for group in self.groups_in_motion() {
             self.decide_holds(&group)?;
         }
@@ -201,6 +203,7 @@ impl Resolution<'_> {
             struck.cone_violation(&self.core.world, &self.motions.states, &members),
             CONE_LIMIT,
         );
+        self.instant.change.breaking.extend(self.core.world.broken_by(&struck.bilaterals));
         let largest = outcome.applications.iter().fold(0.0, |most: f64, one| most.max(one.impulse.abs()));
         let is_event = |impulse: f64| impulse.abs() > NEGLIGIBLE_IMPULSE * largest;
         let applications = outcome.applications.iter().zip(&struck.constraints);

@@ -219,6 +219,7 @@ fn restored_change(world: &World, saved: &content::Island) -> Result<ContactChan
         .map(|(id, spins, to)| Ok(((restored_id(world, id)?, restored_turn(*spins)), DVec3::from_array(*to))));
     Ok(ContactChange {
         t: saved.due,
+        breaking: saved.breaking.iter().copied().collect(),
         departing: restored_ids(world, &saved.departing)?.into_iter().collect(),
         stopping: restored_ids(world, &saved.stopping)?.into_iter().collect(),
         fading: restored_ids(world, &saved.fading)?.into_iter().collect(),
@@ -288,6 +289,7 @@ fn save_island(island: &Island) -> content::Island {
             .filter(|(_, own)| !own.rotation.is_empty())
             .map(|(id, own)| (save_contact(id), save_rotation(&own.rotation)))
             .collect(),
+        breaking: island.change.breaking.iter().copied().collect(),
         settling: island.change.settling.iter().map(|&(id, turn)| (save_contact(id), turn == Turn::Spinning)).collect(),
         running_off: island.change.running_off.iter().copied().collect(),
         turning: island

@@ -145,10 +145,10 @@ impl<'a> ContactSystem<'a> {
             }
         }
         for (bilateral, reaction) in &held.reactions {
-            for member in &bilateral.members {
-                if let Ok(index) = self.bodies.binary_search(&member.body) {
-                    sums[index][0] += reaction.force.length();
-                    sums[index][1] += reaction.force.length() * member.arm.length() + reaction.moment.length();
+            for (body, force, moment) in bilateral.magnitudes(*reaction) {
+                if let Ok(index) = self.bodies.binary_search(&body) {
+                    sums[index][0] += force;
+                    sums[index][1] += moment;
                 }
             }
         }

@@ -6,7 +6,8 @@
 //! | about an axis `n` (a length times a vector) | `u = n.(w_A - w_B)` | moment `l n` on A |
 //!
 //! B bears the opposite; the world as B has no entry. Each row has a gap (m), its rate (m/s), and what its second derivative
-//! contains beside the accelerations of the bodies (m/s^2), here called its bias; a reaction keeps all three at zero. Rows of
+//! contains beside the accelerations of the bodies (m/s^2), here called its bias; a reaction keeps all three at zero. The row
+//! of a tie (`tie.rs`) has a part along each of two coordinates; its reaction here is what it does along the first one. Rows of
 //! rotations are multiplied by a length, so that all rows have one unit. Sources: thesis 3.2, equations 2 and 3; Featherstone
 //! 2008, chapter 8 (rows of joints).
 //!
@@ -15,7 +16,7 @@
 //! kind of joint.
 
 use super::ConstraintId;
-use super::row::{BilateralRow, Member, RowKind, RowsAt};
+use super::row::{Action, BilateralRow, Member, Part, RowKind, RowsAt};
 use super::softness::Softness;
 use crate::Momentum;
 use crate::MomentumSum;
@@ -31,8 +32,8 @@ pub(crate) struct Bilateral {
     pub(crate) point: DVec3,
     /// The movable ones of its bodies.
     pub(crate) members: Vec<Member>,
-    /// The kinematic one.
-    pub(crate) driver: Option<Member>,
+    /// The kinematic ones.
+    pub(crate) drivers: Vec<Member>,
     pub(crate) rows: Vec<BilateralRow>,
     /// Of a spring, a damper or a motor at a joint in a time step: its one row is soft.
     pub(crate) softness: Option<Softness>,
@@ -48,8 +49,8 @@ pub(crate) struct Reaction {
 
 impl Bilateral {
     /// The constraint of this identity with these rows.
-    pub(super) fn new(id: ConstraintId, RowsAt { point, members, driver, rows }: RowsAt) -> Self {
-        Self { id, point, members, driver, rows, softness: None }
+    pub(super) fn new(id: ConstraintId, RowsAt { point, members, drivers, rows }: RowsAt) -> Self {
+        Self { id, point, members, drivers, rows, softness: None }
     }
 
     /// A soft row.
@@ -78,10 +79,15 @@ impl Bilateral {
         for (row, &multiplier) in self.rows.iter().zip(multipliers) {
             match row.kind {
                 RowKind::Along(direction) => reaction.force += direction * multiplier,
-                RowKind::About(axis) => reaction.moment += axis * multiplier,
+                RowKind::About(axis) | RowKind::Tied { first: Action::Moment(axis), .. } => {
+                    reaction.moment += axis * multiplier;
+                }
                 RowKind::Helix { along, about } | RowKind::Turning { along, about } => {
                     reaction.force += along * multiplier;
                     reaction.moment += about * multiplier;
+                }
+                RowKind::Tied { first: Action::Force { direction, .. }, .. } => {
+                    reaction.force += direction * multiplier;
                 }
             }
         }
@@ -103,10 +109,33 @@ impl Bilateral {
 
     /// What a reaction does to its movable bodies: (body, force, moment about the centre of mass).
     pub(crate) fn loads(&self, reaction: Reaction) -> impl Iterator<Item = (usize, DVec3, DVec3)> + '_ {
+        let tied = self.tied().map(|row| (row, row.multiplier(reaction)));
         self.members.iter().map(move |member| {
+            if let Some((row, multiplier)) = tied {
+                let (along, about) = row.entries(member);
+                return (member.body, along * multiplier, about * multiplier);
+            }
             let force = reaction.force * member.sign;
             (member.body, force, member.arm.cross(force) + reaction.moment * member.sign)
         })
+    }
+
+    /// Bounds of the force (N) and the moment (N m) of a reaction on each of its movable bodies.
+    pub(crate) fn magnitudes(&self, reaction: Reaction) -> impl Iterator<Item = (usize, f64, f64)> + '_ {
+        let tied = self.tied().map(|row| (row, row.multiplier(reaction)));
+        self.members.iter().map(move |member| {
+            if let Some((row, multiplier)) = tied {
+                let (along, about) = row.entries(member);
+                return (member.body, (along * multiplier).length(), (about * multiplier).length());
+            }
+            let force = reaction.force.length();
+            (member.body, force, force * member.arm.length() + reaction.moment.length())
+        })
+    }
+
+    /// Its row if it is a tie.
+    fn tied(&self) -> Option<&BilateralRow> {
+        self.rows.first().filter(|row| matches!(row.kind, RowKind::Tied { .. }))
     }
 }
 
@@ -115,8 +144,11 @@ impl BilateralRow {
     pub(crate) fn multiplier(&self, reaction: Reaction) -> f64 {
         match self.kind {
             RowKind::Along(direction) | RowKind::Helix { along: direction, .. } => reaction.force.dot(direction),
-            RowKind::About(axis) | RowKind::Turning { about: axis, .. } => {
-                reaction.moment.dot(axis) / axis.length_squared()
+            RowKind::About(axis)
+            | RowKind::Turning { about: axis, .. }
+            | RowKind::Tied { first: Action::Moment(axis), .. } => reaction.moment.dot(axis) / axis.length_squared(),
+            RowKind::Tied { first: Action::Force { direction, .. }, .. } => {
+                reaction.force.dot(direction) / direction.length_squared()
             }
         }
     }
@@ -129,11 +161,12 @@ fn length(parts: impl Iterator<Item = f64>) -> f64 {
 impl World {
     /// Term of prescribed accelerations at `t` (s) in the second derivative of the gap of a row, m/s^2.
     pub(crate) fn driven_acceleration(&self, t: f64, bilateral: &Bilateral, row: &BilateralRow) -> f64 {
-        bilateral.driver.map_or(0.0, |driver| {
-            let (along, about) = row.entries(&driver);
+        let term = |driver: &Member| {
+            let (along, about) = row.entries(driver);
             let (linear, angular) = self.prescribed_acceleration(driver.body, t);
             along.dot(linear) + about.dot(angular)
-        })
+        };
+        bilateral.drivers.iter().map(term).reduce(|sum, own| sum + own).unwrap_or(0.0)
     }
 
     /// Work of kinematic bodies on those that constraints hold to them, J, by these impulses; of forces their power, W.
@@ -142,13 +175,19 @@ impl World {
         states: &[BodyState],
         reactions: impl Iterator<Item = (&'a Bilateral, Reaction)>,
     ) -> f64 {
-        let work = |(bilateral, reaction): (&Bilateral, Reaction)| {
-            let driver = bilateral.driver?;
+        let by_driver = |bilateral: &Bilateral, reaction: Reaction, driver: &Member| {
             let velocity = self.velocity(driver.body, &states[driver.body]);
+            if let Some(row) = bilateral.tied() {
+                let (along, about) = row.entries(driver);
+                return -row.multiplier(reaction) * (along.dot(velocity.linear) + about.dot(velocity.angular));
+            }
             let at_point = velocity.linear + velocity.angular.cross(driver.arm);
-            Some(-driver.sign * (reaction.force.dot(at_point) + reaction.moment.dot(velocity.angular)))
+            -driver.sign * (reaction.force.dot(at_point) + reaction.moment.dot(velocity.angular))
         };
-        reactions.filter_map(work).sum()
+        let work = |(bilateral, reaction): (&'a Bilateral, Reaction)| {
+            bilateral.drivers.iter().map(move |driver| by_driver(bilateral, reaction, driver))
+        };
+        reactions.flat_map(work).sum()
     }
 }
 
@@ -160,12 +199,37 @@ pub(crate) fn bilateral_support<'a>(
 ) -> Momentum {
     let mut sum = MomentumSum::default();
     for (constraint, reaction) in reactions {
+        if let Some(row) = constraint.tied() {
+            for own in tie_support(constraint, row, reaction, about) {
+                sum.add(own);
+            }
+            continue;
+        }
         let [member] = constraint.members[..] else { continue };
         let linear = reaction.force * member.sign;
         let moment = reaction.moment * member.sign;
         sum.add(Momentum { linear, angular: (constraint.point - about).cross(linear) + moment });
     }
     sum.value()
+}
+
+/// The same of a tie: of those of its coordinates that have one movable body.
+fn tie_support(constraint: &Bilateral, row: &BilateralRow, reaction: Reaction, about: DVec3) -> [Momentum; 2] {
+    let none = Momentum { linear: DVec3::ZERO, angular: DVec3::ZERO };
+    let RowKind::Tied { first, second } = row.kind else { return [none; 2] };
+    let multiplier = row.multiplier(reaction);
+    [(Part::First, first), (Part::Second, second)].map(|(part, action)| {
+        let mut members = constraint.members.iter().filter(|member| member.part == part);
+        let (Some(member), None) = (members.next(), members.next()) else { return none };
+        let signed = multiplier * member.sign;
+        match action {
+            Action::Force { direction, point } => {
+                let linear = direction * signed;
+                Momentum { linear, angular: (point - about).cross(linear) }
+            }
+            Action::Moment(axis) => Momentum { linear: DVec3::ZERO, angular: axis * signed },
+        }
+    })
 }
 
 /// Applies impulses of constraints to the momenta of their bodies.

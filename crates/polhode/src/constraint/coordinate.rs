@@ -19,8 +19,8 @@
 //! Assumptions: what the joint keeps holds. An angle is known up to whole revolutions. Two points at one place have no direction:
 //! there is no row then.
 
-use super::coordinate_at::AtLever;
 pub(crate) use super::coordinate_at::CoordinateAt;
+use super::coordinate_at::{AsMoment, AtLever};
 use super::end::EndKinematics;
 use super::line;
 use super::row::RowKind;
@@ -97,7 +97,8 @@ fn angle(
     let at_a = a.rotation.rotate(of_a);
     let angle = libm::atan2(axis.dot(at_b.cross(at_a)), at_b.dot(at_a));
     let whole = libm::round((near / length - angle) / (2.0 * PI));
-    let turning = length * b.angular.cross(axis).dot(a.angular - b.angular);
+    let turns = a.angular - b.angular;
+    let turning = length * b.angular.cross(axis).dot(turns);
     let at_lever = |lever: DVec3| {
         let direction = axis.cross(lever);
         // What the joint keeps at the anchor determines the acceleration there along the direction of the force.
@@ -113,7 +114,7 @@ fn angle(
         bias,
         point,
         direction,
-        moment: Some(axis * length),
+        moment: Some(AsMoment { axis: axis * length, rate: length * axis.dot(turns), bias: turning }),
         at_second: Some(at_lever(at_b)),
     }
 }

@@ -16,10 +16,21 @@ pub(crate) struct CoordinateAt {
     pub(crate) point: DVec3,
     /// Its direction on A (unit vector, world).
     pub(crate) direction: DVec3,
-    /// Of an angle: the moment on A that such a force of 1 N stands for, N m, world.
-    pub(crate) moment: Option<DVec3>,
+    /// Of an angle: the moment on A that such a force of 1 N stands for.
+    pub(crate) moment: Option<AsMoment>,
     /// Of an angle: such a force at the lever of B.
     pub(super) at_second: Option<AtLever>,
+}
+
+/// The row of an angle as a moment about the axis, without a lever.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct AsMoment {
+    /// The moment on A of a multiplier of 1 N, N m, world: the axis times the length.
+    pub(crate) axis: DVec3,
+    /// m/s.
+    pub(crate) rate: f64,
+    /// m/s^2.
+    pub(crate) bias: f64,
 }
 
 /// A force at a lever of a body, which stands for the moment about a hinge.

@@ -1,6 +1,6 @@
 //! An end of a constraint: a point fixed in a movable body, in a kinematic one, or in the world.
 
-use super::row::Member;
+use super::row::{Member, Part};
 use polhode_spatial::{DVec3, Pose, Rotation, Velocity};
 
 /// Where a constraint holds a body or the world.
@@ -136,7 +136,7 @@ impl EndKinematics {
     /// The movable member of a constraint at this end, with its sign.
     pub(super) fn member(&self, sign: f64) -> Option<Member> {
         match self.holder {
-            Holder::Body(body, arm) => Some(Member { body, arm, sign }),
+            Holder::Body(body, arm) => Some(Member { body, arm, sign, part: Part::First }),
             Holder::World | Holder::Driver(..) => None,
         }
     }
@@ -144,7 +144,7 @@ impl EndKinematics {
     /// The kinematic member, likewise.
     pub(super) fn driver(&self, sign: f64) -> Option<Member> {
         match self.holder {
-            Holder::Driver(body, arm) => Some(Member { body, arm, sign }),
+            Holder::Driver(body, arm) => Some(Member { body, arm, sign, part: Part::First }),
             Holder::World | Holder::Body(..) => None,
         }
     }

@@ -3,6 +3,7 @@
 use super::ConstraintId;
 use super::bilateral::Bilateral;
 use super::joint::{WorldJoint, pivot_rows};
+use super::tie::Tie;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{Pose, Velocity};
@@ -20,7 +21,7 @@ impl World {
     }
 
     /// The bilateral constraints of these bodies in these states: the pivots with constraint rows, in the order of the
-    /// bodies, then the joints, in that of the scene.
+    /// bodies, then the joints, in that of the scene, then the ties.
     pub(crate) fn bilaterals<'a>(
         &'a self,
         states: &'a [BodyState],
@@ -34,7 +35,12 @@ impl World {
             let id = ConstraintId::Joint { joint: joint.number(), bodies: (first, second) };
             Bilateral::new(id, joint.rows_at(|body| self.motion_of(states, body)))
         });
-        bodies.iter().filter_map(|&body| self.pivot(states, body)).chain(joints)
+        let ties = self.ties_among(bodies).filter_map(|tie| {
+            let rows = tie.row_at(|body| self.motion_of(states, body))?;
+            let (first, last) = (rows.members.first()?.body, rows.members.last()?.body);
+            Some(Bilateral::new(ConstraintId::Tie { tie: tie.number(), bodies: (first, last) }, rows))
+        });
+        bodies.iter().filter_map(|&body| self.pivot(states, body)).chain(joints).chain(ties)
     }
 
     /// The pivot of a body with constraint rows; none for any other body.
@@ -57,10 +63,12 @@ impl World {
         joints.into_iter().map(|joint| &self.joints[joint])
     }
 
-    /// The kinematic bodies that joints hold to these; one with several joints is repeated.
+    /// The kinematic bodies that joints and ties hold to these; one with several joints is repeated.
     pub(crate) fn drivers_of<'a>(&'a self, bodies: &'a [usize]) -> impl Iterator<Item = usize> + 'a {
         let bodies = if self.joint_drivers.is_empty() { &[] } else { bodies };
-        self.joints_among(bodies).filter_map(WorldJoint::driver)
+        self.joints_among(bodies)
+            .filter_map(WorldJoint::driver)
+            .chain(self.ties_among(bodies).filter_map(Tie::carriage))
     }
 
     /// The bodies that joints hold to this kinematic one, and all that joints connect to them, ascending.
@@ -69,7 +77,7 @@ impl World {
         self.with_jointed(own.flat_map(WorldJoint::bodies).collect())
     }
 
-    /// These bodies and all that joints connect to them, ascending.
+    /// These bodies and all that joints and ties connect to them, ascending.
     pub(crate) fn with_jointed(&self, bodies: Vec<usize>) -> Vec<usize> {
         if self.joints.is_empty() {
             return bodies;
@@ -80,6 +88,8 @@ impl World {
             let joints = self.joints_of.get(&body).into_iter().flatten();
             let reached = joints.flat_map(|&joint| self.joints[joint].bodies());
             left.extend(reached.filter(|&other| found.insert(other)));
+            let tied = self.ties_of.get(&body).into_iter().flatten().flat_map(|&tie| self.ties[tie].bodies());
+            left.extend(tied.filter(|&other| found.insert(other)));
         }
         found.into_iter().collect()
     }

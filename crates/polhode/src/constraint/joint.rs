@@ -151,6 +151,24 @@ impl WorldJoint {
         measured.at(&a, &b, self.length, near)
     }
 
+    /// The same with its ends there.
+    pub(super) fn coordinate_with_ends(
+        &self,
+        (measured, near): (&Measured, f64),
+        motion: impl Fn(usize) -> (Pose, Velocity),
+    ) -> Option<(CoordinateAt, [EndKinematics; 2])> {
+        let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
+        Some((measured.at(&a, &b, self.length, near)?, [a, b]))
+    }
+
+    /// The velocity of its first body at its anchor relative to the second one or the world there, and its angular velocity relative to
+    /// that.
+    pub(super) fn slip(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> Velocity {
+        let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
+        let b = b.at_point(a.point);
+        Velocity::new(a.velocity - b.velocity, a.angular - b.angular)
+    }
+
     /// Where it holds its first body, world, m.
     pub(super) fn anchor(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> DVec3 {
         self.a.at(motion).point
@@ -174,6 +192,26 @@ impl WorldJoint {
     /// Its coordinates.
     pub(super) fn coordinates(&self) -> &[JointCoordinate] {
         &self.coordinates
+    }
+
+    /// The place of a coordinate among its coordinates; without a name that of the only one.
+    pub(super) fn place_of(&self, coordinate: Option<Coordinate>) -> Option<usize> {
+        match coordinate {
+            Some(coordinate) => self.coordinates.iter().position(|own| own.coordinate == coordinate),
+            None => (self.coordinates.len() == 1).then_some(0),
+        }
+    }
+
+    /// The rate of a coordinate, rad/s or m/s, where bodies have these poses of their moving frames, and velocities; none of one that
+    /// it does not have.
+    pub(crate) fn rate_of(
+        &self,
+        coordinate: Option<Coordinate>,
+        motion: impl Fn(usize) -> (Pose, Velocity),
+    ) -> Option<f64> {
+        let own = self.coordinates.get(self.place_of(coordinate)?)?;
+        let at = self.coordinate_at((&own.measured, own.near * own.unit), motion)?;
+        Some(at.moment.map_or(at.rate, |moment| moment.rate) / own.unit)
     }
 
     /// Gives one of its coordinates another motor, or none. Returns whether it has that coordinate.
@@ -252,5 +290,5 @@ pub(crate) fn pivot_rows(
 ) -> RowsAt {
     let [a, b] = [End::Body { body, arm }, End::World(place)].map(|end| end.at(&motion));
     let rows = point::rows(a.point - b.point, &a, &b).collect();
-    RowsAt { point: a.point, members: a.member(1.0).into_iter().collect(), driver: None, rows }
+    RowsAt { point: a.point, members: a.member(1.0).into_iter().collect(), drivers: Vec::new(), rows }
 }

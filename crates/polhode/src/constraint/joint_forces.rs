@@ -99,6 +99,14 @@ impl JointForce {
         self.joint.coordinate_at((&self.measured, self.near * self.unit), motion)
     }
 
+    /// Its effort times the rate of its coordinate, W.
+    pub(super) fn power(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> f64 {
+        self.coordinate_at(motion).map_or(0.0, |at| {
+            let rate = at.moment.map_or(at.rate, |moment| moment.rate) / self.unit;
+            self.source.effort(at.value / self.unit, rate) * rate
+        })
+    }
+
     fn at(&self, bodies: &[RigidBody], states: &[BodyState]) -> Option<CoordinateAt> {
         let motion = |body: usize| -> (Pose, Velocity) {
             let slot = self.ends.iter().flatten().find(|(own, _)| *own == body).map(|(_, slot)| *slot);
@@ -142,7 +150,7 @@ impl Field for JointForce {
             let (Some(state), Some(wrench)) = (states.get(*slot), wrenches.get_mut(*slot)) else { continue };
             let along = along * sign;
             if let Some(moment) = at.moment {
-                wrench.torque += moment * along;
+                wrench.torque += moment.axis * along;
             } else {
                 let force = at.direction * along;
                 wrench.force += force;

@@ -115,6 +115,7 @@ impl Kept {
         rows.extend(self.rotation.iter().map(|pair| pair.row(&a, &b, length)));
         rows.extend(thread);
         let members = a.member(1.0).into_iter().chain(b.member(-1.0)).collect();
-        RowsAt { point: a.point, members, driver: a.driver(1.0).or_else(|| b.driver(-1.0)), rows }
+        let drivers = a.driver(1.0).into_iter().chain(b.driver(-1.0)).collect();
+        RowsAt { point: a.point, members, drivers, rows }
     }
 }

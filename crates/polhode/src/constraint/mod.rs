@@ -4,7 +4,8 @@
 //! |---|---|---|
 //! | contact | push; with its tangents a cone, or a slide | separation; margin of its features; margin to contact break; with friction the slip and the rotation against their directions, and the margin of the cone |
 //! | pivot | hold, three rows | none: it never breaks |
-//! | joint | hold, rows of its kind (`joint.rs`) | none: it never breaks |
+//! | joint | hold, rows of its kind (`joint.rs`) | its strength less its load, if it has one (`breaking.rs`) |
+//! | tie: a gear, or a prescribed motion of a joint (`tie.rs`) | hold, one row | none: it never breaks |
 //! | stop: a limit of a joint (`stop.rs`) | push, as a contact without friction | separation; margin to contact break |
 //! | track with one side: a stop across it (`track.rs`) | push, as a stop | as of a stop; the end of an open track, where the joint lets go (`released.rs`) |
 //! | friction of a joint (`joint_friction.rs`) | a contact with friction that a given force presses | slip; margin of the cone |
@@ -17,6 +18,7 @@
 //! overlook nothing (`polhode-contact`).
 
 pub(crate) mod bilateral;
+mod breaking;
 mod coordinate;
 mod coordinate_at;
 pub(crate) mod coordinate_id;
@@ -28,8 +30,10 @@ mod hinge;
 pub(crate) mod joint;
 mod joint_contacts;
 mod joint_coordinate;
+mod joint_error;
 pub(crate) mod joint_forces;
 pub(crate) mod joint_friction;
+mod joint_power;
 mod kept;
 mod line;
 pub(crate) mod locator;
@@ -47,6 +51,8 @@ pub(crate) mod softness;
 mod stop;
 pub(crate) mod stop_id;
 mod thread;
+pub(crate) mod tie;
+pub(crate) mod ties;
 mod track;
 pub(crate) mod track_frame;
 pub(crate) mod track_springs;
@@ -55,7 +61,7 @@ mod universal;
 use crate::collision::contact_id::ContactId;
 use polhode_contact::ContactKinematics;
 
-/// Identity of a constraint: contacts before pivots, each in its own order.
+/// Identity of a constraint: contacts before pivots, then joints, then ties, each in its own order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum ConstraintId {
     /// A contact point, by its bodies and the features that meet.
@@ -72,6 +78,13 @@ pub(crate) enum ConstraintId {
         /// Its bodies; the same body twice if it connects the body to the world.
         bodies: (usize, usize),
     },
+    /// A tie.
+    Tie {
+        /// Its number.
+        tie: usize,
+        /// Two of its movable bodies; the same body twice if it has one.
+        bodies: (usize, usize),
+    },
 }
 
 impl ConstraintId {
@@ -80,7 +93,7 @@ impl ConstraintId {
         match *self {
             Self::Contact(id) => (id.a, id.b),
             Self::Pivot { body } => (body, body),
-            Self::Joint { bodies, .. } => bodies,
+            Self::Joint { bodies, .. } | Self::Tie { bodies, .. } => bodies,
         }
     }
 
@@ -88,7 +101,7 @@ impl ConstraintId {
     pub(crate) fn contact(&self) -> Option<ContactId> {
         match *self {
             Self::Contact(id) => Some(id),
-            Self::Pivot { .. } | Self::Joint { .. } => None,
+            Self::Pivot { .. } | Self::Joint { .. } | Self::Tie { .. } => None,
         }
     }
 }

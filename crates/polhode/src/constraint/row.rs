@@ -10,6 +10,42 @@ pub(crate) struct Member {
     pub(crate) arm: DVec3,
     /// 1 for the first body, -1 for the second.
     pub(crate) sign: f64,
+    /// Which of two coordinates that are tied to each other it is a body of; the first for all other constraints.
+    pub(crate) part: Part,
+}
+
+/// One of two coordinates that are tied to each other (`tie.rs`).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Part {
+    First,
+    Second,
+}
+
+/// Along what the row of a tie acts on the bodies of one of its coordinates, world.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Action {
+    /// A force along a direction (of any length) at a point, m.
+    Force { direction: DVec3, point: DVec3 },
+    /// A moment about an axis, times a length, m.
+    Moment(DVec3),
+}
+
+impl Action {
+    /// The same, so many times.
+    pub(super) fn times(self, factor: f64) -> Self {
+        match self {
+            Self::Force { direction, point } => Self::Force { direction: direction * factor, point },
+            Self::Moment(axis) => Self::Moment(axis * factor),
+        }
+    }
+
+    /// Its entries for a member: linear and angular.
+    fn entries(self, member: &Member) -> (DVec3, DVec3) {
+        match self {
+            Self::Force { direction, .. } => (direction * member.sign, member.arm.cross(direction) * member.sign),
+            Self::Moment(axis) => (DVec3::ZERO, axis * member.sign),
+        }
+    }
 }
 
 /// What a row measures.
@@ -32,6 +68,13 @@ pub(crate) enum RowKind {
         along: DVec3,
         /// The axis.
         about: DVec3,
+    },
+    /// Motion along one coordinate with that along another one.
+    Tied {
+        /// What acts along the first coordinate.
+        first: Action,
+        /// What acts along the second one.
+        second: Action,
     },
 }
 
@@ -56,6 +99,10 @@ impl BilateralRow {
             RowKind::Helix { along, about } | RowKind::Turning { along, about } => {
                 (along * member.sign, (member.arm.cross(along) + about) * member.sign)
             }
+            RowKind::Tied { first, second } => match member.part {
+                Part::First => first.entries(member),
+                Part::Second => second.entries(member),
+            },
         }
     }
 }
@@ -67,7 +114,7 @@ pub(crate) struct RowsAt {
     pub(crate) point: DVec3,
     /// The movable ones of its bodies.
     pub(crate) members: Vec<Member>,
-    /// The kinematic one.
-    pub(crate) driver: Option<Member>,
+    /// The kinematic ones.
+    pub(crate) drivers: Vec<Member>,
     pub(crate) rows: Vec<BilateralRow>,
 }

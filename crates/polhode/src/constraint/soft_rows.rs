@@ -4,11 +4,12 @@ use super::ConstraintId;
 use super::bilateral::Bilateral;
 use super::coordinate::CoordinateAt;
 use super::joint_forces::{Gains, JointForce, Source};
-use super::row::{BilateralRow, Member, RowKind, RowsAt};
+use super::row::{BilateralRow, Member, Part, RowKind, RowsAt};
 use super::softness::{LinearForce, Softness};
 use crate::scene::Drive;
 use crate::world::World;
 use polhode_dynamics::BodyState;
+use polhode_dynamics::field::{Dependence, Field};
 use polhode_spatial::{Pose, Velocity};
 
 impl World {
@@ -17,6 +18,12 @@ impl World {
     pub(crate) fn kicks_of_joints(&self, states: &[BodyState], bodies: &[usize]) -> Vec<usize> {
         let own = self.joint_forces_among(bodies);
         own.filter(|(_, force)| force.is_constant(self, states)).map(|(number, _)| number).collect()
+    }
+
+    /// Whether any of these forces at joints, given as a kick, is that of a motor at its bound.
+    pub(crate) fn are_motors_at_bounds(&self, kicks: &[usize]) -> bool {
+        let force = |number: &usize| self.joint_forces.get(number.checked_sub(self.first_joint_force)?);
+        kicks.iter().filter_map(force).any(|force| force.dependence() == Dependence::Velocities)
     }
 
     /// The other forces at joints of these bodies as soft rows of a step of `h` (s) in the states of its middle; `kicks` are the
@@ -85,10 +92,10 @@ impl JointForce {
         let signs = first.ends.iter().zip([1.0, -1.0]);
         let member = |(end, sign): (&Option<(usize, usize)>, f64)| {
             let (body, _) = (*end)?;
-            Some(Member { body, arm: at.point - states[body].pose.translation, sign })
+            Some(Member { body, arm: at.point - states[body].pose.translation, sign, part: Part::First })
         };
         let members: Vec<Member> = signs.filter_map(member).collect();
-        let kind = at.moment.map_or(RowKind::Along(at.direction), RowKind::About);
+        let kind = at.moment.map_or(RowKind::Along(at.direction), |moment| RowKind::About(moment.axis));
         let mut row = BilateralRow { kind, gap: 0.0, rate: 0.0, bias: 0.0 };
         let rate = |member: &Member| {
             let (along, about) = row.entries(member);
@@ -109,7 +116,7 @@ impl JointForce {
         }
         let (first_body, second_body) = first.joint.pair();
         let id = ConstraintId::Joint { joint: first.joint.number(), bodies: (first_body, second_body) };
-        let rows = RowsAt { point: at.point, members, driver: None, rows: vec![row] };
+        let rows = RowsAt { point: at.point, members, drivers: Vec::new(), rows: vec![row] };
         softness.responds().then(|| Bilateral::soft(id, rows, softness))
     }
 }

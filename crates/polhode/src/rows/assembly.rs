@@ -9,7 +9,7 @@ use crate::collision::contact_id::{ContactId, Feature};
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::joint_friction::{JointForces, Pressed};
-use crate::constraint::row::{BilateralRow, Member};
+use crate::constraint::row::{BilateralRow, Member, RowKind};
 use crate::constraint::softness::Softness;
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::rows::rotation_row::RotationRow;
@@ -447,7 +447,12 @@ impl ContactRows<'_> {
                     let (linear, angular) = row.entries(member);
                     Some((index, self.coordinates.of_parts(linear, angular)))
                 };
-                bilateral.members.iter().filter_map(entry).collect()
+                let mut entries: Vec<(usize, [f64; SPACE_WIDTH])> =
+                    bilateral.members.iter().filter_map(entry).collect();
+                if matches!(row.kind, RowKind::Tied { .. }) {
+                    merge(&mut entries);
+                }
+                entries
             })
             .collect();
         let rows: Vec<Vec<(usize, &[f64])>> =
@@ -456,6 +461,18 @@ impl ContactRows<'_> {
         problem.push_block(Law::Hold { rows: rows.len() }, &rows)?;
         Ok(())
     }
+}
+
+/// Adds up the entries of a body that is at both coordinates of a tie.
+fn merge(entries: &mut Vec<(usize, [f64; SPACE_WIDTH])>) {
+    entries.sort_by_key(|(body, _)| *body);
+    entries.dedup_by(|(body, entry), (kept, sum)| {
+        let is_same = body == kept;
+        if is_same {
+            sum.iter_mut().zip(entry).for_each(|(sum, own)| *sum += *own);
+        }
+        is_same
+    });
 }
 
 impl World {

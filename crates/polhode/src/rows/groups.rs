@@ -57,6 +57,10 @@ fn joined(world: &World, contacts: impl Iterator<Item = (usize, usize, usize)>, 
             join(a, b);
         }
     }
+    for tie in world.ties_among(&members) {
+        let together = tie.bodies();
+        together.iter().skip(1).for_each(|&body| join(together[0], body));
+    }
     for &(_, a, b) in &contacts {
         join(a, b);
     }

@@ -2,7 +2,8 @@
 
 use super::error::positive;
 use super::{
-    Body, DEFAULT_GRAVITY, Force, Joint, Method, PairRule, Scene, SceneError, Tier, TierFeature, TrackId, force,
+    Body, Coordinate, CoordinateMotion, DEFAULT_GRAVITY, Force, Gear, GearEnd, Joint, Method, PairRule, Scene,
+    SceneError, Tier, TierFeature, TrackId, force,
 };
 use crate::body_id::BodyId;
 use crate::joint_id::JointId;
@@ -43,6 +44,8 @@ impl SceneBuilder {
                 forces: Vec::new(),
                 joints: Vec::new(),
                 tracks: Vec::new(),
+                gears: Vec::new(),
+                coordinate_motions: Vec::new(),
                 pair_rules: Vec::new(),
                 no_contact: Vec::new(),
                 start_separation_m: 0.0,
@@ -110,6 +113,18 @@ impl SceneBuilder {
         TrackId::new(self.scene.tracks.len() - 1)
     }
 
+    /// One more gear between two joints.
+    pub fn gear(mut self, gear: Gear) -> Self {
+        self.scene.gears.push(gear);
+        self
+    }
+
+    /// A coordinate of a joint follows a motion, whatever acts on its bodies ([`CoordinateMotion`]).
+    pub fn coordinate_motion(mut self, joint: JointId, coordinate: Coordinate, motion: CoordinateMotion) -> Self {
+        self.scene.coordinate_motions.push((GearEnd { joint, coordinate: Some(coordinate) }, motion));
+        self
+    }
+
     /// One more rule for a pair of materials.
     pub fn pair_rule(mut self, rule: PairRule) -> Self {
         self.scene.pair_rules.push(rule);
@@ -168,6 +183,7 @@ impl SceneBuilder {
         force::check_integrator(scene.method.integrator, &scene.forces)?;
         scene.place_on_tracks()?;
         scene.check_joints()?;
+        scene.check_ties()?;
         scene.check_joint_method()?;
         scene.check_grains()?;
         scene.check_motions()?;

@@ -186,6 +186,48 @@ pub enum SceneError {
         /// How far it may be, mm.
         most_mm: f64,
     },
+    /// A gear that cannot couple two joints.
+    #[error("gear number {number} (counted from 0): {reason}")]
+    Gear {
+        /// Its number.
+        number: usize,
+        /// What is wrong, and what is accepted.
+        reason: &'static str,
+    },
+    /// The velocities at the start do not agree with a gear.
+    #[error(
+        "gear number {number} (counted from 0): its first joint moves at {found} at the start where the ratio times the rate of the \
+         second one is {needed} (rad/s or m/s): give the bodies velocities that agree"
+    )]
+    GearRate {
+        /// Its number.
+        number: usize,
+        /// The rate of the first joint, rad/s or m/s.
+        found: f64,
+        /// That of the second one times the ratio.
+        needed: f64,
+    },
+    /// A prescribed motion of a coordinate that a joint cannot follow.
+    #[error("the prescribed motion of joint number {joint} (counted from 0): {reason}")]
+    CoordinateMotion {
+        /// The number of the joint.
+        joint: usize,
+        /// What is wrong, and what is accepted.
+        reason: &'static str,
+    },
+    /// The velocities at the start do not agree with a prescribed motion.
+    #[error(
+        "the prescribed motion of joint number {joint} (counted from 0) begins at a rate of {needed}, but its bodies have {found} \
+         (rad/s or m/s): give them velocities that agree"
+    )]
+    CoordinateRate {
+        /// The number of the joint.
+        joint: usize,
+        /// The rate that the bodies have, rad/s or m/s.
+        found: f64,
+        /// The rate with which the motion begins.
+        needed: f64,
+    },
     /// Joints in a tier that has none.
     #[error("joints are not yet available in tier `{tier}`: use tier {instead}")]
     JointsInTier {

@@ -376,6 +376,13 @@ pub struct FreedomError {
     accepted: &'static str,
 }
 
+impl FreedomError {
+    /// A quantity that has a value where another one is accepted.
+    pub(super) const fn new(quantity: &'static str, value: f64, accepted: &'static str) -> Self {
+        Self { quantity, value, accepted }
+    }
+}
+
 const fn number(quantity: &'static str, value: f64, accepted: &'static str) -> FreedomError {
     FreedomError { quantity, value, accepted }
 }

@@ -5,6 +5,7 @@
 //! and its work is in the ledger. Jointed bodies do not collide with each other.
 
 use super::freedom::{Coordinate, Freedom, Limits, LimitsError};
+use super::strength::Strength;
 use super::track::{TrackEnds, TrackHold, TrackId};
 use crate::body_id::BodyId;
 use polhode_spatial::{DVec3, UnitVector};
@@ -141,6 +142,7 @@ pub struct Joint {
     other: Option<BodyId>,
     anchor: DVec3,
     freedoms: Freedoms,
+    strength: Option<Strength>,
 }
 
 /// What acts along the coordinates of a joint.
@@ -158,7 +160,7 @@ impl Freedoms {
 impl Joint {
     /// A joint of this kind of a body with the world, at a point of the world (m) at the start.
     pub const fn new(kind: JointKind, body: BodyId, anchor: DVec3) -> Self {
-        Self { kind, body, other: None, anchor, freedoms: Freedoms::NONE }
+        Self { kind, body, other: None, anchor, freedoms: Freedoms::NONE, strength: None }
     }
 
     /// A ball joint of a body with the world, at a point of the world (m) at the start.
@@ -203,6 +205,16 @@ impl Joint {
             Coordinate::Displacement => self.freedoms.displacement,
             Coordinate::Distance => self.freedoms.distance,
         }
+    }
+
+    /// The same joint, which breaks at a load.
+    pub const fn breaking_at(self, strength: Strength) -> Self {
+        Self { strength: Some(strength), ..self }
+    }
+
+    /// The load at which it breaks, if any does.
+    pub const fn strength(&self) -> Option<Strength> {
+        self.strength
     }
 
     /// The limits of a coordinate, if it has any.

@@ -8,7 +8,7 @@ use polhode_spatial::{Motion, Pose, Velocity};
 
 /// Relative velocity at a joint at the start, relative to the parts of the speeds of its bodies there: more than a file's digits
 /// is a contradiction (no unit, 1e-12 to 1e-6).
-const JOINT_VELOCITY_RELATIVE: f64 = 1e-9;
+pub(super) const JOINT_VELOCITY_RELATIVE: f64 = 1e-9;
 
 /// Cosine of the angle of two axes below which they are at right angles (no unit, 1e-12 to 1e-6): the digits of a file.
 const RIGHT_ANGLE: f64 = 1e-9;
@@ -55,6 +55,13 @@ impl Scene {
                 return Err(refused("its lead is zero or not finite: a displacement for each revolution is needed"));
             }
             check_limits(number, joint)?;
+            let is_none = |&coordinate: &Coordinate| {
+                let friction = joint.freedom(coordinate).and_then(|own| own.friction());
+                friction.is_some_and(|friction| friction.effort() == 0.0 && friction.arm() == 0.0)
+            };
+            if joint.kind().coordinates().iter().any(is_none) {
+                return Err(refused("its friction has neither an effort nor a bearing: one of both is needed"));
+            }
             let is_driven = joint.bodies().any(|body| self.bodies[body].motion().is_some());
             let has_forces = |&coordinate: &Coordinate| joint.freedom(coordinate).is_some_and(|own| own.has_forces());
             if is_driven && joint.kind().coordinates().iter().any(has_forces) {
@@ -89,32 +96,41 @@ impl Scene {
         }
     }
 
-    /// Checks that the velocities at the start are what a joint leaves free: the rates of its rows are zero to rounding.
-    fn check_joint_velocity(&self, number: usize, joint: &Joint) -> Result<(), SceneError> {
-        let motion = |body: usize| {
-            let own = &self.bodies[body];
-            if let Some(motion) = own.motion() {
-                let trajectory = motion.from_pose(&motion.initial_pose(own.initial_pose()));
-                return (trajectory.pose(0.0), trajectory.velocity(0.0));
-            }
-            let Some(properties) = own.mass_properties() else { return (Pose::IDENTITY, Velocity::ZERO) };
-            let Velocity { linear, angular } = *own.initial_velocity();
-            let center = properties.center_of_mass();
-            let pose = *own.initial_pose() * Pose::from_translation(center);
-            let linear = own.pivot_point().map_or(linear, |pivot| angular.cross(pose.translation - pivot));
-            (pose, Velocity::new(linear, angular))
-        };
+    /// The pose of the moving frame of a body at the start, and its velocity.
+    pub(super) fn motion_at_start(&self, body: usize) -> (Pose, Velocity) {
+        let own = &self.bodies[body];
+        if let Some(motion) = own.motion() {
+            let trajectory = motion.from_pose(&motion.initial_pose(own.initial_pose()));
+            return (trajectory.pose(0.0), trajectory.velocity(0.0));
+        }
+        let Some(properties) = own.mass_properties() else { return (Pose::IDENTITY, Velocity::ZERO) };
+        let Velocity { linear, angular } = *own.initial_velocity();
+        let center = properties.center_of_mass();
+        let pose = *own.initial_pose() * Pose::from_translation(center);
+        let linear = own.pivot_point().map_or(linear, |pivot| angular.cross(pose.translation - pivot));
+        (pose, Velocity::new(linear, angular))
+    }
+
+    /// A joint as it is at the start, whose rows of rotation have the length 1 m.
+    pub(super) fn joint_at_start(&self, number: usize, joint: &Joint) -> WorldJoint {
         let held = |body: usize| match &self.bodies[body] {
-            own if own.motion().is_some() => HeldBody::Kinematic(motion(body).0),
-            own if own.mass_properties().is_some() => HeldBody::Movable(motion(body).0),
+            own if own.motion().is_some() => HeldBody::Kinematic(self.motion_at_start(body).0),
+            own if own.mass_properties().is_some() => HeldBody::Movable(self.motion_at_start(body).0),
             _ => HeldBody::Fixed,
         };
-        // The length of rows of rotation cancels.
-        let world_joint = WorldJoint::new((number, joint), &self.tracks, held, 1.0);
+        WorldJoint::new((number, joint), &self.tracks, held, 1.0)
+    }
+
+    /// Checks that the velocities at the start are what a joint leaves free: the rates of its rows are zero to rounding.
+    fn check_joint_velocity(&self, number: usize, joint: &Joint) -> Result<(), SceneError> {
+        let motion = |body: usize| self.motion_at_start(body);
+        let world_joint = self.joint_at_start(number, joint);
         let (mut apart, mut across) = (0.0, 0.0);
         for row in world_joint.rows_at(motion).rows {
             match row.kind {
-                RowKind::Along(_) | RowKind::Helix { .. } => apart = libm::hypot(apart, row.rate),
+                RowKind::Along(_) | RowKind::Helix { .. } | RowKind::Tied { .. } => {
+                    apart = libm::hypot(apart, row.rate);
+                }
                 RowKind::About(_) | RowKind::Turning { .. } => across = libm::hypot(across, row.rate),
             }
         }

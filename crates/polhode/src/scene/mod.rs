@@ -14,6 +14,9 @@
 //! | `freedom` | [`Coordinate`], [`Freedom`]: what a joint leaves free, and what acts along it: [`Limits`], springs, a [`Motor`] |
 //! | `joint` | [`Joint`]: what holds two bodies, or a body and the world, together; `joint_checks` says when one is refused |
 //! | `track` | [`TrackId`], [`TrackHold`]: curves that bodies follow; `joint_on_track` places bodies on them |
+//! | `gear` | [`Gear`]: coordinates of two joints that move together |
+//! | `coordinate_motion` | [`CoordinateMotion`]: the prescribed motion of a coordinate; `tie_checks` says when one, or a gear, is refused |
+//! | `strength` | [`Strength`]: the load at which a joint breaks |
 //! | [`motion`] | prescribed motions of kinematic bodies |
 //! | `method` | [`Method`]: the tier and the settings that override its choices; [`TierFacts`] says what a tier is |
 //! | `laws` | [`ImpactLaw`], [`ContactMethod`], [`Response`], [`Integrator`] and other choices of a method |
@@ -22,9 +25,11 @@
 
 mod body;
 mod builder;
+mod coordinate_motion;
 mod error;
 mod force;
 mod freedom;
+mod gear;
 mod geometry;
 mod grain;
 mod joint;
@@ -35,6 +40,8 @@ mod material;
 mod method;
 pub mod motion;
 mod pairs;
+mod strength;
+mod tie_checks;
 mod track;
 
 pub use crate::tier::facts::{
@@ -43,10 +50,13 @@ pub use crate::tier::facts::{
 pub use crate::tier::list::Tier;
 pub use body::{Body, BodyMass};
 pub use builder::SceneBuilder;
+pub use coordinate_motion::CoordinateMotion;
 pub use error::{OverlapAtStart, SceneError};
 pub(crate) use force::MovingFrames;
 pub use force::{Attachment, Force};
 pub use freedom::{Coordinate, Drive, Freedom, FreedomError, JointFriction, Limits, LimitsError, Motor};
+pub(crate) use gear::GearEnd;
+pub use gear::{Gear, GearError};
 pub use geometry::{ApproximateParts, Geometry};
 pub use grain::FrictionEllipse;
 pub(crate) use grain::GrainOf;
@@ -59,6 +69,7 @@ pub use motion::{
 };
 pub use polhode_dynamics::field::{DragLaw, Frame, Signal};
 pub use polhode_response::RestitutionLaw;
+pub use strength::Strength;
 pub use track::{Follows, OneSide, TrackEnds, TrackHold, TrackId, TrackSprings};
 
 use crate::body_id::BodyId;
@@ -84,6 +95,8 @@ pub struct Scene {
     pub(crate) forces: Vec<Force>,
     pub(crate) joints: Vec<Joint>,
     pub(crate) tracks: Vec<Arc<Curve>>,
+    pub(crate) gears: Vec<Gear>,
+    pub(crate) coordinate_motions: Vec<(GearEnd, CoordinateMotion)>,
     pub(crate) pair_rules: Vec<PairRule>,
     pub(crate) no_contact: Vec<Vec<usize>>,
     pub(crate) start_separation_m: f64,
@@ -153,6 +166,7 @@ impl Scene {
         self.method.validate()?;
         self.check_joint_method()?;
         self.check_motions()?;
+        self.check_ties()?;
         self.check_counts()
     }
 

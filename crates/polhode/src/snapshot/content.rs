@@ -25,6 +25,10 @@ pub(crate) struct Content {
     pub(crate) motors: Vec<Motor>,
     /// Joints that hold nothing any more.
     pub(crate) released: Vec<usize>,
+    /// The joints that have broken.
+    pub(crate) broken: Vec<usize>,
+    /// The angles whose revolutions gears count, rad, by the numbers of the gears.
+    pub(crate) turns: Vec<(usize, f64)>,
     /// Whether the motion is confined to the plane of its start.
     pub(crate) in_plane: bool,
     /// Name of the integrator of free motion that the plan has chosen.
@@ -156,6 +160,8 @@ pub(crate) struct Certificate {
     pub(crate) max_penetration_m: f64,
     pub(crate) max_acceleration_error_bound: Option<f64>,
     pub(crate) max_step_error: Option<f64>,
+    pub(crate) max_joint_error_m: Option<f64>,
+    pub(crate) max_joint_error_rad: Option<f64>,
     pub(crate) estimated_error: Option<f64>,
     pub(crate) factorisations: u64,
     pub(crate) fallbacks: u64,
@@ -279,6 +285,7 @@ pub(crate) enum EventKind {
     Stick,
     Slide,
     Jam,
+    Break,
 }
 
 /// The data from which the tier continues.
@@ -390,6 +397,8 @@ pub(crate) struct Island {
     pub(crate) slipping: Vec<(Contact, Vector)>,
     /// Rolling, then spinning.
     pub(crate) rotation: Vec<(Contact, [Option<Friction>; 2])>,
+    /// Joints that break at its end.
+    pub(crate) breaking: Vec<usize>,
     pub(crate) settling: Vec<(Contact, bool)>,
     /// Directions in which rotations (spinning: true) begin.
     pub(crate) turning: Vec<(Contact, bool, Vector)>,
@@ -508,6 +517,8 @@ pub(crate) enum Held {
     Pivot(usize),
     /// A joint and its bodies.
     Joint(usize, (usize, usize)),
+    /// A gear or a prescribed motion, by its number, and two of its bodies.
+    Tie(usize, (usize, usize)),
 }
 
 /// The tier `thesis`.

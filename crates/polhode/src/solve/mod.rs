@@ -10,14 +10,18 @@
 //! | `bounce_friction` | what ending bounces takes, with the friction that belongs to it |
 //! | `rotational_friction` | moments of rolling and spinning: their work and their support |
 //! | `projection`, `overlap` | projection of held contacts and joints; removal of penetration |
+//! | `contradiction` | whether gears and prescribed motions of joints contradict each other |
+//! | `joint_loads` | what joints bear, from the forces of all rows |
 //! | `cone_violation` | how far forces are from Coulomb's law |
 
 pub(crate) mod accelerations;
 pub(crate) mod bounce_friction;
 pub(crate) mod cone_violation;
+pub(crate) mod contradiction;
 pub(crate) mod frictional_impact;
 pub(crate) mod held_at_rest;
 pub(crate) mod impact;
+pub(crate) mod joint_loads;
 mod least_sliding_forces;
 pub(crate) mod overlap;
 pub(crate) mod projection;

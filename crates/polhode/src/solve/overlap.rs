@@ -215,7 +215,7 @@ fn accuracy(world: &World, rows: &[Overlap]) -> f64 {
 /// the square of their number. None for few, or where they are not found.
 fn forces_of_many(assembly: &Assembly, separations: &[f64], accuracy: f64) -> Result<Option<Vec<f64>>, ResponseError> {
     let contacts = assembly.problem.len() - assembly.bilaterals().iter().map(|own| own.rows.len()).sum::<usize>();
-    if contacts < MANY_OVERLAPS {
+    if contacts < MANY_OVERLAPS || !assembly.problem.is_of_pairs() {
         return Ok(None);
     }
     let mut blocks = Blocks::default();

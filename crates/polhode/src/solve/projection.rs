@@ -349,6 +349,7 @@ pub(crate) fn project_velocities(
     let along_tangents = along_tangents.map(|((row, _), &p)| (row.id, &row.along, p));
     let work_j = world.prescribed_work(states, impulses)
         + world.surface_work(states, along_tangents)
+        + world.driven_work(states, assembly.reactions(&multipliers))
         + moment_work(world, states, moments.into_iter());
     let speeds = contacts.iter().map(|(id, k)| (k.separation_rate.abs(), ConstraintId::Contact(*id)));
     let bilaterals = assembly.bilaterals().iter().map(|bilateral| (bilateral.speed(), bilateral.id));

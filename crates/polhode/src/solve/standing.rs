@@ -48,7 +48,7 @@ pub(super) fn standing(
     frictional: &[Option<Frictional>],
 ) -> Result<Option<BlocksSolution>, ResponseError> {
     // What presses joints with friction is given: the velocities of bodies know nothing of it.
-    if !assembly.problem.compliances().is_empty() {
+    if !(assembly.problem.compliances().is_empty() && assembly.problem.is_of_pairs()) {
         return Ok(None);
     }
     let system = (&mut BodySolver::default(), &BodySettings::default());

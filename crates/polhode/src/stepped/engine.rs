@@ -13,7 +13,7 @@ use crate::collision::contact_set::Touch;
 use crate::core::Core;
 use crate::error_estimate::{EVERY, ErrorEstimate};
 use crate::event::{Event, EventKind};
-use crate::frame::{ContactView, IslandView, MotionKind};
+use crate::frame::{ContactView, IslandView, JointView, MotionKind};
 use crate::observer::Observer;
 use crate::rows::assembly::free_acceleration;
 use crate::rows::groups::coupled_groups;
@@ -21,6 +21,7 @@ use crate::sampling::emit_samples_before;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::parts::{restored_flight, restored_forces, restored_id, save_contact, save_flight};
 use crate::snapshot::{SnapshotError, content};
+use crate::solve::contradiction::refuse_contradictions;
 use crate::solve::held_at_rest::HeldAtRest;
 use crate::states_of::{set_states, states_of};
 use crate::tier::{Reached, Tier};
@@ -58,20 +59,20 @@ struct MeanForce {
 #[derive(Debug)]
 pub(crate) struct SteppedEngine {
     /// States of all bodies at the present.
-    states: Vec<BodyState>,
+    pub(super) states: Vec<BodyState>,
     /// Flight records of the bodies in free flight; none for bodies that were in an island in the last step.
-    flights: Vec<Option<Box<Flight>>>,
+    pub(super) flights: Vec<Option<Box<Flight>>>,
     stepper: TimeStepper,
     search: IslandSearch,
     /// Pairs in contact after the last step.
-    touching: BTreeSet<(usize, usize)>,
+    pub(super) touching: BTreeSet<(usize, usize)>,
     /// Mean forces of the contacts over the last step, N.
     forces: BTreeMap<ContactId, MeanForce>,
     /// Estimated errors of the bodies.
     errors: ErrorEstimate,
     /// Bodies of each island of the last step.
     islands: Vec<Vec<usize>>,
-    resting: Resting,
+    pub(super) resting: Resting,
     /// Index of the last step that ended on the grid of multiples of the step, and whether any step has been made.
     grid: u64,
     begun: bool,
@@ -187,6 +188,9 @@ impl SteppedEngine {
             self.come_to_rest(core, island).map_err(|source| Core::response_error(core.t, source))?;
         }
         let (resting, islands): (Vec<_>, Vec<_>) = all.into_iter().partition(|own| self.resting.contains_all(own));
+        for island in &islands {
+            refuse_contradictions(core, core.t, &self.states, &island.bodies)?;
+        }
         self.emit_samples_within(core, &islands, t_next, observer)?;
         self.fly(core, t_next);
         if core.effects == Effects::All {
@@ -214,6 +218,7 @@ impl SteppedEngine {
         }
         core.world.prescribe(t_next, &mut self.states);
         let_go_at_ends_of_tracks(core, &self.states, t_next)?;
+        core.world.count_all_turns(&self.states);
         core.t = t_next;
         let before = std::mem::replace(&mut self.touching, touching);
         if compares {
@@ -222,6 +227,7 @@ impl SteppedEngine {
                 settled.map_err(|source| Core::response_error(core.t, source))?;
             }
         }
+        self.break_overloaded(core)?;
         self.errors.go_on(&core.world, &self.states, h);
         core.accounts.certificate.estimated_error = Some(self.errors.largest(&core.world));
         core.accounts.count_step();
@@ -451,7 +457,7 @@ impl SteppedEngine {
     }
 
     /// The resting contacts of these pairs: they touch and neither approach nor separate.
-    fn resting_touches(&self, core: &Core, pairs: &[(usize, usize)]) -> Vec<Touch> {
+    pub(super) fn resting_touches(&self, core: &Core, pairs: &[(usize, usize)]) -> Vec<Touch> {
         let world = &core.world;
         let slow = RESTING_STEPS * world.gravity().length() * core.settings.step_s;
         let of_pair = |&(a, b): &(usize, usize)| {
@@ -474,7 +480,7 @@ fn warn_of_overlap(core: &mut Core, island: &Island, report: &TimeStepReport) {
 }
 
 /// Groups of bodies that these contacts and joints connect, with their contacts.
-fn joined(world: &World, touches: &[Touch]) -> Vec<(Vec<usize>, Vec<Touch>)> {
+pub(super) fn joined(world: &World, touches: &[Touch]) -> Vec<(Vec<usize>, Vec<Touch>)> {
     let all = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b));
     let members = |contacts: &[usize]| contacts.iter().map(|&index| touches[index]).collect();
     let held = world.held_among(&world.movable);
@@ -539,6 +545,10 @@ impl Tier for SteppedEngine {
             world.reported_acceleration(body, &self.states[body], linear, angular)
         };
         Ok(found.iter().enumerate().map(report).collect())
+    }
+
+    fn joint_loads(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<JointView> {
+        self.loads_of_joints(core, states).into_values().collect()
     }
 
     fn contacts(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<ContactView> {

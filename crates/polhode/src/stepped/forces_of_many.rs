@@ -4,12 +4,13 @@
 //! contacts are redundant the forces are some of those that are possible, not the least ones: their sum on each body, and the
 //! accelerations, are unique as far as Coulomb's law makes them so. Memory and time grow with contacts and bodies.
 
-use super::instant_forces::{BodyAcceleration, PresentForces};
+use super::instant_forces::{BodyAcceleration, PresentForces, forces_on};
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::FrictionMode;
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{push_contact, push_held};
 use crate::scene::FrictionEllipse;
+use crate::solve::joint_loads::joint_loads;
 use crate::world::{Loads, World};
 use polhode_contact::TangentialKinematics;
 use polhode_dynamics::BodyState;
@@ -31,6 +32,9 @@ pub(super) fn forces_of_many(
 ) -> Result<Option<PresentForces>, ResponseError> {
     let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let mut assembly = Assembly::new(world, states, bodies, rows)?;
+    if !assembly.problem.is_of_pairs() {
+        return Ok(None);
+    }
     let free = assembly.free_accelerations(world, states, loads);
     let mut blocks = Blocks::default();
     // The contact of each row along a tangent.
@@ -63,11 +67,11 @@ pub(super) fn forces_of_many(
         *acceleration += free;
     }
     let body = |(body, linear, angular): (usize, DVec3, DVec3)| BodyAcceleration { body, linear, angular };
-    Ok(Some(PresentForces {
-        normal: solved.reactions.iter().take(contacts.len()).copied().collect(),
-        friction,
-        accelerations: assembly.split(&accelerations).map(body).collect(),
-    }))
+    let normal: Vec<f64> = solved.reactions.iter().take(contacts.len()).copied().collect();
+    let on_contacts = forces_on(contacts, &normal, &friction);
+    let joints = joint_loads(world, states, (&assembly, &solved.reactions), on_contacts);
+    let accelerations = assembly.split(&accelerations).map(body).collect();
+    Ok(Some(PresentForces { normal, friction, accelerations, joints }))
 }
 
 /// The rows of a contact along its tangents, and its law.

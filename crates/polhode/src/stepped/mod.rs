@@ -13,6 +13,7 @@
 //! | `engine` | a run, one step of it, and queries at the present |
 //! | `islands` | the islands of a step |
 //! | `island_steps` | their time steps, on the threads that the program gives |
+//! | `joint_breaks` | what joints bear at the present, and those that break at the end of a step |
 //! | `rest` | islands that rest and are left out |
 //! | `instant_forces` | what forces and accelerations at one instant are |
 //! | `present_forces` | forces and accelerations at one instant, for queries |
@@ -24,6 +25,7 @@ mod forces_of_many;
 mod instant_forces;
 mod island_steps;
 mod islands;
+mod joint_breaks;
 mod present_forces;
 mod rest;
 mod track_ends;

@@ -2,13 +2,14 @@
 //! friction of contacts that stick or slide. They are queries; no step uses them.
 
 use super::forces_of_many::forces_of_many;
-use super::instant_forces::{BodyAcceleration, PresentForces};
+use super::instant_forces::{BodyAcceleration, PresentForces, forces_on};
 use crate::collision::contact_modes::ContactModes;
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::{RotationModes, Turn};
 use crate::core::Core;
 use crate::solve::accelerations::Accelerations;
+use crate::solve::joint_loads::joint_loads;
 use crate::time_stepping::LEAST_IN_BODIES;
 use polhode_dynamics::BodyState;
 use polhode_response::{ComplementaritySolver, ResponseError};
@@ -41,11 +42,13 @@ impl PresentForces {
         }
         let mut solver = ComplementaritySolver::default();
         let found = Accelerations::solve(world, (core.t, states), bodies, &contacts, &loads, &mut solver)?;
-        Ok(Self {
-            normal: found.solution.forces.iter().take(contacts.len()).copied().collect(),
-            friction: found.contacts.iter().map(|tangent| tangent.map_or(DVec3::ZERO, |t| t.force)).collect(),
-            accelerations: found.assembly.split(&found.of_bodies).map(body).collect(),
-        })
+        let normal: Vec<f64> = found.solution.forces.iter().take(contacts.len()).copied().collect();
+        let friction: Vec<DVec3> =
+            found.contacts.iter().map(|tangent| tangent.map_or(DVec3::ZERO, |t| t.force)).collect();
+        let on_contacts = forces_on(&contacts, &normal, &friction);
+        let joints = joint_loads(world, states, (&found.assembly, &found.solution.forces), on_contacts);
+        let accelerations = found.assembly.split(&found.of_bodies).map(body).collect();
+        Ok(Self { normal, friction, accelerations, joints })
     }
 }
 

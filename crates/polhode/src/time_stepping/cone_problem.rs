@@ -88,8 +88,9 @@ impl ConeSolvers {
         h: f64,
     ) -> ConeProblem<'a> {
         // Soft rows have no place among the velocities of bodies yet.
-        let is_rigid = assembly.problem.compliances().is_empty();
-        let first = assembly.bodies().first().filter(|_| is_rigid && contacts >= LEAST_IN_BODIES);
+        // Nor have rows of gears between more than two bodies.
+        let is_plain = assembly.problem.compliances().is_empty() && assembly.problem.is_of_pairs();
+        let first = assembly.bodies().first().filter(|_| is_plain && contacts >= LEAST_IN_BODIES);
         let system = first.map_or_else(
             || System::Rows(assembly.problem.delassus()),
             |&first| System::Bodies {
@@ -140,7 +141,8 @@ impl ConeProblem<'_> {
             System::Rows(delassus) => {
                 let mut best = solve_for_rows(blocks, (delassus, constants), violation)?;
                 let problem = &self.assembly.problem;
-                if best.report.residual > EXACT_ENOUGH && problem.compliances().is_empty() {
+                let is_plain = problem.compliances().is_empty() && problem.is_of_pairs();
+                if best.report.residual > EXACT_ENOUGH && is_plain {
                     let system = (&mut BodySolver::default(), &self.settings);
                     let (other, effort) = blocks.solve_in_bodies(problem, constants, Some(&best.reactions), system)?;
                     self.factorisations += effort.factorisations;

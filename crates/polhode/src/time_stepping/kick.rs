@@ -2,7 +2,7 @@
 //!
 //! Springs that are stiff in the step, and drag and dampers, act by `implicit_kick.rs`. Other fields that depend on
 //! velocities are evaluated twice, at the velocity before the kick and at that with half the kick, so that the kick is of
-//! order 2.
+//! order 2; beside motors that give their bound they are evaluated once.
 //!
 //! Kick and impulses of constraints act together in the middle of the step. At one pose the kinetic energy is quadratic in
 //! the momenta, so that a wrench (F, T) over h does the work `h (F.v + T.w)` exactly, at the mean of the velocities before the
@@ -54,7 +54,10 @@ pub(super) fn kick(world: &World, states: &mut [BodyState], bodies: &[usize], t:
     }
     let mut loads = world.kick_loads_on(t, states, bodies, kicks);
     let mut accounts = None;
-    if world.free_motion().dependence() == Dependence::Velocities {
+    if world.are_motors_at_bounds(kicks) {
+        // What they give is known before. At velocities that no joint has held yet they would ask for something else.
+        accounts = Some(wrenches(world, t, states, (bodies, kicks)));
+    } else if world.free_motion().dependence() == Dependence::Velocities {
         apply(world, states, bodies, &loads, 0.5 * h);
         loads = world.kick_loads_on(t, states, bodies, kicks);
         accounts = Some(wrenches(world, t, states, (bodies, kicks)));

@@ -143,6 +143,7 @@ impl LastForces {
                 ConstraintId::Contact(_) => return None,
                 ConstraintId::Pivot { body } => content::Held::Pivot(body),
                 ConstraintId::Joint { joint, bodies } => content::Held::Joint(joint, bodies),
+                ConstraintId::Tie { tie, bodies } => content::Held::Tie(tie, bodies),
             };
             Some((of, forces.clone()))
         };
@@ -168,6 +169,7 @@ impl LastForces {
             let id = match *held {
                 content::Held::Pivot(body) => ConstraintId::Pivot { body },
                 content::Held::Joint(joint, bodies) => ConstraintId::Joint { joint, bodies },
+                content::Held::Tie(tie, bodies) => ConstraintId::Tie { tie, bodies },
             };
             restored.bilaterals.insert(id, forces.clone());
         }

@@ -25,9 +25,9 @@ impl TimeStepper {
         if !world.held_among(bodies).is_empty() {
             let before = report.books.balance(world, states, bodies);
             let moved = project_positions(world, states, bodies, &[])?;
-            project_velocities(world, states, bodies, (&[], &[], &[]), Removal::Complete)?;
+            let removed = project_velocities(world, states, bodies, (&[], &[], &[]), Removal::Complete)?;
             let after = report.books.balance(world, states, bodies);
-            report.books.projection(before, after, NO_WORK_J);
+            report.books.projection(before, after, removed.work_j);
             report.max_projection_m = report.max_projection_m.max(moved.moved_m);
         }
         let overlaps = Overlaps::find(world, states, pairs);

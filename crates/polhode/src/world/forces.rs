@@ -7,6 +7,7 @@ use super::field_index::{FieldIndex, acted_on};
 use super::model::World;
 use crate::constraint::joint::WorldJoint;
 use crate::constraint::joint_forces::JointForce;
+use crate::constraint::tie::Tie;
 use crate::constraint::track_springs::TrackSpring;
 use crate::scene::SceneError;
 use crate::snapshot::SnapshotError;
@@ -59,8 +60,10 @@ impl World {
                 self.couplings.push(together.into_iter().map(|slot| self.movable[slot]).collect());
             }
         }
-        for joint in self.joints.iter().filter(|joint| !self.released.contains(&joint.number())) {
-            let together: Vec<usize> = joint.bodies().collect();
+        let of_joints = self.joints.iter().filter(|joint| !self.released.contains(&joint.number()));
+        let of_joints = of_joints.map(|joint| joint.bodies().collect::<Vec<usize>>());
+        let together: Vec<Vec<usize>> = of_joints.chain(self.ties_at_work().map(Tie::bodies)).collect();
+        for together in together {
             let slots: Vec<usize> = together.iter().filter_map(|&body| self.slot(body)).collect();
             if slots.len() > 1 {
                 self.field_index.couple(self.couplings.len(), &slots);

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `model` | `World`: all bodies and the scene they come from; bodies added and removed |
 //! | `body` | `WorldBody`: one body in its moving frame |
+//! | `carriages` | kinematic bodies that carry prescribed motions of joints |
 //! | `forces` | force fields, and the forces that a program applies |
 //! | `field_index` | which fields act on which bodies |
 //! | `energy` | energies, and the centre of mass at the start |
@@ -13,6 +14,7 @@
 //! | `reported` | bodies as samples and reports show them |
 
 mod body;
+mod carriages;
 mod energy;
 mod field_index;
 mod forces;

@@ -6,6 +6,7 @@
 //! `reported.rs` transforms results back.
 
 use super::body::WorldBody;
+use super::carriages::add_carriages;
 use super::field_index::{FieldBuffers, FieldIndex};
 use super::steered::Steered;
 use crate::collision::contact_id::Feature;
@@ -14,6 +15,7 @@ use crate::constraint::coordinate_id::CoordinateId;
 use crate::constraint::joint::{HeldBody, WorldJoint, row_length};
 use crate::constraint::joint_forces::JointForce;
 use crate::constraint::stop_id::StopId;
+use crate::constraint::tie::Tie;
 use crate::pivot_form::{PivotForm, PivotRows};
 use crate::plane_of_motion::PlaneOfMotion;
 use crate::scene::{Body, Coordinate, Motor, MovingFrames, Scene, SceneError};
@@ -21,6 +23,7 @@ use polhode_dynamics::field::{Field, Wrench};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The friction that any two bodies which may collide have.
@@ -77,8 +80,18 @@ pub(crate) struct World {
     pub(crate) joints: Vec<WorldJoint>,
     /// Which of them hold a movable body.
     pub(crate) joints_of: BTreeMap<usize, Vec<usize>>,
-    /// The kinematic bodies that joints hold, ascending.
+    /// The kinematic bodies that joints and ties hold, ascending.
     pub(crate) joint_drivers: Vec<usize>,
+    /// Joints that have broken, by their numbers.
+    pub(crate) broken: BTreeMap<usize, WorldJoint>,
+    /// The joints of the scene that may break.
+    pub(crate) breakable: BTreeSet<usize>,
+    /// Gears and prescribed motions of joints.
+    pub(crate) ties: Vec<Tie>,
+    /// Which of them hold a movable body.
+    pub(crate) ties_of: BTreeMap<usize, Vec<usize>>,
+    /// The bodies that carry prescribed motions of joints.
+    pub(crate) carriages: Range<usize>,
     /// The contacts at joints, by their pairs of bodies, ascending.
     pub(crate) joint_contacts: BTreeMap<(usize, usize), Vec<Feature>>,
     /// The bodies that a body has such contacts with, itself for those with the world.
@@ -162,14 +175,17 @@ impl World {
             let form = if is_jointed { PivotForm::jointed(body) } else { pivot_rows.form(body, || may_collide(index)) };
             WorldBody::new(body, form, || may_collide(index))
         });
-        let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
+        let mut bodies = bodies.collect::<Result<Vec<_>, _>>()?;
+        let mut of_world = scene.clone();
+        bodies.extend(add_carriages(&mut of_world)?);
+        let carriages = scene.bodies().len()..bodies.len();
         let states: Vec<_> =
-            scene.bodies().iter().zip(&bodies).map(|(body, world)| world.state_at(body, 0.0)).collect();
+            of_world.bodies().iter().zip(&bodies).map(|(body, world)| world.state_at(body, 0.0)).collect();
         let movable: Vec<usize> = (0..bodies.len()).filter(|&body| bodies[body].moves()).collect();
         let prescribed = (0..bodies.len()).filter(|&body| bodies[body].trajectory.is_some()).collect();
         let rigid = bodies.iter().filter_map(|body| body.rigid).collect();
         let mut world = Self {
-            scene: scene.clone(),
+            scene: of_world,
             bodies,
             movable,
             prescribed,
@@ -178,6 +194,11 @@ impl World {
             joints: Vec::new(),
             joints_of: BTreeMap::new(),
             joint_drivers: Vec::new(),
+            broken: BTreeMap::new(),
+            breakable: (0..scene.joints().len()).filter(|&joint| scene.joints()[joint].strength().is_some()).collect(),
+            ties: Vec::new(),
+            ties_of: BTreeMap::new(),
+            carriages,
             joint_contacts: BTreeMap::new(),
             joint_contact_partners: BTreeMap::new(),
             pivot_rows,
@@ -204,6 +225,8 @@ impl World {
             plane: None,
         };
         world.make_joints(&states);
+        world.make_ties(&states);
+        world.index_joints();
         world.make_fields()?;
         world.initial_field_potential = world.field_potential(&states);
         world.start_potential_j = world.sum_start_potentials();
@@ -224,7 +247,6 @@ impl World {
         });
         self.joints = made.collect();
         self.ending_tracks = self.joints.iter().filter(|joint| joint.lets_go_at_ends()).count();
-        self.index_joints();
     }
 
     /// Enters the joints at their bodies, and the bodies that constraint rows hold.
@@ -238,8 +260,11 @@ impl World {
                 self.joints_of.entry(body).or_default().push(number);
             }
         }
-        let drivers: BTreeSet<usize> =
-            self.joints.iter().filter(|joint| !self.is_released(joint)).filter_map(WorldJoint::driver).collect();
+        self.index_ties();
+        let tied: BTreeSet<usize> = self.ties_of.values().flatten().copied().collect();
+        let carriages = tied.into_iter().filter_map(|tie| self.ties[tie].carriage());
+        let holding = self.joints.iter().filter(|joint| !self.is_released(joint));
+        let drivers: BTreeSet<usize> = holding.filter_map(WorldJoint::driver).chain(carriages).collect();
         self.joint_drivers = drivers.into_iter().collect();
         self.joint_contacts.clear();
         self.joint_contact_partners.clear();
@@ -302,6 +327,7 @@ impl World {
         self.bodies[body].trajectory = None;
         self.bodies[body].held = None;
         self.joints.retain(|joint| joint.bodies().all(|held| held != body));
+        self.broken.retain(|_, joint| joint.bodies().all(|held| held != body));
         self.index_joints();
         self.prescribed.retain(|&other| other != body);
         self.scene.bodies[body].geometry = None;
@@ -309,6 +335,12 @@ impl World {
         self.steered.remove(&body);
         self.start_potential_j = self.sum_start_potentials();
         self.make_fields()
+    }
+
+    /// How many bodies samples and reports show: all but carriages at the end.
+    pub(crate) fn shown(&self) -> usize {
+        let all = self.bodies.len();
+        if self.carriages.end == all { self.carriages.start } else { all }
     }
 
     /// Mass properties of the movable bodies, shared.

@@ -50,7 +50,7 @@ impl World {
 
     /// Names of all bodies and their states as they are reported.
     pub(crate) fn named_samples(&self, states: &[BodyState]) -> Vec<ReportedBody> {
-        let named = self.bodies.iter().zip(states).enumerate();
+        let named = self.bodies.iter().zip(states).take(self.shown()).enumerate();
         let reported = |(index, (body, state)): (usize, (&WorldBody, &BodyState))| ReportedBody {
             body: BodyId::new(index),
             name: body.name.clone(),

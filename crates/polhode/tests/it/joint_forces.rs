@@ -248,3 +248,23 @@ fn a_program_drives_a_joint() {
         assert!(simulation.set_motor(JointId::new(7), Coordinate::Angle, None).is_err());
     }
 }
+
+/// A motor on a light hub that a weld holds gives its bound, whichever way the hub would turn under it alone: the wheel begins as its
+/// moment says.
+#[test]
+fn a_bounded_servo_on_a_light_hub_turns_its_wheel() {
+    let servo = Motor::new(Drive::Velocity { velocity: 50.0, gain: 40.0 }).unwrap().at_most(150.0).unwrap();
+    for method in [accurate(), stepped(2e-3)] {
+        let mut built = scene(method).duration_s(0.1);
+        let hub = built.add_body(brick("hub", DVec3::splat(0.03), DVec3::ZERO));
+        let wheel = built.add_body(brick("wheel", DVec3::new(2.0, 0.1, 2.0), DVec3::Y * 0.2));
+        built = built.joint(Joint::new(JointKind::Fixed, hub, DVec3::ZERO));
+        let driven = Freedom::default().with_motor(servo);
+        let shaft = Joint::hinge(wheel, DVec3::Y * 0.2, UnitVector::Y).with(hub).along(Coordinate::Angle, driven);
+        let (report, _) = run(&built.joint(shaft).build().unwrap(), Effects::Planned);
+        let expected = 150.0 / (8.0 / 12.0) * 0.1;
+        let rate = report.bodies[1].state.velocity.angular.y;
+        assert!((rate - expected).abs() < 1e-9, "{rate} and {expected}");
+        assert_closes(&report);
+    }
+}

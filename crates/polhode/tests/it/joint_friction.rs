@@ -3,7 +3,7 @@
 
 use crate::checks::{assert_closes, heavy_brick};
 use crate::joints::{inertia, rod};
-use crate::support::{accurate, brick, run};
+use crate::support::{accurate, ball, brick, run};
 use polhode::scene::{
     Coordinate, Force, Frame, Freedom, Joint, JointFriction, JointKind, Limits, Method, Signal, Tier,
 };
@@ -317,5 +317,29 @@ fn friction_that_no_joint_can_have_is_refused() {
     }
     for breakaway in [0.9, f64::NAN, f64::INFINITY] {
         assert!(JointFriction::new(1.0).unwrap().with_breakaway(breakaway).is_err(), "{breakaway}");
+    }
+    // Friction without an effort and without a bearing is no friction.
+    let body = heavy_brick("rod", 1.0, DVec3::new(0.8, 0.1, 0.1), DVec3::X * 0.4);
+    let none = Freedom::default().with_friction(JointFriction::default());
+    let error = scene(accurate()).body(body).joint(hinge(none)).build().unwrap_err();
+    assert!(error.to_string().contains("neither an effort nor a bearing"), "{error}");
+}
+
+/// Friction is a finite force: an impact lasts for no time, so that a rough hinge takes the same impulse as a smooth one, to the last
+/// bit, however large its friction is.
+#[test]
+fn impacts_take_no_friction_of_joints() {
+    let struck = |freedom: Freedom| {
+        let rod = brick("rod", DVec3::new(0.8, 0.1, 0.1), DVec3::X * 0.4);
+        let ball = ball("ball", 0.3, 0.05, DVec3::new(0.7, 0.0, 0.3), DVec3::Z * -2.0);
+        let built = scene(accurate()).duration_s(0.2).body(rod).body(ball).joint(hinge(freedom)).build().unwrap();
+        let (_, recorder) = run(&built, Effects::Planned);
+        let impact = *first(&recorder, EventKind::Impact).unwrap();
+        (impact.t_s, impact.impulse.to_bits(), impact.energy_change_j.to_bits())
+    };
+    let smooth = struck(Freedom::default());
+    for effort in [1e-3, 1.0, 1e3] {
+        let (t, impulse, change) = struck(rough(effort));
+        assert!((t - smooth.0).abs() < 1e-12 && (impulse, change) == (smooth.1, smooth.2), "{effort} N m");
     }
 }

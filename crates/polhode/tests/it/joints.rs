@@ -415,3 +415,32 @@ fn what_a_joint_holds_to_a_resting_body_rests_with_it() {
         assert!(report.certificate.max_penetration_of_limit < 1.0);
     }
 }
+
+/// What a joint bears and how bodies begin to move are those of all bodies that joints connect, also where nothing touches: of two rods
+/// that hang at each other the upper hinge bears both, and let go level the first one begins with 9/7 and the second with -3/7 of g/l (thin rods).
+#[test]
+fn jointed_bodies_bear_and_begin_together() {
+    let own = (1.0, 1.0);
+    let pair = |angle: f64| {
+        let (upper, lower) = (down(angle) * 0.5, down(angle) * 1.5);
+        let mut scene = Scene::builder("two rods").method(accurate()).gravity(DVec3::Z * -9.81);
+        let first = scene.add_body(rod("upper", own, upper, angle));
+        let second = scene.add_body(rod("lower", own, lower, angle));
+        let scene = scene.joint(Joint::hinge(first, DVec3::ZERO, UnitVector::Y));
+        let scene = scene.joint(Joint::hinge(second, down(angle), UnitVector::Y).with(first));
+        Simulation::new(&scene.build().unwrap()).unwrap()
+    };
+    let hanging = pair(0.0);
+    for (load, bodies) in hanging.joint_loads().iter().zip([2.0, 1.0]) {
+        assert!((load.force_n - DVec3::Z * (bodies * 9.81)).length() < 1e-11, "{load:?}");
+    }
+    // Lagrange: (I + 5/4) a + 1/2 b = 3/2 g and 1/2 a + (I + 1/4) b = g/2, with I the moment of a rod about its middle.
+    let moment = inertia(own);
+    let (a, b, c) = (moment + 1.25, 0.5, moment + 0.25);
+    let determinant = a * c - b * b;
+    let expected = [(1.5 * c - 0.5 * b) / determinant, (0.5 * a - 1.5 * b) / determinant].map(|own| own * 9.81);
+    let found = pair(std::f64::consts::FRAC_PI_2).accelerations().unwrap();
+    for (own, expected) in found.iter().zip(expected) {
+        assert!((own.angular.length() - expected.abs()).abs() < 1e-10, "{own:?} {expected}");
+    }
+}

@@ -4,6 +4,7 @@
 
 mod bad_numbers;
 mod bounces_with_friction;
+mod breaking_joints;
 mod broad_phases;
 mod checks;
 mod constrained_methods;
@@ -22,6 +23,7 @@ mod friction;
 mod friction_at_its_limit;
 mod friction_effects;
 mod friction_on_moving_ground;
+mod gears;
 mod grain;
 mod impacts;
 mod impulse_models;
@@ -46,6 +48,7 @@ mod pivot_rows;
 mod pivots;
 mod planar;
 mod planar_friction;
+mod prescribed_joints;
 mod prescribed_motion;
 mod program;
 mod public_interface;

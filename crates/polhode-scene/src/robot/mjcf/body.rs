@@ -2,7 +2,7 @@
 
 use super::super::element::Element;
 use super::super::finding::{RobotDefect, RobotPlace};
-use super::super::model::{Geom, Link, RobotJoint, RobotJointKind};
+use super::super::model::{Geom, Link, RobotCoordinate, RobotJoint, RobotJointKind};
 use super::super::reading::Reading;
 use super::super::shapes::Meshes;
 use super::asset::MeshAsset;
@@ -98,6 +98,11 @@ struct Contents {
 }
 
 impl<'a> Bodies<'a> {
+    /// The coordinate of this name.
+    pub(super) fn coordinate(&self, name: &str) -> Option<&RobotCoordinate> {
+        self.joints.iter().flat_map(|joint| &joint.coordinates).find(|own| own.name == name)
+    }
+
     pub(super) fn new(
         compiler: &'a Compiler,
         defaults: &'a Defaults,

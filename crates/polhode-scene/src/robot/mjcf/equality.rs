@@ -2,22 +2,29 @@
 
 use super::super::element::Element;
 use super::super::finding::RobotDefect;
-use super::super::joint_extras::MIMIC;
-use super::super::model::{Closure, ClosureKind};
+use super::super::joint_extras;
+use super::super::model::{Closure, ClosureKind, Follower};
 use super::super::reading::Reading;
 use super::body::Bodies;
 use super::defaults::Defaults;
 use super::frame;
 use polhode::spatial::Pose;
 
-/// Loops and pairs that do not collide.
-pub(super) fn read(
-    root: &Element,
-    bodies: &Bodies<'_>,
-    defaults: &Defaults,
-    reading: &mut Reading,
-) -> (Vec<Closure>, Vec<[usize; 2]>) {
-    let mut loops = Vec::new();
+/// Why a joint that a polynomial holds has no effect.
+const NO_GEAR: &str =
+    "joints follow others in proportion alone: two joints and no powers of `polycoef` above the first are needed";
+
+/// What couples links besides joints.
+pub(super) struct Couplings {
+    pub(super) loops: Vec<Closure>,
+    pub(super) followers: Vec<Follower>,
+    /// Pairs that do not collide.
+    pub(super) apart: Vec<[usize; 2]>,
+}
+
+/// Loops, coordinates that follow others, and pairs that do not collide.
+pub(super) fn read(root: &Element, bodies: &Bodies<'_>, defaults: &Defaults, reading: &mut Reading) -> Couplings {
+    let (mut loops, mut followers) = (Vec::new(), Vec::new());
     for element in root.all("equality").flat_map(|equality| &equality.children) {
         let full = defaults.applied(element, None);
         if full.attribute("active") == Some("false") {
@@ -27,7 +34,7 @@ pub(super) fn read(
         match element.name.as_str() {
             "connect" => loops.extend(closure(&full, ClosureKind::Point, bodies, loops.len(), reading)),
             "weld" => loops.extend(closure(&full, ClosureKind::Weld, bodies, loops.len(), reading)),
-            "joint" => reading.ignore(element, "<joint> of <equality>", MIMIC),
+            "joint" => followers.extend(follower(&full, bodies, reading)),
             _ => reading.ignore(element, format!("<{}> of <equality>", element.name), "it is not simulated"),
         }
     }
@@ -42,7 +49,33 @@ pub(super) fn read(
             apart.push([a, b]);
         }
     }
-    (loops, apart)
+    Couplings { loops, followers, apart }
+}
+
+/// A joint whose value is a polynomial of that of another one, both from their reference values.
+fn follower(element: &Element, bodies: &Bodies<'_>, reading: &mut Reading) -> Option<Follower> {
+    let Some(name) = element.attribute("joint1") else {
+        reading.refuse(element, "<joint> of <equality>", RobotDefect::MissingAttribute("joint1"));
+        return None;
+    };
+    let subject = format!("joint `{name}`");
+    let powers = reading.numbers(element, "polycoef", 1..=5, &subject).unwrap_or_else(|| vec![0.0, 1.0]);
+    let Some(leader) = element.attribute("joint2").filter(|_| powers.iter().skip(2).all(|&power| power == 0.0)) else {
+        reading.ignore(element, "<joint> of <equality>", NO_GEAR);
+        return None;
+    };
+    let mut reference = |name: &str| {
+        let found = bodies.coordinate(name).map(|own| own.reference);
+        if found.is_none() {
+            reading.refuse(element, &subject, RobotDefect::UnknownName { kind: "joint", name: name.to_owned() });
+        }
+        found
+    };
+    let (own, other) = (reference(name)?, reference(leader)?);
+    let multiplier = powers.get(1).copied().unwrap_or(1.0);
+    let offset = own + powers[0] - multiplier * other;
+    let (place, name, leader) = (element.place.clone(), name.to_owned(), leader.to_owned());
+    joint_extras::follower(Follower { place, name, leader, multiplier, offset }, element, reading)
 }
 
 /// The link of the body that an attribute names.

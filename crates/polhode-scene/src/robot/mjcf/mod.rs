@@ -14,7 +14,7 @@
 //! | `inertial` | mass properties |
 //! | `joint` | joints |
 //! | `body` | the tree of bodies |
-//! | `equality` | what closes loops |
+//! | `equality` | what closes loops, and joints that follow others |
 
 mod asset;
 mod body;
@@ -35,6 +35,7 @@ use super::reading::Reading;
 use body::{Bodies, Contacts, Parts};
 use compiler::Compiler;
 use defaults::Defaults;
+use equality::Couplings;
 
 /// Elements of the root that are read, and those that say nothing of motion.
 const KNOWN: [&str; 8] = ["compiler", "default", "asset", "worldbody", "equality", "contact", "visual", "statistic"];
@@ -64,7 +65,7 @@ pub(super) fn read(mut root: Element, paths: &MeshPaths, reading: &mut Reading) 
         reading.refuse(&root, format!("robot `{name}`"), RobotDefect::MissingElement("worldbody"));
         return None;
     }
-    let (loops, mut apart) = equality::read(&root, &bodies, &defaults, reading);
+    let Couplings { loops, followers, mut apart } = equality::read(&root, &bodies, &defaults, reading);
     let flags = root.all("option").flat_map(|option| option.all("flag"));
     let is_off = flags.filter_map(|flag| flag.attribute("contact")).any(|word| word == "disable");
     let contacts = if is_off { Contacts::Off } else { Contacts::On };
@@ -78,5 +79,5 @@ pub(super) fn read(mut root: Element, paths: &MeshPaths, reading: &mut Reading) 
         }
     }
     let place = root.place;
-    Some(Robot { name, place, links, joints, loops, apart, root: Root::World, files })
+    Some(Robot { name, place, links, joints, loops, followers, apart, root: Root::World, files })
 }

@@ -1,0 +1,23 @@
+//! The power that a joint gives to its bodies.
+
+use super::joint::WorldJoint;
+use crate::world::World;
+use polhode_dynamics::BodyState;
+use polhode_spatial::{DVec3, Pose, Velocity};
+
+impl World {
+    /// What a joint that does this to its first body (a force, N, at its anchor, and a moment, N m), and its springs, dampers and motors,
+    /// give to its bodies, W.
+    pub(crate) fn power_of_joint(
+        &self,
+        states: &[BodyState],
+        joint: &WorldJoint,
+        (force, moment): (DVec3, DVec3),
+    ) -> f64 {
+        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
+        let own = self.joint_forces.iter().filter(|own| own.joint.number() == joint.number());
+        let by_forces: f64 = own.map(|own| own.power(motion)).sum();
+        let slip = joint.slip(motion);
+        by_forces + force.dot(slip.linear) + moment.dot(slip.angular)
+    }
+}

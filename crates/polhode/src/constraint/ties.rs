@@ -1,0 +1,154 @@
+//! The ties of the world (`tie.rs`): made from the gears and prescribed motions of the scene, found by their bodies, and the
+//! revolutions that they count.
+
+use super::ConstraintId;
+use super::bilateral::{Bilateral, Reaction};
+use super::joint::WorldJoint;
+use super::row::{Action, BilateralRow, RowKind};
+use super::tie::{HeldTo, Tie, Tied};
+use crate::scene::{Gear, GearEnd};
+use crate::snapshot::SnapshotError;
+use crate::world::World;
+use polhode_dynamics::BodyState;
+use polhode_spatial::{DVec3, Pose, Velocity};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What a tie does to the first body of a joint, world.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LoadOfTie {
+    /// The number of the joint.
+    pub(crate) joint: usize,
+    /// Where the force acts, m.
+    pub(crate) point: DVec3,
+    /// N.
+    pub(crate) force: DVec3,
+    /// N m.
+    pub(crate) moment: DVec3,
+}
+
+impl World {
+    /// Makes the ties of the scene, between bodies in their states at the start.
+    pub(crate) fn make_ties(&mut self, states: &[BodyState]) {
+        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
+        let tied = |end: GearEnd| -> Option<Tied> {
+            let joint = self.joint_numbered(end.joint.index())?;
+            let place = joint.place_of(end.coordinate)?;
+            let made = Tied { joint: joint.clone(), place, start: 0.0 };
+            let start = made.value(motion)?;
+            Some(Tied { start, ..made })
+        };
+        let gear = |(number, gear): (usize, &Gear)| {
+            let [first, second] = gear.ends().map(tied);
+            let to = HeldTo::Coordinate { second: Box::new(second?), ratio: gear.ratio(), last: 0.0 };
+            Some(Tie { number, first: first?, to })
+        };
+        let gears = self.scene.gears.len();
+        let mut ties: Vec<Tie> = self.scene.gears.iter().enumerate().filter_map(gear).collect();
+        let motions = self.scene.coordinate_motions.iter().zip(self.carriages.clone()).enumerate();
+        ties.extend(motions.filter_map(|(number, ((end, _), body))| {
+            let to = HeldTo::Carriage { body, start: states[body].pose.translation.x };
+            Some(Tie { number: gears + number, first: tied(*end)?, to })
+        }));
+        self.ties = ties;
+        self.index_ties();
+    }
+
+    /// Enters the ties whose joints are there at their bodies.
+    pub(crate) fn index_ties(&mut self) {
+        let mut ties_of: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for (place, tie) in self.ties.iter().enumerate().filter(|(_, tie)| self.is_at_work(tie)) {
+            for body in tie.bodies() {
+                ties_of.entry(body).or_default().push(place);
+            }
+        }
+        self.ties_of = ties_of;
+    }
+
+    /// Whether the joints of a tie are there.
+    fn is_at_work(&self, tie: &Tie) -> bool {
+        tie.joints().all(|joint| self.joint_numbered(joint.number()).is_some())
+    }
+
+    /// The ties whose joints are there.
+    pub(crate) fn ties_at_work(&self) -> impl Iterator<Item = &Tie> {
+        self.ties.iter().filter(|tie| self.is_at_work(tie))
+    }
+
+    /// The ties of these bodies, in order.
+    pub(crate) fn ties_among(&self, bodies: &[usize]) -> impl Iterator<Item = &Tie> {
+        let bodies = if self.ties.is_empty() { &[] } else { bodies };
+        let ties: BTreeSet<usize> =
+            bodies.iter().filter_map(|body| self.ties_of.get(body)).flatten().copied().collect();
+        ties.into_iter().map(|tie| &self.ties[tie])
+    }
+
+    /// What a tie is, in words.
+    pub(crate) fn name_of_tie(&self, number: usize) -> String {
+        let tie = self.ties.iter().find(|tie| tie.number == number);
+        match tie.map(|tie| (&tie.to, tie.first.joint.number())) {
+            Some((HeldTo::Carriage { .. }, joint)) => format!("the prescribed motion of joint {joint}"),
+            _ => format!("gear {number}"),
+        }
+    }
+
+    /// What the reaction of a tie does at its joints: to the first body of each.
+    pub(crate) fn joint_loads_of_tie(&self, of: &Bilateral, reaction: Reaction) -> Vec<LoadOfTie> {
+        let ConstraintId::Tie { tie, .. } = of.id else { return Vec::new() };
+        let Some(tie) = self.ties.iter().find(|own| own.number == tie) else { return Vec::new() };
+        let Some(BilateralRow { kind: RowKind::Tied { first, second }, .. }) = of.rows.first() else {
+            return Vec::new();
+        };
+        let multiplier = of.multiplier(reaction);
+        let load = |(joint, action): (&WorldJoint, &Action)| match action.times(multiplier) {
+            Action::Force { direction, point } => {
+                LoadOfTie { joint: joint.number(), point, force: direction, moment: DVec3::ZERO }
+            }
+            Action::Moment(moment) => LoadOfTie { joint: joint.number(), point: of.point, force: DVec3::ZERO, moment },
+        };
+        tie.joints().zip([first, second]).map(load).collect()
+    }
+
+    /// Takes the angles whose revolutions ties of these bodies count from their states at the end of a step.
+    pub(crate) fn count_turns(&mut self, states: &[BodyState], bodies: &[usize]) {
+        if self.ties.is_empty() {
+            return;
+        }
+        let own: BTreeSet<usize> = bodies.iter().filter_map(|body| self.ties_of.get(body)).flatten().copied().collect();
+        self.count_turns_of(states, own.into_iter());
+    }
+
+    /// The same of all ties.
+    pub(crate) fn count_all_turns(&mut self, states: &[BodyState]) {
+        self.count_turns_of(states, 0..self.ties.len());
+    }
+
+    fn count_turns_of(&mut self, states: &[BodyState], places: impl Iterator<Item = usize>) {
+        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
+        let counted: Vec<(usize, f64)> =
+            places.filter_map(|place| Some((place, self.ties[place].counted_at(motion)?))).collect();
+        for (place, angle) in counted {
+            self.ties[place].set_counted(angle);
+        }
+    }
+
+    /// The angles whose revolutions ties count, rad, by the numbers of the ties.
+    pub(crate) fn turns(&self) -> Vec<(usize, f64)> {
+        self.ties.iter().filter_map(|tie| Some((tie.number, tie.counted()?))).collect()
+    }
+
+    /// Replaces them.
+    ///
+    /// # Errors
+    /// When they are not those of the ties that count revolutions, or not finite.
+    pub(crate) fn replace_turns(&mut self, saved: &[(usize, f64)]) -> Result<(), SnapshotError> {
+        let counting: Vec<&mut Tie> = self.ties.iter_mut().filter(|tie| tie.counted().is_some()).collect();
+        let is_own = counting.iter().map(|tie| tie.number).eq(saved.iter().map(|(number, _)| *number));
+        if !(is_own && saved.iter().all(|(_, angle)| angle.is_finite())) {
+            return Err(SnapshotError::Invalid("its revolutions are not those of the gears of the scene"));
+        }
+        for (tie, (_, angle)) in counting.into_iter().zip(saved) {
+            tie.set_counted(*angle);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,70 @@
+//! Whether gears and prescribed motions of joints contradict each other, or the joints.
+//!
+//! The rows `J a + b = 0` of joints and ties, with `b` their terms of velocities and of prescribed accelerations (m/s^2), have a
+//! solution if `b` is in the range of `J`, which is that of `G = J M^-1 J^T`. The forces `f` of least norm that come nearest to
+//! `G f = -b` leave a residual where it is not. Free accelerations do not matter: `J a` is in that range.
+//!
+//! Limit: where a mechanism passes a singular position the rank is that of rounding, and a motion that is driven through it may be
+//! told to contradict itself there, as it does.
+
+use crate::SimulationError;
+use crate::constraint::ConstraintId;
+use crate::core::Core;
+use crate::rows::assembly::Assembly;
+use polhode_dynamics::BodyState;
+use polhode_response::{LeastNormHold, ResponseError};
+
+/// A residual of accelerations beyond this fraction of the largest term is a contradiction (no unit, 1e-9 to 1e-4): far above
+/// rounding, and far below what two different motions ask for.
+const CONTRADICTION: f64 = 1e-6;
+
+/// Refuses bodies at `t` (s) whose gears and prescribed motions contradict each other or their joints.
+///
+/// # Errors
+/// [`SimulationError::JointsContradict`]; when a number is not finite.
+pub(crate) fn refuse_contradictions(
+    core: &Core,
+    t: f64,
+    states: &[BodyState],
+    bodies: &[usize],
+) -> Result<(), SimulationError> {
+    if core.world.ties_among(bodies).next().is_none() {
+        return Ok(());
+    }
+    match contradicted(core, t, states, bodies).map_err(|source| Core::response_error(t, source))? {
+        None => Ok(()),
+        Some(tie) => Err(SimulationError::JointsContradict { t_s: t, what: core.world.name_of_tie(tie) }),
+    }
+}
+
+/// The number of the first tie whose row, or that of another constraint beside it, cannot be kept.
+fn contradicted(core: &Core, t: f64, states: &[BodyState], bodies: &[usize]) -> Result<Option<usize>, ResponseError> {
+    let world = &core.world;
+    let assembly = Assembly::new(world, states, bodies, std::iter::empty())?;
+    let still = assembly.uniform_accelerations(polhode_spatial::DVec3::ZERO);
+    let constants = assembly.acceleration_constants(world, t, states, &still, std::iter::empty())?;
+    let largest = constants.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
+    // Terms of motions that cancel leave the rounding of their parts.
+    let parts = bodies.iter().chain(world.prescribed()).map(|&body| {
+        let velocity = world.velocity(body, &states[body]);
+        let turning = velocity.angular.length();
+        turning * (turning * world.bodies[body].size + velocity.linear.length())
+    });
+    let largest = largest.max(parts.fold(0.0, f64::max));
+    if largest == 0.0 {
+        return Ok(None);
+    }
+    let delassus = assembly.problem.delassus();
+    let forces = LeastNormHold::factor(&delassus)?.solve(&delassus, &constants)?;
+    let given = delassus.times(&forces)?;
+    let left = given.iter().zip(&constants).map(|(given, constant)| (given + constant).abs());
+    let worst = left.fold(0.0_f64, f64::max);
+    if worst <= CONTRADICTION * largest {
+        return Ok(None);
+    }
+    let mut ties = assembly.bilaterals().iter().filter_map(|own| match own.id {
+        ConstraintId::Tie { tie, .. } => Some(tie),
+        _ => None,
+    });
+    Ok(ties.next())
+}

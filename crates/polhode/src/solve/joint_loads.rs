@@ -1,0 +1,65 @@
+//! What joints bear, from the forces of all rows of a group: their reactions, what gears and prescribed motions do along their
+//! coordinates, and what their stops and their friction do at levers.
+
+use crate::JointId;
+use crate::collision::contact_id::ContactId;
+use crate::constraint::ConstraintId;
+use crate::constraint::ties::LoadOfTie;
+use crate::frame::JointView;
+use crate::rows::assembly::Assembly;
+use crate::world::World;
+use polhode_dynamics::BodyState;
+use polhode_spatial::DVec3;
+use std::collections::BTreeMap;
+
+/// The force of a contact on its body A, and where it acts, world, N and m.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ContactForce {
+    pub(crate) id: ContactId,
+    pub(crate) point: DVec3,
+    pub(crate) force: DVec3,
+}
+
+/// What the joints of a group bear, by their numbers, from the forces of all rows of its assembly and those of its contacts.
+pub(crate) fn joint_loads(
+    world: &World,
+    states: &[BodyState],
+    (assembly, forces): (&Assembly, &[f64]),
+    contacts: impl Iterator<Item = ContactForce>,
+) -> BTreeMap<usize, JointView> {
+    let none = (DVec3::ZERO, DVec3::ZERO);
+    let mut views: BTreeMap<usize, JointView> = BTreeMap::new();
+    for (of, reaction) in assembly.reactions(forces) {
+        if let ConstraintId::Joint { joint, .. } = of.id {
+            views.insert(joint, joint_view(joint, of.point, (reaction.force, reaction.moment)));
+        }
+        for LoadOfTie { joint, point, force, moment } in world.joint_loads_of_tie(of, reaction) {
+            let own = views.entry(joint).or_insert_with(|| joint_view(joint, point, none));
+            own.force_n += force;
+            own.moment_n_m += moment + (point - own.point_m).cross(force);
+        }
+    }
+    for ContactForce { id, point, force } in contacts {
+        let Some((joint, force)) = world.joint_force_of(id, force) else { continue };
+        let anchor = world.joints.iter().find(|own| own.number() == joint);
+        let anchor = anchor.map_or(point, |own| world.anchor_of(states, own));
+        let own = views.entry(joint).or_insert_with(|| joint_view(joint, anchor, none));
+        own.force_n += force;
+        own.moment_n_m += (point - own.point_m).cross(force);
+    }
+    views
+}
+
+/// The view of a joint with this force (N) and moment (N m) at a point (m).
+pub(crate) fn joint_view(joint: usize, point_m: DVec3, (force_n, moment_n_m): (DVec3, DVec3)) -> JointView {
+    JointView { joint: JointId::new(joint), point_m, force_n, moment_n_m }
+}
+
+/// The joints among these that bear as much as they can.
+pub(crate) fn overloaded(world: &World, loads: &BTreeMap<usize, JointView>) -> Vec<usize> {
+    let is_over = |(joint, load): (&usize, &JointView)| {
+        let used = world.strength_of(*joint)?.used(load.force_n.length(), load.moment_n_m.length());
+        (used >= 1.0).then_some(*joint)
+    };
+    loads.iter().filter_map(is_over).collect()
+}
