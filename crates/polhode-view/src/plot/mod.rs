@@ -13,7 +13,7 @@
 //! | [`marker`], [`method_style`] | markers; one ink for a family of methods, one marker for a member |
 //! | [`trace`], `event_times` | quantities and events over time, in bounded memory |
 //! | [`time_chart`] | panels that share an axis of time |
-//! | [`run_plots`] | the observer of a run |
+//! | [`run_plots`], `joint_traces` | the observer of a run; curves of its joints |
 //! | [`compare_plots`] | two trajectories |
 //! | [`cost_chart`], [`dot_chart`] | error against cost of a scene; of many scenes |
 
@@ -33,6 +33,7 @@ pub mod trace;
 mod axes;
 mod decades;
 mod event_times;
+mod joint_traces;
 mod label_spots;
 mod text_width;
 
