@@ -2,7 +2,7 @@
 
 use super::axes;
 use super::ink::Ink;
-use super::run_plots::RunPlot;
+use super::run_plot::RunPlot;
 use super::time_chart::{AxisKind, Course, Line, Panel};
 use super::trace::Trace;
 use polhode::scene::Coordinate;

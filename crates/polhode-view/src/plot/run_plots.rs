@@ -7,44 +7,11 @@ use super::axes;
 use super::event_times::EventTimes;
 use super::ink::Ink;
 use super::joint_traces::JointTraces;
+use super::run_plot::RunPlot;
 use super::time_chart::{AxisKind, Course, Line, Panel, Stop, TimeChart};
 use super::trace::Trace;
 use crate::penetration::{Depths, Penetration};
 use polhode::{BodySample, Event, Frame, JointSample, MotionKind, Observer, Scene};
-
-/// What can be plotted of a run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RunPlot {
-    /// Kinetic, potential and total energy.
-    Energy,
-    /// Where the energy went: the terms of the ledger.
-    Ledger,
-    /// How deep bodies overlap.
-    Penetration,
-    /// How many contacts touch and bear a load, and how many bodies rest.
-    Contacts,
-    /// How long the steps are.
-    Steps,
-    /// Angles and displacements of joints.
-    JointCoordinates,
-    /// Their rates.
-    JointRates,
-    /// Magnitudes of the forces in joints.
-    JointForces,
-    /// Magnitudes of the moments in joints.
-    JointMoments,
-    /// What motors, springs, dampers, prescribed motions and gears of joints give.
-    JointPowers,
-}
-
-impl RunPlot {
-    /// All that every scene has, in the order in which they are drawn.
-    pub const ALL: [Self; 5] = [Self::Energy, Self::Ledger, Self::Penetration, Self::Contacts, Self::Steps];
-
-    /// All of joints, which are drawn after those.
-    pub const OF_JOINTS: [Self; 5] =
-        [Self::JointCoordinates, Self::JointRates, Self::JointForces, Self::JointMoments, Self::JointPowers];
-}
 
 /// The quantities, in the order of [`values`].
 const QUANTITIES: [Quantity; 15] = [
