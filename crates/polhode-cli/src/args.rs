@@ -159,6 +159,16 @@ pub(crate) enum RunPlotArg {
     Contacts,
     /// How long the steps are
     Steps,
+    /// Angles and displacements of joints
+    JointCoordinates,
+    /// Rates of joints
+    JointRates,
+    /// Magnitudes of the forces in joints
+    JointForces,
+    /// Magnitudes of the moments in joints
+    JointMoments,
+    /// What motors, springs, dampers, prescribed motions and gears of joints give
+    JointPowers,
 }
 
 /// Where and when checkpoints are written.

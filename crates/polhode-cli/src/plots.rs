@@ -3,8 +3,8 @@
 use crate::abandoned;
 use crate::args::RunPlotArg;
 use crate::failure::Failure;
-use polhode::{BodySample, Event, Flow, Frame, Observer, Outcome, Plan, RunReport, Simulation};
-use polhode_scene::{AtomicFile, names};
+use polhode::{BodySample, Event, Flow, Frame, JointSample, Observer, Outcome, Plan, RunReport, Simulation};
+use polhode_scene::{AtomicFile, LoadedScene, names};
 use polhode_view::plot::{RunPlot, RunPlots};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
@@ -46,9 +46,10 @@ impl Plots {
     }
 
     /// Begins at the present time of a simulation.
-    pub(crate) fn begin(&mut self, scene: &polhode::Scene, simulation: &Simulation) {
+    pub(crate) fn begin(&mut self, loaded: &LoadedScene, simulation: &Simulation) {
         if !self.files.is_empty() {
-            self.drawn = Some(RunPlots::new(scene, simulation.time(), &self.asked));
+            let drawn = RunPlots::new(&loaded.scene, simulation.time(), &self.asked);
+            self.drawn = Some(drawn.with_joint_names(loaded.joint_names()));
         }
     }
 
@@ -87,6 +88,11 @@ const fn plot(asked: RunPlotArg) -> RunPlot {
         RunPlotArg::Penetration => RunPlot::Penetration,
         RunPlotArg::Contacts => RunPlot::Contacts,
         RunPlotArg::Steps => RunPlot::Steps,
+        RunPlotArg::JointCoordinates => RunPlot::JointCoordinates,
+        RunPlotArg::JointRates => RunPlot::JointRates,
+        RunPlotArg::JointForces => RunPlot::JointForces,
+        RunPlotArg::JointMoments => RunPlot::JointMoments,
+        RunPlotArg::JointPowers => RunPlot::JointPowers,
     }
 }
 
@@ -121,6 +127,16 @@ impl Observer for Plots {
     fn frame(&mut self, frame: &Frame) {
         if let Some(drawn) = &mut self.drawn {
             drawn.frame(frame);
+        }
+    }
+
+    fn wants_joints(&self) -> bool {
+        self.drawn.as_ref().is_some_and(Observer::wants_joints)
+    }
+
+    fn joints(&mut self, t_s: f64, joints: &[JointSample]) {
+        if let Some(drawn) = &mut self.drawn {
+            drawn.joints(t_s, joints);
         }
     }
 

@@ -13,7 +13,7 @@
 //! | [`marker`], [`method_style`] | markers; one ink for a family of methods, one marker for a member |
 //! | [`trace`], `event_times` | quantities and events over time, in bounded memory |
 //! | [`time_chart`] | panels that share an axis of time |
-//! | [`run_plots`] | the observer of a run |
+//! | [`run_plot`], [`run_plots`], `joint_traces` | what is plotted of a run; its observer; curves of its joints |
 //! | [`compare_plots`] | two trajectories |
 //! | [`cost_chart`], [`dot_chart`] | error against cost of a scene; of many scenes |
 
@@ -24,6 +24,7 @@ pub mod ink;
 pub mod label_rows;
 pub mod marker;
 pub mod method_style;
+pub mod run_plot;
 pub mod run_plots;
 pub mod scale;
 pub mod svg;
@@ -33,6 +34,7 @@ pub mod trace;
 mod axes;
 mod decades;
 mod event_times;
+mod joint_traces;
 mod label_spots;
 mod text_width;
 
@@ -42,7 +44,8 @@ pub use dot_chart::DotChart;
 pub use ink::Ink;
 pub use label_rows::label_rows;
 pub use marker::Marker;
-pub use run_plots::{RunPlot, RunPlots};
+pub use run_plot::RunPlot;
+pub use run_plots::RunPlots;
 pub use svg::{Stroke, Svg};
 pub use time_chart::TimeChart;
 pub use trace::Trace;

@@ -1,4 +1,4 @@
-//! Plots of a run over time: energy, ledger, penetration, contacts and steps.
+//! Plots of a run over time: energy, ledger, penetration, contacts, steps and joints.
 //!
 //! An [`Observer`] keeps what is asked for while the run goes on, in memory that does not grow with it. A run that
 //! stops early is drawn up to where it stopped.
@@ -6,30 +6,12 @@
 use super::axes;
 use super::event_times::EventTimes;
 use super::ink::Ink;
+use super::joint_traces::JointTraces;
+use super::run_plot::RunPlot;
 use super::time_chart::{AxisKind, Course, Line, Panel, Stop, TimeChart};
 use super::trace::Trace;
 use crate::penetration::{Depths, Penetration};
-use polhode::{BodySample, Event, Frame, MotionKind, Observer, Scene};
-
-/// What can be plotted of a run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RunPlot {
-    /// Kinetic, potential and total energy.
-    Energy,
-    /// Where the energy went: the terms of the ledger.
-    Ledger,
-    /// How deep bodies overlap.
-    Penetration,
-    /// How many contacts touch and bear a load, and how many bodies rest.
-    Contacts,
-    /// How long the steps are.
-    Steps,
-}
-
-impl RunPlot {
-    /// All, in the order in which they are drawn.
-    pub const ALL: [Self; 5] = [Self::Energy, Self::Ledger, Self::Penetration, Self::Contacts, Self::Steps];
-}
+use polhode::{BodySample, Event, Frame, JointSample, MotionKind, Observer, Scene};
 
 /// The quantities, in the order of [`values`].
 const QUANTITIES: [Quantity; 15] = [
@@ -70,6 +52,7 @@ pub struct RunPlots {
     title: String,
     asked: Vec<RunPlot>,
     traces: Vec<Trace>,
+    joints: JointTraces,
     steps: Trace,
     /// Steps made, and the time that the last of them reached, s.
     made: u64,
@@ -79,18 +62,26 @@ pub struct RunPlots {
 }
 
 impl RunPlots {
-    /// Of a scene from a time on, s; what is asked for twice is drawn once, in the order of [`RunPlot::ALL`].
+    /// Of a scene from a time on, s; what is asked for twice is drawn once, in the order of [`RunPlot::ALL`] and
+    /// [`RunPlot::OF_JOINTS`]. Joints have their numbers from 1 as names.
     pub fn new(scene: &Scene, from_s: f64, asked: &[RunPlot]) -> Self {
         Self {
             title: scene.name().to_owned(),
-            asked: RunPlot::ALL.into_iter().filter(|plot| asked.contains(plot)).collect(),
+            asked: RunPlot::ALL.into_iter().chain(RunPlot::OF_JOINTS).filter(|plot| asked.contains(plot)).collect(),
             traces: vec![Trace::default(); QUANTITIES.len()],
+            joints: JointTraces::new((1..=scene.joints().len()).map(|number| format!("joint {number}")).collect()),
             steps: Trace::default(),
             made: 0,
             reached_s: Some(from_s),
             penetration: Penetration::default(),
             events: EventTimes::new(scene.duration_s()),
         }
+    }
+
+    /// With other names of the joints, by their handles.
+    #[must_use]
+    pub fn with_joint_names(self, names: Vec<String>) -> Self {
+        Self { joints: JointTraces::new(names), ..self }
     }
 
     /// The figure as SVG; `subtitle` says by which methods, `stopped` why a run ended before its time.
@@ -102,6 +93,9 @@ impl RunPlots {
     }
 
     fn panel(&self, plot: RunPlot) -> Panel {
+        if let Some(panel) = self.joints.panel(plot) {
+            return panel;
+        }
         let (title, note, axis) = match plot {
             RunPlot::Energy => ("energy, J", "", AxisKind::Linear),
             RunPlot::Ledger => {
@@ -110,7 +104,7 @@ impl RunPlots {
             }
             RunPlot::Penetration => ("penetration, m", "", AxisKind::Logarithmic),
             RunPlot::Contacts => ("contacts and bodies, number", "", AxisKind::Count),
-            RunPlot::Steps => ("length of the steps, s", "", AxisKind::Logarithmic),
+            _ => ("length of the steps, s", "", AxisKind::Logarithmic),
         };
         let lines = if plot == RunPlot::Steps { vec![self.steps_line()] } else { self.lines(plot) };
         Panel { title: title.to_owned(), note: note.to_owned(), axis, lines }
@@ -120,7 +114,7 @@ impl RunPlots {
         let unit = match plot {
             RunPlot::Energy | RunPlot::Ledger => "J",
             RunPlot::Penetration => "m",
-            RunPlot::Contacts | RunPlot::Steps => "",
+            _ => "",
         };
         let own = QUANTITIES.iter().zip(&self.traces).filter(|(quantity, _)| quantity.plot == plot);
         // A term of the ledger that this run has none of says nothing; what the numbers lost is said when it is
@@ -162,7 +156,15 @@ impl Observer for RunPlots {
     }
 
     fn wants_frames(&self) -> bool {
-        self.asked.iter().any(|plot| *plot != RunPlot::Steps)
+        self.asked.iter().any(|plot| *plot != RunPlot::Steps && RunPlot::ALL.contains(plot))
+    }
+
+    fn wants_joints(&self) -> bool {
+        self.asked.iter().any(|plot| RunPlot::OF_JOINTS.contains(plot))
+    }
+
+    fn joints(&mut self, t_s: f64, joints: &[JointSample]) {
+        self.joints.push(t_s, joints, &self.asked);
     }
 
     fn frame(&mut self, frame: &Frame) {

@@ -293,6 +293,9 @@ fn a_run() {
     let some = draw(&[RunPlot::Energy, RunPlot::Energy], Some("it was interrupted"));
     assert!(some.contains("ended at t = 1 s: it was interrupted") && !some.contains("penetration"), "{some}");
     check(&draw(&[RunPlot::Steps], None));
+    let without_joints = draw(&[RunPlot::Energy, RunPlot::JointRates], None);
+    check(&without_joints);
+    assert!(without_joints.contains("joints: none"), "{without_joints}");
 }
 
 /// Two motions that differ by a millimetre and half a milliradian in a second: so the figure says, and the energies are those of the scene's masses.
