@@ -113,6 +113,34 @@ impl ContactProblem {
         })
     }
 
+    /// The problem with one row for each coordinate of its only body, whose inverse mass (row-major, symmetric and positive
+    /// semidefinite) is therefore its matrix; which rows are held, and which are soft.
+    pub(crate) fn of_matrix(entries: &[f64], holds: Vec<bool>, compliances: Vec<(usize, f64)>) -> Self {
+        let size = holds.len();
+        let mut problem = Self {
+            width: size,
+            bodies: 1,
+            inverse_masses: entries.to_vec(),
+            rows: vec![RowBodies { bodies: [0; 2], count: 1 }; size],
+            holds,
+            compliances,
+            frictional: Vec::new(),
+            jacobian: vec![0.0; 2 * size * size],
+            response: vec![0.0; 2 * size * size],
+        };
+        for row in 0..size {
+            problem.jacobian[2 * row * size + row] = 1.0;
+            let line = entries.get(row * size..(row + 1) * size).unwrap_or_default();
+            problem.response[2 * row * size..2 * row * size + line.len()].copy_from_slice(line);
+        }
+        problem
+    }
+
+    /// The bodies of a row; the same one twice where it touches one.
+    pub(crate) fn pair(&self, row: usize) -> [u32; 2] {
+        self.rows[row].bodies
+    }
+
     /// Adds a row that pushes, `0 <= f _|_ w >= 0`, touches one or two bodies, and returns its index. Each block has `width`
     /// numbers.
     ///

@@ -18,6 +18,7 @@ use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::{ContactProblem, Law, ResponseError};
 use polhode_spatial::DVec3;
+use std::ops::Range;
 
 /// Coordinates of a body's generalised velocity in space.
 const SPACE_WIDTH: usize = 6;
@@ -271,6 +272,11 @@ impl Assembly {
     /// Index of the first row along a tangent.
     pub(crate) fn first_tangent(&self) -> usize {
         self.problem.len() - self.rotations.len() - self.tangents.len()
+    }
+
+    /// The rows of bilateral constraints.
+    pub(crate) fn joint_rows(&self) -> Range<usize> {
+        self.contacts..self.first_tangent()
     }
 
     /// The constraint of a row.

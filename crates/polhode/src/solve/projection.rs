@@ -10,12 +10,14 @@ use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, apply_reactions};
 use crate::rows::assembly::{Assembly, TangentRow, apply_impulses, largest_change};
 use crate::rows::rotation_row::RotationRow;
+use crate::solve::jointed::trees_of;
 use crate::solve::overlap::Overlaps;
 use crate::solve::rotational_friction::{apply_moments, moment_work};
 use crate::states_of::{set_states, states_of};
 use crate::world::World;
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
+use polhode_response::sparse::HeldForest;
 use polhode_response::{ComplementaritySolver, Delassus, LeastNormHold, ResponseError};
 use polhode_spatial::{DVec3, Rotation};
 use std::collections::BTreeMap;
@@ -390,6 +392,11 @@ fn cancel(
     values: &[f64],
     (allowed, negligible): (f64, f64),
 ) -> Result<(Vec<f64>, bool), ResponseError> {
+    if let Some(forest) = trees_of(assembly)
+        && let Some(multipliers) = cancel_by_trees(world, assembly, (&forest, values), allowed)?
+    {
+        return Ok((multipliers, false));
+    }
     let delassus = assembly.problem.delassus();
     let change_by = |multipliers: &[f64]| {
         let response = assembly.problem.response(multipliers)?;
@@ -414,6 +421,27 @@ fn cancel(
         }
     }
     Ok((multipliers, true))
+}
+
+/// The same where trees of joints are eliminated first; none where that would change more than is allowed, or does not cancel
+/// the values.
+fn cancel_by_trees(
+    world: &World,
+    assembly: &Assembly,
+    (forest, values): (&HeldForest, &[f64]),
+    allowed: f64,
+) -> Result<Option<Vec<f64>>, ResponseError> {
+    let problem = &assembly.problem;
+    let of_others = if forest.others().is_empty() {
+        Vec::new()
+    } else {
+        let delassus = forest.beside(problem).delassus;
+        LeastNormHold::factor(&delassus)?.solve(&delassus, &forest.constants_beside(problem, values)?)?
+    };
+    let found = forest.with_others(problem, values, &of_others)?;
+    let change = largest_change(world, assembly.split(&problem.response(&found.forces)?));
+    let is_effective = largest(&found.rates) <= EFFECTIVE_REMAINDER * largest(values);
+    Ok((change <= allowed && is_effective).then_some(found.forces))
 }
 
 /// The allowed change to cancel `values`: of the order of the largest value, or negligible against `scale`.

@@ -3,6 +3,7 @@
 //! | contacts | unknowns | start |
 //! |---|---|---|
 //! | fewer than [`LEAST_IN_BODIES`] | the reactions: the matrix of all rows is formed (`polhode_response::friction`) | none |
+//! | fewer, beside trees of joints | the reactions beside the trees: the matrix of those rows (`polhode_response::sparse`) | none |
 //! | as many, or more | the velocities of bodies: no matrix of rows (`polhode_response::sparse`) | the forces of the last step |
 //!
 //! Both take the same rows, laws and constant terms. With the velocities of bodies memory and time grow with bodies and
@@ -17,8 +18,9 @@
 use super::last_forces::LastForces;
 use crate::rows::assembly::Assembly;
 use crate::solve::cone_violation::{CONE_LIMIT, ConeViolation};
+use crate::solve::jointed::trees_of;
 use polhode_response::friction::FrictionSettings;
-use polhode_response::sparse::{BodySettings, BodySolver};
+use polhode_response::sparse::{BodySettings, BodySolver, HeldForest};
 use polhode_response::{Blocks, BlocksSolution, Delassus, ResponseError, SolverStatus};
 use std::collections::BTreeMap;
 
@@ -90,13 +92,16 @@ impl ConeSolvers {
         // Soft rows have no place among the velocities of bodies yet.
         let is_rigid = assembly.problem.compliances().is_empty();
         let first = assembly.bodies().first().filter(|_| is_rigid && contacts >= LEAST_IN_BODIES);
-        let system = first.map_or_else(
-            || System::Rows(assembly.problem.delassus()),
-            |&first| System::Bodies {
+        let system = if let Some(&first) = first {
+            System::Bodies {
                 solver: self.solvers.entry(first).or_default(),
                 start: self.last.start(assembly, contacts, h),
-            },
-        );
+            }
+        } else if let Some(forest) = trees_of(assembly) {
+            System::Beside { delassus: forest.beside(&assembly.problem).delassus, forest }
+        } else {
+            System::Rows(assembly.problem.delassus())
+        };
         let settings = BodySettings { rounds_of_sweeps: self.rounds_of_sweeps, ..SETTINGS_IN_BODIES };
         let most_rows_in_place = if self.rounds_of_sweeps > 0 { MOST_ROWS_IN_HEAPS } else { MOST_ROWS_IN_PLACE };
         ConeProblem { assembly, constants, system, settings, most_rows_in_place, factorisations: 0 }
@@ -120,6 +125,8 @@ pub(super) struct ConeProblem<'a> {
 enum System<'a> {
     /// Reactions; the matrix of all rows.
     Rows(Delassus),
+    /// Reactions of the rows beside trees of joints; their matrix.
+    Beside { forest: HeldForest, delassus: Delassus },
     /// Velocities of bodies; reactions of a similar problem.
     Bodies { solver: &'a mut BodySolver, start: Option<Vec<f64>> },
 }
@@ -151,6 +158,24 @@ impl ConeProblem<'_> {
                     take_better(&mut best, other);
                 }
                 Ok(best)
+            }
+            System::Beside { forest, delassus } => {
+                let problem = &self.assembly.problem;
+                let of_others = forest.constants_beside(problem, constants)?;
+                let own = blocks.beside(forest);
+                let in_rows = |of_others: &[f64]| {
+                    let mut reactions = vec![0.0; problem.len()];
+                    for (&row, &reaction) in forest.others().iter().zip(of_others) {
+                        reactions[row] = reaction;
+                    }
+                    violation(&reactions)
+                };
+                let mut best = solve_for_rows(&own, (delassus, &of_others), in_rows)?;
+                if best.report.residual > EXACT_ENOUGH {
+                    let other = own.solve(delassus, &of_others, Some(&best.reactions), &exact())?;
+                    take_better(&mut best, other);
+                }
+                blocks.with_forest((problem, forest), constants, &best)
             }
             System::Bodies { solver, start } => {
                 let problem = &self.assembly.problem;

@@ -45,6 +45,7 @@ use crate::rows::assembly::Assembly;
 use crate::rows::groups::{Group, coupled_groups};
 use crate::rows::many_contacts::{MANY_CONTACTS, furthest_out};
 use crate::solve::cone_violation::ConeViolation;
+use crate::solve::jointed::trees_of;
 use crate::solve::impact::{apply_without_gain, support};
 use crate::solve::rotational_friction::{moment_support, moment_work};
 use crate::states_of::{set_states, states_of};
@@ -218,21 +219,25 @@ impl TimeStepper {
             return Ok(SolvedGroup { group, impulses, tangential, moments, reactions, found });
         }
         let carried = (0..members.len()).filter(|&i| self.carried.contains(near[members[i].contact].id)).collect();
-        assembly.problem.delassus_into(&mut self.delassus);
         self.solver.set_settings(SolverSettings::default());
         let start = WarmStart::new(carried);
-        let solution = self.solver.solve(&assembly.problem, &self.delassus, &constants, Some(&start))?;
+        let solution = if let Some(forest) = trees_of(&assembly) {
+            self.solver.solve_with_forest(&assembly.problem, &forest, &constants, Some(&start))?
+        } else {
+            assembly.problem.delassus_into(&mut self.delassus);
+            self.solver.solve(&assembly.problem, &self.delassus, &constants, Some(&start))?.clone()
+        };
         let solved = solution.report.status == SolverStatus::Solved;
         let residual = solution.report.residual;
         let found = Found { residual, is_approximate: !solved, violation: None, stops: Vec::new() };
-        let mut impulses = solution.forces.clone();
+        let mut impulses = solution.forces;
         if !solved {
             // An inexact solution must not add energy. Scaled by s with p.u + s p.G p/2 <= 0 it does not, where u is the mean of the
             // rates before and after the kick.
             let product = |a: &[f64]| impulses.iter().zip(a).map(|(p, a)| p * a).sum::<f64>();
             let mean = |row: &&Row| 0.5 * (row.rate_before + row.kinematics.separation_rate);
             let rates = assembly.rates(members.iter().map(mean));
-            let (work, stored) = (product(&rates), 0.5 * product(&self.delassus.times(&impulses)?));
+            let (work, stored) = (product(&rates), 0.5 * product(&assembly.problem.row_velocities(&assembly.problem.response(&impulses)?)?));
             let share = if stored > 0.0 { (-work / stored).clamp(0.0, 1.0) } else { 1.0 };
             for impulse in &mut impulses {
                 *impulse *= share;

@@ -1,0 +1,19 @@
+//! Trees of joints in a problem: whether its joints are eliminated first, and not through the matrix of all rows.
+//!
+//! The matrix of `n` rows takes `n^2` numbers and its factors `n^3` products; trees take as many as there are bodies
+//! (`polhode_response::sparse`). For a handful of joints the matrix is as fast.
+
+use crate::rows::assembly::Assembly;
+use polhode_response::sparse::HeldForest;
+
+/// From so many rows of joints on they are eliminated first (15 to 60).
+const LEAST_ROWS_OF_TREES: usize = 24;
+
+/// The trees of the joints of an assembly; none where they have few rows, and where they have no factors.
+pub(crate) fn trees_of(assembly: &Assembly) -> Option<HeldForest> {
+    let rows = assembly.joint_rows();
+    if rows.len() < LEAST_ROWS_OF_TREES {
+        return None;
+    }
+    HeldForest::of(&assembly.problem, rows).filter(|forest| forest.held() >= LEAST_ROWS_OF_TREES)
+}
