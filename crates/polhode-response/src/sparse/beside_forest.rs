@@ -174,7 +174,8 @@ impl ContactProblem {
     fn along(&self, row: usize, motion: &[f64], term: impl Fn(f64, f64) -> f64) -> f64 {
         let width = self.width();
         let of = |body: usize| &motion[body * width..(body + 1) * width];
-        let own = |(jacobian, motion): (&[f64], &[f64])| jacobian.iter().zip(motion).map(|(a, b)| term(*a, *b)).sum::<f64>();
+        let own =
+            |(jacobian, motion): (&[f64], &[f64])| jacobian.iter().zip(motion).map(|(a, b)| term(*a, *b)).sum::<f64>();
         self.entries(row).map(|entry| own((entry.jacobian, of(entry.body)))).sum()
     }
 }
@@ -219,7 +220,8 @@ mod tests {
                 }
             }
         }
-        let soft = problem.push_held_row(&[(2, &[0.0, 0.0, 0.0, 0.0, 1.0, 0.0]), (0, &[0.0, 0.0, 0.0, 0.0, -1.0, 0.0])]);
+        let soft =
+            problem.push_held_row(&[(2, &[0.0, 0.0, 0.0, 0.0, 1.0, 0.0]), (0, &[0.0, 0.0, 0.0, 0.0, -1.0, 0.0])]);
         problem.soften(soft.unwrap(), 3.0).unwrap();
         problem.push_row(&[(bodies - 2, &row(0, 1.0, -0.5))]).unwrap();
         problem.push_row(&[(bodies - 1, &row(2, 1.0, 0.0)), (1, &row(2, -1.0, 0.3))]).unwrap();

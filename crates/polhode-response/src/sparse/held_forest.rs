@@ -20,7 +20,7 @@
 //! Sources: Featherstone 1983 and 2008, chapter 7 (articulated bodies); Baraff 1996 (the same in Lagrange multipliers).
 //! Failure: no forest where an inverse mass is not positive definite, or where rows of one branch depend on each other.
 
-use crate::dense::kernels::short_dot;
+use crate::dense::kernels::{axpy, short_dot};
 use crate::problem::ContactProblem;
 use polhode_spatial::DisjointSets;
 use std::ops::Range;
@@ -92,8 +92,10 @@ pub struct HeldForest {
 struct Branches {
     /// The pair of bodies of each; the same body twice with the world.
     pairs: Vec<[u32; 2]>,
-    /// Rows of each.
-    rows: Vec<Vec<u32>>,
+    /// Where the rows of each begin; one more than branches.
+    starts: Vec<u32>,
+    /// The rows, one branch after the other.
+    rows: Vec<u32>,
     others: Vec<usize>,
 }
 
@@ -101,9 +103,12 @@ impl Branches {
     fn of(problem: &ContactProblem, held: Range<usize>) -> Self {
         let world = problem.bodies();
         let mut sets = DisjointSets::new(world + 1);
-        let (mut pairs, mut rows): (Vec<[u32; 2]>, Vec<Vec<u32>>) = (Vec::new(), Vec::new());
-        // Branches by their first body.
-        let mut of_body: Vec<Vec<u32>> = vec![Vec::new(); world];
+        let mut pairs: Vec<[u32; 2]> = Vec::new();
+        // How many rows each has.
+        let mut counts: Vec<u32> = Vec::new();
+        // Branches by their first body: the last one, and the one before each.
+        let (mut last, mut before) = (vec![NONE; world], Vec::new());
+        let mut taken: Vec<(u32, u32)> = Vec::with_capacity(held.len());
         let mut others = Vec::new();
         for row in 0..problem.len() {
             if !held.contains(&row) || !problem.is_bilateral(row) {
@@ -112,28 +117,51 @@ impl Branches {
             }
             let [a, b] = problem.pair(row);
             let pair = [a.min(b), a.max(b)];
-            let own = &of_body[pair[0] as usize];
-            let known = own.iter().rev().copied().find(|&branch| pairs[branch as usize] == pair);
-            if let Some(branch) = known {
-                let own = &mut rows[branch as usize];
-                if own.len() < MOST_ROWS_OF_BRANCH {
-                    own.push(row as u32);
-                } else {
-                    others.push(row);
-                }
-                continue;
+            let mut branch = last[pair[0] as usize];
+            while branch != NONE && pairs[branch as usize] != pair {
+                branch = before[branch as usize];
             }
-            let (a, b) = (pair[0] as usize, if pair[0] == pair[1] { world } else { pair[1] as usize });
-            if sets.smallest(a) == sets.smallest(b) {
+            if branch == NONE {
+                let (a, b) = (pair[0] as usize, if pair[0] == pair[1] { world } else { pair[1] as usize });
+                if sets.smallest(a) == sets.smallest(b) {
+                    others.push(row);
+                    continue;
+                }
+                sets.join(a, b);
+                branch = pairs.len() as u32;
+                before.push(std::mem::replace(&mut last[a], branch));
+                pairs.push(pair);
+                counts.push(0);
+            }
+            if counts[branch as usize] as usize == MOST_ROWS_OF_BRANCH {
                 others.push(row);
                 continue;
             }
-            sets.join(a, b);
-            of_body[pair[0] as usize].push(pairs.len() as u32);
-            pairs.push(pair);
-            rows.push(vec![row as u32]);
+            counts[branch as usize] += 1;
+            taken.push((branch, row as u32));
         }
-        Self { pairs, rows, others }
+        let mut starts = Vec::with_capacity(counts.len() + 1);
+        let mut start = 0;
+        for count in counts {
+            starts.push(start);
+            start += count;
+        }
+        starts.push(start);
+        let mut next = starts.clone();
+        let mut rows = vec![0; taken.len()];
+        for (branch, row) in taken {
+            rows[next[branch as usize] as usize] = row;
+            next[branch as usize] += 1;
+        }
+        Self { pairs, starts, rows, others }
+    }
+
+    /// The rows of a branch; none of `NONE`.
+    fn rows(&self, branch: u32) -> &[u32] {
+        if branch == NONE {
+            return &[];
+        }
+        &self.rows[self.starts[branch as usize] as usize..self.starts[branch as usize + 1] as usize]
     }
 }
 
@@ -195,12 +223,13 @@ impl Order {
 impl HeldForest {
     /// The trees of those of these rows of a problem that are held; none where no row is, and where they have no factors.
     pub fn of(problem: &ContactProblem, held: Range<usize>) -> Option<Self> {
-        let Branches { pairs, rows: of_branches, others } = Branches::of(problem, held);
-        if pairs.is_empty() || problem.bodies() >= NONE as usize {
+        let mut branches = Branches::of(problem, held);
+        if branches.pairs.is_empty() || problem.bodies() >= NONE as usize {
             return None;
         }
         let (width, bodies) = (problem.width(), problem.bodies());
-        let order = Order::of(bodies, &pairs);
+        let order = Order::of(bodies, &branches.pairs);
+        let others = std::mem::take(&mut branches.others);
         let mut forest = Self {
             width,
             limbs: Vec::with_capacity(bodies),
@@ -216,7 +245,7 @@ impl HeldForest {
         let mut first_number = 0;
         for &body in order.bodies.iter().rev() {
             let [branch, parent] = order.up[body as usize];
-            let own = of_branches.get(branch as usize).map_or(&[][..], Vec::as_slice);
+            let own = branches.rows(branch);
             let parent = if parent == NONE { NONE } else { forest.places[parent as usize] };
             let (first_row, rows) = (forest.rows.len() as u32, own.len() as u32);
             forest.rows.extend_from_slice(own);
@@ -283,7 +312,8 @@ impl HeldForest {
             let limb = self.limbs[place];
             let rows = limb.rows as usize;
             // A parent comes later, so that its numbers do too.
-            let (own, later) = self.numbers[limb.first_number as usize..].split_at_mut(square + rows * (2 * width + rows));
+            let (own, later) =
+                self.numbers[limb.first_number as usize..].split_at_mut(square + rows * (2 * width + rows));
             let (mass, of_rows) = own.split_at_mut(square);
             if !cholesky(mass, width, 0.0) {
                 return false;
@@ -309,21 +339,19 @@ impl HeldForest {
             if limb.parent == NONE {
                 continue;
             }
-            for column in 0..width {
-                for index in 0..rows {
-                    let known: f64 =
-                        (0..index).map(|k| matrix[index * rows + k] * parent_rows[k * width + column]).sum();
-                    let value = (parent_rows[index * width + column] - known) * matrix[index * rows + index];
-                    parent_rows[index * width + column] = value;
+            for index in 0..rows {
+                let (above, line) = parent_rows.split_at_mut(index * width);
+                let (line, factors) = (&mut line[..width], &matrix[index * rows..][..=index]);
+                for (other, factor) in above.chunks_exact(width).zip(factors) {
+                    axpy(-factor, other, line);
                 }
+                line.iter_mut().for_each(|value| *value *= factors[index]);
             }
             let start = self.limbs[limb.parent as usize].first_number as usize - limb.first_number as usize;
             let parent = &mut later[start - (square + rows * (2 * width + rows))..][..square];
             for line in parent_rows.chunks_exact(width) {
-                for i in 0..width {
-                    for j in 0..=i {
-                        parent[i * width + j] += line[i] * line[j];
-                    }
+                for (i, &value) in line.iter().enumerate() {
+                    axpy(value, &line[..=i], &mut parent[i * width..][..=i]);
                 }
             }
         }
@@ -334,59 +362,112 @@ impl HeldForest {
 /// `L` of a matrix in its lower triangle, with the inverse of each entry of the diagonal in its place; zero where the row is zero.
 /// Whether all other pivots are larger than this part of the diagonal.
 fn cholesky(matrix: &mut [f64], size: usize, least: f64) -> bool {
+    match size {
+        3 => cholesky_of::<3>(matrix, least),
+        5 => cholesky_of::<5>(matrix, least),
+        6 => cholesky_of::<6>(matrix, least),
+        _ => cholesky_of_lines(&mut matrix.chunks_exact_mut(size.max(1)).collect::<Vec<_>>(), size, least),
+    }
+}
+
+fn cholesky_of<const N: usize>(matrix: &mut [f64], least: f64) -> bool {
+    matrix.as_chunks_mut::<N>().0.first_chunk_mut::<N>().is_some_and(|lines| cholesky_of_lines(lines, N, least))
+}
+
+#[inline(always)]
+fn cholesky_of_lines<L: AsMut<[f64]> + AsRef<[f64]>>(lines: &mut [L], size: usize, least: f64) -> bool {
     for i in 0..size {
-        for j in 0..=i {
-            let known: f64 = (0..j).map(|k| matrix[i * size + k] * matrix[j * size + k]).sum();
-            let value = matrix[i * size + j] - known;
-            if j < i {
-                matrix[i * size + j] = value * matrix[j * size + j];
-                continue;
-            }
-            let diagonal = matrix[i * size + i];
-            if diagonal == 0.0 {
-                continue;
-            }
-            // Written so that NaN is refused.
-            let is_positive = value > least * diagonal;
-            if !is_positive {
-                return false;
-            }
-            matrix[i * size + i] = value.sqrt().recip();
+        let (above, rest) = lines.split_at_mut(i);
+        let own = rest[0].as_mut();
+        for (j, line) in above.iter().enumerate() {
+            let line = line.as_ref();
+            let known: f64 = own[..j].iter().zip(&line[..j]).map(|(a, b)| a * b).sum();
+            own[j] = (own[j] - known) * line[j];
         }
+        let diagonal = own[i];
+        if diagonal == 0.0 {
+            continue;
+        }
+        let value = diagonal - own[..i].iter().map(|a| a * a).sum::<f64>();
+        // Written so that NaN is refused.
+        let is_positive = value > least * diagonal;
+        if !is_positive {
+            return false;
+        }
+        own[i] = value.sqrt().recip();
     }
     true
 }
 
 /// `L^-1 x` in the place of `x`.
 pub(super) fn forward(factor: &[f64], size: usize, x: &mut [f64]) {
-    for i in 0..size {
-        let known: f64 = (0..i).map(|k| factor[i * size + k] * x[k]).sum();
-        x[i] = (x[i] - known) * factor[i * size + i];
+    match size {
+        3 => forward_of::<3>(factor, x),
+        5 => forward_of::<5>(factor, x),
+        6 => forward_of::<6>(factor, x),
+        _ => forward_of_lines(factor.chunks_exact(size.max(1)), x),
+    }
+}
+
+fn forward_of<const N: usize>(factor: &[f64], x: &mut [f64]) {
+    if let Some(x) = x.first_chunk_mut::<N>() {
+        forward_of_lines(factor.as_chunks::<N>().0.iter(), x);
+    }
+}
+
+#[inline(always)]
+fn forward_of_lines<L: AsRef<[f64]>>(lines: impl Iterator<Item = L>, x: &mut [f64]) {
+    for (i, line) in lines.enumerate().take(x.len()) {
+        let line = line.as_ref();
+        let known: f64 = line[..i].iter().zip(&x[..i]).map(|(a, x)| a * x).sum();
+        x[i] = (x[i] - known) * line[i];
     }
 }
 
 /// `L^-T x` in the place of `x`.
 pub(super) fn backward(factor: &[f64], size: usize, x: &mut [f64]) {
-    for i in (0..size).rev() {
-        let known: f64 = (i + 1..size).map(|k| factor[k * size + i] * x[k]).sum();
-        x[i] = (x[i] - known) * factor[i * size + i];
+    match size {
+        3 => backward_of::<3>(factor, x),
+        5 => backward_of::<5>(factor, x),
+        6 => backward_of::<6>(factor, x),
+        _ => backward_of_lines(factor.chunks_exact(size.max(1)), x),
+    }
+}
+
+fn backward_of<const N: usize>(factor: &[f64], x: &mut [f64]) {
+    if let Some((lines, x)) = factor.as_chunks::<N>().0.first_chunk::<N>().zip(x.first_chunk_mut::<N>()) {
+        backward_of_lines(lines.iter(), x);
+    }
+}
+
+#[inline(always)]
+fn backward_of_lines<L: AsRef<[f64]>>(lines: impl DoubleEndedIterator<Item = L> + ExactSizeIterator, x: &mut [f64]) {
+    for (i, line) in lines.enumerate().rev() {
+        let line = line.as_ref();
+        let value = x[i] * line[i];
+        x[i] = value;
+        for (target, entry) in x[..i].iter_mut().zip(&line[..i]) {
+            *target -= entry * value;
+        }
     }
 }
 
 /// The inverse of a symmetric matrix, in its lower triangle. Whether it is positive definite.
 fn put_inverse(matrix: &[f64], size: usize, inverse: &mut [f64]) -> bool {
-    let mut factor = matrix.to_vec();
-    if !cholesky(&mut factor, size, f64::EPSILON) || (0..size).any(|i| factor[i * size + i] == 0.0) {
+    inverse.copy_from_slice(matrix);
+    if !cholesky(inverse, size, f64::EPSILON) || (0..size).any(|i| inverse[i * size + i] == 0.0) {
         return false;
     }
-    let mut column = vec![0.0; size];
+    // The columns of L^-1, then the products of its transpose with itself, each in the place of what is no longer needed.
     for j in 0..size {
-        column.fill(0.0);
-        column[j] = 1.0;
-        forward(&factor, size, &mut column);
-        backward(&factor, size, &mut column);
-        for i in j..size {
-            inverse[i * size + j] = column[i];
+        for i in j + 1..size {
+            let known: f64 = (j..i).map(|k| inverse[i * size + k] * inverse[k * size + j]).sum();
+            inverse[i * size + j] = -known * inverse[i * size + i];
+        }
+    }
+    for i in 0..size {
+        for j in 0..=i {
+            inverse[i * size + j] = (i..size).map(|k| inverse[k * size + i] * inverse[k * size + j]).sum();
         }
     }
     true

@@ -16,7 +16,7 @@ use crate::rows::rotation_row::RotationRow;
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
-use polhode_response::{ContactProblem, Law, ResponseError};
+use polhode_response::{ContactProblem, ResponseError};
 use polhode_spatial::DVec3;
 use std::ops::Range;
 
@@ -444,22 +444,24 @@ impl ContactRows<'_> {
     /// Adds the rows of a bilateral constraint to a problem.
     fn bilateral(&self, bilateral: &Bilateral, problem: &mut ContactProblem) -> Result<(), ResponseError> {
         let width = self.coordinates.width();
-        let rows: Vec<Vec<(usize, [f64; SPACE_WIDTH])>> = bilateral
-            .rows
-            .iter()
-            .map(|row| {
-                let entry = |member: &Member| {
-                    let index = self.bodies.binary_search(&member.body).ok()?;
-                    let (linear, angular) = row.entries(member);
-                    Some((index, self.coordinates.of_parts(linear, angular)))
-                };
-                bilateral.members.iter().filter_map(entry).collect()
-            })
-            .collect();
-        let rows: Vec<Vec<(usize, &[f64])>> =
-            rows.iter().map(|row| row.iter().map(|(index, entries)| (*index, &entries[..width])).collect()).collect();
-        let rows: Vec<&[(usize, &[f64])]> = rows.iter().map(Vec::as_slice).collect();
-        problem.push_block(Law::Hold { rows: rows.len() }, &rows)?;
+        let place = |member: &Member| Some((self.bodies.binary_search(&member.body).ok()?, *member));
+        let mut members = bilateral.members.iter().filter_map(place);
+        let (first, second) = (members.next(), members.next());
+        for row in &bilateral.rows {
+            let of = |(index, member): (usize, Member)| {
+                let (linear, angular) = row.entries(&member);
+                (index, self.coordinates.of_parts(linear, angular))
+            };
+            match (first.map(of), second.map(of)) {
+                (Some((a, row_a)), Some((b, row_b))) => {
+                    problem.push_held_row(&[(a, &row_a[..width]), (b, &row_b[..width])])?;
+                }
+                (Some((index, row)), None) | (None, Some((index, row))) => {
+                    problem.push_held_row(&[(index, &row[..width])])?;
+                }
+                (None, None) => return Err(ResponseError::RowBodies(0)),
+            }
+        }
         Ok(())
     }
 }

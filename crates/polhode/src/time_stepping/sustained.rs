@@ -45,8 +45,8 @@ use crate::rows::assembly::Assembly;
 use crate::rows::groups::{Group, coupled_groups};
 use crate::rows::many_contacts::{MANY_CONTACTS, furthest_out};
 use crate::solve::cone_violation::ConeViolation;
-use crate::solve::jointed::trees_of;
 use crate::solve::impact::{apply_without_gain, support};
+use crate::solve::jointed::trees_of;
 use crate::solve::rotational_friction::{moment_support, moment_work};
 use crate::states_of::{set_states, states_of};
 use crate::world::{Loads, World};
@@ -237,7 +237,10 @@ impl TimeStepper {
             let product = |a: &[f64]| impulses.iter().zip(a).map(|(p, a)| p * a).sum::<f64>();
             let mean = |row: &&Row| 0.5 * (row.rate_before + row.kinematics.separation_rate);
             let rates = assembly.rates(members.iter().map(mean));
-            let (work, stored) = (product(&rates), 0.5 * product(&assembly.problem.row_velocities(&assembly.problem.response(&impulses)?)?));
+            let (work, stored) = (
+                product(&rates),
+                0.5 * product(&assembly.problem.row_velocities(&assembly.problem.response(&impulses)?)?),
+            );
             let share = if stored > 0.0 { (-work / stored).clamp(0.0, 1.0) } else { 1.0 };
             for impulse in &mut impulses {
                 *impulse *= share;
