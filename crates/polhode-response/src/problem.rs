@@ -260,7 +260,7 @@ impl ContactProblem {
             row.bodies[1] = body as u32;
         }
         if self.rows.is_empty() {
-            self.reserve_first_rows();
+            self.reserve(FIRST_ROWS);
         }
         for slot in 0..2 {
             if let Some(&(body, block)) = entries.get(slot) {
@@ -274,14 +274,6 @@ impl ContactProblem {
         self.rows.push(row);
         self.holds.push(sign == Sign::Either);
         Ok(self.rows.len() - 1)
-    }
-
-    /// Makes room for the rows of a few contacts at once.
-    fn reserve_first_rows(&mut self) {
-        self.rows.reserve(FIRST_ROWS);
-        self.holds.reserve(FIRST_ROWS);
-        self.jacobian.reserve(2 * self.width * FIRST_ROWS);
-        self.response.reserve(2 * self.width * FIRST_ROWS);
     }
 
     /// Removes all rows and keeps the bodies and the memory.
@@ -426,13 +418,29 @@ impl ContactProblem {
     }
 
     fn push_response(&mut self, body: usize, jacobian: &[f64]) {
-        let start = self.response.len();
-        for component in 0..self.width {
-            let line = &self.inverse_mass(body)[component * self.width..(component + 1) * self.width];
-            let value = dot(line, jacobian);
-            self.response.push(value);
+        let block = self.width * self.width;
+        let matrix = &self.inverse_masses[body * block..(body + 1) * block];
+        // Sums of known length are unrolled.
+        match self.width {
+            3 => push_products::<3>(&mut self.response, matrix, jacobian),
+            6 => push_products::<6>(&mut self.response, matrix, jacobian),
+            width => self.response.extend(matrix.chunks_exact(width).map(|line| dot(line, jacobian))),
         }
-        debug_assert_eq!(self.response.len(), start + self.width);
+    }
+
+    /// Makes room for so many more rows.
+    pub fn reserve(&mut self, rows: usize) {
+        self.rows.reserve(rows);
+        self.holds.reserve(rows);
+        self.jacobian.reserve(2 * self.width * rows);
+        self.response.reserve(2 * self.width * rows);
+    }
+}
+
+/// Appends the product of a row-major matrix and a vector.
+fn push_products<const N: usize>(products: &mut Vec<f64>, matrix: &[f64], vector: &[f64]) {
+    if let Some(vector) = vector.first_chunk::<N>() {
+        products.extend(matrix.as_chunks::<N>().0.iter().map(|line| dot(line, vector)));
     }
 }
 

@@ -122,6 +122,20 @@ impl Assembly {
         bodies: &[usize],
         contacts: impl Iterator<Item = (ContactId, ContactGeometry)>,
     ) -> Result<Self, ResponseError> {
+        let bilaterals = world.bilaterals(states, bodies).collect();
+        Self::with_bilaterals(world, (states, bodies), contacts, bilaterals)
+    }
+
+    /// The same, where the bilateral constraints of the bodies in these states are known.
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    pub(crate) fn with_bilaterals(
+        world: &World,
+        (states, bodies): (&[BodyState], &[usize]),
+        contacts: impl Iterator<Item = (ContactId, ContactGeometry)>,
+        bilaterals: Vec<Bilateral>,
+    ) -> Result<Self, ResponseError> {
         let coordinates = Coordinates::of(world);
         let width = coordinates.width();
         let mut inverse_masses = Vec::with_capacity(bodies.len() * width * width);
@@ -147,7 +161,7 @@ impl Assembly {
             }
         }
         let contacts = problem.len();
-        let bilaterals: Vec<Bilateral> = world.bilaterals(states, bodies).collect();
+        problem.reserve(bilaterals.iter().map(|own| own.rows.len()).sum());
         for bilateral in &bilaterals {
             constraints.extend(std::iter::repeat_n(bilateral.id, bilateral.rows.len()));
             rows.bilateral(bilateral, &mut problem)?;

@@ -69,6 +69,13 @@ const FLUSH_NORMAL: f64 = 1e-12;
 /// 3e-2): faces that lean a little on each other press at several points, whose rows would contradict each other.
 const NEARLY_FLUSH_NORMAL: f64 = 1e-2;
 
+/// Whether bilateral constraints hold bodies of an island.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Held {
+    Nothing,
+    ByJoints,
+}
+
 /// A contact in the middle of the step.
 #[derive(Debug, Clone, Copy)]
 struct Row {
@@ -125,9 +132,10 @@ impl TimeStepper {
                 row.friction = row.friction.map(TangentialRow::coming_to_rest);
             }
         }
-        let mut taken = self.first_choice(world, states, near, &rows, h);
         let before = states_of(states, bodies);
         let held = world.held_among(bodies);
+        let of_joints = if held.is_empty() { Held::Nothing } else { Held::ByJoints };
+        let mut taken = self.first_choice(world, states, near, &rows, (h, of_joints));
         let mut solved: Vec<SolvedGroup> = Vec::new();
         loop {
             let members = || rows.iter().enumerate().filter(|(index, _)| taken[*index]);
@@ -167,20 +175,21 @@ impl TimeStepper {
         }
     }
 
-    /// Which rows are in the problem of a step of `h` (s) from the beginning. In a heap the contacts that bore a force in the
-    /// last step are among them: without, they would be found again one layer after the other, each by a problem of its own.
+    /// Which rows are in the problem of a step of `h` (s) from the beginning. In a heap, and where joints hold (`holds`), the
+    /// contacts that bore a force in the last step are among them: without, they would be found again one layer after the other, each
+    /// by a problem of its own; what presses a limit of a joint may be far away.
     fn first_choice(
         &self,
         world: &World,
         states: &[BodyState],
         near: &[NearContact],
         rows: &[Row],
-        h: f64,
+        (h, holds): (f64, Held),
     ) -> Vec<bool> {
-        let is_heap = self.resolves_together(near.len());
+        let goes_on = self.resolves_together(near.len()) || holds == Held::ByJoints;
         let choose = |row: &Row| {
             let contact = &near[row.contact];
-            (is_heap && self.carried.contains(contact.id)) || row.is_first_choice(world, states, contact, h)
+            (goes_on && self.carried.contains(contact.id)) || row.is_first_choice(world, states, contact, h)
         };
         let mut taken: Vec<bool> = rows.iter().map(choose).collect();
         thin_out(near, rows, &mut taken);
@@ -320,8 +329,12 @@ fn rows(
         .enumerate()
         .filter_map(|(contact, near)| Some((contact, kinematics_at_point(world, states, near.id)?)))
         .collect();
+    if here.is_empty() {
+        return Ok(Vec::new());
+    }
     let geometries = here.iter().map(|&(contact, kinematics)| (near[contact].id, kinematics.geometry));
-    let mut assembly = Assembly::new(world, states, bodies, geometries)?;
+    // Accelerations without the forces of joints: their rows are not asked for.
+    let mut assembly = Assembly::with_bilaterals(world, (states, bodies), geometries, Vec::new())?;
     let of = |(contact, kinematics): &(usize, ContactKinematics)| {
         TangentialRow::of(world, states, near[*contact].id, (kinematics, kicked))
     };
