@@ -56,7 +56,8 @@ pub(crate) fn run(options: &Options) -> Result<ExitCode, Box<dyn Error>> {
         for &links in &options.links {
             let (seconds, first) = seconds_of_step(&chain(links, tier, options), options)?;
             let own = Measured { rows: f64::from(links), seconds };
-            let exponent = measured.last().map_or_else(|| "-".to_owned(), |last| format!("{:.2}", exponent(last, &own)));
+            let exponent =
+                measured.last().map_or_else(|| "-".to_owned(), |last| format!("{:.2}", exponent(last, &own)));
             println!("| {tier} | {links} | {:.3} | {:.2} | {exponent} |", 1e3 * seconds, 1e6 * seconds / own.rows);
             measured.push(own);
             if first > options.limit {

@@ -5,6 +5,7 @@
 mod bad_numbers;
 mod bounces_with_friction;
 mod broad_phases;
+mod chains;
 mod checks;
 mod constrained_methods;
 mod crowd_energy;
