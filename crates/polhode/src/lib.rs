@@ -181,6 +181,7 @@ pub mod prelude;
 mod prescribed;
 mod prescribed_state;
 mod promise;
+mod reduced;
 pub mod report;
 mod rows;
 mod sample_penetration;

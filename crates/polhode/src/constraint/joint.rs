@@ -19,6 +19,7 @@ use super::joint_coordinate::{JointCoordinate, coordinates};
 use super::kept::Kept;
 use super::row::RowsAt;
 use super::stop::Stop;
+use super::tree_joint::TreeJoint;
 use super::{cylindrical, fixed, hinge, planar, point, screw, slider, universal};
 use crate::body_id::BodyId;
 use crate::scene::{Coordinate, Joint, JointKind, Motor};
@@ -44,6 +45,8 @@ pub(crate) struct WorldJoint {
     coordinates: Vec<JointCoordinate>,
     /// Limits of its coordinates.
     stops: Vec<Stop>,
+    /// As one of a tree in coordinates of its own.
+    of_tree: Option<TreeJoint>,
     /// Length of its rows of rotation, m.
     length: f64,
 }
@@ -77,7 +80,22 @@ impl WorldJoint {
         };
         let coordinates = coordinates(joint, attitudes, length);
         let stops = coordinates.iter().flat_map(Stop::of).collect();
-        Self { number, a: end(a, joint.anchor()), b: end(b, joint.other_anchor()), kept, coordinates, stops, length }
+        let of_tree = of_tree(joint, [a, b]);
+        Self {
+            number,
+            of_tree,
+            a: end(a, joint.anchor()),
+            b: end(b, joint.other_anchor()),
+            kept,
+            coordinates,
+            stops,
+            length,
+        }
+    }
+
+    /// The same joint in coordinates of its own; none where its kind has none, and of a kinematic body.
+    pub(crate) fn tree_joint(&self) -> Option<TreeJoint> {
+        self.of_tree
     }
 
     /// The movable bodies that it holds.
@@ -185,6 +203,16 @@ impl WorldJoint {
         let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
         self.kept.rows_at(a, b, self.length)
     }
+}
+
+/// A joint between bodies that are held so, in coordinates of its own.
+fn of_tree(joint: &Joint, held: [Option<(usize, HeldBody)>; 2]) -> Option<TreeJoint> {
+    let [a, b] = held.map(|held| match held {
+        None | Some((_, HeldBody::Fixed)) => Some((None, Pose::IDENTITY)),
+        Some((body, HeldBody::Movable(pose))) => Some((Some(body), pose)),
+        Some((_, HeldBody::Kinematic(_))) => None,
+    });
+    TreeJoint::of(joint, [a?, b?])
 }
 
 /// Length of the rows of rotation of a joint between bodies of these sizes: that of the smaller one, m.

@@ -43,6 +43,7 @@ pub(crate) mod softness;
 mod stop;
 pub(crate) mod stop_id;
 mod thread;
+pub(crate) mod tree_joint;
 mod universal;
 
 use crate::collision::contact_id::ContactId;

@@ -157,6 +157,7 @@ impl SceneBuilder {
         force::check_integrator(scene.method.integrator, &scene.forces)?;
         scene.check_joints()?;
         scene.check_joint_method()?;
+        scene.check_coordinates()?;
         scene.check_grains()?;
         scene.check_motions()?;
         let tier = scene.method.tier.unwrap_or_default().facts();

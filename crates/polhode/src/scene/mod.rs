@@ -8,6 +8,7 @@
 //! | `builder` | [`SceneBuilder`]: collects the parts of a scene and checks them together |
 //! | `body` | [`Body`]: fixed, kinematic or moved by forces |
 //! | `geometry` | [`Geometry`]: the shape of a body; [`ApproximateParts`]: how well it fills a mesh |
+//! | `coordinates` | [`Coordinates`]: in which joints are integrated, and why reduced ones are refused |
 //! | `material` | [`Material`], [`PairRule`]: friction and restitution |
 //! | `grain` | [`FrictionEllipse`]: friction along and across a grain |
 //! | `force` | [`Force`]: forces besides uniform gravity and contact |
@@ -21,6 +22,7 @@
 
 mod body;
 mod builder;
+mod coordinates;
 mod error;
 mod force;
 mod freedom;
@@ -40,6 +42,7 @@ pub use crate::tier::facts::{
 pub use crate::tier::list::Tier;
 pub use body::{Body, BodyMass};
 pub use builder::SceneBuilder;
+pub use coordinates::Coordinates;
 pub use error::{OverlapAtStart, SceneError};
 pub(crate) use force::MovingFrames;
 pub use force::{Attachment, Force};
