@@ -56,8 +56,8 @@ pub use joint::{
     PlanarJointEntry, PointJointEntry, RodEntry, RopeEntry, ScrewEntry, SliderEntry, UniversalJointEntry,
 };
 pub use method::{
-    ContactName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName, RestitutionLawName,
-    RotationRateName,
+    ContactName, CoordinatesName, CrowdingName, ImpactName, MethodEntry, OrientationName, ResponseName,
+    RestitutionLawName, RotationRateName,
 };
 pub use model::{BaseName, ModelEntry, UnphysicalName};
 pub use motion::{ConstantMotionEntry, InterpolationEntry, MotionEntry, SineMotionEntry, TableMotionEntry};

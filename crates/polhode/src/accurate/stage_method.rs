@@ -50,8 +50,12 @@ impl StageMethod {
     ) -> Result<MethodStep, ResponseError> {
         match self {
             Self::Reduced => {
-                // The scene has been checked: its islands are trees.
-                let made = ReducedStep::attempt(system, (t, h), state.clone())?;
+                // The scene has been checked: its islands are trees, and touch nothing unless a program adds a body.
+                let made = if system.is_held_by_contacts() {
+                    None
+                } else {
+                    ReducedStep::attempt(system, (t, h), state.clone())?
+                };
                 let Some(step) = made else { return Self::Dop853.attempt(system, (t, h), state) };
                 Ok(MethodStep::Reduced(Box::new(step)))
             }

@@ -119,6 +119,11 @@ impl<'a> ContactSystem<'a> {
         self.world
     }
 
+    /// Whether contacts hold bodies of the group.
+    pub(super) fn is_held_by_contacts(&self) -> bool {
+        !self.active.held().is_empty()
+    }
+
     /// The point of the ledger of momentum, m.
     pub(super) fn about(&self) -> DVec3 {
         self.about

@@ -38,11 +38,18 @@ impl Twofold {
 }
 
 /// A symmetric inertia in three blocks: `moment = a alpha + b acceleration`, `force = b^T alpha + c acceleration`.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 struct Inertia {
     a: DMat3,
     b: DMat3,
     c: DMat3,
+}
+
+// The default of a matrix is one, not zero.
+impl Default for Inertia {
+    fn default() -> Self {
+        Self { a: DMat3::ZERO, b: DMat3::ZERO, c: DMat3::ZERO }
+    }
 }
 
 impl Inertia {

@@ -51,6 +51,7 @@ mod prescribed_motion;
 mod program;
 mod public_interface;
 mod queries_of_all_tiers;
+mod reduced;
 mod refusals;
 mod rotational_friction;
 mod rotational_friction_impacts;
