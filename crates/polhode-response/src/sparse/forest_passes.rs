@@ -38,10 +38,10 @@ impl ForestPasses {
         self.at_bodies.fill(0.0);
         self.at_rows.iter_mut().zip(constants).for_each(|(target, constant)| *target = constant);
         for (place, limb) in forest.limbs().iter().enumerate() {
-            self.to_parent(forest, (place, limb));
+            self.pass_in(forest, (place, limb));
         }
         for (place, limb) in forest.limbs().iter().enumerate().rev() {
-            self.from_parent(forest, (place, limb));
+            self.pass_out(forest, (place, limb));
         }
         &self.at_rows
     }
@@ -64,10 +64,10 @@ impl ForestPasses {
             self.at_bodies[start..start + width].copy_from_slice(entry.jacobian);
         }
         for &place in path {
-            self.to_parent(forest, (place, &forest.limbs()[place]));
+            self.pass_in(forest, (place, &forest.limbs()[place]));
         }
         for &place in places {
-            self.from_parent(forest, (place, &forest.limbs()[place]));
+            self.pass_out(forest, (place, &forest.limbs()[place]));
         }
     }
 
@@ -81,7 +81,7 @@ impl ForestPasses {
         problem.entries(row).map(|entry| rate((entry.jacobian, entry.body))).sum()
     }
 
-    fn to_parent(&mut self, forest: &HeldForest, (place, limb): (usize, &Limb)) {
+    fn pass_in(&mut self, forest: &HeldForest, (place, limb): (usize, &Limb)) {
         let width = forest.width();
         let factors = forest.factors(limb);
         let (below, above) = self.at_bodies.split_at_mut((place + 1) * width);
@@ -101,7 +101,7 @@ impl ForestPasses {
         }
     }
 
-    fn from_parent(&mut self, forest: &HeldForest, (place, limb): (usize, &Limb)) {
+    fn pass_out(&mut self, forest: &HeldForest, (place, limb): (usize, &Limb)) {
         let width = forest.width();
         let factors = forest.factors(limb);
         let at_rows = &mut self.at_rows[limb.range()];

@@ -345,7 +345,9 @@ impl HeldForest {
                 for (other, factor) in above.chunks_exact(width).zip(factors) {
                     axpy(-factor, other, line);
                 }
-                line.iter_mut().for_each(|value| *value *= factors[index]);
+                for value in line.iter_mut() {
+                    *value *= factors[index];
+                }
             }
             let start = self.limbs[limb.parent as usize].first_number as usize - limb.first_number as usize;
             let parent = &mut later[start - (square + rows * (2 * width + rows))..][..square];
@@ -374,7 +376,7 @@ fn cholesky_of<const N: usize>(matrix: &mut [f64], least: f64) -> bool {
     matrix.as_chunks_mut::<N>().0.first_chunk_mut::<N>().is_some_and(|lines| cholesky_of_lines(lines, N, least))
 }
 
-#[inline(always)]
+#[inline]
 fn cholesky_of_lines<L: AsMut<[f64]> + AsRef<[f64]>>(lines: &mut [L], size: usize, least: f64) -> bool {
     for i in 0..size {
         let (above, rest) = lines.split_at_mut(i);
@@ -415,7 +417,7 @@ fn forward_of<const N: usize>(factor: &[f64], x: &mut [f64]) {
     }
 }
 
-#[inline(always)]
+#[inline]
 fn forward_of_lines<L: AsRef<[f64]>>(lines: impl Iterator<Item = L>, x: &mut [f64]) {
     for (i, line) in lines.enumerate().take(x.len()) {
         let line = line.as_ref();
@@ -440,7 +442,7 @@ fn backward_of<const N: usize>(factor: &[f64], x: &mut [f64]) {
     }
 }
 
-#[inline(always)]
+#[inline]
 fn backward_of_lines<L: AsRef<[f64]>>(lines: impl DoubleEndedIterator<Item = L> + ExactSizeIterator, x: &mut [f64]) {
     for (i, line) in lines.enumerate().rev() {
         let line = line.as_ref();

@@ -195,7 +195,9 @@ fn with_signs(mut flat: Vec<f64>, last: &[f64]) -> Vec<f64> {
     for (own, before) in bodies.iter_mut().zip(last.as_chunks::<WIDTH>().0) {
         let (own, before) = (&mut own[QUATERNION..LINEAR_VELOCITY], &before[QUATERNION..LINEAR_VELOCITY]);
         if own.iter().zip(before).map(|(a, b)| a * b).sum::<f64>() < 0.0 {
-            own.iter_mut().for_each(|number| *number = -*number);
+            for number in own.iter_mut() {
+                *number = -*number;
+            }
         }
     }
     flat

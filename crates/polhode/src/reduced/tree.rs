@@ -9,6 +9,7 @@
 //!
 //! A flat state holds all `q`, then all `u`, each in the order of the nodes, parents before children.
 
+use crate::constraint::joint::WorldJoint;
 use crate::constraint::tree_joint::{FreeMotionOfJoint, JointOfChild};
 use crate::world::World;
 use std::collections::{BTreeMap, VecDeque};
@@ -70,7 +71,7 @@ impl Tree {
         // The joints of each body, with the end that it is at and the body at the other one.
         let mut joints_of: BTreeMap<usize, Vec<(usize, usize, Option<usize>)>> = BTreeMap::new();
         let mut roots = Vec::new();
-        let joints: Vec<_> = world.joints_among(bodies).map(|joint| joint.tree_joint()).collect::<Option<_>>()?;
+        let joints: Vec<_> = world.joints_among(bodies).map(WorldJoint::tree_joint).collect::<Option<_>>()?;
         for (number, joint) in joints.iter().enumerate() {
             for end in 0..2 {
                 let other = joint.ends[1 - end].body;
