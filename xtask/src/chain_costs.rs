@@ -27,8 +27,8 @@ pub(crate) struct Options {
     /// Numbers of links.
     #[arg(long, value_delimiter = ',', default_values_t = [100, 300, 1000, 3000, 10_000])]
     links: Vec<u32>,
-    /// Tiers.
-    #[arg(long, value_delimiter = ',', default_values_t = ["stepped".to_owned(), "accurate".to_owned()])]
+    /// Tiers; `reduced` is the tier accurate in reduced coordinates.
+    #[arg(long, value_delimiter = ',', default_values_t = ["stepped", "accurate", "reduced"].map(str::to_owned))]
     tiers: Vec<String>,
     /// Joints: hinge or ball.
     #[arg(long, default_value = "hinge")]
@@ -99,6 +99,7 @@ fn seconds_of_step(text: &str, options: &Options) -> Result<(f64, f64), Box<dyn 
 /// The text of the scene of a chain.
 fn chain(links: u32, tier: &str, options: &Options) -> String {
     let duration = f64::from(options.runs.max(1) * options.steps) * options.step;
+    let tier = if tier == "reduced" { "accurate\"\ncoordinates = \"reduced" } else { tier };
     let mut text = format!(
         "format = 1\nname = \"chain\"\nduration = {duration:?}\n[method]\ntier = \"{tier}\"\nstep = {:?}\n[output]\n\
          interval = {duration:?}\n",
@@ -145,7 +146,7 @@ mod tests {
             runs: 1,
             limit: 1.0,
         };
-        for tier in ["stepped", "accurate"] {
+        for tier in ["stepped", "accurate", "reduced"] {
             let (seconds, first) = seconds_of_step(&chain(5, tier, &options), &options).unwrap();
             assert!(seconds > 0.0 && first > 0.0);
         }
