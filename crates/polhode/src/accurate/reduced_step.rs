@@ -19,6 +19,10 @@ use polhode_dynamics::state::{LINEAR_VELOCITY, QUATERNION, WIDTH};
 use polhode_dynamics::{BodyState, DenseStep, Dop853, System};
 use polhode_response::ResponseError;
 use polhode_spatial::DVec3;
+use std::ops::Range;
+
+/// Rounding of a number in a step, relative to it and to what it is a part of (no unit): that of a dozen stages.
+const ROUNDING_OF_COORDINATES: f64 = 16.0 * f64::EPSILON;
 
 /// A step in reduced coordinates.
 #[derive(Debug)]
@@ -115,31 +119,38 @@ impl ReducedStep {
         let allowed = STEP_SHARE * tolerance;
         let reaches = reaches(world, &self.tree, &self.start);
         let mut largest = LargestError::default();
+        // What rounding alone leaves of a number is no error of the method.
+        let end = self.method.end_state();
+        let mut include = |numbers: Range<usize>, allowed: f64, scale: f64| {
+            let own = end.get(numbers.clone()).unwrap_or_default();
+            let rounding = ROUNDING_OF_COORDINATES * own.iter().fold(scale, |most: f64, number| most.max(number.abs()));
+            largest.include(self.method.error_of(numbers), allowed.max(rounding));
+        };
         for (node, reach) in self.tree.nodes.iter().zip(reaches) {
             let size = world.bodies[node.body].size;
-            let length = size / reach;
             let speed = speed_of(world, node, (&self.start, &self.end));
-            let q = node.first_q;
-            let is_turned = node.joint.is_none_or(|joint| joint.free != FreeMotionOfJoint::Slider);
+            let (q, u) = (node.first_q..node.first_q + node.coordinates(), node.u());
+            let (length, angle) = (allowed * size / reach, allowed / reach);
+            let (rate, turning) = (allowed * speed / reach, allowed * speed / (size * reach));
             match node.joint.map(|joint| joint.free) {
                 None => {
-                    largest.include(self.method.error_of(q..q + 3), allowed * length);
-                    largest.include(self.method.error_of(q + 3..q + 7), ErrorAllowance::of_angle(allowed / reach));
+                    include(q.start..q.start + 3, length, 0.0);
+                    include(q.start + 3..q.end, ErrorAllowance::of_angle(angle), 1.0);
+                    include(u.start..u.start + 3, rate, speed);
+                    include(u.start + 3..u.end, turning, speed / size);
                 }
                 Some(FreeMotionOfJoint::Ball) => {
-                    largest.include(self.method.error_of(q..q + 4), ErrorAllowance::of_angle(allowed / reach));
+                    include(q, ErrorAllowance::of_angle(angle), 1.0);
+                    include(u, turning, speed / size);
                 }
-                Some(FreeMotionOfJoint::Hinge) => largest.include(self.method.error_of(q..q + 1), allowed / reach),
-                Some(FreeMotionOfJoint::Slider) => largest.include(self.method.error_of(q..q + 1), allowed * length),
-            }
-            let u = node.u();
-            if node.joint.is_none() {
-                largest.include(self.method.error_of(u.start..u.start + 3), allowed * speed / reach);
-                largest.include(self.method.error_of(u.start + 3..u.end), allowed * speed / (size * reach));
-            } else if is_turned {
-                largest.include(self.method.error_of(u), allowed * speed / (size * reach));
-            } else {
-                largest.include(self.method.error_of(u), allowed * speed / reach);
+                Some(FreeMotionOfJoint::Hinge) => {
+                    include(q, angle, 1.0);
+                    include(u, turning, speed / size);
+                }
+                Some(FreeMotionOfJoint::Slider) => {
+                    include(q, length, size);
+                    include(u, rate, speed);
+                }
             }
         }
         largest.get()

@@ -53,6 +53,11 @@ pub(crate) struct JointOfChild {
     pub(crate) relative: Rotation,
 }
 
+/// Whether joints of a kind may be those of trees.
+pub(crate) const fn is_of_trees(kind: JointKind) -> bool {
+    matches!(kind, JointKind::Ball | JointKind::Hinge { .. } | JointKind::Slider { .. })
+}
+
 impl TreeJoint {
     /// A joint between ends with these moving frames at the start (no body: the world); none where it is of another kind.
     pub(super) fn of(joint: &Joint, ends: [(Option<usize>, Pose); 2]) -> Option<Self> {

@@ -3,29 +3,10 @@
 //! Reduced coordinates are those of the joints of trees (`crate::reduced`). They need joints with coordinates of their own, no loop, and
 //! nothing that pushes: no contacts, no limits, no dry friction.
 
-use super::{Coordinate, Integrator, Joint, JointKind, Scene, SceneError, Tier};
+use super::laws::Coordinates;
+use super::{Coordinate, Integrator, Joint, Scene, SceneError, Tier, TierFeature};
+use crate::constraint::tree_joint::is_of_trees;
 use polhode_spatial::DisjointSets;
-
-/// The coordinates in which bodies that joints hold are integrated in the tier `accurate`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum Coordinates {
-    /// Position and attitude of each body; reactions hold joints.
-    #[default]
-    Maximal,
-    /// The coordinates of the joints, of trees of ball joints, hinges and sliders.
-    Reduced,
-}
-
-impl Coordinates {
-    /// The name in scenes.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Maximal => "maximal",
-            Self::Reduced => "reduced",
-        }
-    }
-}
 
 impl Scene {
     /// Checks that reduced coordinates apply where the method asks for them.
@@ -38,8 +19,9 @@ impl Scene {
         }
         let refused = |reason: String| Err(SceneError::ReducedCoordinates { reason });
         let tier = self.method.tier.unwrap_or_default();
-        if tier != Tier::Accurate {
-            return refused(format!("the tier is `{}`: tier `accurate` has them", tier.name()));
+        if !tier.facts().takes(TierFeature::ReducedCoordinates) {
+            let instead = Tier::names_with(TierFeature::ReducedCoordinates);
+            return refused(format!("the tier is `{}`: tier {instead} has them", tier.name()));
         }
         if self.method.integrator.is_some_and(|integrator| integrator != Integrator::Dop853) {
             return refused("method.integrator is not `dop853`".to_owned());
@@ -67,7 +49,7 @@ impl Scene {
     /// Why a joint is not one of a tree.
     fn reason_against(&self, joint: &Joint) -> Option<String> {
         let kind = joint.kind();
-        if !matches!(kind, JointKind::Ball | JointKind::Hinge { .. } | JointKind::Slider { .. }) {
+        if !is_of_trees(kind) {
             return Some(format!("is of the kind {}: ball, hinge and slider are available", kind.name()));
         }
         if joint.bodies().any(|body| self.bodies[body].motion().is_some()) {

@@ -4,8 +4,9 @@
 //! have only members that are implemented, so that a scene cannot ask for others.
 
 use super::SceneError;
-use super::coordinates::Coordinates;
-use super::laws::{BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Orientation, Response, RotationRate};
+use super::laws::{
+    BroadPhaseMethod, ContactMethod, Coordinates, ImpactLaw, Integrator, Orientation, Response, RotationRate,
+};
 use crate::tier::facts::{IntegratorChoice, TierFeature};
 use crate::tier::list::Tier;
 use polhode_response::RestitutionLaw;

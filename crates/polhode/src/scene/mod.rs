@@ -8,7 +8,7 @@
 //! | `builder` | [`SceneBuilder`]: collects the parts of a scene and checks them together |
 //! | `body` | [`Body`]: fixed, kinematic or moved by forces |
 //! | `geometry` | [`Geometry`]: the shape of a body; [`ApproximateParts`]: how well it fills a mesh |
-//! | `coordinates` | [`Coordinates`]: in which joints are integrated, and why reduced ones are refused |
+//! | `coordinates` | why reduced [`Coordinates`] are refused |
 //! | `material` | [`Material`], [`PairRule`]: friction and restitution |
 //! | `grain` | [`FrictionEllipse`]: friction along and across a grain |
 //! | `force` | [`Force`]: forces besides uniform gravity and contact |
@@ -42,7 +42,6 @@ pub use crate::tier::facts::{
 pub use crate::tier::list::Tier;
 pub use body::{Body, BodyMass};
 pub use builder::SceneBuilder;
-pub use coordinates::Coordinates;
 pub use error::{OverlapAtStart, SceneError};
 pub(crate) use force::MovingFrames;
 pub use force::{Attachment, Force};
@@ -51,7 +50,9 @@ pub use geometry::{ApproximateParts, Geometry};
 pub use grain::FrictionEllipse;
 pub(crate) use grain::GrainOf;
 pub use joint::{Joint, JointKind};
-pub use laws::{BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Orientation, Response, RotationRate};
+pub use laws::{
+    BroadPhaseMethod, ContactMethod, Coordinates, ImpactLaw, Integrator, Orientation, Response, RotationRate,
+};
 pub use material::{Material, PairRule};
 pub use method::{Crowding, Method};
 pub use motion::{
