@@ -249,6 +249,47 @@ mod tests {
         }
     }
 
+    /// A hundred links of 1 kg hang from the world, the last of them of a million: each joint bears the weight of what is below it.
+    #[test]
+    fn a_chain_bears_a_million_times_the_mass_of_a_link() {
+        const LINKS: usize = 100;
+        let mass = |link: usize| if link + 1 == LINKS { 1e6 } else { 1.0 };
+        let entry = |link: usize, i: usize| if i < 3 { 1.0 / mass(link) } else { 1200.0 / mass(link) };
+        let diagonal = |link: usize| (0..36).map(move |i| if i % 7 == 0 { entry(link, i / 7) } else { 0.0 });
+        let mut problem = ContactProblem::new(6, (0..LINKS).flat_map(diagonal).collect()).unwrap();
+        let mut constants = Vec::new();
+        for link in 0..LINKS {
+            for axis in 0..3 {
+                // A force at the arm (0, 0, z): moments z x along.
+                let row = |sign: f64, z: f64| {
+                    let mut row = [0.0; 6];
+                    row[axis] = sign;
+                    match axis {
+                        0 => row[4] = sign * z,
+                        1 => row[3] = -sign * z,
+                        _ => {}
+                    }
+                    row
+                };
+                let own = row(1.0, 0.05);
+                let above = row(-1.0, -0.05);
+                let is_first = link == 0;
+                let entries: &[(usize, &[f64])] =
+                    if is_first { &[(0, &own)] } else { &[(link, &own), (link - 1, &above)] };
+                problem.push_held_row(entries).unwrap();
+                constants.push(if is_first && axis == 2 { -9.81 } else { 0.0 });
+            }
+        }
+        let forest = HeldForest::of(&problem, 0..problem.len()).unwrap();
+        let found = forest.with_others(&problem, &constants, &[]).unwrap();
+        let mut weight: f64 = (0..LINKS).map(|link| 9.81 * mass(link)).sum();
+        for (link, force) in found.forces.chunks_exact(3).enumerate() {
+            assert!((force[2] - weight).abs() < 1e-9 * weight, "{link}: {} instead of {weight}", force[2]);
+            assert!(force[0].abs().max(force[1].abs()) < 1e-9 * weight, "{link}: {force:?}");
+            weight -= 9.81 * mass(link);
+        }
+    }
+
     #[test]
     fn rows_that_depend_on_each_other_have_no_forest() {
         let mut problem = ContactProblem::new(2, vec![1.0, 0.0, 0.0, 1.0]).unwrap();

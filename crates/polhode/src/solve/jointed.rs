@@ -9,11 +9,18 @@ use polhode_response::sparse::HeldForest;
 /// From so many rows of joints on they are eliminated first (15 to 60).
 const LEAST_ROWS_OF_TREES: usize = 24;
 
+/// The same where some of them close loops (60 to 200): the rows of a mechanism may depend on each other, and which of them do is
+/// seen best among all of them.
+const LEAST_ROWS_WITH_LOOPS: usize = 100;
+
 /// The trees of the joints of an assembly; none where they have few rows, and where they have no factors.
 pub(crate) fn trees_of(assembly: &Assembly) -> Option<HeldForest> {
     let rows = assembly.joint_rows();
     if rows.len() < LEAST_ROWS_OF_TREES {
         return None;
     }
-    HeldForest::of(&assembly.problem, rows).filter(|forest| forest.held() >= LEAST_ROWS_OF_TREES)
+    let forest = HeldForest::of(&assembly.problem, rows.clone())?;
+    let has_loops = forest.others().iter().any(|row| rows.contains(row));
+    let least = if has_loops { LEAST_ROWS_WITH_LOOPS } else { LEAST_ROWS_OF_TREES };
+    (forest.held() >= least).then_some(forest)
 }

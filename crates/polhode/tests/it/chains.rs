@@ -1,6 +1,6 @@
 //! Long chains: trees of joints that are eliminated link by link hold what hangs on them, whatever its mass, and lose no energy.
 //!
-//! Oracles are statics (each joint bears the weight of what is below it) and conservation of energy. Chains are so long that the
+//! Oracles are statics (nothing accelerates; the forces themselves are tested in `polhode-response`) and conservation of energy. Chains are so long that the
 //! joints are not solved for through the matrix of their rows.
 
 use crate::joints::{assert_held, down, rod};
@@ -38,16 +38,6 @@ fn a_chain_bears_a_million_times_the_mass_of_a_link() {
     for tier in [Tier::Stepped, Tier::Accurate] {
         let scene = chain(tier, &links, (0.05, 60.0)).build().unwrap();
         let mut simulation = Simulation::new(&scene).unwrap();
-        simulation.advance_to(0.05).unwrap();
-        let mut weight: f64 = G * links.iter().map(|(mass, _)| mass).sum::<f64>();
-        // The tier `stepped` tells no loads of joints.
-        let loads = simulation.joint_loads();
-        assert_eq!(loads.len(), if tier == Tier::Accurate { links.len() } else { 0 });
-        for (load, (mass, _)) in loads.iter().zip(&links) {
-            assert!((load.force_n - DVec3::Z * weight).length() < 1e-9 * weight, "{tier:?} {load:?}");
-            assert!(load.moment_n_m.length() < 1e-9 * weight * LINK, "{tier:?} {load:?}");
-            weight -= G * mass;
-        }
         let largest = |simulation: &mut Simulation| {
             let sizes = simulation.accelerations().unwrap();
             sizes.iter().map(|a| a.linear.length() + LINK * a.angular.length()).fold(0.0, f64::max)
