@@ -24,6 +24,7 @@
 //! | [`mod@reference`] | the values that cases are compared with |
 //! | [`row`], [`table`] | one result, and how results are printed |
 //! | [`rigid_ipc`] | the command: scenes of the Rigid IPC suite in our format |
+//! | [`chain_costs`] | the command: the time of a step of chains against their length |
 //! | [`tier_costs`] | the command: the processor time of heaps in the tiers, which the plan estimates |
 //! | [`statics`] | static equilibrium of structures of blocks, from their geometry alone |
 //! | [`viewer`] | pages in a real browser |
@@ -33,6 +34,7 @@
 
 mod book;
 mod cases;
+mod chain_costs;
 mod commands;
 mod cost;
 mod cost_summary;
@@ -88,6 +90,8 @@ enum Task {
     NarrowPhase,
     /// Measures the processor time of heaps in the tiers, from which the plan chooses a tier.
     TierCosts(tier_costs::Options),
+    /// Measures the time of a step of chains against their length.
+    ChainCosts(chain_costs::Options),
     /// Writes the random scene of a seed as a scene file.
     RandomScene(random_scene::Options),
     /// Judges random scenes, and prints a line for each that is not right.
@@ -104,6 +108,7 @@ fn main() -> ExitCode {
         Task::Gallery(options) => verify::workspace_root().and_then(|root| gallery::run(&options, &root)),
         Task::NarrowPhase => verify::workspace_root().and_then(|root| narrow_phase::run(&root)),
         Task::TierCosts(options) => tier_costs::run(&options),
+        Task::ChainCosts(options) => chain_costs::run(&options),
         Task::RandomScene(options) => random_scene::run(&options),
         Task::JudgeScenes(options) => cases::random_scenes::run(&options),
     };

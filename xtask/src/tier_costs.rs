@@ -52,9 +52,11 @@ impl Observer for Limited {
 }
 
 /// One point of the fit.
-struct Measured {
-    rows: f64,
-    seconds: f64,
+pub(crate) struct Measured {
+    /// Rows, or what else the time grows with.
+    pub(crate) rows: f64,
+    /// Time, s.
+    pub(crate) seconds: f64,
 }
 
 /// Measures and prints.
@@ -83,7 +85,7 @@ pub(crate) fn run(options: &Options) -> Result<ExitCode, Box<dyn Error>> {
 }
 
 /// `C` and `p` of `T = C r^p` by least squares of the logarithms.
-fn fit(measured: &[Measured]) -> (f64, f64) {
+pub(crate) fn fit(measured: &[Measured]) -> (f64, f64) {
     let count = measured.len() as f64;
     let points: Vec<(f64, f64)> = measured.iter().map(|one| (one.rows.ln(), one.seconds.ln())).collect();
     let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;

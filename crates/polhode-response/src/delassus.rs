@@ -64,6 +64,12 @@ impl Delassus {
         Ok(product)
     }
 
+    /// The matrix of these entries, row-major and symmetric.
+    pub(crate) fn from_entries(size: usize, entries: Vec<f64>) -> Self {
+        let not_finite = entries.iter().position(|entry| !entry.is_finite());
+        Self { size, entries, not_finite, rows: None }
+    }
+
     /// The rows that it was formed of; none where they are few.
     pub(crate) fn rows(&self) -> Option<&Arc<ContactProblem>> {
         self.rows.as_ref()

@@ -128,6 +128,35 @@ impl ContactProblem {
         })
     }
 
+    /// The problem with one row for each coordinate of its only body, whose inverse mass (row-major, symmetric and positive
+    /// semidefinite) is therefore its matrix; which rows are held, and which are soft.
+    pub(crate) fn of_matrix(entries: &[f64], holds: Vec<bool>, compliances: Vec<(usize, f64)>) -> Self {
+        let size = holds.len();
+        let mut problem = Self {
+            width: size,
+            bodies: 1,
+            inverse_masses: entries.to_vec(),
+            rows: vec![RowBodies { bodies: [0; 2], count: 1 }; size],
+            holds,
+            compliances,
+            frictional: Vec::new(),
+            others: Vec::new(),
+            jacobian: vec![0.0; 2 * size * size],
+            response: vec![0.0; 2 * size * size],
+        };
+        for row in 0..size {
+            problem.jacobian[2 * row * size + row] = 1.0;
+            let line = entries.get(row * size..(row + 1) * size).unwrap_or_default();
+            problem.response[2 * row * size..2 * row * size + line.len()].copy_from_slice(line);
+        }
+        problem
+    }
+
+    /// The bodies of a row; the same one twice where it touches one.
+    pub(crate) fn pair(&self, row: usize) -> [u32; 2] {
+        self.rows[row].bodies
+    }
+
     /// Adds a row that pushes, `0 <= f _|_ w >= 0`, touches one to four bodies, and returns its index. Each block has `width`
     /// numbers. The methods that solve in the velocities of bodies take rows of one or two ([`Self::is_of_pairs`]).
     ///
@@ -248,7 +277,7 @@ impl ContactProblem {
             row.bodies[1] = body as u32;
         }
         if self.rows.is_empty() {
-            self.reserve_first_rows();
+            self.reserve(FIRST_ROWS);
         }
         for slot in 0..2 {
             if let Some(&(body, block)) = entries.get(slot) {
@@ -268,14 +297,6 @@ impl ContactProblem {
         self.rows.push(row);
         self.holds.push(sign == Sign::Either);
         Ok(self.rows.len() - 1)
-    }
-
-    /// Makes room for the rows of a few contacts at once.
-    fn reserve_first_rows(&mut self) {
-        self.rows.reserve(FIRST_ROWS);
-        self.holds.reserve(FIRST_ROWS);
-        self.jacobian.reserve(2 * self.width * FIRST_ROWS);
-        self.response.reserve(2 * self.width * FIRST_ROWS);
     }
 
     /// Removes all rows and keeps the bodies and the memory.
@@ -437,13 +458,29 @@ impl ContactProblem {
     }
 
     fn push_response(&mut self, body: usize, jacobian: &[f64]) {
-        let start = self.response.len();
-        for component in 0..self.width {
-            let line = &self.inverse_mass(body)[component * self.width..(component + 1) * self.width];
-            let value = dot(line, jacobian);
-            self.response.push(value);
+        let block = self.width * self.width;
+        let matrix = &self.inverse_masses[body * block..(body + 1) * block];
+        // Sums of known length are unrolled.
+        match self.width {
+            3 => push_products::<3>(&mut self.response, matrix, jacobian),
+            6 => push_products::<6>(&mut self.response, matrix, jacobian),
+            width => self.response.extend(matrix.chunks_exact(width).map(|line| dot(line, jacobian))),
         }
-        debug_assert_eq!(self.response.len(), start + self.width);
+    }
+
+    /// Makes room for so many more rows.
+    pub fn reserve(&mut self, rows: usize) {
+        self.rows.reserve(rows);
+        self.holds.reserve(rows);
+        self.jacobian.reserve(2 * self.width * rows);
+        self.response.reserve(2 * self.width * rows);
+    }
+}
+
+/// Appends the product of a row-major matrix and a vector.
+fn push_products<const N: usize>(products: &mut Vec<f64>, matrix: &[f64], vector: &[f64]) {
+    if let Some(vector) = vector.first_chunk::<N>() {
+        products.extend(matrix.as_chunks::<N>().0.iter().map(|line| dot(line, vector)));
     }
 }
 

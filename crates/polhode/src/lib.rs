@@ -135,6 +135,7 @@
 //! | `planar`, `plane_of_motion` | planar motion |
 //! | `collision` | boxes, narrow phase and contacts of a pair |
 //! | `constraint` | what holds bodies together: identities, the rows and reactions of pivots and joints, and the location of events |
+//! | `reduced` | trees of joints in the coordinates of the joints |
 //! | `rows` | rows of contacts and bilateral constraints, by groups of bodies, which the tiers share |
 //! | `solve` | what they are solved for: forces at an instant, impacts, projection |
 //! | `time_stepping` | the time step at the level of velocities |
@@ -183,6 +184,7 @@ pub mod prelude;
 mod prescribed;
 mod prescribed_state;
 mod promise;
+mod reduced;
 pub mod report;
 mod rows;
 mod sample_penetration;

@@ -11,7 +11,7 @@ pub use crate::effects::Effects;
 use crate::free_method::Choice;
 use crate::planar::PlanarFinding;
 use crate::scene::{
-    Body, BroadPhaseMethod, ContactMethod, Coordinate, ImpactLaw, Integrator, Joint, Response, Scene, Tier,
+    Body, BroadPhaseMethod, ContactMethod, Coordinate, Coordinates, ImpactLaw, Integrator, Joint, Response, Scene, Tier,
 };
 use crate::settings::Settings;
 use crate::snapshot::{SnapshotError, content};
@@ -226,6 +226,9 @@ fn present(world: &World) -> impl Iterator<Item = (usize, &Body)> {
 /// What constraint rows save.
 const SOLVED: &str = "nothing: their forces are solved for at every stage, with those of contacts";
 
+const REDUCED: &str =
+    "constraint rows, their reactions and projections; the same motion to 1e-11 while it is not chaotic";
+
 /// Whether joints close a loop: one connects bodies, or a body and the world, that others connect already.
 fn has_loop(world: &World) -> bool {
     // The world is one more body.
@@ -252,6 +255,11 @@ fn joint_decision(world: &World) -> EffectDecision {
         let tracks = world.joints.iter().filter(|joint| joint.is_on_track()).count();
         let tracks = if tracks > 0 { format!(", {tracks} of them on tracks") } else { String::new() };
         let fact = format!("{} joints with {rows} constraint rows{limits}{tracks}, {form}", world.joints.len());
+        if world.scene.method().coordinates == Some(Coordinates::Reduced) {
+            let bodies = world.held_by_rows.len();
+            let fact = format!("{fact}; {bodies} bodies in the coordinates of joints (method.coordinates)");
+            return decision(Effect::Joints, true, fact, REDUCED);
+        }
         return decision(Effect::Joints, true, fact, SOLVED);
     }
     let pivots = present(world).filter(|(_, body)| body.pivot_point().is_some()).count();

@@ -1,8 +1,8 @@
 //! The settings of a run: the scene's method, completed by the defaults of its tier.
 
 use crate::scene::{
-    BroadPhaseMethod, ContactMethod, Crowding, FlightRecords, ImpactLaw, Integrator, Method, Orientation, Response,
-    RotationRate, Tier, TierFeature,
+    BroadPhaseMethod, ContactMethod, Coordinates, Crowding, FlightRecords, ImpactLaw, Integrator, Method, Orientation,
+    Response, RotationRate, Tier, TierFeature,
 };
 use polhode_dynamics::integrator::{self, MethodSettings, Tolerance};
 
@@ -26,6 +26,8 @@ pub(crate) struct Settings {
     pub(crate) rotation_rate: RotationRate,
     pub(crate) impact: ImpactLaw,
     pub(crate) contact: ContactMethod,
+    /// In which coordinates bodies that joints hold are integrated.
+    pub(crate) coordinates: Coordinates,
     /// How bodies that touch act on each other; other than by constraint only in a tier that takes such models.
     pub(crate) response: Response,
     pub(crate) broad_phase: BroadPhaseMethod,
@@ -125,6 +127,7 @@ impl Settings {
             rotation_rate: method.rotation_rate.unwrap_or_default(),
             impact: method.impact.unwrap_or(facts.impact),
             contact: method.contact.unwrap_or(facts.contact),
+            coordinates: method.coordinates.unwrap_or_default(),
             response: method.response.unwrap_or_default(),
             broad_phase: method.broad_phase.unwrap_or_default(),
             step_s: method.step_s.unwrap_or(facts.step_s),

@@ -17,6 +17,7 @@
 pub(crate) mod active_set;
 pub(crate) mod rank;
 mod solver;
+mod with_forest;
 
 pub use solver::{ComplementaritySolver, solve_complementarity};
 

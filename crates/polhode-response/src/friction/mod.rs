@@ -23,6 +23,7 @@
 
 pub(crate) mod block_matrix;
 mod blocks;
+mod blocks_beside;
 mod cone_programme;
 pub(crate) mod coulomb_cone;
 pub(crate) mod elimination_order;

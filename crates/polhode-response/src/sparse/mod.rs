@@ -19,6 +19,7 @@
 //! | path of compliance | where neither comes to the end | `compliance_path.rs`, `compliant_law.rs` |
 //! | smoothing Newton | where the path turns back | `smoothing.rs`, `smoothed_cone.rs` |
 //! | balance | makes forces balance to rounding | `balance.rs` |
+//! | forest | trees of joints, eliminated before all else; what is left beside them | `held_forest.rs`, `forest_passes.rs`, `beside_forest.rs` |
 //! | solver | the chain of methods, and what is told of it | `solver.rs`, `solution.rs`, `settings.rs` |
 //!
 //! The residual is the natural map in units of impulse per unit of the largest reaction; what is not reached within
@@ -26,6 +27,7 @@
 
 mod augmented_lagrangian;
 mod balance;
+mod beside_forest;
 mod block6;
 mod body;
 mod compliance_path;
@@ -34,7 +36,9 @@ mod cone_form;
 mod dissection;
 mod elimination;
 mod factors;
+mod forest_passes;
 pub(crate) mod from_blocks;
+mod held_forest;
 mod interior_cone;
 mod interior_point;
 mod iterate;
@@ -50,8 +54,10 @@ mod sweeps;
 mod system;
 
 pub use balance::BalancedForces;
+pub use beside_forest::{BesideForest, ForestSolution};
 pub use body::BodyMass;
 pub use elimination::Elimination;
+pub use held_forest::HeldForest;
 pub use problem::{BodyProblem, BodyRows};
 pub use settings::BodySettings;
 pub use solution::{BodyMethod, BodyReport, BodySolution};

@@ -4,13 +4,13 @@ use super::fault::{Fault, positive};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{
-    BroadPhaseName, ContactName, CrowdingName, ImpactName, IntegratorName, MethodEntry, OrientationName, ResponseName,
-    RestitutionLawName, RotationRateName, TierName,
+    BroadPhaseName, ContactName, CoordinatesName, CrowdingName, ImpactName, IntegratorName, MethodEntry,
+    OrientationName, ResponseName, RestitutionLawName, RotationRateName, TierName,
 };
 use polhode::SceneError;
 use polhode::scene::{
-    ContactMethod, Crowding, ImpactLaw, IntegratorChoice, Method, Orientation, Response, RestitutionLaw, RotationRate,
-    TierFeature,
+    ContactMethod, Coordinates, Crowding, ImpactLaw, IntegratorChoice, Method, Orientation, Response, RestitutionLaw,
+    RotationRate, TierFeature,
 };
 
 /// The method that the file asks for.
@@ -36,6 +36,7 @@ pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
         response: entry.response.map(response),
         broad_phase: entry.broad_phase.map(|BroadPhaseName(broad_phase)| broad_phase),
         tolerance,
+        coordinates: entry.coordinates.map(coordinates),
         max_events_per_step: entry.max_events_per_step,
         crowding: entry.crowding.map(crowding),
         crowding_tolerance,
@@ -126,6 +127,13 @@ const fn contact(name: ContactName) -> ContactMethod {
     match name {
         ContactName::LeastForce => ContactMethod::LeastForce,
         ContactName::ActiveSet => ContactMethod::ActiveSet,
+    }
+}
+
+const fn coordinates(name: CoordinatesName) -> Coordinates {
+    match name {
+        CoordinatesName::Maximal => Coordinates::Maximal,
+        CoordinatesName::Reduced => Coordinates::Reduced,
     }
 }
 

@@ -164,6 +164,7 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile, robots: &[PlacedRobo
                 robot.map_or_else(KeyPath::root, |robot| KeyPath::element("models", robot))
             }
         },
+        SceneError::ReducedCoordinates { .. } => KeyPath::of(&["method", "coordinates"]),
         SceneError::FrictionInTier { .. } | SceneError::JointsInTier { .. } => KeyPath::of(&["method", "tier"]),
         _ => KeyPath::root(),
     }

@@ -38,6 +38,8 @@ pub struct MethodEntry {
     /// Local error per step of contact phases, relative to size and speed of each body.
     #[schemars(extend("exclusiveMinimum" = 0), range(max = 0.1))]
     pub tolerance: Option<f64>,
+    /// In which coordinates tier accurate integrates bodies that joints hold.
+    pub coordinates: Option<CoordinatesName>,
     /// Largest number of events within one step.
     #[schemars(range(min = 1))]
     pub max_events_per_step: Option<u64>,
@@ -46,6 +48,16 @@ pub struct MethodEntry {
     /// Error of a stretch of crowded events for each longest step, relative to the size of each body.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub crowding_tolerance: Option<f64>,
+}
+
+/// In which coordinates bodies that joints hold are integrated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum CoordinatesName {
+    /// Position and attitude of each body; reactions hold joints.
+    Maximal,
+    /// The coordinates of the joints of trees: ball joints, hinges and sliders without limits, friction and contacts.
+    Reduced,
 }
 
 /// What happens where the events of some bodies crowd.

@@ -34,7 +34,7 @@ fn lists_what_is_accepted() {
     let mut words = Vec::new();
     collect(&schema, &mut words);
     let accepted = "format name duration gravity method output materials pairs bodies forces no_contact interval friction \
-        restitution tier step integrator orientation rotation_rate impact contact response broad_phase tolerance max_events_per_step crowding crowding_tolerance error fixed shape \
+        restitution tier step integrator orientation rotation_rate impact contact response broad_phase tolerance coordinates max_events_per_step crowding crowding_tolerance error fixed shape \
         mass density inertia center_of_mass hollow position rotation_vector velocity angular_velocity material pivot motion sine frequency \
         axis angle times orientations rotation_vectors box sphere half_space \
         points convex mesh size radius normal positions file thesis stepped accurate quaternion \

@@ -233,7 +233,7 @@ impl Motions {
         core.note_friction(t, violation, CONE_LIMIT);
         let worst = &mut core.accounts.certificate.max_step_error;
         // A method without error control has no error to compare.
-        if step.embedded().is_some() {
+        if step.estimates_error() {
             *worst = Some(worst.unwrap_or(0.0).max(error));
         }
         let rigid = |body: usize| core.world.bodies[body].rigid.as_ref();
@@ -283,7 +283,10 @@ impl Motions {
         (t, h): (f64, f64),
     ) -> Result<(MethodStep, Option<f64>), ResponseError> {
         let step = StageMethod::of(&core.settings).attempt(system, (t, h), system.pack())?;
-        let error = step.embedded().map(|method| self.error_of(core, method, system, (t, h)));
+        let error = match &step {
+            MethodStep::Reduced(step) => Some(step.error(&core.world, core.settings.tolerance)),
+            step => step.embedded().map(|method| self.error_of(core, method, system, (t, h))),
+        };
         Ok((step, error))
     }
 

@@ -37,5 +37,6 @@ pub(crate) const FACTS: TierFacts = TierFacts {
         TierFeature::ConstrainedRk4,
         TierFeature::PlanarFriction,
         TierFeature::CrowdedStretches,
+        TierFeature::ReducedCoordinates,
     ],
 };

@@ -25,12 +25,14 @@ use crate::rows::friction_blocks::push_contact;
 use crate::rows::rotation_row::RotationRow;
 use crate::scene::FrictionEllipse;
 use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
+use crate::solve::jointed::trees_of;
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
+use polhode_response::sparse::{BesideForest, HeldForest};
 use polhode_response::{
-    Blocks, Delassus, LeastNormForces, ResponseError, SlidingRow, least_forces_in_cones, least_norm_forces,
-    least_norm_sliding_forces,
+    Blocks, ContactProblem, Delassus, LeastNormForces, ResponseError, SlidingRow, least_forces_in_cones,
+    least_norm_forces, least_norm_sliding_forces,
 };
 use polhode_spatial::DVec3;
 use std::ops::Range;
@@ -186,7 +188,6 @@ pub(super) fn solve(
     let free = assembly.free_accelerations(world, states, loads);
     let kinematics = contacts.iter().map(|(id, kinematics)| (*id, kinematics));
     let mut constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
-    let delassus = assembly.problem.delassus();
     let slides = slides.iter().map(|&(_, normal, coefficient)| (normal, coefficient));
     let turning = turning.iter().map(|&(_, normal, coefficient)| (normal, coefficient));
     let sliding = slides.chain(turning).enumerate().map(|(k, (normal, coefficient))| SlidingRow {
@@ -196,8 +197,10 @@ pub(super) fn solve(
     });
     let sliding: Vec<SlidingRow> = sliding.collect();
     constants.truncate(equations);
+    let trees = if sliding.is_empty() { trees_of(&assembly) } else { None };
+    let matrix = trees.map_or_else(|| Matrix::All(assembly.problem.delassus()), Matrix::Beside);
     let (LeastNormForces { forces, loads }, violation) =
-        with_loads_of_bearings(&mut assembly, constants, (&delassus, &sliding), (contacts.len(), friction))?;
+        with_loads_of_bearings(&mut assembly, constants, (&matrix, &sliding), (contacts.len(), friction))?;
     let tangential = assembly.of_tangents(&forces).map(|(row, force)| (row.id, row.along, force)).collect();
     let moments = assembly.of_rotations(&forces).map(|(row, moment)| (row.id, row.axis * moment)).collect();
     let slips = friction.iter().filter_map(|contact| {
@@ -229,18 +232,22 @@ pub(super) fn solve(
 fn with_loads_of_bearings(
     assembly: &mut Assembly,
     mut constants: Vec<f64>,
-    (delassus, sliding): (&Delassus, &[SlidingRow]),
+    (matrix, sliding): (&Matrix, &[SlidingRow]),
     (contacts, friction): (usize, &[FrictionContact]),
 ) -> Result<(LeastNormForces, Option<ConeViolation>), ResponseError> {
     let mut rounds = 0;
     loop {
-        let found = if sliding.is_empty() {
-            (least_norm_forces(&assembly.problem, delassus, &constants)?, None)
-        } else {
-            let least = least_norm_sliding_forces(&assembly.problem, delassus, &constants, sliding)?;
-            match StickingCones::of(contacts, friction, assembly.first_tangent()) {
-                Some(cones) => cones.put_into((delassus, constants.len(), sliding), least)?,
-                None => (least, None),
+        let found = match matrix {
+            Matrix::Beside(forest) => (least_norm_forces_beside(&assembly.problem, forest, &constants)?, None),
+            Matrix::All(delassus) if sliding.is_empty() => {
+                (least_norm_forces(&assembly.problem, delassus, &constants)?, None)
+            }
+            Matrix::All(delassus) => {
+                let least = least_norm_sliding_forces(&assembly.problem, delassus, &constants, sliding)?;
+                match StickingCones::of(contacts, friction, assembly.first_tangent()) {
+                    Some(cones) => cones.put_into((delassus, constants.len(), sliding), least)?,
+                    None => (least, None),
+                }
             }
         };
         rounds += 1;
@@ -249,6 +256,32 @@ fn with_loads_of_bearings(
         }
         assembly.press(&mut constants, 1.0);
     }
+}
+
+/// Through which matrix the forces are found.
+enum Matrix {
+    /// That of the rows beside trees of joints, which have been eliminated.
+    Beside(HeldForest),
+    /// That of all rows.
+    All(Delassus),
+}
+
+/// The forces of rows that are all held: of those beside the trees the least ones.
+///
+/// # Errors
+/// When a number is not finite.
+fn least_norm_forces_beside(
+    problem: &ContactProblem,
+    forest: &HeldForest,
+    constants: &[f64],
+) -> Result<LeastNormForces, ResponseError> {
+    let of_others = if forest.others().is_empty() {
+        Vec::new()
+    } else {
+        let BesideForest { problem: beside, delassus } = forest.beside(problem);
+        least_norm_forces(&beside, &delassus, &forest.constants_beside(problem, constants)?)?.forces
+    };
+    Ok(LeastNormForces { forces: forest.with_others(problem, constants, &of_others)?.forces, loads: None })
 }
 
 /// What bounds the forces of contacts while some slide: cones of friction of those that stick, and the push of all.

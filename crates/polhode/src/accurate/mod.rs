@@ -68,6 +68,7 @@ mod present;
 mod present_crowds;
 mod program;
 mod projection;
+mod reduced_step;
 mod resolve;
 mod sampled_poses;
 mod saved;

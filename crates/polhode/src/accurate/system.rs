@@ -21,6 +21,7 @@ use crate::accounting::books::{Received, given_by_fields, gravity_at};
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_id::ContactId;
 use crate::constraint::bilateral::bilateral_support;
+use crate::reduced::tree::Tree;
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::impact::support;
 use crate::solve::rotational_friction::{moment_support, moment_work};
@@ -113,6 +114,41 @@ impl<'a> ContactSystem<'a> {
         self.bodies
     }
 
+    /// The world.
+    pub(super) fn world(&self) -> &'a World {
+        self.world
+    }
+
+    /// Whether contacts hold bodies of the group.
+    pub(super) fn is_held_by_contacts(&self) -> bool {
+        !self.active.held().is_empty()
+    }
+
+    /// The point of the ledger of momentum, m.
+    pub(super) fn about(&self) -> DVec3 {
+        self.about
+    }
+
+    /// States of all bodies, those of the group as they were set last.
+    pub(super) fn states(&self) -> &[BodyState] {
+        self.states
+    }
+
+    /// Sets the states of the group from its flat state.
+    pub(super) fn set_states(&mut self, flat: &[f64]) {
+        for (&body, numbers) in self.bodies.iter().zip(flat.as_chunks::<WIDTH>().0) {
+            self.states[body] = BodyState::from_array(numbers);
+        }
+    }
+
+    /// What fields do at `t` when the bodies of the group have these coordinates.
+    pub(super) fn loads_of_tree(&mut self, t: f64, tree: &Tree, flat: &[f64]) -> Loads {
+        let states = &mut *self.states;
+        tree.states(self.world, flat, |node, state| states[node.body] = state);
+        self.world.prescribe(t, self.states);
+        self.world.loads_on(t, self.states, self.bodies)
+    }
+
     /// What fields do at `t` when the bodies of the group have these states.
     pub(super) fn loads_at(&mut self, t: f64, own: impl Iterator<Item = BodyState>) -> Loads {
         for (&body, state) in self.bodies.iter().zip(own) {
@@ -167,7 +203,7 @@ impl<'a> ContactSystem<'a> {
     }
 
     /// How many numbers follow those of the bodies.
-    fn tail(&self) -> usize {
+    pub(super) fn tail(&self) -> usize {
         TAIL + usize::from(self.active.rub())
     }
 
@@ -228,7 +264,7 @@ impl<'a> ContactSystem<'a> {
     }
 
     /// Rates of the momentum and energy from external agents.
-    fn outside_rates(&self, t: f64, held: &HeldForces, rates: &mut [f64]) {
+    pub(super) fn outside_rates(&self, t: f64, held: &HeldForces, rates: &mut [f64]) {
         rates.fill(0.0);
         let contacts = self.contact_forces(held);
         let tangential = held.tangential.iter().map(|(id, along, force)| (*id, along, *force));

@@ -58,8 +58,10 @@ impl World {
     /// The joints that hold some of these bodies, in the order of the scene.
     pub(crate) fn joints_among(&self, bodies: &[usize]) -> impl Iterator<Item = &WorldJoint> {
         let bodies = if self.joints.is_empty() { &[] } else { bodies };
-        let joints: BTreeSet<usize> =
+        let mut joints: Vec<usize> =
             bodies.iter().filter_map(|body| self.joints_of.get(body)).flatten().copied().collect();
+        joints.sort_unstable();
+        joints.dedup();
         joints.into_iter().map(|joint| &self.joints[joint])
     }
 

@@ -21,6 +21,7 @@ use super::kept::Kept;
 use super::row::RowsAt;
 use super::stop::Stop;
 use super::track::Guide;
+use super::tree_joint::TreeJoint;
 use super::{cylindrical, fixed, hinge, on_track, planar, point, screw, slider, universal};
 use crate::body_id::BodyId;
 use crate::scene::{Coordinate, Joint, JointKind, Motor, TrackHold};
@@ -48,6 +49,8 @@ pub(crate) struct WorldJoint {
     coordinates: Vec<JointCoordinate>,
     /// Limits of its coordinates.
     stops: Vec<Stop>,
+    /// As one of a tree in coordinates of its own.
+    of_tree: Option<TreeJoint>,
     /// Length of its rows of rotation, m.
     length: f64,
     /// Its track, if it is one.
@@ -93,9 +96,15 @@ impl WorldJoint {
         let coordinates = coordinates(joint, attitudes, length, guide.as_ref());
         let of_track = guide.iter().flat_map(|guide| on_track::stops(guide, joint.kind()));
         let stops = coordinates.iter().flat_map(Stop::of).chain(of_track).collect();
+        let of_tree = of_tree(joint, [a, b]);
         let (a, b) = (end(a, joint.anchor()), end(b, joint.other_anchor()));
         let (hold, lets_go_at_ends) = (on_track::hold(joint.kind()), on_track::lets_go_at_ends(joint.kind()));
-        Self { number, a, b, kept, coordinates, stops, length, guide, hold, lets_go_at_ends }
+        Self { number, of_tree, a, b, kept, coordinates, stops, length, guide, hold, lets_go_at_ends }
+    }
+
+    /// The same joint in coordinates of its own; none where its kind has none, and of a kinematic body.
+    pub(crate) fn tree_joint(&self) -> Option<TreeJoint> {
+        self.of_tree
     }
 
     /// The movable bodies that it holds.
@@ -275,6 +284,16 @@ impl WorldJoint {
         let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
         self.kept.rows_at(a, b, self.length)
     }
+}
+
+/// A joint between bodies that are held so, in coordinates of its own.
+fn of_tree(joint: &Joint, held: [Option<(usize, HeldBody)>; 2]) -> Option<TreeJoint> {
+    let [a, b] = held.map(|held| match held {
+        None | Some((_, HeldBody::Fixed)) => Some((None, Pose::IDENTITY)),
+        Some((body, HeldBody::Movable(pose))) => Some((Some(body), pose)),
+        Some((_, HeldBody::Kinematic(_))) => None,
+    });
+    TreeJoint::of(joint, [a?, b?])
 }
 
 /// Length of the rows of rotation of a joint between bodies of these sizes: that of the smaller one, m.

@@ -56,6 +56,7 @@ pub(crate) mod ties;
 mod track;
 pub(crate) mod track_frame;
 pub(crate) mod track_springs;
+pub(crate) mod tree_joint;
 mod universal;
 
 use crate::collision::contact_id::ContactId;

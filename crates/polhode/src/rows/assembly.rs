@@ -16,8 +16,9 @@ use crate::rows::rotation_row::RotationRow;
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
-use polhode_response::{ContactProblem, Law, ResponseError};
+use polhode_response::{ContactProblem, ResponseError};
 use polhode_spatial::DVec3;
+use std::ops::Range;
 
 /// Coordinates of a body's generalised velocity in space.
 const SPACE_WIDTH: usize = 6;
@@ -121,6 +122,20 @@ impl Assembly {
         bodies: &[usize],
         contacts: impl Iterator<Item = (ContactId, ContactGeometry)>,
     ) -> Result<Self, ResponseError> {
+        let bilaterals = world.bilaterals(states, bodies).collect();
+        Self::with_bilaterals(world, (states, bodies), contacts, bilaterals)
+    }
+
+    /// The same, where the bilateral constraints of the bodies in these states are known.
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    pub(crate) fn with_bilaterals(
+        world: &World,
+        (states, bodies): (&[BodyState], &[usize]),
+        contacts: impl Iterator<Item = (ContactId, ContactGeometry)>,
+        bilaterals: Vec<Bilateral>,
+    ) -> Result<Self, ResponseError> {
         let coordinates = Coordinates::of(world);
         let width = coordinates.width();
         let mut inverse_masses = Vec::with_capacity(bodies.len() * width * width);
@@ -146,7 +161,7 @@ impl Assembly {
             }
         }
         let contacts = problem.len();
-        let bilaterals: Vec<Bilateral> = world.bilaterals(states, bodies).collect();
+        problem.reserve(bilaterals.iter().map(|own| own.rows.len()).sum());
         for bilateral in &bilaterals {
             constraints.extend(std::iter::repeat_n(bilateral.id, bilateral.rows.len()));
             rows.bilateral(bilateral, &mut problem)?;
@@ -271,6 +286,11 @@ impl Assembly {
     /// Index of the first row along a tangent.
     pub(crate) fn first_tangent(&self) -> usize {
         self.problem.len() - self.rotations.len() - self.tangents.len()
+    }
+
+    /// The rows of bilateral constraints.
+    pub(crate) fn joint_rows(&self) -> Range<usize> {
+        self.contacts..self.first_tangent()
     }
 
     /// The constraint of a row.
@@ -438,27 +458,32 @@ impl ContactRows<'_> {
     /// Adds the rows of a bilateral constraint to a problem.
     fn bilateral(&self, bilateral: &Bilateral, problem: &mut ContactProblem) -> Result<(), ResponseError> {
         let width = self.coordinates.width();
-        let rows: Vec<Vec<(usize, [f64; SPACE_WIDTH])>> = bilateral
-            .rows
-            .iter()
-            .map(|row| {
-                let entry = |member: &Member| {
-                    let index = self.bodies.binary_search(&member.body).ok()?;
-                    let (linear, angular) = row.entries(member);
-                    Some((index, self.coordinates.of_parts(linear, angular)))
-                };
-                let mut entries: Vec<(usize, [f64; SPACE_WIDTH])> =
-                    bilateral.members.iter().filter_map(entry).collect();
-                if matches!(row.kind, RowKind::Tied { .. }) {
-                    merge(&mut entries);
+        let place = |member: &Member| Some((self.bodies.binary_search(&member.body).ok()?, *member));
+        let mut members = bilateral.members.iter().filter_map(place);
+        let (first, second) = (members.next(), members.next());
+        for row in &bilateral.rows {
+            let of = |(index, member): (usize, Member)| {
+                let (linear, angular) = row.entries(&member);
+                (index, self.coordinates.of_parts(linear, angular))
+            };
+            if matches!(row.kind, RowKind::Tied { .. }) {
+                let mut entries: Vec<_> = bilateral.members.iter().filter_map(place).map(of).collect();
+                merge(&mut entries);
+                let entries: Vec<(usize, &[f64])> =
+                    entries.iter().map(|(index, own)| (*index, &own[..width])).collect();
+                problem.push_held_row(&entries)?;
+                continue;
+            }
+            match (first.map(of), second.map(of)) {
+                (Some((a, row_a)), Some((b, row_b))) => {
+                    problem.push_held_row(&[(a, &row_a[..width]), (b, &row_b[..width])])?;
                 }
-                entries
-            })
-            .collect();
-        let rows: Vec<Vec<(usize, &[f64])>> =
-            rows.iter().map(|row| row.iter().map(|(index, entries)| (*index, &entries[..width])).collect()).collect();
-        let rows: Vec<&[(usize, &[f64])]> = rows.iter().map(Vec::as_slice).collect();
-        problem.push_block(Law::Hold { rows: rows.len() }, &rows)?;
+                (Some((index, row)), None) | (None, Some((index, row))) => {
+                    problem.push_held_row(&[(index, &row[..width])])?;
+                }
+                (None, None) => return Err(ResponseError::RowBodies(0)),
+            }
+        }
         Ok(())
     }
 }

@@ -185,6 +185,7 @@ impl SceneBuilder {
         scene.check_joints()?;
         scene.check_ties()?;
         scene.check_joint_method()?;
+        scene.check_coordinates()?;
         scene.check_grains()?;
         scene.check_motions()?;
         let tier = scene.method.tier.unwrap_or_default().facts();

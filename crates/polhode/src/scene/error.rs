@@ -345,6 +345,12 @@ pub enum SceneError {
         /// The velocity of the centre of mass that the angular velocity gives, m/s.
         needed: [f64; 3],
     },
+    /// Reduced coordinates are asked for in a scene for which there are none.
+    #[error("method.coordinates = \"reduced\" is not available here: {reason}; \"maximal\" always is")]
+    ReducedCoordinates {
+        /// What is in the way.
+        reason: String,
+    },
     /// The scene asks for something that is designed but not implemented.
     #[error("not yet available: {what}; use {instead}")]
     NotYetAvailable {

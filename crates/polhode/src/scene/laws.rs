@@ -5,6 +5,27 @@
 pub use polhode_contact::BroadPhaseMethod;
 pub use polhode_dynamics::integrator::{Method as Integrator, Orientation, RotationRate};
 
+/// The coordinates in which bodies that joints hold are integrated in the tier `accurate`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum Coordinates {
+    /// Position and attitude of each body; reactions hold joints.
+    #[default]
+    Maximal,
+    /// The coordinates of the joints, of trees of ball joints, hinges and sliders.
+    Reduced,
+}
+
+impl Coordinates {
+    /// The name in scenes.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Maximal => "maximal",
+            Self::Reduced => "reduced",
+        }
+    }
+}
+
 /// The law that determines the impulses of an impact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]

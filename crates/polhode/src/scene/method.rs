@@ -4,7 +4,9 @@
 //! have only members that are implemented, so that a scene cannot ask for others.
 
 use super::SceneError;
-use super::laws::{BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Orientation, Response, RotationRate};
+use super::laws::{
+    BroadPhaseMethod, ContactMethod, Coordinates, ImpactLaw, Integrator, Orientation, Response, RotationRate,
+};
 use crate::tier::facts::{IntegratorChoice, TierFeature};
 use crate::tier::list::Tier;
 use polhode_response::RestitutionLaw;
@@ -55,6 +57,8 @@ pub struct Method {
     /// and of free motion by an integrator that controls its error. Above the default (1e-11) it is also the promised
     /// limit of penetration, relative to size.
     pub tolerance: Option<f64>,
+    /// In which coordinates bodies that joints hold are integrated.
+    pub coordinates: Option<Coordinates>,
     /// Largest number of events within one step.
     pub max_events_per_step: Option<u64>,
     /// What happens at crowded events.
@@ -71,6 +75,7 @@ impl Method {
             (self.integrator.is_some(), "method.integrator"),
             (self.orientation.is_some(), "method.orientation"),
             (self.rotation_rate.is_some(), "method.rotation_rate"),
+            (self.coordinates == Some(Coordinates::Reduced), "method.coordinates"),
             (self.contact.is_some(), "method.contact"),
             (self.response.is_some(), "method.response"),
             (self.crowding.is_some(), "method.crowding"),

@@ -8,6 +8,7 @@
 //! | `builder` | [`SceneBuilder`]: collects the parts of a scene and checks them together |
 //! | `body` | [`Body`]: fixed, kinematic or moved by forces |
 //! | `geometry` | [`Geometry`]: the shape of a body; [`ApproximateParts`]: how well it fills a mesh |
+//! | `coordinates` | why reduced [`Coordinates`] are refused |
 //! | `material` | [`Material`], [`PairRule`]: friction and restitution |
 //! | `grain` | [`FrictionEllipse`]: friction along and across a grain |
 //! | `force` | [`Force`]: forces besides uniform gravity and contact |
@@ -26,6 +27,7 @@
 mod body;
 mod builder;
 mod coordinate_motion;
+mod coordinates;
 mod error;
 mod force;
 mod freedom;
@@ -61,7 +63,9 @@ pub use geometry::{ApproximateParts, Geometry};
 pub use grain::FrictionEllipse;
 pub(crate) use grain::GrainOf;
 pub use joint::{Joint, JointKind};
-pub use laws::{BroadPhaseMethod, ContactMethod, ImpactLaw, Integrator, Orientation, Response, RotationRate};
+pub use laws::{
+    BroadPhaseMethod, ContactMethod, Coordinates, ImpactLaw, Integrator, Orientation, Response, RotationRate,
+};
 pub use material::{Material, PairRule};
 pub use method::{Crowding, Method};
 pub use motion::{

@@ -20,6 +20,7 @@ use crate::rows::frictional_contact::{Frictional, Sliding};
 use crate::rows::resisted_rotation::ResistedRotation;
 use crate::rows::rotation_row::RotationRow;
 use crate::solve::cone_violation::RubbingForce;
+use crate::solve::jointed::trees_of;
 use crate::solve::least_sliding_forces::{RowFriction, least_sliding_forces};
 use crate::solve::standing::{is_for_many, standing};
 use crate::solve::sticking_forces::{SLIDING_ROUNDING, STICKING_ACCELERATION, of_no_slip, rounding_of};
@@ -157,8 +158,11 @@ impl Accelerations {
         let assembly = Assembly::new(world, states, bodies, rows)?;
         let FreeMotion { free, constants } = FreeMotion::of(&assembly, world, (t, states), contacts, loads)?;
         let held = (0..contacts.len()).filter(|&place| contacts[place].hold == Hold::Held).collect();
-        let delassus = assembly.problem.delassus();
-        let solution = solver.solve(&assembly.problem, &delassus, &constants, Some(&WarmStart::new(held)))?.clone();
+        let (problem, start) = (&assembly.problem, WarmStart::new(held));
+        let solution = match trees_of(&assembly) {
+            Some(forest) => solver.solve_with_forest(problem, &forest, &constants, Some(&start))?,
+            None => solver.solve(problem, &problem.delassus(), &constants, Some(&start))?.clone(),
+        };
         let of_bodies = with_free(assembly.problem.response(&solution.forces)?, &free);
         Ok(Self {
             scale: largest(&constants),

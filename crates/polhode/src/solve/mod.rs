@@ -8,6 +8,7 @@
 //! | `standing`, `held_at_rest` | those of many contacts of bodies at rest |
 //! | `impact`, `frictional_impact` | impulses of an impact, and of one with friction |
 //! | `bounce_friction` | what ending bounces takes, with the friction that belongs to it |
+//! | `jointed` | whether trees of joints are eliminated before all else |
 //! | `rotational_friction` | moments of rolling and spinning: their work and their support |
 //! | `projection`, `overlap` | projection of held contacts and joints; removal of penetration |
 //! | `contradiction` | whether gears and prescribed motions of joints contradict each other |
@@ -22,6 +23,7 @@ pub(crate) mod frictional_impact;
 pub(crate) mod held_at_rest;
 pub(crate) mod impact;
 pub(crate) mod joint_loads;
+pub(crate) mod jointed;
 mod least_sliding_forces;
 pub(crate) mod overlap;
 pub(crate) mod projection;

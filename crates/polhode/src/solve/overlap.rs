@@ -12,6 +12,7 @@ use crate::collision::contact_id::ContactId;
 use crate::rows::assembly::{Assembly, largest_change};
 use crate::rows::friction_blocks::push_held;
 use crate::rows::groups::groups;
+use crate::solve::jointed::trees_of;
 use crate::states_of::states_of;
 use crate::world::World;
 use polhode_contact::ContactGeometry;
@@ -183,13 +184,17 @@ fn move_out(
         let forces = if let Some(found) = forces_of_many(&assembly, &separations, accuracy(world, &members))? {
             found
         } else {
-            assembly.problem.delassus_into(delassus);
             let roundings = members.iter().map(|row| world.rounding(states, row.id.a, row.id.b));
             let noise_floor = LEFT_ROUNDING * roundings.fold(f64::INFINITY, f64::min);
             solver.set_settings(SolverSettings { noise_floor, ..SolverSettings::default() });
-            let solution = solver.solve(&assembly.problem, delassus, &separations, None)?;
+            let solution = if let Some(forest) = trees_of(&assembly) {
+                solver.solve_with_forest(&assembly.problem, &forest, &separations, None)?
+            } else {
+                assembly.problem.delassus_into(delassus);
+                solver.solve(&assembly.problem, delassus, &separations, None)?.clone()
+            };
             fallbacks += u64::from(solution.report.status != SolverStatus::Solved);
-            solution.forces.clone()
+            solution.forces
         };
         let response = assembly.problem.response(&forces)?;
         let share = share_of_move(world, &members, assembly.split(&response));

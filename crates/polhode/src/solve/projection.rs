@@ -10,12 +10,14 @@ use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, apply_reactions};
 use crate::rows::assembly::{Assembly, TangentRow, apply_impulses, largest_change};
 use crate::rows::rotation_row::RotationRow;
+use crate::solve::jointed::trees_of;
 use crate::solve::overlap::Overlaps;
 use crate::solve::rotational_friction::{apply_moments, moment_work};
 use crate::states_of::{set_states, states_of};
 use crate::world::World;
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
+use polhode_response::sparse::HeldForest;
 use polhode_response::{ComplementaritySolver, Delassus, LeastNormHold, ResponseError};
 use polhode_spatial::{DVec3, Rotation};
 use std::collections::BTreeMap;
@@ -218,13 +220,14 @@ pub(crate) fn project_positions(
         let at_rounding = geometries
             .iter()
             .all(|(id, geometry)| geometry.separation.abs() <= ROUNDING_FRACTION * world.rounding(states, id.a, id.b));
-        let is_in_place = |bilateral: Bilateral| {
+        let bilaterals: Vec<Bilateral> = world.bilaterals(states, bodies).collect();
+        let is_in_place = |bilateral: &Bilateral| {
             let (a, b) = bilateral.id.bodies();
             bilateral.gap() <= ROUNDING_FRACTION * world.rounding(states, a, b)
         };
         // After a partial projection separations within the touch distance remain, and repetition would not reduce
         // them.
-        if done.is_partial || (at_rounding && world.bilaterals(states, bodies).all(is_in_place)) {
+        if done.is_partial || (at_rounding && bilaterals.iter().all(is_in_place)) {
             break;
         }
         if step == MAX_NEWTON_STEPS {
@@ -237,13 +240,13 @@ pub(crate) fn project_positions(
             break;
         }
         if done.farthest.is_none() {
-            let bilaterals = world.bilaterals(states, bodies).map(|bilateral| (bilateral.gap(), bilateral.id));
-            done.farthest = farthest(geometries.iter().map(distance).chain(bilaterals));
+            let gaps = bilaterals.iter().map(|bilateral| (bilateral.gap(), bilateral.id));
+            done.farthest = farthest(geometries.iter().map(distance).chain(gaps));
         }
         done.exceeds_tolerance |= geometries
             .iter()
             .any(|(id, geometry)| geometry.separation.abs() > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b));
-        let assembly = Assembly::new(world, states, bodies, geometries.iter().copied())?;
+        let assembly = Assembly::with_bilaterals(world, (states, bodies), geometries.iter().copied(), bilaterals)?;
         let separations = assembly.gaps(geometries.iter().map(|(_, g)| g.separation));
         let size = geometries.iter().map(|(id, _)| world.pair_size(id.a, id.b)).fold(f64::INFINITY, f64::min);
         // All Newton steps share one allowance; otherwise nearly dependent rows could use all of it in every step.
@@ -319,14 +322,16 @@ pub(crate) fn project_velocities(
     let contacts: Vec<_> = contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))).collect();
     let slips: Vec<(TangentRow, f64)> = sticking.iter().flat_map(|&id| slip_rows(world, states, id)).collect();
     let turns: Vec<(RotationRow, f64)> = turns.iter().flat_map(|&turn| turn_rows(world, states, turn)).collect();
+    let bilaterals: Vec<Bilateral> = world.bilaterals(states, bodies).collect();
     if contacts.iter().all(|(_, k)| k.separation_rate == 0.0)
         && slips.iter().all(|&(_, slip)| slip == 0.0)
         && turns.iter().all(|&(_, rate)| rate == 0.0)
-        && world.bilaterals(states, bodies).all(|bilateral| bilateral.stands())
+        && bilaterals.iter().all(Bilateral::stands)
     {
         return Ok(RemovedVelocities::default());
     }
-    let mut assembly = Assembly::new(world, states, bodies, contacts.iter().map(|(id, k)| (*id, k.geometry)))?;
+    let geometries = contacts.iter().map(|(id, k)| (*id, k.geometry));
+    let mut assembly = Assembly::with_bilaterals(world, (states, bodies), geometries, bilaterals)?;
     assembly.push_tangents(states, slips.iter().map(|&(row, _)| row))?;
     assembly.push_rotations(turns.iter().map(|&(row, _)| row))?;
     let mut rates = assembly.rates(contacts.iter().map(|(_, k)| k.separation_rate));
@@ -391,6 +396,11 @@ fn cancel(
     values: &[f64],
     (allowed, negligible): (f64, f64),
 ) -> Result<(Vec<f64>, bool), ResponseError> {
+    if let Some(forest) = trees_of(assembly)
+        && let Some(multipliers) = cancel_by_trees(world, assembly, (&forest, values), allowed)?
+    {
+        return Ok((multipliers, false));
+    }
     let delassus = assembly.problem.delassus();
     let change_by = |multipliers: &[f64]| {
         let response = assembly.problem.response(multipliers)?;
@@ -415,6 +425,27 @@ fn cancel(
         }
     }
     Ok((multipliers, true))
+}
+
+/// The same where trees of joints are eliminated first; none where that would change more than is allowed, or does not cancel
+/// the values.
+fn cancel_by_trees(
+    world: &World,
+    assembly: &Assembly,
+    (forest, values): (&HeldForest, &[f64]),
+    allowed: f64,
+) -> Result<Option<Vec<f64>>, ResponseError> {
+    let problem = &assembly.problem;
+    let of_others = if forest.others().is_empty() {
+        Vec::new()
+    } else {
+        let delassus = forest.beside(problem).delassus;
+        LeastNormHold::factor(&delassus)?.solve(&delassus, &forest.constants_beside(problem, values)?)?
+    };
+    let found = forest.with_others(problem, values, &of_others)?;
+    let change = largest_change(world, assembly.split(&problem.response(&found.forces)?));
+    let is_effective = largest(&found.rates) <= EFFECTIVE_REMAINDER * largest(values);
+    Ok((change <= allowed && is_effective).then_some(found.forces))
 }
 
 /// The allowed change to cancel `values`: of the order of the largest value, or negligible against `scale`.

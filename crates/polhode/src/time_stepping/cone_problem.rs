@@ -3,6 +3,7 @@
 //! | contacts | unknowns | start |
 //! |---|---|---|
 //! | fewer than [`LEAST_IN_BODIES`] | the reactions: the matrix of all rows is formed (`polhode_response::friction`) | none |
+//! | fewer, beside trees of joints | the reactions beside the trees: the matrix of those rows (`polhode_response::sparse`) | the forces of the last step |
 //! | as many, or more | the velocities of bodies: no matrix of rows (`polhode_response::sparse`) | the forces of the last step |
 //!
 //! Both take the same rows, laws and constant terms. With the velocities of bodies memory and time grow with bodies and
@@ -17,8 +18,9 @@
 use super::last_forces::LastForces;
 use crate::rows::assembly::Assembly;
 use crate::solve::cone_violation::{CONE_LIMIT, ConeViolation};
+use crate::solve::jointed::trees_of;
 use polhode_response::friction::FrictionSettings;
-use polhode_response::sparse::{BodySettings, BodySolver};
+use polhode_response::sparse::{BodySettings, BodySolver, HeldForest};
 use polhode_response::{Blocks, BlocksSolution, Delassus, ResponseError, SolverStatus};
 use std::collections::BTreeMap;
 
@@ -91,13 +93,19 @@ impl ConeSolvers {
         // Nor have rows of gears between more than two bodies.
         let is_plain = assembly.problem.compliances().is_empty() && assembly.problem.is_of_pairs();
         let first = assembly.bodies().first().filter(|_| is_plain && contacts >= LEAST_IN_BODIES);
-        let system = first.map_or_else(
-            || System::Rows(assembly.problem.delassus()),
-            |&first| System::Bodies {
+        let system = if let Some(&first) = first {
+            System::Bodies {
                 solver: self.solvers.entry(first).or_default(),
                 start: self.last.start(assembly, contacts, h),
-            },
-        );
+            }
+        } else if let Some(forest) = trees_of(assembly) {
+            let start = self.last.start(assembly, contacts, h);
+            let of_others = |start: Vec<f64>| forest.others().iter().map(|&row| start[row]).collect();
+            let start = start.map(of_others);
+            System::Beside { delassus: forest.beside(&assembly.problem).delassus, forest, start }
+        } else {
+            System::Rows(assembly.problem.delassus())
+        };
         let settings = BodySettings { rounds_of_sweeps: self.rounds_of_sweeps, ..SETTINGS_IN_BODIES };
         let most_rows_in_place = if self.rounds_of_sweeps > 0 { MOST_ROWS_IN_HEAPS } else { MOST_ROWS_IN_PLACE };
         ConeProblem { assembly, constants, system, settings, most_rows_in_place, factorisations: 0 }
@@ -121,6 +129,8 @@ pub(super) struct ConeProblem<'a> {
 enum System<'a> {
     /// Reactions; the matrix of all rows.
     Rows(Delassus),
+    /// Reactions of the rows beside trees of joints; their matrix, and those of a similar problem.
+    Beside { forest: HeldForest, delassus: Delassus, start: Option<Vec<f64>> },
     /// Velocities of bodies; reactions of a similar problem.
     Bodies { solver: &'a mut BodySolver, start: Option<Vec<f64>> },
 }
@@ -139,7 +149,7 @@ impl ConeProblem<'_> {
         let constants = self.constants;
         match &mut self.system {
             System::Rows(delassus) => {
-                let mut best = solve_for_rows(blocks, (delassus, constants), violation)?;
+                let mut best = solve_for_rows(blocks, (delassus, constants), None, violation)?;
                 let problem = &self.assembly.problem;
                 let is_plain = problem.compliances().is_empty() && problem.is_of_pairs();
                 if best.report.residual > EXACT_ENOUGH && is_plain {
@@ -153,6 +163,25 @@ impl ConeProblem<'_> {
                     take_better(&mut best, other);
                 }
                 Ok(best)
+            }
+            System::Beside { forest, delassus, start } => {
+                let problem = &self.assembly.problem;
+                let of_others = forest.constants_beside(problem, constants)?;
+                let own = blocks.beside(forest);
+                let in_rows = |of_others: &[f64]| {
+                    let mut reactions = vec![0.0; problem.len()];
+                    for (&row, &reaction) in forest.others().iter().zip(of_others) {
+                        reactions[row] = reaction;
+                    }
+                    violation(&reactions)
+                };
+                let mut best = solve_for_rows(&own, (delassus, &of_others), start.as_deref(), in_rows)?;
+                if best.report.residual > EXACT_ENOUGH {
+                    let other = own.solve(delassus, &of_others, Some(&best.reactions), &exact())?;
+                    take_better(&mut best, other);
+                }
+                *start = Some(best.reactions.clone());
+                blocks.with_forest((problem, forest), constants, &best)
             }
             System::Bodies { solver, start } => {
                 let problem = &self.assembly.problem;
@@ -173,9 +202,9 @@ impl ConeProblem<'_> {
         self.factorisations
     }
 
-    /// Whether the velocities of bodies are solved for.
-    pub(super) const fn is_in_bodies(&self) -> bool {
-        matches!(self.system, System::Bodies { .. })
+    /// Whether the next step starts from its answer.
+    pub(super) const fn is_started_from(&self) -> bool {
+        matches!(self.system, System::Bodies { .. } | System::Beside { .. })
     }
 }
 
@@ -193,10 +222,11 @@ fn exact() -> FrictionSettings {
     FrictionSettings { last_sweeps: LAST_SWEEPS, ..FrictionSettings::default() }
 }
 
-/// Solves for the reactions, with the matrix of all rows and their constant terms.
+/// Solves for the reactions, with the matrix of all rows and their constant terms, from those of a similar problem.
 fn solve_for_rows(
     blocks: &Blocks,
     (delassus, constants): (&Delassus, &[f64]),
+    start: Option<&[f64]>,
     violation: impl Fn(&[f64]) -> Option<ConeViolation>,
 ) -> Result<BlocksSolution, ResponseError> {
     let exact = exact();
@@ -204,7 +234,7 @@ fn solve_for_rows(
     // A slip or a rate of turning that is much faster than contacts approach hides what is left of their reactions in the
     // residual.
     let has_rotations = blocks.laws().iter().any(|law| law.resists_rotation());
-    let mut solved = blocks.solve(delassus, constants, None, if has_rotations { &exact } else { &settings })?;
+    let mut solved = blocks.solve(delassus, constants, start, if has_rotations { &exact } else { &settings })?;
     let is_off = violation(&solved.reactions).is_some_and(|found| found.value > SHARE_OF_CONE_LIMIT * CONE_LIMIT);
     if !has_rotations && is_off {
         solved = blocks.solve(delassus, constants, Some(&solved.reactions), &exact)?;
@@ -270,7 +300,7 @@ mod tests {
         assert!(touches.len() >= LEAST_IN_BODIES, "{} contacts", touches.len());
         let mut solvers = ConeSolvers::default();
         let mut problem = solvers.problem(&assembly, &constants, touches.len(), 1.0 / 60.0);
-        assert!(problem.is_in_bodies());
+        assert!(problem.is_started_from());
         let in_bodies = problem.solve(&blocks, |_| None).unwrap();
         assert!(problem.factorisations() > 0 && in_bodies.report.residual < 1e-11, "{:?}", in_bodies.report);
         let delassus = assembly.problem.delassus();

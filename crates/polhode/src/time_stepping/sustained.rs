@@ -46,6 +46,7 @@ use crate::rows::groups::{Group, coupled_groups};
 use crate::rows::many_contacts::{MANY_CONTACTS, furthest_out};
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::impact::{apply_without_gain, support};
+use crate::solve::jointed::trees_of;
 use crate::solve::rotational_friction::{moment_support, moment_work};
 use crate::states_of::{set_states, states_of};
 use crate::world::{Loads, World};
@@ -67,6 +68,13 @@ const FLUSH_NORMAL: f64 = 1e-12;
 /// Contacts of a pair whose normals differ by less are one patch where many bodies lie on each other (no unit, 1e-3 to
 /// 3e-2): faces that lean a little on each other press at several points, whose rows would contradict each other.
 const NEARLY_FLUSH_NORMAL: f64 = 1e-2;
+
+/// Whether bilateral constraints hold bodies of an island.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Held {
+    Nothing,
+    ByJoints,
+}
 
 /// A contact in the middle of the step.
 #[derive(Debug, Clone, Copy)]
@@ -124,9 +132,10 @@ impl TimeStepper {
                 row.friction = row.friction.map(TangentialRow::coming_to_rest);
             }
         }
-        let mut taken = self.first_choice(world, states, near, &rows, h);
         let before = states_of(states, bodies);
         let held = world.held_among(bodies);
+        let of_joints = if held.is_empty() { Held::Nothing } else { Held::ByJoints };
+        let mut taken = self.first_choice(world, states, near, &rows, (h, of_joints));
         let mut solved: Vec<SolvedGroup> = Vec::new();
         loop {
             let members = || rows.iter().enumerate().filter(|(index, _)| taken[*index]);
@@ -166,20 +175,22 @@ impl TimeStepper {
         }
     }
 
-    /// Which rows are in the problem of a step of `h` (s) from the beginning. In a heap the contacts that bore a force in the
-    /// last step are among them: without, they would be found again one layer after the other, each by a problem of its own.
+    /// Which rows are in the problem of a step of `h` (s) from the beginning. In a heap, and where joints hold (`holds`), the
+    /// contacts that bore a force in the last step are among them: without, they would be found again one layer after the other, each
+    /// by a problem of its own; what presses a limit of a joint may be far away.
     fn first_choice(
         &self,
         world: &World,
         states: &[BodyState],
         near: &[NearContact],
         rows: &[Row],
-        h: f64,
+        (h, holds): (f64, Held),
     ) -> Vec<bool> {
         let is_heap = self.resolves_together(near.len());
+        let goes_on = is_heap || holds == Held::ByJoints;
         let choose = |row: &Row| {
             let contact = &near[row.contact];
-            (is_heap && self.carried.contains(contact.id)) || row.is_first_choice(world, states, contact, h)
+            (goes_on && self.carried.contains(contact.id)) || row.is_first_choice(world, states, contact, h)
         };
         let mut taken: Vec<bool> = rows.iter().map(choose).collect();
         if is_heap {
@@ -226,21 +237,28 @@ impl TimeStepper {
             return Ok(SolvedGroup { group, impulses, tangential, moments, reactions, found });
         }
         let carried = (0..members.len()).filter(|&i| self.carried.contains(near[members[i].contact].id)).collect();
-        assembly.problem.delassus_into(&mut self.delassus);
         self.solver.set_settings(SolverSettings::default());
         let start = WarmStart::new(carried);
-        let solution = self.solver.solve(&assembly.problem, &self.delassus, &constants, Some(&start))?;
+        let solution = if let Some(forest) = trees_of(&assembly) {
+            self.solver.solve_with_forest(&assembly.problem, &forest, &constants, Some(&start))?
+        } else {
+            assembly.problem.delassus_into(&mut self.delassus);
+            self.solver.solve(&assembly.problem, &self.delassus, &constants, Some(&start))?.clone()
+        };
         let solved = solution.report.status == SolverStatus::Solved;
         let residual = solution.report.residual;
         let found = Found { residual, is_approximate: !solved, violation: None, stops: Vec::new() };
-        let mut impulses = solution.forces.clone();
+        let mut impulses = solution.forces;
         if !solved {
             // An inexact solution must not add energy. Scaled by s with p.u + s p.G p/2 <= 0 it does not, where u is the mean of the
             // rates before and after the kick.
             let product = |a: &[f64]| impulses.iter().zip(a).map(|(p, a)| p * a).sum::<f64>();
             let mean = |row: &&Row| 0.5 * (row.rate_before + row.kinematics.separation_rate);
             let rates = assembly.rates(members.iter().map(mean));
-            let (work, stored) = (product(&rates), 0.5 * product(&self.delassus.times(&impulses)?));
+            let (work, stored) = (
+                product(&rates),
+                0.5 * product(&assembly.problem.row_velocities(&assembly.problem.response(&impulses)?)?),
+            );
             let share = if stored > 0.0 { (-work / stored).clamp(0.0, 1.0) } else { 1.0 };
             for impulse in &mut impulses {
                 *impulse *= share;
@@ -320,8 +338,12 @@ fn rows(
         .enumerate()
         .filter_map(|(contact, near)| Some((contact, kinematics_at_point(world, states, near.id)?)))
         .collect();
+    if here.is_empty() {
+        return Ok(Vec::new());
+    }
     let geometries = here.iter().map(|&(contact, kinematics)| (near[contact].id, kinematics.geometry));
-    let mut assembly = Assembly::new(world, states, bodies, geometries)?;
+    // Accelerations without the forces of joints: their rows are not asked for.
+    let mut assembly = Assembly::with_bilaterals(world, (states, bodies), geometries, Vec::new())?;
     let of = |(contact, kinematics): &(usize, ContactKinematics)| {
         TangentialRow::of(world, states, near[*contact].id, (kinematics, kicked))
     };

@@ -410,7 +410,7 @@ pub(super) fn solve(
             }
         };
         factorisations += problem.factorisations();
-        if problem.is_in_bodies() {
+        if problem.is_started_from() {
             solvers.last.note(&assembly, &solved.reactions, friction.len(), h);
         }
         rounds += 1;
