@@ -12,10 +12,15 @@
 
 use crate::certificate::nan_max;
 use crate::delassus::Delassus;
+use crate::dense::kernels::dot;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::problem::ContactProblem;
 use crate::sparse::forest_passes::ForestPasses;
 use crate::sparse::held_forest::HeldForest;
+
+/// A row that moves less than this part of what it would move without the trees is held by them already, as some rows of a bridge
+/// that hangs by both ends (no unit): what is left is rounding, of either sign.
+const HELD_BY_TREES: f64 = 1e-14;
 
 /// Solves with the factors: the first one, and one for what rounding has left.
 const ROUNDS: usize = 2;
@@ -59,6 +64,15 @@ impl HeldForest {
                 let rate = passes.rate(self, problem, other);
                 entries[line * size + column] = rate;
                 entries[column * size + line] = rate;
+            }
+        }
+        for (place, &row) in others.iter().enumerate() {
+            let free: f64 = problem.entries(row).map(|own| dot(own.jacobian, own.response)).sum();
+            if entries[place * size + place] <= HELD_BY_TREES * free {
+                for other in 0..size {
+                    entries[place * size + other] = 0.0;
+                    entries[other * size + place] = 0.0;
+                }
             }
         }
         let holds: Vec<bool> = others.iter().map(|&row| problem.is_bilateral(row)).collect();
