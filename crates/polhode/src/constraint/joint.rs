@@ -99,7 +99,7 @@ impl WorldJoint {
         let of_tree = of_tree(joint, [a, b]);
         let (a, b) = (end(a, joint.anchor()), end(b, joint.other_anchor()));
         let (hold, lets_go_at_ends) = (on_track::hold(joint.kind()), on_track::lets_go_at_ends(joint.kind()));
-        Self { number, of_tree, a, b, kept, coordinates, stops, length, guide, hold, lets_go_at_ends }
+        Self { number, a, b, kept, coordinates, stops, of_tree, length, guide, hold, lets_go_at_ends }
     }
 
     /// The same joint in coordinates of its own; none where its kind has none, and of a kinematic body.

@@ -28,9 +28,9 @@ fn arm(scene: &mut SceneBuilder, rate: f64) -> polhode::JointId {
 /// Constant rate through many revolutions, sine, and tables: the angle is the function of time.
 #[test]
 fn an_angle_follows_its_function_of_time() {
+    type Of = fn(f64) -> f64;
     let table =
         |interpolation| CoordinateMotion::table(vec![0.0, 0.4, 1.0, 1.5], &[0.0, 0.8, -0.5, 0.3], interpolation);
-    type Of = fn(f64) -> f64;
     let known: [(CoordinateMotion, f64, f64, Option<Of>); 4] = [
         (CoordinateMotion::rate(20.0).unwrap(), 20.0, 10.0, Some(|t| 20.0 * t)),
         (
