@@ -194,7 +194,11 @@ const COMMANDS: &[Case] = &[
     (2, &["run", "scene.toml", "-o", "scene.toml"], "an output never replaces it"),
     (2, &["run", "scene.toml", "--events", "scene.toml"], "an output never replaces it"),
     (2, &["run", "scene.toml", "--events", "-"], "only trajectories go to stdout"),
-    (2, &["run", "scene.toml", "--events", "a.json"], "events are written as CSV: name a file that ends in .csv"),
+    (
+        2,
+        &["run", "scene.toml", "--events", "a.json"],
+        "events and joints are written as CSV: name a file that ends in .csv",
+    ),
     (2, &["run", "scene.toml", "-o", "-", "--json"], "both want stdout"),
     (2, &["run", "scene.toml", "-o", "-", "-o", "-"], "is named twice"),
     (2, &["run", "scene.toml", "-o", "a.csv", "-o", "./a.csv"], "is named twice"),
