@@ -63,7 +63,7 @@ impl Core {
             let event = Event::new(t, EventKind::Break, BodyId::new(first));
             self.accounts.add_event(Event { body_b, point, ..event });
         }
-        Ok(self.world.break_joints(joints)?)
+        Ok(self.world.release(joints)?)
     }
 
     /// The error of a contact problem at `t` (s) that could not be set up.

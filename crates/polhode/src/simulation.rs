@@ -467,8 +467,7 @@ impl Simulation {
             applied: self.core.world.applied(),
             steered: self.core.world.steered(),
             motors: self.core.world.motors(),
-            released: self.core.world.released.iter().copied().collect(),
-            broken: self.core.world.broken(),
+            released: self.core.world.released.keys().copied().collect(),
             turns: self.core.world.turns(),
             in_plane: self.core.world.plane.is_some(),
             integrator: self.core.settings.integrator.name().to_owned(),
@@ -501,7 +500,6 @@ impl Simulation {
         let mut world = self.core.world.clone();
         world.replace_applied(&content.applied)?;
         world.replace_steered(&content.steered)?;
-        world.replace_broken(&content.broken)?;
         world.replace_motors(&content.motors)?;
         world.replace_released(&content.released)?;
         world.replace_turns(&content.turns)?;

@@ -140,7 +140,9 @@ impl HeldForest {
             rates = problem.rates(constants, &found.forces);
         }
         let scales = problem.scales_of_rates(constants, &found.forces);
-        let relative = |row: usize| if scales[row] == 0.0 { 0.0 } else { rates[row].abs() / scales[row] };
+        // Terms that are rounding of those of other rows, as across a plane in which all moves, are not judged by themselves.
+        let least = f64::EPSILON * scales.iter().fold(0.0, |most: f64, scale| most.max(*scale));
+        let relative = |row: usize| if scales[row] == 0.0 { 0.0 } else { rates[row].abs() / scales[row].max(least) };
         found.residual = self.rows().map(relative).fold(0.0, nan_max);
         found.rates = rates;
         Ok(found)

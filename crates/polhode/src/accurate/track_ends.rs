@@ -52,7 +52,7 @@ impl Resolution<'_> {
             let Some(RunOff { body, point, .. }) = self.core.world.place_on_track(&self.motions.states, joint) else {
                 continue;
             };
-            self.core.world.release(joint)?;
+            self.core.world.release(&[joint])?;
             let event = Event::new(self.instant.t, EventKind::Detach, BodyId::new(body));
             self.core.accounts.add_event(Event { point, ..event });
         }

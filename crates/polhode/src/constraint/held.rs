@@ -75,7 +75,7 @@ impl World {
 
     /// The bodies that joints hold to this kinematic one, and all that joints connect to them, ascending.
     pub(crate) fn driven_by(&self, driver: usize) -> Vec<usize> {
-        let own = self.joints.iter().filter(|joint| joint.driver() == Some(driver) && !self.is_released(joint));
+        let own = self.joints.iter().filter(|joint| joint.driver() == Some(driver));
         self.with_jointed(own.flat_map(WorldJoint::bodies).collect())
     }
 

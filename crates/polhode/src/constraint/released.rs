@@ -1,6 +1,6 @@
-//! Joints that hold nothing any more: their bodies have run off the end of a track (`track.rs`).
+//! Joints that hold nothing any more: their bodies have run off the end of a track (`track.rs`), or they have broken (`breaking.rs`).
 //!
-//! Such a joint keeps its number and its place, but has no rows, no stops, no friction and no forces.
+//! Such a joint leaves the joints of the world, and its number is no other one's, until a snapshot from before brings it back.
 
 use super::joint::WorldJoint;
 use crate::scene::SceneError;
@@ -20,25 +20,24 @@ pub(crate) struct RunOff {
 }
 
 impl World {
-    /// Whether a joint holds nothing any more.
-    pub(crate) fn is_released(&self, joint: &WorldJoint) -> bool {
-        !self.released.is_empty() && self.released.contains(&joint.number())
-    }
-
-    /// A joint holds nothing from now on.
+    /// Joints hold nothing from now on. Those that are not there are passed over.
     ///
     /// # Errors
-    /// When the fields cannot be made.
-    pub(crate) fn release(&mut self, joint: usize) -> Result<(), SceneError> {
-        self.released.insert(joint);
+    /// When the fields of the remaining joints cannot be made.
+    pub(crate) fn release(&mut self, joints: &[usize]) -> Result<(), SceneError> {
+        for joint in joints {
+            if let Ok(place) = self.joints.binary_search_by_key(joint, WorldJoint::number) {
+                let released = self.joints.remove(place);
+                self.released.insert(*joint, released);
+            }
+        }
         self.index_joints();
         self.make_fields()
     }
 
     /// Whether two bodies had contacts at joints that hold nothing any more. Their shapes do not collide for that.
     pub(crate) fn lost_joint_contacts(&self, pair: (usize, usize)) -> bool {
-        let is_at = |joint: &WorldJoint| self.is_released(joint) && joint.pair() == pair;
-        !self.released.is_empty() && self.joints.iter().any(is_at)
+        self.released.values().any(|joint| joint.pair() == pair)
     }
 
     /// The joints of these bodies on tracks whose ends they have passed in these states, in the order of the scene.
@@ -59,17 +58,21 @@ impl World {
     /// Replaces the joints that hold nothing by these.
     ///
     /// # Errors
-    /// When there is no such joint.
+    /// When there is no such joint, or nothing releases it.
     pub(crate) fn replace_released(&mut self, joints: &[usize]) -> Result<(), SnapshotError> {
-        let refused = || SnapshotError::Invalid("a joint that has let go does not exist");
-        if joints.iter().any(|&joint| self.joint_numbered(joint).is_none()) {
-            return Err(refused());
-        }
+        let refused = || SnapshotError::Invalid("a joint that nothing releases has let go");
         if joints.is_empty() && self.released.is_empty() {
             return Ok(());
         }
-        self.released = joints.iter().copied().collect();
-        self.index_joints();
-        self.make_fields().map_err(|_| refused())
+        self.joints.extend(std::mem::take(&mut self.released).into_values());
+        self.joints.sort_by_key(WorldJoint::number);
+        let may_let_go = |&joint: &usize| {
+            let lets_go_at_ends = self.joint_numbered(joint).is_some_and(WorldJoint::lets_go_at_ends);
+            lets_go_at_ends || self.strength_of(joint).is_some()
+        };
+        if !joints.iter().all(may_let_go) {
+            return Err(refused());
+        }
+        self.release(joints).map_err(|_| refused())
     }
 }

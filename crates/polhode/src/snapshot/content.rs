@@ -25,8 +25,6 @@ pub(crate) struct Content {
     pub(crate) motors: Vec<Motor>,
     /// Joints that hold nothing any more.
     pub(crate) released: Vec<usize>,
-    /// The joints that have broken.
-    pub(crate) broken: Vec<usize>,
     /// The angles whose revolutions gears count, rad, by the numbers of the gears.
     pub(crate) turns: Vec<(usize, f64)>,
     /// Whether the motion is confined to the plane of its start.

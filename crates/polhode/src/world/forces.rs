@@ -5,7 +5,6 @@
 
 use super::field_index::{FieldIndex, acted_on};
 use super::model::World;
-use crate::constraint::joint::WorldJoint;
 use crate::constraint::joint_forces::JointForce;
 use crate::constraint::tie::Tie;
 use crate::constraint::track_springs::TrackSpring;
@@ -36,10 +35,9 @@ impl World {
             }
             fields.extend(made);
         }
-        let holding: Vec<&WorldJoint> = self.joints.iter().filter(|joint| !self.is_released(joint)).collect();
-        let at_joints = holding.iter().flat_map(|joint| JointForce::of(joint, |body| self.slot(body)));
+        let at_joints = self.joints.iter().flat_map(|joint| JointForce::of(joint, |body| self.slot(body)));
         let at_joints: Vec<JointForce> = at_joints.collect();
-        let springs = holding.iter().flat_map(|joint| TrackSpring::of(joint, |body| self.slot(body)));
+        let springs = self.joints.iter().flat_map(|joint| TrackSpring::of(joint, |body| self.slot(body)));
         let springs: Vec<TrackSpring> = springs.collect();
         self.first_joint_force = fields.len();
         fields.extend(at_joints.iter().map(|force| Box::new(force.clone()) as Box<dyn Field>));
@@ -60,8 +58,7 @@ impl World {
                 self.couplings.push(together.into_iter().map(|slot| self.movable[slot]).collect());
             }
         }
-        let of_joints = self.joints.iter().filter(|joint| !self.released.contains(&joint.number()));
-        let of_joints = of_joints.map(|joint| joint.bodies().collect::<Vec<usize>>());
+        let of_joints = self.joints.iter().map(|joint| joint.bodies().collect::<Vec<usize>>());
         let together: Vec<Vec<usize>> = of_joints.chain(self.ties_at_work().map(Tie::bodies)).collect();
         for together in together {
             let slots: Vec<usize> = together.iter().filter_map(|&body| self.slot(body)).collect();

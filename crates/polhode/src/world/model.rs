@@ -82,8 +82,8 @@ pub(crate) struct World {
     pub(crate) joints_of: BTreeMap<usize, Vec<usize>>,
     /// The kinematic bodies that joints and ties hold, ascending.
     pub(crate) joint_drivers: Vec<usize>,
-    /// Joints that have broken, by their numbers.
-    pub(crate) broken: BTreeMap<usize, WorldJoint>,
+    /// Joints that hold nothing any more, by their numbers: they have broken, or their bodies have run off the ends of their tracks.
+    pub(crate) released: BTreeMap<usize, WorldJoint>,
     /// The joints of the scene that may break.
     pub(crate) breakable: BTreeSet<usize>,
     /// Gears and prescribed motions of joints.
@@ -124,8 +124,6 @@ pub(crate) struct World {
     pub(super) applied: BTreeMap<usize, Wrench>,
     /// The motors that a program has given coordinates of joints; none where it has taken one away.
     pub(crate) motors: BTreeMap<(usize, Coordinate), Option<Motor>>,
-    /// Numbers of the joints that hold nothing any more.
-    pub(crate) released: BTreeSet<usize>,
     /// How many joints are on tracks that let go at their ends.
     pub(crate) ending_tracks: usize,
     /// The motions that a program has given kinematic bodies.
@@ -194,7 +192,7 @@ impl World {
             joints: Vec::new(),
             joints_of: BTreeMap::new(),
             joint_drivers: Vec::new(),
-            broken: BTreeMap::new(),
+            released: BTreeMap::new(),
             breakable: (0..scene.joints().len()).filter(|&joint| scene.joints()[joint].strength().is_some()).collect(),
             ties: Vec::new(),
             ties_of: BTreeMap::new(),
@@ -218,7 +216,6 @@ impl World {
             applied: BTreeMap::new(),
             steered: BTreeMap::new(),
             motors: BTreeMap::new(),
-            released: BTreeSet::new(),
             ending_tracks: 0,
             initial_field_potential: 0.0,
             start_potential_j: 0.0,
@@ -253,9 +250,6 @@ impl World {
     pub(crate) fn index_joints(&mut self) {
         self.joints_of.clear();
         for (number, joint) in self.joints.iter().enumerate() {
-            if self.released.contains(&joint.number()) {
-                continue;
-            }
             for body in joint.bodies() {
                 self.joints_of.entry(body).or_default().push(number);
             }
@@ -263,12 +257,11 @@ impl World {
         self.index_ties();
         let tied: BTreeSet<usize> = self.ties_of.values().flatten().copied().collect();
         let carriages = tied.into_iter().filter_map(|tie| self.ties[tie].carriage());
-        let holding = self.joints.iter().filter(|joint| !self.is_released(joint));
-        let drivers: BTreeSet<usize> = holding.filter_map(WorldJoint::driver).chain(carriages).collect();
+        let drivers: BTreeSet<usize> = self.joints.iter().filter_map(WorldJoint::driver).chain(carriages).collect();
         self.joint_drivers = drivers.into_iter().collect();
         self.joint_contacts.clear();
         self.joint_contact_partners.clear();
-        for joint in self.joints.iter().filter(|joint| !self.released.contains(&joint.number())) {
+        for joint in &self.joints {
             let number = joint.number();
             let stops = (0..joint.stops()).map(|stop| Feature::Stop(StopId { joint: number, stop }));
             let friction = joint.coordinates_with_friction();
@@ -327,7 +320,7 @@ impl World {
         self.bodies[body].trajectory = None;
         self.bodies[body].held = None;
         self.joints.retain(|joint| joint.bodies().all(|held| held != body));
-        self.broken.retain(|_, joint| joint.bodies().all(|held| held != body));
+        self.released.retain(|_, joint| joint.bodies().all(|held| held != body));
         self.index_joints();
         self.prescribed.retain(|&other| other != body);
         self.scene.bodies[body].geometry = None;
