@@ -32,10 +32,6 @@ const FLAT_LINKAGE: &str = "where all bars lie in one line its rows depend on ea
                             projected there moves bodies by more than the gaps that it closes. Joints in coordinates of their own \
                             have no such place";
 
-/// Why joints are apart where a time step has removed overlaps.
-const OVERLAPS_LAST: &str = "a time step removes overlaps after it has closed the joints: the last displacement that does so bends joints by its \
-                             square, and nothing closes them before the next step";
-
 /// All of them.
 const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure {
@@ -56,12 +52,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure { case: "JT-06", quantity: "t=5", reason: FLAT_LINKAGE },
     KnownFailure { case: "JT-06", quantity: "t=10", reason: FLAT_LINKAGE },
     KnownFailure { case: "JT-06", quantity: "work", reason: FLAT_LINKAGE },
-    KnownFailure { case: "joints of shipped scenes", quantity: "car: ", reason: OVERLAPS_LAST },
-    KnownFailure { case: "joints of shipped scenes", quantity: "flyball-governor: apart", reason: OVERLAPS_LAST },
-    KnownFailure { case: "joints of shipped scenes", quantity: "hanging-bridge: apart", reason: OVERLAPS_LAST },
-    KnownFailure { case: "joints of shipped scenes", quantity: "quadruped: apart", reason: OVERLAPS_LAST },
-    KnownFailure { case: "joints of shipped scenes", quantity: "ragdoll: apart", reason: OVERLAPS_LAST },
-    KnownFailure { case: "joints of shipped scenes", quantity: "ragdoll-on-stairs: apart", reason: OVERLAPS_LAST },
     KnownFailure { case: "FC-05", quantity: "eps0", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "F/(mu m g)", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "stop time", reason: FEW_FEET },

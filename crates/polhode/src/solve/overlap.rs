@@ -5,10 +5,14 @@
 //! together. This is repeated with newly detected contacts, since normals turn with the bodies. A contact point may
 //! jump to another part of its features, as that of a ball within a ring. The contact then remains among the rows at
 //! its old point too, with its separation updated by the displacement of the bodies: otherwise the rounds would
-//! oscillate. Pivots remain in place, velocities are unchanged. A round moves bodies by at most `sqrt(d r)`, with the
-//! largest penetration d and the size r; the next round removes the remainder.
+//! oscillate. Velocities are unchanged. A round moves bodies by at most `sqrt(d r)`, with the largest penetration d and the
+//! size r; the next round removes the remainder.
+//!
+//! Pivots and joints of the bodies are rows of the same problem, whose gaps stay zero to first order. A displacement `d` opens
+//! them by some `d^2/r`, so that rounds go on until they are closed too.
 
 use crate::collision::contact_id::ContactId;
+use crate::constraint::bilateral::Bilateral;
 use crate::rows::assembly::{Assembly, largest_change};
 use crate::rows::friction_blocks::push_held;
 use crate::rows::groups::groups;
@@ -138,8 +142,8 @@ impl Overlaps {
         let start = states_of(states, bodies);
         let mut earlier: Vec<Earlier> = Vec::new();
         let mut fallbacks = 0;
-        for _ in 0..MOST_ROUNDS {
-            if !self.is_excess {
+        for round in 0..MOST_ROUNDS {
+            if !self.is_excess && (round == 0 || open_joint(world, states, bodies) == 0.0) {
                 break;
             }
             let jumped = earlier.iter().filter(|old| !self.has_at_place(world, old.overlap));
@@ -175,7 +179,8 @@ fn move_out(
     let mut fallbacks = 0;
     for group in groups(world, rows.iter().enumerate().map(|(index, row)| (index, row.id.a, row.id.b))) {
         let members: Vec<Overlap> = group.contacts.iter().map(|&index| rows[index]).collect();
-        if !members.iter().any(|row| is_excess(world, states, row.id, &row.geometry)) {
+        let open_joint = open_joint(world, states, &group.bodies);
+        if open_joint == 0.0 && !members.iter().any(|row| is_excess(world, states, row.id, &row.geometry)) {
             continue;
         }
         let geometries = members.iter().map(|row| (row.id, row.geometry));
@@ -197,7 +202,7 @@ fn move_out(
             solution.forces
         };
         let response = assembly.problem.response(&forces)?;
-        let share = share_of_move(world, &members, assembly.split(&response));
+        let share = share_of_move(world, (&members, open_joint), assembly.split(&response));
         for (body, linear, angular) in assembly.split(&response) {
             let pose = &mut states[body].pose;
             pose.translation += linear * share;
@@ -238,10 +243,23 @@ fn forces_of_many(assembly: &Assembly, separations: &[f64], accuracy: f64) -> Re
 /// The fraction of a displacement within which its linearised contacts are valid. Bodies in a straight row between
 /// walls leave a penetration `d` by a lateral displacement of `sqrt(d r)`, with their size `r`. The linearised problem
 /// overestimates it: the straighter the row, the larger its lateral displacement, without bound.
-fn share_of_move(world: &World, rows: &[Overlap], changes: impl Iterator<Item = (usize, DVec3, DVec3)>) -> f64 {
-    let deepest = rows.iter().map(|row| -row.geometry.separation).fold(0.0, f64::max);
+fn share_of_move(
+    world: &World,
+    (rows, open_joint): (&[Overlap], f64),
+    changes: impl Iterator<Item = (usize, DVec3, DVec3)>,
+) -> f64 {
+    let deepest = rows.iter().map(|row| -row.geometry.separation).fold(open_joint, f64::max);
     let size = rows.iter().map(|row| world.pair_size(row.id.a, row.id.b)).fold(f64::INFINITY, f64::min);
     ((deepest * size).sqrt() / largest_change(world, changes).max(f64::MIN_POSITIVE)).min(1.0)
+}
+
+/// The largest gap (m) of the pivots and joints of some bodies that is more than rounding; zero if none is.
+fn open_joint(world: &World, states: &[BodyState], bodies: &[usize]) -> f64 {
+    let open = |bilateral: &Bilateral| {
+        let (a, b) = bilateral.id.bodies();
+        bilateral.gap() > LEFT_ROUNDING * world.rounding(states, a, b)
+    };
+    world.bilaterals(states, bodies).filter(open).map(|bilateral| bilateral.gap()).fold(0.0, f64::max)
 }
 
 /// Whether a contact penetrates by more than may remain.
