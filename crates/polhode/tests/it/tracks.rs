@@ -184,8 +184,29 @@ fn a_car_leaves_a_quartic_hill_where_the_force_is_zero() {
     }
 }
 
+/// JT-10: on the parabola `z = -x^2/(2 p)`, the path of a throw with `sqrt(g p)`, a car that is slower at the apex never leaves, and one
+/// that is faster leaves there.
+#[test]
+fn a_car_leaves_a_parabola_at_its_apex_or_never() {
+    for p in [1.0, 0.37] {
+        let parabola = || {
+            let coefficients = [DVec3::ZERO, DVec3::X, DVec3::Z * (-0.5 / p)];
+            Curve::polynomial(&coefficients, [-1.0, 20.0]).unwrap()
+        };
+        let threshold = (G * p).sqrt();
+        let slower = leaves_at(parabola(), DVec3::ZERO, DVec3::X * (threshold * (1.0 - 1e-6)), 2.0);
+        assert!(slower.is_none(), "{slower:?}");
+        let scene = car(parabola(), one_side(DVec3::Z), DVec3::ZERO, DVec3::X * (threshold * (1.0 + 1e-6)));
+        let (_, recorder) = run(&scene.duration_s(0.5).build().unwrap(), Effects::Planned);
+        for (row, &t) in recorder.samples.iter().zip(&recorder.times_s) {
+            let thrown = DVec3::new(threshold * (1.0 + 1e-6) * t, 0.0, -0.5 * G * t * t);
+            assert!((row[0].pose.translation - thrown).length() < 1e-12, "{t}");
+        }
+    }
+}
+
 /// JT-10: on `z = cos x` with 3.1 m/s at a crest it never leaves, and presses as the centripetal force says; with more than `sqrt(g)` it
-/// leaves at the crest. A parabola that is the path of a throw is not pressed at all.
+/// leaves at the crest.
 #[test]
 fn a_car_on_a_wave_presses_as_its_curvature_says() {
     let wave = || {
