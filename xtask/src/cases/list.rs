@@ -4,11 +4,12 @@ use super::case::Case;
 use super::{
     arches, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds, effects, exact_drift,
     falling_shapes, free_rotation, friction_effects, friction_invariances, friction_scenes, frictional_impacts,
-    frictional_statics, heavy_tops, impact_chains, impacts, invariances, joints, ledger, long_runs, mass_properties,
-    numerical_loss, one_dependency, peers, pi_machine, polhode_times, published_rotations, random_scenes,
-    random_solids, reductions, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, seams, sliding,
-    sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed, spinning_scenes, stability, stackings,
-    stacks, stacks_on_slopes, structures, table_edge, thesis_tier, tunnelling, units, valleys, videos, walls,
+    frictional_statics, heaps, heavy_tops, impact_chains, impacts, invariances, joints, ledger, long_runs,
+    mass_properties, numerical_loss, one_dependency, peers, pi_machine, polhode_times, published_rotations,
+    random_scenes, random_solids, reductions, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, seams,
+    sliding, sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed, spinning_scenes, stability,
+    stackings, stacks, stacks_on_slopes, structures, table_edge, thesis_tier, tunnelling, units, valleys, videos,
+    walls,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -152,6 +153,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "structures: random", rows: structures::random },
     Case { name: "structures: margins", rows: structures::margins },
     Case { name: "stability", rows: stability::rows },
+    Case { name: "heaps", rows: heaps::rows },
     Case { name: "structures: arches", rows: structures::arches },
     Case { name: "structures: card houses", rows: structures::card_houses },
     Case { name: "random slopes", rows: slopes::random_slopes },

@@ -40,6 +40,7 @@ mod friction_invariances;
 mod friction_scenes;
 mod frictional_impacts;
 mod frictional_statics;
+mod heaps;
 mod heavy_tops;
 mod impact_chains;
 mod impacts;
