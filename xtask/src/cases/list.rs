@@ -96,6 +96,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "JT-08", rows: joints::jt_08 },
     Case { name: "JT-09", rows: joints::jt_09 },
     Case { name: "JT-11", rows: joints::jt_11 },
+    Case { name: "IFToMM A05", rows: joints::iftomm_a05 },
     Case { name: "four-bar linkage", rows: joints::linkage },
     Case { name: "joints of shipped scenes", rows: joints::drift },
     Case { name: "chain with a heavy end", rows: joints::heavy_end },

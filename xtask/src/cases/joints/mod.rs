@@ -1,4 +1,4 @@
-//! Joints: pendulums (JT-01 to JT-03), chains (JT-04, JT-05, JT-09), closed loops (JT-06 to JT-08) and a Cardan joint (JT-11);
+//! Joints: pendulums (JT-01 to JT-03), chains (JT-04, JT-05, JT-09), closed loops (JT-06 to JT-08, IFToMM A05) and a Cardan joint (JT-11);
 //! joints of the shipped scenes.
 //!
 //! Bodies hang at joints, not at pivots, so that what is measured are rows of joints. Angles from hanging are positive towards +x, those
@@ -6,6 +6,7 @@
 
 mod cardan;
 mod chains;
+mod governor;
 mod loops;
 mod pendulums;
 mod shipped;
@@ -13,6 +14,7 @@ mod squeezer;
 
 pub(super) use cardan::jt_11;
 pub(super) use chains::{heavy_end, jt_04, jt_05, jt_09};
+pub(super) use governor::iftomm_a05;
 pub(super) use loops::{jt_06, jt_07, linkage};
 pub(super) use pendulums::{jt_01, jt_02, jt_03};
 pub(super) use shipped::drift;
