@@ -4,7 +4,9 @@
 //! (quanta). Of each number the second differences over the frames of a chunk are stored, so that smooth motion leaves small
 //! numbers, zigzag (`(d << 1) ^ (d >> 31)`) and in four planes of bytes, so that gzip finds the zeros. After them stand,
 //! if asked for, how each body moves, its island, the number of contacts of each frame, and the contacts in columns, which are in
-//! planes of bytes too: a contact differs little from that of the frame before. `viewer/` has the reader of this.
+//! planes of bytes too: a contact differs little from that of the frame before. The load of a joint stands among them as a contact
+//! without a first body: the number of the joint, the place, the direction of its force, and how large that is. `viewer/` has
+//! the reader of this.
 
 use crate::quanta::Quanta;
 use flate2::{Compression, GzBuilder};
@@ -14,6 +16,8 @@ use std::io::{self, Write};
 
 /// Numbers of a body in a frame.
 pub const CHANNELS: usize = 13;
+/// What stands in place of the first body of a contact where it is the load of a joint.
+const JOINT_LOAD: u32 = u32::MAX;
 /// Numbers of a contact: its two bodies, and eight numbers.
 const CONTACT_COLUMNS: usize = 10;
 /// What a component of a quaternion is multiplied by.
@@ -64,6 +68,14 @@ impl ChunkContact {
 }
 
 impl ChunkContact {
+    /// The force (N, world) of a joint on its first body, at a place (m); NaN if unknown.
+    pub fn of_joint(joint: usize, place: DVec3, force_n: DVec3, quanta: Quanta) -> Self {
+        let size = force_n.length();
+        let direction = if size > 0.0 { force_n / size } else { DVec3::ZERO };
+        let load = Self::new([0, joint], place, direction, f64::NAN, size, quanta);
+        Self { bodies: [JOINT_LOAD, load.bodies[1]], ..load }
+    }
+
     /// Its columns in a chunk: the bodies, and the bits of its numbers.
     fn words(&self) -> [u32; CONTACT_COLUMNS] {
         let ([a, b], numbers) = (self.bodies, self.numbers.map(f32::to_bits));

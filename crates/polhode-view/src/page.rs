@@ -300,10 +300,12 @@ fn details(frame: &Frame, moving: &[usize], quanta: Quanta) -> ChunkDetails {
         let (separation, force) = (contact.separation_m, contact.normal_force_n);
         ChunkContact::new(bodies, contact.point_m, contact.normal, separation, force, quanta)
     });
+    let loads = frame.joint_loads.iter();
+    let loads = loads.map(|load| ChunkContact::of_joint(load.joint.index(), load.point_m, load.force_n, quanta));
     ChunkDetails {
         motions: moving.iter().map(motion).collect(),
         islands: moving.iter().map(|&body| island_of[body]).collect(),
-        contacts: contacts.collect(),
+        contacts: contacts.chain(loads).collect(),
     }
 }
 

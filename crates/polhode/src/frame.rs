@@ -107,6 +107,8 @@ pub struct Frame {
     pub motions: Vec<MotionKind>,
     /// Contacts that touch, with their forces.
     pub contacts: Vec<ContactView>,
+    /// What the joints do; empty for a tier that does not compute it.
+    pub joint_loads: Vec<JointView>,
     /// Islands.
     pub islands: Vec<IslandView>,
     /// Energies at this time; `initial_j` is that at the start of the run.

@@ -19,6 +19,7 @@ pub(crate) fn frame(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) 
         bodies: states.iter().take(core.world.shown()).enumerate().map(sample).collect(),
         motions: shown(core, tier.motions(core)),
         contacts: tier.contacts(core, t, states),
+        joint_loads: tier.joint_loads(core, t, states),
         islands: tier.islands(core),
         energy,
         ledger: books.ledger,

@@ -132,3 +132,15 @@ fn details_come_back() {
     assert!((rounded.numbers[0] - 1.2345).abs() < 1e-3 && (rounded.numbers[7] / 981.0 - 1.0).abs() < 0.004);
     assert!((numbers[6] / -1e-9 - 1.0).abs() < 0.02 && numbers[7].is_nan());
 }
+
+/// The load of a joint is told from contacts by its first body, and has its direction and size.
+#[test]
+fn loads_of_joints_stand_among_contacts() {
+    let load = ChunkContact::of_joint(5, DVec3::new(0.5, 0.0, 1.0), DVec3::new(0.0, -3.0, 4.0), QUANTA);
+    assert_eq!(load.bodies, [u32::MAX, 5]);
+    let [.., x, y, z, separation, force] = load.numbers;
+    assert!(separation.is_nan() && (force / 5.0 - 1.0).abs() < 0.004);
+    assert!(x == 0.0 && (y + 0.6).abs() < 2e-3 && (z - 0.8).abs() < 2e-3);
+    let unknown = ChunkContact::of_joint(5, DVec3::ZERO, DVec3::NAN, QUANTA);
+    assert!(unknown.numbers[7].is_nan());
+}

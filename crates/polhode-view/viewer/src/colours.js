@@ -32,6 +32,7 @@ export const SERIES_COLOURS = [
 ];
 
 export const FORCE_COLOUR = '#d8334a';
+export const JOINT_COLOUR = '#a020a8';
 export const NORMAL_COLOUR = '#13988a';
 export const MANIFOLD_COLOUR = '#eba715';
 export const VELOCITY_COLOUR = '#2677dd';

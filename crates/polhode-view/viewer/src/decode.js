@@ -5,7 +5,8 @@
 //   d[0] = x[0],  d[1] = x[1] - x[0],  d[k] = x[k] - 2 x[k-1] + x[k-2],
 // all wrapping at 32 bits, folded to unsigned by zigzag, z = (d << 1) ^ (d >> 31), and split into four planes of bytes,
 // the lowest byte first. Smooth motion has small second differences, so that the upper planes are nearly all zero.
-// After the channels stand, where the run has contacts, the motion kinds, the islands and the contacts of each frame.
+// After the channels stand, where the run has contacts, the motion kinds, the islands and the contacts of each frame;
+// loads of joints stand among these (JOINT_LOAD).
 
 import { PageError } from './errors.js';
 
@@ -15,6 +16,8 @@ export const CHANNELS = 13;
 export const CONTACT_BYTES = 40;
 /** 32-bit words of one contact. */
 export const CONTACT_WORDS = CONTACT_BYTES / 4;
+/** What stands in place of the first body of a contact where it is the load of a joint. */
+export const JOINT_LOAD = 0xffffffff;
 /** The island number that says "in no island". */
 export const NO_ISLAND = 0xffff;
 

@@ -3,7 +3,7 @@
 // Between the frames before and after the time, positions and velocities are interpolated straight, and orientations by the
 // angular velocities of both, so that a body that turns fast turns forwards. Kinds, islands and contacts are those of the frame before: nothing is known of them in between.
 
-import { CHANNELS, CONTACT_WORDS, NO_ISLAND } from './decode.js';
+import { CHANNELS, CONTACT_WORDS, JOINT_LOAD, NO_ISLAND } from './decode.js';
 import { matrixOf, normalise, turn, turnBetween } from './rotation.js';
 
 const turned = new Float64Array(9);
@@ -121,6 +121,19 @@ export class Snapshot {
 
   /** Calls visit(a, b, numbers, at) for each contact; numbers[at...] is point, normal, separation, force. */
   eachContact(visit) {
+    this.eachRecord((a, ...record) => {
+      if (a !== JOINT_LOAD) visit(a, ...record);
+    });
+  }
+
+  /** Calls visit(joint, numbers, at) for the load of each joint; numbers[at...] is point, direction, NaN, force. */
+  eachJointLoad(visit) {
+    this.eachRecord((a, joint, numbers, at) => {
+      if (a === JOINT_LOAD) visit(joint, numbers, at);
+    });
+  }
+
+  eachRecord(visit) {
     if (!this.chunk?.contacts) return;
     const { contact_start, contacts } = this.chunk;
     for (let k = contact_start[this.chunk_frame]; k < contact_start[this.chunk_frame + 1]; k += 1) {

@@ -1,8 +1,8 @@
-// Contact points, a short stub along each normal, and the contact force as an arrow along the normal.
+// Contact points, a short stub along each normal, the contact force as an arrow along the normal, and the forces of joints.
 
 import { CanvasTexture, Group, LineBasicMaterial, LineSegments, Points, PointsMaterial } from 'three';
 import { Arrows } from '../arrows.js';
-import { FORCE_COLOUR, NORMAL_COLOUR } from '../colours.js';
+import { FORCE_COLOUR, JOINT_COLOUR, NORMAL_COLOUR } from '../colours.js';
 import { GrowingGeometry } from '../growing.js';
 import { quantile, short } from '../numbers.js';
 
@@ -34,6 +34,7 @@ export class Contacts {
     this.group = new Group();
     this.scale = view.scaleOf('force', LONGEST);
     this.arrows = new Arrows(FORCE_COLOUR, SHAFT * view.size);
+    this.loads = new Arrows(JOINT_COLOUR, SHAFT * view.size);
     this.points = new GrowingGeometry();
     this.stubs = new GrowingGeometry();
     const above_all = { depthTest: false, depthWrite: false, transparent: true };
@@ -52,14 +53,15 @@ export class Contacts {
     dots.renderOrder = 12;
     lines.renderOrder = 9;
     dots.frustumCulled = lines.frustumCulled = false;
-    this.group.add(this.arrows.group, lines, dots);
+    this.group.add(this.arrows.group, this.loads.group, lines, dots);
   }
 
   update() {
     const { run, snapshot, size } = this.view;
-    for (const part of [this.points, this.stubs, this.arrows]) part.clear();
+    for (const part of [this.points, this.stubs, this.arrows, this.loads]) part.clear();
     const forces = [];
     snapshot.eachContact((a, b, numbers, at) => forces.push(Math.abs(numbers[at + 7])));
+    snapshot.eachJointLoad((joint, numbers, at) => forces.push(numbers[at + 7]));
     this.scale.see(quantile(forces, USUAL_SHARE) ?? 0);
     const { factor } = this.scale;
     snapshot.eachContact((a, b, numbers, at) => {
@@ -76,18 +78,26 @@ export class Contacts {
       const along = normal.map((n) => n * felt_by * Math.sign(force));
       this.arrows.add(point, along, Math.min(Math.abs(force) * factor, CUT * this.scale.longest));
     });
-    for (const part of [this.points, this.stubs, this.arrows]) part.show();
+    snapshot.eachJointLoad((joint, numbers, at) => {
+      const force = numbers[at + 7];
+      if (!Number.isFinite(force)) return;
+      const length = Math.min(force * factor, CUT * this.scale.longest);
+      this.loads.add(numbers.subarray(at, at + 3), numbers.subarray(at + 3, at + 6), length);
+    });
+    for (const part of [this.points, this.stubs, this.arrows, this.loads]) part.show();
   }
 
   legend() {
     const metres = (times) => short(times * this.scale.longest, 3);
     const length = `${metres(1)} m`;
-    return [
+    const scale = `${short(this.scale.full)} N is ${length} long, cut at ${metres(CUT)} m`;
+    const lines = [
       { colour: NORMAL_COLOUR, text: 'contact point and normal (towards the first body)' },
-      {
-        colour: FORCE_COLOUR,
-        text: `force on a body that moves: ${short(this.scale.full)} N is ${length} long, cut at ${metres(CUT)} m`,
-      },
+      { colour: FORCE_COLOUR, text: `force on a body that moves: ${scale}` },
     ];
+    if (this.view.run.joints.length > 0) {
+      lines.push({ colour: JOINT_COLOUR, text: `force of a joint on its first body: ${scale}` });
+    }
+    return lines;
   }
 }

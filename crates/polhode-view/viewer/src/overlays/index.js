@@ -16,7 +16,7 @@ import { Velocities } from './velocities.js';
 
 /** `of_contacts`: needs runs whose frames hold contacts. */
 export const OVERLAYS = [
-  { name: 'contacts', label: 'Contacts', of_contacts: true, kind: Contacts },
+  { name: 'contacts', label: 'Contacts, joints', of_contacts: true, kind: Contacts },
   { name: 'manifolds', label: 'Manifolds', of_contacts: true, kind: Manifolds },
   { name: 'velocities', label: 'Velocities', of_contacts: false, kind: Velocities },
   { name: 'spins', label: 'Spin, momentum', of_contacts: false, kind: Spins },
