@@ -1,9 +1,10 @@
 //! The figure: error against cost on logarithmic axes, one curve for every method, the Pareto front behind them.
 
+use super::law::OtherLaw;
 use super::options::Counting;
 use super::study::{Entry, Study};
 use super::text;
-use polhode_view::plot::cost_chart::{CostChart, CostCurve, CostPoint, OtherUnits, Rank, Target};
+use polhode_view::plot::cost_chart::{CostChart, CostCurve, CostPoint, Level, OtherUnits, Rank, Target};
 
 /// Microseconds in a second.
 const MICRO: f64 = 1e6;
@@ -34,6 +35,7 @@ pub(super) fn svg(study: &Study, target: Option<f64>) -> String {
             degrees: Some(1.0_f64.to_degrees()),
         },
         floor: study.references.iter().map(|reference| reference.error).fold(f64::INFINITY, f64::min),
+        levels: study.other_laws().into_iter().map(level).collect(),
         curves: curves(study, target),
         target: target.map(|error| Target {
             error,
@@ -41,6 +43,11 @@ pub(super) fn svg(study: &Study, target: Option<f64>) -> String {
         }),
     };
     chart.svg()
+}
+
+/// The difference of a law that is not the scene's.
+fn level(other: OtherLaw) -> Level {
+    Level { error: other.difference, text: format!("difference of law: {}", other.law.name()) }
 }
 
 /// What errors are relative to, and how long the run is.

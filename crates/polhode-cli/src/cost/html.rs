@@ -19,10 +19,11 @@ th,td{padding:.15em .8em;text-align:left;white-space:nowrap}td.n{text-align:righ
 tr.front{background:#fff3d0}pre{white-space:pre-wrap}\
 @media(prefers-color-scheme:dark){body{background:#0d1117;color:#e6edf3}tr.front{background:#3a3010}}";
 
-const COLUMNS: [&str; 11] = [
+const COLUMNS: [&str; 12] = [
     "method",
     "setting",
     "error",
+    "law",
     "position, mm",
     "attitude, degrees",
     "velocity",
@@ -67,6 +68,10 @@ fn row(rows: &mut String, study: &Study, entry: &Entry) {
     let _ = write!(rows, "<tr{class}>{name}");
     let floor = study.references.get(entry.reference).map_or(0.0, |reference| reference.error);
     let _ = write!(rows, "{}", cell(errors.headline(), &escaped(&text::at_most(errors.headline(), floor))));
+    match measured.law {
+        Some(other) => rows.push_str(&cell(other.difference, &format!("{:.2e}", other.difference))),
+        None => rows.push_str("<td></td>"),
+    }
     let [millimetres, degrees] = study.errors_in_units(entry, errors);
     for error in [millimetres, degrees, errors.final_velocity, measured.energy_error] {
         rows.push_str(&cell(error, &format!("{error:.2e}")));

@@ -13,6 +13,7 @@
 //! | `source` | the scene, loaded with changes and run |
 //! | `reference` | the exact or the finest solution, and how well it is known |
 //! | `error` | how far a run is from the reference |
+//! | `law` | the law of contact of a method, which is no part of its error |
 //! | `timing`, `instructions` | what a run costs |
 //! | `front` | the Pareto front, and the cheapest that reaches a target |
 //! | `runs` | all runs of a study |
@@ -29,6 +30,7 @@ mod html;
 mod instructions;
 mod json;
 mod ladder;
+mod law;
 mod options;
 mod reference;
 mod runs;

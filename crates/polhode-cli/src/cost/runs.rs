@@ -3,6 +3,7 @@
 use super::candidate::Candidate;
 use super::error::{Errors, energy_error};
 use super::instructions;
+use super::law::{Law, OtherLaw};
 use super::options::{Counting, Options};
 use super::reference::{self, Reference};
 use super::source::{Completed, Source};
@@ -63,6 +64,15 @@ pub(super) struct Difference {
     pub(super) steps: u64,
     /// How it moved its bodies.
     pub(super) solver: Solver,
+    /// Its law of contact, where that is not the scene's.
+    pub(super) law: Option<OtherLaw>,
+}
+
+/// A run of a law of which only methods of its own know the limit.
+struct OfOwnLaw {
+    number: usize,
+    law: Law,
+    run: Completed,
 }
 
 /// The runs of a study.
@@ -84,36 +94,60 @@ impl<'a> Runs<'a> {
         Self { source, options, progress, spent: Spent::new(candidates, options.budget_s) }
     }
 
-    /// Runs every candidate once and compares it with its reference.
-    pub(super) fn errors(&mut self, references: &[Reference], candidates: Vec<Candidate>) -> Vec<Compared> {
+    /// Runs every candidate once and compares it with the reference of its law, which is added where there is none yet.
+    pub(super) fn errors(&mut self, references: &mut Vec<Reference>, candidates: Vec<Candidate>) -> Vec<Compared> {
         self.progress.phase("errors", candidates.len());
         let mut compared = Vec::with_capacity(candidates.len());
-        for candidate in candidates {
+        let mut of_own_law = Vec::new();
+        for (number, candidate) in candidates.into_iter().enumerate() {
             let model = candidate.model();
             let reference = references.iter().position(|reference| reference.model == model).unwrap_or(0);
-            let outcome = match references.get(reference) {
-                Some(found) => self.error(found, &candidate),
-                None => Err("there is no reference".to_owned()),
+            let outcome = self.run(&candidate).and_then(|run| {
+                let law = Law::of(&run.report.plan);
+                let found = references.get(reference).ok_or("there is no reference")?;
+                let is_other = found.facts.contact && law != Law::of(&found.run.report.plan);
+                let own = if is_other { self.own_reference(references, reference, law) } else { reference };
+                let difference = difference(references, [reference, own], &run)?;
+                if is_other && law.model().is_none() {
+                    of_own_law.push(OfOwnLaw { number, law, run });
+                }
+                Ok((own, difference))
+            });
+            let (reference, outcome) = match outcome {
+                Ok((own, difference)) => (own, Ok(difference)),
+                Err(reason) => (reference, Err(reason)),
             };
             compared.push(Compared { candidate, reference, outcome });
             self.progress.part_done();
         }
+        judge_by_own_finest(references, &mut compared, of_own_law);
         compared
     }
 
-    fn error(&mut self, reference: &Reference, candidate: &Candidate) -> Result<Difference, String> {
+    fn run(&mut self, candidate: &Candidate) -> Result<Completed, String> {
         let rounds = self.options.effort.fewest_rounds + 1;
         self.spent.admit(candidate, rounds)?;
         let scene = self.scene(candidate, self.options.samples)?;
         let outcome = self.source.record(&scene, self.spent.limit(candidate));
         self.spent.note(candidate, outcome.as_ref().ok());
-        let run = outcome?;
-        let errors = reference.scales.errors(&reference.run.record, &run.record)?;
-        if errors.headline().is_nan() {
-            return Err("its motion is not a number".to_owned());
+        outcome
+    }
+
+    /// Number of the reference of a law that is not the scene's; that of the scene where it has none.
+    fn own_reference(&self, references: &mut Vec<Reference>, base: usize, law: Law) -> usize {
+        let Some(impact) = law.model() else { return base };
+        let mut model = references.get(base).map_or_else(Vec::new, |reference| reference.model.clone());
+        model.push(impact);
+        if let Some(known) = references.iter().position(|reference| reference.model == model) {
+            return known;
         }
-        let (steps, solver) = (run.report.steps, Solver::of(&run.report.plan));
-        Ok(Difference { errors, energy_error: energy_error(&run.report), steps, solver })
+        match reference::find(self.source, &model, self.options.samples, None) {
+            Ok(found) => {
+                references.push(found);
+                references.len() - 1
+            }
+            Err(_) => base,
+        }
     }
 
     fn scene(&self, candidate: &Candidate, samples: u32) -> Result<Scene, String> {
@@ -164,6 +198,58 @@ impl<'a> Runs<'a> {
             })
         };
         compared.iter().map(count).collect()
+    }
+}
+
+/// How a run differs from the second reference, which is that of its own law; the first is that of the scene's.
+fn difference(references: &[Reference], [base, own]: [usize; 2], run: &Completed) -> Result<Difference, String> {
+    let (scene, limit) = (&references[base], &references[own]);
+    let errors = scene.scales.errors(&limit.run.record, &run.record)?;
+    if errors.headline().is_nan() {
+        return Err("its motion is not a number".to_owned());
+    }
+    let law = if base == own {
+        None
+    } else {
+        let law = Law::of(&limit.run.report.plan);
+        Some(OtherLaw { law, difference: scene.scales.errors(&scene.run.record, &limit.run.record)?.headline() })
+    };
+    let (steps, solver) = (run.report.steps, Solver::of(&run.report.plan));
+    Ok(Difference { errors, energy_error: energy_error(&run.report), steps, solver, law })
+}
+
+/// Judges runs of laws of which no other method knows the limit by the finest run of their series. The finest itself is as far from
+/// the limit as the second finest is from it, at the most.
+fn judge_by_own_finest(references: &mut Vec<Reference>, compared: &mut [Compared], mut runs: Vec<OfOwnLaw>) {
+    while let Some(finest) = runs.pop() {
+        let series = compared[finest.number].candidate.series.clone();
+        let is_other = |run: &mut OfOwnLaw| compared[run.number].candidate.series == series;
+        let coarser: Vec<OfOwnLaw> = runs.extract_if(.., is_other).collect();
+        let base = compared[finest.number].reference;
+        let (Some(scene), Some(second)) = (references.get(base), coarser.last()) else { continue };
+        let (scales, facts) = (scene.scales.clone(), scene.facts);
+        let of_law = scales.errors(&scene.run.record, &finest.run.record);
+        let (Ok(of_law), Ok(step)) = (of_law, scales.errors(&finest.run.record, &second.run.record)) else { continue };
+        let law = Some(OtherLaw { law: finest.law, difference: of_law.headline() });
+        for run in coarser.iter().chain([&finest]) {
+            let errors = scales.errors(&finest.run.record, &run.run.record).ok();
+            if let (Some(errors), Ok(difference)) = (errors, &mut compared[run.number].outcome) {
+                difference.errors = if run.number == finest.number { step } else { errors };
+                difference.law = law;
+            }
+            compared[run.number].reference = references.len();
+        }
+        let (name, before) = (&compared[finest.number].candidate, &compared[second.number].candidate);
+        references.push(Reference {
+            kind: reference::Kind::Finest,
+            method: name.name(),
+            error: step.headline(),
+            basis: format!("the finest of its own runs, from which {} differs by that", before.name()),
+            scales,
+            model: name.changes.clone(),
+            facts,
+            run: finest.run,
+        });
     }
 }
 

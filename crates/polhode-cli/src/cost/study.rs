@@ -3,6 +3,7 @@
 use super::candidate::Candidate;
 use super::error::Errors;
 use super::front::{self, Point};
+use super::law::OtherLaw;
 use super::options::{Counting, Options};
 use super::reference::{self, Reference};
 use super::runs::{Compared, Difference, Runs, Solver};
@@ -58,6 +59,8 @@ pub(crate) struct Measured {
     pub(crate) steps: u64,
     /// How it moved its bodies.
     pub(crate) solver: Solver,
+    /// Its law of contact, where that is not the scene's.
+    pub(super) law: Option<OtherLaw>,
     /// Its time.
     pub(crate) timing: Timing,
     /// Instructions, when they were counted.
@@ -88,7 +91,7 @@ impl Study {
         let mut progress = Progress::new("reading the scene");
         let asked = super::candidate::product(axes).map_err(|fault| usage(&fault))?;
         progress.phase("reference", 1);
-        let (references, candidates) = if axes.is_empty() {
+        let (mut references, candidates) = if axes.is_empty() {
             let reference = reference::find(source, &[], options.samples, None).map_err(|fault| check(&fault))?;
             let candidates = ladder::candidates(&reference.facts, &source.given);
             (vec![reference], candidates)
@@ -96,7 +99,7 @@ impl Study {
             (references(source, &asked, options.samples)?, asked)
         };
         let mut runs = Runs::new(source, options, &progress, &candidates);
-        let mut errors = runs.errors(&references, candidates);
+        let mut errors = runs.errors(&mut references, candidates);
         let base = base(&errors);
         let timings = runs.timings(&mut errors, base);
         let counts = runs.instructions(&errors);
@@ -106,9 +109,10 @@ impl Study {
         Ok(Self { scene, duration_s, references, entries, base, counting: options.counting, samples: options.samples })
     }
 
-    /// The cheapest candidate whose error is known to be at most `target`.
+    /// The cheapest candidate that is known to be within `target` of the limit of the scene's law: what another law makes of the
+    /// scene counts here.
     pub(crate) fn cheapest(&self, target: f64) -> Option<&Entry> {
-        let points = points(&self.entries, &self.references);
+        let points = points(&self.entries, &self.references, Charged::MethodAndLaw);
         front::cheapest(&points, target).and_then(|number| self.entries.get(number))
     }
 
@@ -118,7 +122,7 @@ impl Study {
         let Some(cheapest) = self.cheapest(target) else { return Vec::new() };
         let Ok(least) = &cheapest.outcome else { return Vec::new() };
         let is_tie = |entry: &&Entry| {
-            let reaches = self.known_error(entry).is_some_and(|error| error <= target);
+            let reaches = self.error_and_law(entry).is_some_and(|error| error <= target);
             let costs = is_same_run(entry, cheapest)
                 || entry.outcome.as_ref().is_ok_and(|other| front::is_tie(other.spread(), least.spread()));
             reaches && costs && !std::ptr::eq(*entry, cheapest)
@@ -168,6 +172,23 @@ impl Study {
     pub(crate) fn known_error(&self, entry: &Entry) -> Option<f64> {
         let measured = entry.outcome.as_ref().ok()?;
         Some(super::error::worst(measured.errors.headline(), self.references.get(entry.reference)?.error))
+    }
+
+    /// The same with the difference of its law.
+    fn error_and_law(&self, entry: &Entry) -> Option<f64> {
+        let law = entry.outcome.as_ref().ok()?.law.map_or(0.0, |law| law.difference);
+        Some(self.known_error(entry)? + law)
+    }
+
+    /// The laws that are not the scene's, each once, in the order of the candidates.
+    pub(super) fn other_laws(&self) -> Vec<OtherLaw> {
+        let mut laws: Vec<OtherLaw> = Vec::new();
+        for law in self.entries.iter().filter_map(|entry| entry.outcome.as_ref().ok()?.law) {
+            if !laws.iter().any(|known| known.law == law.law) {
+                laws.push(law);
+            }
+        }
+        laws
     }
 
     /// Name of the candidate whose time is the unit.
@@ -231,14 +252,14 @@ fn judged(
     let resolution = if counting == Counting::Time { TIME_RESOLUTION } else { 0.0 };
     let mut entries: Vec<Entry> = Vec::with_capacity(compared.len());
     for ((entry, timing), count) in compared.into_iter().zip(timings).zip(counts) {
-        let outcome = entry.outcome.and_then(|Difference { errors, energy_error, steps, solver }| {
+        let outcome = entry.outcome.and_then(|Difference { errors, energy_error, steps, solver, law }| {
             let timing = timing.ok_or_else(|| "it was not timed".to_owned())?;
             let instructions = count.transpose()?;
-            Ok(Measured { errors, energy_error, steps, solver, timing, instructions, on_front: false })
+            Ok(Measured { errors, energy_error, steps, solver, law, timing, instructions, on_front: false })
         });
         entries.push(Entry { candidate: entry.candidate, reference: entry.reference, outcome });
     }
-    let points = points(&entries, references);
+    let points = points(&entries, references, Charged::Method);
     for (entry, is_on) in entries.iter_mut().zip(front::front(&points, resolution)) {
         if let Ok(measured) = &mut entry.outcome {
             measured.on_front = is_on;
@@ -247,15 +268,25 @@ fn judged(
     entries
 }
 
+/// What counts as error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Charged {
+    /// What the method makes of its own law.
+    Method,
+    /// That, and how far its law is from the scene's.
+    MethodAndLaw,
+}
+
 /// Cost and error of the entries; not a number for one that failed. Entries that made the same run cost the same: what
 /// timing makes of them differs by noise alone, and the smallest is nearest to the truth.
-fn points(entries: &[Entry], references: &[Reference]) -> Vec<Point> {
+fn points(entries: &[Entry], references: &[Reference], charged: Charged) -> Vec<Point> {
     let cost = |entry: &Entry| entry.outcome.as_ref().map_or(f64::NAN, Measured::cost);
     let of = |entry: &Entry| {
         let Ok(measured) = &entry.outcome else { return Point::new(f64::NAN, f64::NAN, f64::NAN) };
         let floor = references.get(entry.reference).map_or(f64::NAN, |reference| reference.error);
+        let law = measured.law.filter(|_| charged == Charged::MethodAndLaw).map_or(0.0, |law| law.difference);
         let same = entries.iter().filter(|other| is_same_run(other, entry));
-        Point::new(same.map(cost).fold(measured.cost(), f64::min), measured.errors.headline(), floor)
+        Point::new(same.map(cost).fold(measured.cost(), f64::min), measured.errors.headline() + law, floor + law)
     };
     entries.iter().map(of).collect()
 }
@@ -283,7 +314,7 @@ mod tests {
     fn compared(series: &str, runs: bool) -> Compared {
         let candidate = Candidate { series: series.to_owned(), rung: String::new(), changes: Vec::new(), growth: None };
         let solver = Solver { integrator: Integrator::Rk4, closed_form: false };
-        let difference = Difference { errors: Errors::default(), energy_error: 0.0, steps: 1, solver };
+        let difference = Difference { errors: Errors::default(), energy_error: 0.0, steps: 1, solver, law: None };
         let outcome = if runs { Ok(difference) } else { Err(String::new()) };
         Compared { candidate, reference: 0, outcome }
     }
@@ -296,8 +327,16 @@ mod tests {
             let timing = Timing { ratio, spread: [ratio, ratio], seconds: ratio, rounds: 3 };
             let solver = Solver { integrator: Integrator::Rk4, closed_form: false };
             let (errors, energy_error) = (Errors { position: 1e-9, ..Errors::default() }, 0.0);
-            let measured =
-                Measured { errors, energy_error, steps, solver, timing, instructions: None, on_front: false };
+            let measured = Measured {
+                errors,
+                energy_error,
+                steps,
+                solver,
+                law: None,
+                timing,
+                instructions: None,
+                on_front: false,
+            };
             let (series, rung, changes) = (series.to_owned(), rung.to_owned(), Vec::new());
             let candidate = Candidate { series, rung, changes, growth: None };
             Entry { candidate, reference: 0, outcome: Ok(measured) }
@@ -320,7 +359,7 @@ mod tests {
         let names = |found: Vec<&Entry>| found.iter().map(|entry| entry.candidate.rung.clone()).collect::<Vec<_>>();
         let same: Vec<&Entry> = study.entries.iter().filter(|entry| is_same_run(entry, &study.entries[0])).collect();
         assert_eq!(names(same), ["1e-6", "1e-8"]);
-        let points = points(&study.entries, &[]);
+        let points = points(&study.entries, &[], Charged::Method);
         assert_eq!(points[0].cost(), 1.0);
         assert_eq!(points.iter().map(|point| point.cost()).collect::<Vec<_>>(), [1.0, 1.0, 1.2, 1.5]);
     }

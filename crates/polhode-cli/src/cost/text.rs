@@ -88,6 +88,14 @@ pub(super) fn notes(study: &Study) -> String {
         );
         lines.row(["error", &meaning]);
     }
+    for other in study.other_laws() {
+        let what = format!(
+            "the limit of {} differs from that of the scene's law by {}: no error of the methods, but it counts for a target",
+            other.law.name(),
+            short(other.difference)
+        );
+        lines.row(["law", &what]);
+    }
     lines.row(["velocity", VELOCITY]);
     lines.row(["energy", ENERGY]);
     let time = format!("relative to {}: median of interleaved rounds, without preparing the scene", study.base_name());
@@ -124,7 +132,8 @@ fn described(reference: &Reference) -> String {
 }
 
 fn columns(study: &Study) -> Vec<String> {
-    let mut columns = vec!["", "method", "setting", "error", "mm", "degrees", "velocity", "energy", "time", "noise"];
+    let mut columns =
+        vec!["", "method", "setting", "error", "law", "mm", "degrees", "velocity", "energy", "time", "noise"];
     if study.counting == Counting::Instructions {
         columns.push("instructions");
     }
@@ -141,6 +150,7 @@ fn row(study: &Study, entry: &Entry, measured: &Measured) -> Vec<String> {
         entry.candidate.series.clone(),
         entry.candidate.rung.clone(),
         at_most(errors.headline(), floor),
+        measured.law.map_or_else(String::new, |law| short(law.difference)),
         short(millimetres),
         short(degrees),
         short(errors.final_velocity),

@@ -123,6 +123,42 @@ fn refused_and_other_models() {
     }
 }
 
+/// A ball strikes two that touch: laws of impact differ there. The tier of another law is judged by the limit of that law, and the
+/// difference of the laws is told beside; it counts where a target is asked for.
+#[test]
+fn another_law_is_no_error_of_a_method() {
+    let ball = |name: &str, place: &str, velocity: &str| {
+        format!(
+            "[[bodies]]\nname = \"{name}\"\nmass = 1\nshape.sphere.radius = 0.5\nmaterial = \"ivory\"\nposition = {place}\n\
+             velocity = {velocity}\n"
+        )
+    };
+    let balls = [
+        ball("cue", "[-1.5, 0, 0]", "[1, 0, 0]"),
+        ball("left", "[0, 0.5, 0]", "[0, 0, 0]"),
+        ball("right", "[0, -0.5, 0]", "[0, 0, 0]"),
+    ];
+    let head =
+        "format = 1\nname = \"break\"\nduration = 1.5\ngravity = [0, 0, 0]\n[materials.ivory]\nrestitution = 1.0\n";
+    let place = Place::with_scene(&format!("{head}{}", balls.concat()));
+    let csv = ["--json", "--csv", "a.csv", "--svg", "a.svg"];
+    let json = place.expect(0, &varied(&[&csv[..], &["--target", "1e-6"]].concat())).json();
+    assert_eq!(json["references"].as_array().unwrap().len(), 2);
+    let candidates = json["candidates"].as_array().unwrap();
+    let number = |candidate: usize, key: &str| candidates[candidate][key].as_f64().unwrap();
+    assert!(candidates[0]["law"].is_null() && candidates[1]["law_difference"].is_null());
+    for thesis in [2, 3] {
+        assert_eq!(candidates[thesis]["law"], "propagation");
+        assert!(number(thesis, "law_difference") > 0.1, "{}", candidates[thesis]);
+        assert!(number(thesis, "error") < 0.1 * number(thesis, "law_difference"), "{}", candidates[thesis]);
+    }
+    assert!(number(3, "error") < number(2, "error"));
+    let cheapest = json["target"]["cheapest"]["name"].as_str().unwrap();
+    assert!(cheapest.starts_with("accurate"), "{cheapest}");
+    assert!(place.read("a.svg").contains("difference of law: propagation"));
+    assert!(place.read("a.csv").lines().next().unwrap().contains("law,law_difference"));
+}
+
 /// `run --accuracy` runs by the cheapest method that the search finds, and says which.
 #[test]
 fn run_to_an_accuracy() {

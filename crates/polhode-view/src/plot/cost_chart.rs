@@ -98,6 +98,15 @@ pub struct Target {
     pub text: String,
 }
 
+/// A line across the chart at an error.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Level {
+    /// The error.
+    pub error: f64,
+    /// What it is.
+    pub text: String,
+}
+
 /// Error against cost.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CostChart {
@@ -113,6 +122,8 @@ pub struct CostChart {
     pub units: OtherUnits,
     /// The error of the reference.
     pub floor: f64,
+    /// Other errors to compare with.
+    pub levels: Vec<Level>,
     /// The methods.
     pub curves: Vec<CostCurve>,
     /// The error that is asked for.
@@ -197,7 +208,8 @@ impl CostChart {
         let points = || self.curves.iter().flat_map(|curve| &curve.points).filter(|point| is_drawn(point));
         let floor = libm::log10(self.floor);
         let floor_and_room = [floor, floor - ROOM_BELOW];
-        let target = self.target.iter().map(|target| libm::log10(target.error));
+        let levels = self.levels.iter().map(|level| level.error).filter(|error| *error > 0.0);
+        let target = self.target.iter().map(|target| target.error).chain(levels).map(libm::log10);
         let x = Decades::around(points().map(|point| libm::log10(point.cost)), ROOM);
         let y =
             Decades::around(points().map(|point| libm::log10(point.error)).chain(floor_and_room).chain(target), ROOM);
@@ -283,12 +295,13 @@ impl CostChart {
         svg.line(&[[LEFT, TOP], [frame.right, TOP]], Stroke::new(Ink::Faint, 1.0));
     }
 
-    /// The error of the reference and that of the target, across the frame.
+    /// The error of the reference, that of the target and others, across the frame.
     fn draw_levels(&self, svg: &mut Svg, frame: &Frame, labels: &mut LabelSpots) {
         let target = self.target.as_ref().map(|target| (target.error, format!("target {:e}", target.error), -8.0));
         let reference = Some((self.floor, "error of the reference".to_owned(), 9.0));
         let mut taken: Vec<Area> = Vec::new();
-        for (error, text, below) in reference.into_iter().chain(target) {
+        let levels = self.levels.iter().map(|level| (level.error, level.text.clone(), -8.0));
+        for (error, text, below) in reference.into_iter().chain(target).chain(levels) {
             let y = frame.height(error);
             if !y.is_finite() {
                 continue;
