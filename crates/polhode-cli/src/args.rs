@@ -223,6 +223,9 @@ pub(crate) struct CostArgs {
     /// Compares the broad phases, which find pairs that may touch, on the boxes of one run
     #[arg(long, conflicts_with_all = ["vary", "target", "instructions", "svg"])]
     pub(crate) broad_phase: bool,
+    /// Times the methods with so many bodies in the arrays of the scene, and tells how the time grows: 100,200,400
+    #[arg(long, value_name = "N,...", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..), conflicts_with_all = ["target", "instructions", "svg", "html", "broad_phase"])]
+    pub(crate) scale: Vec<u32>,
     /// Names the cheapest method whose error stays below this, and its ties; exit code 1 when there is none
     ///
     /// Ties are the methods that reach it too, and whose time cannot be told from that of the cheapest within the noise

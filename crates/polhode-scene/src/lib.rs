@@ -68,6 +68,7 @@ mod csv;
 mod document;
 mod mesh_file_error;
 mod read;
+mod scaled_arrays;
 mod trajectory_rows;
 
 pub use checkpoint::{Checkpoint, CheckpointError};

@@ -3,7 +3,7 @@
 use crate::build::{self, Built, PlacedRobot};
 use crate::document::{Document, Override};
 use crate::error::{Refusal, SceneFileError};
-use crate::format::SceneFile;
+use crate::format::{ArrayEntry, SceneFile};
 use crate::mesh_file::MeshFolder;
 use crate::read;
 use crate::robot::{self, Finding};
@@ -33,6 +33,11 @@ impl LoadedScene {
         of_bodies.chain(of_arrays).for_each(|shape| shape.add_files(&mut files));
         let of_shapes = files.into_iter().filter_map(|file| self.meshes.path(file));
         of_shapes.chain(self.robots.iter().flat_map(|robot| robot.robot.all_files())).collect()
+    }
+
+    /// The arrays of the file.
+    pub(crate) fn arrays(&self) -> &[ArrayEntry] {
+        &self.file.arrays
     }
 
     /// The names of the joints by their handles: those of the file, and of robots; a joint without a name has its number, counted from 1.

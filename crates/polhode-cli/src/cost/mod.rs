@@ -18,6 +18,8 @@
 //! | `front` | the Pareto front, and the cheapest that reaches a target |
 //! | `runs` | all runs of a study |
 //! | `study` | all of it together |
+//! | `scale` | how the time of a method grows with the bodies |
+//! | `broad_phases` | what finding pairs costs |
 //! | `text`, `csv`, `json`, `figure`, `html` | how it is told |
 
 mod broad_phases;
@@ -34,6 +36,7 @@ mod law;
 mod options;
 mod reference;
 mod runs;
+mod scale;
 mod source;
 mod study;
 mod text;
@@ -52,6 +55,7 @@ use broad_phases::BroadPhaseStudy;
 use candidate::Axis;
 use options::{Counting, Options};
 use polhode_scene::{AtomicFile, Override};
+use scale::ScaleStudy;
 use source::Source;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
@@ -76,6 +80,9 @@ pub(crate) fn cost(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure
     }
     let axes: Vec<Axis> =
         args.vary.iter().map(|text| Axis::parse(text)).collect::<Result<_, _>>().map_err(|fault| usage(&fault))?;
+    if !args.scale.is_empty() {
+        return scale(args, &axes, interrupt);
+    }
     let counting = if args.instructions { Counting::Instructions } else { Counting::Time };
     if counting == Counting::Instructions {
         instructions::available()?;
@@ -120,6 +127,19 @@ fn broad_phases(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure> {
         if let Some(file) = file {
             write(file, &text)?;
         }
+    }
+    if args.json { stdout::json(&study.json()) } else { stdout::text(&study.page()) }
+}
+
+/// Times the methods at several numbers of bodies and tells it in every way asked for.
+fn scale(args: &CostArgs, axes: &[Axis], interrupt: &Interrupt) -> Result<(), Failure> {
+    let text = SceneText::of(&args.scene.scene)?;
+    let source = Source::new(&text, &args.scene.changes)?;
+    check_outputs(args, &source)?;
+    let [csv] = interrupt.remove(|| open_all([&args.csv]), temporary)?;
+    let study = ScaleStudy::run(&source, &args.scale, axes, args.budget)?;
+    if let Some(file) = csv {
+        write(file, &study.csv())?;
     }
     if args.json { stdout::json(&study.json()) } else { stdout::text(&study.page()) }
 }

@@ -159,6 +159,26 @@ fn another_law_is_no_error_of_a_method() {
     assert!(place.read("a.csv").lines().next().unwrap().contains("law,law_difference"));
 }
 
+/// `--scale` gives the arrays of a scene other numbers of bodies, and says how the time grows; a scene without arrays is refused.
+#[test]
+fn growth_with_the_bodies() {
+    let balls = "format = 1\nname = \"rain\"\nduration = 0.1\n[[arrays]]\nname = \"drop\"\nmass = 1\nshape.sphere.radius = 0.1\n\
+                 layout.drop = { count = 5, size = [4, 4, 4] }\n";
+    let place = Place::with_scene(balls);
+    let args = ["cost", "scene.toml", "--scale", "5,10,20", "--vary", "method.tier=accurate,stepped"];
+    let json = place.expect(0, &[&args[..], &["--json", "--csv", "a.csv"]].concat()).json();
+    let rows = json["rows"].as_array().unwrap();
+    let bodies: Vec<u64> = rows.iter().map(|row| row["bodies"].as_u64().unwrap()).collect();
+    assert_eq!(bodies, [5, 10, 20, 5, 10, 20]);
+    assert!(
+        rows[0]["exponent"].is_null() && rows[1]["exponent"].is_number() && rows[5]["time_s"].as_f64().unwrap() > 0.0
+    );
+    assert_eq!(place.read("a.csv").lines().count(), 7);
+    let flight = Place::with_scene(FLIGHT);
+    let run = flight.expect(2, &["cost", "scene.toml", "--scale", "5"]);
+    assert!(run.stderr.contains("[[arrays]]"), "{}", run.stderr);
+}
+
 /// `run --accuracy` runs by the cheapest method that the search finds, and says which.
 #[test]
 fn run_to_an_accuracy() {
