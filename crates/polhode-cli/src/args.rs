@@ -46,6 +46,9 @@ pub(crate) enum Command {
     /// Diagnoses a mesh and computes its mass properties
     #[command(after_help = help::MESH)]
     Mesh(MeshArgs),
+    /// Drops an elastic rectangle by finite elements, and rigid laws beside it (thesis, Figure 2)
+    #[command(after_help = help::ELASTIC)]
+    Elastic(ElasticArgs),
     /// Prints the JSON Schema of the scene format
     #[command(after_help = help::SCHEMA)]
     Schema,
@@ -354,6 +357,50 @@ pub(crate) struct MeshArgs {
     #[command(flatten)]
     pub(crate) output: MeshOutputArgs,
     /// Prints the report as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Arguments of `elastic`.
+#[derive(Debug, Args)]
+pub(crate) struct ElasticArgs {
+    /// Width, m
+    #[arg(long, value_name = "M", default_value_t = 2.0, allow_negative_numbers = true)]
+    pub(crate) width: f64,
+    /// Height, m
+    #[arg(long, value_name = "M", default_value_t = 1.0, allow_negative_numbers = true)]
+    pub(crate) height: f64,
+    /// Angle by which it is turned, degrees: the right corner is the lower one
+    #[arg(long, value_name = "DEG", default_value_t = 0.0, allow_negative_numbers = true)]
+    pub(crate) tilt: f64,
+    /// Speed against the floor, m/s
+    #[arg(long, value_name = "M/S", default_value_t = 1.0, allow_negative_numbers = true)]
+    pub(crate) speed: f64,
+    /// Young's modulus, Pa
+    #[arg(long, value_name = "PA", default_value_t = 1e6, allow_negative_numbers = true)]
+    pub(crate) young: f64,
+    /// Poisson ratio
+    #[arg(long, value_name = "NU", default_value_t = 0.3, allow_negative_numbers = true)]
+    pub(crate) poisson: f64,
+    /// Density, kg/m^3
+    #[arg(long, value_name = "D", default_value_t = 1000.0, allow_negative_numbers = true)]
+    pub(crate) density: f64,
+    /// Elements of the coarsest of three meshes, about; the next ones have four and sixteen times as many
+    #[arg(long, value_name = "N", default_value_t = 200)]
+    pub(crate) elements: usize,
+    /// Time step, s [default: eight just below the limit of stability, whose mean is taken]
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    pub(crate) step: Option<f64>,
+    /// Puts the sides on rollers: uniaxial strain, for which there is a closed form
+    #[arg(long)]
+    pub(crate) confined: bool,
+    /// Drops rectangles of several widths, and of several tilts, one a row
+    #[arg(long, conflicts_with_all = ["confined", "picture", "step"])]
+    pub(crate) table: bool,
+    /// Draws the mesh where it is deformed most, with its stresses, as SVG
+    #[arg(long, value_name = "FILE")]
+    pub(crate) picture: Option<PathBuf>,
+    /// Prints everything as JSON
     #[arg(long)]
     pub(crate) json: bool,
 }

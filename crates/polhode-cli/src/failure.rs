@@ -141,6 +141,12 @@ impl From<CompareError> for Failure {
     }
 }
 
+impl From<polhode_elastic::ElasticError> for Failure {
+    fn from(failure: polhode_elastic::ElasticError) -> Self {
+        Self::Usage(error(&failure))
+    }
+}
+
 impl From<polhode::spatial::MassPropertiesError> for Failure {
     fn from(failure: polhode::spatial::MassPropertiesError) -> Self {
         Self::Usage(error(&failure))

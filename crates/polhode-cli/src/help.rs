@@ -33,6 +33,12 @@ Examples:
   polhode mesh part.obj --repair -o mended.obj
   polhode mesh part.obj --decompose -o parts.obj";
 
+pub(crate) const ELASTIC: &str = "\
+Examples:
+  polhode elastic --confined
+  polhode elastic --tilt 30 --elements 18 --picture rectangle.svg
+  polhode elastic --table --elements 8";
+
 pub(crate) const SCHEMA: &str = "\
 Example:
   polhode schema > scene.schema.json";

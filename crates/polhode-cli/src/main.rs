@@ -25,6 +25,7 @@
 //! | `examples` | the shipped scenes, inside the program; new scenes |
 //! | `help` | examples below the help of each command |
 //! | `inputs` | files that an output never replaces |
+//! | `elastic` | the command that drops an elastic rectangle, with rigid laws beside it |
 //! | `cost` | the command that sets error against computing time |
 //! | `scene` | loading the scene that a command names |
 //! | `text` | numbers, tables and reports for people |
@@ -52,6 +53,7 @@ mod checkpoints;
 mod compare;
 mod cost;
 mod drawing;
+mod elastic;
 mod examples;
 mod failure;
 mod harmless;
@@ -112,6 +114,7 @@ fn called(command: &Command, interrupt: &Interrupt) -> Result<(), Failure> {
         Command::Cost(args) => cost::cost(args, interrupt),
         Command::Check(args) => check::check(args),
         Command::Mesh(args) => mesh::mesh(args),
+        Command::Elastic(args) => elastic::elastic(args),
         Command::Schema => schema(),
         Command::Compare(args) => compare::compare(args, interrupt),
         Command::View(args) => view::view(args, interrupt),

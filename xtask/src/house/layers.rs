@@ -5,9 +5,16 @@ use crate::commands;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
-/// Crates of the core: no input, output, clock, thread or global.
-pub(super) const CORE: [&str; 6] =
-    ["polhode-spatial", "polhode-mesh", "polhode-dynamics", "polhode-contact", "polhode-response", "polhode"];
+/// Crates of the core, and the elastic body that it is compared with: no input, output, clock, thread or global.
+pub(super) const CORE: [&str; 7] = [
+    "polhode-spatial",
+    "polhode-mesh",
+    "polhode-dynamics",
+    "polhode-contact",
+    "polhode-response",
+    "polhode",
+    "polhode-elastic",
+];
 
 /// A crate and the crates of the workspace that it may depend on, whether for use, for building or for tests.
 #[derive(Debug)]
@@ -27,9 +34,10 @@ const LAYERS: &[Layer] = &[
         name: "polhode",
         may_use: &["polhode-spatial", "polhode-mesh", "polhode-dynamics", "polhode-contact", "polhode-response"],
     },
+    Layer { name: "polhode-elastic", may_use: &["polhode-spatial"] },
     Layer { name: "polhode-scene", may_use: &["polhode"] },
     Layer { name: "polhode-view", may_use: &["polhode"] },
-    Layer { name: "polhode-cli", may_use: &["polhode", "polhode-scene", "polhode-view"] },
+    Layer { name: "polhode-cli", may_use: &["polhode", "polhode-elastic", "polhode-scene", "polhode-view"] },
     Layer { name: "strict-hash", may_use: &["polhode", "polhode-scene"] },
     Layer {
         name: "xtask",
@@ -40,6 +48,7 @@ const LAYERS: &[Layer] = &[
             "polhode-contact",
             "polhode-response",
             "polhode",
+            "polhode-elastic",
             "polhode-scene",
             "polhode-view",
             "polhode-cli",
