@@ -5,7 +5,8 @@
 
 use super::SceneError;
 use super::laws::{
-    BroadPhaseMethod, ContactMethod, Coordinates, ImpactLaw, Integrator, Orientation, Response, RotationRate,
+    BroadPhaseMethod, ContactMethod, Coordinates, ImpactLaw, Integrator, Orientation, PropagationOrder, PulseExponent,
+    Response, RotationRate,
 };
 use crate::tier::facts::{IntegratorChoice, TierFeature};
 use crate::tier::list::Tier;
@@ -45,6 +46,10 @@ pub struct Method {
     pub rotation_rate: Option<RotationRate>,
     /// Impact law.
     pub impact: Option<ImpactLaw>,
+    /// Which contact [`ImpactLaw::Propagation`] strikes first; by key when absent.
+    pub propagation_order: Option<PropagationOrder>,
+    /// Exponent of the springs of [`ImpactLaw::Pulse`]; Hertz's when absent.
+    pub pulse_exponent: Option<PulseExponent>,
     /// Law of restitution of impacts with friction.
     pub restitution_law: Option<RestitutionLaw>,
     /// Contact forces.
@@ -115,9 +120,22 @@ impl Method {
             Err(SceneError::NotYetAvailable { what: what.to_owned(), instead: instead.to_owned() })
         };
         let tier = self.tier.unwrap_or_default().facts();
-        if !tier.takes(TierFeature::LeastForce) && self.contact == Some(ContactMethod::LeastForce) {
+        let of_law = [
+            (self.propagation_order.is_some(), "propagation_order", ImpactLaw::Propagation),
+            (self.pulse_exponent.is_some(), "pulse_exponent", ImpactLaw::Pulse),
+        ];
+        for (is_given, key, law) in of_law {
+            if is_given && self.impact.unwrap_or(tier.impact) != law {
+                let other = self.impact.unwrap_or(tier.impact).name();
+                let what = format!("{key} with impact = \"{other}\"");
+                return refuse(&what, &format!("impact = \"{}\" beside it, or no {key}", law.name()));
+            }
+        }
+        if let (false, Some(contact)) = (tier.takes(TierFeature::LeastForce), self.contact)
+            && contact != ContactMethod::ActiveSet
+        {
             return refuse(
-                &format!("contact = \"least-force\" with tier = \"{}\"", tier.name),
+                &format!("contact = \"{}\" with tier = \"{}\"", contact.name(), tier.name),
                 &format!("contact = \"active-set\", or tier {}", Tier::names_with(TierFeature::LeastForce)),
             );
         }
