@@ -37,6 +37,7 @@ pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
         restitution_law: restitution_law(entry)?,
         contact: entry.contact.map(contact),
         response: entry.response.map(response),
+        collision_envelope_m: entry.collision_envelope,
         broad_phase: entry.broad_phase.map(|BroadPhaseName(broad_phase)| broad_phase),
         tolerance,
         coordinates: entry.coordinates.map(coordinates),
@@ -62,6 +63,10 @@ fn path_of(error: &SceneError, entry: &MethodEntry) -> KeyPath {
         _ if !matches!(entry.contact, None | Some(ContactName::ActiveSet)) && !tier.takes(TierFeature::LeastForce) => {
             path.key("contact")
         }
+        SceneError::NotYetAvailable { what, .. } if what.starts_with("collision_envelope") => {
+            path.key("collision_envelope")
+        }
+        SceneError::NotYetAvailable { what, .. } if what.starts_with("response") => path.key("response"),
         _ if !tier.takes(TierFeature::Responses)
             && !matches!(entry.response, None | Some(ResponseName::Constraint)) =>
         {

@@ -39,6 +39,9 @@ pub struct MethodEntry {
     pub broad_phase: Option<BroadPhaseName>,
     /// How bodies in contact act on each other.
     pub response: Option<ResponseName>,
+    /// Depth of the envelope of tier micro-collisions, m.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub collision_envelope: Option<f64>,
     /// Local error per step of contact phases, relative to size and speed of each body.
     #[schemars(extend("exclusiveMinimum" = 0), range(max = 0.1))]
     pub tolerance: Option<f64>,
@@ -178,7 +181,8 @@ pub enum ContactName {
 pub enum ResponseName {
     /// By forces that keep bodies from overlapping, and impulses where they hit.
     Constraint,
-    /// By impulses alone, where bodies approach; tier thesis (thesis 3.3): resting bodies sink.
+    /// By impulses alone, where bodies approach: tier micro-collisions when no tier is named. With tier thesis (thesis 3.3) resting
+    /// bodies sink.
     Impulse,
     /// By impulses, and bodies that overlap are moved apart; tier thesis (thesis 3.3): resting bodies vibrate.
     ImpulseProjection,

@@ -39,7 +39,7 @@ pub(crate) struct Request {
 }
 
 const PLANNED: &[Planned] = &[
-    Planned { path: &["method", "tier"], values: &["fast"], instead: "accurate, stepped or thesis" },
+    Planned { path: &["method", "tier"], values: &["fast"], instead: "accurate, stepped, micro-collisions or thesis" },
     Planned {
         path: &["method", "contact"],
         values: &["interior-point", "sequential-impulses"],

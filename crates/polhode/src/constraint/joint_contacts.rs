@@ -77,7 +77,9 @@ impl World {
         match touch.id.feature {
             Feature::Shapes(_) => {
                 let speed = -touch.kinematics.separation_rate;
-                self.scene.pair_material(touch.id.a, touch.id.b).restitution_at(speed)
+                let of_materials = self.scene.pair_material(touch.id.a, touch.id.b).restitution_at(speed);
+                let gap_m = touch.kinematics.geometry.separation;
+                self.envelope.map_or(of_materials, |envelope| envelope.restitution(of_materials, gap_m, speed))
             }
             _ => self.restitution_of(touch.id),
         }

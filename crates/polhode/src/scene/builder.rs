@@ -189,7 +189,7 @@ impl SceneBuilder {
         scene.check_coordinates()?;
         scene.check_grains()?;
         scene.check_motions()?;
-        let tier = scene.method.tier.unwrap_or_default().facts();
+        let tier = scene.method.named_tier().facts();
         if !tier.takes(TierFeature::Friction) && scene.colliding().have_friction() {
             let instead = Tier::names_with(TierFeature::Friction);
             return Err(SceneError::FrictionInTier { tier: tier.name, instead });

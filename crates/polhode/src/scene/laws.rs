@@ -115,14 +115,15 @@ impl ContactMethod {
 }
 
 /// How bodies that touch act on each other. The members besides [`Response::Constraint`] are the models that the thesis
-/// tries first (section 3.3) and rejects: they are wrong, each in its own way, and only the tier `thesis` has them.
+/// tries first (section 3.3) and rejects: they are wrong, each in its own way, and the tier `thesis` has them. Without a tier
+/// [`Response::Impulse`] asks for the tier `micro-collisions`, in which it holds bodies up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Response {
     /// By forces that keep contacts from closing, and by impulses where bodies approach.
     #[default]
     Constraint,
-    /// By impulses alone, where bodies approach. Between two steps a resting body falls freely: it sinks.
+    /// By impulses alone, where bodies approach. In the tier `thesis` a resting body falls freely between two steps: it sinks.
     Impulse,
     /// By impulses where bodies approach, after which bodies that overlap are moved apart. Lifting a body gives it
     /// energy: it never comes to rest.
