@@ -30,11 +30,12 @@ impl Units {
             "position" | "positions" | "size" | "radius" | "height" | "major" | "minor" | "pivot" | "anchor"
             | "lead" | "anchors" | "length" | "point" | "points" | "center" | "center_of_mass" | "rest_length"
             | "start" | "lowest" | "advance" | "wavelength" | "reach" | "coefficients" | "amplitude"
-            | "rolling_friction" | "spinning_friction" | "scale" | "separate" => length,
+            | "rolling_friction" | "spinning_friction" | "scale" | "separate" | "collision_envelope" => length,
             "curvature" => 1.0 / length,
             "duration" | "step" | "interval" | "times" => time,
             "gravity" => length / (time * time),
-            "velocity" | "surface_velocity" | "wind" => speed,
+            "velocity" | "surface_velocity" | "wind" | "restitution_yield_speed" => speed,
+            "restitution_slope" => 1.0 / speed,
             "angular_velocity" | "frequency" => 1.0 / time,
             "mass" => mass,
             "density" => mass / (length * length * length),

@@ -73,6 +73,17 @@ pub enum ResponseError {
         /// The compliance, 1/kg.
         compliance: f64,
     },
+    /// Too many contacts to guess which of them vanish.
+    #[error(
+        "{contacts} contacts of bodies that touch have 2^{contacts} sets of those that vanish: guesses are accepted for at \
+         most {limit}; use contact = \"heuristic\", \"least-force\" or \"active-set\""
+    )]
+    TooManyGuesses {
+        /// Number of contacts.
+        contacts: usize,
+        /// The most that are accepted.
+        limit: usize,
+    },
     /// A row index is out of range.
     #[error("row {row} does not exist, the problem has {rows} rows")]
     UnknownRow {

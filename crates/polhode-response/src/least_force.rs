@@ -25,7 +25,7 @@ use crate::settings::SolverSettings;
 const ZERO_FACTOR: f64 = 1e3;
 
 /// Accelerations of an exact answer below this fraction of their scale count as zero (no unit).
-const ZERO_CUT: f64 = 1e-9;
+pub(crate) const ZERO_CUT: f64 = 1e-9;
 
 /// Rounding of forces and accelerations after they have been made exact (no unit).
 const EXACT: f64 = 1e-12;

@@ -16,8 +16,9 @@
 //! | [`sliding`] | [`least_norm_sliding_forces`]: rows that are held while contacts slide, and whether that choice matters |
 //! | [`friction`] | [`solve_friction`](friction::solve_friction): contacts with friction, exact Coulomb |
 //! | [`sparse`] | [`BodySolver`](sparse::BodySolver): contacts and joints in the velocities of bodies, by sparse factors |
-//! | [`impact`] | [`ImpactLaw`]: propagation, simultaneous, reflection |
+//! | [`impact`] | [`ImpactLaw`]: propagation, simultaneous, reflection, poisson, energetic, pulse |
 //! | [`impact::friction`] | [`SingleFrictionalImpact`], [`MultipleFrictionalImpact`]: slip, stick, reversal and jam |
+//! | [`mod@heuristic`], [`mod@guesses`] | [`heuristic()`] and [`guesses()`] of the thesis, which tell what they took for vanishing contacts |
 //! | [`mod@least_force`] | [`least_force()`]: the linear programme of the thesis |
 //! | [`certificate`] | residual and error bound of any answer |
 //! | [`report`] | [`SolverReport`], [`SolverStatus`] |
@@ -82,6 +83,8 @@ pub mod delassus;
 mod dense;
 pub mod error;
 pub mod friction;
+pub mod guesses;
+pub mod heuristic;
 pub mod impact;
 mod interior_point;
 pub mod law;
@@ -101,13 +104,16 @@ pub use complementarity::{ComplementaritySolver, ContactSolution, WarmStart, sol
 pub use delassus::Delassus;
 pub use error::ResponseError;
 pub use friction::{Blocks, BlocksSolution, ResistedPart};
+pub use guesses::{GuessedForces, MOST_GUESSED, guesses};
+pub use heuristic::{HeuristicSolution, heuristic};
 pub use impact::friction::{
     CollisionMatrix, FrictionalImpact, FrictionalImpactStatus, ImpactPhase, MultipleFrictionalImpact, MultipleImpact,
     MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus, PhaseKind, RestitutionLaw, SingleFrictionalImpact,
     SlidingContact, SlidingForce,
 };
 pub use impact::{
-    Application, ImpactLaw, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus, single_contact_impulse,
+    Application, ImpactLaw, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus, PulseExponent,
+    single_contact_impulse,
 };
 pub use law::{Law, Resistance};
 pub use least_force::{LeastForceSolution, LeastForceStage, least_force};

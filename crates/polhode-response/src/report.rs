@@ -33,6 +33,8 @@ pub enum Method {
     InteriorPoint,
     /// Linear programme (the `thesis` tier).
     LinearProgramme,
+    /// Guesses of which contacts vanish (the `thesis` tier).
+    Guesses,
 }
 
 impl Method {

@@ -511,7 +511,15 @@ pub(crate) fn nearest(name: &str, names: &[&str], none: &str) -> String {
 
 /// Whether a key that was given to something with a material is one of a material.
 fn is_of_material(key: &str, accepted: &str) -> bool {
-    const KEYS: [&str; 5] = ["friction", "static_friction", "rolling_friction", "spinning_friction", "restitution"];
+    const KEYS: [&str; 7] = [
+        "friction",
+        "static_friction",
+        "rolling_friction",
+        "spinning_friction",
+        "restitution",
+        "restitution_yield_speed",
+        "restitution_slope",
+    ];
     accepted.contains("`material`") && KEYS.contains(&key)
 }
 

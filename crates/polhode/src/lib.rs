@@ -173,6 +173,7 @@ mod joint_id;
 mod joint_sample;
 mod joint_samples;
 pub mod ledger;
+mod micro_collisions;
 pub mod momentum_ledger;
 pub mod observer;
 mod pivot_form;

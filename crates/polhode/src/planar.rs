@@ -70,7 +70,8 @@ pub(crate) fn find(world: &World, states: &[BodyState], settings: &Settings) -> 
             "the integrator that the scene names may not keep the symmetry: bodies move in space",
         );
     }
-    if settings.impact == ImpactLaw::Propagation || settings.contact == ContactMethod::LeastForce {
+    let by_forces_alike = matches!(settings.contact, ContactMethod::ActiveSet | ContactMethod::Guesses);
+    if settings.impact == ImpactLaw::Propagation || !by_forces_alike {
         return PlanarFinding::off(
             "the impact law or the contact method does not treat all contacts alike, which breaks the symmetry",
         );

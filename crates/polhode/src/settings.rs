@@ -4,6 +4,7 @@ use crate::scene::{
     BroadPhaseMethod, ContactMethod, Coordinates, Crowding, FlightRecords, ImpactLaw, Integrator, Method, Orientation,
     Response, RotationRate, Tier, TierFeature,
 };
+use crate::tier::selection;
 use polhode_dynamics::integrator::{self, MethodSettings, Tolerance};
 
 /// Local error of a step of constrained motion when none is given, relative to size and speed (dimensionless).
@@ -128,7 +129,7 @@ impl Settings {
             impact: method.impact.unwrap_or(facts.impact),
             contact: method.contact.unwrap_or(facts.contact),
             coordinates: method.coordinates.unwrap_or_default(),
-            response: method.response.unwrap_or_default(),
+            response: method.response.or(selection::own_response(tier)).unwrap_or_default(),
             broad_phase: method.broad_phase.unwrap_or_default(),
             step_s: method.step_s.unwrap_or(facts.step_s),
             step_is_given: method.step_s.is_some(),

@@ -6,6 +6,7 @@
 //! | module | holds |
 //! |---|---|
 //! | `choice` | which tier runs a scene that names none, by what it would cost |
+//! | `selection` | which tier a response asks for |
 //! | `facts` | [`TierFacts`](crate::scene::TierFacts): what a tier is |
 //! | `list` | the tiers |
 //! | `engines` | their engines, begun and restored |
@@ -14,6 +15,7 @@ pub(crate) mod choice;
 pub(crate) mod engines;
 pub(crate) mod facts;
 pub(crate) mod list;
+pub(crate) mod selection;
 
 use crate::accounting::Accounts;
 use crate::core::Core;

@@ -4,12 +4,12 @@ use super::case::Case;
 use super::{
     arches, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds, effects, exact_drift,
     falling_shapes, free_rotation, friction_effects, friction_invariances, friction_scenes, frictional_impacts,
-    frictional_statics, heaps, heavy_tops, impact_chains, impacts, invariances, joints, ledger, long_runs,
+    frictional_statics, heaps, heavy_tops, impact_chains, impact_laws, impacts, invariances, joints, ledger, long_runs,
     mass_properties, numerical_loss, one_dependency, peers, pi_machine, polhode_times, published_rotations,
     random_scenes, random_solids, reductions, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, seams,
     sliding, sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed, spinning_scenes, stability,
-    stackings, stacks, stacks_on_slopes, structures, table_edge, thesis_tier, tunnelling, units, valleys, videos,
-    walls,
+    stackings, stacks, stacks_on_slopes, structures, table_edge, thesis_forces, thesis_tier, tunnelling, units,
+    valleys, videos, walls,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -107,6 +107,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "IM-02", rows: impact_chains::im_02 },
     Case { name: "IM-03", rows: impact_chains::im_03 },
     Case { name: "IM-04", rows: impact_chains::im_04 },
+    Case { name: "impact laws", rows: impact_laws::rows },
     Case { name: "IM-05", rows: impacts::im_05 },
     Case { name: "IM-06", rows: pi_machine::im_06 },
     Case { name: "IM-07", rows: frictional_impacts::im_07 },
@@ -175,6 +176,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "diamond-5 falls", rows: diamonds::falls_symmetrically },
     Case { name: "tier thesis", rows: thesis_tier::diamonds },
     Case { name: "videos", rows: videos::rows },
+    Case { name: "thesis forces", rows: thesis_forces::rows },
     Case { name: "ledger", rows: ledger::shipped_scenes },
     Case { name: "energy at e = 1", rows: ledger::elastic_scenes },
     Case { name: "one dependency", rows: one_dependency::examples },

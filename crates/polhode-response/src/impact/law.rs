@@ -2,7 +2,8 @@
 
 use super::impact_problem::ImpactProblem;
 use super::outcome::ImpactOutcome;
-use super::{propagation, reflection, simultaneous};
+use super::pulse::PulseExponent;
+use super::{energetic, poisson, propagation, pulse, reflection, simultaneous};
 use crate::complementarity::ComplementaritySolver;
 use crate::error::ResponseError;
 
@@ -17,6 +18,12 @@ pub enum ImpactLaw {
     /// Generalised reflection, blended with the inelastic impulse.
     #[default]
     Reflection,
+    /// A compression and an expansion of all touching contacts (Poisson; Glocker and Pfeiffer).
+    Poisson,
+    /// Each contact gives back a part of the work that it took (Stronge).
+    Energetic,
+    /// The contacts as springs that spend their energy (Liu, Zhao and Brogliato).
+    Pulse(PulseExponent),
 }
 
 impl ImpactLaw {
@@ -33,6 +40,9 @@ impl ImpactLaw {
             Self::Propagation => propagation(problem, solver),
             Self::Simultaneous => simultaneous(problem, solver),
             Self::Reflection => reflection(problem, solver),
+            Self::Poisson => poisson(problem, solver),
+            Self::Energetic => energetic(problem, solver),
+            Self::Pulse(exponent) => pulse(problem, solver, exponent),
         }
     }
 }

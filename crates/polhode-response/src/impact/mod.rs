@@ -10,6 +10,9 @@
 //! | [`propagation`](propagation()) | one at a time, in order (thesis 3.3) | no | not always |
 //! | [`simultaneous`](simultaneous()) | all at once (Moreau; thesis 3.4, end) | yes | yes |
 //! | [`reflection`](reflection()) | those that approach, repeated (Smith et al. 2012) | yes | yes |
+//! | [`poisson`](poisson()) | all at once, compression and expansion (Glocker and Pfeiffer 1995) | yes | yes |
+//! | [`energetic`](energetic()) | all at once, each gives back a part of its work (Stronge 1990) | yes | yes |
+//! | [`pulse`](pulse()) | as springs, along the impulse (Liu, Zhao and Brogliato 2008) | yes | yes |
 //!
 //! At a bilateral row, a joint, `u+ = 0` after every application, whatever its restitution and whatever it was before:
 //! the joints take part in each solve, with impulses of either sign.
@@ -20,7 +23,7 @@
 //! | module | holds |
 //! |---|---|
 //! | `law` | the choice of a law: [`ImpactLaw`] |
-//! | `propagation`, `simultaneous`, `reflection` | the laws, one file each |
+//! | `propagation`, `simultaneous`, `reflection`, `poisson`, `energetic`, `pulse` | the laws, one file each |
 //! | `single_contact` | equation (14): one row struck alone |
 //! | `impact_problem` | what a law resolves, and its check: [`ImpactProblem`] |
 //! | `finish` | what all laws share: inelastic solves, the end of an impact, its energy |
@@ -28,21 +31,27 @@
 //! | `settings` | tolerances and limits: [`ImpactSettings`] |
 //! | `outcome` | what a law did: [`ImpactOutcome`] |
 
+mod energetic;
 mod finish;
 pub mod friction;
 mod impact_problem;
 mod law;
 mod outcome;
+mod poisson;
 mod propagation;
+mod pulse;
 mod reflection;
 mod settings;
 mod simultaneous;
 mod single_contact;
 
+pub use energetic::energetic;
 pub use impact_problem::ImpactProblem;
 pub use law::ImpactLaw;
 pub use outcome::{Application, ImpactOutcome, ImpactStatus};
-pub use propagation::propagation;
+pub use poisson::poisson;
+pub use propagation::{propagation, propagation_in_order};
+pub use pulse::{PulseExponent, pulse};
 pub use reflection::reflection;
 pub use settings::ImpactSettings;
 pub use simultaneous::simultaneous;

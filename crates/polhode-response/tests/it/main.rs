@@ -31,3 +31,4 @@ mod oracle;
 mod problem;
 mod resisted_rotations;
 mod scenes;
+mod thesis_forces;

@@ -6,7 +6,7 @@ use crate::error::{Refusal, nearest};
 use crate::format::{GrainEntry, MaterialEntry, NumberOr, PairEntry, StaticGrainEntry};
 use glam::DVec3;
 use polhode::SceneError;
-use polhode::scene::{FrictionEllipse, Material, PairRule};
+use polhode::scene::{FrictionEllipse, Material, PairRule, RestitutionSpeed};
 use std::collections::BTreeMap;
 
 /// The materials of a scene by name.
@@ -25,7 +25,17 @@ impl Materials {
                 materials.insert(name.clone(), Material::default());
                 continue;
             }
+            let given = (entry.restitution, entry.restitution_yield_speed, entry.restitution_slope);
+            let speed = match restitution_speed(given, &path) {
+                Ok(speed) => speed,
+                Err(refused) => {
+                    faults.add(refused);
+                    materials.insert(name.clone(), Material::default());
+                    continue;
+                }
+            };
             let material = with_friction(name, entry)
+                .and_then(|material| material.with_restitution_speed(speed))
                 .and_then(|material| match &entry.static_friction {
                     Some(NumberOr::Number(static_friction)) => material.with_static_friction(*static_friction),
                     Some(NumberOr::Table(table)) => material.with_static_ellipse(at_rest(table)),
@@ -55,6 +65,8 @@ impl Materials {
         for (index, name) in entry.materials.0.iter().enumerate() {
             self.get(name, &path.key("materials").index(index))?;
         }
+        let given = (entry.restitution, entry.restitution_yield_speed, entry.restitution_slope);
+        let speed = restitution_speed(given, path)?;
         let rule = PairRule::new(entry.materials.0.clone());
         let rule = match &entry.friction {
             None => Ok(rule),
@@ -62,7 +74,7 @@ impl Materials {
             Some(NumberOr::Table(grain)) => rule.with_grain(direction(grain), kinetic(grain)),
         };
         rule.and_then(|rule| match entry.restitution {
-            Some(restitution) => rule.with_restitution(restitution),
+            Some(restitution) => rule.with_restitution(restitution).and_then(|rule| rule.with_restitution_speed(speed)),
             None => Ok(rule),
         })
         .and_then(|rule| match &entry.static_friction {
@@ -87,6 +99,29 @@ fn with_friction(name: &str, entry: &MaterialEntry) -> Result<Material, SceneErr
     material.with_restitution(entry.restitution.unwrap_or(0.0))
 }
 
+/// How restitution depends on speed, from the coefficient, the yield speed and the slope given.
+fn restitution_speed(
+    (restitution, yield_speed, slope): (Option<f64>, Option<f64>, Option<f64>),
+    path: &KeyPath,
+) -> Result<RestitutionSpeed, Fault> {
+    let (key, speed) = match (yield_speed, slope) {
+        (None, None) => return Ok(RestitutionSpeed::Constant),
+        (Some(_), Some(_)) => {
+            let found = "restitution_yield_speed and restitution_slope".to_owned();
+            let accepted = "one of the two: each is a law of its own".to_owned();
+            return Err((path.key("restitution_slope"), Refusal::Type { found, accepted }));
+        }
+        (Some(limit), None) => ("restitution_yield_speed", RestitutionSpeed::Yield(limit)),
+        (None, Some(slope)) => ("restitution_slope", RestitutionSpeed::Slope(slope)),
+    };
+    if restitution.is_none() {
+        let found = format!("{key} without restitution");
+        let accepted = format!("restitution, that of slow impacts, beside {key}");
+        return Err((path.key(key), Refusal::Type { found, accepted }));
+    }
+    Ok(speed)
+}
+
 fn kinetic(grain: &GrainEntry) -> FrictionEllipse {
     FrictionEllipse { along: grain.along, across: grain.across }
 }
@@ -103,6 +138,7 @@ fn direction(grain: &GrainEntry) -> Option<DVec3> {
 fn fault(error: SceneError, path: &KeyPath) -> Fault {
     let key = match &error {
         SceneError::Restitution { .. } => "restitution",
+        SceneError::RestitutionSpeed { quantity, .. } => quantity,
         SceneError::StaticFriction { .. } | SceneError::StaticGrain { .. } => "static_friction",
         SceneError::RotationalFriction { kind: "rolling", .. } => "rolling_friction",
         SceneError::RotationalFriction { .. } => "spinning_friction",

@@ -5,12 +5,13 @@ use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{
     BroadPhaseName, ContactName, CoordinatesName, CrowdingName, ImpactName, IntegratorName, MethodEntry,
-    OrientationName, ResponseName, RestitutionLawName, RotationRateName, TierName,
+    OrientationName, PropagationOrderName, PulseExponentName, ResponseName, RestitutionLawName, RotationRateName,
+    TierName,
 };
 use polhode::SceneError;
 use polhode::scene::{
-    ContactMethod, Coordinates, Crowding, ImpactLaw, IntegratorChoice, Method, Orientation, Response, RestitutionLaw,
-    RotationRate, TierFeature,
+    ContactMethod, Coordinates, Crowding, ImpactLaw, IntegratorChoice, Method, Orientation, PropagationOrder,
+    PulseExponent, Response, RestitutionLaw, RotationRate, TierFeature,
 };
 
 /// The method that the file asks for.
@@ -31,9 +32,12 @@ pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
         orientation: entry.orientation.map(orientation),
         rotation_rate: entry.rotation_rate.map(rotation_rate),
         impact: entry.impact.map(impact),
+        propagation_order: entry.propagation_order.map(propagation_order),
+        pulse_exponent: entry.pulse_exponent.map(pulse_exponent),
         restitution_law: restitution_law(entry)?,
         contact: entry.contact.map(contact),
         response: entry.response.map(response),
+        collision_envelope_m: entry.collision_envelope,
         broad_phase: entry.broad_phase.map(|BroadPhaseName(broad_phase)| broad_phase),
         tolerance,
         coordinates: entry.coordinates.map(coordinates),
@@ -52,9 +56,17 @@ fn path_of(error: &SceneError, entry: &MethodEntry) -> KeyPath {
     match error {
         SceneError::Number { key, .. } => KeyPath::of(&key.split('.').collect::<Vec<_>>()),
         // Knobs that do not go together: the one that is not the tier or the integrator.
-        _ if entry.contact == Some(ContactName::LeastForce) && !tier.takes(TierFeature::LeastForce) => {
+        SceneError::NotYetAvailable { what, .. } if what.starts_with("propagation_order") => {
+            path.key("propagation_order")
+        }
+        SceneError::NotYetAvailable { what, .. } if what.starts_with("pulse_exponent") => path.key("pulse_exponent"),
+        _ if !matches!(entry.contact, None | Some(ContactName::ActiveSet)) && !tier.takes(TierFeature::LeastForce) => {
             path.key("contact")
         }
+        SceneError::NotYetAvailable { what, .. } if what.starts_with("collision_envelope") => {
+            path.key("collision_envelope")
+        }
+        SceneError::NotYetAvailable { what, .. } if what.starts_with("response") => path.key("response"),
         _ if !tier.takes(TierFeature::Responses)
             && !matches!(entry.response, None | Some(ResponseName::Constraint)) =>
         {
@@ -92,6 +104,24 @@ const fn impact(name: ImpactName) -> ImpactLaw {
         ImpactName::Propagation => ImpactLaw::Propagation,
         ImpactName::Simultaneous => ImpactLaw::Simultaneous,
         ImpactName::Reflection => ImpactLaw::Reflection,
+        ImpactName::Poisson => ImpactLaw::Poisson,
+        ImpactName::Energetic => ImpactLaw::Energetic,
+        ImpactName::Pulse => ImpactLaw::Pulse,
+    }
+}
+
+const fn propagation_order(name: PropagationOrderName) -> PropagationOrder {
+    match name {
+        PropagationOrderName::Key => PropagationOrder::Key,
+        PropagationOrderName::Depth => PropagationOrder::Depth,
+        PropagationOrderName::Random(seed) => PropagationOrder::Random { seed },
+    }
+}
+
+const fn pulse_exponent(name: PulseExponentName) -> PulseExponent {
+    match name {
+        PulseExponentName::Linear => PulseExponent::Linear,
+        PulseExponentName::Hertz => PulseExponent::Hertz,
     }
 }
 
@@ -127,6 +157,8 @@ const fn contact(name: ContactName) -> ContactMethod {
     match name {
         ContactName::LeastForce => ContactMethod::LeastForce,
         ContactName::ActiveSet => ContactMethod::ActiveSet,
+        ContactName::Heuristic => ContactMethod::Heuristic,
+        ContactName::Guesses => ContactMethod::Guesses,
     }
 }
 

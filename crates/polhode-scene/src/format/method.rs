@@ -23,6 +23,10 @@ pub struct MethodEntry {
     pub rotation_rate: Option<RotationRateName>,
     /// What happens when bodies hit each other.
     pub impact: Option<ImpactName>,
+    /// Which contact `impact = "propagation"` strikes first: `key` (when absent), `depth`, or `{ random = SEED }`.
+    pub propagation_order: Option<PropagationOrderName>,
+    /// The springs of `impact = "pulse"`; hertz when absent.
+    pub pulse_exponent: Option<PulseExponentName>,
     /// The law of restitution of an impact with friction at a contact that is struck alone; stronge when absent.
     pub restitution_law: Option<RestitutionLawName>,
     /// By how much restitution reverses the slip of an impact, in [-1, 1]: 0 sticks, 1 is a super ball. It needs
@@ -35,6 +39,9 @@ pub struct MethodEntry {
     pub broad_phase: Option<BroadPhaseName>,
     /// How bodies in contact act on each other.
     pub response: Option<ResponseName>,
+    /// Depth of the envelope of tier micro-collisions, m.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub collision_envelope: Option<f64>,
     /// Local error per step of contact phases, relative to size and speed of each body.
     #[schemars(extend("exclusiveMinimum" = 0), range(max = 0.1))]
     pub tolerance: Option<f64>,
@@ -108,6 +115,34 @@ pub enum ImpactName {
     Simultaneous,
     /// Generalised reflection: symmetric, and momentum still travels through chains.
     Reflection,
+    /// A compression and an expansion of all contacts after Poisson.
+    Poisson,
+    /// Each contact gives back a part of the work that it took, after Stronge.
+    Energetic,
+    /// The contacts as springs that spend their energy (Liu, Zhao and Brogliato); without friction.
+    Pulse,
+}
+
+/// Which of several contacts that approach propagation strikes first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum PropagationOrderName {
+    /// The first by the numbers of its bodies and features.
+    Key,
+    /// The one that overlaps most.
+    Depth,
+    /// In an order drawn anew for each impact.
+    Random(u64),
+}
+
+/// The springs of impact law pulse.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum PulseExponentName {
+    /// Force in proportion to indentation.
+    Linear,
+    /// Force with the power 3/2 of indentation, as between curved surfaces.
+    Hertz,
 }
 
 /// The law of restitution of an impact with friction.
@@ -134,6 +169,10 @@ pub enum ContactName {
     LeastForce,
     /// The exact complementarity problem by the active set.
     ActiveSet,
+    /// The thesis's heuristic in its three stages, each told (thesis 3.4).
+    Heuristic,
+    /// Guesses of which contacts vanish, one after the other until forces fit (thesis 3.4).
+    Guesses,
 }
 
 /// How bodies in contact act on each other.
@@ -142,7 +181,8 @@ pub enum ContactName {
 pub enum ResponseName {
     /// By forces that keep bodies from overlapping, and impulses where they hit.
     Constraint,
-    /// By impulses alone, where bodies approach; tier thesis (thesis 3.3): resting bodies sink.
+    /// By impulses alone, where bodies approach: tier micro-collisions when no tier is named. With tier thesis (thesis 3.3) resting
+    /// bodies sink.
     Impulse,
     /// By impulses, and bodies that overlap are moved apart; tier thesis (thesis 3.3): resting bodies vibrate.
     ImpulseProjection,

@@ -39,16 +39,11 @@ pub(crate) struct Request {
 }
 
 const PLANNED: &[Planned] = &[
-    Planned { path: &["method", "tier"], values: &["fast"], instead: "accurate, stepped or thesis" },
-    Planned {
-        path: &["method", "impact"],
-        values: &["poisson", "energetic", "pulse"],
-        instead: "propagation, simultaneous or reflection",
-    },
+    Planned { path: &["method", "tier"], values: &["fast"], instead: "accurate, stepped, micro-collisions or thesis" },
     Planned {
         path: &["method", "contact"],
         values: &["interior-point", "sequential-impulses"],
-        instead: "active-set or least-force",
+        instead: "active-set, or with tier thesis least-force, heuristic or guesses",
     },
     Planned { path: &["method", "response"], values: &["penalty"], instead: "constraint" },
 ];

@@ -106,9 +106,15 @@ pub struct MaterialEntry {
     /// when absent. Two materials: the geometric mean.
     #[schemars(range(min = 0))]
     pub spinning_friction: Option<f64>,
-    /// Coefficient of restitution in [0, 1]; 0 when absent. Two materials: the larger one.
+    /// Coefficient of restitution in [0, 1]; 0 when absent. Two materials: the larger one at the speed.
     #[schemars(range(min = 0, max = 1))]
     pub restitution: Option<f64>,
+    /// Speed of approach, m/s, above which restitution falls with the power -1/4 of the speed.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub restitution_yield_speed: Option<f64>,
+    /// By how much restitution falls for each metre a second of the speed of approach, s/m; not below 0.
+    #[schemars(range(min = 0))]
+    pub restitution_slope: Option<f64>,
 }
 
 /// What two materials do to each other instead of the default rule; what is absent keeps the rule.
@@ -131,6 +137,12 @@ pub struct PairEntry {
     /// Coefficient of restitution in [0, 1].
     #[schemars(range(min = 0, max = 1))]
     pub restitution: Option<f64>,
+    /// Speed of approach, m/s, above which restitution falls with the power -1/4 of the speed.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub restitution_yield_speed: Option<f64>,
+    /// By how much restitution falls for each metre a second of the speed of approach, s/m; not below 0.
+    #[schemars(range(min = 0))]
+    pub restitution_slope: Option<f64>,
 }
 
 /// Bodies that do not collide with each other.

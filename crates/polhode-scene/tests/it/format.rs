@@ -50,10 +50,10 @@ fn method() {
 #[test]
 fn words() {
     for (knob, words) in [
-        ("impact", &["propagation", "simultaneous", "reflection"][..]),
+        ("impact", &["propagation", "simultaneous", "reflection", "poisson", "energetic", "pulse"][..]),
         ("contact", &["active-set"]),
-        ("tier = \"thesis\"\nmethod.contact", &["least-force", "active-set"]),
-        ("response", &["constraint"]),
+        ("tier = \"thesis\"\nmethod.contact", &["least-force", "active-set", "heuristic", "guesses"]),
+        ("response", &["constraint", "impulse"]),
         (
             "tier = \"thesis\"\nmethod.response",
             &["constraint", "impulse", "impulse-projection", "impulse-unconditional"],

@@ -238,12 +238,8 @@ fn unknown_keys_and_values() {
 fn planned_members() {
     let top = |line: &str| BASE.replace("name = \"base\"", line);
     let mut cases = Vec::new();
-    let knobs = [
-        ("tier", &["fast"][..]),
-        ("impact", &["poisson", "energetic", "pulse"]),
-        ("contact", &["interior-point", "sequential-impulses"]),
-        ("response", &["penalty"]),
-    ];
+    let knobs =
+        [("tier", &["fast"][..]), ("contact", &["interior-point", "sequential-impulses"]), ("response", &["penalty"])];
     for (knob, values) in knobs {
         for value in values {
             cases.push((top(&format!("method.{knob} = \"{value}\"")), "method"));
@@ -265,7 +261,13 @@ fn knobs_that_do_not_go_together() {
         ("contact = \"least-force\"\nmethod.integrator = \"rk4\"", "method.contact"),
         ("contact = \"least-force\"\nmethod.tier = \"stepped\"", "method.contact"),
         ("integrator = \"rk4\"\nmethod.tier = \"stepped\"", "method.integrator"),
-        ("response = \"impulse\"", "method.response"),
+        ("response = \"impulse\"\nmethod.tier = \"accurate\"", "method.response"),
+        ("response = \"constraint\"\nmethod.tier = \"micro-collisions\"", "method.response"),
+        ("collision_envelope = 0.001", "method.collision_envelope"),
+        ("contact = \"heuristic\"", "method.contact"),
+        ("contact = \"guesses\"\nmethod.tier = \"stepped\"", "method.contact"),
+        ("propagation_order = \"depth\"", "method.propagation_order"),
+        ("pulse_exponent = \"linear\"\nmethod.impact = \"poisson\"", "method.pulse_exponent"),
         ("response = \"impulse-projection\"\nmethod.tier = \"stepped\"", "method.response"),
         ("response = \"impulse-unconditional\"\nmethod.integrator = \"rk4\"", "method.response"),
         ("orientation = \"matrix\"", "method.orientation"),
@@ -522,5 +524,24 @@ fn tracks_that_cannot_be_followed() {
         let refused = refused(&format!("{BASE}\n[[tracks]]\n{track}\n{joint}"));
         let is_told = refused.place.key.starts_with(key) && refused.to_string().contains(message);
         assert!(is_told, "{track} {joint}: {} {refused}", refused.place.key);
+    }
+}
+
+/// Restitution that depends on speed: one law at a time, with a coefficient, and none that rises with speed.
+#[test]
+fn restitution_by_speed() {
+    let with = |lines: &str| BASE.replace("restitution = 0.5", lines);
+    assert_ne!(with(""), BASE);
+    for (lines, key) in [
+        ("restitution = 0.5\nrestitution_slope = -0.1", "materials.ice.restitution_slope"),
+        ("restitution = 0.5\nrestitution_yield_speed = 0.0", "materials.ice.restitution_yield_speed"),
+        ("restitution_yield_speed = 1.0", "materials.ice.restitution_yield_speed"),
+        (
+            "restitution = 0.5\nrestitution_slope = 0.1\nrestitution_yield_speed = 1.0",
+            "materials.ice.restitution_slope",
+        ),
+    ] {
+        let refused = refused(&with(lines));
+        assert_eq!(refused.place.key, key, "{refused}");
     }
 }

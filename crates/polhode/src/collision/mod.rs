@@ -21,6 +21,7 @@ pub(crate) mod contact_id;
 pub(crate) mod contact_modes;
 pub(crate) mod contact_set;
 mod covered_borders;
+pub(crate) mod envelope;
 mod friction_ellipse;
 pub(crate) mod friction_mode;
 mod moving_surfaces;

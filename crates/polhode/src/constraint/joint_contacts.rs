@@ -3,7 +3,7 @@
 use super::joint::WorldJoint;
 use super::stop::Stop;
 use crate::collision::contact_id::{ContactId, Feature};
-use crate::collision::contact_set::FoundContact;
+use crate::collision::contact_set::{FoundContact, Touch};
 use crate::world::World;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
@@ -72,7 +72,20 @@ impl World {
         of.is_some_and(Stop::is_side_of_track)
     }
 
-    /// Coefficient of restitution of a contact.
+    /// Coefficient of restitution of a contact at its speed of approach.
+    pub(crate) fn restitution_at(&self, touch: &Touch) -> f64 {
+        match touch.id.feature {
+            Feature::Shapes(_) => {
+                let speed = -touch.kinematics.separation_rate;
+                let of_materials = self.scene.pair_material(touch.id.a, touch.id.b).restitution_at(speed);
+                let gap_m = touch.kinematics.geometry.separation;
+                self.envelope.map_or(of_materials, |envelope| envelope.restitution(of_materials, gap_m, speed))
+            }
+            _ => self.restitution_of(touch.id),
+        }
+    }
+
+    /// Coefficient of restitution of a contact that approaches slowly.
     pub(crate) fn restitution_of(&self, id: ContactId) -> f64 {
         match id.feature {
             Feature::Shapes(_) => self.scene.pair_material(id.a, id.b).restitution(),

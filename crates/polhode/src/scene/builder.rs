@@ -1,6 +1,7 @@
 //! Builds a scene from its parts and checks them together.
 
 use super::error::positive;
+use super::laws::ImpactLaw;
 use super::{
     Body, Coordinate, CoordinateMotion, DEFAULT_GRAVITY, Force, Gear, GearEnd, Joint, Method, PairRule, Scene,
     SceneError, Tier, TierFeature, TrackId, force,
@@ -188,10 +189,15 @@ impl SceneBuilder {
         scene.check_coordinates()?;
         scene.check_grains()?;
         scene.check_motions()?;
-        let tier = scene.method.tier.unwrap_or_default().facts();
+        let tier = scene.method.named_tier().facts();
         if !tier.takes(TierFeature::Friction) && scene.colliding().have_friction() {
             let instead = Tier::names_with(TierFeature::Friction);
             return Err(SceneError::FrictionInTier { tier: tier.name, instead });
+        }
+        if scene.method.impact == Some(ImpactLaw::Pulse) && scene.colliding().have_friction() {
+            let what = "impact = \"pulse\" where contacts have friction".to_owned();
+            let instead = "friction = 0, or impact = \"energetic\", \"poisson\" or \"reflection\"".to_owned();
+            return Err(SceneError::NotYetAvailable { what, instead });
         }
         Ok(scene)
     }

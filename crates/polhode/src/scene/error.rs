@@ -258,6 +258,18 @@ pub enum SceneError {
         /// The value found.
         value: f64,
     },
+    /// Restitution would rise with speed, or its dependence on speed is no number.
+    #[error("{quantity} of material {material} is {value}: {accepted} is needed")]
+    RestitutionSpeed {
+        /// The material.
+        material: String,
+        /// The key.
+        quantity: &'static str,
+        /// The value found.
+        value: f64,
+        /// What is accepted.
+        accepted: &'static str,
+    },
     /// A position or velocity is not finite.
     #[error("body {body}: {quantity} has a component that is not finite")]
     NotFinite {

@@ -4,6 +4,7 @@
 
 pub use polhode_contact::BroadPhaseMethod;
 pub use polhode_dynamics::integrator::{Method as Integrator, Orientation, RotationRate};
+pub use polhode_response::impact::PulseExponent;
 
 /// The coordinates in which bodies that joints hold are integrated in the tier `accurate`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -37,6 +38,12 @@ pub enum ImpactLaw {
     /// Generalised reflection after Smith et al.: it keeps the symmetry of a scene, and momentum passes through chains
     /// of bodies.
     Reflection,
+    /// A compression and an expansion of all contacts (Poisson; Glocker and Pfeiffer).
+    Poisson,
+    /// Each contact gives back a part of the work that it took (Stronge).
+    Energetic,
+    /// The contacts as springs that spend their energy (Liu, Zhao and Brogliato); without friction.
+    Pulse,
 }
 
 impl ImpactLaw {
@@ -46,6 +53,36 @@ impl ImpactLaw {
             Self::Propagation => "propagation",
             Self::Simultaneous => "simultaneous",
             Self::Reflection => "reflection",
+            Self::Poisson => "poisson",
+            Self::Energetic => "energetic",
+            Self::Pulse => "pulse",
+        }
+    }
+}
+
+/// Which of several contacts that approach [`ImpactLaw::Propagation`] strikes first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum PropagationOrder {
+    /// The first by the numbers of its bodies and of its features.
+    #[default]
+    Key,
+    /// The one that overlaps most, or is least far apart.
+    Depth,
+    /// In an order drawn anew for each impact, from this seed and the velocities before.
+    Random {
+        /// The seed.
+        seed: u64,
+    },
+}
+
+impl PropagationOrder {
+    /// The name used in scenes and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Key => "key",
+            Self::Depth => "depth",
+            Self::Random { .. } => "random",
         }
     }
 }
@@ -58,6 +95,11 @@ pub enum ContactMethod {
     LeastForce,
     /// The exact complementarity problem by the active set.
     ActiveSet,
+    /// The thesis's heuristic of section 3.4 in its three stages, each told: no contact vanishes; those that the forces of
+    /// least sum open do; those forces themselves.
+    Heuristic,
+    /// The guesses of section 3.4: which contacts vanish is tried, one set after the other, until forces fit.
+    Guesses,
 }
 
 impl ContactMethod {
@@ -66,19 +108,22 @@ impl ContactMethod {
         match self {
             Self::LeastForce => "least-force",
             Self::ActiveSet => "active-set",
+            Self::Heuristic => "heuristic",
+            Self::Guesses => "guesses",
         }
     }
 }
 
 /// How bodies that touch act on each other. The members besides [`Response::Constraint`] are the models that the thesis
-/// tries first (section 3.3) and rejects: they are wrong, each in its own way, and only the tier `thesis` has them.
+/// tries first (section 3.3) and rejects: they are wrong, each in its own way, and the tier `thesis` has them. Without a tier
+/// [`Response::Impulse`] asks for the tier `micro-collisions`, in which it holds bodies up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Response {
     /// By forces that keep contacts from closing, and by impulses where bodies approach.
     #[default]
     Constraint,
-    /// By impulses alone, where bodies approach. Between two steps a resting body falls freely: it sinks.
+    /// By impulses alone, where bodies approach. In the tier `thesis` a resting body falls freely between two steps: it sinks.
     Impulse,
     /// By impulses where bodies approach, after which bodies that overlap are moved apart. Lifting a body gives it
     /// energy: it never comes to rest.

@@ -2,6 +2,7 @@
 
 use super::SceneError;
 use super::grain::{FrictionEllipse, GivenFriction, Grain, GrainOf};
+use super::restitution::{Restitution, RestitutionSpeed};
 use polhode_spatial::DVec3;
 
 /// Friction and restitution of a material, or of a pair of them.
@@ -11,7 +12,7 @@ pub struct Material {
     friction: FrictionEllipse,
     static_friction: FrictionEllipse,
     grain: Option<Grain>,
-    restitution: f64,
+    restitution: Restitution,
     rolling_friction: f64,
     spinning_friction: f64,
 }
@@ -45,6 +46,15 @@ impl Material {
     /// When it is outside [0, 1].
     pub fn with_restitution(self, restitution: f64) -> Result<Self, SceneError> {
         check_restitution(&self.name, restitution)?;
+        Ok(Self { restitution: Restitution::constant(restitution), ..self })
+    }
+
+    /// The same material, whose restitution falls with speed: its coefficient is that of slow impacts then.
+    ///
+    /// # Errors
+    /// When the yield speed is not positive, or the slope would let restitution rise with speed.
+    pub fn with_restitution_speed(self, speed: RestitutionSpeed) -> Result<Self, SceneError> {
+        let restitution = self.restitution.with_speed(&self.name, speed)?;
         Ok(Self { restitution, ..self })
     }
 
@@ -148,9 +158,19 @@ impl Material {
         self.spinning_friction
     }
 
-    /// Coefficient of restitution.
+    /// Coefficient of restitution; where it depends on speed, that of slow impacts, the largest.
     pub fn restitution(&self) -> f64 {
-        self.restitution
+        self.restitution.slow()
+    }
+
+    /// Coefficient of restitution at a speed of approach, m/s.
+    pub fn restitution_at(&self, speed: f64) -> f64 {
+        self.restitution.at(speed)
+    }
+
+    /// Restitution with all its numbers.
+    pub(super) fn restitution_numbers(&self) -> [f64; 6] {
+        self.restitution.numbers()
     }
 
     /// The default rule for two materials: friction of all kinds is the geometric mean, restitution the larger of the
@@ -161,7 +181,7 @@ impl Material {
             friction: self.friction.combined(other.friction),
             static_friction: self.static_friction.combined(other.static_friction),
             grain: Grain::of_pair(self.grain, other.grain),
-            restitution: self.restitution.max(other.restitution),
+            restitution: self.restitution.combined(other.restitution),
             rolling_friction: (self.rolling_friction * other.rolling_friction).sqrt(),
             spinning_friction: (self.spinning_friction * other.spinning_friction).sqrt(),
         }
@@ -174,7 +194,7 @@ pub struct PairRule {
     materials: [String; 2],
     friction: Option<GivenFriction>,
     static_friction: Option<FrictionEllipse>,
-    restitution: Option<f64>,
+    restitution: Option<Restitution>,
     rolling_friction: Option<f64>,
     spinning_friction: Option<f64>,
 }
@@ -208,7 +228,17 @@ impl PairRule {
     /// As [`Material::with_restitution`].
     pub fn with_restitution(self, restitution: f64) -> Result<Self, SceneError> {
         check_restitution(&self.name(), restitution)?;
-        Ok(Self { restitution: Some(restitution), ..self })
+        Ok(Self { restitution: Some(Restitution::constant(restitution)), ..self })
+    }
+
+    /// The same rule, whose restitution falls with speed. Nothing where the rule has no coefficient.
+    ///
+    /// # Errors
+    /// As [`Material::with_restitution_speed`].
+    pub fn with_restitution_speed(self, speed: RestitutionSpeed) -> Result<Self, SceneError> {
+        let name = self.name();
+        let restitution = self.restitution.map(|of| of.with_speed(&name, speed)).transpose()?;
+        Ok(Self { restitution, ..self })
     }
 
     /// The same rule with coefficients of friction along and across a grain, both static and kinetic. `direction` is in

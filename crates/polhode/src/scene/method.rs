@@ -5,10 +5,12 @@
 
 use super::SceneError;
 use super::laws::{
-    BroadPhaseMethod, ContactMethod, Coordinates, ImpactLaw, Integrator, Orientation, Response, RotationRate,
+    BroadPhaseMethod, ContactMethod, Coordinates, ImpactLaw, Integrator, Orientation, PropagationOrder, PulseExponent,
+    Response, RotationRate,
 };
 use crate::tier::facts::{IntegratorChoice, TierFeature};
 use crate::tier::list::Tier;
+use crate::tier::selection;
 use polhode_response::RestitutionLaw;
 
 /// What a run does at crowded events: events of an island that follow each other so closely that time hardly advances.
@@ -45,12 +47,18 @@ pub struct Method {
     pub rotation_rate: Option<RotationRate>,
     /// Impact law.
     pub impact: Option<ImpactLaw>,
+    /// Which contact [`ImpactLaw::Propagation`] strikes first; by key when absent.
+    pub propagation_order: Option<PropagationOrder>,
+    /// Exponent of the springs of [`ImpactLaw::Pulse`]; Hertz's when absent.
+    pub pulse_exponent: Option<PulseExponent>,
     /// Law of restitution of impacts with friction.
     pub restitution_law: Option<RestitutionLaw>,
     /// Contact forces.
     pub contact: Option<ContactMethod>,
     /// How bodies that touch act on each other.
     pub response: Option<Response>,
+    /// Depth of the envelope of micro-collisions, m; a thousandth of the smallest body that moves when absent.
+    pub collision_envelope_m: Option<f64>,
     /// Broad phase: how pairs that may touch are found. It affects the computing time only; results are the same bits.
     pub broad_phase: Option<BroadPhaseMethod>,
     /// Error allowed under error control, relative to size and speed of each body: of each step of constrained motion,
@@ -68,6 +76,11 @@ pub struct Method {
 }
 
 impl Method {
+    /// The tier that is named, or that the response asks for; the default where both leave it open.
+    pub fn named_tier(&self) -> Tier {
+        selection::named(self).unwrap_or_default()
+    }
+
     /// The first setting given that only the default tier has; none where no such setting is given.
     pub(crate) fn first_of_default_tier(&self) -> Option<&'static str> {
         let given = [
@@ -114,20 +127,47 @@ impl Method {
         let refuse = |what: &str, instead: &str| {
             Err(SceneError::NotYetAvailable { what: what.to_owned(), instead: instead.to_owned() })
         };
-        let tier = self.tier.unwrap_or_default().facts();
-        if !tier.takes(TierFeature::LeastForce) && self.contact == Some(ContactMethod::LeastForce) {
+        let named = self.named_tier();
+        let tier = named.facts();
+        let of_law = [
+            (self.propagation_order.is_some(), "propagation_order", ImpactLaw::Propagation),
+            (self.pulse_exponent.is_some(), "pulse_exponent", ImpactLaw::Pulse),
+        ];
+        for (is_given, key, law) in of_law {
+            if is_given && self.impact.unwrap_or(tier.impact) != law {
+                let other = self.impact.unwrap_or(tier.impact).name();
+                let what = format!("{key} with impact = \"{other}\"");
+                return refuse(&what, &format!("impact = \"{}\" beside it, or no {key}", law.name()));
+            }
+        }
+        if let (false, Some(contact)) = (tier.takes(TierFeature::LeastForce), self.contact)
+            && contact != ContactMethod::ActiveSet
+        {
             return refuse(
-                &format!("contact = \"least-force\" with tier = \"{}\"", tier.name),
+                &format!("contact = \"{}\" with tier = \"{}\"", contact.name(), tier.name),
                 &format!("contact = \"active-set\", or tier {}", Tier::names_with(TierFeature::LeastForce)),
             );
         }
         if let (false, Some(response)) = (tier.takes(TierFeature::Responses), self.response)
-            && response != Response::Constraint
+            && response != selection::own_response(named).unwrap_or(Response::Constraint)
         {
+            let own = selection::own_response(named).unwrap_or(Response::Constraint).name();
+            let thesis = Tier::names_with(TierFeature::Responses);
             return refuse(
-                &format!("response = \"{}\" with this tier", response.name()),
-                &format!("response = \"constraint\", or tier {}", Tier::names_with(TierFeature::Responses)),
+                &format!("response = \"{}\" with tier = \"{}\"", response.name(), tier.name),
+                &format!(
+                    "response = \"{own}\", tier {thesis}, or response = \"impulse\" without a tier (micro-collisions)"
+                ),
             );
+        }
+        if let Some(depth) = self.collision_envelope_m {
+            super::error::positive("method.collision_envelope", depth)?;
+            if selection::own_response(named) != Some(Response::Impulse) {
+                return refuse(
+                    &format!("collision_envelope with tier = \"{}\"", tier.name),
+                    "tier = \"micro-collisions\" beside it, or no collision_envelope",
+                );
+            }
         }
         if let (IntegratorChoice::Tier { instead, .. }, Some(integrator)) = (tier.integrator_choice, self.integrator) {
             return refuse(&format!("integrator = \"{}\" with tier = \"{}\"", integrator.name(), tier.name), instead);

@@ -21,6 +21,7 @@
 //! | [`motion`] | prescribed motions of kinematic bodies |
 //! | `method` | [`Method`]: the tier and the settings that override its choices; [`TierFacts`] says what a tier is |
 //! | `laws` | [`ImpactLaw`], [`ContactMethod`], [`Response`], [`Integrator`] and other choices of a method |
+//! | `restitution` | [`RestitutionSpeed`]: restitution that falls with speed |
 //! | `pairs` | how many pairs of bodies may collide |
 //! | `error` | [`SceneError`]: why a scene is refused |
 
@@ -42,6 +43,7 @@ mod material;
 mod method;
 pub mod motion;
 mod pairs;
+mod restitution;
 mod strength;
 mod tie_checks;
 mod track;
@@ -64,7 +66,8 @@ pub use grain::FrictionEllipse;
 pub(crate) use grain::GrainOf;
 pub use joint::{Joint, JointKind};
 pub use laws::{
-    BroadPhaseMethod, ContactMethod, Coordinates, ImpactLaw, Integrator, Orientation, Response, RotationRate,
+    BroadPhaseMethod, ContactMethod, Coordinates, ImpactLaw, Integrator, Orientation, PropagationOrder, PulseExponent,
+    Response, RotationRate,
 };
 pub use material::{Material, PairRule};
 pub use method::{Crowding, Method};
@@ -73,6 +76,7 @@ pub use motion::{
 };
 pub use polhode_dynamics::field::{DragLaw, Frame, Signal};
 pub use polhode_response::RestitutionLaw;
+pub use restitution::RestitutionSpeed;
 pub use strength::Strength;
 pub use track::{Follows, OneSide, TrackEnds, TrackHold, TrackId, TrackSprings};
 

@@ -41,7 +41,7 @@ impl Scene {
     /// For every two materials of which bodies may collide: two such bodies, and
     /// how many pairs of them there are. Takes `O(n log n)` for n bodies of a few materials.
     fn counted_material_pairs(&self) -> Vec<((usize, usize), usize)> {
-        let mut materials: BTreeMap<(&str, [u64; 10]), (usize, usize)> = BTreeMap::new();
+        let mut materials: BTreeMap<(&str, [u64; 15]), (usize, usize)> = BTreeMap::new();
         let mut groups_of: Vec<Vec<usize>> = vec![Vec::new(); self.bodies.len()];
         for (group, members) in self.no_contact.iter().enumerate() {
             for &body in members {
@@ -141,12 +141,18 @@ impl Scene {
 }
 
 /// All numbers of a material.
-fn numbers_of(material: &Material) -> [f64; 10] {
+fn numbers_of(material: &Material) -> [f64; 15] {
     let (kinetic, at_rest) = (material.friction_ellipse(), material.static_ellipse());
     // A direction has length one: zero stands for none.
     let grain = material.grain_direction().unwrap_or_default();
+    let [slow, limit, slope, slow_2, limit_2, slope_2] = material.restitution_numbers();
     [
-        material.restitution(),
+        slow,
+        limit,
+        slope,
+        slow_2,
+        limit_2,
+        slope_2,
         kinetic.along,
         kinetic.across,
         at_rest.along,

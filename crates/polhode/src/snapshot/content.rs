@@ -292,6 +292,7 @@ pub(crate) enum Tier {
     Accurate(Accurate),
     Stepped(Stepped),
     Thesis(Thesis),
+    MicroCollisions(MicroCollisions),
 }
 
 /// The tier `accurate`.
@@ -517,6 +518,17 @@ pub(crate) enum Held {
     Joint(usize, (usize, usize)),
     /// A gear or a prescribed motion, by its number, and two of its bodies.
     Tie(usize, (usize, usize)),
+}
+
+/// The tier `micro-collisions`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct MicroCollisions {
+    pub(crate) states: Vec<State>,
+    /// Contacts with their mean forces of the last step: along the normal, and friction, N.
+    pub(crate) forces: Vec<(Contact, f64, Vector)>,
+    pub(crate) touching_pairs: usize,
+    /// The variables from which the integrator continues.
+    pub(crate) integrator: Vec<f64>,
 }
 
 /// The tier `thesis`.

@@ -24,7 +24,7 @@ use polhode_dynamics::BodyState;
 use polhode_response::impact::{Application, ImpactOutcome, ImpactStatus};
 use polhode_response::{
     Blocks, MultipleFrictionalImpact, MultipleImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus,
-    ResponseError,
+    ResponseError, RestitutionLaw,
 };
 use polhode_spatial::{CompensatedSum, DVec3};
 
@@ -102,7 +102,7 @@ pub(crate) fn solve(
     };
     let settings = settings_for(world.velocity_rounding(states, bodies), &before);
     let blocks = with_rotations(blocks, &rotations);
-    let mut restitution: Vec<f64> = contacts.iter().map(|touch| world.restitution_of(touch.id)).collect();
+    let mut restitution: Vec<f64> = contacts.iter().map(|touch| world.restitution_at(touch)).collect();
     // Pivots have no restitution.
     restitution.resize(blocks.len(), 0.0);
     let mirrored: Vec<usize> =
@@ -113,7 +113,7 @@ pub(crate) fn solve(
         restitution: &restitution,
         stand_for_several: &mirrored,
         law: if in_order { MultipleImpactLaw::Sequence } else { MultipleImpactLaw::Simultaneous },
-        single: world.scene.method().restitution_law.unwrap_or_default(),
+        single: single_law(world, law),
         settings: &settings,
     };
     let struck = match &accelerations {
@@ -134,6 +134,12 @@ pub(crate) fn solve(
     let friction_work_j = share_of_friction(by_friction, energy_change);
     let rows = StruckRows { reactions, velocities_after, energy_change, friction_work_j };
     Ok(impact_of(assembly, contacts.len(), &struck, rows))
+}
+
+/// The law of a contact that is struck alone: that of the scene, or else that of its impact law.
+fn single_law(world: &World, law: ImpactLaw) -> RestitutionLaw {
+    let of_impact = if law == ImpactLaw::Poisson { RestitutionLaw::Poisson } else { RestitutionLaw::default() };
+    world.scene.method().restitution_law.unwrap_or(of_impact)
 }
 
 /// Rate of separation of two bodies at the point of a contact, m/s.

@@ -9,7 +9,7 @@ use crate::event::{Event, EventKind};
 use crate::rows::assembly::{Assembly, apply_impulses};
 use crate::rows::groups::Group;
 use crate::rows::many_contacts::{MANY_CONTACTS, furthest_out};
-use crate::scene::ImpactLaw;
+use crate::scene::{ImpactLaw, PropagationOrder};
 use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use crate::solve::frictional_impact::{self, Cause, FrictionalImpact, Restitution, rate_of_separation};
 use crate::solve::rotational_friction::{apply_moments, moment_support, moment_work};
@@ -20,7 +20,7 @@ use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{self, Application, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus};
 use polhode_response::{ComplementaritySolver, ResponseError, SolverSettings};
-use polhode_spatial::DVec3;
+use polhode_spatial::{DVec3, SplitMix64};
 use std::ops::Range;
 
 /// Momentum that impulses or forces `p` (N s, N) along the normals of contacts give to the bodies that move, angular
@@ -195,14 +195,18 @@ pub(crate) fn strike(
     let rows = members.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let assembly = Assembly::new(world, states, &group.bodies, rows)?;
     let before = assembly.rates(members.iter().map(|touch| touch.kinematics.separation_rate));
-    let mut restitution: Vec<f64> = members.iter().map(|touch| world.restitution_of(touch.id)).collect();
+    let mut restitution: Vec<f64> = members.iter().map(|touch| world.restitution_at(touch)).collect();
     // Bilateral constraints have no restitution.
     restitution.resize(before.len(), 0.0);
-    let law = match law {
+    let row_law = match law {
         ImpactLaw::Propagation => impact::ImpactLaw::Propagation,
         ImpactLaw::Simultaneous => impact::ImpactLaw::Simultaneous,
         ImpactLaw::Reflection => impact::ImpactLaw::Reflection,
+        ImpactLaw::Poisson => impact::ImpactLaw::Poisson,
+        ImpactLaw::Energetic => impact::ImpactLaw::Energetic,
+        ImpactLaw::Pulse => impact::ImpactLaw::Pulse(world.scene.method().pulse_exponent.unwrap_or_default()),
     };
+    let order = in_order(world, law, &members, before.len());
     let delassus = assembly.problem.delassus();
     // Bodies that fit exactly between others may appear to be compressed because of the rounding of velocities that
     // nearly cancel.
@@ -218,7 +222,10 @@ pub(crate) fn strike(
             restitution: &restitution,
             settings,
         };
-        outcome = law.resolve(&problem, solver)?;
+        outcome = match &order {
+            Some(order) => impact::propagation_in_order(&problem, solver, order)?,
+            None => row_law.resolve(&problem, solver)?,
+        };
         if outcome.status != ImpactStatus::NotSolved {
             let impulses = contacts.iter().zip(&outcome.impulses).map(|((id, geometry), &p)| (*id, geometry, p));
             let reactions = assembly.reactions(&outcome.impulses);
@@ -261,10 +268,21 @@ pub(crate) fn strike_with_friction(
     let approach = members.iter().map(|touch| -touch.kinematics.separation_rate).fold(0.0, f64::max);
     let slow = world.velocity_rounding(states, bodies) + LEFT_APPROACHING * approach;
     loop {
-        let places: Vec<usize> = (0..members.len()).filter(|&place| taken[place]).collect();
+        let mut places: Vec<usize> = (0..members.len()).filter(|&place| taken[place]).collect();
+        let order = match law.1 {
+            Cause::Collision => in_order(world, law.0, members, members.len()),
+            Cause::Jam(..) => None,
+        };
+        if let Some(order) = &order {
+            places = order.iter().copied().filter(|&place| taken[place]).collect();
+        }
         let some: Vec<Touch> = places.iter().map(|&place| members[place]).collect();
         let mut struck = strike_all_with_friction(world, states, bodies, &some, law)?;
         if places.len() == members.len() {
+            if order.is_some() {
+                let rates = struck.outcome.velocities_after[..members.len()].to_vec();
+                among(&mut struck.outcome, &places, &rates);
+            }
             return Ok(struck);
         }
         let rates: Vec<f64> = members.iter().map(|touch| rate_of_separation(world, states, touch)).collect();
@@ -274,6 +292,35 @@ pub(crate) fn strike_with_friction(
         }
         set_states(states, bodies, &start);
     }
+}
+
+/// The order in which propagation strikes contacts, of this many rows with those of joints after them; none for that of their
+/// keys, and for another law.
+fn in_order(world: &World, law: ImpactLaw, members: &[Touch], rows: usize) -> Option<Vec<usize>> {
+    if law != ImpactLaw::Propagation {
+        return None;
+    }
+    let mut order: Vec<usize> = (0..rows).collect();
+    let contacts = &mut order[..members.len()];
+    match world.scene.method().propagation_order.unwrap_or_default() {
+        PropagationOrder::Key => return None,
+        PropagationOrder::Depth => contacts.sort_by(|&x, &y| {
+            let depth = |row: usize| members[row].kinematics.geometry.separation;
+            depth(x).total_cmp(&depth(y)).then(x.cmp(&y))
+        }),
+        PropagationOrder::Random { seed } => {
+            // The velocities before tell one impact from another, so that a run continues from a snapshot with the same order.
+            let mixed = members
+                .iter()
+                .fold(seed, |mixed, touch| SplitMix64::new(mixed ^ touch.kinematics.separation_rate.to_bits()).bits());
+            let mut numbers = SplitMix64::new(mixed);
+            for last in (1..contacts.len()).rev() {
+                let other = numbers.bits() % (last as u64 + 1);
+                contacts.swap(last, usize::try_from(other).unwrap_or_default());
+            }
+        }
+    }
+    Some(order)
 }
 
 /// The outcome of an impact of the contacts at some places among all contacts, of which the others had no impulse and have these

@@ -29,7 +29,7 @@ use polhode_dynamics::field::Wrench;
 use polhode_dynamics::integrator::Integrator;
 use polhode_response::impact::{ImpactOutcome, ImpactSettings};
 use polhode_response::least_force::{LeastForceStage, least_force};
-use polhode_response::{Delassus, ResponseError, SolverSettings, SolverStatus};
+use polhode_response::{Delassus, ResponseError, SolverReport, SolverSettings, SolverStatus, guesses, heuristic};
 use polhode_spatial::{DVec3, Still};
 use std::sync::Arc;
 
@@ -456,21 +456,70 @@ fn group_forces(
     let (forces, bound) = match core.settings.contact {
         ContactMethod::LeastForce => {
             let solution = least_force(&delassus, &b, &SolverSettings::default())?;
-            if solution.stage == LeastForceStage::NoForces && b.iter().any(|&b| b < 0.0) {
-                // The bound in the certificate needs forces under which no contact closes; the exact ones have this
-                // property.
-                let what = "a linear programme of least total force was not solved, and exact forces were used instead";
-                core.accounts.warn_of_tolerated(core.t, what);
-                exact_forces(core, &assembly, &delassus, &b)?
-            } else {
-                (solution.forces, solution.report.bound)
+            let found = solution.stage != LeastForceStage::NoForces;
+            guessed_or_exact(core, &assembly, (&delassus, &b), found.then_some((solution.forces, solution.report)))?
+        }
+        ContactMethod::Heuristic => {
+            let solution = heuristic(&delassus, &b, &SolverSettings::default())?;
+            core.accounts.certificate.max_residual =
+                core.accounts.certificate.max_residual.max(solution.report.residual);
+            tell_stage(core, solution.stage);
+            let found = solution.stage != LeastForceStage::NoForces;
+            guessed_or_exact(core, &assembly, (&delassus, &b), found.then_some((solution.forces, solution.report)))?
+        }
+        ContactMethod::Guesses => {
+            let solution = guesses(&delassus, &b, &SolverSettings::default())?;
+            core.accounts.certificate.max_residual =
+                core.accounts.certificate.max_residual.max(solution.report.residual);
+            if !solution.vanishing.is_empty() {
+                core.accounts.warn(core.t, "guesses took contacts for vanishing: they bear no force and open");
             }
+            let found = solution.report.status != SolverStatus::Infeasible;
+            guessed_or_exact(core, &assembly, (&delassus, &b), found.then_some((solution.forces, solution.report)))?
         }
         ContactMethod::ActiveSet => exact_forces(core, &assembly, &delassus, &b)?,
     };
     let worst = &mut core.accounts.certificate.max_acceleration_error_bound;
     *worst = Some(worst.unwrap_or(0.0).max(bound));
     Ok(forces)
+}
+
+/// Tells what the heuristic took for vanishing contacts.
+fn tell_stage(core: &mut Core, stage: LeastForceStage) {
+    match stage {
+        LeastForceStage::GuessOfVanishing => core.accounts.warn(
+            core.t,
+            "the heuristic took contacts for vanishing, those that the forces of least sum open, and found forces (stage 2)",
+        ),
+        LeastForceStage::LeastSum => core.accounts.warn_of_tolerated(
+            core.t,
+            "the heuristic's guess of vanishing contacts has no forces: those of least sum were used, which add energy \
+             (stage 3)",
+        ),
+        _ => {}
+    }
+}
+
+/// Forces of a method of the thesis with the bound on the error of the accelerations, or exact ones where it found none: the
+/// bound in the certificate needs forces under which no contact closes.
+fn guessed_or_exact(
+    core: &mut Core,
+    assembly: &Assembly,
+    (delassus, b): (&Delassus, &[f64]),
+    found: Option<(Vec<f64>, SolverReport)>,
+) -> Result<(Vec<f64>, f64), ResponseError> {
+    match found {
+        Some((forces, report)) => Ok((forces, report.bound)),
+        None if b.iter().any(|&b| b < 0.0) => {
+            let what = match core.settings.contact {
+                ContactMethod::Guesses => "no guess of vanishing contacts had forces, and exact ones were used instead",
+                _ => "a linear programme of least total force was not solved, and exact forces were used instead",
+            };
+            core.accounts.warn_of_tolerated(core.t, what);
+            exact_forces(core, assembly, delassus, b)
+        }
+        None => Ok((vec![0.0; b.len()], 0.0)),
+    }
 }
 
 /// Exact forces, from the complementarity problem, and the bound on the error of the accelerations.

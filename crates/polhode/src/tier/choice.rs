@@ -20,6 +20,7 @@
 
 use super::facts::TierFeature;
 use super::list::Tier;
+use super::selection;
 use crate::scene::{Body, Geometry, Scene};
 use polhode_contact::Shape;
 
@@ -67,6 +68,9 @@ pub(crate) fn choose(scene: &Scene) -> Candidate {
     let decided = |tier, reason: String| Candidate::Decided(TierChoice { tier, reason });
     if let Some(tier) = scene.method().tier {
         return decided(tier, "the scene names it".to_owned());
+    }
+    if let (Some(tier), Some(response)) = (selection::named(scene.method()), scene.method().response) {
+        return decided(tier, format!("the scene asks for response = \"{}\"", response.name()));
     }
     let estimate = Estimate::of(scene);
     if estimate.seconds() <= PATIENCE_S {

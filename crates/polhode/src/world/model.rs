@@ -10,6 +10,7 @@ use super::carriages::add_carriages;
 use super::field_index::{FieldBuffers, FieldIndex};
 use super::steered::Steered;
 use crate::collision::contact_id::Feature;
+use crate::collision::envelope::CollisionEnvelope;
 use crate::collision::narrow_phase::NarrowPhase;
 use crate::constraint::coordinate_id::CoordinateId;
 use crate::constraint::joint::{HeldBody, WorldJoint, row_length};
@@ -111,6 +112,8 @@ pub(crate) struct World {
     pub(crate) couplings: Vec<Vec<usize>>,
     pub(super) field_index: FieldIndex,
     pub(super) field_buffers: FieldBuffers,
+    /// The envelope of micro-collisions, of a tier that has them.
+    pub(crate) envelope: Option<CollisionEnvelope>,
     pub(crate) narrow_phase: NarrowPhase,
     /// Whether any two bodies may collide.
     pub(super) collides: bool,
@@ -208,6 +211,7 @@ impl World {
             couplings: Vec::new(),
             field_index: FieldIndex::default(),
             field_buffers: FieldBuffers::default(),
+            envelope: None,
             narrow_phase: NarrowPhase::default(),
             collides: scene.any_may_collide(),
             friction: FrictionKinds::of(scene),

@@ -41,6 +41,7 @@ mod kinematic_steps;
 mod linked_rings;
 mod many_contacts;
 mod mass_ratios;
+mod micro_collisions;
 mod momentum;
 mod moving_surfaces;
 mod outcomes;

@@ -1,0 +1,365 @@
+//! A run by micro-collisions: one step, and queries at the present.
+
+use crate::collision::boxes::Boxes;
+use crate::collision::contact_id::ContactId;
+use crate::collision::contact_set::Touch;
+use crate::collision::envelope::CollisionEnvelope;
+use crate::core::Core;
+use crate::event::EventKind;
+use crate::frame::{ContactView, IslandView, MotionKind};
+use crate::free_stage::{self, Ends};
+use crate::observer::Observer;
+use crate::rows::assembly::free_acceleration;
+use crate::rows::groups::{Group, groups};
+use crate::sampling::emit_samples_before;
+use crate::snapshot::numbers::{read_states, write_states};
+use crate::snapshot::parts::{restored_id, save_contact};
+use crate::snapshot::{SnapshotError, content};
+use crate::solve::impact::{Struck, impulse_event, strike};
+use crate::tier::{Reached, Tier};
+use crate::world::WorldBody;
+use crate::{Acceleration, BodyId, SimulationError};
+use polhode_dynamics::BodyState;
+use polhode_dynamics::integrator::Integrator;
+use polhode_response::impact::{ImpactSettings, ImpactStatus};
+use polhode_spatial::{DVec3, Still};
+use std::sync::Arc;
+
+/// Depth of the envelope when none is given, relative to the smallest body that moves (dimensionless, 1e-4 to 1e-2): it is not seen.
+const ENVELOPE_RELATIVE: f64 = 1e-3;
+
+/// Collisions one after the other stop when every speed of approach is below this fraction of the first one (dimensionless).
+const THRESHOLD: f64 = 1e-6;
+
+/// Most collisions of a group in a step; what approaches beyond them is stopped at once.
+const MOST_COLLISIONS: usize = 10_000;
+
+/// Impulses of a contact in the last step, over its length.
+#[derive(Debug, Clone, Copy)]
+struct MeanForce {
+    id: ContactId,
+    /// N.
+    normal: f64,
+    /// Along the tangent plane, on A, N.
+    friction: DVec3,
+}
+
+/// A run in progress.
+#[derive(Debug)]
+pub(crate) struct MicroCollisionEngine {
+    /// States of all bodies at the present.
+    states: Vec<BodyState>,
+    integrator: Box<dyn Integrator>,
+    boxes: Boxes,
+    envelope: CollisionEnvelope,
+    /// Number of pairs within the envelope at the last detection.
+    touching_pairs: usize,
+    /// Of the last step.
+    forces: Vec<MeanForce>,
+    /// Which bodies forces move.
+    moves: Vec<bool>,
+}
+
+/// The envelope that the scene gives, or that its smallest body suggests.
+fn envelope_of(core: &Core) -> CollisionEnvelope {
+    let world = &core.world;
+    let sizes = world.movable.iter().map(|&body| world.bodies[body].size).filter(|size| *size > 0.0);
+    let smallest = sizes.fold(f64::INFINITY, f64::min);
+    let suggested = if smallest.is_finite() { ENVELOPE_RELATIVE * smallest } else { ENVELOPE_RELATIVE };
+    let depth_m = world.scene.method().collision_envelope_m.unwrap_or(suggested);
+    CollisionEnvelope::new(depth_m, world.gravity().length())
+}
+
+impl MicroCollisionEngine {
+    /// Prepares a run.
+    pub(crate) fn new(core: &mut Core, states: Vec<BodyState>) -> Self {
+        let envelope = envelope_of(core);
+        core.world.envelope = Some(envelope);
+        Self {
+            integrator: core.settings.build_integrator(),
+            boxes: Boxes::new(&core.settings, states.len()),
+            envelope,
+            touching_pairs: 0,
+            forces: Vec::new(),
+            moves: core.world.bodies.iter().map(WorldBody::moves).collect(),
+            states,
+        }
+    }
+
+    /// The engine of a snapshot. `core` already has the time and the accounts of the snapshot.
+    ///
+    /// # Errors
+    /// When the data are not of this scene.
+    pub(crate) fn restored(core: &mut Core, saved: &content::MicroCollisions) -> Result<Self, SnapshotError> {
+        let bodies = core.world.bodies.len();
+        let mut engine = Self::new(core, read_states(&saved.states, bodies)?);
+        let restored = engine.integrator.restore(&core.world.free_motion(), &saved.integrator);
+        restored.map_err(|_| SnapshotError::Invalid("the variables of the integrator do not fit its bodies"))?;
+        engine.touching_pairs = saved.touching_pairs;
+        for (contact, normal, friction) in &saved.forces {
+            let id = restored_id(&core.world, contact)?;
+            engine.forces.push(MeanForce { id, normal: *normal, friction: DVec3::from_array(*friction) });
+        }
+        Ok(engine)
+    }
+
+    /// One step, to `t_next`.
+    fn step(&mut self, core: &mut Core, t_next: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
+        let h = t_next - core.t;
+        self.collide(core, h, observer)?;
+        let movable = core.world.movable.clone();
+        let before = core.accounts.books.balance(&core.world, &self.states, &movable);
+        self.integrate(core, h)?;
+        self.emit_samples_within(core, t_next, observer)?;
+        let ends = all_states(core, &self.states, self.integrator.states(), t_next);
+        let about = core.accounts.books.ledger.momentum.about;
+        let stage = Ends { t: [core.t, t_next], states: [&self.states, &ends] };
+        let received = free_stage::received(&core.world, stage, &movable, about);
+        self.states = ends;
+        let after = core.accounts.books.balance(&core.world, &self.states, &movable);
+        core.accounts.books.smooth_stage(before, after, received);
+        core.t = t_next;
+        core.accounts.count_step();
+        core.accounts.observe(&core.world, &self.states, core.t)?;
+        let touches = contacts_within(core, &self.states, &mut self.boxes, self.envelope.depth_m)?;
+        self.touching_pairs = touches.chunk_by(|x, y| (x.id.a, x.id.b) == (y.id.a, y.id.b)).count();
+        for touch in &touches {
+            core.note_contact(core.t, &self.states, (touch.id.a, touch.id.b), &touch.kinematics);
+        }
+        Ok(())
+    }
+
+    /// Strikes the contacts that approach, those within the envelope and those that would close within `h` (s).
+    fn collide(&mut self, core: &mut Core, h: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
+        self.forces.clear();
+        let reach = self.envelope.depth_m + 2.0 * h * fastest(core, &self.states);
+        let mut touches = contacts_within(core, &self.states, &mut self.boxes, reach)?;
+        let (depth, gravity) = (self.envelope.depth_m, core.world.gravity().length());
+        touches.retain(|touch| {
+            let (gap, rate) = (touch.kinematics.geometry.separation, touch.kinematics.separation_rate);
+            gap <= depth || gap + rate * h - 0.5 * gravity * h * h <= 0.0
+        });
+        let all: Vec<_> = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b)).collect();
+        for group in groups(&core.world, all.into_iter()) {
+            if group.contacts.iter().any(|&i| touches[i].kinematics.separation_rate < 0.0) {
+                self.strike_group(core, &group, &touches, h)?;
+            }
+        }
+        core.accounts.emit_events(core.t, observer);
+        Ok(())
+    }
+
+    /// Strikes a group, and books what that did.
+    fn strike_group(
+        &mut self,
+        core: &mut Core,
+        group: &Group,
+        touches: &[Touch],
+        h: f64,
+    ) -> Result<(), SimulationError> {
+        let settings = ImpactSettings { threshold: THRESHOLD, limit: MOST_COLLISIONS, ..ImpactSettings::default() };
+        let law = core.settings.impact;
+        let struck = strike(&core.world, &mut self.states, group, touches, law, &settings, &mut core.solver);
+        let struck = struck.map_err(|source| Core::response_error(core.t, source))?;
+        // Sequences without end are what supports a body on several corners: their end at the threshold is no news.
+        let mut outcome = struck.outcome.clone();
+        if outcome.status == ImpactStatus::StoppedAtThreshold {
+            outcome.status = ImpactStatus::Separated;
+        }
+        core.accounts.note_impact(&core.world, core.t, law, &group.bodies, &outcome);
+        if outcome.status == ImpactStatus::NotSolved {
+            return Ok(());
+        }
+        let members: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
+        let given = struck.support(&core.world, core.accounts.books.ledger.momentum.about, &members);
+        let work = struck.work(&core.world, &self.states, &members);
+        core.accounts.books.impact((outcome.energy_change, struck.friction_j), given, work);
+        for application in &outcome.applications {
+            let Some(touch) = members.get(application.row) else { continue };
+            // Micro-collisions stand for a force, and are no events.
+            if -touch.kinematics.separation_rate > self.envelope.slow {
+                core.accounts.add_event(impulse_event(core.t, EventKind::Impact, touch, application));
+            }
+        }
+        self.note_forces(&members, &struck, h);
+        Ok(())
+    }
+
+    /// Keeps the impulses of a step of `h` (s) as mean forces.
+    fn note_forces(&mut self, members: &[Touch], struck: &Struck, h: f64) {
+        for (touch, impulse) in members.iter().zip(&struck.outcome.impulses) {
+            let along = struck.along_tangents().filter(|(id, ..)| *id == touch.id);
+            let friction: DVec3 = along.map(|(_, geometry, p)| geometry.normal * p).sum();
+            if *impulse != 0.0 {
+                self.forces.push(MeanForce { id: touch.id, normal: impulse / h, friction: friction / h });
+            }
+        }
+    }
+
+    /// Integrates the bodies over a step of length `h`. The integrator continues from its own variables if only it has changed
+    /// the states since its last step.
+    fn integrate(&mut self, core: &Core, h: f64) -> Result<(), SimulationError> {
+        let states = core.world.movable_states(&self.states);
+        let motion = core.world.free_motion();
+        if self.integrator.states() != states {
+            self.integrator.start(&motion, core.t, &states);
+        }
+        self.integrator.step(&motion, h).map_err(|source| SimulationError::Integration { t_s: core.t, source })
+    }
+
+    /// Gives the observer the samples within the step that has just been integrated, computed by a shorter step.
+    fn emit_samples_within(
+        &mut self,
+        core: &mut Core,
+        t_next: f64,
+        observer: &mut dyn Observer,
+    ) -> Result<(), SimulationError> {
+        emit_samples_before(t_next, self, core, observer, |engine, core, t| {
+            let motion = core.world.free_motion();
+            let mut movable = core.world.movable_states(&engine.states);
+            let within = t.min(engine.integrator.time());
+            engine
+                .integrator
+                .states_within(&motion, within, &mut movable)
+                .map_err(|source| SimulationError::Integration { t_s: core.t, source })?;
+            Ok(Some(Arc::new(all_states(core, &engine.states, &movable, t))))
+        })
+    }
+}
+
+impl Tier for MicroCollisionEngine {
+    fn advance(
+        &mut self,
+        core: &mut Core,
+        limit_s: f64,
+        observer: &mut dyn Observer,
+    ) -> Result<Reached, SimulationError> {
+        while core.t < limit_s {
+            let h = core.settings.step_s;
+            let t_next = if h >= limit_s - core.t { limit_s } else { core.t + h };
+            self.step(core, t_next, observer)?;
+        }
+        Ok(Reached::Limit)
+    }
+
+    fn stride(&self, core: &Core) -> f64 {
+        core.settings.step_s
+    }
+
+    fn states(&self, _core: &Core) -> Vec<BodyState> {
+        self.states.clone()
+    }
+
+    fn state(&self, _core: &Core, body: usize) -> BodyState {
+        self.states[body]
+    }
+
+    /// Those of free motion: there are no contact forces.
+    fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
+        let world = &core.world;
+        let fields = world.loads(core.t, &self.states);
+        let mut out = vec![Acceleration { linear: DVec3::ZERO, angular: DVec3::ZERO }; world.bodies.len()];
+        for &body in world.prescribed() {
+            let (linear, angular) = world.prescribed_acceleration(body, core.t);
+            out[body] = Acceleration { linear, angular };
+        }
+        for &body in &world.movable {
+            let (linear, angular) = free_acceleration(world, &self.states, &fields, body);
+            out[body] = world.reported_acceleration(body, &self.states[body], linear, angular);
+        }
+        Ok(out)
+    }
+
+    fn contacts(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<ContactView> {
+        let mut views = Vec::new();
+        let mut boxes = Boxes::new(&core.settings, states.len());
+        for touch in contacts_within(core, states, &mut boxes, self.envelope.depth_m).unwrap_or_default() {
+            let force = self.forces.iter().find(|force| force.id == touch.id);
+            let force = force.map_or((0.0, DVec3::ZERO), |force| (force.normal, force.friction));
+            core.world.view_contact(states, &touch, force, &mut views);
+        }
+        views
+    }
+
+    fn motions(&self, _core: &Core) -> Vec<MotionKind> {
+        self.moves.iter().map(|&moves| if moves { MotionKind::Integrated } else { MotionKind::Given }).collect()
+    }
+
+    fn islands(&self, _core: &Core) -> Vec<IslandView> {
+        // All bodies step together.
+        let moving = self.moves.iter().enumerate().filter(|&(_, &moves)| moves);
+        let bodies: Vec<BodyId> = moving.map(|(body, _)| BodyId::new(body)).collect();
+        if bodies.is_empty() { Vec::new() } else { vec![IslandView { bodies }] }
+    }
+
+    fn states_mut(&mut self) -> &mut [BodyState] {
+        &mut self.states
+    }
+
+    fn add_body(&mut self, core: &Core, state: BodyState) {
+        self.moves.push(core.world.bodies[self.states.len()].moves());
+        self.states.push(state);
+        self.boxes.make_room();
+    }
+
+    fn remove_body(&mut self, body: usize) {
+        self.boxes.put(body, None);
+        self.moves[body] = false;
+        self.forces.retain(|force| force.id.a != body && force.id.b != body);
+    }
+
+    fn touching_pairs(&self) -> usize {
+        self.touching_pairs
+    }
+
+    fn save(&self) -> content::Tier {
+        let force = |force: &MeanForce| (save_contact(force.id), force.normal, force.friction.to_array());
+        content::Tier::MicroCollisions(content::MicroCollisions {
+            states: write_states(&self.states),
+            forces: self.forces.iter().map(force).collect(),
+            touching_pairs: self.touching_pairs,
+            integrator: self.integrator.save(),
+        })
+    }
+}
+
+/// Largest speed of any point of a body, m/s, bounded by its size.
+fn fastest(core: &Core, states: &[BodyState]) -> f64 {
+    let world = &core.world;
+    let speed = |(body, state): (usize, &BodyState)| {
+        let velocity = world.velocity(body, state);
+        velocity.linear.length() + velocity.angular.length() * world.bodies[body].size
+    };
+    states.iter().enumerate().map(speed).fold(0.0, f64::max)
+}
+
+/// Every contact point of every pair that is apart by at most `reach` (m), or overlaps.
+///
+/// # Errors
+/// When there are more bodies than the broad phase can number.
+fn contacts_within(
+    core: &Core,
+    states: &[BodyState],
+    boxes: &mut Boxes,
+    reach: f64,
+) -> Result<Vec<Touch>, SimulationError> {
+    for (body, state) in states.iter().enumerate() {
+        boxes.set(&core.world, body, &Still(state.pose), (core.t, core.t), reach);
+    }
+    let mut touches = Vec::new();
+    boxes.all_pairs(&core.world, |a, b| {
+        let reach = reach.max(core.world.rounding(states, a, b));
+        touches.extend(core.world.contacts_of_pair(states, a, b, reach).into_iter().map(Touch::from));
+    })?;
+    Ok(touches)
+}
+
+/// States of all bodies at `t` (s), given those of the movable ones.
+fn all_states(core: &Core, states: &[BodyState], movable: &[BodyState], t: f64) -> Vec<BodyState> {
+    let mut states = states.to_vec();
+    core.world.prescribe(t, &mut states);
+    for (&body, state) in core.world.movable.iter().zip(movable) {
+        states[body] = *state;
+    }
+    states
+}

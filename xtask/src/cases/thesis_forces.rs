@@ -1,0 +1,64 @@
+//! The thesis's forces by its heuristic and by guesses, on its videos: what falls falls as the thesis tells, and what is beyond
+//! guessing is refused with the number of contacts.
+
+use super::run::Run;
+use super::{CaseResult, Context};
+use crate::row::Row;
+use polhode::scene::{ContactMethod, Method};
+use polhode::{Effects, Scene};
+use std::error::Error;
+
+const CASE: &str = "thesis forces";
+
+/// A brick that has moved by half its height has fallen, m.
+const FALLEN_M: f64 = 0.125;
+/// What moves less is not seen, m.
+const UNSEEN_M: f64 = 1e-3;
+
+/// A shipped scene by a method of contact forces, in its own tier.
+fn by(context: &Context, name: &str, contact: ContactMethod) -> Result<Scene, Box<dyn Error>> {
+    let scene = context.shipped.load(name)?;
+    let method = Method { contact: Some(contact), ..scene.method().clone() };
+    Ok(scene.with_method(method))
+}
+
+/// Videos 9 and 12 to 15 by the heuristic; what may be guessed by guesses.
+pub(super) fn rows(context: &Context) -> CaseResult {
+    let mut rows = Vec::new();
+    for (video, name) in [(13, "diamond-3-drifting"), (14, "diamond-4-collapsing"), (15, "diamond-5-asymmetric")] {
+        let run = Run::of(&by(context, name, ContactMethod::Heuristic)?, Effects::Planned)?;
+        let moved = run.largest_movement_m();
+        let quantity = format!("video {video} by the heuristic: the farthest brick falls by more than {FALLEN_M} m");
+        rows.push(Row { note: Some(format!("{moved:.4} m")), ..Row::exact(CASE, &quantity, true, moved > FALLEN_M) });
+        let staged = run.report.warnings.iter().any(|warning| warning.contains("stage"));
+        rows.push(Row::exact(
+            CASE,
+            &format!("video {video} by the heuristic: the report tells the stage"),
+            true,
+            staged,
+        ));
+        let error = match Run::of(&by(context, name, ContactMethod::Guesses)?, Effects::Planned) {
+            Ok(_) => String::new(),
+            Err(error) => error.to_string(),
+        };
+        let refused = error.contains("accepted for at most 20");
+        let row = Row::exact(CASE, &format!("video {video} by guesses: refused, with what is accepted"), true, refused);
+        rows.push(Row { note: Some(error), ..row });
+    }
+    // A single body has contacts few enough: it stays, as by the other methods.
+    for contact in [ContactMethod::Heuristic, ContactMethod::Guesses, ContactMethod::ActiveSet] {
+        let run = Run::of(&by(context, "box-drop-contact-forces", contact)?, Effects::Planned)?;
+        let heights: Vec<f64> = run
+            .record
+            .samples
+            .iter()
+            .rev()
+            .take(50)
+            .filter_map(|bodies| bodies.last().map(|body| body.pose.translation.z))
+            .collect();
+        let range = heights.iter().fold(0.0, |most: f64, height| most.max((height - heights[0]).abs()));
+        let quantity = format!("video 9 by {}: movement of the box at the end, m", contact.name());
+        rows.push(Row::at_most(CASE, &quantity, UNSEEN_M, range));
+    }
+    Ok(rows)
+}
