@@ -16,6 +16,7 @@
 //! | [`sliding`] | [`least_norm_sliding_forces`]: rows that are held while contacts slide, and whether that choice matters |
 //! | [`friction`] | [`solve_friction`](friction::solve_friction): contacts with friction, exact Coulomb |
 //! | [`sparse`] | [`BodySolver`](sparse::BodySolver): contacts and joints in the velocities of bodies, by sparse factors |
+//! | [`sequential_impulses`] | [`SequentialImpulses`](sequential_impulses::SequentialImpulses): a step in real time, contacts side by side |
 //! | [`impact`] | [`ImpactLaw`]: propagation, simultaneous, reflection |
 //! | [`impact::friction`] | [`SingleFrictionalImpact`], [`MultipleFrictionalImpact`]: slip, stick, reversal and jam |
 //! | [`mod@least_force`] | [`least_force()`]: the linear programme of the thesis |
@@ -92,6 +93,7 @@ pub mod minimum_norm;
 mod precise;
 pub mod problem;
 pub mod report;
+pub mod sequential_impulses;
 pub mod settings;
 pub mod sliding;
 pub mod solve;

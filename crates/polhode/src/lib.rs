@@ -167,6 +167,7 @@ pub mod event;
 pub mod executor;
 mod few_digits;
 pub mod frame;
+mod fast;
 mod free_method;
 mod free_stage;
 mod joint_id;

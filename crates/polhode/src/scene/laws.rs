@@ -58,6 +58,8 @@ pub enum ContactMethod {
     LeastForce,
     /// The exact complementarity problem by the active set.
     ActiveSet,
+    /// One contact after the other, with impulses of the step before to begin with.
+    SequentialImpulses,
 }
 
 impl ContactMethod {
@@ -66,6 +68,7 @@ impl ContactMethod {
         match self {
             Self::LeastForce => "least-force",
             Self::ActiveSet => "active-set",
+            Self::SequentialImpulses => "sequential-impulses",
         }
     }
 }

@@ -466,7 +466,7 @@ fn group_forces(
                 (solution.forces, solution.report.bound)
             }
         }
-        ContactMethod::ActiveSet => exact_forces(core, &assembly, &delassus, &b)?,
+        ContactMethod::ActiveSet | ContactMethod::SequentialImpulses => exact_forces(core, &assembly, &delassus, &b)?,
     };
     let worst = &mut core.accounts.certificate.max_acceleration_error_bound;
     *worst = Some(worst.unwrap_or(0.0).max(bound));

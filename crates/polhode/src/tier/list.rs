@@ -3,7 +3,7 @@
 //! What a tier is stands in its own folder ([`TierFacts`]); the list of engines is in `engines.rs` beside this file.
 
 use super::facts::{TierFacts, TierFeature};
-use crate::{accurate, stepped, thesis};
+use crate::{accurate, fast, stepped, thesis};
 
 /// A set of methods with one promise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -12,6 +12,9 @@ pub enum Tier {
     /// The algorithm of the thesis's section 3.5, unchanged: RK4 at a fixed step, propagation of impulses, linear
     /// programme of least total force. It is kept for comparison and has no limit of penetration.
     Thesis,
+    /// Real time: substeps of soft contacts by sequential impulses. Contacts overlap a little, and its error depends on the
+    /// length of the step.
+    Fast,
     /// Fixed time steps at the level of velocities, with an exact complementarity problem at each. Every step has a
     /// solution; its error depends on the length of the step.
     Stepped,
@@ -22,13 +25,14 @@ pub enum Tier {
 
 impl Tier {
     /// All tiers, the most accurate first.
-    pub const ALL: [Self; 3] = [Self::Accurate, Self::Stepped, Self::Thesis];
+    pub const ALL: [Self; 4] = [Self::Accurate, Self::Stepped, Self::Fast, Self::Thesis];
 
     /// What the tier is.
     pub const fn facts(self) -> &'static TierFacts {
         match self {
             Self::Thesis => &thesis::FACTS,
             Self::Stepped => &stepped::FACTS,
+            Self::Fast => &fast::FACTS,
             Self::Accurate => &accurate::FACTS,
         }
     }
