@@ -213,3 +213,100 @@ impl SequentialImpulses {
         PointImpulse { last: row.impulse.map(|four| four.0[lane]), total: row.total.map(|four| four.0[lane]) }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    //! Two and four lanes give the same bits; four bodies side by side, and many contacts of one body, obey the law; the works are the change of
+    //! energy.
+    use super::*;
+    use polhode_spatial::{DMat3, SplitMix64};
+
+    const RULE: SweepRule = SweepRule {
+        between: Softness { rate: 20.0, mass: 0.9, impulse: 0.1 },
+        with_fixed: Softness { rate: 40.0, mass: 0.95, impulse: 0.05 },
+        push: 3.0,
+        inverse_step: 240.0,
+        colliding: 0.3,
+    };
+
+    fn energy(solver: &SequentialImpulses) -> f64 {
+        let of = |number: u32| {
+            let body = solver.body(number);
+            if body.inverse_mass() > 0.0 {
+                0.5 * (body.linear().length_squared() / body.inverse_mass() + body.angular().length_squared() / 2.0)
+            } else {
+                0.0
+            }
+        };
+        (1..=20).map(of).sum()
+    }
+
+    fn heap(width: LaneWidth) -> SequentialImpulses {
+        let mut random = SplitMix64::new(5);
+        let mut solver = SequentialImpulses::with_lanes(width);
+        for _ in 0..20 {
+            let body = solver.add_body(ImpulseBody::new(1.0 + random.uniform(), DMat3::IDENTITY * 2.0));
+            let mut vector = || DVec3::new(random.uniform(), random.uniform(), random.uniform()) - DVec3::splat(0.6);
+            let (linear, angular) = (vector(), vector());
+            solver.body_mut(body).set_velocity(linear, angular);
+        }
+        for k in 0..60_u32 {
+            let count = 1 + k as usize % MOST_POINTS;
+            let mut points = [ManifoldPoint::default(); MOST_POINTS];
+            for point in &mut points {
+                point.arm = DVec3::new(random.uniform(), random.uniform(), -0.5);
+                point.separation = 0.02 * (random.uniform() - 0.5);
+                point.impulse = [0.1 * random.uniform(), 0.01, -0.01];
+            }
+            let bodies = [1 + k % 20, if k % 4 == 0 { 0 } else { 1 + (k * 7 + 3) % 20 }];
+            if bodies[0] == bodies[1] {
+                continue;
+            }
+            let (normal, tangent, between) = (DVec3::Z, DVec3::X, DVec3::new(0.1, 0.0, 1.0));
+            solver.add(ImpulseManifold { bodies, normal, tangent, between, friction: 0.5, restitution: 0.4, points, count });
+        }
+        solver
+    }
+
+    fn step(solver: &mut SequentialImpulses) -> Works {
+        solver.prepare();
+        let mut works = solver.warm_start(&RULE);
+        for _ in 0..3 {
+            works += solver.sweep(&RULE);
+        }
+        solver.end_substep();
+        works += solver.restitute(&RULE);
+        works
+    }
+
+    #[test]
+    fn widths_give_the_same_bits() {
+        let [mut two, mut four] = [heap(LaneWidth::Two), heap(LaneWidth::Four)];
+        assert_eq!(step(&mut two), step(&mut four));
+        assert_eq!(two.bodies, four.bodies);
+        assert_eq!(two.residual(&RULE), four.residual(&RULE));
+    }
+
+    #[test]
+    fn works_are_the_change_of_energy() {
+        let mut solver = heap(LaneWidth::Two);
+        let before = energy(&solver);
+        let works = step(&mut solver);
+        let change = energy(&solver) - before;
+        let sum = works.colliding_j + works.resting_j + works.friction_j;
+        // The moments of all bodies are 1/2 kg m^2 about every axis.
+        assert!((change - sum).abs() < 1e-12 * before.max(1.0), "{change} {sum}");
+    }
+
+    #[test]
+    fn many_sweeps_come_to_the_law() {
+        let mut solver = heap(LaneWidth::Two);
+        solver.prepare();
+        let rule = SweepRule { between: Softness::RIGID, with_fixed: Softness::RIGID, ..RULE };
+        for _ in 0..20_000 {
+            solver.sweep(&rule);
+        }
+        let residual = solver.residual(&rule);
+        assert!(residual.map < 1e-9, "{residual:?}");
+    }
+}

@@ -27,6 +27,7 @@ pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
     let method = Method {
         tier: entry.tier.map(|TierName(tier)| tier),
         step_s,
+        substeps: entry.substeps,
         integrator: entry.integrator.map(|IntegratorName(integrator)| integrator),
         orientation: entry.orientation.map(orientation),
         rotation_rate: entry.rotation_rate.map(rotation_rate),
@@ -59,6 +60,13 @@ fn path_of(error: &SceneError, entry: &MethodEntry) -> KeyPath {
             && !matches!(entry.response, None | Some(ResponseName::Constraint)) =>
         {
             path.key("response")
+        }
+        _ if entry.substeps.is_some() && !tier.takes(TierFeature::SequentialImpulses) => path.key("substeps"),
+        _ if entry.contact.is_some()
+            && (entry.contact == Some(ContactName::SequentialImpulses))
+                != tier.takes(TierFeature::SequentialImpulses) =>
+        {
+            path.key("contact")
         }
         _ if entry.integrator.is_some() && matches!(tier.integrator_choice, IntegratorChoice::Tier { .. }) => {
             path.key("integrator")
@@ -127,6 +135,7 @@ const fn contact(name: ContactName) -> ContactMethod {
     match name {
         ContactName::LeastForce => ContactMethod::LeastForce,
         ContactName::ActiveSet => ContactMethod::ActiveSet,
+        ContactName::SequentialImpulses => ContactMethod::SequentialImpulses,
     }
 }
 

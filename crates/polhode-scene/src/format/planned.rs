@@ -39,7 +39,6 @@ pub(crate) struct Request {
 }
 
 const PLANNED: &[Planned] = &[
-    Planned { path: &["method", "tier"], values: &["fast"], instead: "accurate, stepped or thesis" },
     Planned {
         path: &["method", "impact"],
         values: &["poisson", "energetic", "pulse"],
@@ -47,8 +46,8 @@ const PLANNED: &[Planned] = &[
     },
     Planned {
         path: &["method", "contact"],
-        values: &["interior-point", "sequential-impulses"],
-        instead: "active-set or least-force",
+        values: &["interior-point"],
+        instead: "active-set, least-force or sequential-impulses",
     },
     Planned { path: &["method", "response"], values: &["penalty"], instead: "constraint" },
 ];

@@ -24,6 +24,9 @@ use std::sync::Arc;
 /// Fewest pairs for which a task is worth its start.
 const LEAST_PAIRS: usize = 64;
 
+/// A step shorter than this part of the last one leaves the impulses that the next one starts from as they are (no unit).
+const LEAST_OF_LAST: f64 = 0.5;
+
 /// States and contacts.
 #[derive(Debug)]
 pub(super) struct Course {
@@ -107,13 +110,12 @@ impl Course {
     ) -> Result<(), SimulationError> {
         self.find_pairs(world, rules)?;
         self.find_patches(world, executor, rules);
-        self.make_groups(world);
+        self.make_groups(world, rules);
         self.solve(world, executor, (t, rules));
         self.fly(world, rules);
         self.write_back(rules);
         let end = t + rules.h * f64::from(rules.substeps);
         world.prescribe(end, &mut self.states);
-        self.last_h = rules.h;
         Ok(())
     }
 
@@ -172,12 +174,12 @@ impl Course {
     }
 
     /// Puts bodies that patches connect into groups, islands in the order of their first bodies.
-    fn make_groups(&mut self, world: &World) {
+    fn make_groups(&mut self, world: &World, rules: &Rules) {
         let bodies = self.states.len();
         let is_moved = |body: usize| world.bodies[body].moves() && !self.resting[body];
         let mut sets = DisjointSets::new(bodies);
         let mut patches = vec![0_u32; bodies];
-        let together = world.has_loads();
+        let together = rules.has_loads;
         for pair in self.pairs.iter().filter(|pair| !pair.patches.is_empty()) {
             if is_moved(pair.a) && is_moved(pair.b) {
                 sets.join(pair.a, pair.b);
@@ -197,7 +199,7 @@ impl Course {
                 continue;
             }
             let island = sets.smallest(body);
-            if patches[island] == 0 && !together {
+            if patches[island] == 0 && !(together && world.is_loaded(body)) {
                 continue;
             }
             let group = *group_of_island[island].get_or_insert_with(|| {
@@ -274,8 +276,13 @@ impl Course {
         }
     }
 
-    /// The impulses of the step go to the points of the patches.
+    /// The impulses of the step go to the points of the patches. Those of a step that a program has cut short do not: they are those of overlaps
+    /// and rounding, and say nothing about the next step.
     fn write_back(&mut self, rules: &Rules) {
+        let is_whole = rules.h >= LEAST_OF_LAST * self.last_h;
+        if is_whole {
+            self.last_h = rules.h;
+        }
         let inverse_step = 1.0 / (rules.h * f64::from(rules.substeps));
         for group in &self.groups[..self.used] {
             for (number, (place, manifold)) in group.patches.iter().zip(group.solver.manifolds()).enumerate() {
@@ -284,8 +291,10 @@ impl Course {
                 let points = self.pairs[place.pair].patches[place.patch].points_mut();
                 for (index, point) in points.iter_mut().enumerate() {
                     let impulse = group.solver.impulse(number, index);
-                    point.normal_impulse = impulse.last[0];
-                    point.friction_impulse = x * impulse.last[1] + y * impulse.last[2];
+                    if is_whole {
+                        point.normal_impulse = impulse.last[0];
+                        point.friction_impulse = x * impulse.last[1] + y * impulse.last[2];
+                    }
                     point.normal_force = impulse.total[0] * inverse_step;
                     point.friction_force = (x * impulse.total[1] + y * impulse.total[2]) * inverse_step;
                 }

@@ -23,6 +23,9 @@ use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose, Rotation};
 use std::sync::Arc;
 
+/// Times that differ by less than this part of a step are the same (no unit): some rounding of times of a long run.
+const SAME_TIME: f64 = 1e-6;
+
 /// A run in progress.
 #[derive(Debug)]
 pub(crate) struct FastEngine {
@@ -61,7 +64,7 @@ impl FastEngine {
     }
 
     fn rules(core: &Core, step_s: f64) -> Rules {
-        Rules::new(step_s, core.settings.substeps.unwrap_or(SUBSTEPS), core.world.gravity())
+        Rules::new(step_s, core.settings.substeps.unwrap_or(SUBSTEPS), &core.world)
     }
 
     /// One step to `t_next`.
@@ -226,11 +229,12 @@ impl Tier for FastEngine {
         observer: &mut dyn Observer,
     ) -> Result<Reached, SimulationError> {
         let step = core.settings.step_s;
-        while self.grid as f64 * step <= core.t {
+        while self.grid as f64 * step <= core.t + SAME_TIME * step {
             self.grid += 1;
         }
         let next = self.grid as f64 * step;
-        let t_next = if next >= limit_s { limit_s } else { next };
+        // A limit that differs from the end of a step by rounding is that end.
+        let t_next = if next >= limit_s - SAME_TIME * step { limit_s } else { next };
         if t_next > core.t {
             self.step(core, t_next, observer)?;
         }

@@ -96,7 +96,7 @@ impl Group {
         self.load(given);
         self.solver.prepare();
         let rules = given.rules;
-        if given.world.has_loads() {
+        if rules.has_loads {
             self.present = given.states.to_vec();
         }
         for substep in 0..rules.substeps {
@@ -209,13 +209,13 @@ impl Group {
     fn kick(&mut self, given: &Given<'_>, time: f64) {
         let (world, h) = (given.world, given.rules.h);
         let mut loads = Loads::default();
-        if world.has_loads() {
+        if given.rules.has_loads {
             self.members.iter().for_each(|member| self.present[member.body] = member.state);
             loads = world.loads_on(given.t + time, &self.present, &self.bodies);
         }
         for (number, member) in (1..).zip(&mut self.members) {
             member.state.linear_velocity += member.kick;
-            if let Some(rigid) = world.bodies[member.body].rigid.as_ref().filter(|_| world.has_loads()) {
+            if let Some(rigid) = world.bodies[member.body].rigid.as_ref().filter(|_| given.rules.has_loads) {
                 let wrench = loads.of(member.body);
                 member.state.linear_velocity += wrench.force * (rigid.inverse_mass() * h);
                 member.state.angular_momentum += wrench.torque * h;

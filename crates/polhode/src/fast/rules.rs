@@ -4,6 +4,7 @@
 //! damping ratio [`DAMPING`]; one with a body that does not move is twice as stiff. Source: docs/REFERENCES.md, Catto 2024.
 
 use polhode_response::sequential_impulses::{Softness, SweepRule};
+use crate::world::World;
 use polhode_spatial::DVec3;
 
 /// Frequency of the spring of a contact, Hz.
@@ -18,7 +19,7 @@ const DAMPING: f64 = 10.0;
 /// How much stiffer contacts with bodies are that do not move (no unit).
 const WITH_FIXED: f64 = 2.0;
 
-/// Speed at which overlaps are pushed apart at most, in speeds that gravity gives in this time, s; and without gravity, m/s.
+/// Speed at which overlaps are pushed apart at most, m/s.
 const PUSH_M_S: f64 = 3.0;
 
 /// A contact that approaches more slowly than gravity makes it in this many steps does not bounce (no unit): it rests.
@@ -32,13 +33,16 @@ pub(super) struct Rules {
     pub(super) h: f64,
     /// What gravity gives in a substep, m/s.
     pub(super) kick: DVec3,
+    /// Whether other forces act than gravity on centres of mass.
+    pub(super) has_loads: bool,
     pub(super) soft: SweepRule,
     pub(super) relax: SweepRule,
 }
 
 impl Rules {
-    /// Those of a step of this length (s) in so many substeps, under this gravity (m/s^2).
-    pub(super) fn new(step_s: f64, substeps: u32, gravity: DVec3) -> Self {
+    /// Those of a step of this length (s) in so many substeps.
+    pub(super) fn new(step_s: f64, substeps: u32, world: &World) -> Self {
+        let gravity = world.gravity();
         let h = step_s / f64::from(substeps);
         let frequency = FREQUENCY_HZ.min(OF_THE_RATE / h);
         let soft = SweepRule {
@@ -49,6 +53,6 @@ impl Rules {
             colliding: RESTING_STEPS * gravity.length() * step_s,
         };
         let relax = SweepRule { between: Softness::RIGID, with_fixed: Softness::RIGID, ..soft };
-        Self { substeps, h, kick: gravity * h, soft, relax }
+        Self { substeps, h, kick: gravity * h, has_loads: world.has_loads(), soft, relax }
     }
 }

@@ -193,6 +193,12 @@ impl SceneBuilder {
             let instead = Tier::names_with(TierFeature::Friction);
             return Err(SceneError::FrictionInTier { tier: tier.name, instead });
         }
+        if let (false, Some(effect)) = (tier.takes(TierFeature::SurfaceEffects), scene.surface_effect())
+            && tier.takes(TierFeature::Friction)
+        {
+            let instead = format!("tier {}", Tier::names_with(TierFeature::SurfaceEffects));
+            return Err(SceneError::NotYetAvailable { what: format!("{effect} with tier = \"{}\"", tier.name), instead });
+        }
         Ok(scene)
     }
 }
