@@ -1,8 +1,8 @@
-//! Heaps, walls and towers with friction: polhode's tier `stepped` beside rapier3d-f64, in one process on one thread, from the
+//! Heaps, walls and towers with friction: polhode's tier `stepped` (or `--tier NAME`) beside rapier3d-f64, in one process on one thread, from the
 //! same states.
 //!
 //! ```text
-//! cargo bench --manifest-path peers/Cargo.toml --bench scale [-- [--seconds S] [--svg FILE] [--growth] [NAME ...]]
+//! cargo bench --manifest-path peers/Cargo.toml --bench scale [-- [--tier NAME] [--seconds S] [--svg FILE] [--growth] [NAME ...]]
 //! ```
 //!
 //! Both make the steps of a scene (`support/scale/scenes.rs`) until there are as many as it has, or until polhode has taken the
@@ -25,6 +25,7 @@
 mod support;
 
 use polhode::Certificate;
+use polhode::scene::Tier;
 use std::time::Instant;
 use support::judge::{Depths, judge};
 use support::measured::{Measured, quantile};
@@ -39,9 +40,9 @@ const JUDGED_EVERY: usize = 10;
 /// Seconds of computing that polhode may take for a scene.
 const SECONDS: f64 = 60.0;
 
-fn of_ours(scene: &Scene, seconds: f64) -> Result<(Measured, Certificate), String> {
+fn of_ours(scene: &Scene, (tier, seconds): (Tier, f64)) -> Result<(Measured, Certificate), String> {
     let begin = Instant::now();
-    let mut run = Ours::new(scene)?;
+    let mut run = Ours::new(scene, tier)?;
     let mut measured = Measured { start: begin.elapsed().as_secs_f64(), ..Measured::default() };
     let mut depths = Depths::new(scene);
     let (mut total, mut before) = (0.0, run.certificate().factorisations);
@@ -78,8 +79,8 @@ fn of_peer(scene: &Scene, settings: Settings, steps: usize) -> Measured {
     measured
 }
 
-fn compare(scene: Scene, seconds: f64) -> Result<Compared, String> {
-    let (ours, own) = of_ours(&scene, seconds)?;
+fn compare(scene: Scene, (tier, seconds): (Tier, f64)) -> Result<Compared, String> {
+    let (ours, own) = of_ours(&scene, (tier, seconds))?;
     let steps = ours.times.len();
     let of = |settings| of_peer(&scene, settings, steps);
     let [defaults, awake, judged] = [Settings::Defaults, Settings::Awake, Settings::Judged].map(of);
@@ -87,11 +88,11 @@ fn compare(scene: Scene, seconds: f64) -> Result<Compared, String> {
 }
 
 /// Prints how the median time of a step grows, and the exponents between the least and the largest scene.
-fn growth(seconds: f64) -> Result<(), String> {
+fn growth(tier: Tier, seconds: f64) -> Result<(), String> {
     for (kind, scenes) in growing() {
         let mut points = Vec::new();
         for scene in scenes {
-            let (measured, _) = of_ours(&scene, seconds)?;
+            let (measured, _) = of_ours(&scene, (tier, seconds))?;
             let (bodies, time) = (scene.members.len() as f64, quantile(&measured.times, 0.5));
             println!(
                 "{kind}: {bodies} bodies, {} contacts, start {:.3} s, median step {:.3} s of {}, factorisations {}",
@@ -113,10 +114,12 @@ fn growth(seconds: f64) -> Result<(), String> {
 
 fn main() {
     let (mut names, mut seconds, mut svg, mut grows) = (Vec::new(), SECONDS, None, false);
+    let mut tier = Tier::Stepped;
     let mut arguments = std::env::args().skip(1);
     while let Some(argument) = arguments.next() {
         match argument.as_str() {
             "--bench" => {}
+            "--tier" => tier = arguments.next().and_then(|name| Tier::from_name(&name)).unwrap_or(tier),
             "--growth" => grows = true,
             "--seconds" => seconds = arguments.next().and_then(|text| text.parse().ok()).unwrap_or(SECONDS),
             "--svg" => svg = arguments.next(),
@@ -124,7 +127,7 @@ fn main() {
         }
     }
     if grows {
-        if let Err(error) = growth(seconds) {
+        if let Err(error) = growth(tier, seconds) {
             println!("{error}");
         }
         return;
@@ -136,7 +139,7 @@ fn main() {
             continue;
         }
         let name = scene.name;
-        match compare(scene, seconds) {
+        match compare(scene, (tier, seconds)) {
             Ok(one) => {
                 println!("{}", one.row());
                 compared.push(one);

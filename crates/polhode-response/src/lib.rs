@@ -17,6 +17,7 @@
 //! | [`friction`] | [`solve_friction`](friction::solve_friction): contacts with friction, exact Coulomb |
 //! | [`sparse`] | [`BodySolver`](sparse::BodySolver): contacts and joints in the velocities of bodies, by sparse factors |
 //! | [`impact`] | [`ImpactLaw`]: propagation, simultaneous, reflection, poisson, energetic, pulse |
+//! | [`sequential_impulses`] | [`SequentialImpulses`](sequential_impulses::SequentialImpulses): a step in real time, contacts side by side |
 //! | [`impact::friction`] | [`SingleFrictionalImpact`], [`MultipleFrictionalImpact`]: slip, stick, reversal and jam |
 //! | [`mod@heuristic`], [`mod@guesses`] | [`heuristic()`] and [`guesses()`] of the thesis, which tell what they took for vanishing contacts |
 //! | [`mod@least_force`] | [`least_force()`]: the linear programme of the thesis |
@@ -95,6 +96,7 @@ pub mod minimum_norm;
 mod precise;
 pub mod problem;
 pub mod report;
+pub mod sequential_impulses;
 pub mod settings;
 pub mod sliding;
 pub mod solve;

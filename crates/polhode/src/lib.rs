@@ -165,6 +165,7 @@ pub mod error;
 mod error_estimate;
 pub mod event;
 pub mod executor;
+mod fast;
 mod few_digits;
 pub mod frame;
 mod free_method;

@@ -32,6 +32,8 @@ pub(crate) struct Settings {
     /// How bodies that touch act on each other; other than by constraint only in a tier that takes such models.
     pub(crate) response: Response,
     pub(crate) broad_phase: BroadPhaseMethod,
+    /// Substeps of a step, where they are given.
+    pub(crate) substeps: Option<u32>,
     pub(crate) step_s: f64,
     /// Whether the scene gives that step.
     pub(crate) step_is_given: bool,
@@ -131,6 +133,7 @@ impl Settings {
             coordinates: method.coordinates.unwrap_or_default(),
             response: method.response.or(selection::own_response(tier)).unwrap_or_default(),
             broad_phase: method.broad_phase.unwrap_or_default(),
+            substeps: method.substeps,
             step_s: method.step_s.unwrap_or(facts.step_s),
             step_is_given: method.step_s.is_some(),
             tolerance: method.tolerance.unwrap_or(DEFAULT_TOLERANCE),

@@ -46,7 +46,7 @@ fn mistakes() {
         "forces=[{ type = { magnet = {} } }]",
         "forces=[{ type = { torque = { body = \"stone\", torque = [0, 0, 1] } } }]",
         "forces=[{ type = { drag = { law = \"linear\", translational = -1 } } }]",
-        "method.tier=fast",
+        "method.tier=faster",
         "method.impact=poisson",
         "method.integrator=rk5",
         "method.orientation=matrix",
@@ -59,7 +59,7 @@ fn mistakes() {
         assert!(run.stderr.contains("command line (--set):1:"), "{change}\n{}", run.stderr);
     }
     for (flag, value) in
-        [("--tier", "fast"), ("--tier", "quick"), ("--step", "-1"), ("--step", "x"), ("--duration", "0")]
+        [("--tier", "faster"), ("--tier", "quick"), ("--step", "-1"), ("--step", "x"), ("--duration", "0")]
     {
         let run = place.expect(2, &["check", "scene.toml", flag, value]);
         assert!(run.stderr.contains(&format!("command line ({flag}):1:")), "{}", run.stderr);

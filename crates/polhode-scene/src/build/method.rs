@@ -28,6 +28,7 @@ pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
     let method = Method {
         tier: entry.tier.map(|TierName(tier)| tier),
         step_s,
+        substeps: entry.substeps,
         integrator: entry.integrator.map(|IntegratorName(integrator)| integrator),
         orientation: entry.orientation.map(orientation),
         rotation_rate: entry.rotation_rate.map(rotation_rate),
@@ -71,6 +72,13 @@ fn path_of(error: &SceneError, entry: &MethodEntry) -> KeyPath {
             && !matches!(entry.response, None | Some(ResponseName::Constraint)) =>
         {
             path.key("response")
+        }
+        _ if entry.substeps.is_some() && !tier.takes(TierFeature::SequentialImpulses) => path.key("substeps"),
+        _ if entry.contact.is_some()
+            && (entry.contact == Some(ContactName::SequentialImpulses))
+                != tier.takes(TierFeature::SequentialImpulses) =>
+        {
+            path.key("contact")
         }
         _ if entry.integrator.is_some() && matches!(tier.integrator_choice, IntegratorChoice::Tier { .. }) => {
             path.key("integrator")
@@ -159,6 +167,7 @@ const fn contact(name: ContactName) -> ContactMethod {
         ContactName::ActiveSet => ContactMethod::ActiveSet,
         ContactName::Heuristic => ContactMethod::Heuristic,
         ContactName::Guesses => ContactMethod::Guesses,
+        ContactName::SequentialImpulses => ContactMethod::SequentialImpulses,
     }
 }
 

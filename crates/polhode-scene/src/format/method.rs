@@ -15,6 +15,9 @@ pub struct MethodEntry {
     /// Step, s: the fixed step of the tiers thesis and stepped, the upper bound of a step of tier accurate.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub step: Option<f64>,
+    /// Substeps of a step of tier fast; 4 when absent.
+    #[schemars(range(min = 1, max = 1000))]
+    pub substeps: Option<u32>,
     /// How bodies are integrated that no contact holds.
     pub integrator: Option<IntegratorName>,
     /// How the integrator rk4 represents orientation.
@@ -173,6 +176,8 @@ pub enum ContactName {
     Heuristic,
     /// Guesses of which contacts vanish, one after the other until forces fit (thesis 3.4).
     Guesses,
+    /// One contact after the other, from the impulses of the step before; tier fast.
+    SequentialImpulses,
 }
 
 /// How bodies in contact act on each other.

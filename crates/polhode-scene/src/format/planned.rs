@@ -39,11 +39,10 @@ pub(crate) struct Request {
 }
 
 const PLANNED: &[Planned] = &[
-    Planned { path: &["method", "tier"], values: &["fast"], instead: "accurate, stepped, micro-collisions or thesis" },
     Planned {
         path: &["method", "contact"],
-        values: &["interior-point", "sequential-impulses"],
-        instead: "active-set, or with tier thesis least-force, heuristic or guesses",
+        values: &["interior-point"],
+        instead: "active-set, with tier fast sequential-impulses, or with tier thesis least-force, heuristic or guesses",
     },
     Planned { path: &["method", "response"], values: &["penalty"], instead: "constraint" },
 ];

@@ -82,7 +82,6 @@ fn methods_and_forces() {
 fn places() {
     let cases = [
         ("bodies.brick.mass=-2", "bodies.brick.mass", 21),
-        ("method.tier=fast", "method.tier", 15),
         ("method.tier=quick", "method.tier", 15),
         ("method.teir=thesis", "method.teir", 8),
         ("bodies.brick.velocity=[0, nan, 0]", "bodies.brick.velocity.1", 29),

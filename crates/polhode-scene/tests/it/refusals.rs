@@ -222,7 +222,7 @@ fn unknown_keys_and_values() {
     check(&brick("shape", "shape.cube.size = [1, 1, 1]"), "bodies.brick.shape.cube", "cube", "`box`, `sphere`");
     check(&brick("shape", "shape.box.sizes = [1, 1, 1]"), "bodies.brick.shape.box.sizes", "sizes", "accepted: `size`");
     let tier = BASE.replace("name = \"base\"", "method.tier = \"quick\"");
-    check(&tier, "method.tier", "quick", "accepted: `accurate`, `stepped`, `thesis`");
+    check(&tier, "method.tier", "quick", "accepted: `accurate`, `stepped`, `fast`, `thesis`");
     let integrator = BASE.replace("name = \"base\"", "method.integrator = \"rk5\"");
     check(&integrator, "method.integrator", "rk5", "accepted: `explicit-euler`, `semi-implicit-euler`");
     let number = BASE.replace("name = \"base\"", "method.integrator = 4");
@@ -238,8 +238,7 @@ fn unknown_keys_and_values() {
 fn planned_members() {
     let top = |line: &str| BASE.replace("name = \"base\"", line);
     let mut cases = Vec::new();
-    let knobs =
-        [("tier", &["fast"][..]), ("contact", &["interior-point", "sequential-impulses"]), ("response", &["penalty"])];
+    let knobs = [("contact", &["interior-point"][..]), ("response", &["penalty"])];
     for (knob, values) in knobs {
         for value in values {
             cases.push((top(&format!("method.{knob} = \"{value}\"")), "method"));
@@ -260,6 +259,10 @@ fn knobs_that_do_not_go_together() {
         ("contact = \"least-force\"", "method.contact"),
         ("contact = \"least-force\"\nmethod.integrator = \"rk4\"", "method.contact"),
         ("contact = \"least-force\"\nmethod.tier = \"stepped\"", "method.contact"),
+        ("contact = \"sequential-impulses\"", "method.contact"),
+        ("contact = \"active-set\"\nmethod.tier = \"fast\"", "method.contact"),
+        ("substeps = 8", "method.substeps"),
+        ("integrator = \"rk4\"\nmethod.tier = \"fast\"", "method.integrator"),
         ("integrator = \"rk4\"\nmethod.tier = \"stepped\"", "method.integrator"),
         ("response = \"impulse\"\nmethod.tier = \"accurate\"", "method.response"),
         ("response = \"constraint\"\nmethod.tier = \"micro-collisions\"", "method.response"),

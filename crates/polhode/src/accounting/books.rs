@@ -54,6 +54,21 @@ impl std::ops::AddAssign for Received {
     }
 }
 
+/// What the impulses of soft contacts took in a step, and what they gave.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct SoftStep {
+    /// Taken by normal impulses of contacts that collided, J.
+    pub(crate) impact_j: f64,
+    /// Taken by friction, J.
+    pub(crate) friction_j: f64,
+    /// Taken by normal impulses of contacts at rest, which push overlaps apart, J.
+    pub(crate) projection_j: f64,
+    /// Given to bodies by all impulses, summed by bodies and not by contacts, J.
+    pub(crate) given_j: f64,
+    /// The part of the external work that prescribed motions did through contacts, J.
+    pub(crate) driven_j: f64,
+}
+
 /// The ledger of a run in progress.
 #[derive(Debug, Clone)]
 pub(crate) struct Books {
@@ -129,6 +144,23 @@ impl Books {
         self.ledger.external.add(received.external_j);
         let explained = received.external_j - received.damping_j - received.friction_j;
         self.ledger.numerical.add(before.energy_j - after.energy_j + explained);
+        let momentum = &mut self.ledger.momentum;
+        momentum.gravity.add(received.gravity);
+        momentum.support.add(received.support);
+        momentum.fields.add(received.fields);
+        let explained = received.gravity + received.support + received.fields;
+        momentum.numerical.add(before.momentum - after.momentum + explained);
+    }
+
+    /// Books a step of soft contacts: what their impulses took, and the change of energy that these do not explain.
+    pub(crate) fn soft_step(&mut self, [before, after]: [Balance; 2], received: Received, soft: SoftStep) {
+        self.ledger.impact.add(soft.impact_j);
+        self.ledger.friction.add(soft.friction_j);
+        self.ledger.projection.add(soft.projection_j);
+        self.ledger.damping.add(received.damping_j);
+        self.ledger.external.add(received.external_j);
+        let of_fields = received.external_j - received.damping_j - soft.driven_j;
+        self.ledger.numerical.add(before.energy_j - after.energy_j + soft.given_j + of_fields);
         let momentum = &mut self.ledger.momentum;
         momentum.gravity.add(received.gravity);
         momentum.support.add(received.support);

@@ -33,6 +33,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     features: &[
         TierFeature::Friction,
         TierFeature::Joints,
+        TierFeature::SurfaceEffects,
         TierFeature::PivotRows,
         TierFeature::ConstrainedRk4,
         TierFeature::PlanarFriction,

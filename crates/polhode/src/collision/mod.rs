@@ -3,6 +3,7 @@
 //! | module | holds |
 //! |---|---|
 //! | `boxes` | swept boxes of moving bodies, and the pairs whose boxes overlap |
+//! | `face_patches` | where bodies may touch within a step: points fixed to both bodies, kept while these hardly move |
 //! | `narrow_phase` | contacts and separation of a pair of shapes, computed with the memory of the pair |
 //! | `contact_set` | the contacts of a pair with identity, geometry and time derivatives |
 //! | `covered_borders` | contacts at a border that other bodies continue |
@@ -22,6 +23,7 @@ pub(crate) mod contact_modes;
 pub(crate) mod contact_set;
 mod covered_borders;
 pub(crate) mod envelope;
+pub(crate) mod face_patches;
 mod friction_ellipse;
 pub(crate) mod friction_mode;
 mod moving_surfaces;

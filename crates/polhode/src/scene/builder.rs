@@ -199,6 +199,15 @@ impl SceneBuilder {
             let instead = "friction = 0, or impact = \"energetic\", \"poisson\" or \"reflection\"".to_owned();
             return Err(SceneError::NotYetAvailable { what, instead });
         }
+        if let (false, Some(effect)) = (tier.takes(TierFeature::SurfaceEffects), scene.surface_effect())
+            && tier.takes(TierFeature::Friction)
+        {
+            let instead = format!("tier {}", Tier::names_with(TierFeature::SurfaceEffects));
+            return Err(SceneError::NotYetAvailable {
+                what: format!("{effect} with tier = \"{}\"", tier.name),
+                instead,
+            });
+        }
         Ok(scene)
     }
 }

@@ -100,6 +100,8 @@ pub enum ContactMethod {
     Heuristic,
     /// The guesses of section 3.4: which contacts vanish is tried, one set after the other, until forces fit.
     Guesses,
+    /// One contact after the other, with impulses of the step before to begin with.
+    SequentialImpulses,
 }
 
 impl ContactMethod {
@@ -110,6 +112,7 @@ impl ContactMethod {
             Self::ActiveSet => "active-set",
             Self::Heuristic => "heuristic",
             Self::Guesses => "guesses",
+            Self::SequentialImpulses => "sequential-impulses",
         }
     }
 }

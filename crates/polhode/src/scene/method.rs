@@ -13,6 +13,9 @@ use crate::tier::list::Tier;
 use crate::tier::selection;
 use polhode_response::RestitutionLaw;
 
+/// Most substeps of a step: beyond, a shorter step costs no more.
+const MOST_SUBSTEPS: u32 = 1000;
+
 /// What a run does at crowded events: events of an island that follow each other so closely that time hardly advances.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
@@ -38,6 +41,8 @@ pub struct Method {
     pub tier: Option<Tier>,
     /// Step, s: the fixed step of `thesis` and `stepped`, the upper bound of a step of `accurate`.
     pub step_s: Option<f64>,
+    /// Substeps of a step, of the tier that has them; at least 1.
+    pub substeps: Option<u32>,
     /// Integrator of bodies without active contacts. Constrained motion of the tier `accurate` is integrated by DOP853,
     /// or by RK4 when that is given here.
     pub integrator: Option<Integrator>,
@@ -90,6 +95,7 @@ impl Method {
             (self.rotation_rate.is_some(), "method.rotation_rate"),
             (self.coordinates == Some(Coordinates::Reduced), "method.coordinates"),
             (self.contact.is_some(), "method.contact"),
+            (self.substeps.is_some(), "method.substeps"),
             (self.response.is_some(), "method.response"),
             (self.crowding.is_some(), "method.crowding"),
             (self.crowding_tolerance.is_some(), "method.crowding_tolerance"),
@@ -104,6 +110,10 @@ impl Method {
     pub fn validate(&self) -> Result<(), SceneError> {
         if let Some(step) = self.step_s {
             super::error::positive("method.step", step)?;
+        }
+        if let Some(substeps) = self.substeps.filter(|substeps| !(1..=MOST_SUBSTEPS).contains(substeps)) {
+            let accepted = "a whole number from 1 to 1000";
+            return Err(SceneError::Number { key: "method.substeps", value: f64::from(substeps), accepted });
         }
         if let Some(tolerance) = self.crowding_tolerance {
             super::error::positive("method.crowding_tolerance", tolerance)?;
@@ -146,6 +156,20 @@ impl Method {
             return refuse(
                 &format!("contact = \"{}\" with tier = \"{}\"", contact.name(), tier.name),
                 &format!("contact = \"active-set\", or tier {}", Tier::names_with(TierFeature::LeastForce)),
+            );
+        }
+        if !tier.takes(TierFeature::SequentialImpulses) {
+            let instead = format!("tier {}", Tier::names_with(TierFeature::SequentialImpulses));
+            if self.substeps.is_some() {
+                return refuse(&format!("substeps with tier = \"{}\"", tier.name), &instead);
+            }
+            if self.contact == Some(ContactMethod::SequentialImpulses) {
+                return refuse(&format!("contact = \"sequential-impulses\" with tier = \"{}\"", tier.name), &instead);
+            }
+        } else if self.contact.is_some_and(|contact| contact != ContactMethod::SequentialImpulses) {
+            return refuse(
+                &format!("this method of contact with tier = \"{}\"", tier.name),
+                "contact = \"sequential-impulses\"",
             );
         }
         if let (false, Some(response)) = (tier.takes(TierFeature::Responses), self.response)

@@ -117,6 +117,24 @@ impl Scene {
         Ok(())
     }
 
+    /// What surfaces of bodies that may collide do besides friction with one coefficient; none where they do no more.
+    pub(crate) fn surface_effect(&self) -> Option<&'static str> {
+        if self.has_grain() {
+            return Some("friction along a grain");
+        }
+        if self.colliding().largest_rotational_friction > 0.0 {
+            return Some("friction of rolling or spinning");
+        }
+        if self.has_moving_surfaces() {
+            return Some("a surface that moves");
+        }
+        let has_static = |(a, b): (usize, usize)| {
+            let material = self.pair_material(a, b);
+            material.static_friction() > material.friction()
+        };
+        self.material_pairs().into_iter().any(has_static).then_some("static friction above kinetic")
+    }
+
     /// Whether friction of two bodies that may collide depends on the direction.
     pub(crate) fn has_grain(&self) -> bool {
         let has_grain = |material: &Material| material.grain().is_some();

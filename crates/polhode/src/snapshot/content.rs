@@ -291,6 +291,7 @@ pub(crate) enum EventKind {
 pub(crate) enum Tier {
     Accurate(Accurate),
     Stepped(Stepped),
+    Fast(Fast),
     Thesis(Thesis),
     MicroCollisions(MicroCollisions),
 }
@@ -529,6 +530,51 @@ pub(crate) struct MicroCollisions {
     pub(crate) touching_pairs: usize,
     /// The variables from which the integrator continues.
     pub(crate) integrator: Vec<f64>,
+}
+
+/// The tier `fast`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Fast {
+    pub(crate) states: Vec<State>,
+    /// Pairs of bodies near each other, ascending.
+    pub(crate) pairs: Vec<PairPatches>,
+    /// Length of a substep of the last step, s.
+    pub(crate) last_h: f64,
+    pub(crate) resting: Vec<bool>,
+    /// Pairs that pressed on each other in the last step, ascending.
+    pub(crate) touching: Vec<(usize, usize)>,
+    pub(crate) grid: u64,
+    pub(crate) begun: bool,
+}
+
+/// Where two bodies may touch.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct PairPatches {
+    pub(crate) pair: (usize, usize),
+    pub(crate) found: Option<FoundAt>,
+    /// The normal of each patch in the frame of the second body, and its points.
+    pub(crate) patches: Vec<(Vector, Vec<PatchPoint>)>,
+}
+
+/// At which relative pose patches were found.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct FoundAt {
+    /// w, x, y, z, and m.
+    pub(crate) pose: ([f64; 4], Vector),
+    /// m.
+    pub(crate) reach: f64,
+    pub(crate) separation: f64,
+}
+
+/// A point of a patch.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct PatchPoint {
+    pub(crate) id: Contact,
+    /// In the frames of the two bodies, m.
+    pub(crate) on: [Vector; 2],
+    /// Impulse of the last substep (N s) and mean force of the last step (N).
+    pub(crate) normal: [f64; 2],
+    pub(crate) friction: [Vector; 2],
 }
 
 /// The tier `thesis`.

@@ -5,6 +5,7 @@ use super::list::Tier as TierName;
 use crate::SimulationError;
 use crate::accurate::Engine;
 use crate::core::Core;
+use crate::fast::FastEngine;
 use crate::micro_collisions::MicroCollisionEngine;
 use crate::snapshot::{SnapshotError, content};
 use crate::stepped::SteppedEngine;
@@ -19,6 +20,7 @@ pub(crate) fn begun(core: &mut Core, states: Vec<BodyState>) -> Result<Box<dyn T
     Ok(match core.settings.tier {
         TierName::Accurate => Box::new(Engine::new(core, states)?),
         TierName::Stepped => Box::new(SteppedEngine::new(core, states)?),
+        TierName::Fast => Box::new(FastEngine::new(core, states)?),
         TierName::Thesis => Box::new(ThesisEngine::new(core, states)?),
         TierName::MicroCollisions => Box::new(MicroCollisionEngine::new(core, states)),
     })
@@ -35,6 +37,7 @@ pub(crate) fn restored(core: &mut Core, saved: &content::Tier) -> Result<Box<dyn
     match (core.settings.tier, saved) {
         (TierName::Accurate, content::Tier::Accurate(saved)) => Ok(Box::new(Engine::restored(core, saved)?)),
         (TierName::Stepped, content::Tier::Stepped(saved)) => Ok(Box::new(SteppedEngine::restored(core, saved)?)),
+        (TierName::Fast, content::Tier::Fast(saved)) => Ok(Box::new(FastEngine::restored(core, saved)?)),
         (TierName::Thesis, content::Tier::Thesis(saved)) => Ok(Box::new(ThesisEngine::restored(core, saved)?)),
         (TierName::MicroCollisions, content::Tier::MicroCollisions(saved)) => {
             Ok(Box::new(MicroCollisionEngine::restored(core, saved)?))

@@ -132,6 +132,10 @@ pub enum TierFeature {
     PivotRows,
     /// [`ContactMethod::LeastForce`].
     LeastForce,
+    /// [`ContactMethod::SequentialImpulses`].
+    SequentialImpulses,
+    /// Static friction above kinetic, friction along a grain, of rolling and of spinning, and surfaces that move.
+    SurfaceEffects,
     /// Every [`Response`](crate::scene::Response), not only that by constraint.
     Responses,
     /// RK4 for constrained motion too, where the scene names it.

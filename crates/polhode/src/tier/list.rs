@@ -3,7 +3,7 @@
 //! What a tier is stands in its own folder ([`TierFacts`]); the list of engines is in `engines.rs` beside this file.
 
 use super::facts::{TierFacts, TierFeature};
-use crate::{accurate, micro_collisions, stepped, thesis};
+use crate::{accurate, fast, micro_collisions, stepped, thesis};
 
 /// A set of methods with one promise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -14,6 +14,9 @@ pub enum Tier {
     Thesis,
     /// Impulses alone, after Mirtich: contacts at rest are many small collisions within an envelope.
     MicroCollisions,
+    /// Real time: substeps of soft contacts by sequential impulses. Contacts overlap a little, and its error depends on the
+    /// length of the step.
+    Fast,
     /// Fixed time steps at the level of velocities, with an exact complementarity problem at each. Every step has a
     /// solution; its error depends on the length of the step.
     Stepped,
@@ -24,7 +27,7 @@ pub enum Tier {
 
 impl Tier {
     /// All tiers, the most accurate first.
-    pub const ALL: [Self; 4] = [Self::Accurate, Self::Stepped, Self::MicroCollisions, Self::Thesis];
+    pub const ALL: [Self; 5] = [Self::Accurate, Self::Stepped, Self::Fast, Self::MicroCollisions, Self::Thesis];
 
     /// What the tier is.
     pub const fn facts(self) -> &'static TierFacts {
@@ -32,6 +35,7 @@ impl Tier {
             Self::Thesis => &thesis::FACTS,
             Self::MicroCollisions => &micro_collisions::FACTS,
             Self::Stepped => &stepped::FACTS,
+            Self::Fast => &fast::FACTS,
             Self::Accurate => &accurate::FACTS,
         }
     }

@@ -14,6 +14,7 @@ mod dependence;
 mod diamonds;
 mod driven_joints;
 mod energy_after_actions;
+mod fast;
 mod fixed_steps;
 mod flight;
 mod forces;

@@ -1,4 +1,4 @@
-//! A scene in polhode, tier `stepped`, with its defaults; one thread.
+//! A scene in polhode, with the defaults of a tier; one thread.
 
 use super::judge::{Judged, Moved};
 use super::scenes::{Form, Scene};
@@ -18,12 +18,12 @@ pub(crate) struct Ours {
 }
 
 impl Ours {
-    pub(crate) fn new(scene: &Scene) -> Result<Self, String> {
-        Self::build(scene).map_err(|error| error.to_string())
+    pub(crate) fn new(scene: &Scene, tier: Tier) -> Result<Self, String> {
+        Self::build(scene, tier).map_err(|error| error.to_string())
     }
 
-    fn build(scene: &Scene) -> Result<Self, Box<dyn std::error::Error>> {
-        let method = Method { tier: Some(Tier::Stepped), step_s: Some(scene.step), ..Method::default() };
+    fn build(scene: &Scene, tier: Tier) -> Result<Self, Box<dyn std::error::Error>> {
+        let method = Method { tier: Some(tier), step_s: Some(scene.step), ..Method::default() };
         let material = Material::new("rough").with_friction(scene.friction)?;
         let duration = scene.step * (scene.steps + 1) as f64;
         let mut builder = polhode::Scene::builder(scene.name).method(method).duration_s(duration).output_interval_s(duration);

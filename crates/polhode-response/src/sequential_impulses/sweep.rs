@@ -1,0 +1,248 @@
+//! One sweep over all contacts: each point gets the impulse that brings it to its law, given all that was done before.
+//!
+//! With the relative velocity `u` of a point, the softness of the contact (Catto 2024) and `s` its present separation,
+//!
+//! ```text
+//! beta = s / h                        where s > 0: it may close by that much (speculative contact)
+//!        max(b s, -v_push)            where it overlaps
+//! p_n <- max(0, p_n - m (a (u_n) + a' beta) - c p_n)
+//! p_t <- P(p_t - rho u_t)             onto the disc |p_t| <= mu p_n; rho one number, so that friction acts against the slip
+//! ```
+//!
+//! `m = 1 / K_nn`, `rho` the inverse of the largest eigenvalue of `K_tt`; `a`, `b`, `c` are [`Softness`]. Separations are those at the
+//! start of the step plus the displacements of the bodies along the rows of then.
+//!
+//! **Work.** An impulse `d` at velocity `u` changes the energy by `d.u + d.K d / 2`; summed over all impulses that is the exact change
+//! of the kinetic energy (by algebra). The sweep sums it for friction, for contacts that collide and for those that rest.
+
+use super::batch::{Batch, PointRows};
+use super::body::{Gathered, ImpulseBody};
+use super::lanes::{FOUR, Four, Lanes, Vectors};
+
+/// How a contact gives way where it overlaps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Softness {
+    /// Rate at which an overlap is pushed apart, 1/s.
+    pub rate: f64,
+    /// Part of the effective mass that acts (no unit).
+    pub mass: f64,
+    /// Part of the impulse that is taken back (no unit).
+    pub impulse: f64,
+}
+
+impl Softness {
+    /// A rigid contact that pushes nothing apart.
+    pub const RIGID: Self = Self { rate: 0.0, mass: 1.0, impulse: 0.0 };
+
+    /// A spring of this frequency (Hz) and damping ratio (no unit) over substeps of `h` (s), implicit in time (Catto 2024).
+    pub fn of_spring(frequency_hz: f64, damping: f64, h: f64) -> Self {
+        let omega = std::f64::consts::TAU * frequency_hz;
+        let a1 = 2.0 * damping + h * omega;
+        let a2 = h * omega * a1;
+        let a3 = 1.0 / (1.0 + a2);
+        Self { rate: omega / a1, mass: a2 * a3, impulse: a3 }
+    }
+}
+
+/// What all contacts of a sweep have in common.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SweepRule {
+    /// Contacts between bodies that impulses move.
+    pub between: Softness,
+    /// Contacts with bodies that they do not move.
+    pub with_fixed: Softness,
+    /// Largest speed at which overlaps are pushed apart, m/s.
+    pub push: f64,
+    /// 1 / length of a substep, 1/s.
+    pub inverse_step: f64,
+    /// Contacts that approach faster than this at the start of the step collide, m/s.
+    pub colliding: f64,
+}
+
+/// Changes of energy by impulses, J.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Works {
+    /// By normal impulses of contacts that collide.
+    pub colliding_j: f64,
+    /// By normal impulses of other contacts.
+    pub resting_j: f64,
+    /// By friction.
+    pub friction_j: f64,
+}
+
+impl std::ops::AddAssign for Works {
+    fn add_assign(&mut self, other: Self) {
+        self.colliding_j += other.colliding_j;
+        self.resting_j += other.resting_j;
+        self.friction_j += other.friction_j;
+    }
+}
+
+/// The same in lanes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LaneWorks<L> {
+    pub(super) colliding: L,
+    pub(super) resting: L,
+    pub(super) friction: L,
+}
+
+/// The works of all lanes: each lane's sum, then these in order.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct FourWorks {
+    colliding: Four,
+    resting: Four,
+    friction: Four,
+}
+
+impl FourWorks {
+    pub(super) fn load<L: Lanes>(&self, part: usize) -> LaneWorks<L> {
+        LaneWorks {
+            colliding: L::load(&self.colliding, part),
+            resting: L::load(&self.resting, part),
+            friction: L::load(&self.friction, part),
+        }
+    }
+
+    pub(super) fn store<L: Lanes>(&mut self, works: LaneWorks<L>, part: usize) {
+        works.colliding.store(&mut self.colliding, part);
+        works.resting.store(&mut self.resting, part);
+        works.friction.store(&mut self.friction, part);
+    }
+
+    pub(super) fn sums(&self) -> Works {
+        let sum = |four: &Four| (four.0[0] + four.0[1]) + (four.0[2] + four.0[3]);
+        Works { colliding_j: sum(&self.colliding), resting_j: sum(&self.resting), friction_j: sum(&self.friction) }
+    }
+}
+
+/// The frame of a batch's manifolds.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Frame<L> {
+    pub(super) normal: Vectors<L>,
+    pub(super) first: Vectors<L>,
+    pub(super) second: Vectors<L>,
+    pub(super) between: Vectors<L>,
+}
+
+impl<L: Lanes> Frame<L> {
+    #[inline(always)]
+    pub(super) fn load(batch: &Batch, part: usize) -> Self {
+        let normal = Vectors::load(&batch.normal, part);
+        let first = Vectors::load(&batch.tangent, part);
+        Self { normal, first, second: normal.cross(first), between: Vectors::load(&batch.between, part) }
+    }
+
+    #[inline(always)]
+    pub(super) fn vector(&self, n: L, x: L, y: L) -> Vectors<L> {
+        self.normal.times(n) + self.first.times(x) + self.second.times(y)
+    }
+}
+
+/// The part of the bodies' numbers of a batch that a kernel works on.
+#[inline(always)]
+pub(super) fn numbers<L: Lanes>(of: &[u32; FOUR], part: usize) -> &[u32] {
+    &of[part * L::WIDTH..(part + 1) * L::WIDTH]
+}
+
+/// A sweep over all batches, in order. Returns the change of energy.
+pub(super) fn sweep<L: Lanes>(
+    bodies: &mut [ImpulseBody],
+    batches: &[Batch],
+    points: &mut [PointRows],
+    rule: &SweepRule,
+) -> Works {
+    let mut works = FourWorks::default();
+    for batch in batches {
+        let rows = &mut points[batch.first as usize..(batch.first + batch.count) as usize];
+        for part in 0..FOUR / L::WIDTH {
+            let own = works.load::<L>(part);
+            works.store(solve::<L>(bodies, (batch, part), rows, rule, own), part);
+        }
+    }
+    works.sums()
+}
+
+/// The softness of each lane.
+struct Soft<L> {
+    rate: L,
+    mass: L,
+    impulse: L,
+}
+
+impl<L: Lanes> Soft<L> {
+    #[inline(always)]
+    fn of(rule: &SweepRule, side: L) -> Self {
+        let square = side * side;
+        let pick =
+            |between: f64, fixed: f64| L::pick_greater(square, L::splat(0.0), L::splat(fixed), L::splat(between));
+        let (between, fixed) = (&rule.between, &rule.with_fixed);
+        Self {
+            rate: pick(between.rate, fixed.rate),
+            mass: pick(between.mass, fixed.mass),
+            impulse: pick(between.impulse, fixed.impulse),
+        }
+    }
+}
+
+#[inline(always)]
+fn solve<L: Lanes>(
+    bodies: &mut [ImpulseBody],
+    (batch, part): (&Batch, usize),
+    rows: &mut [PointRows],
+    rule: &SweepRule,
+    mut works: LaneWorks<L>,
+) -> LaneWorks<L> {
+    let (numbers_a, numbers_b) = (numbers::<L>(&batch.a, part), numbers::<L>(&batch.b, part));
+    let (mut a, mut b) = (Gathered::<L>::load(bodies, numbers_a), Gathered::<L>::load(bodies, numbers_b));
+    let frame = Frame::<L>::load(batch, part);
+    let friction = L::load(&batch.friction, part);
+    let soft = Soft::of(rule, L::load(&batch.side, part));
+    let (zero, one, half) = (L::splat(0.0), L::splat(1.0), L::splat(0.5));
+    let (inverse_step, push, colliding) =
+        (L::splat(rule.inverse_step), L::splat(-rule.push), L::splat(-rule.colliding));
+    for row in rows {
+        let arm = Vectors::<L>::load(&row.arm, part);
+        let arm_b = arm + frame.between;
+        let velocity = a.linear - b.linear + a.angular.cross(arm) - b.angular.cross(arm_b);
+        let moved = a.moved - b.moved + a.turned.cross(arm) - b.turned.cross(arm_b);
+        let separation = L::load(&row.separation, part) + frame.normal.dot(moved);
+        let overlapping = (soft.mass * soft.rate * separation).greater(push);
+        let bias = L::pick_greater(separation, zero, separation * inverse_step, overlapping);
+        let share = L::pick_greater(separation, zero, one, soft.mass);
+        let taken_back = L::pick_greater(separation, zero, zero, soft.impulse);
+
+        let normal_rate = frame.normal.dot(velocity);
+        let before = L::load(&row.impulse[0], part);
+        let wanted = before - L::load(&row.mass, part) * (share * normal_rate + bias) - taken_back * before;
+        let normal = wanted.greater(zero);
+        let d_normal = normal - before;
+        let work = d_normal * (normal_rate + half * L::load(&row.stiffness, part) * d_normal);
+        let rate = L::load(&row.rate, part);
+        works.colliding = works.colliding + L::pick_greater(colliding, rate, work, zero);
+        works.resting = works.resting + L::pick_greater(colliding, rate, zero, work);
+
+        let slip_x = frame.first.dot(velocity) + L::load(&row.coupling[0], part) * d_normal;
+        let slip_y = frame.second.dot(velocity) + L::load(&row.coupling[1], part) * d_normal;
+        let (before_x, before_y) = (L::load(&row.impulse[1], part), L::load(&row.impulse[2], part));
+        let rho = L::load(&row.sliding_mass, part);
+        let (wanted_x, wanted_y) = (before_x - rho * slip_x, before_y - rho * slip_y);
+        let limit = friction * normal;
+        let square = wanted_x * wanted_x + wanted_y * wanted_y;
+        let scale = L::pick_greater(square, limit * limit, limit / square.root(), one);
+        let (x, y) = (wanted_x * scale, wanted_y * scale);
+        let (d_x, d_y) = (x - before_x, y - before_y);
+        let [xx, xy, yy] = [0, 1, 2].map(|k| L::load(&row.tangential[k], part));
+        let change = d_x * (xx * d_x + xy * d_y) + d_y * (xy * d_x + yy * d_y);
+        works.friction = works.friction + d_x * slip_x + d_y * slip_y + half * change;
+
+        normal.store(&mut row.impulse[0], part);
+        x.store(&mut row.impulse[1], part);
+        y.store(&mut row.impulse[2], part);
+        let impulse = frame.vector(d_normal, d_x, d_y);
+        a.take(impulse, arm);
+        b.give(impulse, arm_b);
+    }
+    a.store_velocities(bodies, numbers_a);
+    b.store_velocities(bodies, numbers_b);
+    works
+}

@@ -1,0 +1,356 @@
+//! Where bodies touch or may touch within a step, as faces with points that are fixed to both bodies.
+//!
+//! The contacts of a pair with nearly one normal form a patch of at most four points. Each point is kept as two anchors, one in
+//! the frame of each body: its separation at other poses is `n . (x_A - x_B)`, exact for a corner that slides on a face. As long as two bodies
+//! with flat faces have hardly moved relative to each other ([`KEPT_RELATIVE`]) their patches are kept, and nothing is searched: in a
+//! stack that stands the narrow phase costs a few dozen operations for each pair. Round bodies are searched at every movement, since their point
+//! of contact wanders over them.
+//!
+//! Patches are part of the state of a run: which poses they were found at decides their anchors. Failure: patches of bodies whose
+//! faces are strongly curved over the reach are flat.
+
+use crate::world::World;
+use polhode_contact::{
+    Aabb, Contact, ContactFeature, Manifold, PairMemory, Shape, Side, Workspace, near_manifold_with,
+};
+use polhode_dynamics::BodyState;
+use polhode_spatial::{DVec3, Pose};
+
+/// Movement of two bodies relative to each other for which their patches are kept, relative to the size of the smaller one (no
+/// unit, 1e-5 to 1e-3): a corner is then taken that far from where it is, along its face.
+const KEPT_RELATIVE: f64 = 2e-4;
+
+/// Contacts up to this distance are found besides those that the bodies may reach in a step, relative to the size of the smaller body
+/// (no unit, 1e-3 to 1e-1): so that patches need not be searched as soon as one body moves a little.
+const MARGIN_RELATIVE: f64 = 1e-2;
+
+/// How much farther than needed patches are searched, so that they last (no unit).
+const REACH_TO_SPARE: f64 = 1.5;
+
+/// Cosine of the angle between the normals of contacts of one patch: some two degrees.
+const ONE_NORMAL_COSINE: f64 = 0.9994;
+
+/// Most points of a patch.
+pub(crate) const PATCH_POINTS: usize = 4;
+
+/// A point of a patch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct PatchPoint {
+    pub(crate) feature: ContactFeature,
+    /// In the frames of the bodies, m.
+    pub(crate) on_a: DVec3,
+    pub(crate) on_b: DVec3,
+    /// Impulse of the last substep on A along the normal, N s.
+    pub(crate) normal_impulse: f64,
+    /// Impulse of friction of the last substep on A, world, N s.
+    pub(crate) friction_impulse: DVec3,
+    /// Mean force of the last step on A: along the normal (N), and of friction, world (N).
+    pub(crate) normal_force: f64,
+    pub(crate) friction_force: DVec3,
+}
+
+/// Points with one normal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Patch {
+    /// From B to A, in the frame of body B.
+    pub(crate) normal: DVec3,
+    points: [PatchPoint; PATCH_POINTS],
+    count: usize,
+}
+
+impl Patch {
+    /// One from a snapshot; none with too many points.
+    pub(crate) fn restored(normal: DVec3, known: &[PatchPoint]) -> Option<Self> {
+        let mut points = [*known.first()?; PATCH_POINTS];
+        points.get_mut(..known.len())?.copy_from_slice(known);
+        Some(Self { normal, points, count: known.len() })
+    }
+
+    /// Its points.
+    pub(crate) fn points(&self) -> &[PatchPoint] {
+        &self.points[..self.count]
+    }
+
+    /// Its points, to be changed.
+    pub(crate) fn points_mut(&mut self) -> &mut [PatchPoint] {
+        &mut self.points[..self.count]
+    }
+}
+
+/// At which relative pose patches were found, and how far was searched.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct FoundAt {
+    /// That of the smaller body in the frame of the larger one.
+    pub(crate) pose: Pose,
+    /// m.
+    pub(crate) reach: f64,
+    /// Lower bound of the distance where there is no patch, m.
+    pub(crate) separation: f64,
+}
+
+/// The patches of a pair of bodies whose boxes are near each other.
+#[derive(Debug, Clone)]
+pub(crate) struct PairPatches {
+    pub(crate) a: usize,
+    pub(crate) b: usize,
+    /// Coefficients (no unit).
+    pub(crate) friction: f64,
+    pub(crate) restitution: f64,
+    /// Movement for which patches are kept, m; zero for round bodies.
+    kept: f64,
+    /// Size of the smaller body, m.
+    size: f64,
+    smaller: Side,
+    found_at: Option<FoundAt>,
+    memory: Box<PairMemory>,
+    pub(crate) patches: Vec<Patch>,
+}
+
+impl PairPatches {
+    /// Nothing known yet of a pair.
+    pub(crate) fn new(world: &World, (a, b): (usize, usize)) -> Self {
+        let material = world.scene.pair_material(a, b);
+        let is_flat = |body: usize| {
+            world.bodies[body]
+                .shape
+                .as_ref()
+                .is_some_and(|shape| matches!(shape, Shape::Convex(_) | Shape::HalfSpace(_)))
+        };
+        let size = world.pair_size(a, b);
+        Self {
+            a,
+            b,
+            friction: if world.has_friction() { material.friction() } else { 0.0 },
+            restitution: material.restitution(),
+            kept: if is_flat(a) && is_flat(b) { KEPT_RELATIVE * size } else { 0.0 },
+            size,
+            smaller: if size == world.bodies[a].size { Side::A } else { Side::B },
+            found_at: None,
+            memory: Box::default(),
+            patches: Vec::new(),
+        }
+    }
+
+    /// Where its patches were found.
+    pub(crate) fn found_at(&self) -> Option<FoundAt> {
+        self.found_at
+    }
+
+    /// The pair with the patches of a snapshot.
+    pub(crate) fn with_patches(mut self, found_at: Option<FoundAt>, patches: Vec<Patch>) -> Self {
+        (self.found_at, self.patches) = (found_at, patches);
+        self
+    }
+
+    /// Brings the patches to these states, for bodies that may approach each other by `travel` (m) in the coming step.
+    pub(crate) fn renew(&mut self, world: &World, states: &[BodyState], travel: f64, tools: &mut Tools) {
+        let (pose_a, pose_b) = (&states[self.a].pose, &states[self.b].pose);
+        let now = match self.smaller {
+            Side::A => pose_b.relative(pose_a),
+            Side::B => pose_a.relative(pose_b),
+        };
+        let reach = MARGIN_RELATIVE * self.size + travel;
+        if self.are_kept(&now, reach) {
+            return;
+        }
+        let Some((shape_a, shape_b)) = world.shapes(self.a, self.b) else { return self.patches.clear() };
+        let far = REACH_TO_SPARE * reach;
+        let (a, b) = ((shape_a, pose_a), (shape_b, pose_b));
+        near_manifold_with(&mut tools.workspace, &mut self.memory, a, b, far, &mut tools.found);
+        self.found_at = Some(FoundAt { pose: now, reach: far, separation: tools.found.separation });
+        let before = std::mem::take(&mut self.patches);
+        make_patches(&mut self.patches, &tools.found.contacts, (pose_a, pose_b));
+        if !before.is_empty() {
+            self.take_impulses(&before);
+        }
+    }
+
+    /// Whether the patches still hold at a relative pose.
+    fn are_kept(&self, now: &Pose, reach: f64) -> bool {
+        let Some(found) = &self.found_at else { return false };
+        let [before, after] = [&found.pose, now].map(|pose| pose.rotation.quaternion());
+        let turn = (before.x * after.w - before.w * after.x - before.y * after.z + before.z * after.y).abs()
+            + (before.y * after.w - before.w * after.y - before.z * after.x + before.x * after.z).abs()
+            + (before.z * after.w - before.w * after.z - before.x * after.y + before.y * after.x).abs();
+        let movement = (now.translation - found.pose.translation).length() + 2.0 * turn * self.size;
+        if self.patches.is_empty() {
+            // Bodies that are apart stay so until they have come nearer; a movement that is not finite keeps nothing.
+            return found.separation - movement > reach;
+        }
+        movement <= self.kept && reach <= found.reach
+    }
+
+    /// The impulses of points that were there before.
+    fn take_impulses(&mut self, before: &[Patch]) {
+        for point in self.patches.iter_mut().flat_map(Patch::points_mut) {
+            let known = before.iter().flat_map(Patch::points).find(|known| known.feature == point.feature);
+            if let Some(known) = known {
+                let (features, on_a, on_b) = (point.feature, point.on_a, point.on_b);
+                *point = PatchPoint { feature: features, on_a, on_b, ..*known };
+            }
+        }
+    }
+}
+
+/// Buffers of a search.
+#[derive(Debug, Default)]
+pub(crate) struct Tools {
+    workspace: Workspace,
+    found: Manifold,
+}
+
+/// Contacts as patches, in the order of their first contacts.
+fn make_patches(patches: &mut Vec<Patch>, contacts: &[Contact], poses: (&Pose, &Pose)) {
+    let mut left: Vec<&Contact> = contacts.iter().collect();
+    while let Some(&first) = left.first() {
+        let normal = first.geometry.normal;
+        let is_along = |contact: &&Contact| contact.geometry.normal.dot(normal) >= ONE_NORMAL_COSINE;
+        let mut group: Vec<&Contact> = left.iter().copied().filter(is_along).collect();
+        if group.is_empty() {
+            return;
+        }
+        left.retain(|contact| !is_along(contact));
+        reduce(&mut group, normal);
+        patches.push(patch_of(&group, normal, poses));
+    }
+}
+
+fn patch_of(group: &[&Contact], normal: DVec3, (pose_a, pose_b): (&Pose, &Pose)) -> Patch {
+    let point = |contact: &Contact| {
+        let geometry = &contact.geometry;
+        let half = geometry.normal * (0.5 * geometry.separation);
+        PatchPoint {
+            feature: contact.feature,
+            on_a: pose_a.inverse_transform_point(geometry.point + half),
+            on_b: pose_b.inverse_transform_point(geometry.point - half),
+            normal_impulse: 0.0,
+            friction_impulse: DVec3::ZERO,
+            normal_force: 0.0,
+            friction_force: DVec3::ZERO,
+        }
+    };
+    let mut points = [point(group[0]); PATCH_POINTS];
+    for (place, contact) in points.iter_mut().zip(group) {
+        *place = point(contact);
+    }
+    Patch { normal: pose_b.rotation.inverse_rotate(normal), points, count: group.len() }
+}
+
+/// Leaves four contacts of a group: the deepest, the farthest from it, and the two farthest from their line on both sides.
+fn reduce(group: &mut Vec<&Contact>, normal: DVec3) {
+    if group.len() <= PATCH_POINTS {
+        return;
+    }
+    let place = |contact: &&Contact| contact.geometry.point;
+    let deepest =
+        (0..group.len()).min_by(|&i, &j| group[i].geometry.separation.total_cmp(&group[j].geometry.separation));
+    let first = deepest.unwrap_or(0);
+    let origin = place(&group[first]);
+    let most = |value: &dyn Fn(&&Contact) -> f64| {
+        (0..group.len()).max_by(|&i, &j| value(&group[i]).total_cmp(&value(&group[j])))
+    };
+    let second = most(&|contact| (place(contact) - origin).length_squared()).unwrap_or(0);
+    let line = normal.cross(place(&group[second]) - origin);
+    let third = most(&|contact| line.dot(place(contact) - origin)).unwrap_or(0);
+    let fourth = most(&|contact| -line.dot(place(contact) - origin)).unwrap_or(0);
+    let mut chosen = [first, second, third, fourth].to_vec();
+    chosen.sort_unstable();
+    chosen.dedup();
+    *group = chosen.into_iter().map(|number| group[number]).collect();
+}
+
+/// The boxes of bodies, large enough to last for some steps, and the pairs whose boxes meet.
+#[derive(Debug)]
+pub(crate) struct LastingBoxes {
+    fat: Vec<Option<Aabb>>,
+    broad_phase: Box<dyn polhode_contact::BroadPhase>,
+    packed: Vec<Aabb>,
+    bodies: Vec<usize>,
+    found: Vec<(u32, u32)>,
+    /// Pairs that may collide, ascending.
+    pub(crate) pairs: Vec<(usize, usize)>,
+}
+
+/// How much larger than needed a box is, relative to the size of its body (no unit): the smaller, the fewer pairs; the larger, the longer
+/// it lasts.
+const ROOM_RELATIVE: f64 = 0.05;
+
+impl LastingBoxes {
+    /// No boxes yet.
+    pub(crate) fn new(method: polhode_contact::BroadPhaseMethod) -> Self {
+        Self {
+            fat: Vec::new(),
+            broad_phase: method.build(),
+            packed: Vec::new(),
+            bodies: Vec::new(),
+            found: Vec::new(),
+            pairs: Vec::new(),
+        }
+    }
+
+    /// Finds the pairs of bodies that may touch in a step in which body `k` moves by at most `travel(k)` (m). Returns whether they may
+    /// be others than before.
+    ///
+    /// # Errors
+    /// When there are more bodies than the broad phase can number.
+    pub(crate) fn renew(
+        &mut self,
+        world: &World,
+        states: &[BodyState],
+        travel: impl Fn(usize) -> f64,
+    ) -> Result<bool, polhode_contact::BroadPhaseError> {
+        let mut is_new = self.fat.len() != states.len();
+        self.fat.resize(states.len(), None);
+        for (body, state) in states.iter().enumerate() {
+            let Some(shape) = &world.bodies[body].shape else {
+                is_new |= self.fat[body].take().is_some();
+                continue;
+            };
+            let size = world.bodies[body].size;
+            let margin = MARGIN_RELATIVE * size + travel(body);
+            let around =
+                |margin: f64| polhode_contact::aabb_of(shape, &state.pose).and_then(|aabb| aabb.inflated(margin));
+            let needed = around(margin).unwrap_or(Aabb::UNBOUNDED);
+            if self.fat[body].as_ref().is_some_and(|fat| fat.encloses(&needed)) {
+                continue;
+            }
+            self.fat[body] = Some(needed.inflated(ROOM_RELATIVE * size + travel(body)).unwrap_or(Aabb::UNBOUNDED));
+            is_new = true;
+        }
+        if !is_new {
+            return Ok(false);
+        }
+        self.packed.clear();
+        self.bodies.clear();
+        for (body, fat) in self.fat.iter().enumerate() {
+            if let Some(fat) = fat {
+                self.packed.push(*fat);
+                self.bodies.push(body);
+            }
+        }
+        self.broad_phase.pairs(&self.packed, &mut self.found)?;
+        let bodies = &self.bodies;
+        let pairs = self.found.iter().map(|&(i, j)| (bodies[i as usize], bodies[j as usize]));
+        self.pairs.clear();
+        self.pairs.extend(pairs.filter(|&(a, b)| world.scene.may_collide(a, b)));
+        Ok(true)
+    }
+
+    /// Drops the box of a body.
+    pub(crate) fn forget(&mut self, body: usize) {
+        if let Some(fat) = self.fat.get_mut(body) {
+            *fat = None;
+        }
+    }
+}
+
+/// Brings the records of pairs to a new list of pairs, ascending; those that are no longer near are dropped.
+pub(crate) fn follow_pairs(world: &World, records: &mut Vec<PairPatches>, pairs: &[(usize, usize)]) {
+    let mut old = std::mem::take(records).into_iter().peekable();
+    records.reserve(pairs.len());
+    for &pair in pairs {
+        while old.next_if(|record| (record.a, record.b) < pair).is_some() {}
+        let known = old.next_if(|record| (record.a, record.b) == pair);
+        records.push(known.unwrap_or_else(|| PairPatches::new(world, pair)));
+    }
+}

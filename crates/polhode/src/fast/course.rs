@@ -1,0 +1,309 @@
+//! The course of the bodies: their states, where they touch, and one step of all of them.
+//!
+//! | stage | what |
+//! |---|---|
+//! | boxes | which pairs may touch in this step |
+//! | patches | where: kept, or found anew; pairs are divided among the tasks of the executor |
+//! | groups | islands of bodies that patches connect |
+//! | solve | each group for itself: substeps (`group.rs`) |
+//! | flight | bodies that touch nothing |
+//! | impulses | go back to the points of the patches |
+
+use super::group::{FULL, Given, Group, GroupReport, PatchPlace};
+use super::rules::Rules;
+use super::turning::turn;
+use crate::SimulationError;
+use crate::collision::face_patches::{LastingBoxes, PairPatches, Tools, follow_pairs};
+use crate::executor::{Executor, Task};
+use crate::settings::Settings;
+use crate::world::World;
+use polhode_dynamics::BodyState;
+use polhode_spatial::{DVec3, DisjointSets, Pose};
+use std::sync::Arc;
+
+/// Fewest pairs for which a task is worth its start.
+const LEAST_PAIRS: usize = 64;
+
+/// A step shorter than this part of the last one leaves the impulses that the next one starts from as they are (no unit).
+const LEAST_OF_LAST: f64 = 0.5;
+
+/// States and contacts.
+#[derive(Debug)]
+pub(super) struct Course {
+    pub(super) states: Vec<BodyState>,
+    pub(super) pairs: Vec<PairPatches>,
+    /// Length of a substep of the last step, s; zero before it.
+    pub(super) last_h: f64,
+    /// Which bodies rest.
+    pub(super) resting: Vec<bool>,
+    boxes: LastingBoxes,
+    groups: Vec<Group>,
+    /// How many of them the step has.
+    pub(super) used: usize,
+    /// Number of each body in its group.
+    numbers: Vec<u32>,
+    /// Bound of the speed of every point of a body relative to its origin, m/s.
+    spins: Vec<f64>,
+    tools: Vec<Tools>,
+    /// The group of each body; none in flight or at rest.
+    pub(super) group_of: Vec<Option<u32>>,
+}
+
+impl Course {
+    /// Nothing known yet but the states.
+    pub(super) fn new(settings: &Settings, states: Vec<BodyState>) -> Self {
+        Self {
+            resting: vec![false; states.len()],
+            group_of: vec![None; states.len()],
+            states,
+            pairs: Vec::new(),
+            last_h: 0.0,
+            boxes: LastingBoxes::new(settings.broad_phase),
+            groups: Vec::new(),
+            used: 0,
+            numbers: Vec::new(),
+            spins: Vec::new(),
+            tools: Vec::new(),
+        }
+    }
+
+    /// A copy for a shorter step, without buffers.
+    pub(super) fn copy(&self, settings: &Settings) -> Self {
+        Self {
+            pairs: self.pairs.clone(),
+            last_h: self.last_h,
+            resting: self.resting.clone(),
+            group_of: self.group_of.clone(),
+            ..Self::new(settings, self.states.clone())
+        }
+    }
+
+    /// The groups of the last step.
+    pub(super) fn groups(&self) -> &[Group] {
+        &self.groups[..self.used]
+    }
+
+    /// Takes up a body that has been added.
+    pub(super) fn add_body(&mut self, state: BodyState) {
+        self.states.push(state);
+        self.resting.push(false);
+        self.group_of.push(None);
+    }
+
+    /// Drops a body.
+    pub(super) fn remove_body(&mut self, body: usize) {
+        self.boxes.forget(body);
+        self.pairs.retain(|pair| pair.a != body && pair.b != body);
+        self.resting[body] = false;
+        self.group_of[body] = None;
+    }
+
+    /// A step of all bodies from `t` (s) by these rules.
+    ///
+    /// # Errors
+    /// When there are more bodies than the broad phase can number.
+    pub(super) fn step(
+        &mut self,
+        world: &World,
+        executor: &dyn Executor,
+        (t, rules): (f64, &Rules),
+    ) -> Result<(), SimulationError> {
+        self.find_pairs(world, rules)?;
+        self.find_patches(world, executor, rules);
+        self.make_groups(world, rules);
+        self.solve(world, executor, (t, rules));
+        self.fly(world, rules);
+        self.write_back(rules);
+        let end = t + rules.h * f64::from(rules.substeps);
+        world.prescribe(end, &mut self.states);
+        Ok(())
+    }
+
+    /// The pairs that may touch in the step.
+    pub(super) fn find_pairs(&mut self, world: &World, rules: &Rules) -> Result<(), SimulationError> {
+        let step = rules.h * f64::from(rules.substeps);
+        let fall = world.gravity().length() * step * step;
+        self.spins.clear();
+        let mut travels = Vec::with_capacity(self.states.len());
+        for (body, state) in self.states.iter().enumerate() {
+            let is_still = self.resting[body] || (!world.bodies[body].moves() && world.trajectory(body).is_none());
+            if is_still {
+                self.spins.push(0.0);
+                travels.push(0.0);
+                continue;
+            }
+            let velocity = world.velocity(body, state);
+            let spin = velocity.angular.length() * world.bodies[body].size;
+            self.spins.push(spin);
+            travels.push((velocity.linear.length() + spin) * step + fall);
+        }
+        let found = self.boxes.renew(world, &self.states, |body| travels[body]);
+        if found.map_err(SimulationError::BroadPhase)? {
+            follow_pairs(world, &mut self.pairs, &self.boxes.pairs);
+        }
+        Ok(())
+    }
+
+    /// Brings the patches of all pairs to the present poses.
+    pub(super) fn find_patches(&mut self, world: &World, executor: &dyn Executor, rules: &Rules) {
+        let step = rules.h * f64::from(rules.substeps);
+        let fall = world.gravity().length() * step * step;
+        let width = executor.width().get().min(self.pairs.len() / LEAST_PAIRS + 1);
+        self.tools.resize_with(width.max(self.tools.len()), Tools::default);
+        let share = self.pairs.len().div_ceil(width).max(1);
+        let (states, spins, resting) = (&self.states, &self.spins, &self.resting);
+        let still = |body: usize| resting[body] || !world.bodies[body].moves();
+        let renew = |pair: &mut PairPatches, tools: &mut Tools| {
+            if still(pair.a) && still(pair.b) && world.prescribed.is_empty() {
+                return;
+            }
+            let [a, b] = [pair.a, pair.b].map(|body| world.velocity(body, &states[body]).linear);
+            let travel = ((a - b).length() + spins[pair.a] + spins[pair.b]) * step + fall;
+            pair.renew(world, states, travel, tools);
+        };
+        if width == 1 {
+            let tools = &mut self.tools[0];
+            self.pairs.iter_mut().for_each(|pair| renew(pair, tools));
+            return;
+        }
+        let renew = &renew;
+        let tasks =
+            self.pairs.chunks_mut(share).zip(&mut self.tools).map(|(pairs, tools)| {
+                Box::new(move || pairs.iter_mut().for_each(|pair| renew(pair, tools))) as Task<'_>
+            });
+        executor.run(tasks.collect());
+    }
+
+    /// Puts bodies that patches connect into groups, islands in the order of their first bodies.
+    fn make_groups(&mut self, world: &World, rules: &Rules) {
+        let bodies = self.states.len();
+        let is_moved = |body: usize| world.bodies[body].moves() && !self.resting[body];
+        let mut sets = DisjointSets::new(bodies);
+        let mut patches = vec![0_u32; bodies];
+        let together = rules.has_loads;
+        for pair in self.pairs.iter().filter(|pair| !pair.patches.is_empty()) {
+            if is_moved(pair.a) && is_moved(pair.b) {
+                sets.join(pair.a, pair.b);
+            }
+        }
+        for pair in self.pairs.iter().filter(|pair| !pair.patches.is_empty()) {
+            let Some(own) = [pair.a, pair.b].into_iter().find(|&body| is_moved(body)) else { continue };
+            patches[sets.smallest(own)] += pair.patches.len() as u32;
+        }
+        // The group of each island, at its smallest body.
+        let mut group_of_island: Vec<Option<u32>> = vec![None; bodies];
+        (self.used, self.numbers) = (0, vec![0; bodies]);
+        let mut load = FULL;
+        for body in 0..bodies {
+            self.group_of[body] = None;
+            if !is_moved(body) {
+                continue;
+            }
+            let island = sets.smallest(body);
+            if patches[island] == 0 && !(together && world.is_loaded(body)) {
+                continue;
+            }
+            let group = *group_of_island[island].get_or_insert_with(|| {
+                if load >= FULL && (self.used == 0 || !together) {
+                    self.used += 1;
+                    load = 0;
+                    self.groups.resize_with(self.used.max(self.groups.len()), Group::default);
+                    self.groups[self.used - 1].clear();
+                }
+                load += patches[island] as usize;
+                self.used as u32 - 1
+            });
+            self.group_of[body] = Some(group);
+            let own = &mut self.groups[group as usize].bodies;
+            own.push(body);
+            self.numbers[body] = own.len() as u32;
+        }
+        for (place, pair) in self.pairs.iter().enumerate() {
+            if let Some(group) = [pair.a, pair.b].into_iter().find_map(|body| self.group_of[body]) {
+                let own = &mut self.groups[group as usize].patches;
+                own.extend((0..pair.patches.len()).map(|patch| PatchPlace { pair: place, patch }));
+            }
+        }
+    }
+
+    fn solve(&mut self, world: &World, executor: &dyn Executor, (t, rules): (f64, &Rules)) {
+        let warm = if self.last_h > 0.0 { rules.h / self.last_h } else { 0.0 };
+        let given = Given { world, states: &self.states, pairs: &self.pairs, numbers: &self.numbers, t, warm, rules };
+        let groups = &mut self.groups[..self.used];
+        if groups.len() == 1 || executor.width().get() == 1 {
+            groups.iter_mut().for_each(|group| group.step(&given));
+        } else {
+            let given = &given;
+            executor.run(groups.iter_mut().map(|group| Box::new(move || group.step(given)) as Task<'_>).collect());
+        }
+        for group in &self.groups[..self.used] {
+            for (body, state) in group.states() {
+                self.states[body] = *state;
+                world.keep_in_plane(body, &mut self.states[body]);
+            }
+        }
+    }
+
+    /// Bodies that touch nothing, under gravity alone: a parabola, and free rotation.
+    fn fly(&mut self, world: &World, rules: &Rules) {
+        let step = rules.h * f64::from(rules.substeps);
+        for &body in &world.movable {
+            if self.group_of[body].is_some() || self.resting[body] || !world.bodies[body].moves() {
+                continue;
+            }
+            let Some(rigid) = &world.bodies[body].rigid else { continue };
+            let state = &mut self.states[body];
+            let gain = world.free_acceleration(body) * step;
+            let translation = state.pose.translation + (state.linear_velocity + gain * 0.5) * step;
+            state.linear_velocity += gain;
+            let momentum = state.angular_momentum;
+            let (mut rotation, mut angular) = (state.pose.rotation, rigid.angular_velocity(state));
+            if angular != DVec3::ZERO {
+                for _ in 0..rules.substeps {
+                    let turned = turn(rigid, rotation, (momentum, angular), rules.h);
+                    (rotation, angular) = (turned.rotation, turned.angular);
+                }
+            }
+            state.pose = Pose::new(rotation, translation);
+            world.keep_in_plane(body, state);
+        }
+    }
+
+    /// The impulses of the step go to the points of the patches. Those of a step that a program has cut short do not: they are those of overlaps
+    /// and rounding, and say nothing about the next step.
+    fn write_back(&mut self, rules: &Rules) {
+        let is_whole = rules.h >= LEAST_OF_LAST * self.last_h;
+        if is_whole {
+            self.last_h = rules.h;
+        }
+        let inverse_step = 1.0 / (rules.h * f64::from(rules.substeps));
+        for group in &self.groups[..self.used] {
+            for (number, (place, manifold)) in group.patches.iter().zip(group.solver.manifolds()).enumerate() {
+                let [n, x] = [manifold.normal, manifold.tangent];
+                let y = n.cross(x);
+                let points = self.pairs[place.pair].patches[place.patch].points_mut();
+                for (index, point) in points.iter_mut().enumerate() {
+                    let impulse = group.solver.impulse(number, index);
+                    if is_whole {
+                        point.normal_impulse = impulse.last[0];
+                        point.friction_impulse = x * impulse.last[1] + y * impulse.last[2];
+                    }
+                    point.normal_force = impulse.total[0] * inverse_step;
+                    point.friction_force = (x * impulse.total[1] + y * impulse.total[2]) * inverse_step;
+                }
+            }
+        }
+    }
+
+    /// What the groups did.
+    pub(super) fn reports(&self) -> impl Iterator<Item = &GroupReport> {
+        self.groups().iter().map(|group| &group.report)
+    }
+}
+
+/// For the states of a copy that nobody else has.
+impl From<Course> for Arc<Vec<BodyState>> {
+    fn from(course: Course) -> Self {
+        Self::new(course.states)
+    }
+}

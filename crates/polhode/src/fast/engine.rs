@@ -1,0 +1,388 @@
+//! A run in real time: steps, what is booked of them, and queries at the present.
+
+use super::course::Course;
+use super::facts::SUBSTEPS;
+use super::rules::Rules;
+use crate::accounting::books::{Received, SoftStep};
+use crate::accounting::measures::Measure;
+use crate::collision::contact_id::{ContactId, Feature};
+use crate::collision::contact_set::{FoundContact, Touch};
+use crate::collision::face_patches::{FoundAt, PairPatches, Patch, PatchPoint};
+use crate::core::Core;
+use crate::event::{Event, EventKind};
+use crate::frame::{ContactView, IslandView, MotionKind};
+use crate::free_stage::{self, Ends};
+use crate::observer::Observer;
+use crate::sampling::emit_samples_before;
+use crate::snapshot::numbers::{read_states, write_states};
+use crate::snapshot::parts::{restored_id, save_contact};
+use crate::snapshot::{SnapshotError, content};
+use crate::tier::{Reached, Tier};
+use crate::{Acceleration, BodyId, Momentum, MomentumSum, SimulationError};
+use polhode_dynamics::BodyState;
+use polhode_spatial::{DVec3, Pose, Rotation};
+use std::sync::Arc;
+
+/// Times that differ by less than this part of a step are the same (no unit): some rounding of times of a long run.
+const SAME_TIME: f64 = 1e-6;
+
+/// A run in progress.
+#[derive(Debug)]
+pub(crate) struct FastEngine {
+    course: Course,
+    /// Pairs that pressed on each other in the last step, ascending.
+    touching: Vec<(usize, usize)>,
+    /// Index of the last step that ended on the grid of multiples of the step, and whether any step has been made.
+    grid: u64,
+    begun: bool,
+}
+
+impl FastEngine {
+    /// Prepares a run.
+    ///
+    /// # Errors
+    /// When there are more bodies than the broad phase can number.
+    pub(crate) fn new(core: &Core, states: Vec<BodyState>) -> Result<Self, SimulationError> {
+        let course = Course::new(&core.settings, states);
+        Ok(Self { course, touching: Vec::new(), grid: 0, begun: false })
+    }
+
+    /// The engine of a snapshot.
+    ///
+    /// # Errors
+    /// When the data are not of this scene.
+    pub(crate) fn restored(core: &Core, saved: &content::Fast) -> Result<Self, SnapshotError> {
+        let bodies = core.world.bodies.len();
+        let mut course = Course::new(&core.settings, read_states(&saved.states, bodies)?);
+        course.pairs = saved.pairs.iter().map(|pair| restored_pair(core, pair)).collect::<Result<_, _>>()?;
+        if !course.pairs.is_sorted_by_key(|pair| (pair.a, pair.b)) || saved.resting.len() != bodies {
+            return Err(SnapshotError::Invalid("its pairs are not in order"));
+        }
+        course.last_h = saved.last_h;
+        course.resting.clone_from(&saved.resting);
+        Ok(Self { course, touching: saved.touching.clone(), grid: saved.grid, begun: saved.begun })
+    }
+
+    fn rules(core: &Core, step_s: f64) -> Rules {
+        Rules::new(step_s, core.settings.substeps.unwrap_or(SUBSTEPS), &core.world)
+    }
+
+    /// One step to `t_next`.
+    fn step(&mut self, core: &mut Core, t_next: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
+        let h = t_next - core.t;
+        emit_samples_before(t_next, self, core, observer, |engine, core, t| engine.states_within(core, t).map(Some))?;
+        let before = self.course.states.clone();
+        let rules = Self::rules(core, h);
+        let executor = Arc::clone(&core.executor);
+        self.course.step(&core.world, &*executor, (core.t, &rules))?;
+        self.book(core, &before, (t_next, &rules));
+        core.t = t_next;
+        core.accounts.count_step();
+        self.report_pairs(core);
+        core.accounts.emit_events(core.t, observer);
+        core.accounts.observe(&core.world, &self.course.states, core.t)?;
+        Ok(())
+    }
+
+    /// States at `t` (s) within the coming step: those after a shorter one.
+    fn states_within(&self, core: &Core, t: f64) -> Result<Arc<Vec<BodyState>>, SimulationError> {
+        if t <= core.t {
+            return Ok(Arc::new(self.course.states.clone()));
+        }
+        let mut course = self.course.copy(&core.settings);
+        course.step(&core.world, &*core.executor, (core.t, &Self::rules(core, t - core.t)))?;
+        Ok(course.into())
+    }
+
+    /// Books a step that began with these states.
+    fn book(&self, core: &mut Core, before: &[BodyState], (t_next, rules): (f64, &Rules)) {
+        let world = &core.world;
+        let about = core.accounts.books.ledger.momentum.about;
+        let moving: Vec<usize> = world.movable.iter().copied().filter(|&body| !self.course.resting[body]).collect();
+        let balances = [before, &self.course.states].map(|states| core.accounts.books.balance(world, states, &moving));
+        let ends = Ends { t: [core.t, t_next], states: [before, &self.course.states] };
+        let mut received = free_stage::received(world, ends, &moving, about);
+        let mut soft = SoftStep::default();
+        let mut residual = 0.0_f64;
+        let smallest = world.gravity().length() * rules.h;
+        for report in self.course.reports() {
+            let (works, kick) = (report.works, report.of_kick);
+            soft.impact_j -= works.colliding_j - kick.colliding_j;
+            soft.projection_j -= works.resting_j - kick.resting_j;
+            soft.friction_j -= works.friction_j - kick.friction_j;
+            soft.given_j += report.given_j - (kick.colliding_j + kick.resting_j + kick.friction_j);
+            let speed = report.residual.speed.max(smallest);
+            if report.residual.map > 0.0 {
+                residual = residual.max(report.residual.map / speed);
+            }
+        }
+        let of_fields = received.external_j;
+        self.support(core, before, about, (&mut received, t_next - core.t));
+        soft.driven_j = received.external_j - of_fields;
+        let worst = self.deepest(before);
+        core.accounts.certificate.max_residual = core.accounts.certificate.max_residual.max(residual);
+        core.accounts.books.soft_step(balances, received, soft);
+        if let Some((pair, depth)) = worst {
+            let measure = Measure { t: t_next, pair, value: depth, allowed: f64::INFINITY };
+            core.accounts.measures.penetration.note(measure);
+        }
+    }
+
+    /// Momentum from fixed and kinematic bodies over a step of `h` (s), and the work of the latter.
+    fn support(&self, core: &Core, states: &[BodyState], about: DVec3, (received, h): (&mut Received, f64)) {
+        let world = &core.world;
+        let mut sum = MomentumSum::default();
+        for pair in &self.course.pairs {
+            let carries = [pair.a, pair.b].map(|body| world.carries_momentum(body));
+            if pair.patches.is_empty() || carries == [true, true] {
+                continue;
+            }
+            let sign = f64::from(carries[0]) - f64::from(carries[1]);
+            for (point, normal) in
+                pair.patches.iter().flat_map(|patch| patch.points().iter().map(|p| (p, patch.normal)))
+            {
+                let normal = states[pair.b].pose.rotation.rotate(normal);
+                let on_a = (normal * point.normal_force + point.friction_force) * h;
+                if on_a == DVec3::ZERO {
+                    continue;
+                }
+                let [x, y] = [(pair.a, point.on_a), (pair.b, point.on_b)]
+                    .map(|(body, at)| states[body].pose.transform_point(at));
+                let place = (x + y) * 0.5;
+                let linear = on_a * sign;
+                sum.add(Momentum { linear, angular: (place - about).cross(linear) });
+                for (body, part) in [(pair.a, on_a), (pair.b, -on_a)] {
+                    if world.trajectory(body).is_some() {
+                        let velocity = world.velocity(body, &states[body]);
+                        let arm = place - states[body].pose.translation;
+                        received.external_j -= part.dot(velocity.linear + velocity.angular.cross(arm));
+                    }
+                }
+            }
+        }
+        received.support = sum.value();
+    }
+
+    /// The deepest point of all patches at the present, and its depth, m.
+    fn deepest(&self, _before: &[BodyState]) -> Option<((usize, usize), f64)> {
+        let states = &self.course.states;
+        let mut worst: Option<((usize, usize), f64)> = None;
+        for pair in &self.course.pairs {
+            let [a, b] = [&states[pair.a].pose, &states[pair.b].pose];
+            for patch in &pair.patches {
+                let normal = b.rotation.rotate(patch.normal);
+                for point in patch.points() {
+                    let depth = -normal.dot(a.transform_point(point.on_a) - b.transform_point(point.on_b));
+                    if depth > worst.map_or(0.0, |(_, known)| known) {
+                        worst = Some(((pair.a, pair.b), depth));
+                    }
+                }
+            }
+        }
+        worst
+    }
+
+    /// Adds an event for every pair that has begun or ceased to press on each other.
+    fn report_pairs(&mut self, core: &mut Core) {
+        let presses =
+            |pair: &&PairPatches| pair.patches.iter().flat_map(Patch::points).any(|point| point.normal_force > 0.0);
+        let now: Vec<(usize, usize)> = self.course.pairs.iter().filter(presses).map(|pair| (pair.a, pair.b)).collect();
+        let before = std::mem::replace(&mut self.touching, now);
+        if !std::mem::replace(&mut self.begun, true) {
+            return;
+        }
+        let without = |from: &[(usize, usize)], others: &[(usize, usize)]| -> Vec<(usize, usize)> {
+            from.iter().copied().filter(|pair| others.binary_search(pair).is_err()).collect()
+        };
+        let ended = without(&before, &self.touching).into_iter().map(|pair| (EventKind::ContactEnd, pair));
+        let begun = without(&self.touching, &before).into_iter().map(|pair| (EventKind::ContactBegin, pair));
+        for (kind, (a, b)) in ended.chain(begun).collect::<Vec<_>>() {
+            let (point, normal) = self.place_of(a, b);
+            core.accounts.add_event(Event {
+                t_s: core.t,
+                kind,
+                body_a: BodyId::new(a),
+                body_b: Some(BodyId::new(b)),
+                point,
+                normal,
+                impulse: 0.0,
+                energy_change_j: 0.0,
+            });
+        }
+    }
+
+    /// Where two bodies touch; the first one's centre where they do not any more.
+    fn place_of(&self, a: usize, b: usize) -> (DVec3, DVec3) {
+        let states = &self.course.states;
+        let place = self.course.pairs.binary_search_by_key(&(a, b), |pair| (pair.a, pair.b));
+        let patch = place.ok().and_then(|place| self.course.pairs[place].patches.first());
+        patch.map_or((states[a].pose.translation, DVec3::ZERO), |patch| {
+            let normal = states[b].pose.rotation.rotate(patch.normal);
+            (states[a].pose.transform_point(patch.points()[0].on_a), normal)
+        })
+    }
+}
+
+impl Tier for FastEngine {
+    fn advance(
+        &mut self,
+        core: &mut Core,
+        limit_s: f64,
+        observer: &mut dyn Observer,
+    ) -> Result<Reached, SimulationError> {
+        let step = core.settings.step_s;
+        while self.grid as f64 * step <= core.t + SAME_TIME * step {
+            self.grid += 1;
+        }
+        let next = self.grid as f64 * step;
+        // A limit that differs from the end of a step by rounding is that end.
+        let t_next = if next >= limit_s - SAME_TIME * step { limit_s } else { next };
+        if t_next > core.t {
+            self.step(core, t_next, observer)?;
+        }
+        Ok(if core.t >= limit_s { Reached::Limit } else { Reached::StepEnd })
+    }
+
+    fn stride(&self, core: &Core) -> f64 {
+        // The step ends at the next multiple of its length at the latest; a rounding may lie between.
+        2.0 * core.settings.step_s
+    }
+
+    fn states(&self, _core: &Core) -> Vec<BodyState> {
+        self.course.states.clone()
+    }
+
+    fn state(&self, _core: &Core, body: usize) -> BodyState {
+        self.course.states[body]
+    }
+
+    fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
+        // By the method of the tier: the mean over the coming step.
+        let h = core.settings.step_s;
+        let ends = self.states_within(core, core.t + h)?;
+        let world = &core.world;
+        let of = |(body, (start, end)): (usize, (&BodyState, &BodyState))| {
+            if world.trajectory(body).is_some() {
+                let (linear, angular) = world.prescribed_acceleration(body, core.t);
+                return world.reported_acceleration(body, start, linear, angular);
+            }
+            let [v0, v1] = [start, end].map(|state| world.velocity(body, state));
+            let (linear, angular) = ((v1.linear - v0.linear) / h, (v1.angular - v0.angular) / h);
+            world.reported_acceleration(body, start, linear, angular)
+        };
+        Ok(self.course.states.iter().zip(ends.iter()).enumerate().map(of).collect())
+    }
+
+    fn contacts(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<ContactView> {
+        let mut views = Vec::new();
+        for pair in &self.course.pairs {
+            for point in pair.patches.iter().flat_map(Patch::points) {
+                let id = ContactId { a: pair.a, b: pair.b, feature: Feature::Shapes(point.feature) };
+                let Some(kinematics) = core.world.kinematics(states, id) else { continue };
+                let distance = core.world.touch_distance(states, pair.a, pair.b);
+                if point.normal_force > 0.0 || kinematics.geometry.separation <= distance {
+                    let touch = Touch::from(FoundContact { id, kinematics });
+                    core.world.view_contact(states, &touch, (point.normal_force, point.friction_force), &mut views);
+                }
+            }
+        }
+        views
+    }
+
+    fn motions(&self, core: &Core) -> Vec<MotionKind> {
+        let kind = |body: usize| match self.course.group_of[body] {
+            _ if !core.world.bodies[body].moves() => MotionKind::Given,
+            _ if self.course.resting[body] => MotionKind::Rest,
+            _ => MotionKind::Integrated,
+        };
+        (0..self.course.states.len()).map(kind).collect()
+    }
+
+    fn islands(&self, _core: &Core) -> Vec<IslandView> {
+        let view = |bodies: &Vec<usize>| IslandView { bodies: bodies.iter().map(|&body| BodyId::new(body)).collect() };
+        self.course.groups().iter().map(|group| view(&group.bodies)).collect()
+    }
+
+    fn interrupt(&mut self, _core: &mut Core, _bodies: &[usize]) -> Result<(), SimulationError> {
+        // All states are those of the present between two steps.
+        self.course.resting.fill(false);
+        Ok(())
+    }
+
+    fn states_mut(&mut self) -> &mut [BodyState] {
+        &mut self.course.states
+    }
+
+    fn add_body(&mut self, _core: &Core, state: BodyState) {
+        self.course.add_body(state);
+    }
+
+    fn remove_body(&mut self, body: usize) {
+        self.course.remove_body(body);
+        self.course.resting.fill(false);
+        self.touching.retain(|&(a, b)| a != body && b != body);
+    }
+
+    fn touching_pairs(&self) -> usize {
+        self.touching.len()
+    }
+
+    fn save(&self) -> content::Tier {
+        content::Tier::Fast(content::Fast {
+            states: write_states(&self.course.states),
+            pairs: self.course.pairs.iter().filter(|pair| pair.found_at().is_some()).map(save_pair).collect(),
+            last_h: self.course.last_h,
+            resting: self.course.resting.clone(),
+            touching: self.touching.clone(),
+            grid: self.grid,
+            begun: self.begun,
+        })
+    }
+}
+
+fn save_pair(pair: &PairPatches) -> content::PairPatches {
+    let contact = |point: &PatchPoint| ContactId { a: pair.a, b: pair.b, feature: Feature::Shapes(point.feature) };
+    let point = |point: &PatchPoint| content::PatchPoint {
+        id: save_contact(contact(point)),
+        on: [point.on_a.to_array(), point.on_b.to_array()],
+        normal: [point.normal_impulse, point.normal_force],
+        friction: [point.friction_impulse.to_array(), point.friction_force.to_array()],
+    };
+    let patch = |patch: &Patch| (patch.normal.to_array(), patch.points().iter().map(point).collect());
+    let found = pair.found_at().map(|found| {
+        let pose = (found.pose.rotation.to_wxyz(), found.pose.translation.to_array());
+        content::FoundAt { pose, reach: found.reach, separation: found.separation }
+    });
+    content::PairPatches { pair: (pair.a, pair.b), found, patches: pair.patches.iter().map(patch).collect() }
+}
+
+fn restored_pair(core: &Core, saved: &content::PairPatches) -> Result<PairPatches, SnapshotError> {
+    let (a, b) = saved.pair;
+    let world = &core.world;
+    if a >= b || b >= world.bodies.len() || world.shapes(a, b).is_none() {
+        return Err(SnapshotError::Invalid("a contact is not of two bodies that can touch"));
+    }
+    let point = |saved: &content::PatchPoint| {
+        let id = restored_id(world, &saved.id)?;
+        let Feature::Shapes(feature) = id.feature else {
+            return Err(SnapshotError::Invalid("a contact is not of two bodies that can touch"));
+        };
+        let [on_a, on_b] = saved.on.map(DVec3::from_array);
+        let [friction_impulse, friction_force] = saved.friction.map(DVec3::from_array);
+        let [normal_impulse, normal_force] = saved.normal;
+        Ok(PatchPoint { feature, on_a, on_b, normal_impulse, friction_impulse, normal_force, friction_force })
+    };
+    let patch = |(normal, points): &([f64; 3], Vec<content::PatchPoint>)| {
+        let points = points.iter().map(point).collect::<Result<Vec<_>, _>>()?;
+        let patch = Patch::restored(DVec3::from_array(*normal), &points);
+        patch.ok_or(SnapshotError::Invalid("a patch of contacts has no point, or too many"))
+    };
+    let patches = saved.patches.iter().map(patch).collect::<Result<Vec<_>, _>>()?;
+    let found = saved.found.as_ref().map(|found| {
+        let rotation = Rotation::from_stored_wxyz(found.pose.0);
+        let rotation = rotation.map_err(|_| SnapshotError::Invalid("the attitude of a body is not a rotation"))?;
+        let pose = Pose::new(rotation, DVec3::from_array(found.pose.1));
+        Ok(FoundAt { pose, reach: found.reach, separation: found.separation })
+    });
+    Ok(PairPatches::new(world, (a, b)).with_patches(found.transpose()?, patches))
+}

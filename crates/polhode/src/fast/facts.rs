@@ -1,0 +1,32 @@
+//! What the tier `fast` is.
+
+use crate::scene::{ContactMethod, ImpactLaw, Integrator};
+use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
+
+/// Step when none is given, s: that of a picture.
+const PICTURE_STEP_S: f64 = 1.0 / 60.0;
+
+/// Substeps of a step when none are given.
+pub(super) const SUBSTEPS: u32 = 4;
+
+/// Order in the step where bodies may collide.
+const ORDER_OF_SUBSTEPS: u32 = 1;
+
+/// The facts.
+pub(crate) const FACTS: TierFacts = TierFacts {
+    name: "fast",
+    summary: "Real time: substeps of soft contacts by sequential impulses, contacts side by side in lanes.",
+    steps: StepLength::Fixed,
+    step_s: PICTURE_STEP_S,
+    integrator: Integrator::Splitting,
+    integrator_choice: IntegratorChoice::Tier {
+        reason: "the tier has its own: velocities first, then poses, rotation by its middle",
+        instead: "tier = \"fast\" without an integrator (it has its own)",
+    },
+    impact: ImpactLaw::Simultaneous,
+    contact: ContactMethod::SequentialImpulses,
+    flight: FlightRecords::None,
+    order: ErrorOrder::WithContact(ORDER_OF_SUBSTEPS),
+    promise: None,
+    features: &[TierFeature::Friction, TierFeature::SequentialImpulses],
+};

@@ -1,0 +1,262 @@
+//! A group of islands and its step: what one task computes.
+//!
+//! Groups are filled with whole islands until they have [`FULL`] patches, whatever the number of threads, so that sums have one order.
+
+use super::rules::Rules;
+use super::turning::turn;
+use crate::collision::face_patches::PairPatches;
+use crate::world::{Loads, World};
+use polhode_contact::tangent_basis;
+use polhode_dynamics::{BodyState, RigidBody};
+use polhode_response::sequential_impulses::{
+    ImpulseBody, ImpulseManifold, MOST_POINTS, ManifoldPoint, Residual, SequentialImpulses, Works,
+};
+use polhode_spatial::{DMat3, DVec3, Velocity};
+
+/// Patches of a group that takes no further island: work for a task that is worth its start.
+pub(super) const FULL: usize = 256;
+
+/// A movable body in the step of its group.
+#[derive(Debug, Clone, Copy)]
+struct Member {
+    body: usize,
+    state: BodyState,
+    /// Angular velocity, rad/s.
+    angular: DVec3,
+    /// Inertia at the start of the step, world, kg m^2: that of the rows.
+    inertia: DMat3,
+    /// Where its centre of mass was, m, and how far it has turned, rad.
+    start: DVec3,
+    turned: DVec3,
+    /// Velocity that gravity gives in a substep, m/s.
+    kick: DVec3,
+    /// Energy that impulses gave, J.
+    given_j: f64,
+}
+
+/// A patch of a pair, by their places.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PatchPlace {
+    pub(super) pair: usize,
+    pub(super) patch: usize,
+}
+
+/// A group: its input, its buffers, and what its step gives.
+#[derive(Debug, Default)]
+pub(super) struct Group {
+    /// Bodies, and patches between them.
+    pub(super) bodies: Vec<usize>,
+    pub(super) patches: Vec<PatchPlace>,
+    members: Vec<Member>,
+    /// Kinematic bodies: number in the solver, velocities.
+    drivers: Vec<(u32, Velocity)>,
+    /// States within the step, where forces depend on them.
+    present: Vec<BodyState>,
+    pub(super) solver: SequentialImpulses,
+    pub(super) report: GroupReport,
+}
+
+/// What the step of a group did.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct GroupReport {
+    /// By impulses of contacts, summed by contacts.
+    pub(super) works: Works,
+    /// The part of it that belongs to the kick of gravity.
+    pub(super) of_kick: Works,
+    /// The same as `works`, summed by bodies, J.
+    pub(super) given_j: f64,
+    pub(super) residual: Residual,
+}
+
+/// What a group reads.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Given<'a> {
+    pub(super) world: &'a World,
+    pub(super) states: &'a [BodyState],
+    pub(super) pairs: &'a [PairPatches],
+    /// Number of each body in the solver of its group.
+    pub(super) numbers: &'a [u32],
+    /// Start of the step, s.
+    pub(super) t: f64,
+    /// Factor on impulses of the last step: its length over that of the substeps now (no unit).
+    pub(super) warm: f64,
+    pub(super) rules: &'a Rules,
+}
+
+impl Group {
+    /// Empties it.
+    pub(super) fn clear(&mut self) {
+        self.bodies.clear();
+        self.patches.clear();
+    }
+
+    /// The step.
+    pub(super) fn step(&mut self, given: &Given<'_>) {
+        self.report = GroupReport::default();
+        self.load(given);
+        self.solver.prepare();
+        let rules = given.rules;
+        if rules.has_loads {
+            self.present = given.states.to_vec();
+        }
+        for substep in 0..rules.substeps {
+            self.kick(given, f64::from(substep) * rules.h);
+            let mut works = self.solver.warm_start(&rules.soft);
+            works += self.solver.sweep(&rules.soft);
+            self.take_velocities();
+            self.move_bodies(given.world, rules.h);
+            for (number, velocity) in &self.drivers {
+                let time = f64::from(substep + 1) * rules.h;
+                self.solver.body_mut(*number).set_displacement(velocity.linear * time, velocity.angular * time);
+            }
+            works += self.solver.sweep(&rules.relax);
+            self.take_velocities();
+            self.solver.end_substep();
+            self.report.works += works;
+        }
+        self.report.of_kick = self.solver.works_of_kick(rules.kick, &rules.soft);
+        self.report.residual = self.solver.residual(&rules.relax);
+        self.report.works += self.solver.restitute(&rules.soft);
+        self.take_velocities();
+        self.report.given_j = self.members.iter().map(|member| member.given_j).sum();
+    }
+
+    /// States at the end of the step.
+    pub(super) fn states(&self) -> impl Iterator<Item = (usize, &BodyState)> {
+        self.members.iter().map(|member| (member.body, &member.state))
+    }
+
+    fn load(&mut self, given: &Given<'_>) {
+        let Given { world, states, .. } = given;
+        self.solver.clear();
+        self.members.clear();
+        self.drivers.clear();
+        for place in 0..self.bodies.len() {
+            let body = self.bodies[place];
+            let Some(rigid) = &world.bodies[body].rigid else { continue };
+            self.add_member(rigid, body, &states[body], world.free_acceleration(body) * given.rules.h);
+        }
+        // Kinematic bodies follow: each patch with one has it for itself.
+        for number in 0..self.patches.len() {
+            let place = self.patches[number];
+            let pair = &given.pairs[place.pair];
+            let (state_a, state_b) = (&states[pair.a], &states[pair.b]);
+            let numbers = [pair.a, pair.b].map(|body| self.number(given, body));
+            let normal = state_b.pose.rotation.rotate(pair.patches[place.patch].normal);
+            let tangent = tangent_basis(normal)[0];
+            let second = normal.cross(tangent);
+            let mut points = [ManifoldPoint::default(); MOST_POINTS];
+            let mut count = 0;
+            for (row, point) in points.iter_mut().zip(pair.patches[place.patch].points()) {
+                let (on_a, on_b) = (state_a.pose.rotation.rotate(point.on_a), state_b.pose.rotation.rotate(point.on_b));
+                let apart = (state_a.pose.translation - state_b.pose.translation) + (on_a - on_b);
+                let friction = point.friction_impulse * given.warm;
+                *row = ManifoldPoint {
+                    arm: on_a - apart * 0.5,
+                    separation: normal.dot(apart),
+                    impulse: [point.normal_impulse * given.warm, friction.dot(tangent), friction.dot(second)],
+                };
+                count += 1;
+            }
+            self.solver.add(ImpulseManifold {
+                bodies: numbers,
+                normal,
+                tangent,
+                between: state_a.pose.translation - state_b.pose.translation,
+                friction: pair.friction,
+                restitution: pair.restitution,
+                points,
+                count,
+            });
+        }
+    }
+
+    /// The number of a body in the solver: movable ones have it already, kinematic ones get one, others never move.
+    fn number(&mut self, given: &Given<'_>, body: usize) -> u32 {
+        let world = given.world;
+        if world.bodies[body].moves() {
+            return given.numbers[body];
+        }
+        let Velocity { linear, angular } = world.velocity(body, &given.states[body]);
+        if linear == DVec3::ZERO && angular == DVec3::ZERO {
+            return SequentialImpulses::IMMOVABLE;
+        }
+        let number = self.solver.add_body(ImpulseBody::immovable());
+        self.solver.body_mut(number).set_velocity(linear, angular);
+        self.drivers.push((number, Velocity::new(linear, angular)));
+        number
+    }
+
+    fn add_member(&mut self, rigid: &RigidBody, body: usize, state: &BodyState, kick: DVec3) {
+        let turn = state.pose.rotation.to_matrix();
+        let inverse = rigid.inverse_inertia_world(state.pose.rotation);
+        let number = self.solver.add_body(ImpulseBody::new(rigid.inverse_mass(), inverse));
+        let angular = rigid.angular_velocity(state);
+        self.solver.body_mut(number).set_velocity(state.linear_velocity, angular);
+        self.members.push(Member {
+            body,
+            state: *state,
+            angular,
+            inertia: turn * rigid.inertia() * turn.transpose(),
+            start: state.pose.translation,
+            turned: DVec3::ZERO,
+            kick,
+            given_j: 0.0,
+        });
+    }
+
+    /// Gravity and other forces act on the velocities, `time` (s) after the start of the step.
+    fn kick(&mut self, given: &Given<'_>, time: f64) {
+        let (world, h) = (given.world, given.rules.h);
+        let mut loads = Loads::default();
+        if given.rules.has_loads {
+            self.members.iter().for_each(|member| self.present[member.body] = member.state);
+            loads = world.loads_on(given.t + time, &self.present, &self.bodies);
+        }
+        for (number, member) in (1..).zip(&mut self.members) {
+            member.state.linear_velocity += member.kick;
+            if let Some(rigid) = world.bodies[member.body].rigid.as_ref().filter(|_| given.rules.has_loads) {
+                let wrench = loads.of(member.body);
+                member.state.linear_velocity += wrench.force * (rigid.inverse_mass() * h);
+                member.state.angular_momentum += wrench.torque * h;
+                let (turn, momentum) = (member.state.pose.rotation, member.state.angular_momentum);
+                member.angular = rigid.angular_velocity_at(turn, momentum);
+            }
+            self.solver.body_mut(number).set_velocity(member.state.linear_velocity, member.angular);
+        }
+    }
+
+    /// Takes the velocities that impulses have left, with the energy that they gave.
+    fn take_velocities(&mut self) {
+        for (number, member) in (1..).zip(&mut self.members) {
+            let body = self.solver.body(number);
+            let (linear, angular) = (body.linear(), body.angular());
+            let (before, turned) = (member.state.linear_velocity, angular - member.angular);
+            let momentum = member.inertia * turned;
+            member.given_j += 0.5 * (member.angular + angular).dot(momentum);
+            // Of a body on a pivot only the rotation takes impulses.
+            if linear != before {
+                member.given_j += 0.5 * (linear + before).dot(linear - before) / body.inverse_mass();
+            }
+            member.state.angular_momentum += momentum;
+            member.state.linear_velocity = linear;
+            member.angular = angular;
+        }
+    }
+
+    fn move_bodies(&mut self, world: &World, h: f64) {
+        for (number, member) in (1..).zip(&mut self.members) {
+            let Some(rigid) = &world.bodies[member.body].rigid else { continue };
+            let pose = &mut member.state.pose;
+            pose.translation += member.state.linear_velocity * h;
+            let of_turn = (member.state.angular_momentum, member.angular);
+            let turned = turn(rigid, pose.rotation, of_turn, h);
+            pose.rotation = turned.rotation;
+            member.angular = turned.angular;
+            member.turned += turned.turn;
+            let body = self.solver.body_mut(number);
+            body.set_velocity(member.state.linear_velocity, member.angular);
+            body.set_displacement(pose.translation - member.start, member.turned);
+        }
+    }
+}

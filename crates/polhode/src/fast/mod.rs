@@ -1,0 +1,32 @@
+//! The tier `fast`: real time, by substeps of soft contacts and sequential impulses.
+//!
+//! Contacts are found once a step, with a margin for what the bodies may do in it; a contact that is apart lets its bodies close by its separation
+//! (speculative contact), so that fast bodies do not pass through others. The step has substeps of `h` (s), each with these stages:
+//!
+//! 1. gravity and forces act on the velocities;
+//! 2. the impulses of the substep before act again, and one sweep over all contacts corrects them, while overlaps are pushed apart softly;
+//! 3. the bodies move;
+//! 4. another sweep, without the push, takes out the velocity that it gave.
+//!
+//! At the end contacts that collided part again with their restitution. Friction is Coulomb's at each point, in a disc. Sources and formulas:
+//! `polhode_response::sequential_impulses`, docs/contact-methods/fast.md. Failure: none that stops a run; with few substeps tall stacks and large mass
+//! ratios sag, and the residual of the certificate says how much.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `facts` | what the tier is: its name, defaults, promise, and what it takes |
+//! | `rules` | softness, substeps, thresholds |
+//! | `turning` | free rotation over a substep |
+//! | `group` | the step of some islands: what one task computes |
+//! | `course` | states and contacts of all bodies, and a step of them |
+//! | `engine` | a run: steps, what is booked, queries at the present |
+
+mod course;
+mod engine;
+mod facts;
+mod group;
+mod rules;
+mod turning;
+
+pub(crate) use engine::FastEngine;
+pub(crate) use facts::FACTS;
