@@ -19,6 +19,7 @@ use crate::accounting::Accounts;
 use crate::core::Core;
 use crate::frame::{ContactView, IslandView, JointView, MotionKind, PivotView};
 use crate::observer::{BodySample, Observer};
+use crate::report::RunReport;
 use crate::snapshot::content;
 use crate::{Acceleration, SimulationError};
 use polhode_dynamics::BodyState;
@@ -133,6 +134,9 @@ pub(crate) trait Tier: std::fmt::Debug + Send {
 
     /// Number of pairs that touch.
     fn touching_pairs(&self) -> usize;
+
+    /// Writes what only this tier measures into the report of a run.
+    fn fill(&self, _report: &mut RunReport) {}
 
     /// The data from which the tier continues, for a snapshot.
     fn save(&self) -> content::Tier;

@@ -39,7 +39,7 @@ pub(crate) struct Request {
 }
 
 const PLANNED: &[Planned] = &[
-    Planned { path: &["method", "tier"], values: &["fast"], instead: "accurate, stepped or thesis" },
+    Planned { path: &["method", "tier"], values: &["fast"], instead: "accurate, stepped, thesis or penalty" },
     Planned {
         path: &["method", "impact"],
         values: &["poisson", "energetic", "pulse"],
@@ -50,7 +50,6 @@ const PLANNED: &[Planned] = &[
         values: &["interior-point", "sequential-impulses"],
         instead: "active-set or least-force",
     },
-    Planned { path: &["method", "response"], values: &["penalty"], instead: "constraint" },
 ];
 
 /// The first planned member that a document asks for, in the order of the list.

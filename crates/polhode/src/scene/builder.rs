@@ -2,7 +2,7 @@
 
 use super::error::positive;
 use super::{
-    Body, Coordinate, CoordinateMotion, DEFAULT_GRAVITY, Force, Gear, GearEnd, Joint, Method, PairRule, Scene,
+    Body, Coordinate, CoordinateMotion, DEFAULT_GRAVITY, Force, Gear, GearEnd, Joint, Method, PairRule, Response, Scene,
     SceneError, Tier, TierFeature, TrackId, force,
 };
 use crate::body_id::BodyId;
@@ -188,10 +188,13 @@ impl SceneBuilder {
         scene.check_coordinates()?;
         scene.check_grains()?;
         scene.check_motions()?;
-        let tier = scene.method.tier.unwrap_or_default().facts();
+        let tier = scene.method.named_tier().unwrap_or_default().facts();
         if !tier.takes(TierFeature::Friction) && scene.colliding().have_friction() {
             let instead = Tier::names_with(TierFeature::Friction);
             return Err(SceneError::FrictionInTier { tier: tier.name, instead });
+        }
+        if tier.own_response == Some(Response::Penalty) {
+            scene.check_springs()?;
         }
         Ok(scene)
     }

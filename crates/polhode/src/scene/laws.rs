@@ -70,8 +70,8 @@ impl ContactMethod {
     }
 }
 
-/// How bodies that touch act on each other. The members besides [`Response::Constraint`] are the models that the thesis
-/// tries first (section 3.3) and rejects: they are wrong, each in its own way, and only the tier `thesis` has them.
+/// How bodies that touch act on each other. The members by impulses are models that the thesis tries first (section 3.3) and
+/// rejects: they are wrong, each in its own way, and only the tier `thesis` has them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Response {
@@ -86,6 +86,8 @@ pub enum Response {
     /// By impulses at every contact that overlaps, whether the bodies approach or separate. An impulse at a contact
     /// that separates pulls: bodies stay caught in each other.
     ImpulseUnconditional,
+    /// By springs and dampers where bodies overlap: the tier `penalty` has them.
+    Penalty,
 }
 
 impl Response {
@@ -96,6 +98,7 @@ impl Response {
             Self::Impulse => "impulse",
             Self::ImpulseProjection => "impulse-projection",
             Self::ImpulseUnconditional => "impulse-unconditional",
+            Self::Penalty => "penalty",
         }
     }
 }

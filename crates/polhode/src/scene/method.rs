@@ -7,7 +7,8 @@ use super::SceneError;
 use super::laws::{
     BroadPhaseMethod, ContactMethod, Coordinates, ImpactLaw, Integrator, Orientation, Response, RotationRate,
 };
-use crate::tier::facts::{IntegratorChoice, TierFeature};
+use super::penalty::PenaltyMethod;
+use crate::tier::facts::{IntegratorChoice, TierFacts, TierFeature};
 use crate::tier::list::Tier;
 use polhode_response::RestitutionLaw;
 
@@ -65,9 +66,16 @@ pub struct Method {
     pub crowding: Option<Crowding>,
     /// Error allowed within a stretch of crowded events per [`Method::step_s`], relative to the size of each body.
     pub crowding_tolerance: Option<f64>,
+    /// The springs of the tier `penalty`.
+    pub penalty: Option<PenaltyMethod>,
 }
 
 impl Method {
+    /// The tier that the scene names, or that its response names; none where the plan chooses.
+    pub fn named_tier(&self) -> Option<Tier> {
+        self.tier.or_else(|| self.response.and_then(Tier::of_response))
+    }
+
     /// The first setting given that only the default tier has; none where no such setting is given.
     pub(crate) fn first_of_default_tier(&self) -> Option<&'static str> {
         let given = [
@@ -82,6 +90,33 @@ impl Method {
             (self.crowding_tolerance.is_some(), "method.crowding_tolerance"),
         ];
         given.into_iter().find(|(is_given, _)| *is_given).map(|(_, key)| key)
+    }
+
+    /// Checks that the tier has the response, and knobs only of its own response.
+    fn check_response(&self, tier: &TierFacts) -> Result<(), SceneError> {
+        let refuse = |what: String, instead: String| Err(SceneError::NotYetAvailable { what, instead });
+        let given = self.response.unwrap_or(tier.own_response.unwrap_or_default());
+        let own = Tier::of_response(given);
+        let is_taken = match (tier.own_response, own) {
+            (Some(expected), _) => given == expected,
+            (None, Some(_)) => false,
+            (None, None) => given == Response::Constraint || tier.takes(TierFeature::Responses),
+        };
+        if !is_taken {
+            let what = format!("response = \"{}\" with tier = \"{}\"", given.name(), tier.name);
+            let instead = match (tier.own_response, own) {
+                (Some(expected), _) => format!("response = \"{}\", or another tier", expected.name()),
+                (None, Some(own)) => format!("tier = \"{}\", or no tier", own.name()),
+                _ => format!("response = \"constraint\", or tier {}", Tier::names_with(TierFeature::Responses)),
+            };
+            return refuse(what, instead);
+        }
+        let Some(penalty) = &self.penalty else { return Ok(()) };
+        if given != Response::Penalty {
+            let what = format!("method.penalty with response = \"{}\"", given.name());
+            return refuse(what, "response = \"penalty\"".to_owned());
+        }
+        penalty.validate()
     }
 
     /// Checks the numbers, and that the settings are available together.
@@ -114,19 +149,12 @@ impl Method {
         let refuse = |what: &str, instead: &str| {
             Err(SceneError::NotYetAvailable { what: what.to_owned(), instead: instead.to_owned() })
         };
-        let tier = self.tier.unwrap_or_default().facts();
+        let tier = self.named_tier().unwrap_or_default().facts();
+        self.check_response(tier)?;
         if !tier.takes(TierFeature::LeastForce) && self.contact == Some(ContactMethod::LeastForce) {
             return refuse(
                 &format!("contact = \"least-force\" with tier = \"{}\"", tier.name),
                 &format!("contact = \"active-set\", or tier {}", Tier::names_with(TierFeature::LeastForce)),
-            );
-        }
-        if let (false, Some(response)) = (tier.takes(TierFeature::Responses), self.response)
-            && response != Response::Constraint
-        {
-            return refuse(
-                &format!("response = \"{}\" with this tier", response.name()),
-                &format!("response = \"constraint\", or tier {}", Tier::names_with(TierFeature::Responses)),
             );
         }
         if let (IntegratorChoice::Tier { instead, .. }, Some(integrator)) = (tier.integrator_choice, self.integrator) {

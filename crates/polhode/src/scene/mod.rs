@@ -21,6 +21,7 @@
 //! | [`motion`] | prescribed motions of kinematic bodies |
 //! | `method` | [`Method`]: the tier and the settings that override its choices; [`TierFacts`] says what a tier is |
 //! | `laws` | [`ImpactLaw`], [`ContactMethod`], [`Response`], [`Integrator`] and other choices of a method |
+//! | `penalty` | [`PenaltyMethod`]: the springs of the tier `penalty` |
 //! | `pairs` | how many pairs of bodies may collide |
 //! | `error` | [`SceneError`]: why a scene is refused |
 
@@ -42,6 +43,7 @@ mod material;
 mod method;
 pub mod motion;
 mod pairs;
+pub(crate) mod penalty;
 mod strength;
 mod tie_checks;
 mod track;
@@ -73,6 +75,7 @@ pub use motion::{
 };
 pub use polhode_dynamics::field::{DragLaw, Frame, Signal};
 pub use polhode_response::RestitutionLaw;
+pub use penalty::{PenaltyMethod, SpringDamping, SpringFriction, SpringLaw};
 pub use strength::Strength;
 pub use track::{Follows, OneSide, TrackEnds, TrackHold, TrackId, TrackSprings};
 

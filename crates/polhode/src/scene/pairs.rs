@@ -41,7 +41,7 @@ impl Scene {
     /// For every two materials of which bodies may collide: two such bodies, and
     /// how many pairs of them there are. Takes `O(n log n)` for n bodies of a few materials.
     fn counted_material_pairs(&self) -> Vec<((usize, usize), usize)> {
-        let mut materials: BTreeMap<(&str, [u64; 10]), (usize, usize)> = BTreeMap::new();
+        let mut materials: BTreeMap<(&str, [u64; 12]), (usize, usize)> = BTreeMap::new();
         let mut groups_of: Vec<Vec<usize>> = vec![Vec::new(); self.bodies.len()];
         for (group, members) in self.no_contact.iter().enumerate() {
             for &body in members {
@@ -141,10 +141,11 @@ impl Scene {
 }
 
 /// All numbers of a material.
-fn numbers_of(material: &Material) -> [f64; 10] {
+fn numbers_of(material: &Material) -> [f64; 12] {
     let (kinetic, at_rest) = (material.friction_ellipse(), material.static_ellipse());
     // A direction has length one: zero stands for none.
     let grain = material.grain_direction().unwrap_or_default();
+    let [young, poisson] = material.elastic_constants().unwrap_or_default();
     [
         material.restitution(),
         kinetic.along,
@@ -156,6 +157,8 @@ fn numbers_of(material: &Material) -> [f64; 10] {
         grain.x,
         grain.y,
         grain.z,
+        young,
+        poisson,
     ]
 }
 

@@ -68,6 +68,9 @@ pub(crate) fn choose(scene: &Scene) -> Candidate {
     if let Some(tier) = scene.method().tier {
         return decided(tier, "the scene names it".to_owned());
     }
+    if let Some(tier) = scene.method().named_tier() {
+        return decided(tier, "it has the response that the scene names".to_owned());
+    }
     let estimate = Estimate::of(scene);
     if estimate.seconds() <= PATIENCE_S {
         return decided(default, format!("the most accurate: {}", estimate.in_words()));

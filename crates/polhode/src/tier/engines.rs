@@ -5,6 +5,7 @@ use super::list::Tier as TierName;
 use crate::SimulationError;
 use crate::accurate::Engine;
 use crate::core::Core;
+use crate::penalty::PenaltyEngine;
 use crate::snapshot::{SnapshotError, content};
 use crate::stepped::SteppedEngine;
 use crate::thesis::ThesisEngine;
@@ -19,6 +20,7 @@ pub(crate) fn begun(core: &mut Core, states: Vec<BodyState>) -> Result<Box<dyn T
         TierName::Accurate => Box::new(Engine::new(core, states)?),
         TierName::Stepped => Box::new(SteppedEngine::new(core, states)?),
         TierName::Thesis => Box::new(ThesisEngine::new(core, states)?),
+        TierName::Penalty => Box::new(PenaltyEngine::new(core, states)?),
     })
 }
 
@@ -34,6 +36,7 @@ pub(crate) fn restored(core: &mut Core, saved: &content::Tier) -> Result<Box<dyn
         (TierName::Accurate, content::Tier::Accurate(saved)) => Ok(Box::new(Engine::restored(core, saved)?)),
         (TierName::Stepped, content::Tier::Stepped(saved)) => Ok(Box::new(SteppedEngine::restored(core, saved)?)),
         (TierName::Thesis, content::Tier::Thesis(saved)) => Ok(Box::new(ThesisEngine::restored(core, saved)?)),
+        (TierName::Penalty, content::Tier::Penalty(saved)) => Ok(Box::new(PenaltyEngine::restored(core, saved)?)),
         _ => Err(SnapshotError::Invalid("its tier is not that of its scene").into()),
     }
 }

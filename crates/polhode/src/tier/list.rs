@@ -3,7 +3,8 @@
 //! What a tier is stands in its own folder ([`TierFacts`]); the list of engines is in `engines.rs` beside this file.
 
 use super::facts::{TierFacts, TierFeature};
-use crate::{accurate, stepped, thesis};
+use crate::scene::Response;
+use crate::{accurate, penalty, stepped, thesis};
 
 /// A set of methods with one promise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -12,6 +13,8 @@ pub enum Tier {
     /// The algorithm of the thesis's section 3.5, unchanged: RK4 at a fixed step, propagation of impulses, linear
     /// programme of least total force. It is kept for comparison and has no limit of penetration.
     Thesis,
+    /// Springs and dampers where bodies overlap: they interpenetrate by a stated depth, and nothing is solved for.
+    Penalty,
     /// Fixed time steps at the level of velocities, with an exact complementarity problem at each. Every step has a
     /// solution; its error depends on the length of the step.
     Stepped,
@@ -22,12 +25,13 @@ pub enum Tier {
 
 impl Tier {
     /// All tiers, the most accurate first.
-    pub const ALL: [Self; 3] = [Self::Accurate, Self::Stepped, Self::Thesis];
+    pub const ALL: [Self; 4] = [Self::Accurate, Self::Stepped, Self::Thesis, Self::Penalty];
 
     /// What the tier is.
     pub const fn facts(self) -> &'static TierFacts {
         match self {
             Self::Thesis => &thesis::FACTS,
+            Self::Penalty => &penalty::FACTS,
             Self::Stepped => &stepped::FACTS,
             Self::Accurate => &accurate::FACTS,
         }
@@ -43,6 +47,11 @@ impl Tier {
         let takes = |tier: &Self| tier.facts().takes(feature);
         let names = Self::ALL.into_iter().filter(takes).map(|tier| format!("`{}`", tier.name()));
         names.collect::<Vec<_>>().join(" or ")
+    }
+
+    /// The tier that alone has this response, and that a scene which names the response means; none where several have it.
+    pub(crate) fn of_response(response: Response) -> Option<Self> {
+        Self::ALL.into_iter().find(|tier| tier.facts().own_response == Some(response))
     }
 
     /// The tier of this name; none if there is no such tier.

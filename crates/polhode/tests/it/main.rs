@@ -45,6 +45,7 @@ mod momentum;
 mod moving_surfaces;
 mod outcomes;
 mod piles;
+mod penalty;
 mod pivot_rows;
 mod pivots;
 mod planar;
