@@ -23,6 +23,7 @@
 mod arches;
 mod bodies;
 mod case;
+mod chung_ooi;
 mod context;
 mod convergence;
 mod convex_pairs;
@@ -86,6 +87,7 @@ mod structures;
 mod table_edge;
 mod thesis_tier;
 mod tunnelling;
+mod two_balls;
 mod units;
 mod valleys;
 mod videos;

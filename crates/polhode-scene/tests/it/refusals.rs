@@ -222,7 +222,7 @@ fn unknown_keys_and_values() {
     check(&brick("shape", "shape.cube.size = [1, 1, 1]"), "bodies.brick.shape.cube", "cube", "`box`, `sphere`");
     check(&brick("shape", "shape.box.sizes = [1, 1, 1]"), "bodies.brick.shape.box.sizes", "sizes", "accepted: `size`");
     let tier = BASE.replace("name = \"base\"", "method.tier = \"quick\"");
-    check(&tier, "method.tier", "quick", "accepted: `accurate`, `stepped`, `thesis`");
+    check(&tier, "method.tier", "quick", "accepted: `accurate`, `stepped`, `thesis`, `penalty`");
     let integrator = BASE.replace("name = \"base\"", "method.integrator = \"rk5\"");
     check(&integrator, "method.integrator", "rk5", "accepted: `explicit-euler`, `semi-implicit-euler`");
     let number = BASE.replace("name = \"base\"", "method.integrator = 4");
@@ -242,7 +242,6 @@ fn planned_members() {
         ("tier", &["fast"][..]),
         ("impact", &["poisson", "energetic", "pulse"]),
         ("contact", &["interior-point", "sequential-impulses"]),
-        ("response", &["penalty"]),
     ];
     for (knob, values) in knobs {
         for value in values {
@@ -268,6 +267,10 @@ fn knobs_that_do_not_go_together() {
         ("response = \"impulse\"", "method.response"),
         ("response = \"impulse-projection\"\nmethod.tier = \"stepped\"", "method.response"),
         ("response = \"impulse-unconditional\"\nmethod.integrator = \"rk4\"", "method.response"),
+        ("response = \"penalty\"\nmethod.tier = \"accurate\"", "method.response"),
+        ("response = \"constraint\"\nmethod.tier = \"penalty\"", "method.response"),
+        ("penalty.law = \"linear\"", "method.penalty"),
+        ("penalty.law = \"linear\"\nmethod.tier = \"stepped\"", "method.penalty"),
         ("orientation = \"matrix\"", "method.orientation"),
         ("orientation = \"quaternion\"\nmethod.integrator = \"rkmk4\"", "method.orientation"),
         ("rotation_rate = \"angular-velocity\"", "method.rotation_rate"),

@@ -117,8 +117,7 @@ pub(super) struct Force {
 impl ContactSpring {
     /// A contact that begins at `t` (s) in this state.
     pub(super) fn begun(id: ContactId, law: ContactLaw, at: &Evaluated, t: f64) -> Self {
-        let passage =
-            Passage { begun_s: t, approach: at.rate, deepest: at.depth.max(0.0), hardest: 0.0, alone: true };
+        let passage = Passage { begun_s: t, approach: at.rate, deepest: at.depth.max(0.0), hardest: 0.0, alone: true };
         let mut spring = Self {
             id,
             normal: law.normal,
@@ -276,8 +275,7 @@ impl Evaluated {
         let geometry = &kinematics.geometry;
         let (depth, rate) = (-geometry.separation, -kinematics.separation_rate);
         let point = acting_point(world, id, &kinematics);
-        let mut evaluated =
-            Self { kinematics, depth, rate, slip: DVec3::ZERO, normal_rate: DVec3::ZERO, point };
+        let mut evaluated = Self { kinematics, depth, rate, slip: DVec3::ZERO, normal_rate: DVec3::ZERO, point };
         if with_slip {
             let terms = world.tangential_kinematics(states, id)?;
             let turning = world.relative_rotation(states, id).cross(point - geometry.point);

@@ -129,7 +129,11 @@ impl PenaltyEngine {
         let springs: Vec<ContactSpring> = self.springs.iter().filter(own).copied().collect();
         let proposed = group.bodies.iter().map(|&body| self.proposed[body]).fold(core.settings.step_s, f64::min);
         let run = Run::new(core, &self.laws, (group, springs), &self.states, proposed);
-        if fixed::is_fixed(core.settings.integrator) { fixed::advance(run, t_next) } else { stepping::advance(run, t_next) }
+        if fixed::is_fixed(core.settings.integrator) {
+            fixed::advance(run, t_next)
+        } else {
+            stepping::advance(run, t_next)
+        }
     }
 
     /// Takes over what the groups have done up to `t_next` (s).

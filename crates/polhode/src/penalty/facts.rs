@@ -13,7 +13,9 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     steps: StepLength::ErrorControlled,
     step_s: LONGEST_STEP_S,
     integrator: Integrator::Dop853,
-    integrator_choice: IntegratorChoice::Scene { reason: "under error control, with the begin and end of contacts located" },
+    integrator_choice: IntegratorChoice::Scene {
+        reason: "under error control, with the begin and end of contacts located",
+    },
     impact: ImpactLaw::Reflection,
     contact: ContactMethod::ActiveSet,
     own_response: Some(Response::Penalty),

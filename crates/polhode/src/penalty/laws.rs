@@ -149,8 +149,10 @@ impl Laws {
                 let needed = if needed > 0.0 { needed } else { motion.0 };
                 let stiffness = self.method.stiffness_n_m.unwrap_or(needed);
                 let spring = NormalSpring::elastic(Growth::Linear, stiffness).map_err(refused)?;
-                let ratios = materials.iter().filter_map(|material| material.elastic_constants().map(|[_, ratio]| ratio));
-                let poisson = ratios.fold(None, |known: Option<f64>, own| Some(known.map_or(own, |known| known.max(own))));
+                let ratios =
+                    materials.iter().filter_map(|material| material.elastic_constants().map(|[_, ratio]| ratio));
+                let poisson =
+                    ratios.fold(None, |known: Option<f64>, own| Some(known.map_or(own, |known| known.max(own))));
                 Ok((spring, TangentialSpring::beside_linear(stiffness, poisson.unwrap_or(POISSON_RATIO))))
             }
         }

@@ -21,6 +21,7 @@
 //! | `run` | a group on its way: contacts, booking, measures |
 //! | `stepping` | a group over a longest step under error control |
 //! | `fixed` | the same by fixed steps |
+//! | `implicit` | the implicit midpoint rule of these |
 //! | `groups` | which bodies may meet |
 //! | `measures` | penetration, restitution and stiffness asked and reached |
 //! | `engine` | a run, and queries at the present |
@@ -32,6 +33,7 @@ mod events;
 mod facts;
 mod fixed;
 mod groups;
+mod implicit;
 mod laws;
 pub(crate) mod measures;
 mod run;

@@ -7,12 +7,12 @@ use super::contact::{ContactSpring, Evaluated};
 use super::laws::Laws;
 use super::measures::SpringReport;
 use super::system::SpringSystem;
+use crate::BodyId;
 use crate::SimulationError;
 use crate::accounting::books::Books;
 use crate::collision::contact_id::ContactId;
 use crate::core::Core;
 use crate::event::{Event, EventKind};
-use crate::BodyId;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::{BodyState, DenseStep, System};
 
@@ -140,7 +140,11 @@ impl<'a> Run<'a> {
     ///
     /// # Errors
     /// When its bodies have no law.
-    pub(super) fn begun(&self, id: ContactId, kinematics: &ContactKinematics) -> Result<ContactSpring, SimulationError> {
+    pub(super) fn begun(
+        &self,
+        id: ContactId,
+        kinematics: &ContactKinematics,
+    ) -> Result<ContactSpring, SimulationError> {
         let (world, approach) = (&self.core.world, -kinematics.separation_rate);
         let law = self.laws.of_contact(world, &self.states, (id, &kinematics.geometry), approach)?;
         let at = Evaluated::new(world, &self.states, id, law.friction.is_some());

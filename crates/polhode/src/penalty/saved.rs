@@ -44,12 +44,7 @@ pub(super) fn save_spring(spring: &ContactSpring) -> content::ContactSpring {
             Grip::Cut => content::Grip::Cut,
         },
         vector: spring.vector.to_array(),
-        passage: [
-            spring.passage.begun_s,
-            spring.passage.approach,
-            spring.passage.deepest,
-            spring.passage.hardest,
-        ],
+        passage: [spring.passage.begun_s, spring.passage.approach, spring.passage.deepest, spring.passage.hardest],
         alone: spring.passage.alone,
     }
 }

@@ -11,14 +11,14 @@
 use super::contact::{ContactSpring, Grip};
 use super::events::{Happening, Looking};
 use super::run::{GroupRun, Run, Segment};
-use super::system::{SPRING, SpringSystem};
+use super::system::{DISSIPATION, DISSIPATIONS, SPRING, SpringSystem};
 use crate::SimulationError;
 use crate::collision::contact_id::ContactId;
 use crate::event::EventKind;
 use polhode_dynamics::error_allowance::{ErrorAllowance, LargestError};
 use polhode_dynamics::state::WIDTH;
 use polhode_dynamics::step_control::REFUSED_FACTOR;
-use polhode_dynamics::{BodyState, Dop853, System};
+use polhode_dynamics::{BodyState, Dop853, RigidBody, System};
 use polhode_spatial::DVec3;
 
 /// Steps shorter than this many units in the last place of the time do not advance it.
@@ -133,8 +133,7 @@ fn step(
     run.done.largest_error = Some(run.done.largest_error.unwrap_or(0.0).max(error));
     let Ok(mut dense) = method.dense(&mut system);
     let resting_speed = run.laws.resting_speed(&core.world);
-    let mut looking =
-        Looking { system: &mut system, dense: &dense, candidates, resting_speed, done: &control.done };
+    let mut looking = Looking { system: &mut system, dense: &dense, candidates, resting_speed, done: &control.done };
     let found = looking.first();
     let reaches_end = h >= t_end - t;
     let Some((t_event, what)) = found else {
@@ -185,7 +184,11 @@ fn apply(run: &mut Run<'_>, what: Happening) -> Result<(), SimulationError> {
     }
     let lost = before - run.energy();
     let ledger = &mut run.done.books.ledger;
-    if matches!(what, Happening::Grip(_)) { ledger.friction.add(lost) } else { ledger.numerical.add(lost) }
+    if matches!(what, Happening::Grip(_)) {
+        ledger.friction.add(lost)
+    } else {
+        ledger.numerical.add(lost)
+    }
     Ok(())
 }
 
@@ -213,11 +216,7 @@ fn change_grip(run: &mut Run<'_>, id: ContactId) {
 }
 
 /// The largest error of an attempt in units of what is allowed.
-fn largest_error(
-    run: &Run<'_>,
-    method: &Dop853,
-    (springs, candidates): (&[ContactSpring], &[ContactId]),
-) -> f64 {
+fn largest_error(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[ContactSpring], &[ContactId])) -> f64 {
     let world = &run.core.world;
     let tolerance = run.core.settings.tolerance;
     let bodies = &run.done.group.bodies;
@@ -255,6 +254,12 @@ fn largest_error(
             _ => spring.normal.elastic_force(run.laws.depth_m),
         };
         largest.include(method.error_of(first..first + SPRING), SPRING_FACTOR * tolerance * scale);
+    }
+    // What dampers and friction take is booked as exactly as the motion.
+    let mass: f64 = bodies.iter().filter_map(|&body| world.bodies[body].rigid.as_ref()).map(RigidBody::mass).sum();
+    let first = bodies.len() * WIDTH + springs.len() * SPRING + DISSIPATION;
+    if !springs.is_empty() {
+        largest.include(method.error_of(first..first + DISSIPATIONS), tolerance * mass * speed * speed);
     }
     largest.get()
 }

@@ -18,6 +18,10 @@ use std::convert::Infallible;
 /// Numbers for the ledgers after those of bodies and springs.
 pub(super) const TAIL: usize = 21;
 
+/// Place in the ledgers of what dampers, external agents and friction do, and how many numbers that is.
+pub(super) const DISSIPATION: usize = 18;
+pub(super) const DISSIPATIONS: usize = 3;
+
 /// Numbers of a spring.
 pub(super) const SPRING: usize = 3;
 

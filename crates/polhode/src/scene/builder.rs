@@ -2,8 +2,8 @@
 
 use super::error::positive;
 use super::{
-    Body, Coordinate, CoordinateMotion, DEFAULT_GRAVITY, Force, Gear, GearEnd, Joint, Method, PairRule, Response, Scene,
-    SceneError, Tier, TierFeature, TrackId, force,
+    Body, Coordinate, CoordinateMotion, DEFAULT_GRAVITY, Force, Gear, GearEnd, Joint, Method, PairRule, Response,
+    Scene, SceneError, Tier, TierFeature, TrackId, force,
 };
 use crate::body_id::BodyId;
 use crate::joint_id::JointId;

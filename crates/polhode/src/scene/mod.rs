@@ -73,9 +73,9 @@ pub use method::{Crowding, Method};
 pub use motion::{
     Excursion, Interpolation, MotionError, MotionTable, PrescribedMotion, SampledOrientations, Trajectory,
 };
+pub use penalty::{PenaltyMethod, SpringDamping, SpringFriction, SpringLaw};
 pub use polhode_dynamics::field::{DragLaw, Frame, Signal};
 pub use polhode_response::RestitutionLaw;
-pub use penalty::{PenaltyMethod, SpringDamping, SpringFriction, SpringLaw};
 pub use strength::Strength;
 pub use track::{Follows, OneSide, TrackEnds, TrackHold, TrackId, TrackSprings};
 

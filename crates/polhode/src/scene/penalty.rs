@@ -3,7 +3,7 @@
 //! What is absent has a default that is not tuned: linear springs with the damper of Hunt and Crossley and sprung
 //! friction, as stiff as keeps the overlap within a thousandth of the smallest body.
 
-use super::{Geometry, Material, Scene, SceneError};
+use super::{Geometry, Integrator, Material, Scene, SceneError};
 use polhode_contact::Shape;
 use polhode_response::penalty::{ElasticPair, Relation};
 
@@ -120,6 +120,24 @@ impl Scene {
     /// or no radii of curvature for Hertz's law.
     pub(super) fn check_springs(&self) -> Result<(), SceneError> {
         let method = self.method.penalty.unwrap_or_default();
+        let taken = [Integrator::Dop853, Integrator::Rk4, Integrator::SemiImplicitEuler, Integrator::ImplicitMidpoint];
+        if let Some(integrator) = self.method.integrator.filter(|named| !taken.contains(named)) {
+            return Err(SceneError::NotYetAvailable {
+                what: format!("integrator = \"{}\" with response = \"penalty\"", integrator.name()),
+                instead: taken.map(|one| format!("\"{}\"", one.name())).join(" or "),
+            });
+        }
+        let unused = [
+            (self.method.impact.is_some(), "impact"),
+            (self.method.restitution_law.is_some(), "restitution_law"),
+            (self.method.contact.is_some(), "contact"),
+            (self.method.crowding.is_some(), "crowding"),
+            (self.method.crowding_tolerance.is_some(), "crowding_tolerance"),
+        ];
+        if let Some((_, key)) = unused.into_iter().find(|(is_given, _)| *is_given) {
+            let what = format!("method.{key} with response = \"penalty\", which has no such law");
+            return Err(SceneError::NotYetAvailable { what, instead: "the scene without it".to_owned() });
+        }
         let names = |a: usize, b: usize| [a, b].map(|body| self.bodies[body].material.name().to_owned());
         let is_hertz = method.law == Some(SpringLaw::Hertz);
         for (a, b) in self.material_pairs() {

@@ -3,7 +3,7 @@
 
 use polhode::contact::Shape;
 use polhode::mesh::solid_sphere;
-use polhode::scene::{Material, Method, PenaltyMethod, Response, SpringLaw};
+use polhode::scene::{Material, Method, PenaltyMethod, Response, SpringDamping, SpringLaw};
 use polhode::spatial::{DVec3, Mass, Pose, UnitVector, Velocity};
 use polhode::{Body, RunReport, Scene, Simulation, SpringImpact};
 use std::f64::consts::PI;
@@ -54,7 +54,6 @@ fn two_balls_after_hertz() {
     let at = |side: f64| Velocity::new(DVec3::Z * (-10.0 * side), DVec3::ZERO);
     let one = |name: &str, side: f64| ball(name, 0.01, 2800.0, &glass, DVec3::Z * (0.0105 * side), at(side));
     let (_, impact) = run(vec![one("upper", 1.0), one("lower", -1.0)], method(hertz()), 2e-4);
-    println!("{impact:?}");
     near("depth", impact.penetration_m, 274.11270e-6, 1e-7);
     near("force", impact.force_n, 10.696_889e3, 1e-6);
     near("duration", impact.duration_s, 40.339_456e-6, 1e-7);
@@ -65,4 +64,110 @@ fn two_balls_after_hertz() {
     near("force", impact.force_n, stiffness * depth.powf(1.5), TOLERANCE);
     near("duration", impact.duration_s, 2.943_275_184_324_706 * depth / 20.0, TOLERANCE);
     near("restitution", impact.restitution(), 1.0, TOLERANCE);
+}
+
+/// Chung and Ooi, test 2: a ball meets a rigid plane.
+#[test]
+fn a_ball_on_a_rigid_plane_after_hertz() {
+    let alloy = Material::new("alloy").with_restitution(1.0).unwrap().with_elasticity(70e9, 0.3).unwrap();
+    let rigid = Material::new("rigid").with_restitution(1.0).unwrap();
+    let falling = Velocity::new(DVec3::Z * -0.2, DVec3::ZERO);
+    let own = ball("ball", 0.1, 2699.0, &alloy, DVec3::Z * 0.1001, falling);
+    let (_, impact) = run(vec![wall(&rigid), own], method(hertz()), 0.01);
+    near("depth", impact.penetration_m, 49.717_175e-6, 1e-7);
+    near("force", impact.force_n, 11.369_858e3, 1e-7);
+    near("duration", impact.duration_s, 731.656_64e-6, 1e-7);
+    let mass = 4.0 / 3.0 * PI * 1e-3 * 2699.0;
+    let stiffness = 4.0 / 3.0 * 70e9 / 0.91 * 0.1f64.sqrt();
+    let depth = (1.25 * mass * 0.04 / stiffness).powf(0.4);
+    near("depth", impact.penetration_m, depth, TOLERANCE);
+    near("duration", impact.duration_s, 2.943_275_184_324_706 * depth / 0.2, TOLERANCE);
+}
+
+/// Chung and Ooi, test 3: a ball meets a plane with every restitution, by both dampers and both growths.
+#[test]
+fn restitution_is_that_asked() {
+    for damping in [SpringDamping::HuntCrossley, SpringDamping::Plain] {
+        for law in [SpringLaw::Hertz, SpringLaw::Linear] {
+            for e in [0.02, 0.2, 0.4, 0.6, 0.8, 1.0] {
+                let oxide = Material::new("oxide").with_restitution(e).unwrap().with_elasticity(380e9, 0.23).unwrap();
+                let falling = Velocity::new(DVec3::Z * -3.9, DVec3::ZERO);
+                let own = ball("ball", 0.0025, 4000.0, &oxide, DVec3::Z * 0.002_51, falling);
+                let penalty = PenaltyMethod { law: Some(law), damping: Some(damping), ..PenaltyMethod::default() };
+                let (report, impact) = run(vec![wall(&oxide), own], method(penalty), 0.002);
+                near(&format!("{damping:?} {law:?} {e}"), impact.restitution(), e, TOLERANCE);
+                let lost = 0.5 * 4.0 / 3.0 * PI * 0.0025f64.powi(3) * 4000.0 * 3.9 * 3.9 * (1.0 - e * e);
+                assert!(
+                    (report.ledger.damping.value() - lost).abs() < 1e-8 * lost.max(1e-6),
+                    "{damping:?} {law:?} {e}"
+                );
+            }
+        }
+    }
+}
+
+/// Velocity and spin of a ball after it has met the plane with a tangential velocity and a spin about y.
+fn oblique(
+    penalty: PenaltyMethod,
+    material: &Material,
+    radius: f64,
+    (normal, along, spin): (f64, f64, f64),
+) -> [f64; 3] {
+    let moving = Velocity::new(DVec3::new(along, 0.0, -normal), DVec3::Y * spin);
+    let own = ball("ball", radius, 2700.0, material, DVec3::Z * (1.001 * radius), moving);
+    let (report, _) = run(vec![wall(material), own], method(penalty), 0.01 * radius / normal + 1e-3);
+    let after = &report.bodies[1].state.velocity;
+    [after.linear.x, after.angular.y, after.linear.z]
+}
+
+/// Chung and Ooi, tests 4 to 6: where a ball slides from begin to end friction takes `mu (1 + e) m v_n`, so that
+/// `V' = V - mu (1 + e) v_n` and `w' = w + (5/2) mu (1 + e) v_n / r`.
+#[test]
+fn gross_slip_is_that_of_rigid_bodies() {
+    let cases = [(0.092, 0.98, 40.0f64), (0.092, 0.98, 60.0), (0.092, 0.98, 85.0), (0.4, 0.5, 89.0), (0.3, 1.0, 80.0)];
+    for (friction, e, degrees) in cases {
+        let alloy = Material::new("alloy").with_restitution(e).unwrap().with_friction(friction).unwrap();
+        let alloy = alloy.with_elasticity(70e9, 0.33).unwrap();
+        let (along, normal) = (3.9 * degrees.to_radians().sin(), 3.9 * degrees.to_radians().cos());
+        // A plain damper begins with a normal force, so that the contact sticks at first: it is left out.
+        for penalty in [hertz(), PenaltyMethod::default()] {
+            let [v, w, up] = oblique(penalty, &alloy, 0.0025, (normal, along, 0.0));
+            near("up", up, e * normal, TOLERANCE);
+            let turned = friction * (1.0 + e) * normal;
+            near("slip", v, along - turned, TOLERANCE);
+            near("spin", w, 2.5 * turned / 0.0025, TOLERANCE);
+        }
+    }
+}
+
+/// A linear spring that sticks throughout: the slip is that of an oscillator on the tangential spring, with 2/7 of the mass, over
+/// the half period of the normal spring.
+#[test]
+fn sticking_is_an_oscillator() {
+    let alloy = Material::new("alloy").with_restitution(1.0).unwrap().with_friction(1e9).unwrap();
+    let alloy = alloy.with_elasticity(70e9, 0.3).unwrap();
+    let (normal, along, spin, radius) = (1.0, 0.02, 1.5, 0.01);
+    let [v, w, _] = oblique(PenaltyMethod::default(), &alloy, radius, (normal, along, spin));
+    let slip = along - spin * radius;
+    let ratio: f64 = 2.0 * 0.7 / 1.7;
+    let after = slip * (PI * (3.5 * ratio).sqrt()).cos();
+    let change = 2.0 / 7.0 * (after - slip);
+    near("velocity", v, along + change, TOLERANCE);
+    near("spin", w, spin - 2.5 * change / radius, TOLERANCE);
+}
+
+/// Chung and Ooi, test 7: two equal balls that spin against each other do not slip on each other: they keep their spins.
+#[test]
+fn balls_that_roll_on_each_other_keep_their_spins() {
+    let copper = Material::new("copper").with_restitution(1.0).unwrap().with_friction(0.4).unwrap();
+    let copper = copper.with_elasticity(120e9, 0.35).unwrap();
+    let moving = |side: f64| Velocity::new(DVec3::X * (-0.2 * side), DVec3::Y * (175.0 * side));
+    let one = |name: &str, side: f64| ball(name, 0.1, 8900.0, &copper, DVec3::X * (0.100_01 * side), moving(side));
+    let (report, impact) = run(vec![one("right", 1.0), one("left", -1.0)], method(hertz()), 0.003);
+    near("restitution", impact.restitution(), 1.0, TOLERANCE);
+    for (body, side) in report.bodies.iter().zip([1.0, -1.0]) {
+        let velocity = &body.state.velocity;
+        near("spin", velocity.angular.y, 175.0 * side, TOLERANCE);
+        assert!(velocity.linear.z.abs() < 1e-9 * 0.2, "{velocity:?}");
+    }
 }
