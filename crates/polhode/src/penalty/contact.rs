@@ -241,12 +241,17 @@ impl ContactSpring {
         if is_rounding || limit <= 0.0 {
             return transport(at, direction);
         }
-        across * (self.tangential.stiffness(at.depth) / limit) + transport(at, direction)
+        let fastest = FASTEST_TURN * self.frequency(self.passage.deepest.max(at.depth)) / at.slip.length();
+        across * (self.tangential.stiffness(at.depth) / limit).min(fastest) + transport(at, direction)
     }
 }
 
 /// Part of the expected depth at which the begin of a contact is judged (1e-9 to 1e-3).
 const SMALL_DEPTH: f64 = 1e-6;
+
+/// The direction of sliding turns towards the slip at most at this multiple of the frequency of the normal spring (1 to 20): a spring
+/// that is all but empty would turn at once, which no step could follow.
+const FASTEST_TURN: f64 = 4.0;
 
 /// Slip across the direction of sliding that is rounding, relative to the slip (1e-15 to 1e-12).
 const ACROSS_ROUNDING: f64 = 64.0 * f64::EPSILON;

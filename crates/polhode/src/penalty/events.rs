@@ -68,28 +68,58 @@ impl Looking<'_, '_> {
     pub(super) fn first(&mut self) -> Option<(f64, Happening)> {
         let watched = self.watched();
         let (t0, h) = (self.dense.t0(), self.dense.h());
-        let mut before: Vec<f64> = watched.iter().map(|&what| self.signal(what, t0)).collect();
+        let mut before = self.signals(t0);
         let mut from = t0;
         for look in 1..=LOOKS {
             let to = if look == LOOKS { t0 + h } else { t0 + h * (f64::from(look) / f64::from(LOOKS)) };
+            let after = self.signals(to);
             let mut first: Option<(f64, Happening)> = None;
-            for (known, &what) in before.iter_mut().zip(&watched) {
-                let now = self.signal(what, to);
-                let is_due = now < 0.0 && (*known >= 0.0 || (look == 1 && !self.done.contains(&what)));
-                if is_due && self.counts(what, *known, now) {
+            for ((known, now), &what) in before.iter().zip(&after).zip(&watched) {
+                let is_due = *now < 0.0 && (*known >= 0.0 || (look == 1 && !self.done.contains(&what)));
+                if is_due && self.counts(what, *known, *now) {
                     let t = if *known <= 0.0 { from } else { self.locate(what, from, to) };
                     if first.is_none_or(|(earlier, _)| t < earlier) {
                         first = Some((t, what));
                     }
                 }
-                *known = now;
             }
             if first.is_some() {
                 return first;
             }
-            from = to;
+            (before, from) = (after, to);
         }
         None
+    }
+
+    /// All signals at a time (s), in the order of [`Looking::watched`].
+    fn signals(&mut self, t: f64) -> Vec<f64> {
+        let flat = self.at(t);
+        let springs = self.system.springs;
+        let mut signals = Vec::with_capacity(4 * springs.len() + self.candidates.len());
+        let mut sliding = Vec::new();
+        for index in 0..springs.len() {
+            let spring = self.system.spring(&flat, index);
+            let Some(at) = self.system.evaluated(&spring) else {
+                signals.extend([f64::INFINITY; 4]);
+                continue;
+            };
+            let turning = if spring.loading { at.rate } else { -at.rate };
+            signals.extend([at.depth, pressing(&spring, &at), turning, holding(&spring, &at)]);
+            if spring.grip == Grip::Slide {
+                sliding.push((signals.len() - 1, spring, at));
+            }
+        }
+        for &id in self.candidates {
+            signals.push(self.separation(id));
+        }
+        for (place, spring, at) in sliding {
+            signals[place] = self.gripping(t, &spring, &at);
+        }
+        signals
+    }
+
+    fn separation(&self, id: ContactId) -> f64 {
+        Evaluated::new(self.system.world, self.system.states, id, false).map_or(f64::INFINITY, |at| -at.depth)
     }
 
     fn watched(&self) -> Vec<Happening> {
@@ -132,10 +162,7 @@ impl Looking<'_, '_> {
     fn signal(&mut self, what: Happening, t: f64) -> f64 {
         let flat = self.at(t);
         let id = match what {
-            Happening::Begin(id) => {
-                let found = Evaluated::new(self.system.world, self.system.states, id, false);
-                return found.map_or(f64::INFINITY, |at| -at.depth);
-            }
+            Happening::Begin(id) => return self.separation(id),
             Happening::End(id) | Happening::Press(id) | Happening::Turn(id) | Happening::Grip(id) => id,
         };
         let place = self.system.springs.iter().position(|spring| spring.id == id);
@@ -153,21 +180,17 @@ impl Looking<'_, '_> {
 
     /// Coulomb's limit less the force of a spring that holds, N; the speed at which one gives way that slides, m/s.
     fn gripping(&mut self, t: f64, spring: &ContactSpring, at: &Evaluated) -> f64 {
-        let normal = spring.normal_force(at);
-        match spring.grip {
-            Grip::Free | Grip::Cut => f64::INFINITY,
-            Grip::Stick => spring.limit(normal) - spring.vector.length(),
-            Grip::Slide => {
-                let stiffness = spring.tangential.stiffness(at.depth);
-                if stiffness <= 0.0 {
-                    return f64::INFINITY;
-                }
-                let limit_rate = self.rate_of_normal_force(t, spring) * spring.limit(1.0);
-                let falling = spring.tangential.relative_rate(at.depth, at.rate).min(0.0);
-                let shrinking = (limit_rate - spring.limit(normal) * falling) / stiffness;
-                at.slip.dot(spring.vector.normalize_or_zero()) - shrinking
-            }
+        if spring.grip != Grip::Slide {
+            return holding(spring, at);
         }
+        let stiffness = spring.tangential.stiffness(at.depth);
+        if stiffness <= 0.0 {
+            return f64::INFINITY;
+        }
+        let limit_rate = self.rate_of_normal_force(t, spring) * spring.limit(1.0);
+        let falling = spring.tangential.relative_rate(at.depth, at.rate).min(0.0);
+        let shrinking = (limit_rate - spring.limit(spring.normal_force(at)) * falling) / stiffness;
+        at.slip.dot(spring.vector.normalize_or_zero()) - shrinking
     }
 
     /// Rate of the normal force of a spring at a time in the step, N/s.
@@ -180,6 +203,14 @@ impl Looking<'_, '_> {
         };
         let (before, after) = (force(from), force(to));
         if to > from { (after - before) / (to - from) } else { 0.0 }
+    }
+}
+
+/// Coulomb's limit less the force of a tangential spring that holds, N; infinite where none holds.
+fn holding(spring: &ContactSpring, at: &Evaluated) -> f64 {
+    match spring.grip {
+        Grip::Free | Grip::Cut | Grip::Slide => f64::INFINITY,
+        Grip::Stick => spring.limit(spring.normal_force(at)) - spring.vector.length(),
     }
 }
 

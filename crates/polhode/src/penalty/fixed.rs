@@ -56,9 +56,10 @@ pub(super) fn advance(mut run: Run<'_>, t_end: f64) -> Result<GroupRun, Simulati
     Ok(run.finished())
 }
 
-/// Frequency or rate of decay (1/s) of a spring at the depth that it is to keep.
+/// Frequency or rate of decay (1/s) of a spring at the depth that its impact reaches.
 fn stiffest_rate(run: &Run<'_>, spring: &ContactSpring) -> f64 {
-    let depth = run.laws.depth_m.max(spring.passage.deepest);
+    let speed = spring.passage.approach.max(run.laws.resting_speed(&run.core.world));
+    let depth = spring.normal.impact_depth(spring.mass, speed).max(spring.passage.deepest);
     spring.frequency(depth).max(spring.normal.damper(depth) / spring.mass)
 }
 
@@ -67,7 +68,8 @@ fn length(run: &Run<'_>, rate: f64) -> Result<f64, SimulationError> {
     let settings = &run.core.settings;
     if !settings.step_is_given {
         let own = std::f64::consts::PI / (STEPS_PER_CONTACT * rate);
-        return Ok(if own > 0.0 { settings.step_s.min(own) } else { settings.step_s });
+        let own = if own > 0.0 { settings.step_s.min(own) } else { settings.step_s };
+        return Ok(own.max(CLOSING_PART * time_to_contact(run)).min(settings.step_s));
     }
     let bound = match settings.integrator {
         Integrator::Rk4 => BOUND_OF_RK4,
@@ -79,6 +81,20 @@ fn length(run: &Run<'_>, rate: f64) -> Result<f64, SimulationError> {
         return Err(SimulationError::StepTooLong { t_s: run.t, step_s: settings.step_s, limit_s, rate });
     }
     Ok(settings.step_s)
+}
+
+/// Part of the time to the next contact that a step may take before it begins (0.1 to 0.9).
+const CLOSING_PART: f64 = 0.5;
+
+/// The least time (s) in which bodies at their present speeds may come to overlap at a contact near; zero where one does.
+fn time_to_contact(run: &Run<'_>) -> f64 {
+    let world = &run.core.world;
+    let of = |spring: &ContactSpring| {
+        let gap = run.evaluated(spring).map_or(0.0, |at| -at.depth).max(0.0);
+        let speed = world.point_speed(&run.states, spring.id.a) + world.point_speed(&run.states, spring.id.b);
+        if gap > 0.0 { gap / speed } else { 0.0 }
+    };
+    run.done.springs.iter().map(of).fold(f64::INFINITY, f64::min)
 }
 
 /// Gives all contacts near springs, those that do not touch too, and takes away those whose features have gone.

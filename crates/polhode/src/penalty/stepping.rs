@@ -218,7 +218,7 @@ fn change_grip(run: &mut Run<'_>, id: ContactId) {
 /// The largest error of an attempt in units of what is allowed.
 fn largest_error(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[ContactSpring], &[ContactId])) -> f64 {
     let world = &run.core.world;
-    let tolerance = run.core.settings.tolerance;
+    let tolerance = STEP_SHARE * run.core.settings.tolerance;
     let bodies = &run.done.group.bodies;
     let end = method.end_state();
     let ends = end.as_chunks::<WIDTH>().0.iter().map(BodyState::from_array);
@@ -253,7 +253,7 @@ fn largest_error(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[Conta
             Grip::Slide => 1.0,
             _ => spring.normal.elastic_force(run.laws.depth_m),
         };
-        largest.include(method.error_of(first..first + SPRING), SPRING_FACTOR * tolerance * scale);
+        largest.include(method.error_of(first..first + SPRING), tolerance * scale);
     }
     // What dampers and friction take is booked as exactly as the motion.
     let mass: f64 = bodies.iter().filter_map(|&body| world.bodies[body].rigid.as_ref()).map(RigidBody::mass).sum();
@@ -264,5 +264,5 @@ fn largest_error(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[Conta
     largest.get()
 }
 
-/// How much larger than of velocities the error of a tangential spring may be, relative to its largest force (1 to 10).
-const SPRING_FACTOR: f64 = 10.0;
+/// Part of the tolerance that one step may err by: an impact takes some ten to a hundred of them (0.01 to 1).
+const STEP_SHARE: f64 = 0.1;

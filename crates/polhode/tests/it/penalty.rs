@@ -3,9 +3,9 @@
 
 use polhode::contact::Shape;
 use polhode::mesh::solid_sphere;
-use polhode::scene::{Material, Method, PenaltyMethod, Response, SpringDamping, SpringLaw};
+use polhode::scene::{Integrator, Material, Method, PenaltyMethod, Response, SceneError, SpringDamping, SpringLaw};
 use polhode::spatial::{DVec3, Mass, Pose, UnitVector, Velocity};
-use polhode::{Body, RunReport, Scene, Simulation, SpringImpact};
+use polhode::{Body, RunReport, Scene, Simulation, SimulationError, SpringImpact};
 use std::f64::consts::PI;
 
 const TOLERANCE: f64 = 1e-9;
@@ -170,4 +170,100 @@ fn balls_that_roll_on_each_other_keep_their_spins() {
         near("spin", velocity.angular.y, 175.0 * side, TOLERANCE);
         assert!(velocity.linear.z.abs() < 1e-9 * 0.2, "{velocity:?}");
     }
+}
+
+fn bouncing(method: Method, duration_s: f64) -> Scene {
+    let rubber = Material::new("rubber").with_restitution(0.5).unwrap().with_friction(0.3).unwrap();
+    let moving = Velocity::new(DVec3::new(0.3, 0.1, -1.0), DVec3::new(2.0, -1.0, 3.0));
+    let own = ball("ball", 0.05, 1000.0, &rubber, DVec3::Z * 0.06, moving);
+    Scene::builder("bouncing").method(method).duration_s(duration_s).body(wall(&rubber)).body(own).build().unwrap()
+}
+
+/// Fixed steps of their own length reach the restitution to a few hundredths, and their ledger closes; a step that no explicit
+/// method can follow is refused with one that would do, and the implicit rule takes it.
+#[test]
+fn fixed_steps_are_followed_or_refused() {
+    let by = |integrator, step_s| Method { integrator: Some(integrator), step_s, ..method(PenaltyMethod::default()) };
+    for integrator in [Integrator::Rk4, Integrator::SemiImplicitEuler, Integrator::ImplicitMidpoint] {
+        let report = Simulation::new(&bouncing(by(integrator, None), 0.02)).unwrap().run().unwrap();
+        assert!(report.ledger.closure_relative() < 1e-12, "{integrator:?}");
+        let impact = report.springs.unwrap().first_impacts[0];
+        assert!((impact.restitution() - 0.5).abs() < 0.05, "{integrator:?}: {impact:?}");
+    }
+    for integrator in [Integrator::Rk4, Integrator::SemiImplicitEuler] {
+        let refused = Simulation::new(&bouncing(by(integrator, Some(1e-3)), 0.02)).unwrap().run().unwrap_err();
+        let SimulationError::StepTooLong { limit_s, .. } = refused else { panic!("{integrator:?}: {refused}") };
+        Simulation::new(&bouncing(by(integrator, Some(0.4 * limit_s)), 0.02)).unwrap().run().unwrap();
+    }
+    Simulation::new(&bouncing(by(Integrator::ImplicitMidpoint, Some(1e-3)), 0.02)).unwrap().run().unwrap();
+}
+
+/// A run that goes on from a snapshot in the middle of a contact has the same bits.
+#[test]
+fn snapshots_keep_springs() {
+    let scene = bouncing(method(PenaltyMethod::default()), 0.1);
+    let mut whole = Simulation::new(&scene).unwrap();
+    whole.advance_to(0.009_66).unwrap();
+    let snapshot = whole.snapshot();
+    let mut restored = Simulation::new(&scene).unwrap();
+    restored.restore(&snapshot).unwrap();
+    assert_eq!(restored.snapshot(), snapshot);
+    let (whole, restored) = (whole.run().unwrap(), restored.run().unwrap());
+    assert_eq!(whole.bodies, restored.bodies);
+    assert_eq!(whole.springs, restored.springs);
+}
+
+/// At rest a linear spring carries the weight: the ball sinks by m g/k.
+#[test]
+fn weight_compresses_a_spring() {
+    let rubber = Material::new("rubber").with_restitution(0.2).unwrap();
+    let own = ball("ball", 0.1, 1000.0, &rubber, DVec3::Z * 0.1, Velocity::ZERO);
+    let penalty =
+        PenaltyMethod { stiffness_n_m: Some(1e4), damping: Some(SpringDamping::Plain), ..PenaltyMethod::default() };
+    let scene = Scene::builder("rest").method(method(penalty)).duration_s(3.0).body(wall(&rubber)).body(own);
+    let mut simulation = Simulation::new(&scene.build().unwrap()).unwrap();
+    let report = simulation.run().unwrap();
+    let weight = 4.0 / 3.0 * PI * 1e-3 * 1000.0 * 9.81;
+    let height = report.bodies[1].state.pose.translation.z;
+    assert!((height - (0.1 - weight / 1e4)).abs() < 1e-9, "{height}");
+    let contacts = simulation.contacts();
+    near("force", contacts[0].normal_force_n, weight, 1e-7);
+    assert!(simulation.accelerations().unwrap()[1].linear.length() < 1e-6);
+    assert!(report.ledger.closure_relative() < 1e-12);
+}
+
+/// What springs cannot do is refused when the scene is built.
+#[test]
+fn refusals() {
+    let build = |material: Material, penalty: PenaltyMethod, shape: Shape| {
+        let mass = Mass::new(1.0).unwrap();
+        let own =
+            Body::movable("own", solid_sphere(0.1, mass).unwrap()).geometry(shape.into()).material(material.clone());
+        let own = own.pose(Pose::from_translation(DVec3::Z));
+        Scene::builder("refused").method(method(penalty)).body(wall(&material)).body(own).build().unwrap_err()
+    };
+    let (ball, cube) = (Shape::sphere(0.1).unwrap(), Shape::cuboid(DVec3::ONE).unwrap());
+    let soft = Material::new("soft").with_restitution(0.5).unwrap();
+    let elastic = soft.clone().with_elasticity(1e9, 0.3).unwrap();
+    let refused = build(Material::new("dead"), PenaltyMethod::default(), ball.clone());
+    assert!(matches!(refused, SceneError::SpringRestitution { .. }), "{refused}");
+    assert!(matches!(build(soft.clone(), hertz(), ball.clone()), SceneError::HertzModulus { .. }));
+    assert!(matches!(build(elastic.clone(), hertz(), cube), SceneError::HertzShape { .. }));
+    let rolling = soft.clone().with_rotational_friction(0.01, 0.0).unwrap();
+    assert!(matches!(build(rolling, PenaltyMethod::default(), ball.clone()), SceneError::NotYetAvailable { .. }));
+    let contradictory = [
+        PenaltyMethod { penetration_m: Some(1e-3), ..hertz() },
+        PenaltyMethod { penetration_m: Some(1e-3), stiffness_n_m: Some(1.0), ..PenaltyMethod::default() },
+        PenaltyMethod { slip_speed_m_s: Some(1e-3), ..PenaltyMethod::default() },
+    ];
+    for penalty in contradictory {
+        let refused = build(elastic.clone(), penalty, ball.clone());
+        assert!(matches!(refused, SceneError::PenaltyKnob { .. }), "{refused}");
+    }
+    for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let penalty = PenaltyMethod { penetration_m: Some(wrong), ..PenaltyMethod::default() };
+        assert!(matches!(build(soft.clone(), penalty, ball.clone()), SceneError::Number { .. }), "{wrong}");
+        assert!(Material::new("wrong").with_elasticity(wrong, 0.3).is_err(), "{wrong}");
+    }
+    assert!(Material::new("wrong").with_elasticity(1e9, 0.6).is_err());
 }
