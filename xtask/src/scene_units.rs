@@ -30,17 +30,19 @@ impl Units {
             "position" | "positions" | "size" | "radius" | "height" | "major" | "minor" | "pivot" | "anchor"
             | "lead" | "anchors" | "length" | "point" | "points" | "center" | "center_of_mass" | "rest_length"
             | "start" | "lowest" | "advance" | "wavelength" | "reach" | "coefficients" | "amplitude"
-            | "rolling_friction" | "spinning_friction" | "scale" | "separate" | "collision_envelope" => length,
+            | "rolling_friction" | "spinning_friction" | "scale" | "separate" | "collision_envelope"
+            | "penetration_m" => length,
             "curvature" => 1.0 / length,
             "duration" | "step" | "interval" | "times" => time,
             "gravity" => length / (time * time),
-            "velocity" | "surface_velocity" | "wind" | "restitution_yield_speed" => speed,
+            "velocity" | "surface_velocity" | "wind" | "restitution_yield_speed" | "slip_speed_m_s" => speed,
             "restitution_slope" => 1.0 / speed,
             "angular_velocity" | "frequency" => 1.0 / time,
             "mass" => mass,
             "density" => mass / (length * length * length),
             "inertia" => mass * length * length,
-            "stiffness" => mass / (time * time),
+            "stiffness" | "stiffness_n_m" => mass / (time * time),
+            "youngs_modulus_pa" => mass / (length * time * time),
             "mu" => length * length * length / (time * time),
             "force" => mass * length / (time * time),
             "torque" | "moment" => mass * length * length / (time * time),

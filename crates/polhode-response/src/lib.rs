@@ -93,6 +93,7 @@ pub mod least_force;
 pub mod least_in_cones;
 pub mod least_norm_hold;
 pub mod minimum_norm;
+pub mod penalty;
 mod precise;
 pub mod problem;
 pub mod report;

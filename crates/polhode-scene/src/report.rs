@@ -4,7 +4,10 @@ use crate::load::LoadedScene;
 use crate::names;
 use glam::DVec3;
 use polhode::stability::{Beginning, MovingBody, PushMargin, Stability};
-use polhode::{Acceleration, BodyId, BodySample, Momentum, MomentumLedger, PairAt, Plan, RunReport, Scene, Tolerated};
+use polhode::{
+    Acceleration, BodyId, BodySample, Momentum, MomentumLedger, PairAt, Plan, RunReport, Scene, SpringImpact,
+    SpringReport, Tolerated,
+};
 use serde_json::{Value, json};
 
 /// The report of a run; `wall_s` is the time it took, s.
@@ -69,7 +72,38 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
     });
     value["max_joint_error_m"] = json!(certificate.max_joint_error_m);
     value["max_joint_error_rad"] = json!(certificate.max_joint_error_rad);
+    if let Some(springs) = &report.springs {
+        value["springs"] = springs_json(report, springs);
+    }
     value
+}
+
+/// What springs at contacts were asked for and reached: m, m/s, N, rad/s.
+fn springs_json(report: &RunReport, springs: &SpringReport) -> Value {
+    let name = |body: BodyId| report.bodies.get(body.index()).map(|body| body.name.as_str());
+    let impact = |impact: &SpringImpact| {
+        json!({
+            "t_s": impact.begun_s,
+            "duration_s": impact.duration_s,
+            "body_a": name(impact.bodies[0]),
+            "body_b": name(impact.bodies[1]),
+            "approach_m_s": impact.approach_m_s,
+            "separation_m_s": impact.separation_m_s,
+            "penetration_m": impact.penetration_m,
+            "force_n": impact.force_n,
+            "restitution_asked": impact.restitution_asked,
+            "alone": impact.is_alone,
+        })
+    };
+    json!({
+        "penetration_asked_m": springs.penetration_asked_m,
+        "penetration_m": springs.penetration_m,
+        "impacts": springs.impacts,
+        "worst_restitution": springs.worst_restitution.as_ref().map(impact),
+        "first_impacts": springs.first_impacts.iter().map(impact).collect::<Vec<_>>(),
+        "fastest_rad_s": springs.fastest_rad_s,
+        "frequency_step": springs.frequency_step,
+    })
 }
 
 /// The report of a run of a scene from a file, with what the file says of it.

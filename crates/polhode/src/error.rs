@@ -76,6 +76,22 @@ pub enum SimulationError {
         /// Why.
         source: IntegrationError,
     },
+    /// A fixed step is too long for a spring at a contact.
+    #[error(
+        "method.step = {step_s:e} s is too long for the springs at contacts at t = {t_s} s, whose fastest rate is {rate:e} 1/s: an \
+         explicit step is stable up to {limit_s:e} s; give a shorter step or none, a larger method.penalty.penetration_m, or \
+         method.integrator = \"implicit-midpoint\""
+    )]
+    StepTooLong {
+        /// When, s.
+        t_s: f64,
+        /// The step of the scene, s.
+        step_s: f64,
+        /// The longest that is stable, s.
+        limit_s: f64,
+        /// Largest frequency, or rate of a damper, 1/s.
+        rate: f64,
+    },
     /// Gears or prescribed motions of joints ask for what cannot be together.
     #[error(
         "{what} contradicts other gears, prescribed motions or joints at t = {t_s} s: no motion of the bodies keeps all of them; leave \

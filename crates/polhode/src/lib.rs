@@ -177,6 +177,7 @@ pub mod ledger;
 mod micro_collisions;
 pub mod momentum_ledger;
 pub mod observer;
+mod penalty;
 mod pivot_form;
 mod pivots;
 pub mod plan;
@@ -225,7 +226,8 @@ pub use momentum_ledger::{Momentum, MomentumLedger, MomentumSum};
 pub use observer::{Flow, Observer, Recorder, Unobserved};
 pub use plan::{Decision, Effect, EffectDecision, Plan};
 pub use report::{
-    Certificate, CrowdedStretch, CrowdingError, Outcome, PairAt, PlanChange, ReportedBody, RunReport, Tolerated,
+    Certificate, CrowdedStretch, CrowdingError, Outcome, PairAt, PlanChange, ReportedBody, RunReport, SpringImpact,
+    SpringReport, Tolerated,
 };
 pub use scene::{ApproximateParts, Body, Geometry, Scene, SceneBuilder, SceneError};
 pub use simulation::{Simulation, StepEnd, StepOutcome};

@@ -20,7 +20,7 @@
 //! simulated in space.
 
 use crate::plane_of_motion::PlaneOfMotion;
-use crate::scene::{ContactMethod, ImpactLaw, Integrator, IntegratorChoice};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, IntegratorChoice, Response};
 use crate::settings::Settings;
 use crate::tier::facts::TierFeature;
 use crate::world::{World, WorldBody};
@@ -52,6 +52,9 @@ pub(crate) fn find(world: &World, states: &[BodyState], settings: &Settings) -> 
     }
     if !world.prescribed.is_empty() {
         return PlanarFinding::off("the motion of a body is prescribed, and its symmetry is not examined");
+    }
+    if settings.response == Response::Penalty {
+        return PlanarFinding::off("springs at two mirror images of a contact are not one spring");
     }
     if world.has_friction() && !settings.takes(TierFeature::PlanarFriction) {
         return PlanarFinding::off("contacts have friction, which this tier solves for in space");

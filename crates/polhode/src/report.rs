@@ -2,6 +2,7 @@
 
 pub use crate::body_sample::ReportedBody;
 pub use crate::energy::Energy;
+pub use crate::penalty::measures::{SpringImpact, SpringReport};
 use crate::{BodyId, Ledger, Plan};
 use std::fmt;
 
@@ -228,6 +229,8 @@ pub struct RunReport {
     /// Tolerated violations and fallbacks, in the order of their first occurrence. Their counts add up to
     /// [`Certificate::fallbacks`].
     pub tolerated: Vec<Tolerated>,
+    /// What springs were asked for and reached; none but in the tier `penalty`.
+    pub springs: Option<SpringReport>,
     /// The bodies at the end, by [`BodyId::index`].
     pub bodies: Vec<ReportedBody>,
 }

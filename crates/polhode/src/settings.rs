@@ -2,9 +2,8 @@
 
 use crate::scene::{
     BroadPhaseMethod, ContactMethod, Coordinates, Crowding, FlightRecords, ImpactLaw, Integrator, Method, Orientation,
-    Response, RotationRate, Tier, TierFeature,
+    PenaltyMethod, Response, RotationRate, Tier, TierFeature,
 };
-use crate::tier::selection;
 use polhode_dynamics::integrator::{self, MethodSettings, Tolerance};
 
 /// Local error of a step of constrained motion when none is given, relative to size and speed (dimensionless).
@@ -31,6 +30,8 @@ pub(crate) struct Settings {
     pub(crate) coordinates: Coordinates,
     /// How bodies that touch act on each other; other than by constraint only in a tier that takes such models.
     pub(crate) response: Response,
+    /// The springs of the tier `penalty`.
+    pub(crate) penalty: PenaltyMethod,
     pub(crate) broad_phase: BroadPhaseMethod,
     /// Substeps of a step, where they are given.
     pub(crate) substeps: Option<u32>,
@@ -131,7 +132,8 @@ impl Settings {
             impact: method.impact.unwrap_or(facts.impact),
             contact: method.contact.unwrap_or(facts.contact),
             coordinates: method.coordinates.unwrap_or_default(),
-            response: method.response.or(selection::own_response(tier)).unwrap_or_default(),
+            response: method.response.or(facts.own_response).unwrap_or_default(),
+            penalty: method.penalty.unwrap_or_default(),
             broad_phase: method.broad_phase.unwrap_or_default(),
             substeps: method.substeps,
             step_s: method.step_s.unwrap_or(facts.step_s),

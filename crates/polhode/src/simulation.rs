@@ -566,10 +566,12 @@ impl Simulation {
             crowding_error,
             plan_changes: self.plan_changes.clone(),
             tolerated: Vec::new(),
+            springs: None,
             bodies: Vec::new(),
         };
         let (states, limits) = (self.tier.states(&self.core), self.core.limits());
         accounts.fill(&self.core.world, &states, &limits, &mut report);
+        self.tier.fill(&mut report);
         Ok(report)
     }
 }

@@ -6,7 +6,6 @@
 //! | module | holds |
 //! |---|---|
 //! | `choice` | which tier runs a scene that names none, by what it would cost |
-//! | `selection` | which tier a response asks for |
 //! | `facts` | [`TierFacts`](crate::scene::TierFacts): what a tier is |
 //! | `list` | the tiers |
 //! | `engines` | their engines, begun and restored |
@@ -15,12 +14,12 @@ pub(crate) mod choice;
 pub(crate) mod engines;
 pub(crate) mod facts;
 pub(crate) mod list;
-pub(crate) mod selection;
 
 use crate::accounting::Accounts;
 use crate::core::Core;
 use crate::frame::{ContactView, IslandView, JointView, MotionKind, PivotView};
 use crate::observer::{BodySample, Observer};
+use crate::report::RunReport;
 use crate::snapshot::content;
 use crate::{Acceleration, SimulationError};
 use polhode_dynamics::BodyState;
@@ -135,6 +134,9 @@ pub(crate) trait Tier: std::fmt::Debug + Send {
 
     /// Number of pairs that touch.
     fn touching_pairs(&self) -> usize;
+
+    /// Writes what only this tier measures into the report of a run.
+    fn fill(&self, _report: &mut RunReport) {}
 
     /// The data from which the tier continues, for a snapshot.
     fn save(&self) -> content::Tier;

@@ -2,7 +2,7 @@
 
 use super::case::Case;
 use super::{
-    arches, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds, effects, exact_drift,
+    arches, chung_ooi, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds, effects, exact_drift,
     falling_shapes, free_rotation, friction_effects, friction_invariances, friction_scenes, frictional_impacts,
     frictional_statics, heaps, heavy_tops, impact_chains, impact_laws, impacts, invariances, joints, ledger, long_runs,
     mass_properties, numerical_loss, one_dependency, peers, pi_machine, polhode_times, published_rotations,
@@ -103,6 +103,14 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "convergence", rows: convergence::orders },
     Case { name: "work-precision", rows: convergence::work_precision },
     Case { name: "peers", rows: peers::free_rotation },
+    Case { name: "CO-1", rows: chung_ooi::balls_head_on },
+    Case { name: "CO-2", rows: chung_ooi::ball_on_a_rigid_plane },
+    Case { name: "CO-3", rows: chung_ooi::restitution },
+    Case { name: "CO-4", rows: chung_ooi::oblique_at_one_speed },
+    Case { name: "CO-5", rows: chung_ooi::oblique_at_one_normal_speed },
+    Case { name: "CO-6", rows: chung_ooi::spin_on_a_plane },
+    Case { name: "CO-7", rows: chung_ooi::balls_that_spin_against_each_other },
+    Case { name: "CO-8", rows: chung_ooi::unequal_balls },
     Case { name: "IM-01", rows: impacts::im_01 },
     Case { name: "IM-02", rows: impact_chains::im_02 },
     Case { name: "IM-03", rows: impact_chains::im_03 },

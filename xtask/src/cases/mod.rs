@@ -23,6 +23,7 @@
 mod arches;
 mod bodies;
 mod case;
+mod chung_ooi;
 mod context;
 mod convergence;
 mod convex_pairs;
@@ -89,6 +90,7 @@ mod table_edge;
 mod thesis_forces;
 mod thesis_tier;
 mod tunnelling;
+mod two_balls;
 mod units;
 mod valleys;
 mod videos;

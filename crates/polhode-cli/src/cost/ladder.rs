@@ -2,7 +2,7 @@
 //! and tolerances where bodies meet.
 
 use super::candidate::{Candidate, change};
-use polhode::scene::{Integrator, Tier};
+use polhode::scene::{Integrator, Response, Tier};
 use polhode_scene::{Override, names};
 
 /// Ratio of a step to the next: 2 shows the order of a method well, 4 spans five decades of error in a few runs.
@@ -28,6 +28,12 @@ const TOLERANCES: [f64; 5] = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 
 /// Loosest tolerance tried where bodies meet: a looser one leaves events where they are not.
 const LOOSEST_CONTACT_TOLERANCE: f64 = 1e-6;
+
+/// Penetrations that springs are to keep, m; a tenth of one takes about three times as long.
+const PENETRATIONS_M: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-5];
+
+/// Tolerance of runs on springs (dimensionless): far below what their penetration errs by.
+const SPRING_TOLERANCE: f64 = 1e-8;
 
 /// How much longer an error-controlled run takes at the next tolerance, about: 100^(1/8), rounded up.
 const TOLERANCE_GROWTH: f64 = 2.0;
@@ -118,6 +124,19 @@ fn with_contact(facts: &SceneFacts) -> Vec<Series> {
     let series = |tier: Tier| {
         let (name, besides) = (tier.name(), Vec::new());
         let selects = ["method.tier", name];
+        if tier.facts().own_response == Some(Response::Penalty) {
+            // What springs err by is their penetration; the tolerance must not bind.
+            let besides = vec![("method.tolerance", format!("{SPRING_TOLERANCE:e}"))];
+            let values = PENETRATIONS_M.map(|depth| format!("{depth:e}")).to_vec();
+            return Series {
+                name,
+                selects,
+                besides,
+                stepped: "method.penalty.penetration_m",
+                values,
+                growth: STEP_RATIO as f64,
+            };
+        }
         if tier.facts().controls_error() {
             let tight = TOLERANCES.into_iter().filter(|&tolerance| tolerance <= LOOSEST_CONTACT_TOLERANCE);
             let values = tight.map(|tolerance| format!("{tolerance:e}")).collect();

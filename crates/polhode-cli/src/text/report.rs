@@ -2,7 +2,9 @@
 
 use super::table::{Table, number, vector};
 use crate::heading::Heading;
-use polhode::{Acceleration, Body, BodyId, Certificate, Ledger, MomentumLedger, PairAt, Plan, RunReport, Scene};
+use polhode::{
+    Acceleration, Body, BodyId, Certificate, Ledger, MomentumLedger, PairAt, Plan, RunReport, Scene, SpringReport,
+};
 use polhode_scene::{LoadedScene, names};
 
 /// Most bodies listed: more are for a file to hold.
@@ -86,6 +88,13 @@ fn report(report: &RunReport, stands: Option<&str>, wall_s: f64) -> String {
         run.row(["their error", &error]);
     }
 
+    if let Some(springs) = &report.springs {
+        let [penetration, restitution, stiffness] = of_springs(springs);
+        run.row(["penetration", &penetration]);
+        run.row(["restitution", &restitution]);
+        run.row(["springs", &stiffness]);
+    }
+
     let energy = &report.energy;
     let mut energies = Table::default();
     energies.row(["initial", &joule(energy.initial_j)]);
@@ -124,6 +133,27 @@ fn crowded(report: &RunReport) -> [String; 2] {
         },
     );
     [stretches, error]
+}
+
+/// Penetration and restitution that springs at contacts were asked for and reached, and how stiff they were for the steps.
+fn of_springs(springs: &SpringReport) -> [String; 3] {
+    let asked = springs.penetration_asked_m.map(|asked| format!(", {} m asked", number(asked))).unwrap_or_default();
+    let restitution = springs.worst_restitution.as_ref().map_or_else(
+        || format!("of {} contacts that ended none acted alone", springs.impacts),
+        |worst| {
+            let (reached, asked, t_s) = (worst.restitution(), worst.restitution_asked, worst.begun_s);
+            format!(
+                "{} reached, {} asked, where it was farthest off (t = {} s), of {} contacts that ended",
+                number(reached),
+                number(asked),
+                number(t_s),
+                springs.impacts
+            )
+        },
+    );
+    let stiffness =
+        format!("up to {} rad/s, times the step {}", number(springs.fastest_rad_s), number(springs.frequency_step));
+    [format!("{} m reached{asked}", number(springs.penetration_m)), restitution, stiffness]
 }
 
 /// What is to be known of the run before its numbers.

@@ -45,6 +45,7 @@ impl Materials {
                     let [rolling, spinning] = [entry.rolling_friction, entry.spinning_friction];
                     material.with_rotational_friction(rolling.unwrap_or(0.0), spinning.unwrap_or(0.0))
                 })
+                .and_then(|material| with_elasticity(material, entry))
                 .map_err(|error| fault(error, &path));
             materials.insert(name.clone(), faults.note(material).unwrap_or_default());
         }
@@ -122,6 +123,17 @@ fn restitution_speed(
     Ok(speed)
 }
 
+/// Poisson's ratio of a material that gives Young's modulus alone.
+const POISSON_RATIO: f64 = 0.3;
+
+/// A material with its elastic constants. A ratio without a modulus is refused.
+fn with_elasticity(material: Material, entry: &MaterialEntry) -> Result<Material, SceneError> {
+    match (entry.youngs_modulus_pa, entry.poisson_ratio) {
+        (None, None) => Ok(material),
+        (young, poisson) => material.with_elasticity(young.unwrap_or(f64::NAN), poisson.unwrap_or(POISSON_RATIO)),
+    }
+}
+
 fn kinetic(grain: &GrainEntry) -> FrictionEllipse {
     FrictionEllipse { along: grain.along, across: grain.across }
 }
@@ -142,6 +154,7 @@ fn fault(error: SceneError, path: &KeyPath) -> Fault {
         SceneError::StaticFriction { .. } | SceneError::StaticGrain { .. } => "static_friction",
         SceneError::RotationalFriction { kind: "rolling", .. } => "rolling_friction",
         SceneError::RotationalFriction { .. } => "spinning_friction",
+        SceneError::ElasticConstant { key, .. } => key,
         _ => "friction",
     };
     (path.key(key), error.into())

@@ -45,6 +45,7 @@ pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
         max_events_per_step: entry.max_events_per_step,
         crowding: entry.crowding.map(crowding),
         crowding_tolerance,
+        penalty: entry.penalty.as_ref().map(super::penalty::build),
     };
     method.validate().map_err(|error| (path_of(&error, entry), error.into()))?;
     Ok(method)
@@ -53,9 +54,17 @@ pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
 /// The key that an error of the method is about.
 fn path_of(error: &SceneError, entry: &MethodEntry) -> KeyPath {
     let path = KeyPath::of(&["method"]);
-    let tier = entry.tier.map(|TierName(tier)| tier).unwrap_or_default().facts();
+    let named = Method {
+        tier: entry.tier.map(|TierName(tier)| tier),
+        response: entry.response.map(response),
+        ..Method::default()
+    };
+    let tier = named.named_tier().unwrap_or_default().facts();
     match error {
         SceneError::Number { key, .. } => KeyPath::of(&key.split('.').collect::<Vec<_>>()),
+        SceneError::PenaltyKnob { key, .. } => path.key("penalty").key(*key),
+        _ if entry.penalty.is_some() && tier.own_response != Some(Response::Penalty) => path.key("penalty"),
+        _ if entry.response.is_some() && entry.tier.is_some() && tier.own_response.is_some() => path.key("response"),
         // Knobs that do not go together: the one that is not the tier or the integrator.
         SceneError::NotYetAvailable { what, .. } if what.starts_with("propagation_order") => {
             path.key("propagation_order")
@@ -158,6 +167,7 @@ const fn response(name: ResponseName) -> Response {
         ResponseName::Impulse => Response::Impulse,
         ResponseName::ImpulseProjection => Response::ImpulseProjection,
         ResponseName::ImpulseUnconditional => Response::ImpulseUnconditional,
+        ResponseName::Penalty => Response::Penalty,
     }
 }
 

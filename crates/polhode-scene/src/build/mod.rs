@@ -18,6 +18,7 @@
 //! | `materials` | materials and rules for pairs of them |
 //! | `matter` | what the mass of a body is spread over |
 //! | `method` | tier and knobs |
+//! | `penalty` | springs at contacts |
 //! | `model` | robots from files of their own |
 //! | `motion` | kinematic bodies and their prescribed motions |
 //! | `placement` | where a body or a part of one stands |
@@ -44,6 +45,7 @@ mod matter;
 mod method;
 mod model;
 mod motion;
+mod penalty;
 mod pivot;
 mod placement;
 mod scene;

@@ -2,6 +2,7 @@
 
 use super::broad_phase::BroadPhaseName;
 use super::integrator::IntegratorName;
+use super::penalty::PenaltyEntry;
 use super::tier::TierName;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -58,6 +59,8 @@ pub struct MethodEntry {
     /// Error of a stretch of crowded events for each longest step, relative to the size of each body.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub crowding_tolerance: Option<f64>,
+    /// The springs of response = "penalty".
+    pub penalty: Option<PenaltyEntry>,
 }
 
 /// In which coordinates bodies that joints hold are integrated.
@@ -193,4 +196,6 @@ pub enum ResponseName {
     ImpulseProjection,
     /// By impulses wherever bodies overlap, also where they separate; tier thesis (thesis 3.3): bodies stay caught.
     ImpulseUnconditional,
+    /// By springs and dampers where bodies overlap; tier penalty.
+    Penalty,
 }

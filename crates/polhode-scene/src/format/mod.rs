@@ -8,6 +8,7 @@
 //! |---|---|
 //! | `scene` | the document: [`SceneFile`], [`OutputEntry`], [`MaterialEntry`], [`PairEntry`], [`NoContactEntry`], [`StartEntry`] |
 //! | `method` | [`MethodEntry`] and the members of each knob |
+//! | `penalty` | [`PenaltyEntry`]: springs at contacts |
 //! | `integrator`, `broad_phase`, `tier` | [`IntegratorName`], [`BroadPhaseName`], [`TierName`] |
 //! | `array` | [`ArrayEntry`], [`LayoutEntry`]: many equal bodies |
 //! | `body` | [`BodyEntry`], [`ShapeEntry`], [`InertiaEntry`] |
@@ -31,6 +32,7 @@ mod joint;
 mod method;
 mod model;
 mod motion;
+mod penalty;
 pub(crate) mod planned;
 mod scene;
 mod signal;
@@ -63,6 +65,7 @@ pub use method::{
 };
 pub use model::{BaseName, ModelEntry, UnphysicalName};
 pub use motion::{ConstantMotionEntry, InterpolationEntry, MotionEntry, SineMotionEntry, TableMotionEntry};
+pub use penalty::{PenaltyEntry, SpringDampingName, SpringFrictionName, SpringLawName};
 pub use scene::{MaterialEntry, NoContactEntry, OutputEntry, PairEntry, SceneFile, StartEntry};
 pub use signal::{SignalEntry, SinusoidEntry};
 pub use tier::TierName;

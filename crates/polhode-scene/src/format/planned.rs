@@ -38,14 +38,11 @@ pub(crate) struct Request {
     pub(crate) instead: &'static str,
 }
 
-const PLANNED: &[Planned] = &[
-    Planned {
-        path: &["method", "contact"],
-        values: &["interior-point"],
-        instead: "active-set, with tier fast sequential-impulses, or with tier thesis least-force, heuristic or guesses",
-    },
-    Planned { path: &["method", "response"], values: &["penalty"], instead: "constraint" },
-];
+const PLANNED: &[Planned] = &[Planned {
+    path: &["method", "contact"],
+    values: &["interior-point"],
+    instead: "active-set, with tier fast sequential-impulses, or with tier thesis least-force, heuristic or guesses",
+}];
 
 /// The first planned member that a document asks for, in the order of the list.
 pub(crate) fn requested(root: &DeTable<'_>) -> Option<Request> {

@@ -115,6 +115,13 @@ pub struct MaterialEntry {
     /// By how much restitution falls for each metre a second of the speed of approach, s/m; not below 0.
     #[schemars(range(min = 0))]
     pub restitution_slope: Option<f64>,
+    /// Young's modulus, Pa, for springs after Hertz; a material without one is rigid.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub youngs_modulus_pa: Option<f64>,
+    /// Poisson's ratio in [0, 0.5], for springs after Hertz and the tangential stiffness of linear ones; with
+    /// `youngs_modulus_pa`, 0.3 when absent.
+    #[schemars(range(min = 0, max = 0.5))]
+    pub poisson_ratio: Option<f64>,
 }
 
 /// What two materials do to each other instead of the default rule; what is absent keeps the rule.

@@ -222,7 +222,12 @@ fn unknown_keys_and_values() {
     check(&brick("shape", "shape.cube.size = [1, 1, 1]"), "bodies.brick.shape.cube", "cube", "`box`, `sphere`");
     check(&brick("shape", "shape.box.sizes = [1, 1, 1]"), "bodies.brick.shape.box.sizes", "sizes", "accepted: `size`");
     let tier = BASE.replace("name = \"base\"", "method.tier = \"quick\"");
-    check(&tier, "method.tier", "quick", "accepted: `accurate`, `stepped`, `fast`, `thesis`");
+    check(
+        &tier,
+        "method.tier",
+        "quick",
+        "accepted: `accurate`, `stepped`, `fast`, `penalty`, `micro-collisions`, `thesis`",
+    );
     let integrator = BASE.replace("name = \"base\"", "method.integrator = \"rk5\"");
     check(&integrator, "method.integrator", "rk5", "accepted: `explicit-euler`, `semi-implicit-euler`");
     let number = BASE.replace("name = \"base\"", "method.integrator = 4");
@@ -238,7 +243,7 @@ fn unknown_keys_and_values() {
 fn planned_members() {
     let top = |line: &str| BASE.replace("name = \"base\"", line);
     let mut cases = Vec::new();
-    let knobs = [("contact", &["interior-point"][..]), ("response", &["penalty"])];
+    let knobs = [("contact", &["interior-point"][..])];
     for (knob, values) in knobs {
         for value in values {
             cases.push((top(&format!("method.{knob} = \"{value}\"")), "method"));
@@ -273,6 +278,10 @@ fn knobs_that_do_not_go_together() {
         ("pulse_exponent = \"linear\"\nmethod.impact = \"poisson\"", "method.pulse_exponent"),
         ("response = \"impulse-projection\"\nmethod.tier = \"stepped\"", "method.response"),
         ("response = \"impulse-unconditional\"\nmethod.integrator = \"rk4\"", "method.response"),
+        ("response = \"penalty\"\nmethod.tier = \"accurate\"", "method.response"),
+        ("response = \"constraint\"\nmethod.tier = \"penalty\"", "method.response"),
+        ("penalty.law = \"linear\"", "method.penalty"),
+        ("penalty.law = \"linear\"\nmethod.tier = \"stepped\"", "method.penalty"),
         ("orientation = \"matrix\"", "method.orientation"),
         ("orientation = \"quaternion\"\nmethod.integrator = \"rkmk4\"", "method.orientation"),
         ("rotation_rate = \"angular-velocity\"", "method.rotation_rate"),

@@ -83,6 +83,11 @@ impl Balance {
     pub(crate) fn lost_until(self, later: Self, work_j: f64) -> f64 {
         self.energy_j - later.energy_j + work_j
     }
+
+    /// The same with more energy (J), of what is no body and no field: springs at contacts.
+    pub(crate) fn with_energy(self, more_j: f64) -> Self {
+        Self { energy_j: self.energy_j + more_j, ..self }
+    }
 }
 
 impl Books {
@@ -351,6 +356,9 @@ impl Totals {
             }
         }
         totals.potential.add(world.field_energy(states));
+        if world.contact_energy_j != 0.0 {
+            totals.potential.add(world.contact_energy_j);
+        }
         totals
     }
 }

@@ -27,6 +27,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     integrator_choice: IntegratorChoice::Plan,
     impact: ImpactLaw::Reflection,
     contact: ContactMethod::ActiveSet,
+    own_response: None,
     flight: FlightRecords::WhereExact,
     order: ErrorOrder::OfIntegrator,
     promise: Some(TierPromise { penetration_relative: PENETRATION_RELATIVE, drift_factor: DRIFT_FACTOR }),

@@ -25,6 +25,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     },
     impact: ImpactLaw::Simultaneous,
     contact: ContactMethod::SequentialImpulses,
+    own_response: None,
     flight: FlightRecords::None,
     order: ErrorOrder::WithContact(ORDER_OF_SUBSTEPS),
     promise: None,

@@ -1,6 +1,6 @@
 //! What the tier `micro-collisions` is.
 
-use crate::scene::{ContactMethod, ImpactLaw, Integrator};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, Response};
 use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
 /// Step when none is given, s: a body at rest vibrates by a micrometre.
@@ -21,6 +21,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     // sinking.
     impact: ImpactLaw::Reflection,
     contact: ContactMethod::ActiveSet,
+    own_response: Some(Response::Impulse),
     flight: FlightRecords::None,
     order: ErrorOrder::WithContact(ORDER_WITH_CONTACT),
     promise: None,

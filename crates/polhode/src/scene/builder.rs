@@ -3,8 +3,8 @@
 use super::error::positive;
 use super::laws::ImpactLaw;
 use super::{
-    Body, Coordinate, CoordinateMotion, DEFAULT_GRAVITY, Force, Gear, GearEnd, Joint, Method, PairRule, Scene,
-    SceneError, Tier, TierFeature, TrackId, force,
+    Body, Coordinate, CoordinateMotion, DEFAULT_GRAVITY, Force, Gear, GearEnd, Joint, Method, PairRule, Response,
+    Scene, SceneError, Tier, TierFeature, TrackId, force,
 };
 use crate::body_id::BodyId;
 use crate::joint_id::JointId;
@@ -189,7 +189,7 @@ impl SceneBuilder {
         scene.check_coordinates()?;
         scene.check_grains()?;
         scene.check_motions()?;
-        let tier = scene.method.named_tier().facts();
+        let tier = scene.method.named_tier().unwrap_or_default().facts();
         if !tier.takes(TierFeature::Friction) && scene.colliding().have_friction() {
             let instead = Tier::names_with(TierFeature::Friction);
             return Err(SceneError::FrictionInTier { tier: tier.name, instead });
@@ -207,6 +207,9 @@ impl SceneBuilder {
                 what: format!("{effect} with tier = \"{}\"", tier.name),
                 instead,
             });
+        }
+        if tier.own_response == Some(Response::Penalty) {
+            scene.check_springs()?;
         }
         Ok(scene)
     }

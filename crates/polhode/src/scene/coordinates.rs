@@ -18,7 +18,7 @@ impl Scene {
             return Ok(());
         }
         let refused = |reason: String| Err(SceneError::ReducedCoordinates { reason });
-        let tier = self.method.named_tier();
+        let tier = self.method.named_tier().unwrap_or_default();
         if !tier.facts().takes(TierFeature::ReducedCoordinates) {
             let instead = Tier::names_with(TierFeature::ReducedCoordinates);
             return refused(format!("the tier is `{}`: tier {instead} has them", tier.name()));

@@ -4,6 +4,7 @@ use super::MotionError;
 use crate::few_digits::{self, length};
 use polhode_contact::ShapeError;
 use polhode_dynamics::field::FieldError;
+use polhode_response::penalty::SpringError;
 use thiserror::Error;
 
 /// Why a scene is refused. Each message names the place, the value and what is accepted.
@@ -119,6 +120,53 @@ pub enum SceneError {
         kind: &'static str,
         /// The value found, m.
         value: f64,
+    },
+    /// A modulus of elasticity or Poisson's ratio is out of range.
+    #[error("{key} of material {material} is {value}: {accepted} is needed")]
+    ElasticConstant {
+        /// The material.
+        material: String,
+        /// The key.
+        key: &'static str,
+        /// The value found.
+        value: f64,
+        /// What is accepted.
+        accepted: &'static str,
+    },
+    /// A knob of the springs contradicts another one.
+    #[error("method.penalty.{key} cannot be given here: {reason}")]
+    PenaltyKnob {
+        /// The knob.
+        key: &'static str,
+        /// Why, and what to do.
+        reason: &'static str,
+    },
+    /// Springs after Hertz between two materials without moduli.
+    #[error(
+        "law = \"hertz\" needs youngs_modulus_pa and poisson_ratio of material {} or {}, which may meet: one of both may \
+         be left without (it is rigid), or give law = \"linear\"",
+        materials[0], materials[1]
+    )]
+    HertzModulus {
+        /// Their names.
+        materials: [String; 2],
+    },
+    /// Springs after Hertz for a shape without radii of curvature.
+    #[error(
+        "law = \"hertz\" needs radii of curvature, and the shape of body {body} has none that it knows: it takes balls, on \
+         balls and on half-spaces, boxes and other polyhedra that do not move by forces; give law = \"linear\""
+    )]
+    HertzShape {
+        /// The body.
+        body: String,
+    },
+    /// A restitution that no damped spring reaches.
+    #[error("materials {} and {}: {source}", materials[0], materials[1])]
+    SpringRestitution {
+        /// Their names.
+        materials: [String; 2],
+        /// What is reached.
+        source: SpringError,
     },
     /// A joint that cannot hold anything.
     #[error("joint number {number} (counted from 0): {reason}")]

@@ -83,7 +83,7 @@ impl Scene {
         if self.joints.is_empty() {
             return Ok(());
         }
-        let tier = self.method.named_tier().facts();
+        let tier = self.method.named_tier().unwrap_or_default().facts();
         match self.method.integrator {
             _ if !tier.takes(TierFeature::Joints) => {
                 let instead = Tier::names_with(TierFeature::Joints);

@@ -117,9 +117,9 @@ impl ContactMethod {
     }
 }
 
-/// How bodies that touch act on each other. The members besides [`Response::Constraint`] are the models that the thesis
-/// tries first (section 3.3) and rejects: they are wrong, each in its own way, and the tier `thesis` has them. Without a tier
-/// [`Response::Impulse`] asks for the tier `micro-collisions`, in which it holds bodies up.
+/// How bodies that touch act on each other. The members by impulses are models that the thesis tries first (section 3.3) and
+/// rejects: they are wrong, each in its own way, and the tier `thesis` has them. Without a tier [`Response::Impulse`] asks for the
+/// tier `micro-collisions`, in which it holds bodies up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Response {
@@ -134,6 +134,8 @@ pub enum Response {
     /// By impulses at every contact that overlaps, whether the bodies approach or separate. An impulse at a contact
     /// that separates pulls: bodies stay caught in each other.
     ImpulseUnconditional,
+    /// By springs and dampers where bodies overlap: the tier `penalty` has them.
+    Penalty,
 }
 
 impl Response {
@@ -144,6 +146,12 @@ impl Response {
             Self::Impulse => "impulse",
             Self::ImpulseProjection => "impulse-projection",
             Self::ImpulseUnconditional => "impulse-unconditional",
+            Self::Penalty => "penalty",
         }
+    }
+
+    /// Whether it is one of the models by impulses that the thesis tries first.
+    pub(crate) const fn is_by_impulses(self) -> bool {
+        matches!(self, Self::Impulse | Self::ImpulseProjection | Self::ImpulseUnconditional)
     }
 }

@@ -15,6 +15,8 @@ pub struct Material {
     restitution: Restitution,
     rolling_friction: f64,
     spinning_friction: f64,
+    /// Young's modulus, Pa, and Poisson's ratio; none for a rigid material.
+    elastic: Option<[f64; 2]>,
 }
 
 impl Material {
@@ -105,6 +107,29 @@ impl Material {
         Ok(Self { rolling_friction: rolling, spinning_friction: spinning, ..self })
     }
 
+    /// The same material with Young's modulus (Pa) and Poisson's ratio, for springs after Hertz; without them a material is
+    /// rigid.
+    ///
+    /// # Errors
+    /// When the modulus is not positive and finite, or the ratio is outside [0, 0.5].
+    pub fn with_elasticity(self, youngs_modulus_pa: f64, poisson_ratio: f64) -> Result<Self, SceneError> {
+        let refused = |key, value, accepted| {
+            Err(SceneError::ElasticConstant { material: self.name.clone(), key, value, accepted })
+        };
+        if !(youngs_modulus_pa.is_finite() && youngs_modulus_pa > 0.0) {
+            return refused("youngs_modulus_pa", youngs_modulus_pa, "a positive, finite number");
+        }
+        if !(0.0..=0.5).contains(&poisson_ratio) {
+            return refused("poisson_ratio", poisson_ratio, "a number in [0, 0.5]");
+        }
+        Ok(Self { elastic: Some([youngs_modulus_pa, poisson_ratio]), ..self })
+    }
+
+    /// Young's modulus (Pa) and Poisson's ratio; none for a rigid material.
+    pub fn elastic_constants(&self) -> Option<[f64; 2]> {
+        self.elastic
+    }
+
     /// The material's name.
     pub fn name(&self) -> &str {
         &self.name
@@ -184,6 +209,7 @@ impl Material {
             restitution: self.restitution.combined(other.restitution),
             rolling_friction: (self.rolling_friction * other.rolling_friction).sqrt(),
             spinning_friction: (self.spinning_friction * other.spinning_friction).sqrt(),
+            elastic: None,
         }
     }
 }

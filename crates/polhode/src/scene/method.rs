@@ -8,9 +8,9 @@ use super::laws::{
     BroadPhaseMethod, ContactMethod, Coordinates, ImpactLaw, Integrator, Orientation, PropagationOrder, PulseExponent,
     Response, RotationRate,
 };
-use crate::tier::facts::{IntegratorChoice, TierFeature};
+use super::penalty::PenaltyMethod;
+use crate::tier::facts::{IntegratorChoice, TierFacts, TierFeature};
 use crate::tier::list::Tier;
-use crate::tier::selection;
 use polhode_response::RestitutionLaw;
 
 /// Most substeps of a step: beyond, a shorter step costs no more.
@@ -78,12 +78,14 @@ pub struct Method {
     pub crowding: Option<Crowding>,
     /// Error allowed within a stretch of crowded events per [`Method::step_s`], relative to the size of each body.
     pub crowding_tolerance: Option<f64>,
+    /// The springs of the tier `penalty`.
+    pub penalty: Option<PenaltyMethod>,
 }
 
 impl Method {
-    /// The tier that is named, or that the response asks for; the default where both leave it open.
-    pub fn named_tier(&self) -> Tier {
-        selection::named(self).unwrap_or_default()
+    /// The tier that the scene names, or that its response names; none where the plan chooses.
+    pub fn named_tier(&self) -> Option<Tier> {
+        self.tier.or_else(|| self.response.and_then(Tier::of_response))
     }
 
     /// The first setting given that only the default tier has; none where no such setting is given.
@@ -101,6 +103,89 @@ impl Method {
             (self.crowding_tolerance.is_some(), "method.crowding_tolerance"),
         ];
         given.into_iter().find(|(is_given, _)| *is_given).map(|(_, key)| key)
+    }
+
+    /// Checks knobs of impact laws.
+    fn check_impact(&self, tier: &TierFacts) -> Result<(), SceneError> {
+        let of_law = [
+            (self.propagation_order.is_some(), "propagation_order", ImpactLaw::Propagation),
+            (self.pulse_exponent.is_some(), "pulse_exponent", ImpactLaw::Pulse),
+        ];
+        for (is_given, key, law) in of_law {
+            if is_given && self.impact.unwrap_or(tier.impact) != law {
+                let other = self.impact.unwrap_or(tier.impact).name();
+                let what = format!("{key} with impact = \"{other}\"");
+                let instead = format!("impact = \"{}\" beside it, or no {key}", law.name());
+                return Err(SceneError::NotYetAvailable { what, instead });
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks that the tier has the method of contact forces, and its knobs.
+    fn check_contact(&self, tier: &TierFacts) -> Result<(), SceneError> {
+        let refuse = |what: String, instead: String| Err(SceneError::NotYetAvailable { what, instead });
+        let is_taken = |contact: ContactMethod| match contact {
+            ContactMethod::SequentialImpulses => tier.takes(TierFeature::SequentialImpulses),
+            ContactMethod::ActiveSet => !tier.takes(TierFeature::SequentialImpulses),
+            _ => tier.takes(TierFeature::LeastForce),
+        };
+        if let Some(contact) = self.contact.filter(|&contact| !is_taken(contact)) {
+            let what = format!("contact = \"{}\" with tier = \"{}\"", contact.name(), tier.name);
+            let instead = match contact {
+                ContactMethod::SequentialImpulses => {
+                    format!("contact = \"active-set\", or tier {}", Tier::names_with(TierFeature::SequentialImpulses))
+                }
+                ContactMethod::ActiveSet => format!("contact = \"{}\"", tier.contact.name()),
+                _ => format!(
+                    "contact = \"{}\", or tier {}",
+                    tier.contact.name(),
+                    Tier::names_with(TierFeature::LeastForce)
+                ),
+            };
+            return refuse(what, instead);
+        }
+        if self.substeps.is_some() && !tier.takes(TierFeature::SequentialImpulses) {
+            let instead = format!("tier {}", Tier::names_with(TierFeature::SequentialImpulses));
+            return refuse(format!("substeps with tier = \"{}\"", tier.name), instead);
+        }
+        Ok(())
+    }
+
+    /// Checks that the tier has the response, and knobs only of its own response.
+    fn check_response(&self, tier: &TierFacts) -> Result<(), SceneError> {
+        let refuse = |what: String, instead: String| Err(SceneError::NotYetAvailable { what, instead });
+        let given = self.response.unwrap_or(tier.own_response.unwrap_or_default());
+        let own = Tier::of_response(given);
+        let is_taken = match (tier.own_response, own) {
+            (Some(expected), _) => given == expected,
+            (None, _) => {
+                given == Response::Constraint || (given.is_by_impulses() && tier.takes(TierFeature::Responses))
+            }
+        };
+        if !is_taken {
+            let what = format!("response = \"{}\" with tier = \"{}\"", given.name(), tier.name);
+            let instead = match (tier.own_response, own) {
+                (Some(expected), _) => format!("response = \"{}\", or another tier", expected.name()),
+                (None, Some(own)) => format!("tier = \"{}\", or no tier", own.name()),
+                _ => format!("response = \"constraint\", or tier {}", Tier::names_with(TierFeature::Responses)),
+            };
+            return refuse(what, instead);
+        }
+        if let Some(depth) = self.collision_envelope_m {
+            super::error::positive("method.collision_envelope", depth)?;
+            if tier.own_response != Some(Response::Impulse) {
+                let what = format!("collision_envelope with tier = \"{}\"", tier.name);
+                let instead = "tier = \"micro-collisions\" beside it, or no collision_envelope".to_owned();
+                return refuse(what, instead);
+            }
+        }
+        let Some(penalty) = &self.penalty else { return Ok(()) };
+        if given != Response::Penalty {
+            let what = format!("method.penalty with response = \"{}\"", given.name());
+            return refuse(what, "response = \"penalty\"".to_owned());
+        }
+        penalty.validate()
     }
 
     /// Checks the numbers, and that the settings are available together.
@@ -137,62 +222,10 @@ impl Method {
         let refuse = |what: &str, instead: &str| {
             Err(SceneError::NotYetAvailable { what: what.to_owned(), instead: instead.to_owned() })
         };
-        let named = self.named_tier();
-        let tier = named.facts();
-        let of_law = [
-            (self.propagation_order.is_some(), "propagation_order", ImpactLaw::Propagation),
-            (self.pulse_exponent.is_some(), "pulse_exponent", ImpactLaw::Pulse),
-        ];
-        for (is_given, key, law) in of_law {
-            if is_given && self.impact.unwrap_or(tier.impact) != law {
-                let other = self.impact.unwrap_or(tier.impact).name();
-                let what = format!("{key} with impact = \"{other}\"");
-                return refuse(&what, &format!("impact = \"{}\" beside it, or no {key}", law.name()));
-            }
-        }
-        if let (false, Some(contact)) = (tier.takes(TierFeature::LeastForce), self.contact)
-            && contact != ContactMethod::ActiveSet
-        {
-            return refuse(
-                &format!("contact = \"{}\" with tier = \"{}\"", contact.name(), tier.name),
-                &format!("contact = \"active-set\", or tier {}", Tier::names_with(TierFeature::LeastForce)),
-            );
-        }
-        if !tier.takes(TierFeature::SequentialImpulses) {
-            let instead = format!("tier {}", Tier::names_with(TierFeature::SequentialImpulses));
-            if self.substeps.is_some() {
-                return refuse(&format!("substeps with tier = \"{}\"", tier.name), &instead);
-            }
-            if self.contact == Some(ContactMethod::SequentialImpulses) {
-                return refuse(&format!("contact = \"sequential-impulses\" with tier = \"{}\"", tier.name), &instead);
-            }
-        } else if self.contact.is_some_and(|contact| contact != ContactMethod::SequentialImpulses) {
-            return refuse(
-                &format!("this method of contact with tier = \"{}\"", tier.name),
-                "contact = \"sequential-impulses\"",
-            );
-        }
-        if let (false, Some(response)) = (tier.takes(TierFeature::Responses), self.response)
-            && response != selection::own_response(named).unwrap_or(Response::Constraint)
-        {
-            let own = selection::own_response(named).unwrap_or(Response::Constraint).name();
-            let thesis = Tier::names_with(TierFeature::Responses);
-            return refuse(
-                &format!("response = \"{}\" with tier = \"{}\"", response.name(), tier.name),
-                &format!(
-                    "response = \"{own}\", tier {thesis}, or response = \"impulse\" without a tier (micro-collisions)"
-                ),
-            );
-        }
-        if let Some(depth) = self.collision_envelope_m {
-            super::error::positive("method.collision_envelope", depth)?;
-            if selection::own_response(named) != Some(Response::Impulse) {
-                return refuse(
-                    &format!("collision_envelope with tier = \"{}\"", tier.name),
-                    "tier = \"micro-collisions\" beside it, or no collision_envelope",
-                );
-            }
-        }
+        let tier = self.named_tier().unwrap_or_default().facts();
+        self.check_impact(tier)?;
+        self.check_contact(tier)?;
+        self.check_response(tier)?;
         if let (IntegratorChoice::Tier { instead, .. }, Some(integrator)) = (tier.integrator_choice, self.integrator) {
             return refuse(&format!("integrator = \"{}\" with tier = \"{}\"", integrator.name(), tier.name), instead);
         }

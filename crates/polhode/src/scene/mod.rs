@@ -22,6 +22,7 @@
 //! | `method` | [`Method`]: the tier and the settings that override its choices; [`TierFacts`] says what a tier is |
 //! | `laws` | [`ImpactLaw`], [`ContactMethod`], [`Response`], [`Integrator`] and other choices of a method |
 //! | `restitution` | [`RestitutionSpeed`]: restitution that falls with speed |
+//! | `penalty` | [`PenaltyMethod`]: the springs of the tier `penalty` |
 //! | `pairs` | how many pairs of bodies may collide |
 //! | `error` | [`SceneError`]: why a scene is refused |
 
@@ -43,6 +44,7 @@ mod material;
 mod method;
 pub mod motion;
 mod pairs;
+pub(crate) mod penalty;
 mod restitution;
 mod strength;
 mod tie_checks;
@@ -74,6 +76,7 @@ pub use method::{Crowding, Method};
 pub use motion::{
     Excursion, Interpolation, MotionError, MotionTable, PrescribedMotion, SampledOrientations, Trajectory,
 };
+pub use penalty::{PenaltyMethod, SpringDamping, SpringFriction, SpringLaw};
 pub use polhode_dynamics::field::{DragLaw, Frame, Signal};
 pub use polhode_response::RestitutionLaw;
 pub use restitution::RestitutionSpeed;

@@ -41,7 +41,7 @@ impl Scene {
     /// For every two materials of which bodies may collide: two such bodies, and
     /// how many pairs of them there are. Takes `O(n log n)` for n bodies of a few materials.
     fn counted_material_pairs(&self) -> Vec<((usize, usize), usize)> {
-        let mut materials: BTreeMap<(&str, [u64; 15]), (usize, usize)> = BTreeMap::new();
+        let mut materials: BTreeMap<(&str, [u64; 17]), (usize, usize)> = BTreeMap::new();
         let mut groups_of: Vec<Vec<usize>> = vec![Vec::new(); self.bodies.len()];
         for (group, members) in self.no_contact.iter().enumerate() {
             for &body in members {
@@ -159,11 +159,12 @@ impl Scene {
 }
 
 /// All numbers of a material.
-fn numbers_of(material: &Material) -> [f64; 15] {
+fn numbers_of(material: &Material) -> [f64; 17] {
     let (kinetic, at_rest) = (material.friction_ellipse(), material.static_ellipse());
     // A direction has length one: zero stands for none.
     let grain = material.grain_direction().unwrap_or_default();
     let [slow, limit, slope, slow_2, limit_2, slope_2] = material.restitution_numbers();
+    let [young, poisson] = material.elastic_constants().unwrap_or_default();
     [
         slow,
         limit,
@@ -180,6 +181,8 @@ fn numbers_of(material: &Material) -> [f64; 15] {
         grain.x,
         grain.y,
         grain.z,
+        young,
+        poisson,
     ]
 }
 

@@ -294,6 +294,7 @@ pub(crate) enum Tier {
     Fast(Fast),
     Thesis(Thesis),
     MicroCollisions(MicroCollisions),
+    Penalty(Penalty),
 }
 
 /// The tier `accurate`.
@@ -587,4 +588,70 @@ pub(crate) struct Thesis {
     pub(crate) touching_pairs: usize,
     /// The variables from which the integrator continues.
     pub(crate) integrator: Vec<f64>,
+}
+
+/// The tier `penalty`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Penalty {
+    pub(crate) states: Vec<State>,
+    pub(crate) springs: Vec<ContactSpring>,
+    /// Penetration (m), weight (N) and speed (m/s) from which stiffness follows.
+    pub(crate) laws: [f64; 3],
+    /// Length of step (s) proposed for the group of each body.
+    pub(crate) proposed: Vec<f64>,
+    /// Bodies of each group of the last step.
+    pub(crate) islands: Vec<Vec<usize>>,
+    pub(crate) measured: SpringReport,
+}
+
+/// A contact with its springs.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct ContactSpring {
+    pub(crate) id: Contact,
+    pub(crate) is_hertz: bool,
+    pub(crate) stiffness: f64,
+    pub(crate) is_plain: bool,
+    pub(crate) damping: f64,
+    pub(crate) tangential: f64,
+    /// At rest, sliding.
+    pub(crate) friction: Option<[f64; 2]>,
+    pub(crate) slip_speed: Option<f64>,
+    pub(crate) restitution: f64,
+    pub(crate) mass: f64,
+    pub(crate) presses: bool,
+    pub(crate) loading: bool,
+    pub(crate) grip: Grip,
+    pub(crate) vector: Vector,
+    /// Begin (s), rate of approach (m/s), greatest depth (m) and force (N).
+    pub(crate) passage: [f64; 4],
+    pub(crate) alone: bool,
+}
+
+/// What friction of a spring does.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) enum Grip {
+    Free,
+    Stick,
+    Slide,
+    Cut,
+}
+
+/// What springs were asked for and reached.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct SpringReport {
+    pub(crate) asked_m: Option<f64>,
+    pub(crate) reached_m: f64,
+    pub(crate) impacts: u64,
+    pub(crate) first: Vec<SpringImpact>,
+    pub(crate) worst: Option<SpringImpact>,
+    /// Largest frequency (rad/s), and its largest product with a step.
+    pub(crate) fastest: [f64; 2],
+}
+
+/// A contact that has ended.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct SpringImpact {
+    pub(crate) bodies: [usize; 2],
+    pub(crate) is_alone: bool,
+    pub(crate) numbers: [f64; 7],
 }

@@ -23,6 +23,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     },
     impact: ImpactLaw::Reflection,
     contact: ContactMethod::ActiveSet,
+    own_response: None,
     flight: FlightRecords::All,
     order: ErrorOrder::Fixed(ORDER_OF_TIME_STEPS),
     promise: None,

@@ -19,6 +19,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     integrator_choice: IntegratorChoice::Scene { reason: "that of the thesis" },
     impact: ImpactLaw::Propagation,
     contact: ContactMethod::LeastForce,
+    own_response: None,
     flight: FlightRecords::None,
     order: ErrorOrder::WithContact(ORDER_WITH_CONTACT),
     promise: None,

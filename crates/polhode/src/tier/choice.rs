@@ -20,7 +20,6 @@
 
 use super::facts::TierFeature;
 use super::list::Tier;
-use super::selection;
 use crate::scene::{Body, Geometry, Scene};
 use polhode_contact::Shape;
 
@@ -69,7 +68,7 @@ pub(crate) fn choose(scene: &Scene) -> Candidate {
     if let Some(tier) = scene.method().tier {
         return decided(tier, "the scene names it".to_owned());
     }
-    if let (Some(tier), Some(response)) = (selection::named(scene.method()), scene.method().response) {
+    if let (Some(tier), Some(response)) = (scene.method().named_tier(), scene.method().response) {
         return decided(tier, format!("the scene asks for response = \"{}\"", response.name()));
     }
     let estimate = Estimate::of(scene);

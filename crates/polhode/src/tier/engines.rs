@@ -7,6 +7,7 @@ use crate::accurate::Engine;
 use crate::core::Core;
 use crate::fast::FastEngine;
 use crate::micro_collisions::MicroCollisionEngine;
+use crate::penalty::PenaltyEngine;
 use crate::snapshot::{SnapshotError, content};
 use crate::stepped::SteppedEngine;
 use crate::thesis::ThesisEngine;
@@ -23,6 +24,7 @@ pub(crate) fn begun(core: &mut Core, states: Vec<BodyState>) -> Result<Box<dyn T
         TierName::Fast => Box::new(FastEngine::new(core, states)?),
         TierName::Thesis => Box::new(ThesisEngine::new(core, states)?),
         TierName::MicroCollisions => Box::new(MicroCollisionEngine::new(core, states)),
+        TierName::Penalty => Box::new(PenaltyEngine::new(core, states)?),
     })
 }
 
@@ -42,6 +44,7 @@ pub(crate) fn restored(core: &mut Core, saved: &content::Tier) -> Result<Box<dyn
         (TierName::MicroCollisions, content::Tier::MicroCollisions(saved)) => {
             Ok(Box::new(MicroCollisionEngine::restored(core, saved)?))
         }
+        (TierName::Penalty, content::Tier::Penalty(saved)) => Ok(Box::new(PenaltyEngine::restored(core, saved)?)),
         _ => Err(SnapshotError::Invalid("its tier is not that of its scene").into()),
     }
 }

@@ -3,7 +3,7 @@
 //! Each tier has one value of [`TierFacts`] in a folder of its own, and `list.rs` lists the tiers. All other files read these
 //! facts and name no kind of tier, so that whoever adds a tier adds a folder and its line in that list.
 
-use crate::scene::{ContactMethod, ImpactLaw, Integrator};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, Response};
 
 /// What a tier is. [`Tier::facts`](crate::scene::Tier::facts) gives those of a tier.
 ///
@@ -33,6 +33,8 @@ pub struct TierFacts {
     pub impact: ImpactLaw,
     /// Method of contact forces when none is given.
     pub contact: ContactMethod,
+    /// The response that this tier alone has, so that a scene which names it need not name the tier.
+    pub own_response: Option<Response>,
     /// Which bodies under gravity alone follow a flight record.
     pub flight: FlightRecords,
     /// How its error falls with the step.

@@ -3,7 +3,8 @@
 //! What a tier is stands in its own folder ([`TierFacts`]); the list of engines is in `engines.rs` beside this file.
 
 use super::facts::{TierFacts, TierFeature};
-use crate::{accurate, fast, micro_collisions, stepped, thesis};
+use crate::scene::Response;
+use crate::{accurate, fast, micro_collisions, penalty, stepped, thesis};
 
 /// A set of methods with one promise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -17,6 +18,8 @@ pub enum Tier {
     /// Real time: substeps of soft contacts by sequential impulses. Contacts overlap a little, and its error depends on the
     /// length of the step.
     Fast,
+    /// Springs and dampers where bodies overlap: they interpenetrate by a stated depth, and nothing is solved for.
+    Penalty,
     /// Fixed time steps at the level of velocities, with an exact complementarity problem at each. Every step has a
     /// solution; its error depends on the length of the step.
     Stepped,
@@ -27,13 +30,15 @@ pub enum Tier {
 
 impl Tier {
     /// All tiers, the most accurate first.
-    pub const ALL: [Self; 5] = [Self::Accurate, Self::Stepped, Self::Fast, Self::MicroCollisions, Self::Thesis];
+    pub const ALL: [Self; 6] =
+        [Self::Accurate, Self::Stepped, Self::Fast, Self::Penalty, Self::MicroCollisions, Self::Thesis];
 
     /// What the tier is.
     pub const fn facts(self) -> &'static TierFacts {
         match self {
             Self::Thesis => &thesis::FACTS,
             Self::MicroCollisions => &micro_collisions::FACTS,
+            Self::Penalty => &penalty::FACTS,
             Self::Stepped => &stepped::FACTS,
             Self::Fast => &fast::FACTS,
             Self::Accurate => &accurate::FACTS,
@@ -50,6 +55,11 @@ impl Tier {
         let takes = |tier: &Self| tier.facts().takes(feature);
         let names = Self::ALL.into_iter().filter(takes).map(|tier| format!("`{}`", tier.name()));
         names.collect::<Vec<_>>().join(" or ")
+    }
+
+    /// The tier that alone has this response, and that a scene which names the response means; none where several have it.
+    pub(crate) fn of_response(response: Response) -> Option<Self> {
+        Self::ALL.into_iter().find(|tier| tier.facts().own_response == Some(response))
     }
 
     /// The tier of this name; none if there is no such tier.

@@ -137,6 +137,9 @@ pub(crate) struct World {
     pub(super) start_potential_j: f64,
     /// The plane of the motion, when the motion is planar.
     pub(crate) plane: Option<PlaneOfMotion>,
+    /// Elastic energy of the springs at contacts at present, J: of the tier `penalty`, which keeps it here for whoever sums
+    /// energies.
+    pub(crate) contact_energy_j: f64,
 }
 
 impl World {
@@ -224,6 +227,7 @@ impl World {
             initial_field_potential: 0.0,
             start_potential_j: 0.0,
             plane: None,
+            contact_energy_j: 0.0,
         };
         world.make_joints(&states);
         world.make_ties(&states);

@@ -46,6 +46,7 @@ mod micro_collisions;
 mod momentum;
 mod moving_surfaces;
 mod outcomes;
+mod penalty;
 mod piles;
 mod pivot_rows;
 mod pivots;

@@ -1,0 +1,306 @@
+//! One contact: its springs, the mode that they are in, and its force in a state.
+//!
+//! d is the overlap (m), u the slip of A over B (m/s), T = -F_t the force of the tangential spring on B (N).
+//!
+//! ```text
+//! F_n = normal spring (d, d')                                  never pulls
+//! stick:  T' = k_t u + T min(k_t'/k_t, 0) + n x n' x T         |T| <= mu_s F_n
+//! slide:  T = mu F_n e,  e' = k_t/(mu F_n) (u - (u.e) e)       u.e > (mu F_n' - mu F_n min(k_t'/k_t, 0))/k_t
+//! regularised:  T = mu F_n u/sqrt(u^2 + u_s^2)
+//! ```
+//!
+//! While the normal force falls the stiffness k_t of Mindlin falls, and the spring gives up force in proportion; while it rises
+//! the force stays. Either way the elastic energy T^2/(2 k_t) never rises but by work of slip: what it loses, `T^2 |k_t'|/(2 k_t^2)`,
+//! is friction in the annulus of micro-slip. (The common `T = k_t s` creates energy when it is loaded at small and unloaded at
+//! large normal force.) e is the direction of T; the tangent vectors are carried along with the normal.
+//!
+//! The tangential force acts at the middle of the overlap of two bodies that move, so that momentum is kept; against a body
+//! that forces do not move it acts on the undeformed surface of the other one, whose lever is that of the rigid body.
+//! Source: docs/REFERENCES.md, Mindlin and Deresiewicz; Johnson. How it fails: features that no longer define a contact
+//! give no force.
+
+use super::laws::ContactLaw;
+use crate::collision::contact_id::ContactId;
+use crate::world::World;
+use polhode_contact::ContactKinematics;
+use polhode_dynamics::BodyState;
+use polhode_response::penalty::{Growth, NormalSpring, TangentialSpring};
+use polhode_spatial::DVec3;
+
+/// Coefficients of friction of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Coulomb {
+    pub(super) at_rest: f64,
+    pub(super) sliding: f64,
+    /// Of regularised friction, m/s; none for a tangential spring.
+    pub(super) slip_speed: Option<f64>,
+}
+
+/// What friction does at present.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Grip {
+    /// No friction, or regularised: there is no tangential spring.
+    Free,
+    /// The tangential spring holds; `vector` is T.
+    Stick,
+    /// It gives way; `vector` is the direction e.
+    Slide,
+    /// A fixed step does not know: `vector` is T of a spring that holds, and the force is cut to Coulomb's limit.
+    Cut,
+}
+
+/// What is measured of a contact from its begin to its end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Passage {
+    pub(super) begun_s: f64,
+    /// Rate of approach at the begin, m/s.
+    pub(super) approach: f64,
+    /// m.
+    pub(super) deepest: f64,
+    /// N.
+    pub(super) hardest: f64,
+    /// Whether no other contact acted on its bodies meanwhile.
+    pub(super) alone: bool,
+}
+
+/// A contact whose bodies overlap.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ContactSpring {
+    pub(super) id: ContactId,
+    pub(super) normal: NormalSpring,
+    pub(super) tangential: TangentialSpring,
+    pub(super) friction: Option<Coulomb>,
+    pub(super) restitution: f64,
+    /// Effective mass along the normal at the begin, kg.
+    pub(super) mass: f64,
+    /// Whether the sum of spring and damper pushes; where it would pull there is no force.
+    pub(super) presses: bool,
+    /// Whether the overlap grows.
+    pub(super) loading: bool,
+    pub(super) grip: Grip,
+    /// T or e, by `grip`.
+    pub(super) vector: DVec3,
+    pub(super) passage: Passage,
+}
+
+/// A contact in a state.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Evaluated {
+    pub(super) kinematics: ContactKinematics,
+    /// m and m/s.
+    pub(super) depth: f64,
+    pub(super) rate: f64,
+    /// u, m/s; zero without friction.
+    pub(super) slip: DVec3,
+    pub(super) normal_rate: DVec3,
+    /// Where the forces act.
+    pub(super) point: DVec3,
+}
+
+/// The forces of a contact, and what they do.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Force {
+    /// On A, N.
+    pub(super) on_a: DVec3,
+    /// Along the normal, N.
+    pub(super) normal: f64,
+    /// On A, in the tangent plane, N.
+    pub(super) tangential: DVec3,
+    /// Power taken by the damper, W.
+    pub(super) damping: f64,
+    /// Power taken by friction, W: of a contact that slides or is cut with what its spring takes up.
+    pub(super) friction: f64,
+    /// Rate of `ContactSpring::vector`.
+    pub(super) vector_rate: DVec3,
+}
+
+impl ContactSpring {
+    /// A contact that begins at `t` (s) in this state.
+    pub(super) fn begun(id: ContactId, law: ContactLaw, at: &Evaluated, t: f64) -> Self {
+        let passage = Passage { begun_s: t, approach: at.rate, deepest: at.depth.max(0.0), hardest: 0.0, alone: true };
+        let mut spring = Self {
+            id,
+            normal: law.normal,
+            tangential: law.tangential,
+            friction: law.friction,
+            restitution: law.restitution,
+            mass: law.mass,
+            presses: true,
+            loading: at.rate >= 0.0,
+            grip: Grip::Free,
+            vector: DVec3::ZERO,
+            passage,
+        };
+        if law.friction.is_some_and(|friction| friction.slip_speed.is_none()) {
+            spring.grip = Grip::Stick;
+            if spring.slides_from_the_begin(at) {
+                spring.grip = Grip::Slide;
+                spring.vector = at.slip.normalize_or_zero();
+            }
+        }
+        spring
+    }
+
+    /// Whether the tangential force would grow faster than Coulomb's limit from the instant at which both are zero.
+    fn slides_from_the_begin(&self, at: &Evaluated) -> bool {
+        let Some(friction) = self.friction else { return false };
+        // What both have become at a small overlap, which the bodies reach at the present speeds, decides.
+        let depth = SMALL_DEPTH * self.normal.impact_depth(self.mass, at.rate.abs());
+        if depth <= 0.0 || at.rate <= 0.0 {
+            return at.slip.length() > 0.0;
+        }
+        let power = match self.normal.growth() {
+            Growth::Linear => 1.0,
+            Growth::Hertz => 1.5,
+        };
+        let tangential = self.tangential.stiffness(depth) * at.slip.length() * depth / (power * at.rate);
+        tangential > friction.at_rest * self.normal.unclipped(depth, at.rate)
+    }
+
+    /// Coulomb's limit at a normal force (N), N: of the mode.
+    pub(super) fn limit(&self, normal: f64) -> f64 {
+        let coefficient = |friction: Coulomb| match self.grip {
+            Grip::Stick => friction.at_rest,
+            _ => friction.sliding,
+        };
+        self.friction.map_or(0.0, |friction| coefficient(friction) * normal)
+    }
+
+    /// The normal force in a state, N.
+    pub(super) fn normal_force(&self, at: &Evaluated) -> f64 {
+        if self.presses { self.normal.force(at.depth, at.rate) } else { 0.0 }
+    }
+
+    /// Elastic energy in a state, J.
+    pub(super) fn energy(&self, at: &Evaluated) -> f64 {
+        self.normal.energy(at.depth) + self.tangential_energy(at)
+    }
+
+    /// Elastic energy of the tangential spring, J.
+    pub(super) fn tangential_energy(&self, at: &Evaluated) -> f64 {
+        let force = match self.grip {
+            Grip::Free => return 0.0,
+            Grip::Stick => self.vector.length(),
+            Grip::Slide => self.limit(self.normal_force(at)),
+            Grip::Cut => self.vector.length().min(self.limit(self.normal_force(at))),
+        };
+        self.tangential.energy(at.depth, force)
+    }
+
+    /// The forces in a state.
+    pub(super) fn force(&self, at: &Evaluated) -> Force {
+        let normal = self.normal_force(at);
+        let damping = (normal - self.normal.elastic_force(at.depth)) * at.rate;
+        let n = at.kinematics.geometry.normal;
+        let along = Force { on_a: n * normal, normal, damping, ..Force::default() };
+        let Some(friction) = self.friction else { return along };
+        let slip = at.slip;
+        let (spring, power, vector_rate) = match self.grip {
+            Grip::Free => {
+                let speed = friction.slip_speed.unwrap_or(0.0);
+                let size = (slip.length_squared() + speed * speed).sqrt();
+                let spring = if size > 0.0 { slip * (friction.sliding * normal / size) } else { DVec3::ZERO };
+                (spring, spring.dot(slip), DVec3::ZERO)
+            }
+            Grip::Stick => {
+                let spring = in_plane(self.vector, n);
+                (spring, self.micro_slip(at), self.sticking_rate(at, spring))
+            }
+            Grip::Cut => {
+                let held = in_plane(self.vector, n);
+                let spring = held.clamp_length_max(self.limit(normal));
+                (spring, spring.dot(slip), self.sticking_rate(at, held))
+            }
+            Grip::Slide => {
+                let direction = in_plane(self.vector, n).normalize_or_zero();
+                let limit = self.limit(normal);
+                let spring = direction * limit;
+                (spring, spring.dot(slip), self.turning_rate(at, direction, limit))
+            }
+        };
+        Force { on_a: along.on_a - spring, tangential: -spring, friction: power, vector_rate, ..along }
+    }
+
+    /// T' of a spring that holds.
+    fn sticking_rate(&self, at: &Evaluated, spring: DVec3) -> DVec3 {
+        let falling = self.tangential.relative_rate(at.depth, at.rate).min(0.0);
+        at.slip * self.tangential.stiffness(at.depth) + spring * falling + transport(at, spring)
+    }
+
+    /// Power of micro-slip, W: what the elastic energy of a spring that holds loses as its stiffness changes.
+    fn micro_slip(&self, at: &Evaluated) -> f64 {
+        let rate = self.tangential.relative_rate(at.depth, at.rate).abs();
+        self.tangential.energy(at.depth, self.vector.length()) * rate
+    }
+
+    /// e' of a spring that slides: it turns towards the slip, the faster the shorter it is.
+    fn turning_rate(&self, at: &Evaluated, direction: DVec3, limit: f64) -> DVec3 {
+        let across = at.slip - direction * at.slip.dot(direction);
+        // In planar motion what is across is rounding, which a short spring would blow up.
+        let is_rounding = across.length() <= ACROSS_ROUNDING * at.slip.length();
+        if is_rounding || limit <= 0.0 {
+            return transport(at, direction);
+        }
+        let fastest = FASTEST_TURN * self.frequency(self.passage.deepest.max(at.depth)) / at.slip.length();
+        across * (self.tangential.stiffness(at.depth) / limit).min(fastest) + transport(at, direction)
+    }
+}
+
+/// Part of the expected depth at which the begin of a contact is judged (1e-9 to 1e-3).
+const SMALL_DEPTH: f64 = 1e-6;
+
+/// The direction of sliding turns towards the slip at most at this multiple of the frequency of the normal spring (1 to 20): a spring
+/// that is all but empty would turn at once, which no step could follow.
+const FASTEST_TURN: f64 = 4.0;
+
+/// Slip across the direction of sliding that is rounding, relative to the slip (1e-15 to 1e-12).
+const ACROSS_ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// The part of a vector in the tangent plane.
+fn in_plane(vector: DVec3, normal: DVec3) -> DVec3 {
+    vector - normal * normal.dot(vector)
+}
+
+/// Rate of a tangent vector that is carried along with the normal.
+fn transport(at: &Evaluated, vector: DVec3) -> DVec3 {
+    at.kinematics.geometry.normal.cross(at.normal_rate).cross(vector)
+}
+
+impl Evaluated {
+    /// A contact of which the motion along the normal alone is known.
+    pub(super) fn of(kinematics: ContactKinematics) -> Self {
+        let (depth, rate) = (-kinematics.geometry.separation, -kinematics.separation_rate);
+        let point = kinematics.geometry.point;
+        Self { kinematics, depth, rate, slip: DVec3::ZERO, normal_rate: DVec3::ZERO, point }
+    }
+
+    /// A contact in these states; none where its features no longer define one.
+    pub(super) fn new(world: &World, states: &[BodyState], id: ContactId, with_slip: bool) -> Option<Self> {
+        let kinematics = world.kinematics(states, id)?;
+        let geometry = &kinematics.geometry;
+        let (depth, rate) = (-geometry.separation, -kinematics.separation_rate);
+        let point = acting_point(world, id, &kinematics);
+        let mut evaluated = Self { kinematics, depth, rate, slip: DVec3::ZERO, normal_rate: DVec3::ZERO, point };
+        if with_slip {
+            let terms = world.tangential_kinematics(states, id)?;
+            let turning = world.relative_rotation(states, id).cross(point - geometry.point);
+            evaluated.slip = terms.slip_velocity + in_plane(turning, geometry.normal);
+            evaluated.normal_rate = terms.normal_rate;
+        }
+        Some(evaluated)
+    }
+}
+
+/// Where the forces of a contact act: in the middle of the overlap, or on the undeformed surface of the one body that forces
+/// move.
+fn acting_point(world: &World, id: ContactId, kinematics: &ContactKinematics) -> DVec3 {
+    let geometry = &kinematics.geometry;
+    let moves = |body: usize| world.bodies[body].rigid.is_some();
+    // The point of A is half the separation from the middle, along the normal from B to A.
+    let towards_a = geometry.normal * (0.5 * geometry.separation);
+    match (moves(id.a), moves(id.b)) {
+        (true, false) => geometry.point + towards_a,
+        (false, true) => geometry.point - towards_a,
+        _ => geometry.point,
+    }
+}

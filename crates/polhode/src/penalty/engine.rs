@@ -1,0 +1,380 @@
+//! A run of the tier `penalty`: groups are advanced through longest steps, booked together, and queried at the present.
+
+use super::contact::{ContactSpring, Evaluated};
+use super::groups::{Margins, groups};
+use super::laws::Laws;
+use super::measures::SpringReport;
+use super::run::{Group, GroupRun, Run, Segment};
+use super::saved::{restored_laws, restored_report, restored_spring, save_laws, save_report, save_spring};
+use super::{fixed, stepping};
+use crate::collision::boxes::Boxes;
+use crate::collision::contact_set::Touch;
+use crate::core::Core;
+use crate::frame::{ContactView, IslandView, MotionKind};
+use crate::observer::Observer;
+use crate::report::RunReport;
+use crate::rows::assembly::free_acceleration;
+use crate::sampling::emit_samples_before;
+use crate::snapshot::numbers::{read_states, write_states};
+use crate::snapshot::{SnapshotError, content};
+use crate::tier::{Reached, Tier};
+use crate::{Acceleration, BodyId, SimulationError};
+use polhode_dynamics::BodyState;
+use polhode_dynamics::state::WIDTH;
+use polhode_spatial::{DVec3, Still};
+use std::sync::Arc;
+
+/// How often groups are made anew in a longest step because bodies have left their boxes; then the step is halved.
+const MOST_ROUNDS: u32 = 8;
+
+/// A run in progress.
+#[derive(Debug)]
+pub(crate) struct PenaltyEngine {
+    /// States of all bodies at the present.
+    states: Vec<BodyState>,
+    /// The springs of all contacts, ascending.
+    springs: Vec<ContactSpring>,
+    laws: Laws,
+    /// Length of step (s) that error control proposes next for each body's group.
+    proposed: Vec<f64>,
+    boxes: Boxes,
+    /// Groups of the last step.
+    islands: Vec<Vec<usize>>,
+    measured: SpringReport,
+}
+
+impl PenaltyEngine {
+    /// Prepares a run.
+    ///
+    /// # Errors
+    /// When a fixed step is too long for the springs.
+    pub(crate) fn new(core: &Core, states: Vec<BodyState>) -> Result<Self, SimulationError> {
+        let laws = Laws::new(&core.world, core.settings.penalty, &states);
+        let asked = core.settings.penalty.stiffness_n_m.is_none() && core.world.may_collide_at_all();
+        let is_linear = core.settings.penalty.law.unwrap_or_default() == crate::scene::SpringLaw::Linear;
+        let measured = SpringReport {
+            penetration_asked_m: (asked && is_linear).then_some(laws.depth_m),
+            ..SpringReport::default()
+        };
+        Ok(Self {
+            springs: Vec::new(),
+            proposed: vec![core.settings.step_s; states.len()],
+            boxes: Boxes::new(&core.settings, states.len()),
+            islands: Vec::new(),
+            laws,
+            measured,
+            states,
+        })
+    }
+
+    /// The engine of a snapshot.
+    ///
+    /// # Errors
+    /// When the data are not of this scene.
+    pub(crate) fn restored(core: &mut Core, saved: &content::Penalty) -> Result<Self, SnapshotError> {
+        let bodies = core.world.bodies.len();
+        if saved.proposed.len() != bodies {
+            return Err(SnapshotError::Invalid("it does not have one length of step for each body"));
+        }
+        let springs: Result<Vec<_>, _> = saved.springs.iter().map(|one| restored_spring(&core.world, one)).collect();
+        let engine = Self {
+            states: read_states(&saved.states, bodies)?,
+            springs: springs?,
+            laws: restored_laws(core.settings.penalty, saved.laws),
+            proposed: saved.proposed.clone(),
+            boxes: Boxes::new(&core.settings, bodies),
+            islands: saved.islands.clone(),
+            measured: restored_report(&saved.measured),
+        };
+        core.world.contact_energy_j = energy(core, &engine.states, &engine.springs);
+        Ok(engine)
+    }
+
+    /// Advances all groups to `t_next` (s), or less far where bodies scatter too fast to say which may meet.
+    fn longest_step(
+        &mut self,
+        core: &mut Core,
+        t_next: f64,
+        observer: &mut dyn Observer,
+    ) -> Result<(), SimulationError> {
+        let mut t_next = t_next;
+        let mut margins = Margins::new(core, &self.states, t_next - core.t);
+        let mut rounds = 0;
+        let runs = loop {
+            let found = groups(core, &self.states, (&margins, t_next - core.t), &mut self.boxes)?;
+            let runs = found.into_iter().map(|group| self.run(core, group, t_next));
+            let runs = runs.collect::<Result<Vec<GroupRun>, _>>()?;
+            if !margins.grow(core, &self.states, &runs) {
+                break runs;
+            }
+            rounds += 1;
+            if rounds > MOST_ROUNDS {
+                t_next = 0.5 * (core.t + t_next);
+                margins = Margins::new(core, &self.states, t_next - core.t);
+                rounds = 0;
+            }
+        };
+        self.emit_samples_within(core, &runs, t_next, observer)?;
+        self.take(core, runs, t_next)?;
+        core.accounts.emit_events(core.t, observer);
+        Ok(())
+    }
+
+    /// One group to `t_next` (s).
+    fn run(&self, core: &Core, group: Group, t_next: f64) -> Result<GroupRun, SimulationError> {
+        let own = |spring: &&ContactSpring| {
+            let is_member = |body: usize| group.bodies.binary_search(&body).is_ok();
+            is_member(spring.id.a) || is_member(spring.id.b)
+        };
+        let springs: Vec<ContactSpring> = self.springs.iter().filter(own).copied().collect();
+        let proposed = group.bodies.iter().map(|&body| self.proposed[body]).fold(core.settings.step_s, f64::min);
+        let run = Run::new(core, &self.laws, (group, springs), &self.states, proposed);
+        if fixed::is_fixed(core.settings.integrator) {
+            fixed::advance(run, t_next)
+        } else {
+            stepping::advance(run, t_next)
+        }
+    }
+
+    /// Takes over what the groups have done up to `t_next` (s).
+    fn take(&mut self, core: &mut Core, runs: Vec<GroupRun>, t_next: f64) -> Result<(), SimulationError> {
+        self.springs.clear();
+        self.islands.clear();
+        for run in runs {
+            for (&body, end) in run.group.bodies.iter().zip(&run.ends) {
+                self.states[body] = *end;
+                self.proposed[body] = run.proposed_s;
+            }
+            self.springs.extend(run.springs);
+            core.accounts.books.enter(&run.books);
+            self.measured.append(&run.measured);
+            run.events.into_iter().for_each(|event| core.accounts.add_event(event));
+            for of in &run.separations {
+                core.note_separation(of.t_s, &self.states, of.pair, (of.separation, of.rate));
+            }
+            (0..run.steps).for_each(|_| core.accounts.count_step());
+            if let Some(error) = run.largest_error {
+                let worst = &mut core.accounts.certificate.max_step_error;
+                *worst = Some(worst.unwrap_or(0.0).max(error));
+            }
+            self.islands.push(run.group.bodies);
+        }
+        self.springs.sort_by_key(|spring| spring.id);
+        core.world.prescribe(t_next, &mut self.states);
+        core.t = t_next;
+        core.world.contact_energy_j = energy(core, &self.states, &self.springs);
+        core.accounts.observe(&core.world, &self.states, core.t)?;
+        Ok(())
+    }
+
+    /// Gives the observer the samples before `t_next` (s).
+    fn emit_samples_within(
+        &mut self,
+        core: &mut Core,
+        runs: &[GroupRun],
+        t_next: f64,
+        observer: &mut dyn Observer,
+    ) -> Result<(), SimulationError> {
+        let (springs, energy_j) = (self.springs.clone(), core.world.contact_energy_j);
+        let emitted = emit_samples_before(t_next, self, core, observer, |engine, core, t| {
+            let mut states = engine.states.clone();
+            engine.springs.clear();
+            for run in runs {
+                let Some(segment) = run.segments.iter().find(|segment| segment.holds(t)) else { continue };
+                for (place, &body) in run.group.bodies.iter().enumerate() {
+                    states[body] = segment.state(place, t);
+                }
+                engine.springs.extend(segment.springs_at(run.group.bodies.len(), t));
+            }
+            core.world.prescribe(t, &mut states);
+            engine.springs.sort_by_key(|spring| spring.id);
+            core.world.contact_energy_j = energy(core, &states, &engine.springs);
+            Ok(Some(Arc::new(states)))
+        });
+        self.springs = springs;
+        core.world.contact_energy_j = energy_j;
+        emitted
+    }
+}
+
+/// Elastic energy of springs in these states, J.
+fn energy(core: &Core, states: &[BodyState], springs: &[ContactSpring]) -> f64 {
+    let own = |spring: &ContactSpring| {
+        let at = Evaluated::new(&core.world, states, spring.id, spring.friction.is_some());
+        at.map_or(0.0, |at| spring.energy(&at))
+    };
+    springs.iter().map(own).sum()
+}
+
+impl Segment {
+    /// Whether a time (s) is within the step.
+    fn holds(&self, t: f64) -> bool {
+        let (t0, h) = (self.dense.t0(), self.dense.h());
+        t >= t0 && t <= t0 + h
+    }
+
+    fn flat(&self, t: f64) -> Vec<f64> {
+        let mut flat = vec![0.0; self.dense.dimension()];
+        self.dense.evaluate(t, &mut flat);
+        flat
+    }
+
+    /// The state of a body, by its place in the group.
+    pub(super) fn state(&self, place: usize, t: f64) -> BodyState {
+        let flat = self.flat(t);
+        let numbers = flat.as_chunks::<WIDTH>().0.get(place);
+        numbers.map_or_else(|| BodyState::at_rest(polhode_spatial::Pose::IDENTITY), BodyState::from_array)
+    }
+
+    /// The springs with their vectors at a time (s), of a group of so many bodies.
+    fn springs_at(&self, bodies: usize, t: f64) -> Vec<ContactSpring> {
+        let flat = self.flat(t);
+        let vector = |index: usize| {
+            let first = bodies * WIDTH + index * super::system::SPRING;
+            flat.get(first..first + super::system::SPRING).map_or(DVec3::ZERO, DVec3::from_slice)
+        };
+        let springs = self.springs.iter().enumerate();
+        springs.map(|(index, spring)| ContactSpring { vector: vector(index), ..*spring }).collect()
+    }
+}
+
+impl Tier for PenaltyEngine {
+    fn advance(
+        &mut self,
+        core: &mut Core,
+        limit_s: f64,
+        observer: &mut dyn Observer,
+    ) -> Result<Reached, SimulationError> {
+        while core.t < limit_s {
+            let end = core.horizon(core.t).min(limit_s);
+            let h = core.settings.step_s;
+            let t_next = if h >= end - core.t { end } else { core.t + h };
+            self.longest_step(core, t_next, observer)?;
+        }
+        Ok(Reached::Limit)
+    }
+
+    fn stride(&self, core: &Core) -> f64 {
+        core.settings.step_s
+    }
+
+    fn states(&self, _core: &Core) -> Vec<BodyState> {
+        self.states.clone()
+    }
+
+    fn state(&self, _core: &Core, body: usize) -> BodyState {
+        self.states[body]
+    }
+
+    fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
+        let world = &core.world;
+        let fields = world.loads(core.t, &self.states);
+        let mut forces = vec![(DVec3::ZERO, DVec3::ZERO); world.bodies.len()];
+        for spring in &self.springs {
+            let at = Evaluated::new(world, &self.states, spring.id, spring.friction.is_some());
+            let Some(at) = at else { continue };
+            let force = spring.force(&at).on_a;
+            for (body, force) in [(spring.id.a, force), (spring.id.b, -force)] {
+                forces[body].0 += force;
+                forces[body].1 += (at.point - self.states[body].pose.translation).cross(force);
+            }
+        }
+        let mut out = vec![Acceleration { linear: DVec3::ZERO, angular: DVec3::ZERO }; world.bodies.len()];
+        for &body in world.prescribed() {
+            let (linear, angular) = world.prescribed_acceleration(body, core.t);
+            out[body] = Acceleration { linear, angular };
+        }
+        for (&body, rigid) in world.movable.iter().zip(world.free_motion().bodies()) {
+            let state = &self.states[body];
+            let (linear, angular) = free_acceleration(world, &self.states, &fields, body);
+            let inverse = rigid.inverse_inertia_world(state.pose.rotation);
+            let (force, torque) = forces[body];
+            let (linear, angular) = (linear + force * rigid.inverse_mass(), angular + inverse * torque);
+            out[body] = world.reported_acceleration(body, state, linear, angular);
+        }
+        Ok(out)
+    }
+
+    fn contacts(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<ContactView> {
+        let mut boxes = Boxes::new(&core.settings, states.len());
+        for (body, state) in states.iter().enumerate().filter(|(body, _)| !core.world.bodies[*body].removed) {
+            boxes.set(&core.world, body, &Still(state.pose), (t, t), 0.0);
+        }
+        let mut pairs = Vec::new();
+        if boxes.all_pairs(&core.world, |a, b| pairs.push((a.min(b), a.max(b)))).is_err() {
+            return Vec::new();
+        }
+        pairs.sort_unstable();
+        let mut views = Vec::new();
+        for (a, b) in pairs {
+            let reach = core.world.rounding(states, a, b);
+            for found in core.world.contacts_of_pair(states, a, b, reach) {
+                let own = self.springs.iter().find(|spring| spring.id == found.id);
+                let force = own.and_then(|spring| {
+                    let at = Evaluated::new(&core.world, states, spring.id, spring.friction.is_some())?;
+                    let force = spring.force(&at);
+                    Some((force.normal, force.tangential))
+                });
+                core.world.view_contact(states, &Touch::from(found), force.unwrap_or_default(), &mut views);
+            }
+        }
+        views
+    }
+
+    fn motions(&self, core: &Core) -> Vec<MotionKind> {
+        let kind = |moves: bool| if moves { MotionKind::Integrated } else { MotionKind::Given };
+        core.world.bodies.iter().map(|body| kind(body.moves())).collect()
+    }
+
+    fn islands(&self, core: &Core) -> Vec<IslandView> {
+        let kept = |body: &usize| core.world.bodies[*body].moves();
+        let islands = self.islands.iter().map(|bodies| bodies.iter().copied().filter(kept).map(BodyId::new).collect());
+        islands.filter(|bodies: &Vec<BodyId>| !bodies.is_empty()).map(|bodies| IslandView { bodies }).collect()
+    }
+
+    fn states_mut(&mut self) -> &mut [BodyState] {
+        &mut self.states
+    }
+
+    fn resume(&mut self, core: &mut Core, moved: &[usize]) -> Result<(), SimulationError> {
+        // What springs hold when a program moves their bodies is the program's.
+        let before = core.world.contact_energy_j;
+        let is_moved = |body: usize| moved.contains(&body);
+        self.springs.retain(|spring| !is_moved(spring.id.a) && !is_moved(spring.id.b));
+        core.world.contact_energy_j = energy(core, &self.states, &self.springs);
+        core.accounts.books.fields_changed(before, core.world.contact_energy_j);
+        Ok(())
+    }
+
+    fn add_body(&mut self, core: &Core, state: BodyState) {
+        self.states.push(state);
+        self.proposed.push(core.settings.step_s);
+        self.boxes.make_room();
+    }
+
+    fn remove_body(&mut self, body: usize) {
+        self.boxes.put(body, None);
+        self.springs.retain(|spring| spring.id.a != body && spring.id.b != body);
+    }
+
+    fn touching_pairs(&self) -> usize {
+        let mut pairs: Vec<(usize, usize)> = self.springs.iter().map(|spring| (spring.id.a, spring.id.b)).collect();
+        pairs.dedup();
+        pairs.len()
+    }
+
+    fn fill(&self, report: &mut RunReport) {
+        report.springs = Some(self.measured.clone());
+    }
+
+    fn save(&self) -> content::Tier {
+        content::Tier::Penalty(content::Penalty {
+            states: write_states(&self.states),
+            springs: self.springs.iter().map(save_spring).collect(),
+            laws: save_laws(&self.laws),
+            proposed: self.proposed.clone(),
+            islands: self.islands.clone(),
+            measured: save_report(&self.measured),
+        })
+    }
+}

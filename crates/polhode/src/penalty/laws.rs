@@ -1,0 +1,219 @@
+//! The springs of a pair of bodies: from the knobs of the scene, the materials, the weights and the speeds.
+//!
+//! **Linear.** Neither the weight W of all bodies at rest nor an impact at the speed v of the scene is to be deeper than the stated
+//! penetration d: `k = max(W/d, m v^2/d^2)`, m the reduced mass of the pair. d is [`PENETRATION_RELATIVE`] of the smallest body
+//! that moves when the scene gives none. v is the sum of the two largest speeds at the start, and what a fall through the height
+//! of the scene adds, `v^2 + 2 g h`. These are facts of the start: nothing of them changes during a run.
+//!
+//! **Hertz.** `k = (4/3) E* sqrt(R)` from moduli and radii (`polhode_response::penalty`).
+//!
+//! **Damping** from the restitution of the pair, exact for a lone impact: the effective mass along the normal and, for
+//! Hunt and Crossley, the speed of approach are taken when the contact begins. Below the speed `sqrt(g d)`, at which
+//! weight alone compresses a spring, that speed is taken: a contact at rest has no approach.
+//!
+//! Source: docs/REFERENCES.md, Hunt and Crossley. How it fails: a stiffness that is not finite is refused when the
+//! contact begins.
+
+use super::contact::Coulomb;
+use crate::collision::contact_id::ContactId;
+use crate::scene::penalty::elastic_pair;
+use crate::scene::{PenaltyMethod, SceneError, SpringFriction, SpringLaw};
+use crate::world::World;
+use polhode_contact::{ContactGeometry, Shape};
+use polhode_dynamics::{BodyState, RigidBody};
+use polhode_response::penalty::{Damping, Growth, NormalSpring, Relation, SpringError, TangentialSpring};
+use polhode_spatial::DVec3;
+
+/// Penetration when the scene states none, relative to the smallest body that moves (1e-5 to 1e-2): small beside every
+/// feature of a body, and large beside the rounding of its position.
+const PENETRATION_RELATIVE: f64 = 1e-3;
+
+/// Poisson's ratio of a material that gives none, for the ratio of tangential to normal stiffness of linear springs (0 to 0.5:
+/// the ratio of stiffnesses goes from 1 to 2/3).
+const POISSON_RATIO: f64 = 0.3;
+
+/// The speed of slip of regularised friction when none is given, relative to the speed of the scene.
+const SLIP_RELATIVE: f64 = 1e-3;
+
+/// What the springs of a run follow from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Laws {
+    pub(super) method: PenaltyMethod,
+    /// The penetration that linear springs are to keep, m, and that errors are measured by.
+    pub(super) depth_m: f64,
+    /// Weight of all bodies, N.
+    pub(super) load_n: f64,
+    /// Greatest speed at which two bodies of the scene are expected to meet, m/s.
+    pub(super) speed: f64,
+}
+
+/// The springs of a contact that begins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ContactLaw {
+    pub(super) normal: NormalSpring,
+    pub(super) tangential: TangentialSpring,
+    pub(super) friction: Option<Coulomb>,
+    pub(super) restitution: f64,
+    /// Effective mass along the normal, kg.
+    pub(super) mass: f64,
+}
+
+impl Laws {
+    /// Those of a run that begins with these states.
+    pub(super) fn new(world: &World, method: PenaltyMethod, states: &[BodyState]) -> Self {
+        let moving = || world.movable.iter().copied().filter(|&body| world.bodies[body].moves());
+        let smallest = moving().map(|body| world.bodies[body].size).filter(|size| *size > 0.0);
+        let smallest = smallest.fold(f64::INFINITY, f64::min);
+        let depth = if smallest.is_finite() { PENETRATION_RELATIVE * smallest } else { PENETRATION_RELATIVE };
+        let gravity = world.gravity().length();
+        let mass: f64 = moving().filter_map(|body| world.bodies[body].rigid.as_ref()).map(RigidBody::mass).sum();
+        let mut speeds: Vec<f64> = (0..states.len()).map(|body| world.point_speed(states, body)).collect();
+        speeds.sort_by(|x, y| y.total_cmp(x));
+        let closing: f64 = speeds.iter().take(2).sum();
+        let fall = fall_of(world, states);
+        Self {
+            method,
+            depth_m: method.penetration_m.unwrap_or(depth),
+            load_n: mass * gravity,
+            speed: (closing * closing + 2.0 * gravity * fall).sqrt(),
+        }
+    }
+
+    /// A speed (m/s) below which a contact is at rest: weight alone compresses springs at `sqrt(g d)`.
+    pub(super) fn resting_speed(&self, world: &World) -> f64 {
+        (world.gravity().length() * self.depth_m).sqrt()
+    }
+
+    /// Speed of slip of regularised friction, m/s.
+    fn slip_speed(&self, world: &World) -> f64 {
+        let own = SLIP_RELATIVE * self.speed.max(self.resting_speed(world));
+        self.method.slip_speed_m_s.unwrap_or(if own > 0.0 { own } else { SLIP_RELATIVE })
+    }
+
+    /// The springs of a contact that begins at this rate of approach (m/s).
+    ///
+    /// # Errors
+    /// When bodies have no moduli or radii of curvature, or the stiffness is not finite.
+    pub(super) fn of_contact(
+        &self,
+        world: &World,
+        states: &[BodyState],
+        (id, geometry): (ContactId, &ContactGeometry),
+        approach: f64,
+    ) -> Result<ContactLaw, SceneError> {
+        let material = world.scene.pair_material(id.a, id.b);
+        let mass = effective_mass(world, states, id, geometry);
+        let refused = |source: SpringError| SceneError::SpringRestitution {
+            materials: [id.a, id.b].map(|body| world.bodies[body].name.clone()),
+            source,
+        };
+        let (spring, tangential) = self.elastic(world, id)?;
+        let relation = self.method.relation();
+        let number = relation.number_for(material.restitution()).map_err(refused)?;
+        let normal = match relation {
+            Relation::Plain => spring.with_plain_damping(number, mass),
+            Relation::HuntCrossley => {
+                let speed = approach.max(self.resting_speed(world));
+                spring.with_damping(Damping::HuntCrossley(if speed > 0.0 { number / speed } else { 0.0 }))
+            }
+        };
+        let at_rest = material.static_ellipse().largest();
+        let friction = (at_rest > 0.0).then(|| Coulomb {
+            at_rest,
+            sliding: material.friction_ellipse().largest(),
+            slip_speed: match self.method.friction.unwrap_or_default() {
+                SpringFriction::Mindlin => None,
+                SpringFriction::Regularised => Some(self.slip_speed(world)),
+            },
+        });
+        Ok(ContactLaw { normal, tangential, friction, restitution: material.restitution(), mass })
+    }
+
+    /// Springs without damping.
+    fn elastic(&self, world: &World, id: ContactId) -> Result<(NormalSpring, TangentialSpring), SceneError> {
+        let materials = world.scene.pair_materials(id.a, id.b);
+        let names = || [id.a, id.b].map(|body| world.bodies[body].name.clone());
+        let refused = |source: SpringError| SceneError::SpringRestitution { materials: names(), source };
+        match self.method.law.unwrap_or_default() {
+            SpringLaw::Hertz => {
+                let pair = elastic_pair(materials[0], materials[1])?;
+                let radius = effective_radius(world, id)
+                    .ok_or_else(|| SceneError::HertzShape { body: world.bodies[id.a].name.clone() })?;
+                let spring = NormalSpring::elastic(Growth::Hertz, pair.hertz_stiffness(radius)).map_err(refused)?;
+                Ok((spring, TangentialSpring::mindlin(&pair, radius)))
+            }
+            SpringLaw::Linear => {
+                let motion = (reduced_mass(world, id), self.speed);
+                let needed = NormalSpring::stiffness_for(Growth::Linear, self.depth_m, self.load_n, motion);
+                // Without weight and speed anything keeps bodies apart: a spring that a mass swings on once a second.
+                let needed = if needed > 0.0 { needed } else { motion.0 };
+                let stiffness = self.method.stiffness_n_m.unwrap_or(needed);
+                let spring = NormalSpring::elastic(Growth::Linear, stiffness).map_err(refused)?;
+                let ratios =
+                    materials.iter().filter_map(|material| material.elastic_constants().map(|[_, ratio]| ratio));
+                let poisson =
+                    ratios.fold(None, |known: Option<f64>, own| Some(known.map_or(own, |known| known.max(own))));
+                Ok((spring, TangentialSpring::beside_linear(stiffness, poisson.unwrap_or(POISSON_RATIO))))
+            }
+        }
+    }
+}
+
+/// How far a body of the scene may fall, m: the height of the scene along gravity.
+fn fall_of(world: &World, states: &[BodyState]) -> f64 {
+    let Some(down) = world.gravity().try_normalize() else { return 0.0 };
+    let (mut lowest, mut highest) = (f64::NEG_INFINITY, f64::INFINITY);
+    for (body, state) in world.bodies.iter().zip(states).filter(|(body, _)| body.shape.is_some() && body.size > 0.0) {
+        let depth = state.pose.translation.dot(down);
+        lowest = lowest.max(depth + body.size);
+        if body.moves() {
+            highest = highest.min(depth - body.size);
+        }
+    }
+    // Under a half-space nothing falls.
+    for (body, state) in world.bodies.iter().zip(states) {
+        if let Some(Shape::HalfSpace(plane)) = &body.shape {
+            let normal = state.pose.rotation.rotate(plane.normal());
+            let steepness = normal.dot(-down);
+            if steepness > 0.0 {
+                let point = state.pose.translation + normal * plane.offset();
+                let deepest = world.movable.iter().map(|&body| (states[body].pose.translation - point).dot(normal));
+                let height = deepest.fold(0.0, f64::max) / steepness;
+                lowest = lowest.max(highest + height);
+            }
+        }
+    }
+    if lowest.is_finite() && highest.is_finite() { (lowest - highest).max(0.0) } else { 0.0 }
+}
+
+/// Reduced mass of two bodies, kg.
+fn reduced_mass(world: &World, id: ContactId) -> f64 {
+    let inverse: f64 = [id.a, id.b].into_iter().map(|body| inverse_mass(world, body)).sum();
+    if inverse > 0.0 { 1.0 / inverse } else { 1.0 }
+}
+
+fn inverse_mass(world: &World, body: usize) -> f64 {
+    world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass)
+}
+
+/// Effective mass along the normal of a contact, `1/(n . (sum 1/m + I^-1 (r x n) x r) n)`, kg.
+fn effective_mass(world: &World, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> f64 {
+    let of_body = |body: usize| {
+        let Some(rigid) = &world.bodies[body].rigid else { return 0.0 };
+        let state = &states[body];
+        let arm: DVec3 = (geometry.point - state.pose.translation).cross(geometry.normal);
+        rigid.inverse_mass() + arm.dot(rigid.inverse_inertia_world(state.pose.rotation) * arm)
+    };
+    let inverse = of_body(id.a) + of_body(id.b);
+    if inverse > 0.0 { 1.0 / inverse } else { 1.0 }
+}
+
+/// Effective radius of curvature, m: of balls; what is not a ball is flat. None without a ball.
+fn effective_radius(world: &World, id: ContactId) -> Option<f64> {
+    let curvature = |body: usize| match &world.bodies[body].shape {
+        Some(Shape::Sphere(ball)) => 1.0 / ball.radius(),
+        _ => 0.0,
+    };
+    let sum = curvature(id.a) + curvature(id.b);
+    (sum > 0.0).then(|| 1.0 / sum)
+}

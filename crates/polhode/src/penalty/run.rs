@@ -1,0 +1,232 @@
+//! A group of bodies on its way through a longest step: its states, its springs, and what its accounts receive.
+//!
+//! What error-controlled and fixed steps share: which contacts there are at the start of a step, the booking of a step, and
+//! what is measured of it.
+
+use super::contact::{ContactSpring, Evaluated};
+use super::laws::Laws;
+use super::measures::SpringReport;
+use super::system::SpringSystem;
+use crate::BodyId;
+use crate::SimulationError;
+use crate::accounting::books::Books;
+use crate::collision::contact_id::ContactId;
+use crate::core::Core;
+use crate::event::{Event, EventKind};
+use polhode_contact::ContactKinematics;
+use polhode_dynamics::{BodyState, DenseStep, System};
+
+/// Bodies that may meet each other, and those that they may meet.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Group {
+    /// Those that forces move, ascending.
+    pub(super) bodies: Vec<usize>,
+    /// Pairs that may touch, ascending.
+    pub(super) pairs: Vec<(usize, usize)>,
+}
+
+/// A step that was made, from which states within it are evaluated.
+#[derive(Debug)]
+pub(super) struct Segment {
+    pub(super) dense: DenseStep,
+    /// The springs that acted.
+    pub(super) springs: Vec<ContactSpring>,
+}
+
+/// What a group has done in a longest step.
+#[derive(Debug)]
+pub(super) struct GroupRun {
+    pub(super) group: Group,
+    pub(super) segments: Vec<Segment>,
+    /// States of the bodies of the group at the end.
+    pub(super) ends: Vec<BodyState>,
+    pub(super) springs: Vec<ContactSpring>,
+    pub(super) books: Books,
+    pub(super) measured: SpringReport,
+    pub(super) events: Vec<Event>,
+    /// Penetrations: pair, time (s), separation (m) and its rate (m/s).
+    pub(super) separations: Vec<Separation>,
+    /// Steps made.
+    pub(super) steps: u64,
+    /// Largest error of a step relative to what is allowed; none of fixed steps.
+    pub(super) largest_error: Option<f64>,
+    /// Length that error control proposes next, s.
+    pub(super) proposed_s: f64,
+}
+
+/// The separation of a pair at the end of a step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Separation {
+    pub(super) pair: (usize, usize),
+    pub(super) t_s: f64,
+    /// m and m/s.
+    pub(super) separation: f64,
+    pub(super) rate: f64,
+}
+
+/// A group on its way.
+#[derive(Debug)]
+pub(super) struct Run<'a> {
+    pub(super) core: &'a Core,
+    pub(super) laws: &'a Laws,
+    /// States of all bodies; those of the group are of time `t`.
+    pub(super) states: Vec<BodyState>,
+    pub(super) t: f64,
+    pub(super) done: GroupRun,
+}
+
+impl<'a> Run<'a> {
+    /// A group that begins at the present with these springs.
+    pub(super) fn new(
+        core: &'a Core,
+        laws: &'a Laws,
+        (group, springs): (Group, Vec<ContactSpring>),
+        states: &[BodyState],
+        proposed_s: f64,
+    ) -> Self {
+        let done = GroupRun {
+            group,
+            segments: Vec::new(),
+            ends: Vec::new(),
+            springs,
+            books: Books::blank(core.accounts.books.ledger.momentum.about),
+            measured: SpringReport::default(),
+            events: Vec::new(),
+            separations: Vec::new(),
+            steps: 0,
+            largest_error: None,
+            proposed_s,
+        };
+        Self { core, laws, states: states.to_vec(), t: core.t, done }
+    }
+
+    /// The end of the run.
+    pub(super) fn finished(mut self) -> GroupRun {
+        self.done.ends = self.done.group.bodies.iter().map(|&body| self.states[body]).collect();
+        self.done
+    }
+
+    /// Contacts of the pairs of the group within reach of a step of `h` (s), ascending.
+    pub(super) fn near(&self, h: f64) -> Vec<(ContactId, ContactKinematics)> {
+        let world = &self.core.world;
+        let fall = world.gravity().length() * h * h;
+        let mut found = Vec::new();
+        for &(a, b) in &self.done.group.pairs {
+            let speed = world.point_speed(&self.states, a) + world.point_speed(&self.states, b);
+            let reach = REACH * (speed * h + fall) + world.rounding(&self.states, a, b);
+            let contacts = world.contacts_of_pair(&self.states, a, b, reach).into_iter();
+            found.extend(contacts.map(|found| (found.id, found.kinematics)));
+        }
+        found.sort_by_key(|(id, _)| *id);
+        found
+    }
+
+    /// Elastic energy of the springs in the present states, J.
+    pub(super) fn energy(&mut self) -> f64 {
+        let (about, t) = (self.done.books.ledger.momentum.about, self.t);
+        let Self { core, states, done, .. } = self;
+        let mut system =
+            SpringSystem { world: &core.world, bodies: &done.group.bodies, springs: &done.springs, about, states };
+        let flat = system.pack();
+        system.energies(t, &flat).0
+    }
+
+    /// A spring in the present states.
+    pub(super) fn evaluated(&self, spring: &ContactSpring) -> Option<Evaluated> {
+        Evaluated::new(&self.core.world, &self.states, spring.id, spring.friction.is_some())
+    }
+
+    /// The spring of a contact that begins in the present states.
+    ///
+    /// # Errors
+    /// When its bodies have no law.
+    pub(super) fn begun(
+        &self,
+        id: ContactId,
+        kinematics: &ContactKinematics,
+    ) -> Result<ContactSpring, SimulationError> {
+        let (world, approach) = (&self.core.world, -kinematics.separation_rate);
+        let law = self.laws.of_contact(world, &self.states, (id, &kinematics.geometry), approach)?;
+        let at = Evaluated::new(world, &self.states, id, law.friction.is_some());
+        let at = at.unwrap_or_else(|| Evaluated::of(*kinematics));
+        Ok(ContactSpring::begun(id, law, &at, self.t))
+    }
+
+    /// Takes a step to the flat state `end` at `t` (s) as made: books it and measures it.
+    pub(super) fn commit(&mut self, flat: &[f64], mut end: Vec<f64>, t: f64) {
+        let about = self.done.books.ledger.momentum.about;
+        let Self { core, states, done, .. } = self;
+        let (world, bodies) = (&core.world, &done.group.bodies);
+        let springs = done.springs.clone();
+        let mut system = SpringSystem { world, bodies, springs: &springs, about, states };
+        let before = system.energies(self.t, flat);
+        let before_balance = done.books.balance(world, system.states, bodies).with_energy(before.0);
+        system.normalize(&mut end);
+        let after = system.energies(t, &end);
+        let after_balance = done.books.balance(world, system.states, bodies).with_energy(after.0);
+        let mut received = system.received(&end);
+        received.friction_j -= after.1 - before.1;
+        let held: Vec<ContactSpring> = (0..springs.len()).map(|index| system.spring(&end, index)).collect();
+        done.books.smooth_stage(before_balance, after_balance, received);
+        done.springs = held;
+        done.steps += 1;
+        let h = t - self.t;
+        self.t = t;
+        self.measure(h);
+    }
+
+    /// Measures the springs at the end of a step of `h` (s).
+    fn measure(&mut self, h: f64) {
+        let shared = self.shared_bodies();
+        for index in 0..self.done.springs.len() {
+            let spring = self.done.springs[index];
+            let Some(at) = self.evaluated(&spring) else { continue };
+            let force = spring.normal_force(&at);
+            self.done.measured.note_step(&spring, at.depth.max(spring.passage.deepest), h);
+            let passage = &mut self.done.springs[index].passage;
+            passage.deepest = passage.deepest.max(at.depth);
+            passage.hardest = passage.hardest.max(force);
+            passage.alone &= !shared.contains(&spring.id.a) && !shared.contains(&spring.id.b);
+            let pair = (spring.id.a, spring.id.b);
+            self.done.separations.push(Separation { pair, t_s: self.t, separation: -at.depth, rate: -at.rate });
+        }
+    }
+
+    /// Movable bodies with several springs.
+    fn shared_bodies(&self) -> Vec<usize> {
+        let mut all: Vec<usize> = self.done.springs.iter().flat_map(|spring| [spring.id.a, spring.id.b]).collect();
+        all.retain(|&body| self.core.world.bodies[body].rigid.is_some());
+        all.sort_unstable();
+        let mut shared: Vec<usize> = all.windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| pair[0]).collect();
+        shared.dedup();
+        shared
+    }
+
+    /// Adds a spring, and its event.
+    pub(super) fn insert(&mut self, spring: ContactSpring) {
+        if let Err(place) = self.done.springs.binary_search_by_key(&spring.id, |known| known.id) {
+            self.done.springs.insert(place, spring);
+            self.note_event(EventKind::ContactBegin, &spring);
+        }
+    }
+
+    /// Removes a spring, and records what it did.
+    pub(super) fn remove(&mut self, id: ContactId) {
+        let Ok(place) = self.done.springs.binary_search_by_key(&id, |known| known.id) else { return };
+        let spring = self.done.springs.remove(place);
+        let separation = self.evaluated(&spring).map_or(0.0, |at| -at.rate);
+        self.done.measured.note_impact(spring.ended(self.t, separation));
+        self.note_event(EventKind::ContactEnd, &spring);
+    }
+
+    pub(super) fn note_event(&mut self, kind: EventKind, spring: &ContactSpring) {
+        let event = Event::new(self.t, kind, BodyId::new(spring.id.a));
+        let body_b = Some(BodyId::new(spring.id.b));
+        let at = self.evaluated(spring);
+        let (point, normal) = at.map_or((event.point, event.normal), |at| (at.point, at.kinematics.geometry.normal));
+        self.done.events.push(Event { body_b, point, normal, ..event });
+    }
+}
+
+/// How much farther than bodies move at their present speeds contacts are looked for (1 to 4): springs accelerate them.
+const REACH: f64 = 2.0;

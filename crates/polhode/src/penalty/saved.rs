@@ -1,0 +1,135 @@
+//! Springs and what is measured of them as plain data, for snapshots.
+
+use super::contact::{ContactSpring, Coulomb, Grip, Passage};
+use super::laws::Laws;
+use super::measures::{SpringImpact, SpringReport};
+use crate::BodyId;
+use crate::scene::PenaltyMethod;
+use crate::snapshot::parts::{restored_id, save_contact};
+use crate::snapshot::{SnapshotError, content};
+use crate::world::World;
+use polhode_response::penalty::{Damping, NormalSpring, TangentialSpring};
+use polhode_spatial::DVec3;
+
+pub(super) fn save_laws(laws: &Laws) -> [f64; 3] {
+    [laws.depth_m, laws.load_n, laws.speed]
+}
+
+pub(super) fn restored_laws(method: PenaltyMethod, [depth_m, load_n, speed]: [f64; 3]) -> Laws {
+    Laws { method, depth_m, load_n, speed }
+}
+
+pub(super) fn save_spring(spring: &ContactSpring) -> content::ContactSpring {
+    let (is_plain, damping) = match spring.normal.damping() {
+        Damping::Plain(value) => (true, value),
+        Damping::HuntCrossley(value) => (false, value),
+    };
+    content::ContactSpring {
+        id: save_contact(spring.id),
+        is_hertz: spring.normal.growth() == polhode_response::penalty::Growth::Hertz,
+        stiffness: spring.normal.stiffness(),
+        is_plain,
+        damping,
+        tangential: spring.tangential.coefficient(),
+        friction: spring.friction.map(|of| [of.at_rest, of.sliding]),
+        slip_speed: spring.friction.and_then(|of| of.slip_speed),
+        restitution: spring.restitution,
+        mass: spring.mass,
+        presses: spring.presses,
+        loading: spring.loading,
+        grip: match spring.grip {
+            Grip::Free => content::Grip::Free,
+            Grip::Stick => content::Grip::Stick,
+            Grip::Slide => content::Grip::Slide,
+            Grip::Cut => content::Grip::Cut,
+        },
+        vector: spring.vector.to_array(),
+        passage: [spring.passage.begun_s, spring.passage.approach, spring.passage.deepest, spring.passage.hardest],
+        alone: spring.passage.alone,
+    }
+}
+
+/// A spring from plain data.
+///
+/// # Errors
+/// When it is not of two bodies that can touch, or its stiffness is not positive.
+pub(super) fn restored_spring(world: &World, saved: &content::ContactSpring) -> Result<ContactSpring, SnapshotError> {
+    use polhode_response::penalty::Growth;
+    let growth = if saved.is_hertz { Growth::Hertz } else { Growth::Linear };
+    let spring = NormalSpring::elastic(growth, saved.stiffness);
+    let spring = spring.map_err(|_| SnapshotError::Invalid("the stiffness of a contact is not positive"))?;
+    let damping = if saved.is_plain { Damping::Plain(saved.damping) } else { Damping::HuntCrossley(saved.damping) };
+    let [begun_s, approach, deepest, hardest] = saved.passage;
+    Ok(ContactSpring {
+        id: restored_id(world, &saved.id)?,
+        normal: spring.with_damping(damping),
+        tangential: TangentialSpring::of_coefficient(growth, saved.tangential),
+        friction: saved.friction.map(|[at_rest, sliding]| Coulomb { at_rest, sliding, slip_speed: saved.slip_speed }),
+        restitution: saved.restitution,
+        mass: saved.mass,
+        presses: saved.presses,
+        loading: saved.loading,
+        grip: match saved.grip {
+            content::Grip::Free => Grip::Free,
+            content::Grip::Stick => Grip::Stick,
+            content::Grip::Slide => Grip::Slide,
+            content::Grip::Cut => Grip::Cut,
+        },
+        vector: DVec3::from_array(saved.vector),
+        passage: Passage { begun_s, approach, deepest, hardest, alone: saved.alone },
+    })
+}
+
+pub(super) fn save_report(report: &SpringReport) -> content::SpringReport {
+    content::SpringReport {
+        asked_m: report.penetration_asked_m,
+        reached_m: report.penetration_m,
+        impacts: report.impacts,
+        first: report.first_impacts.iter().map(save_impact).collect(),
+        worst: report.worst_restitution.as_ref().map(save_impact),
+        fastest: [report.fastest_rad_s, report.frequency_step],
+    }
+}
+
+pub(super) fn restored_report(saved: &content::SpringReport) -> SpringReport {
+    SpringReport {
+        penetration_asked_m: saved.asked_m,
+        penetration_m: saved.reached_m,
+        impacts: saved.impacts,
+        first_impacts: saved.first.iter().map(restored_impact).collect(),
+        worst_restitution: saved.worst.as_ref().map(restored_impact),
+        fastest_rad_s: saved.fastest[0],
+        frequency_step: saved.fastest[1],
+    }
+}
+
+fn save_impact(impact: &SpringImpact) -> content::SpringImpact {
+    content::SpringImpact {
+        bodies: impact.bodies.map(BodyId::index),
+        is_alone: impact.is_alone,
+        numbers: [
+            impact.begun_s,
+            impact.duration_s,
+            impact.approach_m_s,
+            impact.separation_m_s,
+            impact.penetration_m,
+            impact.force_n,
+            impact.restitution_asked,
+        ],
+    }
+}
+
+fn restored_impact(saved: &content::SpringImpact) -> SpringImpact {
+    let [begun_s, duration_s, approach_m_s, separation_m_s, penetration_m, force_n, restitution_asked] = saved.numbers;
+    SpringImpact {
+        begun_s,
+        duration_s,
+        bodies: saved.bodies.map(BodyId::new),
+        approach_m_s,
+        separation_m_s,
+        penetration_m,
+        force_n,
+        restitution_asked,
+        is_alone: saved.is_alone,
+    }
+}

@@ -1,0 +1,268 @@
+//! A group over a longest step by DOP853 under error control.
+//!
+//! At the start of each step the contacts that overlap have springs; those near are watched. The step is attempted until its
+//! error is allowed, cut where something happens (`events`), and then repeated with that length. Errors are allowed in units of
+//! the tolerance: of velocities relative to the fastest body of the group, of positions relative to the penetration that the
+//! springs keep, since a force follows from it. What rounding of positions makes of forces is allowed too.
+//!
+//! How it fails: [`SimulationError::StepTooSmall`] where springs are so stiff that no step advances time, and
+//! [`SimulationError::TooManyEvents`].
+
+use super::contact::{ContactSpring, Grip};
+use super::events::{Happening, Looking};
+use super::run::{GroupRun, Run, Segment};
+use super::system::{DISSIPATION, DISSIPATIONS, SPRING, SpringSystem};
+use crate::SimulationError;
+use crate::collision::contact_id::ContactId;
+use crate::event::EventKind;
+use polhode_dynamics::error_allowance::{ErrorAllowance, LargestError};
+use polhode_dynamics::state::WIDTH;
+use polhode_dynamics::step_control::REFUSED_FACTOR;
+use polhode_dynamics::{BodyState, Dop853, RigidBody, System};
+use polhode_spatial::DVec3;
+
+/// Steps shorter than this many units in the last place of the time do not advance it.
+const TIME_ULPS: f64 = 4.0;
+
+/// Part of the size of the smaller body by which a pair may move against each other in a step, so that no body passes through
+/// another unseen (0.1 to 0.5).
+const PASSING: f64 = 0.25;
+
+/// Rounding of a position, in units in its last place, that the error of a step may have (1 to 16).
+const ROUNDING_ULPS: f64 = 4.0;
+
+/// What is tracked within one longest step.
+#[derive(Debug)]
+struct Control {
+    /// What has happened at the present time already.
+    done: Vec<Happening>,
+    /// Since time advanced last.
+    still: usize,
+    /// In all.
+    events: u64,
+}
+
+/// Advances the group to `t_end` (s).
+///
+/// # Errors
+/// See the module.
+pub(super) fn advance(mut run: Run<'_>, t_end: f64) -> Result<GroupRun, SimulationError> {
+    let mut control = Control { done: Vec::new(), still: 0, events: 0 };
+    while run.t < t_end {
+        let longest = longest(&run, t_end);
+        let h = run.done.proposed_s.min(longest);
+        let candidates = settle(&mut run, h)?;
+        step(&mut run, &mut control, &candidates, (h, longest, t_end))?;
+    }
+    Ok(run.finished())
+}
+
+/// The longest step from the present (s): bodies do not pass each other.
+fn longest(run: &Run<'_>, t_end: f64) -> f64 {
+    let world = &run.core.world;
+    let own = (t_end - run.t).min(run.core.settings.step_s);
+    run.done.group.pairs.iter().fold(own, |longest, &(a, b)| {
+        let speed = world.point_speed(&run.states, a) + world.point_speed(&run.states, b);
+        let passing = PASSING * world.pair_size(a, b) / speed;
+        if passing > 0.0 { longest.min(passing) } else { longest }
+    })
+}
+
+/// Gives contacts that overlap springs, takes away those whose features have gone, and returns the other contacts near.
+fn settle(run: &mut Run<'_>, h: f64) -> Result<Vec<ContactId>, SimulationError> {
+    let near = run.near(h);
+    let gone: Vec<ContactId> = run.done.springs.iter().map(|spring| spring.id).collect();
+    let gone = gone.into_iter().filter(|id| near.binary_search_by_key(id, |(known, _)| *known).is_err());
+    let gone: Vec<ContactId> = gone.collect();
+    let mut begun = Vec::new();
+    let mut candidates = Vec::new();
+    for (id, kinematics) in &near {
+        if run.done.springs.binary_search_by_key(id, |known| known.id).is_ok() {
+            continue;
+        }
+        let separation = kinematics.geometry.separation;
+        let rounding = run.core.world.rounding(&run.states, id.a, id.b);
+        let touches = separation <= rounding && kinematics.separation_rate <= 0.0;
+        if touches || separation < -rounding {
+            begun.push(run.begun(*id, kinematics)?);
+        } else {
+            candidates.push(*id);
+        }
+    }
+    if !(gone.is_empty() && begun.is_empty()) {
+        let before = run.energy();
+        gone.into_iter().for_each(|id| run.remove(id));
+        begun.into_iter().for_each(|spring| run.insert(spring));
+        let lost = before - run.energy();
+        run.done.books.ledger.numerical.add(lost);
+    }
+    Ok(candidates)
+}
+
+/// One step of the group: to its first event at most.
+fn step(
+    run: &mut Run<'_>,
+    control: &mut Control,
+    candidates: &[ContactId],
+    (h, longest, t_end): (f64, f64, f64),
+) -> Result<(), SimulationError> {
+    let springs = run.done.springs.clone();
+    let bodies = run.done.group.bodies.clone();
+    let (core, about, t) = (run.core, run.done.books.ledger.momentum.about, run.t);
+    let mut states = run.states.clone();
+    let mut system =
+        SpringSystem { world: &core.world, bodies: &bodies, springs: &springs, about, states: &mut states };
+    let flat = system.pack();
+    let mut method = Dop853::new(system.dimension());
+    let smallest = TIME_ULPS * f64::EPSILON * t.abs().max(core.settings.step_s * f64::EPSILON);
+    let mut h = h;
+    let error = loop {
+        let Ok(()) = method.attempt_unscaled(&mut system, t, &flat, h);
+        let error = largest_error(run, &method, (&springs, candidates));
+        if error <= 1.0 {
+            break error;
+        }
+        let shorter = h * Dop853::next_step_factor(error).min(REFUSED_FACTOR);
+        if !(shorter > smallest) {
+            return Err(SimulationError::StepTooSmall { t_s: t, smallest_s: smallest });
+        }
+        h = shorter;
+    };
+    let next = h * Dop853::next_step_factor(error);
+    run.done.proposed_s = if h >= longest { next.max(run.done.proposed_s) } else { next };
+    run.done.largest_error = Some(run.done.largest_error.unwrap_or(0.0).max(error));
+    let Ok(mut dense) = method.dense(&mut system);
+    let resting_speed = run.laws.resting_speed(&core.world);
+    let mut looking = Looking { system: &mut system, dense: &dense, candidates, resting_speed, done: &control.done };
+    let found = looking.first();
+    let reaches_end = h >= t_end - t;
+    let Some((t_event, what)) = found else {
+        let end = if reaches_end { t_end } else { t + h };
+        run.done.segments.push(Segment { dense, springs });
+        run.commit(&flat, method.end_state().to_vec(), end);
+        control.done.clear();
+        control.still = 0;
+        return Ok(());
+    };
+    control.events += 1;
+    let cut = t_event - t;
+    if cut > smallest {
+        let Ok(()) = method.attempt_unscaled(&mut system, t, &flat, cut);
+        let Ok(shorter) = method.dense(&mut system);
+        dense = shorter;
+        run.done.segments.push(Segment { dense, springs });
+        run.commit(&flat, method.end_state().to_vec(), t_event);
+        control.done.clear();
+        control.still = 0;
+    }
+    control.done.push(what);
+    control.still += 1;
+    let most = run.core.settings.max_events_per_step;
+    if control.events > most || control.still > STILL_PER_CONTACT * (1 + run.done.springs.len() + candidates.len()) {
+        return Err(SimulationError::TooManyEvents { limit: most, t_s: run.t });
+    }
+    apply(run, what)
+}
+
+/// Events without time passing, for each contact: each of its signals may change twice.
+const STILL_PER_CONTACT: usize = 16;
+
+/// Changes the mode of a contact at the present.
+fn apply(run: &mut Run<'_>, what: Happening) -> Result<(), SimulationError> {
+    let before = run.energy();
+    match what {
+        Happening::Begin(id) => {
+            if let Some(kinematics) = run.core.world.kinematics(&run.states, id) {
+                let spring = run.begun(id, &kinematics)?;
+                run.insert(spring);
+            }
+        }
+        Happening::End(id) => run.remove(id),
+        Happening::Press(id) => with_spring(run, id, |spring| spring.presses = !spring.presses),
+        Happening::Turn(id) => with_spring(run, id, |spring| spring.loading = !spring.loading),
+        Happening::Grip(id) => change_grip(run, id),
+    }
+    let lost = before - run.energy();
+    let ledger = &mut run.done.books.ledger;
+    if matches!(what, Happening::Grip(_)) {
+        ledger.friction.add(lost)
+    } else {
+        ledger.numerical.add(lost)
+    }
+    Ok(())
+}
+
+fn with_spring(run: &mut Run<'_>, id: ContactId, change: impl FnOnce(&mut ContactSpring)) {
+    if let Some(spring) = run.done.springs.iter_mut().find(|spring| spring.id == id) {
+        change(spring);
+    }
+}
+
+/// A tangential spring gives way, or holds again.
+fn change_grip(run: &mut Run<'_>, id: ContactId) {
+    let Some(spring) = run.done.springs.iter().find(|spring| spring.id == id).copied() else { return };
+    let Some(at) = run.evaluated(&spring) else { return };
+    let direction = spring.vector.normalize_or_zero();
+    let (grip, vector, kind) = match spring.grip {
+        Grip::Stick => {
+            let along = if direction == DVec3::ZERO { at.slip.normalize_or_zero() } else { direction };
+            (Grip::Slide, along, EventKind::Slide)
+        }
+        Grip::Slide => (Grip::Stick, direction * spring.limit(spring.normal_force(&at)), EventKind::Stick),
+        other => (other, spring.vector, EventKind::Slide),
+    };
+    with_spring(run, id, |spring| (spring.grip, spring.vector) = (grip, vector));
+    run.note_event(kind, &spring);
+}
+
+/// The largest error of an attempt in units of what is allowed.
+fn largest_error(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[ContactSpring], &[ContactId])) -> f64 {
+    let world = &run.core.world;
+    let tolerance = STEP_SHARE * run.core.settings.tolerance;
+    let bodies = &run.done.group.bodies;
+    let end = method.end_state();
+    let ends = end.as_chunks::<WIDTH>().0.iter().map(BodyState::from_array);
+    let speed_at_end = bodies.iter().zip(ends).map(|(&body, state)| {
+        let velocity = world.velocity(body, &state);
+        world.fastest_point(body, &velocity)
+    });
+    let speeds = bodies.iter().map(|&body| world.point_speed(&run.states, body)).chain(speed_at_end);
+    let speed = speeds.fold(run.laws.resting_speed(world), f64::max);
+    let near_contact = !(springs.is_empty() && candidates.is_empty());
+    let frequency = springs.iter().map(|spring| spring.frequency(run.laws.depth_m)).fold(0.0, f64::max);
+    let mut largest = LargestError::default();
+    for (index, &body) in bodies.iter().enumerate() {
+        let Some(rigid) = &world.bodies[body].rigid else { continue };
+        let size = world.bodies[body].size.max(f64::MIN_POSITIVE);
+        let length = if near_contact { run.laws.depth_m.min(size) } else { size };
+        let coordinate = run.states[body].pose.translation.abs().max_element() + size;
+        let rounding = ROUNDING_ULPS * f64::EPSILON * coordinate;
+        let position = tolerance * length + rounding;
+        let velocity = tolerance * speed + rounding * frequency;
+        let allowance = ErrorAllowance {
+            position,
+            quaternion: ErrorAllowance::of_angle(position / size + ROUNDING_ULPS * f64::EPSILON),
+            velocity,
+            angular_momentum: velocity * rigid.moments().max_element() / size,
+        };
+        largest.include_body(method, index * WIDTH, allowance);
+    }
+    for (index, spring) in springs.iter().enumerate() {
+        let first = bodies.len() * WIDTH + index * SPRING;
+        let scale = match spring.grip {
+            Grip::Slide => 1.0,
+            _ => spring.normal.elastic_force(run.laws.depth_m),
+        };
+        largest.include(method.error_of(first..first + SPRING), tolerance * scale);
+    }
+    // What dampers and friction take is booked as exactly as the motion.
+    let mass: f64 = bodies.iter().filter_map(|&body| world.bodies[body].rigid.as_ref()).map(RigidBody::mass).sum();
+    let first = bodies.len() * WIDTH + springs.len() * SPRING + DISSIPATION;
+    if !springs.is_empty() {
+        largest.include(method.error_of(first..first + DISSIPATIONS), tolerance * mass * speed * speed);
+    }
+    largest.get()
+}
+
+/// Part of the tolerance that one step may err by: an impact takes some ten to a hundred of them (0.01 to 1).
+const STEP_SHARE: f64 = 0.1;

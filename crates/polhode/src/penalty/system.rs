@@ -1,0 +1,219 @@
+//! The equations of motion of a group of bodies with the springs between them.
+//!
+//! `p' = v`, `q' = w q / 2`, `v' = g + sum F/m`, `L' = sum r x F`, with the forces of `contact` at the state of the stage. Which
+//! springs there are and their modes are frozen. The state is flat: the bodies, three numbers for each spring (its tangential
+//! vector), and [`TAIL`] numbers for the ledgers: impulses of fixed bodies, weights and fields, each with its moment, energy
+//! lost to dampers and drag, external work, and energy lost to friction.
+
+use super::contact::{ContactSpring, Evaluated, Force};
+use crate::Momentum;
+use crate::accounting::books::{Received, given_by_fields, gravity_at};
+use crate::collision::contact_id::ContactId;
+use crate::world::World;
+use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH, quaternion_rate};
+use polhode_dynamics::{BodyState, RigidBody, System, state};
+use polhode_spatial::{DQuat, DVec3};
+use std::convert::Infallible;
+
+/// Numbers for the ledgers after those of bodies and springs.
+pub(super) const TAIL: usize = 21;
+
+/// Place in the ledgers of what dampers, external agents and friction do, and how many numbers that is.
+pub(super) const DISSIPATION: usize = 18;
+pub(super) const DISSIPATIONS: usize = 3;
+
+/// Numbers of a spring.
+pub(super) const SPRING: usize = 3;
+
+/// A group with its springs.
+#[derive(Debug)]
+pub(super) struct SpringSystem<'a> {
+    pub(super) world: &'a World,
+    pub(super) bodies: &'a [usize],
+    pub(super) springs: &'a [ContactSpring],
+    /// The point of the ledger of momentum.
+    pub(super) about: DVec3,
+    /// States of all bodies; those of `bodies` and of kinematic bodies are overwritten at every stage.
+    pub(super) states: &'a mut [BodyState],
+}
+
+impl SpringSystem<'_> {
+    /// Flat state of the group, with empty ledgers.
+    pub(super) fn pack(&self) -> Vec<f64> {
+        let bodies = self.bodies.iter().flat_map(|&body| self.states[body].to_array());
+        let springs = self.springs.iter().flat_map(|spring| spring.vector.to_array());
+        bodies.chain(springs).chain(std::iter::repeat_n(0.0, TAIL)).collect()
+    }
+
+    /// Sets the states of the group, and those of kinematic bodies, from its flat state at `t` (s).
+    pub(super) fn set_states(&mut self, t: f64, flat: &[f64]) {
+        for (&body, numbers) in self.bodies.iter().zip(flat.as_chunks::<WIDTH>().0) {
+            self.states[body] = BodyState::from_array(numbers);
+        }
+        self.world.prescribe(t, self.states);
+    }
+
+    /// A spring with its vector of a flat state.
+    pub(super) fn spring(&self, flat: &[f64], index: usize) -> ContactSpring {
+        let first = self.bodies.len() * WIDTH + index * SPRING;
+        let vector = flat.get(first..first + SPRING).map_or(DVec3::ZERO, DVec3::from_slice);
+        ContactSpring { vector, ..self.springs[index] }
+    }
+
+    /// A spring in the states that were set last; none where its features define no contact.
+    pub(super) fn evaluated(&self, spring: &ContactSpring) -> Option<Evaluated> {
+        Evaluated::new(self.world, self.states, spring.id, spring.friction.is_some())
+    }
+
+    /// Elastic energy of all springs in a flat state, J, and that of the tangential springs that give way.
+    pub(super) fn energies(&mut self, t: f64, flat: &[f64]) -> (f64, f64) {
+        self.set_states(t, flat);
+        let (mut all, mut yielding) = (0.0, 0.0);
+        for index in 0..self.springs.len() {
+            let spring = self.spring(flat, index);
+            if let Some(at) = self.evaluated(&spring) {
+                all += spring.energy(&at);
+                if spring.gives_way() {
+                    yielding += spring.tangential_energy(&at);
+                }
+            }
+        }
+        (all, yielding)
+    }
+
+    /// Momentum and energy received since the ledgers of a flat state were empty.
+    pub(super) fn received(&self, flat: &[f64]) -> Received {
+        let first = self.bodies.len() * WIDTH + self.springs.len() * SPRING;
+        let Some(tail) = flat.get(first..).and_then(|tail| tail.first_chunk::<TAIL>()) else {
+            return Received::default();
+        };
+        let vector = |first: usize| DVec3::new(tail[first], tail[first + 1], tail[first + 2]);
+        let momentum = |first: usize| Momentum { linear: vector(first), angular: vector(first + 3) };
+        Received {
+            support: momentum(0),
+            gravity: momentum(6),
+            fields: momentum(12),
+            damping_j: tail[18],
+            external_j: tail[19],
+            friction_j: tail[20],
+        }
+    }
+
+    /// Rates of the bodies without springs.
+    fn free_rates(&self, t: f64, flat: &[f64], rates: &mut [f64]) {
+        let loads = self.world.loads_on(t, self.states, self.bodies);
+        let numbers = flat.as_chunks::<WIDTH>().0;
+        for ((&body, number), rate) in self.bodies.iter().zip(numbers).zip(rates.as_chunks_mut::<WIDTH>().0) {
+            let velocity = self.world.velocity(body, &self.states[body]);
+            let [w, x, y, z] = [0, 1, 2, 3].map(|k| number[QUATERNION + k]);
+            rate[POSITION..QUATERNION].copy_from_slice(&velocity.linear.to_array());
+            let turning = quaternion_rate(DQuat::from_xyzw(x, y, z, w), velocity.angular);
+            rate[QUATERNION..LINEAR_VELOCITY].copy_from_slice(&turning);
+            let load = loads.of(body);
+            let inverse_mass = self.world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass);
+            let acceleration = self.world.free_acceleration(body) + load.force * inverse_mass;
+            rate[LINEAR_VELOCITY..ANGULAR_MOMENTUM].copy_from_slice(&acceleration.to_array());
+            rate[ANGULAR_MOMENTUM..].copy_from_slice(&load.torque.to_array());
+        }
+    }
+
+    /// Adds a force on a body at a point to the rates.
+    fn add_force(&self, body: usize, force: DVec3, point: DVec3, rates: &mut [f64]) {
+        let (Ok(index), Some(rigid)) = (self.bodies.binary_search(&body), &self.world.bodies[body].rigid) else {
+            return;
+        };
+        let rate = &mut rates[index * WIDTH..(index + 1) * WIDTH];
+        add(&mut rate[LINEAR_VELOCITY..], force * rigid.inverse_mass());
+        add(&mut rate[ANGULAR_MOMENTUM..], (point - self.states[body].pose.translation).cross(force));
+    }
+
+    /// Rates of the ledgers by weights and fields.
+    fn outside_rates(&self, t: f64, tail: &mut [f64]) {
+        for &body in self.bodies {
+            let gravity = gravity_at(self.world, self.states, body, self.about, 1.0);
+            add(&mut tail[6..], gravity.linear);
+            add(&mut tail[9..], gravity.angular);
+        }
+        if self.world.has_fields() {
+            let given = given_by_fields(self.world, t, self.states, self.bodies, self.about);
+            add(&mut tail[12..], given.fields.linear);
+            add(&mut tail[15..], given.fields.angular);
+            tail[18] += given.damping_j;
+            tail[19] += given.external_j;
+        }
+    }
+
+    /// Rates of the ledgers by one contact.
+    fn contact_rates(&self, id: ContactId, at: &Evaluated, force: &Force, tail: &mut [f64]) {
+        let carries = |body: usize| self.world.carries_momentum(body);
+        let given = match (carries(id.a), carries(id.b)) {
+            (true, false) => force.on_a,
+            (false, true) => -force.on_a,
+            _ => DVec3::ZERO,
+        };
+        add(tail, given);
+        add(&mut tail[3..], (at.point - self.about).cross(given));
+        tail[18] += force.damping;
+        tail[20] += force.friction;
+        // Kinematic bodies and driven surfaces give what movable bodies receive beyond the relative power.
+        let is_driven = |body: usize| self.world.bodies[body].trajectory.is_some();
+        if is_driven(id.a) || is_driven(id.b) || self.world.has_moving_surfaces() {
+            let power = |body: usize, force: DVec3| {
+                let Some(rigid) = &self.world.bodies[body].rigid else { return 0.0 };
+                let velocity = rigid.velocity(&self.states[body]);
+                let arm = at.point - self.states[body].pose.translation;
+                force.dot(velocity.linear + velocity.angular.cross(arm))
+            };
+            let received = power(id.a, force.on_a) + power(id.b, -force.on_a);
+            tail[19] += received + force.normal * at.rate - force.tangential.dot(at.slip);
+        }
+    }
+}
+
+impl ContactSpring {
+    /// Whether friction takes up more than slip, so that the elastic energy of its spring is part of what it takes.
+    pub(super) fn gives_way(&self) -> bool {
+        matches!(self.grip, super::contact::Grip::Slide | super::contact::Grip::Cut)
+    }
+}
+
+impl System for SpringSystem<'_> {
+    type Error = Infallible;
+
+    fn dimension(&self) -> usize {
+        self.bodies.len() * WIDTH + self.springs.len() * SPRING + TAIL
+    }
+
+    fn derivative(&mut self, t: f64, flat: &[f64], rates: &mut [f64]) -> Result<(), Infallible> {
+        self.set_states(t, flat);
+        self.free_rates(t, flat, rates);
+        let first = self.bodies.len() * WIDTH;
+        let end = first + self.springs.len() * SPRING;
+        rates[first..].fill(0.0);
+        for index in 0..self.springs.len() {
+            let spring = self.spring(flat, index);
+            let Some(at) = self.evaluated(&spring) else { continue };
+            let force = spring.force(&at);
+            self.add_force(spring.id.a, force.on_a, at.point, rates);
+            self.add_force(spring.id.b, -force.on_a, at.point, rates);
+            let place = first + index * SPRING;
+            rates[place..place + SPRING].copy_from_slice(&force.vector_rate.to_array());
+            self.contact_rates(spring.id, &at, &force, &mut rates[end..]);
+        }
+        self.outside_rates(t, &mut rates[end..]);
+        Ok(())
+    }
+
+    fn normalize(&self, flat: &mut [f64]) {
+        let bodies = self.bodies.len() * WIDTH;
+        if let Some(bodies) = flat.get_mut(..bodies) {
+            state::normalize(bodies);
+        }
+    }
+}
+
+fn add(target: &mut [f64], vector: DVec3) {
+    for (number, more) in target.iter_mut().zip(vector.to_array()) {
+        *number += more;
+    }
+}
