@@ -59,11 +59,14 @@ pub struct Cells {
 }
 
 impl Cells {
-    /// About so many elements that are nearly squares.
+    /// About so many elements that are nearly squares; none where none is asked for.
     pub fn near(width: f64, height: f64, elements: usize) -> Self {
-        let most = elements.max(1);
-        let rows = libm::round((most as f64 * height / width).sqrt()).clamp(1.0, most as f64);
-        let columns = libm::round(most as f64 / rows).max(1.0);
+        if elements == 0 {
+            return Self { columns: 0, rows: 0 };
+        }
+        let most = elements as f64;
+        let rows = libm::round((most * height / width).sqrt()).clamp(1.0, most);
+        let columns = libm::round(most / rows).max(1.0);
         Self { columns: columns as usize, rows: rows as usize }
     }
 

@@ -9,10 +9,10 @@
 //! Fails: quantities that change by jumps with the mesh (the last touch of a body that patters) have errors of the size
 //! of the jumps, which the estimate says.
 
-use crate::body::Guide;
 use crate::drop::{DropReport, RectangleDrop};
 use crate::error::ElasticError;
 use crate::extrapolation::{Extrapolated, Mean};
+use crate::guide::Guide;
 use crate::mesh::Cells;
 
 /// The shortest step of a study, in units of the limit: 6 % are several steps' phase at the end of the shortest contact.
