@@ -75,6 +75,17 @@ impl Cells {
         self.columns.saturating_mul(self.rows)
     }
 
+    /// These, where a mesh may have so many.
+    ///
+    /// # Errors
+    /// No element or too many.
+    pub const fn checked(self) -> Result<Self, ElasticError> {
+        match self.count() {
+            1..=MOST_ELEMENTS => Ok(self),
+            value => Err(ElasticError::Elements { value, most: MOST_ELEMENTS }),
+        }
+    }
+
     /// Twice as many in each direction.
     pub const fn halved(self) -> Self {
         Self { columns: self.columns.saturating_mul(2), rows: self.rows.saturating_mul(2) }
@@ -127,10 +138,7 @@ impl QuadMesh {
     pub fn rectangle(width: f64, height: f64, cells: Cells) -> Result<Self, ElasticError> {
         positive("the width", "m", width)?;
         positive("the height", "m", height)?;
-        let Cells { columns, rows } = cells;
-        if cells.count() == 0 || cells.count() > MOST_ELEMENTS {
-            return Err(ElasticError::Elements { value: cells.count(), most: MOST_ELEMENTS });
-        }
+        let Cells { columns, rows } = cells.checked()?;
         // Written so that left and right mirror each other to the last bit.
         let x = |i: usize| 0.5 * width * ((2 * i) as f64 - columns as f64) / columns as f64;
         let z = |j: usize| height * j as f64 / rows as f64;
