@@ -6,21 +6,12 @@
 
 use crate::element::{mean_stress, response};
 use crate::error::ElasticError;
+use crate::guide::Guide;
 use crate::material::ElasticMaterial;
 use crate::mesh::QuadMesh;
 use crate::stability::{longest_step, node_masses};
 use glam::{DMat2, DVec2};
 use polhode_spatial::CompensatedSum;
-
-/// How the nodes may move.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Guide {
-    /// In the plane.
-    Free,
-    /// Along vertical lines: a confined body in uniaxial strain. A rectangle whose sides stand on rollers and that drops flat
-    /// moves so by itself; here every node has its row, so that rounding cannot grow beside it.
-    Vertical,
-}
 
 /// A body at rest.
 #[derive(Debug, Clone, PartialEq)]

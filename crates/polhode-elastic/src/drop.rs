@@ -11,9 +11,10 @@
 //! Fails: a tilt whose second corner follows within that time gives both impacts as one; a body that stays on the
 //! floor is an error after [`LONGEST_STAY`] times that time.
 
-use crate::body::{ElasticBody, Guide, moment};
+use crate::body::{ElasticBody, moment};
 use crate::error::{ElasticError, finite, positive};
 use crate::floor::Floor;
+use crate::guide::Guide;
 use crate::material::ElasticMaterial;
 use crate::mesh::{Cells, QuadMesh};
 use crate::run::{ElasticRun, EnergyLedger, NodeStates};

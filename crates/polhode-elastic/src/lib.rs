@@ -10,7 +10,8 @@
 //! |---|---|
 //! | [`material`] | [`ElasticMaterial`]: moduli, and speeds of waves |
 //! | [`mesh`] | [`QuadMesh`]: four-node elements that are not folded; [`Cells`] of a rectangle |
-//! | [`body`] | [`ElasticBody`]: mesh, material and lumped masses; [`Guide`]: free, or confined |
+//! | [`body`] | [`ElasticBody`]: mesh, material and lumped masses |
+//! | [`guide`] | [`Guide`]: free, or confined |
 //! | [`floor`] | [`Floor`], and the law of a node that meets it |
 //! | [`run`] | [`ElasticRun`]: central differences, with ledgers of energy and momentum |
 //! | [`stability`] | the longest stable step |
@@ -49,6 +50,7 @@ pub mod drop;
 pub mod error;
 pub mod extrapolation;
 pub mod floor;
+pub mod guide;
 pub mod material;
 pub mod mesh;
 pub mod run;
@@ -58,12 +60,13 @@ pub mod study;
 mod element;
 mod law;
 
-pub use body::{ElasticBody, Guide, Momentum};
+pub use body::{ElasticBody, Momentum};
 pub use drop::{DropReport, ReboundEnergy, RectangleDrop};
 pub use error::ElasticError;
 pub use extrapolation::{Extrapolated, Mean};
 pub use floor::Floor;
 pub use glam::{DMat2, DVec2};
+pub use guide::Guide;
 pub use material::ElasticMaterial;
 pub use mesh::{Cells, QuadMesh};
 pub use run::{ContactTimes, ElasticRun, EnergyLedger, MomentumLedger, NodeStates};

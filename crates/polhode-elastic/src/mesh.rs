@@ -59,17 +59,31 @@ pub struct Cells {
 }
 
 impl Cells {
-    /// About so many elements that are nearly squares.
+    /// About so many elements that are nearly squares; none where none is asked for.
     pub fn near(width: f64, height: f64, elements: usize) -> Self {
-        let most = elements.max(1);
-        let rows = libm::round((most as f64 * height / width).sqrt()).clamp(1.0, most as f64);
-        let columns = libm::round(most as f64 / rows).max(1.0);
+        if elements == 0 {
+            return Self { columns: 0, rows: 0 };
+        }
+        let most = elements as f64;
+        let rows = libm::round((most * height / width).sqrt()).clamp(1.0, most);
+        let columns = libm::round(most / rows).max(1.0);
         Self { columns: columns as usize, rows: rows as usize }
     }
 
     /// How many there are.
     pub const fn count(self) -> usize {
         self.columns.saturating_mul(self.rows)
+    }
+
+    /// These, where a mesh may have so many.
+    ///
+    /// # Errors
+    /// No element or too many.
+    pub const fn checked(self) -> Result<Self, ElasticError> {
+        match self.count() {
+            1..=MOST_ELEMENTS => Ok(self),
+            value => Err(ElasticError::Elements { value, most: MOST_ELEMENTS }),
+        }
     }
 
     /// Twice as many in each direction.
@@ -124,10 +138,7 @@ impl QuadMesh {
     pub fn rectangle(width: f64, height: f64, cells: Cells) -> Result<Self, ElasticError> {
         positive("the width", "m", width)?;
         positive("the height", "m", height)?;
-        let Cells { columns, rows } = cells;
-        if cells.count() == 0 || cells.count() > MOST_ELEMENTS {
-            return Err(ElasticError::Elements { value: cells.count(), most: MOST_ELEMENTS });
-        }
+        let Cells { columns, rows } = cells.checked()?;
         // Written so that left and right mirror each other to the last bit.
         let x = |i: usize| 0.5 * width * ((2 * i) as f64 - columns as f64) / columns as f64;
         let z = |j: usize| height * j as f64 / rows as f64;

@@ -14,9 +14,10 @@
 //! Fails: a step beyond the limit of stability is refused; an element that folds, and an energy that the steps change by more
 //! than [`LARGEST_NUMERICAL_PART`], end the motion with an error.
 
-use crate::body::{ElasticBody, Guide, Momentum};
+use crate::body::{ElasticBody, Momentum};
 use crate::error::{ElasticError, finite, positive};
 use crate::floor::{Approach, Floor, NodeContact};
+use crate::guide::Guide;
 use glam::DVec2;
 use polhode_spatial::CompensatedSum;
 

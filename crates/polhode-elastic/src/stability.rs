@@ -13,8 +13,8 @@
 //!
 //! Assumes stiffness as it is at rest; that of the harmonic law changes only by the turning of what is under stress.
 
-use crate::body::Guide;
 use crate::element::linear_forces;
+use crate::guide::Guide;
 use crate::material::ElasticMaterial;
 use crate::mesh::{Quad, QuadMesh};
 use glam::DVec2;

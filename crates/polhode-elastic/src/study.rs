@@ -9,10 +9,10 @@
 //! Fails: quantities that change by jumps with the mesh (the last touch of a body that patters) have errors of the size
 //! of the jumps, which the estimate says.
 
-use crate::body::Guide;
 use crate::drop::{DropReport, RectangleDrop};
 use crate::error::ElasticError;
 use crate::extrapolation::{Extrapolated, Mean};
+use crate::guide::Guide;
 use crate::mesh::Cells;
 
 /// The shortest step of a study, in units of the limit: 6 % are several steps' phase at the end of the shortest contact.
@@ -123,8 +123,17 @@ impl DropStudy {
     /// # Errors
     /// Those of [`RectangleDrop::run`].
     pub fn of(drop: &RectangleDrop, coarsest: Cells) -> Result<Self, ElasticError> {
+        let meshes = Self::cells(coarsest)?.into_iter().map(|cells| MeshedDrops::of(drop, cells));
+        Ok(Self { meshes: meshes.collect::<Result<_, _>>()? })
+    }
+
+    /// The meshes of a study of which this is the coarsest.
+    ///
+    /// # Errors
+    /// No element, or too many on the finest: told before anything is computed.
+    pub fn cells(coarsest: Cells) -> Result<Vec<Cells>, ElasticError> {
         let cells = std::iter::successors(Some(coarsest), |cells| Some(cells.halved()));
-        Ok(Self { meshes: cells.take(MESHES).map(|cells| MeshedDrops::of(drop, cells)).collect::<Result<_, _>>()? })
+        cells.take(MESHES).map(Cells::checked).collect()
     }
 
     /// A quantity on a mesh that is infinitely fine.

@@ -2,14 +2,14 @@
 
 use super::case::Case;
 use super::{
-    arches, chung_ooi, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds, effects, exact_drift,
-    falling_shapes, free_rotation, friction_effects, friction_invariances, friction_scenes, frictional_impacts,
-    frictional_statics, heaps, heavy_tops, impact_chains, impact_laws, impacts, invariances, joints, ledger, long_runs,
-    mass_properties, numerical_loss, one_dependency, peers, pi_machine, polhode_times, published_rotations,
-    random_scenes, random_solids, reductions, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, seams,
-    sliding, sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed, spinning_scenes, stability,
-    stackings, stacks, stacks_on_slopes, structures, table_edge, thesis_forces, thesis_tier, tunnelling, units,
-    valleys, videos, walls,
+    arches, chung_ooi, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds, effects,
+    elastic_body, exact_drift, falling_shapes, free_rotation, friction_effects, friction_invariances, friction_scenes,
+    frictional_impacts, frictional_statics, heaps, heavy_tops, impact_chains, impact_laws, impacts, invariances,
+    joints, ledger, long_runs, mass_properties, numerical_loss, one_dependency, peers, pi_machine, polhode_times,
+    published_rotations, random_scenes, random_solids, reductions, resting_contact, rigid_ipc, rocking_and_toppling,
+    rolling_disc, seams, sliding, sliding_and_spinning, slipping_and_rolling, slopes, snapshots, speed,
+    spinning_scenes, stability, stackings, stacks, stacks_on_slopes, structures, table_edge, thesis_forces,
+    thesis_tier, tunnelling, units, valleys, videos, walls,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -32,6 +32,7 @@ pub(crate) const QUICK: &[&str] = &[
     "IM-02",
     "IM-06",
     "IM-08",
+    "elastic body",
     "RC-02",
     "RC-05",
     "RC-07",
@@ -126,6 +127,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "IM-13", rows: impacts::im_13 },
     Case { name: "IM-14", rows: impacts::im_14 },
     Case { name: "frictional impacts", rows: frictional_impacts::energy },
+    Case { name: "elastic body", rows: elastic_body::rows },
     Case { name: "RC-02", rows: diamonds::rc_02 },
     Case { name: "RC-03", rows: diamonds::rc_03 },
     Case { name: "RC-05", rows: stacks::rc_05 },

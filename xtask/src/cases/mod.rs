@@ -32,6 +32,7 @@ mod curved_bodies;
 mod decomposition;
 mod diamonds;
 mod effects;
+mod elastic_body;
 mod exact_drift;
 mod falling_shapes;
 mod feature_numbers;

@@ -14,8 +14,15 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// The crates that a user may depend on alone.
-const CRATES: [&str; 6] =
-    ["polhode-spatial", "polhode-mesh", "polhode-dynamics", "polhode-contact", "polhode-response", "polhode"];
+const CRATES: [&str; 7] = [
+    "polhode-spatial",
+    "polhode-mesh",
+    "polhode-dynamics",
+    "polhode-contact",
+    "polhode-response",
+    "polhode",
+    "polhode-elastic",
+];
 
 /// What an example that takes in other files of its crate contains: a tool of ours, and no program of a user's.
 const OTHER_FILES: &str = "#[path";

@@ -9,9 +9,6 @@ use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::time::Instant;
 
-/// Meshes of a study.
-const MESHES: usize = 3;
-
 /// A drop and everything about it.
 pub(super) struct Dropped {
     drop: RectangleDrop,
@@ -25,15 +22,14 @@ impl Dropped {
     /// Drops it on three meshes, the coarsest of about so many elements.
     pub(super) fn of(drop: &RectangleDrop, elements: usize) -> Result<Self, Failure> {
         let progress = Progress::new("dropping the rectangle");
-        progress.phase("meshes", MESHES);
         let (mut meshes, mut wall_s) = (Vec::new(), Vec::new());
-        let mut cells = drop.cells(elements);
-        for _ in 0..MESHES {
+        let all = DropStudy::cells(drop.cells(elements))?;
+        progress.phase("meshes", all.len());
+        for cells in all {
             let start = Instant::now();
             let drops = MeshedDrops::of(drop, cells)?;
             wall_s.push(start.elapsed().as_secs_f64() / drops.reports.len().max(1) as f64);
             meshes.push(drops);
-            cells = cells.halved();
             progress.part_done();
         }
         let study = DropStudy { meshes };

@@ -6,6 +6,7 @@ mod bad_input;
 mod check;
 mod compare;
 mod cost;
+mod elastic;
 mod every_day;
 #[cfg(unix)]
 mod help_examples;

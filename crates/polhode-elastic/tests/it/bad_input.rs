@@ -37,7 +37,9 @@ fn a_rectangle_has_positive_sizes_and_a_drop_a_speed() {
     }
     assert!(QuadMesh::rectangle(1.0, 1.0, Cells { columns: usize::MAX, rows: usize::MAX }).is_err());
     assert_eq!(Cells::near(2.0, 1.0, 200), Cells { columns: 20, rows: 10 });
-    assert_eq!(Cells::near(1.0, 1e-9, 0).count(), 1);
+    assert_eq!(Cells::near(1.0, 1e-9, 1).count(), 1);
+    let drop = RectangleDrop::new(1.0, 1.0, rubber(), 1.0).unwrap();
+    assert!(matches!(drop.run(drop.cells(0)), Err(ElasticError::Elements { value: 0, .. })));
 }
 
 #[test]
