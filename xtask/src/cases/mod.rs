@@ -33,6 +33,7 @@ mod diamonds;
 mod effects;
 mod exact_drift;
 mod falling_shapes;
+mod fast_tier;
 mod feature_numbers;
 mod free_rotation;
 mod friction_effects;

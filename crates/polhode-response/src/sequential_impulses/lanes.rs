@@ -17,12 +17,7 @@ pub(super) struct Four(pub(super) [f64; FOUR]);
 
 /// Numbers that one instruction computes with.
 pub(super) trait Lanes:
-    Copy
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
     /// How many.
     const WIDTH: usize;

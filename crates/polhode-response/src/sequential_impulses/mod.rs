@@ -263,7 +263,16 @@ mod tests {
                 continue;
             }
             let (normal, tangent, between) = (DVec3::Z, DVec3::X, DVec3::new(0.1, 0.0, 1.0));
-            solver.add(ImpulseManifold { bodies, normal, tangent, between, friction: 0.5, restitution: 0.4, points, count });
+            solver.add(ImpulseManifold {
+                bodies,
+                normal,
+                tangent,
+                between,
+                friction: 0.5,
+                restitution: 0.4,
+                points,
+                count,
+            });
         }
         solver
     }

@@ -31,10 +31,8 @@ fn prepare_part<L: Lanes>(bodies: &[ImpulseBody], (batch, part): (&Batch, usize)
         let arm_b = arm + frame.between;
         let axes = [frame.normal, frame.first, frame.second];
         let (at_a, at_b) = (axes.map(|axis| arm.cross(axis)), axes.map(|axis| arm_b.cross(axis)));
-        let (of_a, of_b) = (
-            at_a.map(|moment| a.inverse_inertia.times(moment)),
-            at_b.map(|moment| b.inverse_inertia.times(moment)),
-        );
+        let (of_a, of_b) =
+            (at_a.map(|moment| a.inverse_inertia.times(moment)), at_b.map(|moment| b.inverse_inertia.times(moment)));
         let k = |i: usize, j: usize| of_a[i].dot(at_a[j]) + of_b[i].dot(at_b[j]);
         let nn = inverse_masses + k(0, 0);
         let (xx, xy, yy) = (inverse_masses + k(1, 1), k(1, 2), inverse_masses + k(2, 2));

@@ -111,11 +111,7 @@ impl FourWorks {
 
     pub(super) fn sums(&self) -> Works {
         let sum = |four: &Four| (four.0[0] + four.0[1]) + (four.0[2] + four.0[3]);
-        Works {
-            colliding_j: sum(&self.colliding),
-            resting_j: sum(&self.resting),
-            friction_j: sum(&self.friction),
-        }
+        Works { colliding_j: sum(&self.colliding), resting_j: sum(&self.resting), friction_j: sum(&self.friction) }
     }
 }
 
@@ -177,9 +173,8 @@ impl<L: Lanes> Soft<L> {
     #[inline(always)]
     fn of(rule: &SweepRule, side: L) -> Self {
         let square = side * side;
-        let pick = |between: f64, fixed: f64| {
-            L::pick_greater(square, L::splat(0.0), L::splat(fixed), L::splat(between))
-        };
+        let pick =
+            |between: f64, fixed: f64| L::pick_greater(square, L::splat(0.0), L::splat(fixed), L::splat(between));
         let (between, fixed) = (&rule.between, &rule.with_fixed);
         Self {
             rate: pick(between.rate, fixed.rate),
@@ -203,7 +198,8 @@ fn solve<L: Lanes>(
     let friction = L::load(&batch.friction, part);
     let soft = Soft::of(rule, L::load(&batch.side, part));
     let (zero, one, half) = (L::splat(0.0), L::splat(1.0), L::splat(0.5));
-    let (inverse_step, push, colliding) = (L::splat(rule.inverse_step), L::splat(-rule.push), L::splat(-rule.colliding));
+    let (inverse_step, push, colliding) =
+        (L::splat(rule.inverse_step), L::splat(-rule.push), L::splat(-rule.colliding));
     for row in rows {
         let arm = Vectors::<L>::load(&row.arm, part);
         let arm_b = arm + frame.between;

@@ -3,8 +3,8 @@
 //! A contact gives way as a spring of [`FREQUENCY_HZ`] (at most a quarter of the rate of substeps, or it would not be followed) with the
 //! damping ratio [`DAMPING`]; one with a body that does not move is twice as stiff. Source: docs/REFERENCES.md, Catto 2024.
 
-use polhode_response::sequential_impulses::{Softness, SweepRule};
 use crate::world::World;
+use polhode_response::sequential_impulses::{Softness, SweepRule};
 use polhode_spatial::DVec3;
 
 /// Frequency of the spring of a contact, Hz.

@@ -197,7 +197,10 @@ impl SceneBuilder {
             && tier.takes(TierFeature::Friction)
         {
             let instead = format!("tier {}", Tier::names_with(TierFeature::SurfaceEffects));
-            return Err(SceneError::NotYetAvailable { what: format!("{effect} with tier = \"{}\"", tier.name), instead });
+            return Err(SceneError::NotYetAvailable {
+                what: format!("{effect} with tier = \"{}\"", tier.name),
+                instead,
+            });
         }
         Ok(scene)
     }
