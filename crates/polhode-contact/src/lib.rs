@@ -105,6 +105,7 @@ pub use feature::{ContactFeature, Side, SurfaceFeature};
 pub use impact::time_of_impact::{
     ImpactError, ImpactReport, ImpactSearch, find_impact, time_of_further_impact, time_of_impact,
 };
+pub use narrow_phase::clipped_boxes::clipped_manifold;
 pub use narrow_phase::convex_method::{ConvexMethod, separation_by};
 pub use narrow_phase::counterpart::counterpart;
 pub use narrow_phase::evaluate::{evaluate, kinematics, kinematics_with_tangential};

@@ -35,6 +35,7 @@ mod effects;
 mod elastic_body;
 mod exact_drift;
 mod falling_shapes;
+mod fast_tier;
 mod feature_numbers;
 mod free_rotation;
 mod friction_effects;

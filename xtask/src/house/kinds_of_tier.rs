@@ -17,6 +17,7 @@ const HOMES: [&str; 5] = [
     "crates/polhode/src/tier/",
     "crates/polhode/src/accurate/",
     "crates/polhode/src/stepped/",
+    "crates/polhode/src/fast/",
     "crates/polhode/src/thesis/",
     "crates/polhode/src/penalty/",
 ];

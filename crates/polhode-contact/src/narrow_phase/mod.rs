@@ -24,4 +24,5 @@ pub(crate) mod terms;
 
 pub use dispatch::{convex_method, manifold, pair_memory, passing, separation, workspace};
 pub use feature::counterpart;
+pub use pair::clipped_boxes;
 pub use terms::{evaluate, open_face, tangential};

@@ -11,7 +11,8 @@
 
 use crate::world::World;
 use polhode_contact::{
-    Aabb, Contact, ContactFeature, Manifold, PairMemory, Shape, Side, Workspace, near_manifold_with,
+    Aabb, Contact, ContactFeature, ContactGeometry, Manifold, PairMemory, Shape, Side, Workspace, clipped_manifold,
+    near_manifold_with,
 };
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose};
@@ -23,6 +24,9 @@ const KEPT_RELATIVE: f64 = 2e-4;
 /// Contacts up to this distance are found besides those that the bodies may reach in a step, relative to the size of the smaller body
 /// (no unit, 1e-3 to 1e-1): so that patches need not be searched as soon as one body moves a little.
 const MARGIN_RELATIVE: f64 = 1e-2;
+
+/// Distance within which points of two searches are one, relative to the size of the smaller body (no unit, 1e-3 to 1e-1).
+const SAME_PLACE_RELATIVE: f64 = 2e-2;
 
 /// How much farther than needed patches are searched, so that they last (no unit).
 const REACH_TO_SPARE: f64 = 1.5;
@@ -47,6 +51,14 @@ pub(crate) struct PatchPoint {
     /// Mean force of the last step on A: along the normal (N), and of friction, world (N).
     pub(crate) normal_force: f64,
     pub(crate) friction_force: DVec3,
+}
+
+impl PatchPoint {
+    /// Takes the impulses and forces of another point.
+    fn take(&mut self, known: &Self) {
+        (self.normal_impulse, self.friction_impulse) = (known.normal_impulse, known.friction_impulse);
+        (self.normal_force, self.friction_force) = (known.normal_force, known.friction_force);
+    }
 }
 
 /// Points with one normal.
@@ -142,6 +154,14 @@ impl PairPatches {
         self
     }
 
+    /// Where a point of a patch is in these states.
+    pub(crate) fn geometry(&self, states: &[BodyState], patch: &Patch, point: &PatchPoint) -> ContactGeometry {
+        let normal = states[self.b].pose.rotation.rotate(patch.normal);
+        let [a, b] =
+            [(self.a, point.on_a), (self.b, point.on_b)].map(|(body, at)| states[body].pose.transform_point(at));
+        ContactGeometry { point: (a + b) * 0.5, normal, separation: normal.dot(a - b), margin: f64::INFINITY }
+    }
+
     /// Brings the patches to these states, for bodies that may approach each other by `travel` (m) in the coming step.
     pub(crate) fn renew(&mut self, world: &World, states: &[BodyState], travel: f64, tools: &mut Tools) {
         let (pose_a, pose_b) = (&states[self.a].pose, &states[self.b].pose);
@@ -156,7 +176,9 @@ impl PairPatches {
         let Some((shape_a, shape_b)) = world.shapes(self.a, self.b) else { return self.patches.clear() };
         let far = REACH_TO_SPARE * reach;
         let (a, b) = ((shape_a, pose_a), (shape_b, pose_b));
-        near_manifold_with(&mut tools.workspace, &mut self.memory, a, b, far, &mut tools.found);
+        if !clipped_manifold(a, b, far, &mut tools.found) {
+            near_manifold_with(&mut tools.workspace, &mut self.memory, a, b, far, &mut tools.found);
+        }
         self.found_at = Some(FoundAt { pose: now, reach: far, separation: tools.found.separation });
         let before = std::mem::take(&mut self.patches);
         make_patches(&mut self.patches, &tools.found.contacts, (pose_a, pose_b));
@@ -180,13 +202,24 @@ impl PairPatches {
         movement <= self.kept && reach <= found.reach
     }
 
-    /// The impulses of points that were there before.
+    /// The impulses of points that were there before: by their features, and those of other features at the same place (where edges of two
+    /// faces nearly coincide, rounding says which of them makes the corner).
     fn take_impulses(&mut self, before: &[Patch]) {
+        let near = SAME_PLACE_RELATIVE * self.size;
+        let mut left: Vec<&PatchPoint> = before.iter().flat_map(Patch::points).collect();
+        let mut new: Vec<&mut PatchPoint> = Vec::new();
         for point in self.patches.iter_mut().flat_map(Patch::points_mut) {
-            let known = before.iter().flat_map(Patch::points).find(|known| known.feature == point.feature);
-            if let Some(known) = known {
-                let (features, on_a, on_b) = (point.feature, point.on_a, point.on_b);
-                *point = PatchPoint { feature: features, on_a, on_b, ..*known };
+            match left.iter().position(|known| known.feature == point.feature) {
+                Some(place) => point.take(left.swap_remove(place)),
+                None => new.push(point),
+            }
+        }
+        for point in new {
+            let is_near = |known: &&PatchPoint| {
+                (known.on_a - point.on_a).length().min((known.on_b - point.on_b).length()) <= near
+            };
+            if let Some(place) = left.iter().position(is_near) {
+                point.take(left.swap_remove(place));
             }
         }
     }

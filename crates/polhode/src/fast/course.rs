@@ -10,6 +10,7 @@
 //! | impulses | go back to the points of the patches |
 
 use super::group::{FULL, Given, Group, GroupReport, PatchPlace};
+use super::rest::wake;
 use super::rules::Rules;
 use super::turning::turn;
 use crate::SimulationError;
@@ -34,8 +35,9 @@ pub(super) struct Course {
     pub(super) pairs: Vec<PairPatches>,
     /// Length of a substep of the last step, s; zero before it.
     pub(super) last_h: f64,
-    /// Which bodies rest.
+    /// Which bodies rest, and how often in a row each of the others was slow.
     pub(super) resting: Vec<bool>,
+    pub(super) quiet: Vec<u32>,
     boxes: LastingBoxes,
     groups: Vec<Group>,
     /// How many of them the step has.
@@ -54,6 +56,7 @@ impl Course {
     pub(super) fn new(settings: &Settings, states: Vec<BodyState>) -> Self {
         Self {
             resting: vec![false; states.len()],
+            quiet: vec![0; states.len()],
             group_of: vec![None; states.len()],
             states,
             pairs: Vec::new(),
@@ -73,6 +76,7 @@ impl Course {
             pairs: self.pairs.clone(),
             last_h: self.last_h,
             resting: self.resting.clone(),
+            quiet: self.quiet.clone(),
             group_of: self.group_of.clone(),
             ..Self::new(settings, self.states.clone())
         }
@@ -87,6 +91,7 @@ impl Course {
     pub(super) fn add_body(&mut self, state: BodyState) {
         self.states.push(state);
         self.resting.push(false);
+        self.quiet.push(0);
         self.group_of.push(None);
     }
 
@@ -108,8 +113,13 @@ impl Course {
         executor: &dyn Executor,
         (t, rules): (f64, &Rules),
     ) -> Result<(), SimulationError> {
+        if self.is_all_at_rest(world) {
+            self.used = 0;
+            return Ok(());
+        }
         self.find_pairs(world, rules)?;
         self.find_patches(world, executor, rules);
+        while wake(self, world, rules) {}
         self.make_groups(world, rules);
         self.solve(world, executor, (t, rules));
         self.fly(world, rules);
@@ -117,6 +127,18 @@ impl Course {
         let end = t + rules.h * f64::from(rules.substeps);
         world.prescribe(end, &mut self.states);
         Ok(())
+    }
+
+    /// Whether nothing moves.
+    fn is_all_at_rest(&self, world: &World) -> bool {
+        world.prescribed.is_empty()
+            && world.movable.iter().all(|&body| self.resting[body] || !world.bodies[body].moves())
+    }
+
+    /// Wakes all bodies.
+    pub(super) fn wake_all(&mut self) {
+        self.resting.fill(false);
+        self.quiet.fill(0);
     }
 
     /// The pairs that may touch in the step.
@@ -157,7 +179,7 @@ impl Course {
             if still(pair.a) && still(pair.b) && world.prescribed.is_empty() {
                 return;
             }
-            let [a, b] = [pair.a, pair.b].map(|body| world.velocity(body, &states[body]).linear);
+            let [a, b] = [pair.a, pair.b].map(|body| states[body].linear_velocity);
             let travel = ((a - b).length() + spins[pair.a] + spins[pair.b]) * step + fall;
             pair.renew(world, states, travel, tools);
         };
@@ -293,6 +315,16 @@ impl Course {
                 }
             }
         }
+    }
+
+    /// The deepest overlap at the start of the last step, m, with its pair.
+    pub(super) fn deepest(&self) -> Option<((usize, usize), f64)> {
+        let all = self.groups().iter().filter_map(|group| group.report.deepest);
+        let deepest = all.fold(None, |worst: Option<(usize, f64)>, one| match worst {
+            Some(known) if known.1 >= one.1 => Some(known),
+            _ => Some(one),
+        });
+        deepest.map(|(pair, depth)| ((self.pairs[pair].a, self.pairs[pair].b), depth))
     }
 
     /// What the groups did.

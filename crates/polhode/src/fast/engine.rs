@@ -2,6 +2,7 @@
 
 use super::course::Course;
 use super::facts::SUBSTEPS;
+use super::rest::settle;
 use super::rules::Rules;
 use crate::accounting::books::{Received, SoftStep};
 use crate::accounting::measures::Measure;
@@ -19,6 +20,7 @@ use crate::snapshot::parts::{restored_id, save_contact};
 use crate::snapshot::{SnapshotError, content};
 use crate::tier::{Reached, Tier};
 use crate::{Acceleration, BodyId, Momentum, MomentumSum, SimulationError};
+use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose, Rotation};
 use std::sync::Arc;
@@ -55,11 +57,14 @@ impl FastEngine {
         let bodies = core.world.bodies.len();
         let mut course = Course::new(&core.settings, read_states(&saved.states, bodies)?);
         course.pairs = saved.pairs.iter().map(|pair| restored_pair(core, pair)).collect::<Result<_, _>>()?;
-        if !course.pairs.is_sorted_by_key(|pair| (pair.a, pair.b)) || saved.resting.len() != bodies {
+        if !course.pairs.is_sorted_by_key(|pair| (pair.a, pair.b))
+            || [saved.resting.len(), saved.quiet.len()] != [bodies; 2]
+        {
             return Err(SnapshotError::Invalid("its pairs are not in order"));
         }
         course.last_h = saved.last_h;
         course.resting.clone_from(&saved.resting);
+        course.quiet.clone_from(&saved.quiet);
         Ok(Self { course, touching: saved.touching.clone(), grid: saved.grid, begun: saved.begun })
     }
 
@@ -78,6 +83,7 @@ impl FastEngine {
         self.book(core, &before, (t_next, &rules));
         core.t = t_next;
         core.accounts.count_step();
+        settle(&mut self.course, core, &rules)?;
         self.report_pairs(core);
         core.accounts.emit_events(core.t, observer);
         core.accounts.observe(&core.world, &self.course.states, core.t)?;
@@ -119,9 +125,13 @@ impl FastEngine {
         let of_fields = received.external_j;
         self.support(core, before, about, (&mut received, t_next - core.t));
         soft.driven_j = received.external_j - of_fields;
-        let worst = self.deepest(before);
+        let resting =
+            world.movable.iter().copied().filter(|&body| self.course.resting[body] && world.bodies[body].moves());
+        let weight = core.accounts.books.weight_of(world, before, resting);
+        let worst = self.course.deepest();
         core.accounts.certificate.max_residual = core.accounts.certificate.max_residual.max(residual);
         core.accounts.books.soft_step(balances, received, soft);
+        core.accounts.books.borne(weight, t_next - core.t);
         if let Some((pair, depth)) = worst {
             let measure = Measure { t: t_next, pair, value: depth, allowed: f64::INFINITY };
             core.accounts.measures.penetration.note(measure);
@@ -134,7 +144,10 @@ impl FastEngine {
         let mut sum = MomentumSum::default();
         for pair in &self.course.pairs {
             let carries = [pair.a, pair.b].map(|body| world.carries_momentum(body));
-            if pair.patches.is_empty() || carries == [true, true] {
+            if pair.patches.is_empty()
+                || carries == [true, true]
+                || [pair.a, pair.b].iter().any(|&body| self.course.resting[body])
+            {
                 continue;
             }
             let sign = f64::from(carries[0]) - f64::from(carries[1]);
@@ -163,31 +176,17 @@ impl FastEngine {
         received.support = sum.value();
     }
 
-    /// The deepest point of all patches at the present, and its depth, m.
-    fn deepest(&self, _before: &[BodyState]) -> Option<((usize, usize), f64)> {
-        let states = &self.course.states;
-        let mut worst: Option<((usize, usize), f64)> = None;
-        for pair in &self.course.pairs {
-            let [a, b] = [&states[pair.a].pose, &states[pair.b].pose];
-            for patch in &pair.patches {
-                let normal = b.rotation.rotate(patch.normal);
-                for point in patch.points() {
-                    let depth = -normal.dot(a.transform_point(point.on_a) - b.transform_point(point.on_b));
-                    if depth > worst.map_or(0.0, |(_, known)| known) {
-                        worst = Some(((pair.a, pair.b), depth));
-                    }
-                }
-            }
-        }
-        worst
-    }
-
     /// Adds an event for every pair that has begun or ceased to press on each other.
     fn report_pairs(&mut self, core: &mut Core) {
         let presses =
             |pair: &&PairPatches| pair.patches.iter().flat_map(Patch::points).any(|point| point.normal_force > 0.0);
         let now: Vec<(usize, usize)> = self.course.pairs.iter().filter(presses).map(|pair| (pair.a, pair.b)).collect();
+        let is_same = self.touching == now;
         let before = std::mem::replace(&mut self.touching, now);
+        if is_same {
+            self.begun = true;
+            return;
+        }
         if !std::mem::replace(&mut self.begun, true) {
             return;
         }
@@ -276,13 +275,16 @@ impl Tier for FastEngine {
     fn contacts(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<ContactView> {
         let mut views = Vec::new();
         for pair in &self.course.pairs {
-            for point in pair.patches.iter().flat_map(Patch::points) {
-                let id = ContactId { a: pair.a, b: pair.b, feature: Feature::Shapes(point.feature) };
-                let Some(kinematics) = core.world.kinematics(states, id) else { continue };
-                let distance = core.world.touch_distance(states, pair.a, pair.b);
-                if point.normal_force > 0.0 || kinematics.geometry.separation <= distance {
-                    let touch = Touch::from(FoundContact { id, kinematics });
-                    core.world.view_contact(states, &touch, (point.normal_force, point.friction_force), &mut views);
+            let distance = core.world.touch_distance(states, pair.a, pair.b);
+            for patch in &pair.patches {
+                for point in patch.points() {
+                    let id = ContactId { a: pair.a, b: pair.b, feature: Feature::Shapes(point.feature) };
+                    let geometry = pair.geometry(states, patch, point);
+                    if point.normal_force > 0.0 || geometry.separation <= distance {
+                        let kinematics = ContactKinematics { geometry, separation_rate: 0.0, acceleration_bias: 0.0 };
+                        let touch = Touch::from(FoundContact { id, kinematics });
+                        core.world.view_contact(states, &touch, (point.normal_force, point.friction_force), &mut views);
+                    }
                 }
             }
         }
@@ -305,7 +307,7 @@ impl Tier for FastEngine {
 
     fn interrupt(&mut self, _core: &mut Core, _bodies: &[usize]) -> Result<(), SimulationError> {
         // All states are those of the present between two steps.
-        self.course.resting.fill(false);
+        self.course.wake_all();
         Ok(())
     }
 
@@ -319,7 +321,7 @@ impl Tier for FastEngine {
 
     fn remove_body(&mut self, body: usize) {
         self.course.remove_body(body);
-        self.course.resting.fill(false);
+        self.course.wake_all();
         self.touching.retain(|&(a, b)| a != body && b != body);
     }
 
@@ -333,6 +335,7 @@ impl Tier for FastEngine {
             pairs: self.course.pairs.iter().filter(|pair| pair.found_at().is_some()).map(save_pair).collect(),
             last_h: self.course.last_h,
             resting: self.course.resting.clone(),
+            quiet: self.course.quiet.clone(),
             touching: self.touching.clone(),
             grid: self.grid,
             begun: self.begun,

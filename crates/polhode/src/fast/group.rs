@@ -66,6 +66,8 @@ pub(super) struct GroupReport {
     /// The same as `works`, summed by bodies, J.
     pub(super) given_j: f64,
     pub(super) residual: Residual,
+    /// The pair that overlaps most at the start, by its place, and how deep, m.
+    pub(super) deepest: Option<(usize, f64)>,
 }
 
 /// What a group reads.
@@ -150,6 +152,10 @@ impl Group {
             for (row, point) in points.iter_mut().zip(pair.patches[place.patch].points()) {
                 let (on_a, on_b) = (state_a.pose.rotation.rotate(point.on_a), state_b.pose.rotation.rotate(point.on_b));
                 let apart = (state_a.pose.translation - state_b.pose.translation) + (on_a - on_b);
+                let depth = -normal.dot(apart);
+                if depth > self.report.deepest.map_or(0.0, |(_, known)| known) {
+                    self.report.deepest = Some((place.pair, depth));
+                }
                 let friction = point.friction_impulse * given.warm;
                 *row = ManifoldPoint {
                     arm: on_a - apart * 0.5,

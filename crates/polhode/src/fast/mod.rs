@@ -16,6 +16,7 @@
 //! |---|---|
 //! | `facts` | what the tier is: its name, defaults, promise, and what it takes |
 //! | `rules` | softness, substeps, thresholds |
+//! | `rest` | islands at rest, which steps leave out |
 //! | `turning` | free rotation over a substep |
 //! | `group` | the step of some islands: what one task computes |
 //! | `course` | states and contacts of all bodies, and a step of them |
@@ -25,6 +26,7 @@ mod course;
 mod engine;
 mod facts;
 mod group;
+mod rest;
 mod rules;
 mod turning;
 

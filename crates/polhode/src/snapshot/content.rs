@@ -542,6 +542,8 @@ pub(crate) struct Fast {
     /// Length of a substep of the last step, s.
     pub(crate) last_h: f64,
     pub(crate) resting: Vec<bool>,
+    /// How often in a row each body was slow.
+    pub(crate) quiet: Vec<u32>,
     /// Pairs that pressed on each other in the last step, ascending.
     pub(crate) touching: Vec<(usize, usize)>,
     pub(crate) grid: u64,

@@ -1,0 +1,87 @@
+//! The tier `fast` on motions with closed forms: a slide that stops and is not lifted by its friction, a flight, and a stack that stands.
+
+use super::bodies::BRICK;
+use super::{CaseResult, Context};
+use crate::row::{Row, Tolerance};
+use glam::DVec3;
+use polhode::contact::Shape;
+use polhode::mesh::primitives::solid_box;
+use polhode::scene::{Material, Method, Tier};
+use polhode::spatial::{Density, Pose, UnitVector, Velocity};
+use polhode::{Body, Geometry, Scene, SceneBuilder, Simulation};
+use std::error::Error;
+
+/// Density of the bricks, kg/m^3.
+const DENSITY: f64 = 1000.0;
+/// Coefficient of friction.
+const FRICTION: f64 = 0.5;
+/// m/s^2.
+const GRAVITY: f64 = 9.81;
+/// How far a soft contact may sag or be lifted, m: that of a spring of 60 Hz under the weight of a body, with its margin.
+const SAG_M: f64 = 1e-3;
+/// How far a slide of 3 m/s may differ from its closed form, m: what it moves in a substep, and a half.
+const SLIDE_M: f64 = 0.02;
+/// Rounding of a flight of a few metres, m.
+const ROUNDING_M: f64 = 1e-12;
+
+/// The rows.
+pub(super) fn closed_forms(_context: &Context) -> CaseResult {
+    let case = "tier fast";
+    let speed = 3.0;
+    let mut sliding =
+        simulation(scene("slide")?.body(brick("brick", 0.0)?.velocity(Velocity::new(DVec3::X * speed, DVec3::ZERO))))?;
+    sliding.advance_to(0.3)?;
+    let lifted = sliding.bodies()[1].pose.translation.z - 0.5 * BRICK.z;
+    sliding.advance_to(1.0)?;
+    let way = sliding.bodies()[1].pose.translation.x;
+    let exact = speed * speed / (2.0 * FRICTION * GRAVITY);
+    let mut flying = simulation(
+        Scene::builder("flight")
+            .duration_s(1.0)
+            .method(fast())
+            .body(brick("brick", 5.0)?.velocity(Velocity::new(DVec3::new(1.0, 2.0, 3.0), DVec3::ZERO))),
+    )?;
+    let start = flying.bodies()[0].pose.translation;
+    flying.advance_to(1.0)?;
+    let flown = flying.bodies()[0].pose.translation - start - DVec3::new(1.0, 2.0, 3.0 - 0.5 * GRAVITY);
+    let mut stack = scene("stack")?;
+    for level in 0..8 {
+        stack = stack.body(brick(&format!("brick {level}"), f64::from(level) * BRICK.z)?);
+    }
+    let mut stack = simulation(stack)?;
+    let before = stack.bodies();
+    stack.advance_to(5.0)?;
+    let moved = before.iter().zip(stack.bodies()).map(|(x, y)| (y.pose.translation - x.pose.translation).length());
+    let sag = moved.fold(0.0, f64::max);
+    Ok(vec![
+        Row::compared(case, "way of a slide from 3 m/s, m", exact, way, Tolerance::Absolute(SLIDE_M)),
+        Row::at_most(case, "height of the same at 1.5 m/s: friction does not lift, m", SAG_M, lifted),
+        Row::at_most(case, "flight of 1 s, m", ROUNDING_M, flown.length()),
+        Row::at_most(case, "stack of eight bricks: largest movement in 5 s, m", 10.0 * SAG_M, sag),
+    ])
+}
+
+fn fast() -> Method {
+    Method { tier: Some(Tier::Fast), ..Method::default() }
+}
+
+fn material() -> Result<Material, Box<dyn Error>> {
+    Ok(Material::new("rough").with_friction(FRICTION)?)
+}
+
+/// A floor.
+fn scene(name: &str) -> Result<SceneBuilder, Box<dyn Error>> {
+    let floor = Body::fixed("floor").geometry(Geometry::Shape(Shape::half_space(UnitVector::Z)));
+    Ok(Scene::builder(name).duration_s(10.0).output_interval_s(10.0).method(fast()).body(floor.material(material()?)))
+}
+
+/// A brick whose lower face is at this height, m.
+fn brick(name: &str, height: f64) -> Result<Body, Box<dyn Error>> {
+    let body = Body::movable(name, solid_box(BRICK, Density::new(DENSITY)?)?);
+    let body = body.geometry(Geometry::Shape(Shape::cuboid(BRICK)?)).material(material()?);
+    Ok(body.pose(Pose::from_translation(DVec3::Z * (height + 0.5 * BRICK.z))))
+}
+
+fn simulation(scene: SceneBuilder) -> Result<Simulation, Box<dyn Error>> {
+    Ok(Simulation::new(&scene.build()?)?)
+}
