@@ -13,10 +13,11 @@ const CRATES: [&str; 4] = ["polhode", "polhode-scene", "polhode-view", "polhode-
 const LIST: &str = "crates/polhode/src/tier/list.rs";
 
 /// Where a tier may be named: the list with the engines beside it, and each tier's own folder.
-const HOMES: [&str; 4] = [
+const HOMES: [&str; 5] = [
     "crates/polhode/src/tier/",
     "crates/polhode/src/accurate/",
     "crates/polhode/src/stepped/",
+    "crates/polhode/src/micro_collisions/",
     "crates/polhode/src/thesis/",
 ];
 

@@ -78,7 +78,7 @@ pub struct Method {
 impl Method {
     /// The tier that is named, or that the response asks for; the default where both leave it open.
     pub fn named_tier(&self) -> Tier {
-        selection::named(self).unwrap_or_default()
+        selection::named(self.tier, self.response).unwrap_or_default()
     }
 
     /// The first setting given that only the default tier has; none where no such setting is given.
@@ -124,9 +124,21 @@ impl Method {
             let (key, accepted) = ("method.tangential_restitution", "a number in [-1, 1]");
             return Err(SceneError::Number { key, value, accepted });
         }
-        let refuse = |what: &str, instead: &str| {
-            Err(SceneError::NotYetAvailable { what: what.to_owned(), instead: instead.to_owned() })
-        };
+        self.check_contact_knobs()?;
+        let tier = self.named_tier().facts();
+        if let (IntegratorChoice::Tier { instead, .. }, Some(integrator)) = (tier.integrator_choice, self.integrator) {
+            return refuse(&format!("integrator = \"{}\" with tier = \"{}\"", integrator.name(), tier.name), instead);
+        }
+        let representation = self.orientation.is_some() || self.rotation_rate.is_some();
+        let rk4 = self.integrator.unwrap_or(tier.integrator) == Integrator::Rk4;
+        if representation && !rk4 {
+            return refuse("orientation or rotation_rate without integrator = \"rk4\"", "integrator = \"rk4\"");
+        }
+        Ok(())
+    }
+
+    /// Checks that the impact law, the contact forces and the response go together with each other and with the tier.
+    fn check_contact_knobs(&self) -> Result<(), SceneError> {
         let named = self.named_tier();
         let tier = named.facts();
         let of_law = [
@@ -169,14 +181,10 @@ impl Method {
                 );
             }
         }
-        if let (IntegratorChoice::Tier { instead, .. }, Some(integrator)) = (tier.integrator_choice, self.integrator) {
-            return refuse(&format!("integrator = \"{}\" with tier = \"{}\"", integrator.name(), tier.name), instead);
-        }
-        let representation = self.orientation.is_some() || self.rotation_rate.is_some();
-        let rk4 = self.integrator.unwrap_or(tier.integrator) == Integrator::Rk4;
-        if representation && !rk4 {
-            return refuse("orientation or rotation_rate without integrator = \"rk4\"", "integrator = \"rk4\"");
-        }
         Ok(())
     }
+}
+
+fn refuse(what: &str, instead: &str) -> Result<(), SceneError> {
+    Err(SceneError::NotYetAvailable { what: what.to_owned(), instead: instead.to_owned() })
 }

@@ -69,7 +69,7 @@ pub(crate) fn choose(scene: &Scene) -> Candidate {
     if let Some(tier) = scene.method().tier {
         return decided(tier, "the scene names it".to_owned());
     }
-    if let (Some(tier), Some(response)) = (selection::named(scene.method()), scene.method().response) {
+    if let (Some(tier), Some(response)) = (selection::named(None, scene.method().response), scene.method().response) {
         return decided(tier, format!("the scene asks for response = \"{}\"", response.name()));
     }
     let estimate = Estimate::of(scene);

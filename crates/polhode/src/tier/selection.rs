@@ -4,11 +4,11 @@
 //! thesis's meaning, so that a scene that names it keeps that.
 
 use super::list::Tier;
-use crate::scene::{Method, Response};
+use crate::scene::Response;
 
-/// The tier that the method names, or that its response selects; none where both leave it open.
-pub(crate) fn named(method: &Method) -> Option<Tier> {
-    method.tier.or(match method.response {
+/// The tier that a method names, or that its response selects; none where both leave it open.
+pub(crate) fn named(tier: Option<Tier>, response: Option<Response>) -> Option<Tier> {
+    tier.or(match response {
         Some(Response::Impulse) => Some(Tier::MicroCollisions),
         _ => None,
     })
