@@ -32,6 +32,8 @@ const LAWS: [(&str, ImpactLaw); 7] = [
 
 /// Velocities are exact to this, m/s at 1 m/s.
 const EXACT: f64 = 1e-14;
+/// A bounce is exact to this, of its restitution: the time of impact is found to some rounding units.
+const BOUNCE: f64 = 1e-12;
 /// Those of springs to the error of their steps.
 const OF_STEPS: f64 = 1e-10;
 /// The energy may rise by this part: four rounding units.
@@ -217,7 +219,7 @@ fn bounces_at_speed() -> CaseResult {
         let impulse = run.events(EventKind::Impact).first().map_or(f64::NAN, |event| event.impulse);
         let measured = impulse / speed - 1.0;
         let quantity = format!("bounce at {speed:.3} m/s, {name}: error of restitution");
-        rows.push(Row::at_most(CASE, &quantity, 1e-12, (measured - expected).abs()));
+        rows.push(Row::at_most(CASE, &quantity, BOUNCE, (measured - expected).abs()));
     }
     Ok(rows)
 }

@@ -13,11 +13,12 @@ const CRATES: [&str; 4] = ["polhode", "polhode-scene", "polhode-view", "polhode-
 const LIST: &str = "crates/polhode/src/tier/list.rs";
 
 /// Where a tier may be named: the list with the engines beside it, and each tier's own folder.
-const HOMES: [&str; 5] = [
+const HOMES: [&str; 7] = [
     "crates/polhode/src/tier/",
     "crates/polhode/src/accurate/",
     "crates/polhode/src/stepped/",
     "crates/polhode/src/fast/",
+    "crates/polhode/src/micro_collisions/",
     "crates/polhode/src/thesis/",
     "crates/polhode/src/penalty/",
 ];

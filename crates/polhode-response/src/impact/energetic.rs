@@ -27,11 +27,11 @@ use crate::error::ResponseError;
 const SPENT: f64 = 1e-13;
 
 /// A rate of velocity below this part of the largest one is zero (no unit): rounding of the products of `G`.
-const ZERO_RATE: f64 = 1e-14;
+const NO_RATE: f64 = 1e-14;
 
 /// Longest expansion, in lengths of the compression (no unit, 4 to 100): with one restitution it is `e`. Rows that hardly open would
 /// go on without bound, and are ended with less than they may give.
-const LONGEST: f64 = 16.0;
+const LONGEST_EXPANSION: f64 = 16.0;
 
 /// Most rounds; those that end at all take fewer (16 to 256).
 const ROUNDS: usize = 64;
@@ -127,7 +127,7 @@ impl Expansion {
             left: vec![0.0; rows],
             taken: vec![0.0; rows],
             share: vec![0.0; rows],
-            zero: ZERO_RATE * impact.tolerance / impact.problem.settings.threshold.max(f64::EPSILON),
+            zero: NO_RATE * impact.tolerance / impact.problem.settings.threshold.max(f64::EPSILON),
             velocities: compressed,
         };
         let works: Vec<f64> = (0..rows)
@@ -157,9 +157,9 @@ impl Expansion {
                 self.direct(impact, joints, outcome);
             }
             let Some(length) = self.next_end(impact) else { break };
-            self.go(impact, length.min(LONGEST - total), outcome);
+            self.go(impact, length.min(LONGEST_EXPANSION - total), outcome);
             total += length;
-            if total >= LONGEST {
+            if total >= LONGEST_EXPANSION {
                 break;
             }
         }
@@ -175,7 +175,7 @@ impl Expansion {
         let fastest = self.rates.iter().fold(0.0, |most: f64, rate| most.max(rate.abs()));
         let opens = |row: usize| {
             let u = self.velocities[row];
-            u > self.zero || (u >= -self.zero && self.rates[row] > ZERO_RATE * fastest)
+            u > self.zero || (u >= -self.zero && self.rates[row] > NO_RATE * fastest)
         };
         let spent =
             |row: &usize| self.expands(impact, *row) && self.left[*row] <= SPENT * self.taken[*row] && opens(*row);

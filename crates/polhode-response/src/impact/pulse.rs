@@ -22,7 +22,7 @@
 //! contacts may be compressed again without end, so that what is left below [`END_WITHOUT_REBOUND`] of the approach is stopped
 //! inelastically.
 //! How it fails: contacts that lose energy while others press on them are compressed again and again; squeezed bodies, or many
-//! contacts with little restitution, take more than [`STEPS`] steps so: the rest is stopped inelastically
+//! contacts with little restitution, take more than [`MOST_STEPS`] steps so: the rest is stopped inelastically
 //! and the status is [`ImpactStatus::LimitReached`].
 //!
 //! Source: Liu, Zhao and Brogliato 2008; Dormand and Prince 1980.
@@ -68,7 +68,7 @@ impl PulseExponent {
 const STEP_ERROR: f64 = 1e-12;
 
 /// An approach below this part of the first one is over (no unit): above the error of the steps.
-const END: f64 = 1e-10;
+const SPENT_APPROACH: f64 = 1e-10;
 
 /// The same where a contact has no restitution (no unit, 1e-6 to 1e-3): what is left is stopped inelastically, as such a contact
 /// would do by itself in ever smaller compressions.
@@ -85,18 +85,18 @@ const NO_REBOUND: f64 = 2e-2;
 const STOPPED: f64 = 1e-9;
 
 /// Most steps of an impact (1e4 to 1e5).
-const STEPS: usize = 20_000;
+const MOST_STEPS: usize = 20_000;
 
 /// Shortest step, in units of the time of a pulse (no unit): where forces jump, error control would go on below it.
-const SHORTEST: f64 = 1e-13;
+const SHORTEST_STEP: f64 = 1e-13;
 
 /// First step and longest one, in the same units: a pulse takes about 3.
-const FIRST: f64 = 1e-3;
-const LONGEST: f64 = 0.1;
+const FIRST_STEP: f64 = 1e-3;
+const LONGEST_STEP: f64 = 0.1;
 
 /// By how much a step may become longer or shorter than the one before (no unit), and its margin.
-const GROWTH: [f64; 2] = [0.1, 5.0];
-const MARGIN: f64 = 0.9;
+const STEP_GROWTH: [f64; 2] = [0.1, 5.0];
+const STEP_MARGIN: f64 = 0.9;
 
 /// Resolves an impact by springs at the touching contacts.
 ///
@@ -252,14 +252,14 @@ impl Springs {
     fn run(&self) -> (Vec<f64>, bool) {
         let count = self.from.len();
         let mut state = vec![0.0; 2 * count];
-        let mut length = FIRST;
+        let mut length = FIRST_STEP;
         let mut ended = false;
         let is_plastic = self.restitution.contains(&0.0);
-        let (end, none) = if is_plastic { [END_WITHOUT_REBOUND; 2].into() } else { (END, NO_INDENTATION) };
-        for _ in 0..STEPS {
+        let (end, none) = if is_plastic { [END_WITHOUT_REBOUND; 2].into() } else { (SPENT_APPROACH, NO_INDENTATION) };
+        for _ in 0..MOST_STEPS {
             let (next, error) = self.step(&state, length);
             let relative = error / STEP_ERROR;
-            let accepted = relative <= 1.0 || length <= SHORTEST;
+            let accepted = relative <= 1.0 || length <= SHORTEST_STEP;
             if accepted {
                 state = next;
                 let velocities = self.velocities(&state[count..]);
@@ -276,9 +276,9 @@ impl Springs {
                     break;
                 }
             }
-            let factor = if relative > 0.0 { MARGIN * libm::pow(relative, -0.2) } else { GROWTH[1] };
-            let factor = if factor.is_finite() { factor.clamp(GROWTH[0], GROWTH[1]) } else { GROWTH[0] };
-            length = (length * factor).clamp(SHORTEST, LONGEST);
+            let factor = if relative > 0.0 { STEP_MARGIN * libm::pow(relative, -0.2) } else { STEP_GROWTH[1] };
+            let factor = if factor.is_finite() { factor.clamp(STEP_GROWTH[0], STEP_GROWTH[1]) } else { STEP_GROWTH[0] };
+            length = (length * factor).clamp(SHORTEST_STEP, LONGEST_STEP);
         }
         (state[count..].iter().map(|p| p * self.impulse_unit).collect(), ended)
     }

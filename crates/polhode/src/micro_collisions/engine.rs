@@ -142,7 +142,7 @@ impl MicroCollisionEngine {
         let all: Vec<_> = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b)).collect();
         for group in groups(&core.world, all.into_iter()) {
             if group.contacts.iter().any(|&i| touches[i].kinematics.separation_rate < 0.0) {
-                self.strike_group(core, &group, &touches, h)?;
+                self.strike_group(core, &group, &touches)?;
             }
         }
         core.accounts.emit_events(core.t, observer);
@@ -150,13 +150,7 @@ impl MicroCollisionEngine {
     }
 
     /// Strikes a group, and books what that did.
-    fn strike_group(
-        &mut self,
-        core: &mut Core,
-        group: &Group,
-        touches: &[Touch],
-        h: f64,
-    ) -> Result<(), SimulationError> {
+    fn strike_group(&mut self, core: &mut Core, group: &Group, touches: &[Touch]) -> Result<(), SimulationError> {
         let settings = ImpactSettings { threshold: THRESHOLD, limit: MOST_COLLISIONS, ..ImpactSettings::default() };
         let law = core.settings.impact;
         let struck = strike(&core.world, &mut self.states, group, touches, law, &settings, &mut core.solver);
@@ -181,7 +175,8 @@ impl MicroCollisionEngine {
                 core.accounts.add_event(impulse_event(core.t, EventKind::Impact, touch, application));
             }
         }
-        self.note_forces(&members, &struck, h);
+        // An impulse makes up for the flight before it, which was a whole step unless an end of the run cut it short.
+        self.note_forces(&members, &struck, core.settings.step_s);
         Ok(())
     }
 
