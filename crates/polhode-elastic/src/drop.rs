@@ -25,6 +25,9 @@ use std::f64::consts::FRAC_PI_2;
 /// How long a rectangle may stay on the floor, in units of the time after which it has left it for good.
 pub const LONGEST_STAY: f64 = 50.0;
 
+/// The longer side over the shorter one at the most: the time of bending goes with its square.
+pub const MOST_SLENDER: f64 = 50.0;
+
 /// A rectangle and how it meets the floor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RectangleDrop {
@@ -95,11 +98,15 @@ impl RectangleDrop {
     /// A rectangle of width times height (m) that drops flat at this speed (m/s).
     ///
     /// # Errors
-    /// A size or speed that is not positive and finite.
+    /// A size or speed that is not positive and finite, a rectangle that is too slender.
     pub fn new(width: f64, height: f64, material: ElasticMaterial, speed: f64) -> Result<Self, ElasticError> {
         positive("the width", "m", width)?;
         positive("the height", "m", height)?;
         positive("the speed", "m/s", speed)?;
+        let ratio = (width / height).max(height / width);
+        if ratio > MOST_SLENDER {
+            return Err(ElasticError::Slender { ratio, most: MOST_SLENDER });
+        }
         Ok(Self { width, height, material, speed, tilt_rad: 0.0, guide: Guide::Free, step_s: None })
     }
 
@@ -218,7 +225,7 @@ impl RectangleDrop {
     /// Those of [`RectangleDrop::start`], an element that folds, a body that stays on the floor.
     pub fn run(&self, cells: Cells) -> Result<DropReport, ElasticError> {
         let mut run = self.start(cells)?;
-        let before = run.energy().kinetic_j;
+        let before = positive("the energy of the drop", "J", run.energy().kinetic_j)?;
         let (quiet_s, mut most_elastic, mut deepest_step) = (self.left_for_good_s(), 0.0, 0);
         loop {
             run.step()?;

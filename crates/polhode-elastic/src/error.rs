@@ -108,6 +108,16 @@ pub enum ElasticError {
         /// The tilt, rad.
         tilt_rad: f64,
     },
+    /// A rectangle whose slowest vibration takes too long.
+    #[error(
+        "the rectangle is {ratio} times as long as it is thin, and may be {most} times: its bending would take too long to watch"
+    )]
+    Slender {
+        /// The longer side over the shorter one.
+        ratio: f64,
+        /// The most.
+        most: f64,
+    },
     /// A tilt beyond a right angle.
     #[error("the tilt is {tilt_rad} rad: give one within a right angle, from {least} to {most}")]
     Tilt {

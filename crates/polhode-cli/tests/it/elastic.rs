@@ -40,6 +40,8 @@ fn bad_input_says_what_is_accepted() {
     for (arguments, says) in [
         (["--width", "nan"], "positive"),
         (["--height", "0"], "positive"),
+        (["--height", "1000"], "times as long"),
+        (["--speed", "1e-200"], "energy"),
         (["--poisson", "0.5"], "between -1 and 0.5"),
         (["--poisson", "-1"], "between -1 and 0.5"),
         (["--tilt", "91"], "right angle"),

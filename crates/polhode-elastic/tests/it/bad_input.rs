@@ -32,6 +32,12 @@ fn a_rectangle_has_positive_sizes_and_a_drop_a_speed() {
         assert!(RectangleDrop::new(1.0, 1.0, rubber(), 1.0).unwrap().step_s(bad).is_err(), "{bad}");
         assert!(QuadMesh::rectangle(bad, 1.0, Cells { columns: 1, rows: 1 }).is_err(), "{bad}");
     }
+    assert!(matches!(RectangleDrop::new(1.0, 60.0, rubber(), 1.0), Err(ElasticError::Slender { .. })));
+    assert!(matches!(RectangleDrop::new(1e300, 1e-300, rubber(), 1.0), Err(ElasticError::Slender { .. })));
+    for speed in [1e-200, 1e200] {
+        let drop = RectangleDrop::new(1.0, 1.0, rubber(), speed).unwrap();
+        assert!(drop.run(drop.cells(4)).is_err(), "{speed}");
+    }
     for cells in [Cells { columns: 0, rows: 3 }, Cells { columns: 1_000, rows: 1_000 }] {
         assert!(matches!(QuadMesh::rectangle(1.0, 1.0, cells), Err(ElasticError::Elements { .. })));
     }
