@@ -25,6 +25,10 @@ const CLOSED: f64 = 1e-9;
 const INTEGRATED: f64 = 1e-8;
 /// Duration of an elastic impact after Hertz per greatest overlap and speed: 2 sqrt(pi) Gamma(7/5)/Gamma(9/10).
 const DURATION: f64 = 2.943_275_184_324_706;
+/// What the ledger closes to, relative.
+const LEDGER: f64 = 1e-12;
+/// Time in which every impact of these tests has ended after the bodies have met, s.
+const AFTER_S: f64 = 4e-3;
 /// Gap before an impact, relative to the radius.
 const GAP: f64 = 1e-4;
 
@@ -110,7 +114,7 @@ fn hertz_rows(case: &str, name: &str, impact: &Impact, (stiffness, mass, speed):
         closed(case, &format!("{name}: greatest overlap, m"), depth, contact.penetration_m),
         closed(case, &format!("{name}: greatest force, N"), stiffness * depth.powf(1.5), contact.force_n),
         closed(case, &format!("{name}: duration, s"), DURATION * depth / speed, contact.duration_s),
-        Row::at_most(case, &format!("{name}: ledger"), 1e-12, impact.report.ledger.closure_relative()),
+        Row::at_most(case, &format!("{name}: ledger"), LEDGER, impact.report.ledger.closure_relative()),
     ]
 }
 
@@ -125,7 +129,7 @@ pub(super) fn balls_head_on(_context: &Context) -> CaseResult {
             let moving = Velocity::new(DVec3::Z * (-speed * side), DVec3::ZERO);
             matter.ball(&material, radius, DVec3::Z * ((1.0 + GAP) * radius * side), moving)
         };
-        let impact = Impact::of(vec![one(1.0)?, one(-1.0)?], hertz(), 4.0 * GAP * radius / speed + 2e-4)?;
+        let impact = Impact::of(vec![one(1.0)?, one(-1.0)?], hertz(), 4.0 * GAP * radius / speed + AFTER_S)?;
         let modulus = matter.young / (2.0 * (1.0 - matter.poisson * matter.poisson));
         let stiffness = 4.0 / 3.0 * modulus * (0.5 * radius).sqrt();
         let of = (stiffness, 0.5 * matter.mass(radius), 2.0 * speed);
@@ -143,7 +147,7 @@ pub(super) fn ball_on_a_rigid_plane(_context: &Context) -> CaseResult {
     for matter in [ALUMINIUM, MAGNESIUM] {
         let moving = Velocity::new(DVec3::Z * -speed, DVec3::ZERO);
         let ball = matter.ball(&matter.material(1.0, 0.0)?, radius, DVec3::Z * ((1.0 + GAP) * radius), moving)?;
-        let impact = Impact::of(vec![plane(&rigid), ball], hertz(), 4.0 * GAP * radius / speed + 2e-3)?;
+        let impact = Impact::of(vec![plane(&rigid), ball], hertz(), 4.0 * GAP * radius / speed + AFTER_S)?;
         let stiffness = 4.0 / 3.0 * matter.young / (1.0 - matter.poisson * matter.poisson) * radius.sqrt();
         rows.extend(hertz_rows(case, matter.name, &impact, (stiffness, matter.mass(radius), speed)));
     }
@@ -163,13 +167,13 @@ pub(super) fn restitution(_context: &Context) -> CaseResult {
                 let moving = Velocity::new(DVec3::Z * -speed, DVec3::ZERO);
                 let material = matter.material(e, 0.0)?;
                 let ball = matter.ball(&material, radius, DVec3::Z * ((1.0 + GAP) * radius), moving)?;
-                let impact = Impact::of(vec![plane(&material), ball], penalty, 2e-3)?;
+                let impact = Impact::of(vec![plane(&material), ball], penalty, AFTER_S)?;
                 off = off.max((impact.velocity(1).linear.z / (e * speed) - 1.0).abs());
                 closure = closure.max(impact.report.ledger.closure_relative());
             }
             let quantity = format!("{}, {name}: rebound against e v, e = 0.05 to 1, relative", matter.name);
             rows.push(Row::at_most(case, &quantity, CLOSED, off));
-            rows.push(Row::at_most(case, &format!("{}, {name}: ledger", matter.name), 1e-12, closure));
+            rows.push(Row::at_most(case, &format!("{}, {name}: ledger", matter.name), LEDGER, closure));
         }
     }
     Ok(rows)
@@ -192,7 +196,7 @@ impl Oblique {
         let material = self.matter.material(self.restitution, self.friction)?;
         let moving = Velocity::new(DVec3::new(self.along, 0.0, -self.normal), DVec3::Y * self.spin);
         let ball = self.matter.ball(&material, self.radius, DVec3::Z * ((1.0 + GAP) * self.radius), moving)?;
-        Impact::of(vec![plane(&material), ball], hertz(), 0.02 * self.radius / self.normal + 4e-3)
+        Impact::of(vec![plane(&material), ball], hertz(), 0.02 * self.radius / self.normal + AFTER_S)
     }
 
     /// Slip of the ball over the plane, m/s.
@@ -325,7 +329,7 @@ pub(super) fn balls_that_spin_against_each_other(_context: &Context) -> CaseResu
                 let moving = Velocity::new(DVec3::X * (-speed * side), DVec3::Y * (spin * side));
                 matter.ball(&material, radius, DVec3::X * ((1.0 + GAP) * radius * side), moving)
             };
-            let impact = Impact::of(vec![one(1.0)?, one(-1.0)?], hertz(), 4.0 * GAP * radius / speed + 4e-3)?;
+            let impact = Impact::of(vec![one(1.0)?, one(-1.0)?], hertz(), 4.0 * GAP * radius / speed + AFTER_S)?;
             let (mut along, mut turned, mut up) = (0.0f64, 0.0f64, 0.0f64);
             for (body, side) in [(0, 1.0), (1, -1.0)] {
                 let velocity = impact.velocity(body);
@@ -361,7 +365,7 @@ pub(super) fn unequal_balls(_context: &Context) -> CaseResult {
                     matter.ball(&material, radii[k], place, velocity)
                 })
                 .collect();
-            let impact = Impact::of(bodies?, hertz(), 0.02 * radii[0] / speed + 4e-3)?;
+            let impact = Impact::of(bodies?, hertz(), 0.02 * radii[0] / speed + AFTER_S)?;
             let of = |k: usize| Ball {
                 radius: radii[k],
                 mass: matter.mass(radii[k]),

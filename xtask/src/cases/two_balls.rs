@@ -12,10 +12,19 @@
 //! Chung and Ooi 2011; Mindlin and Deresiewicz 1953.
 
 /// Steps through a contact that lasts as long as an elastic one.
-const STEPS: f64 = 40_000.0;
+const STEPS: f64 = 200_000.0;
 
 /// Halvings in which an instant is located within a step.
 const HALVINGS: u32 = 60;
+
+/// Hunt and Crossley's number is above this part of 1 - e, where its equation has no other root (no unit).
+const LEAST_DAMPING: f64 = 1e-3;
+
+/// First guess of the time to the begin of the contact, s; it is doubled.
+const FIRST_TIME_S: f64 = 1e-3;
+
+/// Part of the time in which the overlap changes over which its rate is differentiated (no unit).
+const DIFFERENCE_PART: f64 = 1e-4;
 
 /// A ball in the plane.
 #[derive(Debug, Clone, Copy)]
@@ -57,7 +66,7 @@ fn damping_of(e: f64) -> f64 {
         return 0.0;
     }
     let value = |y: f64| ((1.0 + y) / (1.0 - e * y)).ln() - (1.0 + e) * y;
-    let (mut low, mut high) = (1e-3 * (1.0 - e), (1.0 - 1e-15) / e);
+    let (mut low, mut high) = (LEAST_DAMPING * (1.0 - e), 1.0 / e);
     for _ in 0..200 {
         let middle = 0.5 * (low + high);
         if value(middle) < 0.0 { low = middle } else { high = middle }
@@ -111,7 +120,7 @@ impl Collision {
     pub(super) fn after(mut self) -> (Ball, Ball) {
         let mut y = self.numbers();
         // To the begin of the contact, at constant velocities.
-        let (mut low, mut high) = (0.0, 1e-3);
+        let (mut low, mut high) = (0.0, FIRST_TIME_S);
         let moved = |y: &Numbers, t: f64| {
             let mut moved = *y;
             for k in [0, 1, 3, 4] {
@@ -200,7 +209,7 @@ impl Collision {
             self.state(&moved).rate
         };
         // The second derivative of the overlap by a difference over a time in which it changes by a thousandth.
-        let h = 1e-4 * at.depth / (at.rate.abs() + (at.depth * self.force(at) / self.balls[0].mass).sqrt());
+        let h = DIFFERENCE_PART * at.depth / (at.rate.abs() + (at.depth * self.force(at) / self.balls[0].mass).sqrt());
         let acceleration = (moved(h) - moved(-h)) / (2.0 * h);
         let root = at.depth.sqrt();
         let stiffness = self.contact.friction * self.stiffness;

@@ -19,22 +19,13 @@
 //! Source: docs/REFERENCES.md, Mindlin and Deresiewicz; Johnson. How it fails: features that no longer define a contact
 //! give no force.
 
-use super::laws::ContactLaw;
+use super::laws::{ContactLaw, Coulomb};
 use crate::collision::contact_id::ContactId;
 use crate::world::World;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 use polhode_response::penalty::{Growth, NormalSpring, TangentialSpring};
 use polhode_spatial::DVec3;
-
-/// Coefficients of friction of a contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Coulomb {
-    pub(super) at_rest: f64,
-    pub(super) sliding: f64,
-    /// Of regularised friction, m/s; none for a tangential spring.
-    pub(super) slip_speed: Option<f64>,
-}
 
 /// What friction does at present.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

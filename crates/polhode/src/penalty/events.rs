@@ -30,7 +30,7 @@ const LOOKS: u32 = 8;
 const HALVINGS: u32 = 52;
 
 /// Part of a step over which the rate of the normal force is taken (1e-5 to 1e-2): its error is of the square.
-const DIFFERENCE: f64 = 1e-4;
+const TIME_DIFFERENCE: f64 = 1e-4;
 
 /// A turn counts when the rate changes by more than this part of the rate of approach (1e-9 to 1e-3).
 const TURN_RELATIVE: f64 = 1e-6;
@@ -196,7 +196,7 @@ impl Looking<'_, '_> {
     /// Rate of the normal force of a spring at a time in the step, N/s.
     fn rate_of_normal_force(&mut self, t: f64, spring: &ContactSpring) -> f64 {
         let (t0, h) = (self.dense.t0(), self.dense.h());
-        let (from, to) = ((t - DIFFERENCE * h).max(t0), (t + DIFFERENCE * h).min(t0 + h));
+        let (from, to) = ((t - TIME_DIFFERENCE * h).max(t0), (t + TIME_DIFFERENCE * h).min(t0 + h));
         let mut force = |t: f64| {
             self.at(t);
             self.system.evaluated(spring).map_or(0.0, |at| spring.normal_force(&at))

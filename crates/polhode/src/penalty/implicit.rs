@@ -20,10 +20,10 @@ const SMALLEST_PART: f64 = 1.0 / 1024.0;
 const ITERATIONS: u32 = 30;
 
 /// A change of all numbers below this part of their scales ends the iteration (1e-13 to 1e-9).
-const CONVERGED: f64 = 1e-11;
+const NEWTON_CONVERGED: f64 = 1e-11;
 
 /// A step of a difference, relative to the scale of its number (1e-8 to 1e-5).
-const DIFFERENCE: f64 = 1e-6;
+const STATE_DIFFERENCE: f64 = 1e-6;
 
 /// An iteration that reduces changes by less makes its matrix anew (0.05 to 0.5).
 const SLOW: f64 = 0.1;
@@ -74,7 +74,7 @@ fn midpoint(system: &mut SpringSystem<'_>, laws: &Laws, (t, h): (f64, f64), stat
         if factors.is_none() {
             let mut matrix = vec![0.0; unknowns * unknowns];
             for column in 0..unknowns {
-                let (kept, change) = (middle[column], DIFFERENCE * scales[column]);
+                let (kept, change) = (middle[column], STATE_DIFFERENCE * scales[column]);
                 middle[column] = kept + change;
                 residual(system, &middle, &mut other);
                 middle[column] = kept;
@@ -92,7 +92,7 @@ fn midpoint(system: &mut SpringSystem<'_>, laws: &Laws, (t, h): (f64, f64), stat
             let relative = change.abs() / scale;
             largest = if relative > largest || relative.is_nan() { relative } else { largest };
         }
-        if largest <= CONVERGED {
+        if largest <= NEWTON_CONVERGED {
             converged = true;
             break;
         }

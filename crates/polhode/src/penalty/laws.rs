@@ -1,7 +1,7 @@
 //! The springs of a pair of bodies: from the knobs of the scene, the materials, the weights and the speeds.
 //!
 //! **Linear.** Neither the weight W of all bodies at rest nor an impact at the speed v of the scene is to be deeper than the stated
-//! penetration d: `k = max(W/d, m v^2/d^2)`, m the reduced mass of the pair. d is [`PENETRATION_RELATIVE`] of the smallest body
+//! penetration d: `k = max(W/d, m v^2/d^2)`, m the reduced mass of the pair. d is [`STATED_DEPTH_RELATIVE`] of the smallest body
 //! that moves when the scene gives none. v is the sum of the two largest speeds at the start, and what a fall through the height
 //! of the scene adds, `v^2 + 2 g h`. These are facts of the start: nothing of them changes during a run.
 //!
@@ -14,9 +14,8 @@
 //! Source: docs/REFERENCES.md, Hunt and Crossley. How it fails: a stiffness that is not finite is refused when the
 //! contact begins.
 
-use super::contact::Coulomb;
 use crate::collision::contact_id::ContactId;
-use crate::scene::penalty::elastic_pair;
+use crate::scene::spring_checks::elastic_pair;
 use crate::scene::{PenaltyMethod, SceneError, SpringFriction, SpringLaw};
 use crate::world::World;
 use polhode_contact::{ContactGeometry, Shape};
@@ -26,14 +25,14 @@ use polhode_spatial::DVec3;
 
 /// Penetration when the scene states none, relative to the smallest body that moves (1e-5 to 1e-2): small beside every
 /// feature of a body, and large beside the rounding of its position.
-const PENETRATION_RELATIVE: f64 = 1e-3;
+const STATED_DEPTH_RELATIVE: f64 = 1e-3;
 
 /// Poisson's ratio of a material that gives none, for the ratio of tangential to normal stiffness of linear springs (0 to 0.5:
 /// the ratio of stiffnesses goes from 1 to 2/3).
 const POISSON_RATIO: f64 = 0.3;
 
 /// The speed of slip of regularised friction when none is given, relative to the speed of the scene.
-const SLIP_RELATIVE: f64 = 1e-3;
+const SLIP_SPEED_RELATIVE: f64 = 1e-3;
 
 /// What the springs of a run follow from.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,6 +44,15 @@ pub(super) struct Laws {
     pub(super) load_n: f64,
     /// Greatest speed at which two bodies of the scene are expected to meet, m/s.
     pub(super) speed: f64,
+}
+
+/// Coefficients of friction of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Coulomb {
+    pub(super) at_rest: f64,
+    pub(super) sliding: f64,
+    /// Of regularised friction, m/s; none for a tangential spring.
+    pub(super) slip_speed: Option<f64>,
 }
 
 /// The springs of a contact that begins.
@@ -64,7 +72,7 @@ impl Laws {
         let moving = || world.movable.iter().copied().filter(|&body| world.bodies[body].moves());
         let smallest = moving().map(|body| world.bodies[body].size).filter(|size| *size > 0.0);
         let smallest = smallest.fold(f64::INFINITY, f64::min);
-        let depth = if smallest.is_finite() { PENETRATION_RELATIVE * smallest } else { PENETRATION_RELATIVE };
+        let depth = if smallest.is_finite() { STATED_DEPTH_RELATIVE * smallest } else { STATED_DEPTH_RELATIVE };
         let gravity = world.gravity().length();
         let mass: f64 = moving().filter_map(|body| world.bodies[body].rigid.as_ref()).map(RigidBody::mass).sum();
         let mut speeds: Vec<f64> = (0..states.len()).map(|body| world.point_speed(states, body)).collect();
@@ -86,8 +94,8 @@ impl Laws {
 
     /// Speed of slip of regularised friction, m/s.
     fn slip_speed(&self, world: &World) -> f64 {
-        let own = SLIP_RELATIVE * self.speed.max(self.resting_speed(world));
-        self.method.slip_speed_m_s.unwrap_or(if own > 0.0 { own } else { SLIP_RELATIVE })
+        let own = SLIP_SPEED_RELATIVE * self.speed.max(self.resting_speed(world));
+        self.method.slip_speed_m_s.unwrap_or(if own > 0.0 { own } else { SLIP_SPEED_RELATIVE })
     }
 
     /// The springs of a contact that begins at this rate of approach (m/s).

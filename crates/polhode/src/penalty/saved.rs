@@ -1,7 +1,7 @@
 //! Springs and what is measured of them as plain data, for snapshots.
 
-use super::contact::{ContactSpring, Coulomb, Grip, Passage};
-use super::laws::Laws;
+use super::contact::{ContactSpring, Grip, Passage};
+use super::laws::{Coulomb, Laws};
 use super::measures::{SpringImpact, SpringReport};
 use crate::BodyId;
 use crate::scene::PenaltyMethod;

@@ -29,7 +29,7 @@ const TIME_ULPS: f64 = 4.0;
 const PASSING: f64 = 0.25;
 
 /// Rounding of a position, in units in its last place, that the error of a step may have (1 to 16).
-const ROUNDING_ULPS: f64 = 4.0;
+const POSITION_ULPS: f64 = 4.0;
 
 /// What is tracked within one longest step.
 #[derive(Debug)]
@@ -236,12 +236,12 @@ fn largest_error(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[Conta
         let size = world.bodies[body].size.max(f64::MIN_POSITIVE);
         let length = if near_contact { run.laws.depth_m.min(size) } else { size };
         let coordinate = run.states[body].pose.translation.abs().max_element() + size;
-        let rounding = ROUNDING_ULPS * f64::EPSILON * coordinate;
+        let rounding = POSITION_ULPS * f64::EPSILON * coordinate;
         let position = tolerance * length + rounding;
         let velocity = tolerance * speed + rounding * frequency;
         let allowance = ErrorAllowance {
             position,
-            quaternion: ErrorAllowance::of_angle(position / size + ROUNDING_ULPS * f64::EPSILON),
+            quaternion: ErrorAllowance::of_angle(position / size + POSITION_ULPS * f64::EPSILON),
             velocity,
             angular_momentum: velocity * rigid.moments().max_element() / size,
         };

@@ -22,7 +22,7 @@
 //! | `method` | [`Method`]: the tier and the settings that override its choices; [`TierFacts`] says what a tier is |
 //! | `laws` | [`ImpactLaw`], [`ContactMethod`], [`Response`], [`Integrator`] and other choices of a method |
 //! | `restitution` | [`RestitutionSpeed`]: restitution that falls with speed |
-//! | `penalty` | [`PenaltyMethod`]: the springs of the tier `penalty` |
+//! | `penalty` | [`PenaltyMethod`]: the springs of the tier `penalty`; `spring_checks` says when they are refused |
 //! | `pairs` | how many pairs of bodies may collide |
 //! | `error` | [`SceneError`]: why a scene is refused |
 
@@ -44,8 +44,9 @@ mod material;
 mod method;
 pub mod motion;
 mod pairs;
-pub(crate) mod penalty;
+mod penalty;
 mod restitution;
+pub(crate) mod spring_checks;
 mod strength;
 mod tie_checks;
 mod track;

@@ -1,0 +1,82 @@
+//! Whether springs at contacts can do what a scene asks: restitution, moduli, radii of curvature, friction, integrator.
+
+use super::{Geometry, Integrator, Material, Scene, SceneError, SpringLaw};
+use polhode_contact::Shape;
+use polhode_response::penalty::ElasticPair;
+
+/// E* and G* of two bodies; one of a material without moduli is rigid.
+///
+/// # Errors
+/// When both are rigid.
+pub(crate) fn elastic_pair(a: &Material, b: &Material) -> Result<ElasticPair, SceneError> {
+    ElasticPair::new([a, b].map(Material::elastic_constants))
+        .map_err(|_| SceneError::HertzModulus { materials: [a, b].map(|material| material.name().to_owned()) })
+}
+
+impl Scene {
+    /// The materials of two bodies.
+    pub(crate) fn pair_materials(&self, a: usize, b: usize) -> [&Material; 2] {
+        [a, b].map(|body| &self.bodies[body].material)
+    }
+
+    /// Checks that springs can do what the materials ask.
+    ///
+    /// # Errors
+    /// When a restitution is out of reach of a damped spring, friction has a grain or resists rotation, or bodies have no moduli
+    /// or no radii of curvature for Hertz's law.
+    pub(super) fn check_springs(&self) -> Result<(), SceneError> {
+        let method = self.method.penalty.unwrap_or_default();
+        let taken = [Integrator::Dop853, Integrator::Rk4, Integrator::SemiImplicitEuler, Integrator::ImplicitMidpoint];
+        if let Some(integrator) = self.method.integrator.filter(|named| !taken.contains(named)) {
+            return Err(SceneError::NotYetAvailable {
+                what: format!("integrator = \"{}\" with response = \"penalty\"", integrator.name()),
+                instead: taken.map(|one| format!("\"{}\"", one.name())).join(" or "),
+            });
+        }
+        let unused = [
+            (self.method.impact.is_some(), "impact"),
+            (self.method.restitution_law.is_some(), "restitution_law"),
+            (self.method.contact.is_some(), "contact"),
+            (self.method.crowding.is_some(), "crowding"),
+            (self.method.crowding_tolerance.is_some(), "crowding_tolerance"),
+        ];
+        if let Some((_, key)) = unused.into_iter().find(|(is_given, _)| *is_given) {
+            let what = format!("method.{key} with response = \"penalty\", which has no such law");
+            return Err(SceneError::NotYetAvailable { what, instead: "the scene without it".to_owned() });
+        }
+        let names = |a: usize, b: usize| [a, b].map(|body| self.bodies[body].material.name().to_owned());
+        let is_hertz = method.law == Some(SpringLaw::Hertz);
+        for (a, b) in self.material_pairs() {
+            let material = self.pair_material(a, b);
+            let reachable = method.relation().number_for(material.restitution());
+            reachable.map_err(|source| SceneError::SpringRestitution { materials: names(a, b), source })?;
+            let what = if material.grain().is_some() {
+                "friction with a grain"
+            } else if material.rolling_friction() > 0.0 || material.spinning_friction() > 0.0 {
+                "friction of rolling or spinning"
+            } else {
+                if is_hertz {
+                    elastic_pair(&self.bodies[a].material, &self.bodies[b].material)?;
+                }
+                continue;
+            };
+            let instead = "response = \"constraint\"".to_owned();
+            return Err(SceneError::NotYetAvailable { what: format!("{what} with response = \"penalty\""), instead });
+        }
+        if is_hertz { self.check_curvature() } else { Ok(()) }
+    }
+
+    /// Checks that every pair that may touch has radii of curvature: a ball, on a ball or on what has flat faces.
+    fn check_curvature(&self) -> Result<(), SceneError> {
+        let shaped = self.bodies.iter().filter(|body| body.shape().is_some());
+        for body in shaped {
+            let is_round = matches!(body.shape(), Some(Geometry::Shape(Shape::Sphere(_))));
+            let is_flat = matches!(body.shape(), Some(Geometry::Shape(Shape::HalfSpace(_) | Shape::Convex(_))));
+            let moves = !body.is_fixed() && body.motion().is_none();
+            if !is_round && (moves || !is_flat) {
+                return Err(SceneError::HertzShape { body: body.name().to_owned() });
+            }
+        }
+        Ok(())
+    }
+}
