@@ -222,7 +222,7 @@ fn unknown_keys_and_values() {
     check(&brick("shape", "shape.cube.size = [1, 1, 1]"), "bodies.brick.shape.cube", "cube", "`box`, `sphere`");
     check(&brick("shape", "shape.box.sizes = [1, 1, 1]"), "bodies.brick.shape.box.sizes", "sizes", "accepted: `size`");
     let tier = BASE.replace("name = \"base\"", "method.tier = \"quick\"");
-    check(&tier, "method.tier", "quick", "accepted: `accurate`, `stepped`, `thesis`");
+    check(&tier, "method.tier", "quick", "accepted: `accurate`, `stepped`, `micro-collisions`, `thesis`");
     let integrator = BASE.replace("name = \"base\"", "method.integrator = \"rk5\"");
     check(&integrator, "method.integrator", "rk5", "accepted: `explicit-euler`, `semi-implicit-euler`");
     let number = BASE.replace("name = \"base\"", "method.integrator = 4");
