@@ -87,7 +87,7 @@ pub(crate) struct ChangeArgs {
     /// Sets any key of the scene by its dotted path; bodies go by name or number (bodies.brick.mass=2)
     #[arg(long, value_name = "KEY=VALUE")]
     pub(crate) set: Vec<String>,
-    /// Tier of methods: accurate, stepped, thesis or penalty (method.tier)
+    /// Tier of methods: accurate, stepped, fast, penalty, micro-collisions or thesis (method.tier)
     #[arg(long, value_name = "TIER", allow_hyphen_values = true)]
     pub(crate) tier: Option<String>,
     /// Step, s (method.step)

@@ -139,7 +139,7 @@
 //! | `rows` | rows of contacts and bilateral constraints, by groups of bodies, which the tiers share |
 //! | `solve` | what they are solved for: forces at an instant, impacts, projection |
 //! | `time_stepping` | the time step at the level of velocities |
-//! | `accurate`, `stepped`, `thesis` | the tiers, behind the trait of `tier` |
+//! | `accurate`, `stepped`, `micro_collisions`, `thesis` | the tiers, behind the trait of `tier` |
 //! | `few_digits` | lengths as messages say them |
 //! | `accounting`, `promise` | books, measures and warnings of a run; the limits that a tier promises |
 //!

@@ -88,11 +88,11 @@ const STOPPED: f64 = 1e-9;
 const MOST_STEPS: usize = 20_000;
 
 /// Shortest step, in units of the time of a pulse (no unit): where forces jump, error control would go on below it.
-const SHORTEST_STEP: f64 = 1e-13;
+const SHORTEST_PULSE_STEP: f64 = 1e-13;
 
 /// First step and longest one, in the same units: a pulse takes about 3.
-const FIRST_STEP: f64 = 1e-3;
-const LONGEST_STEP: f64 = 0.1;
+const FIRST_PULSE_STEP: f64 = 1e-3;
+const LONGEST_PULSE_STEP: f64 = 0.1;
 
 /// By how much a step may become longer or shorter than the one before (no unit), and its margin.
 const STEP_GROWTH: [f64; 2] = [0.1, 5.0];
@@ -252,14 +252,14 @@ impl Springs {
     fn run(&self) -> (Vec<f64>, bool) {
         let count = self.from.len();
         let mut state = vec![0.0; 2 * count];
-        let mut length = FIRST_STEP;
+        let mut length = FIRST_PULSE_STEP;
         let mut ended = false;
         let is_plastic = self.restitution.contains(&0.0);
         let (end, none) = if is_plastic { [END_WITHOUT_REBOUND; 2].into() } else { (SPENT_APPROACH, NO_INDENTATION) };
         for _ in 0..MOST_STEPS {
             let (next, error) = self.step(&state, length);
             let relative = error / STEP_ERROR;
-            let accepted = relative <= 1.0 || length <= SHORTEST_STEP;
+            let accepted = relative <= 1.0 || length <= SHORTEST_PULSE_STEP;
             if accepted {
                 state = next;
                 let velocities = self.velocities(&state[count..]);
@@ -278,7 +278,7 @@ impl Springs {
             }
             let factor = if relative > 0.0 { STEP_MARGIN * libm::pow(relative, -0.2) } else { STEP_GROWTH[1] };
             let factor = if factor.is_finite() { factor.clamp(STEP_GROWTH[0], STEP_GROWTH[1]) } else { STEP_GROWTH[0] };
-            length = (length * factor).clamp(SHORTEST_STEP, LONGEST_STEP);
+            length = (length * factor).clamp(SHORTEST_PULSE_STEP, LONGEST_PULSE_STEP);
         }
         (state[count..].iter().map(|p| p * self.impulse_unit).collect(), ended)
     }
