@@ -20,7 +20,7 @@ pub(crate) fn begun(core: &mut Core, states: Vec<BodyState>) -> Result<Box<dyn T
         TierName::Accurate => Box::new(Engine::new(core, states)?),
         TierName::Stepped => Box::new(SteppedEngine::new(core, states)?),
         TierName::Thesis => Box::new(ThesisEngine::new(core, states)?),
-        TierName::Penalty => Box::new(PenaltyEngine::new(core, states)?),
+        TierName::Penalty => Box::new(PenaltyEngine::new(core, states)),
     })
 }
 
