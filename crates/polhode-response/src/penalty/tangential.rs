@@ -86,9 +86,8 @@ impl TangentialSpring {
     /// `k_t'/k_t` at an overlap (m) that changes at a rate (m/s), 1/s; zero without overlap.
     pub fn relative_rate(&self, depth: f64, rate: f64) -> f64 {
         match self.growth {
-            Growth::Linear => 0.0,
             Growth::Hertz if depth > 0.0 => 0.5 * rate / depth,
-            Growth::Hertz => 0.0,
+            Growth::Linear | Growth::Hertz => 0.0,
         }
     }
 

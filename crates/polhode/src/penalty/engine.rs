@@ -45,10 +45,7 @@ pub(crate) struct PenaltyEngine {
 
 impl PenaltyEngine {
     /// Prepares a run.
-    ///
-    /// # Errors
-    /// When a fixed step is too long for the springs.
-    pub(crate) fn new(core: &Core, states: Vec<BodyState>) -> Result<Self, SimulationError> {
+    pub(crate) fn new(core: &Core, states: Vec<BodyState>) -> Self {
         let laws = Laws::new(&core.world, core.settings.penalty, &states);
         let asked = core.settings.penalty.stiffness_n_m.is_none() && core.world.may_collide_at_all();
         let is_linear = core.settings.penalty.law.unwrap_or_default() == crate::scene::SpringLaw::Linear;
@@ -56,7 +53,7 @@ impl PenaltyEngine {
             penetration_asked_m: (asked && is_linear).then_some(laws.depth_m),
             ..SpringReport::default()
         };
-        Ok(Self {
+        Self {
             springs: Vec::new(),
             proposed: vec![core.settings.step_s; states.len()],
             boxes: Boxes::new(&core.settings, states.len()),
@@ -64,7 +61,7 @@ impl PenaltyEngine {
             laws,
             measured,
             states,
-        })
+        }
     }
 
     /// The engine of a snapshot.
@@ -150,7 +147,7 @@ impl PenaltyEngine {
             self.measured.append(&run.measured);
             run.events.into_iter().for_each(|event| core.accounts.add_event(event));
             for of in &run.separations {
-                core.note_separation(of.t_s, &self.states, of.pair, (of.separation, of.rate));
+                core.note_separation(of.t_s, &self.states, of.pair, (of.distance, of.rate));
             }
             (0..run.steps).for_each(|_| core.accounts.count_step());
             if let Some(error) = run.largest_error {

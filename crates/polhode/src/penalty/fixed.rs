@@ -105,7 +105,9 @@ fn gather(run: &mut Run<'_>, h: f64) -> Result<(), SimulationError> {
     let gone: Vec<ContactId> = gone.copied().collect();
     let before = if gone.is_empty() { 0.0 } else { run.energy() };
     let has_gone = !gone.is_empty();
-    gone.into_iter().for_each(|id| run.remove(id));
+    for id in gone {
+        run.remove(id);
+    }
     for (id, kinematics) in &near {
         let Err(place) = run.done.springs.binary_search_by_key(id, |known| known.id) else { continue };
         let mut spring = run.begun(*id, kinematics)?;
@@ -159,7 +161,7 @@ fn step(run: &mut Run<'_>, h: f64, end: f64) -> Result<(), SimulationError> {
 
 /// Drops springs of contacts that do not overlap.
 fn release(run: &mut Run<'_>) {
-    let open: Vec<ContactSpring> = run.done.springs.iter().copied().collect();
+    let open: Vec<ContactSpring> = run.done.springs.clone();
     for spring in open {
         if run.evaluated(&spring).is_some_and(|at| at.depth > 0.0) {
             continue;

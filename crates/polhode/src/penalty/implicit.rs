@@ -36,7 +36,7 @@ pub(super) fn step(
     system: &mut SpringSystem<'_>,
     laws: &Laws,
     (t, h): (f64, f64),
-    state: &mut Vec<f64>,
+    state: &mut [f64],
 ) -> Result<(), SimulationError> {
     let (mut made, mut part) = (0.0, 1.0);
     while made < 1.0 {

@@ -60,7 +60,7 @@ pub(super) struct Separation {
     pub(super) pair: (usize, usize),
     pub(super) t_s: f64,
     /// m and m/s.
-    pub(super) separation: f64,
+    pub(super) distance: f64,
     pub(super) rate: f64,
 }
 
@@ -188,7 +188,7 @@ impl<'a> Run<'a> {
             passage.hardest = passage.hardest.max(force);
             passage.alone &= !shared.contains(&spring.id.a) && !shared.contains(&spring.id.b);
             let pair = (spring.id.a, spring.id.b);
-            self.done.separations.push(Separation { pair, t_s: self.t, separation: -at.depth, rate: -at.rate });
+            self.done.separations.push(Separation { pair, t_s: self.t, distance: -at.depth, rate: -at.rate });
         }
     }
 

@@ -91,8 +91,12 @@ fn settle(run: &mut Run<'_>, h: f64) -> Result<Vec<ContactId>, SimulationError> 
     }
     if !(gone.is_empty() && begun.is_empty()) {
         let before = run.energy();
-        gone.into_iter().for_each(|id| run.remove(id));
-        begun.into_iter().for_each(|spring| run.insert(spring));
+        for id in gone {
+            run.remove(id);
+        }
+        for spring in begun {
+            run.insert(spring);
+        }
         let lost = before - run.energy();
         run.done.books.ledger.numerical.add(lost);
     }
@@ -123,7 +127,7 @@ fn step(
             break error;
         }
         let shorter = h * Dop853::next_step_factor(error).min(REFUSED_FACTOR);
-        if !(shorter > smallest) {
+        if shorter.is_nan() || shorter <= smallest {
             return Err(SimulationError::StepTooSmall { t_s: t, smallest_s: smallest });
         }
         h = shorter;
@@ -185,9 +189,9 @@ fn apply(run: &mut Run<'_>, what: Happening) -> Result<(), SimulationError> {
     let lost = before - run.energy();
     let ledger = &mut run.done.books.ledger;
     if matches!(what, Happening::Grip(_)) {
-        ledger.friction.add(lost)
+        ledger.friction.add(lost);
     } else {
-        ledger.numerical.add(lost)
+        ledger.numerical.add(lost);
     }
     Ok(())
 }

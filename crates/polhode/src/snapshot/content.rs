@@ -608,6 +608,7 @@ pub(crate) struct Penalty {
 
 /// A contact with its springs.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[expect(clippy::struct_excessive_bools, reason = "plain data of a record, never passed as arguments")]
 pub(crate) struct ContactSpring {
     pub(crate) id: Contact,
     pub(crate) is_hertz: bool,

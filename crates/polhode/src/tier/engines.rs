@@ -24,7 +24,7 @@ pub(crate) fn begun(core: &mut Core, states: Vec<BodyState>) -> Result<Box<dyn T
         TierName::Fast => Box::new(FastEngine::new(core, states)?),
         TierName::Thesis => Box::new(ThesisEngine::new(core, states)?),
         TierName::MicroCollisions => Box::new(MicroCollisionEngine::new(core, states)),
-        TierName::Penalty => Box::new(PenaltyEngine::new(core, states)?),
+        TierName::Penalty => Box::new(PenaltyEngine::new(core, states)),
     })
 }
 
