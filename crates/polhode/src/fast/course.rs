@@ -10,7 +10,6 @@
 //! | impulses | go back to the points of the patches |
 
 use super::group::{FULL, Given, Group, GroupReport, PatchPlace};
-use super::rest::wake;
 use super::rules::Rules;
 use super::turning::turn;
 use crate::SimulationError;
@@ -103,34 +102,8 @@ impl Course {
         self.group_of[body] = None;
     }
 
-    /// A step of all bodies from `t` (s) by these rules.
-    ///
-    /// # Errors
-    /// When there are more bodies than the broad phase can number.
-    pub(super) fn step(
-        &mut self,
-        world: &World,
-        executor: &dyn Executor,
-        (t, rules): (f64, &Rules),
-    ) -> Result<(), SimulationError> {
-        if self.is_all_at_rest(world) {
-            self.used = 0;
-            return Ok(());
-        }
-        self.find_pairs(world, rules)?;
-        self.find_patches(world, executor, rules);
-        while wake(self, world, rules) {}
-        self.make_groups(world, rules);
-        self.solve(world, executor, (t, rules));
-        self.fly(world, rules);
-        self.write_back(rules);
-        let end = t + rules.h * f64::from(rules.substeps);
-        world.prescribe(end, &mut self.states);
-        Ok(())
-    }
-
     /// Whether nothing moves.
-    fn is_all_at_rest(&self, world: &World) -> bool {
+    pub(super) fn is_all_at_rest(&self, world: &World) -> bool {
         world.prescribed.is_empty()
             && world.movable.iter().all(|&body| self.resting[body] || !world.bodies[body].moves())
     }
@@ -197,7 +170,7 @@ impl Course {
     }
 
     /// Puts bodies that patches connect into groups, islands in the order of their first bodies.
-    fn make_groups(&mut self, world: &World, rules: &Rules) {
+    pub(super) fn make_groups(&mut self, world: &World, rules: &Rules) {
         let bodies = self.states.len();
         let is_moved = |body: usize| world.bodies[body].moves() && !self.resting[body];
         let mut sets = DisjointSets::new(bodies);
@@ -248,7 +221,8 @@ impl Course {
         }
     }
 
-    fn solve(&mut self, world: &World, executor: &dyn Executor, (t, rules): (f64, &Rules)) {
+    /// The step of each group for itself.
+    pub(super) fn solve(&mut self, world: &World, executor: &dyn Executor, (t, rules): (f64, &Rules)) {
         let warm = if self.last_h > 0.0 { rules.h / self.last_h } else { 0.0 };
         let given = Given { world, states: &self.states, pairs: &self.pairs, numbers: &self.numbers, t, warm, rules };
         let groups = &mut self.groups[..self.used];
@@ -267,7 +241,7 @@ impl Course {
     }
 
     /// Bodies that touch nothing, under gravity alone: a parabola, and free rotation.
-    fn fly(&mut self, world: &World, rules: &Rules) {
+    pub(super) fn fly(&mut self, world: &World, rules: &Rules) {
         let step = rules.h * f64::from(rules.substeps);
         for &body in &world.movable {
             if self.group_of[body].is_some() || self.resting[body] || !world.bodies[body].moves() {
@@ -293,7 +267,7 @@ impl Course {
 
     /// The impulses of the step go to the points of the patches. Those of a step that a program has cut short do not: they are those of overlaps
     /// and rounding, and say nothing about the next step.
-    fn write_back(&mut self, rules: &Rules) {
+    pub(super) fn write_back(&mut self, rules: &Rules) {
         let is_whole = rules.h >= LEAST_OF_LAST * self.last_h;
         if is_whole {
             self.last_h = rules.h;

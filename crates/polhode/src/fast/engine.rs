@@ -4,6 +4,7 @@ use super::course::Course;
 use super::facts::SUBSTEPS;
 use super::rest::settle;
 use super::rules::Rules;
+use super::step::step;
 use crate::accounting::books::{Received, SoftStep};
 use crate::accounting::measures::Measure;
 use crate::collision::contact_id::{ContactId, Feature};
@@ -79,7 +80,7 @@ impl FastEngine {
         let before = self.course.states.clone();
         let rules = Self::rules(core, h);
         let executor = Arc::clone(&core.executor);
-        self.course.step(&core.world, &*executor, (core.t, &rules))?;
+        step(&mut self.course, &core.world, &*executor, (core.t, &rules))?;
         self.book(core, &before, (t_next, &rules));
         core.t = t_next;
         core.accounts.count_step();
@@ -96,7 +97,7 @@ impl FastEngine {
             return Ok(Arc::new(self.course.states.clone()));
         }
         let mut course = self.course.copy(&core.settings);
-        course.step(&core.world, &*core.executor, (core.t, &Self::rules(core, t - core.t)))?;
+        step(&mut course, &core.world, &*core.executor, (core.t, &Self::rules(core, t - core.t)))?;
         Ok(course.into())
     }
 

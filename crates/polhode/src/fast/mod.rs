@@ -17,6 +17,7 @@
 //! | `facts` | what the tier is: its name, defaults, promise, and what it takes |
 //! | `rules` | softness, substeps, thresholds |
 //! | `rest` | islands at rest, which steps leave out |
+//! | `step` | the stages of a step |
 //! | `turning` | free rotation over a substep |
 //! | `group` | the step of some islands: what one task computes |
 //! | `course` | states and contacts of all bodies, and a step of them |
@@ -28,6 +29,7 @@ mod facts;
 mod group;
 mod rest;
 mod rules;
+mod step;
 mod turning;
 
 pub(crate) use engine::FastEngine;
