@@ -101,10 +101,12 @@ fn forces_of(delassus: &Delassus, b: &[f64], carrying: &[usize]) -> Option<Vec<f
         row_accelerations(delassus.entries(), b, &forces, &mut w);
     }
     let largest = forces.iter().fold(0.0, |most: f64, force| most.max(force.abs()));
-    if forces.iter().any(|force| !(*force >= -FITS * largest)) {
+    if forces.iter().any(|force| force.is_nan() || *force < -FITS * largest) {
         return None;
     }
-    forces.iter_mut().for_each(|force| *force = force.max(0.0));
+    for force in &mut forces {
+        *force = force.max(0.0);
+    }
     row_accelerations(delassus.entries(), b, &forces, &mut w);
     row_scales(delassus.entries(), b, &forces, &mut scales);
     w.iter().zip(&scales).all(|(w, scale)| *w >= -FITS * scale).then_some(forces)
@@ -125,7 +127,7 @@ impl Factor {
             }
             let own = delassus.get(row, row);
             let left = own - line.iter().map(|entry| entry * entry).sum::<f64>();
-            if !(left > INDEPENDENT_PIVOT * own) {
+            if left.is_nan() || left <= INDEPENDENT_PIVOT * own {
                 return None;
             }
             line.push(left.sqrt());

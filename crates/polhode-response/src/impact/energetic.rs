@@ -131,9 +131,9 @@ impl Expansion {
             velocities: compressed,
         };
         let works: Vec<f64> = (0..rows)
-            .map(|row| match impact.problem.is_bilateral(row) {
-                true => 0.0,
-                false => -0.5 * amounts[row] * (before[row] + expansion.velocities[row]),
+            .map(|row| {
+                let mean = 0.5 * (before[row] + expansion.velocities[row]);
+                if impact.problem.is_bilateral(row) { 0.0 } else { -amounts[row] * mean }
             })
             .collect();
         let (all, taken): (f64, f64) = (works.iter().sum(), works.iter().map(|work| work.max(0.0)).sum());
