@@ -80,11 +80,11 @@ impl Impact {
     fn of(bodies: Vec<Body>, penalty: PenaltyMethod, duration_s: f64) -> Result<Self, Box<dyn Error>> {
         let method = Method { response: Some(Response::Penalty), penalty: Some(penalty), ..Method::default() };
         let scene = Scene::builder("impact").method(method).gravity(DVec3::ZERO).duration_s(duration_s);
-        let scene = bodies.into_iter().fold(scene, |scene, body| scene.body(body)).build()?;
+        let scene = bodies.into_iter().fold(scene, polhode::SceneBuilder::body).build()?;
         let report = Simulation::new(&scene)?.run()?;
         let springs = report.springs.as_ref().ok_or("no report of springs")?;
         let contact = *springs.first_impacts.first().ok_or("no impact has ended")?;
-        Ok(Self { contact, report })
+        Ok(Self { report, contact })
     }
 
     fn velocity(&self, body: usize) -> Velocity {

@@ -55,7 +55,7 @@ pub(super) struct Place {
 /// Batches of a step, with the buffers from which they are made.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Batches {
-    pub(super) batches: Vec<Batch>,
+    pub(super) list: Vec<Batch>,
     pub(super) points: Vec<PointRows>,
     /// Where each manifold of the input has gone.
     pub(super) places: Vec<Place>,
@@ -68,7 +68,7 @@ pub(super) struct Batches {
 impl Batches {
     /// Puts manifolds into batches. `moves` says whether impulses move a body.
     pub(super) fn fill(&mut self, bodies: usize, manifolds: &[ImpulseManifold], moves: impl Fn(u32) -> bool) {
-        self.batches.clear();
+        self.list.clear();
         self.points.clear();
         self.places.clear();
         self.places.resize(manifolds.len(), Place::default());
@@ -84,7 +84,7 @@ impl Batches {
                 (open, used) = (key, 0);
                 let first = self.points.len();
                 self.points.resize(first + manifold.count, PointRows::default());
-                self.batches.push(Batch { first: first as u32, count: manifold.count as u32, ..Batch::default() });
+                self.list.push(Batch { first: first as u32, count: manifold.count as u32, ..Batch::default() });
             }
             self.put(number as usize, manifold, used, manifold.bodies.map(&moves));
             used += 1;
@@ -117,8 +117,8 @@ impl Batches {
 
     /// Writes a manifold into a lane of the last batch.
     fn put(&mut self, number: usize, manifold: &ImpulseManifold, lane: usize, moves: [bool; 2]) {
-        let last = self.batches.len() - 1;
-        let batch = &mut self.batches[last];
+        let last = self.list.len() - 1;
+        let batch = &mut self.list[last];
         self.places[number] = Place { batch: last as u32, lane: lane as u32 };
         [batch.a[lane], batch.b[lane]] = manifold.bodies;
         put_vector(&mut batch.normal, lane, manifold.normal.to_array());

@@ -45,6 +45,10 @@
 //! assert_eq!(solver.body(body).linear(), DVec3::ZERO);
 //! assert_eq!(works.colliding_j, -9.0);
 //! ```
+#![expect(
+    clippy::inline_always,
+    reason = "lanes are worth something only where they stay in registers, across every call of a sweep"
+)]
 
 mod batch;
 mod body;
@@ -141,7 +145,7 @@ impl SequentialImpulses {
     pub fn prepare(&mut self) {
         let bodies = &self.bodies;
         self.batches.fill(bodies.len(), &self.manifolds, |body| bodies[body as usize].is_moved());
-        let Batches { batches, points, .. } = &mut self.batches;
+        let Batches { list: batches, points, .. } = &mut self.batches;
         match self.width {
             LaneWidth::Two => stages::prepare::<f64x2>(bodies, batches, points),
             LaneWidth::Four => stages::prepare::<f64x4>(bodies, batches, points),
@@ -159,7 +163,7 @@ impl SequentialImpulses {
     }
 
     fn give(&mut self, pass: (Pass, f64)) -> Works {
-        let Batches { batches, points, .. } = &mut self.batches;
+        let Batches { list: batches, points, .. } = &mut self.batches;
         match self.width {
             LaneWidth::Two => stages::give::<f64x2>(&mut self.bodies, batches, points, pass),
             LaneWidth::Four => stages::give::<f64x4>(&mut self.bodies, batches, points, pass),
@@ -168,7 +172,7 @@ impl SequentialImpulses {
 
     /// One sweep over all contacts.
     pub fn sweep(&mut self, rule: &SweepRule) -> Works {
-        let Batches { batches, points, .. } = &mut self.batches;
+        let Batches { list: batches, points, .. } = &mut self.batches;
         match self.width {
             LaneWidth::Two => sweep::sweep::<f64x2>(&mut self.bodies, batches, points, rule),
             LaneWidth::Four => sweep::sweep::<f64x4>(&mut self.bodies, batches, points, rule),
@@ -186,7 +190,7 @@ impl SequentialImpulses {
 
     /// Half of what the impulses of the step did along the velocity (m/s) that every movable body got at the start of each substep.
     pub fn works_of_kick(&self, kick: DVec3, rule: &SweepRule) -> Works {
-        let Batches { batches, points, .. } = &self.batches;
+        let Batches { list: batches, points, .. } = &self.batches;
         match self.width {
             LaneWidth::Two => stages::works_of_kick::<f64x2>(batches, points, kick, rule.colliding),
             LaneWidth::Four => stages::works_of_kick::<f64x4>(batches, points, kick, rule.colliding),
@@ -195,7 +199,7 @@ impl SequentialImpulses {
 
     /// How far impulses and velocities are from the law.
     pub fn residual(&self, rule: &SweepRule) -> Residual {
-        let Batches { batches, points, .. } = &self.batches;
+        let Batches { list: batches, points, .. } = &self.batches;
         match self.width {
             LaneWidth::Two => residual::residual::<f64x2>(&self.bodies, batches, points, rule),
             LaneWidth::Four => residual::residual::<f64x4>(&self.bodies, batches, points, rule),
@@ -205,7 +209,7 @@ impl SequentialImpulses {
     /// What became of a point of a manifold; nothing where there is none.
     pub fn impulse(&self, manifold: usize, point: usize) -> PointImpulse {
         let Some(place) = self.batches.places.get(manifold) else { return PointImpulse::default() };
-        let batch = &self.batches.batches[place.batch as usize];
+        let batch = &self.batches.list[place.batch as usize];
         if point >= batch.count as usize {
             return PointImpulse::default();
         }

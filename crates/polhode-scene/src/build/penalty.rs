@@ -5,21 +5,24 @@ use polhode::scene::{PenaltyMethod, SpringDamping, SpringFriction, SpringLaw};
 
 /// What the file asks of springs; the numbers are checked with the rest of the method.
 pub(super) fn build(entry: &PenaltyEntry) -> PenaltyMethod {
-    let mut method = PenaltyMethod::default();
-    method.law = entry.law.map(|law| match law {
+    let law = |law| match law {
         SpringLawName::Linear => SpringLaw::Linear,
         SpringLawName::Hertz => SpringLaw::Hertz,
-    });
-    method.damping = entry.damping.map(|damping| match damping {
+    };
+    let damping = |damping| match damping {
         SpringDampingName::HuntCrossley => SpringDamping::HuntCrossley,
         SpringDampingName::Plain => SpringDamping::Plain,
-    });
-    method.friction = entry.friction.map(|friction| match friction {
+    };
+    let friction = |friction| match friction {
         SpringFrictionName::Mindlin => SpringFriction::Mindlin,
         SpringFrictionName::Regularised => SpringFriction::Regularised,
-    });
-    method.penetration_m = entry.penetration_m;
-    method.stiffness_n_m = entry.stiffness_n_m;
-    method.slip_speed_m_s = entry.slip_speed_m_s;
-    method
+    };
+    PenaltyMethod {
+        law: entry.law.map(law),
+        damping: entry.damping.map(damping),
+        friction: entry.friction.map(friction),
+        penetration_m: entry.penetration_m,
+        stiffness_n_m: entry.stiffness_n_m,
+        slip_speed_m_s: entry.slip_speed_m_s,
+    }
 }

@@ -56,6 +56,7 @@ impl std::ops::AddAssign for Received {
 
 /// What the impulses of soft contacts took in a step, and what they gave.
 #[derive(Debug, Clone, Copy, Default)]
+#[expect(clippy::struct_field_names, reason = "all are works in joules, as every unit in a name")]
 pub(crate) struct SoftStep {
     /// Taken by normal impulses of contacts that collided, J.
     pub(crate) impact_j: f64,

@@ -227,7 +227,9 @@ impl Course {
         let given = Given { world, states: &self.states, pairs: &self.pairs, numbers: &self.numbers, t, warm, rules };
         let groups = &mut self.groups[..self.used];
         if groups.len() == 1 || executor.width().get() == 1 {
-            groups.iter_mut().for_each(|group| group.step(&given));
+            for group in groups {
+                group.step(&given);
+            }
         } else {
             let given = &given;
             executor.run(groups.iter_mut().map(|group| Box::new(move || group.step(given)) as Task<'_>).collect());

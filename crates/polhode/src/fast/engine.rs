@@ -42,12 +42,9 @@ pub(crate) struct FastEngine {
 
 impl FastEngine {
     /// Prepares a run.
-    ///
-    /// # Errors
-    /// When there are more bodies than the broad phase can number.
-    pub(crate) fn new(core: &Core, states: Vec<BodyState>) -> Result<Self, SimulationError> {
+    pub(crate) fn new(core: &Core, states: Vec<BodyState>) -> Self {
         let course = Course::new(&core.settings, states);
-        Ok(Self { course, touching: Vec::new(), grid: 0, begun: false })
+        Self { course, touching: Vec::new(), grid: 0, begun: false }
     }
 
     /// The engine of a snapshot.

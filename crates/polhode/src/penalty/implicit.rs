@@ -26,7 +26,7 @@ const NEWTON_CONVERGED: f64 = 1e-11;
 const STATE_DIFFERENCE: f64 = 1e-6;
 
 /// An iteration that reduces changes by less makes its matrix anew (0.05 to 0.5).
-const SLOW: f64 = 0.1;
+const SLOW_NEWTON: f64 = 0.1;
 
 /// Advances a flat state over `h` from `t` (s).
 ///
@@ -99,7 +99,7 @@ fn midpoint(system: &mut SpringSystem<'_>, laws: &Laws, (t, h): (f64, f64), stat
         if !largest.is_finite() {
             return false;
         }
-        if largest > SLOW * last {
+        if largest > SLOW_NEWTON * last {
             factors = None;
         }
         last = largest;

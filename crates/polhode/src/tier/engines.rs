@@ -21,7 +21,7 @@ pub(crate) fn begun(core: &mut Core, states: Vec<BodyState>) -> Result<Box<dyn T
     Ok(match core.settings.tier {
         TierName::Accurate => Box::new(Engine::new(core, states)?),
         TierName::Stepped => Box::new(SteppedEngine::new(core, states)?),
-        TierName::Fast => Box::new(FastEngine::new(core, states)?),
+        TierName::Fast => Box::new(FastEngine::new(core, states)),
         TierName::Thesis => Box::new(ThesisEngine::new(core, states)?),
         TierName::MicroCollisions => Box::new(MicroCollisionEngine::new(core, states)),
         TierName::Penalty => Box::new(PenaltyEngine::new(core, states)),

@@ -33,7 +33,7 @@ fn wall(material: &Material) -> Body {
 
 fn run(bodies: Vec<Body>, method: Method, duration_s: f64) -> (RunReport, SpringImpact) {
     let scene = Scene::builder("impact").method(method).gravity(DVec3::ZERO).duration_s(duration_s);
-    let scene = bodies.into_iter().fold(scene, |scene, body| scene.body(body)).build().unwrap();
+    let scene = bodies.into_iter().fold(scene, polhode::SceneBuilder::body).build().unwrap();
     let report = Simulation::new(&scene).unwrap().run().unwrap();
     let closure = report.ledger.closure_relative();
     assert!(closure < 1e-12, "the ledger closes to {closure:e}");

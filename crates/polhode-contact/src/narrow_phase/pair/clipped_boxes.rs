@@ -288,7 +288,7 @@ fn clip(polyhedra: [&ConvexPolyhedron; 2], boxes: &[Placed; 2], best: &Best, rea
 fn clipped(polygon: &[Clipped], side: usize, half: f64) -> Vec<Clipped> {
     let outside = |corner: &Clipped| {
         let along = if side < 2 { corner.at.x } else { corner.at.y };
-        if side % 2 == 0 { -along - half } else { along - half }
+        if side.is_multiple_of(2) { -along - half } else { along - half }
     };
     let mut kept = Vec::with_capacity(MOST_CORNERS);
     for (place, now) in polygon.iter().enumerate() {
