@@ -47,7 +47,7 @@ fn mistakes() {
         "forces=[{ type = { torque = { body = \"stone\", torque = [0, 0, 1] } } }]",
         "forces=[{ type = { drag = { law = \"linear\", translational = -1 } } }]",
         "method.tier=faster",
-        "method.impact=poisson",
+        "method.contact=interior-point",
         "method.integrator=rk5",
         "method.orientation=matrix",
         "method.rotation_rate=angular-velocity",

@@ -92,7 +92,7 @@ mod tests {
         let names: Vec<&str> = Integrator::ALL.into_iter().map(Integrator::name).collect();
         assert!(names.iter().all(|name| family(name).is_some()), "{names:?}");
         assert_distinct(&names);
-        let tiers: Vec<&str> = Tier::ALL.into_iter().map(Tier::name).chain(["fast"]).collect();
+        let tiers: Vec<&str> = Tier::ALL.into_iter().map(Tier::name).collect();
         assert!(tiers.iter().all(|name| family(name).is_some()), "{tiers:?}");
         assert_distinct(&tiers);
     }

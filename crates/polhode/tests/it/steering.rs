@@ -23,6 +23,11 @@ fn slab(motion: PrescribedMotion) -> Body {
     Body::kinematic("slab", motion).geometry(shape).pose(Pose::from_translation(DVec3::Z * -0.1))
 }
 
+/// All tiers but that of springs, whose stiffness follows from the speeds at the start: a body that is steered later meets others.
+fn rigid_tiers() -> impl Iterator<Item = Tier> {
+    Tier::ALL.into_iter().filter(|tier| *tier != Tier::Penalty)
+}
+
 fn scene(tier: Tier, slab: Body, load: Body) -> Scene {
     let method = Method { tier: Some(tier), step_s: Some(1e-3), ..Method::default() };
     Scene::builder("steered").method(method).duration_s(1.0).body(slab).body(load).build().unwrap()
@@ -62,7 +67,7 @@ fn apart(one: &Recorder, other: &Recorder) -> f64 {
 #[test]
 fn a_velocity_is_the_constant_motion_of_a_scene() {
     let velocity = Velocity::new(DVec3::new(0.1, 0.0, 1.5), DVec3::Z * 0.3);
-    for tier in Tier::ALL {
+    for tier in rigid_tiers() {
         let load = || ball("ball", 1.3, RADIUS, DVec3::Z * 1.0, DVec3::ZERO).material(elastic(0.5));
         let own = scene(tier, slab(still()).material(elastic(0.5)), load());
         let prescribed = PrescribedMotion::constant_velocity(velocity).unwrap();
@@ -84,7 +89,7 @@ fn a_pose_is_a_table_of_two_samples() {
     let (from, until) = (0.25, 0.9);
     let turn = DVec3::new(0.0, 0.0, 1.2);
     let end = Pose::new(Rotation::from_rotation_vector(turn), DVec3::new(0.3, 0.0, 0.4));
-    for tier in Tier::ALL {
+    for tier in rigid_tiers() {
         let table = MotionTable {
             times_s: vec![from, until],
             positions_m: Some(vec![DVec3::Z * -0.1, end.translation]),
@@ -174,7 +179,7 @@ fn a_new_target_is_taken_smoothly() {
 /// motion of the scene back.
 #[test]
 fn a_snapshot_keeps_the_motion() {
-    for tier in Tier::ALL {
+    for tier in rigid_tiers() {
         let sine = PrescribedMotion::sine(DVec3::Z * 0.01, DVec3::ZERO, 1.0, 0.0).unwrap();
         let scene = scene(tier, slab(sine), heavy_brick("load", 2.0, DVec3::splat(0.4), DVec3::Z * 0.2));
         let mut simulation = Simulation::new(&scene).unwrap();
