@@ -15,7 +15,7 @@
 //! | [`floor`] | [`Floor`], and the law of a node that meets it |
 //! | [`run`] | [`ElasticRun`]: central differences, with ledgers of energy and momentum |
 //! | [`stability`] | the longest stable step |
-//! | [`drop`] | [`RectangleDrop`]: from the first touch to the rebound, and its [`DropReport`] |
+//! | [`mod@drop`] | [`RectangleDrop`]: from the first touch to the rebound, and its [`DropReport`] |
 //! | [`study`] | [`DropStudy`]: drops by several steps on several meshes |
 //! | [`extrapolation`] | [`Extrapolated`]: values without the error of the mesh |
 //!

@@ -3,7 +3,7 @@
 //! It is for methods that let bodies overlap: the whole face that touches gives contacts, however deep and tilted, where the manifold of bodies
 //! that only touch ([`near_manifold`](crate::near_manifold)) has the deepest features alone. The axis is that of the largest separation (Gottschalk 1996); of a face that decides, the facing one of the other box is clipped at its sides (Sutherland and Hodgman 1974), and the points within the
 //! reach are contacts along its normal; of two edges their nearest points are one contact. A face is preferred to edges that separate by less than
-//! [`EDGES_BEYOND`] more, so that contacts of a tilting box do not change at every step.
+//! `EDGES_BEYOND` more, so that contacts of a tilting box do not change at every step.
 //!
 //! Contacts have the features that [`crate::ConvexPolyhedron::cuboid`] gives them. Failure: none; other shapes are not taken.
 
