@@ -24,7 +24,7 @@ pub struct Family {
 }
 
 /// The families of integrators, and the tiers, of which each is one.
-pub const FAMILIES: [Family; 9] = [
+pub const FAMILIES: [Family; 11] = [
     Family {
         name: "Euler",
         ink: Ink::Grey,
@@ -42,6 +42,8 @@ pub const FAMILIES: [Family; 9] = [
     Family { name: "tier stepped", ink: Ink::Vermilion, members: &["stepped"] },
     Family { name: "tier thesis", ink: Ink::Blue, members: &["thesis"] },
     Family { name: "tier fast", ink: Ink::Gold, members: &["fast"] },
+    Family { name: "tier penalty", ink: Ink::Purple, members: &["penalty"] },
+    Family { name: "tier micro-collisions", ink: Ink::Grey, members: &["micro-collisions"] },
 ];
 
 /// The family of a method, or of settings in words of which one names it.

@@ -1,17 +1,15 @@
 //! The numbers of a step: softness of contacts, substeps, thresholds.
 //!
-//! A contact gives way as a spring of [`FREQUENCY_HZ`] (at most a quarter of the rate of substeps, or it would not be followed) with the
-//! damping ratio [`DAMPING`]; one with a body that does not move is twice as stiff. Source: docs/REFERENCES.md, Catto 2024.
+//! A contact gives way as a spring whose frequency is an eighth of the rate of substeps (30 Hz with four in 1/60 s), with the damping ratio
+//! [`DAMPING`]; one with a body that does not move is twice as stiff. Nothing here is an absolute time or length, so that a scene in
+//! other units moves as before. Source: docs/REFERENCES.md, Catto 2024, which has 30 Hz and 3 m/s.
 
 use crate::world::World;
 use polhode_response::sequential_impulses::{Softness, SweepRule};
 use polhode_spatial::DVec3;
 
-/// Frequency of the spring of a contact, Hz.
-const FREQUENCY_HZ: f64 = 30.0;
-
-/// Largest frequency as a part of the rate of substeps (no unit).
-const OF_THE_RATE: f64 = 0.25;
+/// Frequency of the spring of a contact as a part of the rate of substeps (no unit): a quarter is the most that is followed.
+const OF_THE_RATE: f64 = 0.125;
 
 /// Damping ratio of a contact (no unit): overlaps are pushed apart without a bounce.
 const DAMPING: f64 = 10.0;
@@ -19,8 +17,8 @@ const DAMPING: f64 = 10.0;
 /// How much stiffer contacts with bodies are that do not move (no unit).
 const WITH_FIXED: f64 = 2.0;
 
-/// Speed at which overlaps are pushed apart at most, m/s.
-const PUSH_M_S: f64 = 3.0;
+/// How far overlaps are pushed apart in a step at most, in sizes of the smallest body that moves (no unit, 0.05 to 0.2).
+const PUSH_OF_SIZE: f64 = 0.1;
 
 /// A contact that approaches more slowly than gravity makes it in this many steps does not bounce (no unit): it rests.
 const RESTING_STEPS: f64 = 2.0;
@@ -44,11 +42,13 @@ impl Rules {
     pub(super) fn new(step_s: f64, substeps: u32, world: &World) -> Self {
         let gravity = world.gravity();
         let h = step_s / f64::from(substeps);
-        let frequency = FREQUENCY_HZ.min(OF_THE_RATE / h);
+        let frequency = OF_THE_RATE / h;
+        let moving = world.bodies.iter().filter(|body| body.moves() && body.size > 0.0);
+        let smallest = moving.map(|body| body.size).fold(f64::INFINITY, f64::min);
         let soft = SweepRule {
             between: Softness::of_spring(frequency, DAMPING, h),
             with_fixed: Softness::of_spring(WITH_FIXED * frequency, DAMPING, h),
-            push: PUSH_M_S,
+            push: PUSH_OF_SIZE * smallest / step_s,
             inverse_step: 1.0 / h,
             colliding: RESTING_STEPS * gravity.length() * step_s,
         };
