@@ -1,4 +1,4 @@
-//! Kinematic bodies that a program steers: the motion is that of a scene that prescribes the same, in every tier; what the
+//! Kinematic bodies that a program steers: the motion is that of a scene that prescribes the same, in every rigid tier; what the
 //! body does to others is booked; a snapshot keeps it; what cannot be is refused.
 
 use crate::checks::{assert_closes, heavy_brick};
@@ -62,7 +62,7 @@ fn apart(one: &Recorder, other: &Recorder) -> f64 {
     pairs.map(distance).fold(0.0, f64::max)
 }
 
-/// A velocity that is set at the start is the constant velocity of a scene, in every tier: a slab that rises under a ball
+/// A velocity that is set at the start is the constant velocity of a scene, in every rigid tier: a slab that rises under a ball
 /// in flight and strikes it.
 #[test]
 fn a_velocity_is_the_constant_motion_of_a_scene() {
@@ -81,7 +81,7 @@ fn a_velocity_is_the_constant_motion_of_a_scene() {
     }
 }
 
-/// A pose that is reached within a time is a table of two samples, in every tier, and its work is the weight times the
+/// A pose that is reached within a time is a table of two samples, in every rigid tier, and its work is the weight times the
 /// height: from rest to rest the kinetic energy does not change.
 #[test]
 fn a_pose_is_a_table_of_two_samples() {
