@@ -5,11 +5,11 @@
 use crate::checks::assert_closes;
 use crate::snapshots::check_restored_runs;
 use crate::support::{ball, brick, elastic, floor, run_even_degraded};
+use crate::threads::Threads;
 use polhode::contact::Shape;
 use polhode::scene::{Material, Method, Tier};
 use polhode::spatial::{DVec3, Pose, Rotation, Velocity};
-use polhode::{Body, Effects, Executor, Geometry, RunReport, Scene, SceneBuilder, Simulation, Task};
-use std::num::NonZeroUsize;
+use polhode::{Body, Effects, Geometry, RunReport, Scene, SceneBuilder, Simulation};
 use std::sync::Arc;
 
 const G: f64 = 9.81;
@@ -138,26 +138,6 @@ fn heaps() -> SceneBuilder {
         scene = scene.body(body.material(material()));
     }
     scene
-}
-
-/// So many threads, each of which takes every n-th task, n being their number.
-#[derive(Debug)]
-struct Threads(usize);
-
-impl Executor for Threads {
-    fn width(&self) -> NonZeroUsize {
-        NonZeroUsize::new(self.0).unwrap()
-    }
-
-    fn run(&self, tasks: Vec<Task<'_>>) {
-        let mut shares: Vec<Vec<Task<'_>>> = (0..self.0).map(|_| Vec::new()).collect();
-        tasks.into_iter().enumerate().for_each(|(place, task)| shares[place % self.0].push(task));
-        std::thread::scope(|scope| {
-            for share in shares {
-                scope.spawn(move || share.into_iter().for_each(|task| task()));
-            }
-        });
-    }
 }
 
 /// The whole state, accounts with it, has the same bits with one, two, three and eight threads.

@@ -46,7 +46,7 @@ fn run_all<'a>(tasks: impl Iterator<Item = Task<'a>>) {
 
 /// So many threads, each of which takes every n-th task, n being their number.
 #[derive(Debug)]
-struct Threads(usize);
+pub(crate) struct Threads(pub(crate) usize);
 
 impl Executor for Threads {
     fn width(&self) -> NonZeroUsize {
