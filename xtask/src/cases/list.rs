@@ -2,14 +2,14 @@
 
 use super::case::Case;
 use super::{
-    arches, chung_ooi, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds, effects,
-    elastic_body, exact_drift, falling_shapes, fast_tier, free_rotation, friction_effects, friction_invariances,
-    friction_scenes, frictional_impacts, frictional_statics, heaps, heavy_tops, impact_chains, impact_laws, impacts,
-    invariances, joints, ledger, long_runs, mass_properties, numerical_loss, one_dependency, peers, pi_machine,
-    polhode_times, published_rotations, random_scenes, random_solids, reductions, resting_contact, rigid_ipc,
-    rocking_and_toppling, rolling_disc, seams, sliding, sliding_and_spinning, slipping_and_rolling, slopes, snapshots,
-    speed, spinning_scenes, stability, stackings, stacks, stacks_on_slopes, structures, table_edge, thesis_forces,
-    thesis_tier, tunnelling, units, valleys, videos, walls,
+    accuracy_choice, arches, chung_ooi, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds,
+    effects, elastic_body, exact_drift, falling_shapes, fast_tier, free_rotation, friction_effects,
+    friction_invariances, friction_scenes, frictional_impacts, frictional_statics, heaps, heavy_tops, impact_chains,
+    impact_laws, impacts, invariances, joints, ledger, long_runs, mass_properties, numerical_loss, one_dependency,
+    peers, pi_machine, polhode_times, published_rotations, random_scenes, random_solids, reductions, resting_contact,
+    rigid_ipc, rocking_and_toppling, rolling_disc, seams, sliding, sliding_and_spinning, slipping_and_rolling, slopes,
+    snapshots, speed, spinning_scenes, stability, stackings, stacks, stacks_on_slopes, structures, table_edge,
+    thesis_forces, thesis_tier, tunnelling, units, valleys, videos, walls,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -166,6 +166,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "structures: margins", rows: structures::margins },
     Case { name: "stability", rows: stability::rows },
     Case { name: "heaps", rows: heaps::rows },
+    Case { name: "accuracy asked and reached", rows: accuracy_choice::rows },
     Case { name: "structures: arches", rows: structures::arches },
     Case { name: "structures: card houses", rows: structures::card_houses },
     Case { name: "random slopes", rows: slopes::random_slopes },

@@ -20,6 +20,7 @@
 //! | `feature_numbers` | a polyhedron of the contact crate and the exact one, and which features of them are the same |
 //! | the others | the cases, one file per group |
 
+mod accuracy_choice;
 mod arches;
 mod bodies;
 mod case;

@@ -1,8 +1,8 @@
-//! The candidates when none are asked for: every integrator over steps where nothing can collide, the tiers over steps
-//! and tolerances where bodies meet.
+//! The candidates when none are asked for: every integrator over steps where nothing can collide; where bodies meet, the tiers over
+//! steps and tolerances, the thesis's own ways to find contact forces, and the impact laws that are not the scene's.
 
 use super::candidate::{Candidate, change};
-use polhode::scene::{Integrator, Response, Tier};
+use polhode::scene::{ContactMethod, ImpactLaw, Integrator, Response, Tier};
 use polhode_scene::{Override, names};
 
 /// Ratio of a step to the next: 2 shows the order of a method well, 4 spans five decades of error in a few runs.
@@ -38,6 +38,9 @@ const SPRING_TOLERANCE: f64 = 1e-8;
 /// How much longer an error-controlled run takes at the next tolerance, about: 100^(1/8), rounded up.
 const TOLERANCE_GROWTH: f64 = 2.0;
 
+/// Tolerance of runs by another impact law (dimensionless): they show the law, whose difference is far larger.
+const LAW_TOLERANCE: f64 = 1e-6;
+
 /// What decides about the candidates of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SceneFacts {
@@ -49,6 +52,17 @@ pub(crate) struct SceneFacts {
     pub(crate) closed_form: bool,
     /// Largest angular speed of a body, rad/s.
     pub(crate) angular_speed: f64,
+    /// The impact law of the scene.
+    pub(crate) impact: ImpactLaw,
+}
+
+/// Which candidates are looked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Range {
+    /// The methods, and the impact laws beside the scene's.
+    MethodsAndLaws,
+    /// The methods alone: who asks for an accuracy asks for it under the law of the scene.
+    Methods,
 }
 
 /// One method and the setting that is stepped through.
@@ -61,13 +75,18 @@ struct Series {
     stepped: &'static str,
     values: Vec<String>,
     growth: f64,
+    /// Whether its first candidate too may only take its share of the time.
+    is_limited: bool,
 }
 
 /// Candidates for a scene, the cheapest of each series first. Keys in `given` are set already: a method that they
 /// exclude is left out, and a setting that they fix is not stepped through.
-pub(crate) fn candidates(facts: &SceneFacts, given: &[Override]) -> Vec<Candidate> {
+pub(crate) fn candidates(facts: &SceneFacts, given: &[Override], range: Range) -> Vec<Candidate> {
     let value_of = |key: &str| given.iter().rev().find(|change| change.key == key).map(|change| change.value.as_str());
-    let all = if facts.contact { with_contact(facts) } else { without_contact(facts) };
+    let mut all = if facts.contact { with_contact(facts) } else { without_contact(facts) };
+    if facts.contact && range == Range::MethodsAndLaws {
+        all.extend(other_laws(facts));
+    }
     let mut candidates = Vec::new();
     for series in all {
         let [key, value] = series.selects;
@@ -85,7 +104,7 @@ pub(crate) fn candidates(facts: &SceneFacts, given: &[Override]) -> Vec<Candidat
         for (number, value) in series.values.iter().enumerate() {
             let mut changes = base.clone();
             changes.push(change(series.stepped, value));
-            let growth = (number > 0).then_some(series.growth);
+            let growth = (number > 0 || series.is_limited).then_some(series.growth);
             let rung = rung(series.stepped, value);
             candidates.push(Candidate { series: series.name.to_owned(), rung, changes, growth });
         }
@@ -109,11 +128,27 @@ fn without_contact(facts: &SceneFacts) -> Vec<Series> {
             let values = TOLERANCES.map(|tolerance| format!("{tolerance:e}")).to_vec();
             // The step is an upper bound that must not bind.
             let besides = vec![("method.step", number(facts.duration_s))];
-            Series { name, selects, besides, stepped: "method.tolerance", values, growth: TOLERANCE_GROWTH }
+            Series {
+                name,
+                selects,
+                besides,
+                stepped: "method.tolerance",
+                values,
+                growth: TOLERANCE_GROWTH,
+                is_limited: false,
+            }
         } else {
             let is_closed = integrator.is_exact_without_loads() && facts.closed_form;
             let values = if is_closed { vec![number(facts.duration_s)] } else { steps(facts) };
-            Series { name, selects, besides: Vec::new(), stepped: "method.step", values, growth: STEP_RATIO as f64 }
+            Series {
+                name,
+                selects,
+                besides: Vec::new(),
+                stepped: "method.step",
+                values,
+                growth: STEP_RATIO as f64,
+                is_limited: false,
+            }
         }
     };
     Integrator::ALL.into_iter().map(series).collect()
@@ -135,18 +170,74 @@ fn with_contact(facts: &SceneFacts) -> Vec<Series> {
                 stepped: "method.penalty.penetration_m",
                 values,
                 growth: STEP_RATIO as f64,
+                is_limited: true,
             };
         }
         if tier.facts().controls_error() {
             let tight = TOLERANCES.into_iter().filter(|&tolerance| tolerance <= LOOSEST_CONTACT_TOLERANCE);
             let values = tight.map(|tolerance| format!("{tolerance:e}")).collect();
-            Series { name, selects, besides, stepped: "method.tolerance", values, growth: TOLERANCE_GROWTH }
+            Series {
+                name,
+                selects,
+                besides,
+                stepped: "method.tolerance",
+                values,
+                growth: TOLERANCE_GROWTH,
+                is_limited: false,
+            }
         } else {
             let (values, growth) = (steps(facts), STEP_RATIO as f64);
-            Series { name, selects, besides, stepped: "method.step", values, growth }
+            Series { name, selects, besides, stepped: "method.step", values, growth, is_limited: false }
         }
     };
-    Tier::ALL.into_iter().map(series).collect()
+    Tier::ALL.into_iter().map(series).chain(own_ways_of_the_thesis(facts)).collect()
+}
+
+/// The other ways of the thesis to find contact forces (section 3.4), over steps.
+fn own_ways_of_the_thesis(facts: &SceneFacts) -> impl Iterator<Item = Series> {
+    [ContactMethod::Heuristic, ContactMethod::Guesses].into_iter().map(|method| Series {
+        name: method.name(),
+        selects: ["method.contact", method.name()],
+        besides: vec![("method.tier", Tier::Thesis.name().to_owned())],
+        stepped: "method.step",
+        values: steps(facts),
+        growth: STEP_RATIO as f64,
+        is_limited: true,
+    })
+}
+
+/// The impact laws that are not the scene's, each by one run of the most accurate tier.
+fn other_laws(facts: &SceneFacts) -> impl Iterator<Item = Series> {
+    let own = facts.impact;
+    ImpactLaw::ALL.into_iter().filter(move |&law| law != own).map(|law| Series {
+        name: names::impact(law),
+        selects: ["method.impact", names::impact(law)],
+        besides: vec![("method.tier", Tier::default().name().to_owned())],
+        stepped: "method.tolerance",
+        values: vec![format!("{LAW_TOLERANCE:e}")],
+        growth: 1.0,
+        is_limited: true,
+    })
+}
+
+/// A candidate between two of one series, the second finer than the first: with a ladder of wide rungs, the first setting that reaches
+/// an error may be far better than needed. None where the setting is no number, or nothing lies between.
+pub(crate) fn between(coarse: &Candidate, fine: &Candidate, duration_s: f64) -> Option<Candidate> {
+    let (first, second) = (coarse.changes.last()?, fine.changes.last()?);
+    let values: [f64; 2] = [first.value.parse().ok()?, second.value.parse().ok()?];
+    let mean = (values[0] * values[1]).sqrt();
+    if coarse.series != fine.series || first.key != second.key || !(values[1] < mean && mean < values[0]) {
+        return None;
+    }
+    let value = if first.key == "method.step" {
+        number(dividing(duration_s, (duration_s / mean).round() as u64))
+    } else {
+        format!("{mean:.1e}")
+    };
+    let mut changes = coarse.changes.clone();
+    *changes.last_mut()? = change(&first.key, &*value);
+    let rung = rung(&first.key, &value);
+    Some(Candidate { series: coarse.series.clone(), rung, changes, growth: fine.growth.map(f64::sqrt) })
 }
 
 /// Steps that divide the duration, the coarsest first, as they are written in a scene file.
@@ -187,7 +278,13 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
     use super::*;
 
-    const FREE: SceneFacts = SceneFacts { duration_s: 100.0, contact: false, closed_form: true, angular_speed: 2.0 };
+    const FREE: SceneFacts = SceneFacts {
+        duration_s: 100.0,
+        contact: false,
+        closed_form: true,
+        angular_speed: 2.0,
+        impact: ImpactLaw::Reflection,
+    };
 
     #[test]
     fn the_coarsest_step_turns_by_a_radian_at_most() {
@@ -217,7 +314,7 @@ mod tests {
 
     #[test]
     fn every_integrator_is_a_candidate_where_nothing_collides() {
-        let all = candidates(&FREE, &[]);
+        let all = candidates(&FREE, &[], Range::Methods);
         for integrator in Integrator::ALL {
             let name = names::integrator(integrator);
             assert!(all.iter().any(|candidate| candidate.series == name), "{name}");
@@ -230,11 +327,11 @@ mod tests {
     #[test]
     fn what_is_given_is_not_varied() {
         let given = [change("method.integrator", "\"rk4\""), change("method.step", "0.1")];
-        let all = candidates(&FREE, &given);
+        let all = candidates(&FREE, &given, Range::Methods);
         assert_eq!(all.len(), 1);
         assert_eq!((all[0].name().as_str(), all[0].changes.len()), ("rk4 step 0.1", 0));
         let contact = SceneFacts { contact: true, ..FREE };
-        let all = candidates(&contact, &[change("method.tier", "thesis")]);
+        let all = candidates(&contact, &[change("method.tier", "thesis")], Range::Methods);
         assert!(all.iter().all(|candidate| candidate.series == "thesis"));
         assert_eq!(all.len(), STEP_RUNGS as usize);
     }

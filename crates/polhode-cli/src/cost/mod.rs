@@ -53,6 +53,7 @@ use crate::scene::SceneText;
 use crate::{inputs, stdout};
 use broad_phases::BroadPhaseStudy;
 use candidate::Axis;
+use ladder::Range;
 use options::{Counting, Options};
 use polhode_scene::{AtomicFile, Override};
 use scale::ScaleStudy;
@@ -96,7 +97,9 @@ pub(crate) fn cost(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure
     // A folder that does not exist is found before the work, not after it.
     let paths = [&args.csv, &args.svg, &args.html];
     let [csv, svg, html] = interrupt.remove(|| open_all(paths), temporary)?;
-    let options = Options { samples: args.samples, effort: effort(args), budget_s: args.budget, counting };
+    let (target, range) = (args.target, Range::MethodsAndLaws);
+    let options =
+        Options { samples: args.samples, effort: effort(args), budget_s: args.budget, target, range, counting };
     let study = Study::run(&source, &axes, &options)?;
     let drawn = if svg.is_some() || html.is_some() { figure::svg(&study, args.target) } else { String::new() };
     for (file, text) in [(csv, csv::text(&study)), (html, html::page(&study, &drawn)), (svg, drawn)] {
@@ -185,7 +188,14 @@ pub(crate) fn settings_for(
     accuracy: f64,
 ) -> Result<Vec<Override>, Failure> {
     positive("--accuracy", Some(accuracy))?;
-    let options = Options { samples: SEARCH_SAMPLES, effort: FEW_ROUNDS, budget_s: SEARCH_S, counting: Counting::Time };
+    let options = Options {
+        samples: SEARCH_SAMPLES,
+        effort: FEW_ROUNDS,
+        budget_s: SEARCH_S,
+        target: Some(accuracy),
+        range: Range::Methods,
+        counting: Counting::Time,
+    };
     let study = Study::run(&Source::new(scene, changes)?, &[], &options)?;
     let Some(entry) = study.cheapest(accuracy) else {
         return Err(Failure::Check(text::not_reached(&study, accuracy)));

@@ -1,5 +1,6 @@
 //! What is asked of a study: how many samples, how much time, and what cost is measured in.
 
+use super::ladder::Range;
 use super::timing::Effort;
 
 /// What is asked of a study.
@@ -11,6 +12,10 @@ pub(crate) struct Options {
     pub(crate) effort: Effort,
     /// Time that the default candidates may take together, about, s.
     pub(crate) budget_s: f64,
+    /// The error that is asked for, where one is: settings just coarse enough for it are looked for between the rungs.
+    pub(crate) target: Option<f64>,
+    /// Which candidates are looked for when none are asked for.
+    pub(crate) range: Range,
     /// Whether cost is counted in instructions too.
     pub(crate) counting: Counting,
 }

@@ -238,6 +238,7 @@ impl Search<'_> {
             contact: scene.any_may_collide(),
             closed_form: kind == Kind::Exact,
             angular_speed: scales.angular_speed,
+            impact: run.report.plan.impact,
         };
         Reference { kind, method, error, basis, scales, model: self.model.to_vec(), facts, run }
     }

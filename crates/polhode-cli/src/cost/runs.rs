@@ -3,6 +3,7 @@
 use super::candidate::Candidate;
 use super::error::{Errors, energy_error};
 use super::instructions;
+use super::ladder;
 use super::law::{Law, OtherLaw};
 use super::options::{Counting, Options};
 use super::reference::{self, Reference};
@@ -81,6 +82,8 @@ pub(super) struct Runs<'a> {
     options: &'a Options,
     progress: &'a Progress,
     spent: Spent,
+    /// Number of the references that were asked for; those after them are of laws that methods turned out to have.
+    asked: usize,
 }
 
 impl<'a> Runs<'a> {
@@ -90,8 +93,9 @@ impl<'a> Runs<'a> {
         options: &'a Options,
         progress: &'a Progress,
         candidates: &[Candidate],
+        asked: usize,
     ) -> Self {
-        Self { source, options, progress, spent: Spent::new(candidates, options.budget_s) }
+        Self { source, options, progress, spent: Spent::new(candidates, options.budget_s), asked }
     }
 
     /// Runs every candidate once and compares it with the reference of its law, which is added where there is none yet.
@@ -101,7 +105,8 @@ impl<'a> Runs<'a> {
         let mut of_own_law = Vec::new();
         for (number, candidate) in candidates.into_iter().enumerate() {
             let model = candidate.model();
-            let reference = references.iter().position(|reference| reference.model == model).unwrap_or(0);
+            let asked = &references[..self.asked.min(references.len())];
+            let reference = asked.iter().position(|reference| reference.model == model).unwrap_or(0);
             let outcome = self.run(&candidate).and_then(|run| {
                 let law = Law::of(&run.report.plan);
                 let found = references.get(reference).ok_or("there is no reference")?;
@@ -122,6 +127,32 @@ impl<'a> Runs<'a> {
         }
         judge_by_own_finest(references, &mut compared, of_own_law);
         compared
+    }
+
+    /// Adds, to every series that one rung brings to `target` and the rung before does not, the setting between the two, while the time
+    /// of the series allows it. A law of its own keeps its rungs: the finest of them is its reference.
+    pub(super) fn refine(&mut self, references: &mut Vec<Reference>, compared: &mut Vec<Compared>, target: f64) {
+        let mut added = Vec::new();
+        for (place, pair) in compared.windows(2).enumerate() {
+            let [Ok(coarse), Ok(fine)] = [&pair[0].outcome, &pair[1].outcome] else { continue };
+            let is_own = |difference: &Difference| difference.law.is_some_and(|other| other.law.model().is_none());
+            let reaches = |difference: &Difference| {
+                difference.errors.headline() + difference.law.map_or(0.0, |law| law.difference) <= target
+            };
+            let duration_s = references.first().map_or(0.0, |reference| reference.facts.duration_s);
+            let crosses = !reaches(coarse) && reaches(fine) && !is_own(coarse);
+            if let Some(between) =
+                ladder::between(&pair[0].candidate, &pair[1].candidate, duration_s).filter(|_| crosses)
+            {
+                added.push((place + 1, between));
+            }
+        }
+        let (places, candidates): (Vec<usize>, Vec<Candidate>) = added.into_iter().unzip();
+        let between = self.errors(references, candidates);
+        // The last first, so that the places of the others stay.
+        for (place, entry) in places.into_iter().zip(between).rev() {
+            compared.insert(place, entry);
+        }
     }
 
     fn run(&mut self, candidate: &Candidate) -> Result<Completed, String> {

@@ -93,13 +93,16 @@ impl Study {
         progress.phase("reference", 1);
         let (mut references, candidates) = if axes.is_empty() {
             let reference = reference::find(source, &[], options.samples, None).map_err(|fault| check(&fault))?;
-            let candidates = ladder::candidates(&reference.facts, &source.given);
+            let candidates = ladder::candidates(&reference.facts, &source.given, options.range);
             (vec![reference], candidates)
         } else {
             (references(source, &asked, options.samples)?, asked)
         };
-        let mut runs = Runs::new(source, options, &progress, &candidates);
+        let mut runs = Runs::new(source, options, &progress, &candidates, references.len());
         let mut errors = runs.errors(&mut references, candidates);
+        if let (Some(target), true) = (options.target, axes.is_empty()) {
+            runs.refine(&mut references, &mut errors, target);
+        }
         let base = base(&errors);
         let timings = runs.timings(&mut errors, base);
         let counts = runs.instructions(&errors);

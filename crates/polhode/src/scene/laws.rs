@@ -47,6 +47,10 @@ pub enum ImpactLaw {
 }
 
 impl ImpactLaw {
+    /// All laws.
+    pub const ALL: [Self; 6] =
+        [Self::Reflection, Self::Propagation, Self::Simultaneous, Self::Poisson, Self::Energetic, Self::Pulse];
+
     /// The name used in scenes and reports.
     pub const fn name(self) -> &'static str {
         match self {

@@ -81,7 +81,7 @@ impl TimeStepper {
             |contact: &NearContact| Touch::from(FoundContact { id: contact.id, kinematics: contact.kinematics });
         let touches: Vec<Touch> = group.contacts.iter().map(|&index| touch(&near[index])).collect();
         let all = Group { bodies: group.bodies.clone(), contacts: (0..touches.len()).collect() };
-        let settings = ImpactSettings { limit: MOST_IMPULSES, ..ImpactSettings::default() };
+        let settings = settings_for(group, near);
         let struck = strike(world, states, &all, &touches, self.law, &settings, &mut self.solver)?;
         if struck.outcome.status == ImpactStatus::NotSolved {
             report.fallbacks += 1;
@@ -92,6 +92,22 @@ impl TimeStepper {
         }
         note(world, states, &touches, &struck, t, report);
         Ok(true)
+    }
+}
+
+/// Settings under which a contact that approaches as slowly as a sustained one does not approach: it stays closed to the step that
+/// follows. For laws that ask which contacts approach, one that rests to the accuracy of the step would else be struck as well.
+fn settings_for(group: &Group, near: &[NearContact]) -> ImpactSettings {
+    let largest = |value: fn(&NearContact) -> f64| {
+        group.contacts.iter().filter_map(|&index| near.get(index)).map(value).fold(0.0, f64::max)
+    };
+    let approach = largest(|contact| -contact.kinematics.separation_rate);
+    let resting = largest(|contact| contact.resting_speed);
+    let usual = ImpactSettings { limit: MOST_IMPULSES, ..ImpactSettings::default() };
+    if resting < approach {
+        ImpactSettings { threshold: usual.threshold.max(resting / approach), ..usual }
+    } else {
+        usual
     }
 }
 
