@@ -8,12 +8,13 @@
 //! Numbers of a line are divided by blanks (SI units, quaternions `w x y z`). Lines of a scene: `run DURATION SAMPLES`,
 //! `material FRICTION RESTITUTION`, `floor` or `wall`, `body SHAPE SIZE(3) MASS MOMENTS(3) POSITION(3) QUATERNION(4) LINEAR(3)
 //! ANGULAR(3)`, `joint A B ANCHOR(3)`: a hinge along y, -1 is the world; bodies of a scene with joints do not collide.
-//! What comes back: `state T BODY` and 13 numbers, `contact T A B POINT(3) NORMAL(3) IMPULSE(3) GAP H`, `wall SECONDS`.
+//! What comes back: `state T BODY` and 13 numbers, `contact T A B POINT(3) NORMAL(3) IMPULSE(3) GAP H BACK`, `wall SECONDS`.
+//! Points and gaps are of the poses before the step, from which the engine took them, `BACK` seconds before the states.
 
 use polhode::spatial::{DVec3, Rotation};
 use rapier3d::prelude::{
-    ColliderBuilder, ColliderHandle, FrictionModel, MassProperties, PhysicsWorld, RevoluteJointBuilder, RigidBodyBuilder,
-    RigidBodyHandle, SharedShape,
+    ColliderBuilder, ColliderHandle, FrictionModel, MassProperties, PhysicsWorld, RevoluteJointBuilder,
+    RigidBodyBuilder, RigidBodyHandle, SharedShape,
 };
 use std::collections::HashMap;
 use std::io::Read;
@@ -24,6 +25,8 @@ struct Run {
     world: PhysicsWorld,
     bodies: Vec<RigidBodyHandle>,
     numbers: HashMap<ColliderHandle, usize>,
+    /// Poses of colliders before the last step.
+    before: HashMap<ColliderHandle, rapier3d::math::Pose>,
     duration_s: f64,
     samples: usize,
     friction: f64,
@@ -48,6 +51,7 @@ impl Run {
             world,
             bodies: Vec::new(),
             numbers: HashMap::new(),
+            before: HashMap::new(),
             duration_s: 0.0,
             samples: 0,
             friction: 0.0,
@@ -76,7 +80,9 @@ impl Run {
             "box" => ColliderBuilder::cuboid(0.5 * size.x, 0.5 * size.y, 0.5 * size.z),
             "capsule" => ColliderBuilder::capsule_z(0.5 * size.y, size.x),
             // Its axis is y; that of the scene z.
-            "cylinder" => ColliderBuilder::cylinder(0.5 * size.y, size.x).rotation(DVec3::X * std::f64::consts::FRAC_PI_2),
+            "cylinder" => {
+                ColliderBuilder::cylinder(0.5 * size.y, size.x).rotation(DVec3::X * std::f64::consts::FRAC_PI_2)
+            }
             _ => return Err(format!("shape {shape}")),
         };
         let collider = collider.density(0.0).friction(self.friction).restitution(self.restitution);
@@ -107,7 +113,8 @@ impl Run {
         let mut words = line.split_whitespace();
         let Some(kind) = words.next() else { return Ok(()) };
         let shape = if kind == "body" { words.next().unwrap_or_default() } else { "" };
-        let numbers = words.map(str::parse).collect::<Result<Vec<f64>, _>>().map_err(|error| format!("{line}: {error}"))?;
+        let numbers =
+            words.map(str::parse).collect::<Result<Vec<f64>, _>>().map_err(|error| format!("{line}: {error}"))?;
         let needed = match kind {
             "run" | "material" => 2,
             "body" => 20,
@@ -136,19 +143,29 @@ impl Run {
             let numbers = [p.x, p.y, p.z, q.w, q.x, q.y, q.z, v.x, v.y, v.z, w.x, w.y, w.z];
             println!("state {t} {k} {}", numbers.map(|x| x.to_string()).join(" "));
         }
-        let h = self.world.integration_parameters.dt / self.world.integration_parameters.num_solver_iterations as f64;
+        let dt = self.world.integration_parameters.dt;
+        let h = dt / self.world.integration_parameters.num_solver_iterations as f64;
         for pair in self.world.narrow_phase.contact_pairs() {
-            let poses = [pair.collider1, pair.collider2].map(|handle| *self.world.colliders[handle].position());
+            let [Some(&one), Some(&two)] = [pair.collider1, pair.collider2].map(|handle| self.before.get(&handle))
+            else {
+                continue;
+            };
             // Its normals point from the first body to the second.
-            let bodies = [pair.collider2, pair.collider1].map(|handle| self.numbers.get(&handle).map_or(-1, |k| *k as i64));
+            let bodies =
+                [pair.collider2, pair.collider1].map(|handle| self.numbers.get(&handle).map_or(-1, |k| *k as i64));
             for manifold in pair.manifolds() {
                 let normal = manifold.data.normal;
                 for point in &manifold.points {
-                    let [first, second] = [poses[0] * point.local_p1, poses[1] * point.local_p2];
+                    let [first, second] = [one * point.local_p1, two * point.local_p2];
                     let impulse = normal * point.data.warmstart_impulse - point.data.warmstart_tangent_world;
                     let middle = 0.5 * (first + second);
                     let numbers = [middle, normal, impulse].map(|v| format!("{} {} {}", v.x, v.y, v.z)).join(" ");
-                    println!("contact {t} {} {} {numbers} {} {h}", bodies[0], bodies[1], normal.dot(second - first));
+                    println!(
+                        "contact {t} {} {} {numbers} {} {h} {dt}",
+                        bodies[0],
+                        bodies[1],
+                        normal.dot(second - first)
+                    );
                 }
             }
         }
@@ -161,6 +178,10 @@ impl Run {
             let end = self.duration_s * sample as f64 / self.samples as f64;
             let begin = Instant::now();
             while (steps as f64 + 0.5) * dt < end {
+                if (steps as f64 + 1.5) * dt >= end {
+                    self.before =
+                        self.world.colliders.iter().map(|(handle, collider)| (handle, *collider.position())).collect();
+                }
                 self.world.step();
                 steps += 1;
             }
@@ -173,7 +194,9 @@ impl Run {
 
 fn main() -> Result<(), String> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [step, iterations, model] = &arguments[..] else { return Err("same_scenes STEP ITERATIONS MODEL < SCENE".to_owned()) };
+    let [step, iterations, model] = &arguments[..] else {
+        return Err("same_scenes STEP ITERATIONS MODEL < SCENE".to_owned());
+    };
     let step = step.parse().map_err(|error| format!("{step}: {error}"))?;
     let iterations = iterations.parse().map_err(|error| format!("{iterations}: {error}"))?;
     let model = if model == "coulomb" { FrictionModel::Coulomb } else { FrictionModel::Simplified };

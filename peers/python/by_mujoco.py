@@ -104,7 +104,7 @@ def contacts(mujoco, model, data, numbers, h):
         # The force in the frame acts on the second body, and the normal points to it.
         a, b = (numbers.get(int(model.geom_bodyid[geom])) for geom in (contact.geom2, contact.geom1))
         impulse = h * (force[:3] @ frame)
-        found.append(Contact(a, b, list(contact.pos), list(frame[0]), [float(x) for x in impulse], float(contact.dist), h))
+        found.append(Contact(a, b, list(contact.pos), list(frame[0]), [float(x) for x in impulse], float(contact.dist), h, h))
     return found
 
 

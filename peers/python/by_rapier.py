@@ -61,5 +61,5 @@ def run(program, scene, setting, samples):
             recorded.tracks[names[int(numbers[1])]].append(numbers[2:])
         else:
             bodies = [int(k) if k >= 0 else None for k in numbers[1:3]]
-            recorded.contacts[-1].append(Contact(*bodies, numbers[3:6], numbers[6:9], numbers[9:12], numbers[12], numbers[13]))
+            recorded.contacts[-1].append(Contact(*bodies, numbers[3:6], numbers[6:9], numbers[9:12], *numbers[12:15]))
     return recorded

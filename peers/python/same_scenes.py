@@ -32,6 +32,8 @@ from states import Refused, apart, file_name, gained, keep, read, residual
 SAMPLES = 200
 # An error (of what the scene says) above which nothing is left of the motion.
 BROKEN = 10.0
+# A run that takes longer has no fine run, s.
+LONG = 2.0
 TIERS = "accurate,stepped,fast,micro-collisions,penalty,thesis"
 # Steps of curves, s.
 STEPS = [1 / 60, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.0002, 0.0001]
@@ -106,9 +108,9 @@ def measured(scene, engine, arguments, unit):
     except Refused as error:
         print(f"{scene.name}, {engine.name}: {str(error)[:160]}", file=sys.stderr)
         return ["refused", "", "", "", ""]
-    if arguments.keep:
-        keep(arguments.keep, scene, engine.name, recorded, arguments.every)
     error = error_of(scene, recorded)
+    if arguments.keep and error is not None:
+        keep(arguments.keep, scene, engine.name, recorded, arguments.every)
     if error is None:
         return ["broken", "", "", "", f"{recorded.wall / unit:.2g}"]
     judged = residual(scene, recorded)
@@ -116,7 +118,7 @@ def measured(scene, engine, arguments, unit):
     if recorded.own_residual is not None:
         law = f"{told(recorded.own_residual)} (own)"
     fine = None
-    if arguments.fine and engine.step:
+    if arguments.fine and engine.step and recorded.wall < LONG:
         try:
             fine = apart(recorded, engine.with_step(engine.step / 4).run(scene, SAMPLES))
         except Refused:
@@ -139,9 +141,9 @@ def recompute(arguments):
     """Errors and energies from files."""
     print("| scene | file | error | energy gained |\n|---|---|---|---|")
     for scene in SCENES:
-        begin = file_name(scene, "").removesuffix(".csv")
-        for file in sorted(arguments.recompute.glob(begin + "*.csv")):
-            engine = file.stem.removeprefix(begin)
+        begin = file_name(scene, "").removesuffix(".csv.gz")
+        for file in sorted(arguments.recompute.glob(begin + "*.csv.gz")):
+            engine = file.name.removeprefix(begin).removesuffix(".csv.gz")
             recorded = read(arguments.recompute, scene, engine)
             error = error_of(scene, recorded)
             cells = [told(error), f"{gained(scene, recorded):+.1e}"] if error is not None else ["broken", ""]

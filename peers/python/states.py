@@ -4,6 +4,8 @@ A state is position, quaternion (w, x, y, z), linear and angular velocity of the
 """
 
 import csv
+import gzip
+import io
 import math
 from dataclasses import dataclass, field
 
@@ -23,6 +25,8 @@ class Contact:
     impulse: list
     gap: float
     h: float
+    # From the poses that point and gap are of to the states after the step, s.
+    back: float = 0.0
 
 
 @dataclass
@@ -96,7 +100,7 @@ def of_contact(scene, states, contact, nothing):
         if number is None:
             continue
         body, s = scene.bodies[number], states[number]
-        arm = [x - y for x, y in zip(contact.point, s[:3])]
+        arm = [x - (y - contact.back * v) for x, y, v in zip(contact.point, s[:3], s[7:10])]
         lever = into_body(s[3:7], cross(arm, n))
         inverse += 1 / body.mass + sum(x * x / i for x, i in zip(lever, body.moments()))
         u = [a + sign * (v + w) for a, v, w in zip(u, s[7:10], cross(s[10:13], arm))]
@@ -117,7 +121,7 @@ def of_contact(scene, states, contact, nothing):
             normal = edge
         return math.hypot(pressing - normal, math.dist(along, tangent))
 
-    return min(distance(rate), distance(contact.gap / contact.h))
+    return min(distance(rate), distance((contact.gap + contact.back * rate) / contact.h))
 
 
 def apart(one, other):
@@ -126,25 +130,27 @@ def apart(one, other):
 
 
 def file_name(scene, engine):
-    return f"{scene.name}, {engine}.csv".replace(" ", "-").replace("'", "").replace(",", "")
+    return f"{scene.name}, {engine}.csv.gz".replace(" ", "-").replace("'", "").replace(",", "")
 
 
 def keep(folder, scene, engine, recorded, every=1):
     """Writes states, of every so many samples and the last ones that an error is computed of."""
     folder.mkdir(parents=True, exist_ok=True)
-    with open(folder / file_name(scene, engine), "w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["t", "body", *COLUMNS])
-        count = len(recorded.times)
-        for k, t in enumerate(recorded.times):
-            if k % every == 0 or k in (count - 1, count - 21):
-                writer.writerows([repr(t), name, *map(repr, track[k])] for name, track in recorded.tracks.items())
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(["t", "body", *COLUMNS])
+    count = len(recorded.times)
+    for k, t in enumerate(recorded.times):
+        if k % every == 0 or k in (count - 1, count - 21):
+            writer.writerows([repr(t), name, *map(repr, track[k])] for name, track in recorded.tracks.items())
+    # Without the time of writing, so that the same states are the same file.
+    (folder / file_name(scene, engine)).write_bytes(gzip.compress(text.getvalue().encode(), mtime=0))
 
 
 def read(folder, scene, engine):
     """Reads what was kept."""
     recorded = Recorded(tracks={body.name: [] for body in scene.bodies})
-    with open(folder / file_name(scene, engine), newline="") as file:
+    with gzip.open(folder / file_name(scene, engine), "rt", newline="") as file:
         for row in csv.DictReader(file):
             t = float(row["t"])
             if not recorded.times or recorded.times[-1] != t:
