@@ -11,6 +11,10 @@ from scenes import G
 from states import COLUMNS, Recorded, Refused
 
 
+# A run may take so long, s.
+LONGEST = 60
+
+
 def as_toml(scene, tier, samples, step=None):
     """The scene as a file of polhode."""
     method = f'[method]\ntier = "{tier}"\n' + (f"step = {step!r}\n" if step else "")
@@ -49,7 +53,10 @@ def run(program, scene, tier, samples, step=None):
         file, out = pathlib.Path(folder, "scene.toml"), pathlib.Path(folder, "out.csv")
         file.write_text(as_toml(scene, tier, samples, step))
         command = [program, "run", "--quiet", "--json", str(file), "-o", str(out)]
-        done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
+        try:
+            done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=LONGEST)
+        except subprocess.TimeoutExpired as error:
+            raise Refused(f"longer than {LONGEST} s") from error
         report = json.loads(done.stdout) if done.stdout else {}
         if "error" in report or done.returncode not in (0, 1):
             raise Refused(report.get("error") or done.stderr.strip())

@@ -7,7 +7,7 @@ INK = [("#0969a8", "#58b0ee"), ("#c4500c", "#ff9050"), ("#0b7f5c", "#45cfa4"), (
 TEXT, FAINT, LINE, GROUND = ("#1f2328", "#e6edf3"), ("#59636e", "#9da7b1"), ("#e3e6ea", "#2a3038"), ("#ffffff", "#0d1117")
 WIDTH, COLUMNS, PANEL_W, PANEL_H, TOP = 1000, 3, 322, 210, 92
 # Axes: step in s, error as the scene says.
-LEAST_STEP, MOST_STEP, LEAST, MOST = 1e-4, 2e-2, 1e-17, 1e1
+LEAST_STEP, MOST_STEP, LEAST, MOST = 1e-4, 2e-2, 1e-12, 1e1
 
 
 def style():
@@ -15,6 +15,17 @@ def style():
     light = "".join(f".f{n}{{fill:{c[0]}}}.s{n}{{stroke:{c[0]}}}" for n, c in names)
     dark = "".join(f".f{n}{{fill:{c[1]}}}.s{n}{{stroke:{c[1]}}}" for n, c in names)
     return f"<style>{light}@media(prefers-color-scheme:dark){{{dark}}}</style>"
+
+
+def family(engine):
+    """An engine without its setting, or a tier of polhode."""
+    return engine if engine.startswith("polhode") else engine.rsplit(", ", 1)[0]
+
+
+def stroke(engine, engines):
+    """Colour by engine; dashed for the best setting of a peer."""
+    colour = list(dict.fromkeys(map(family, engines))).index(family(engine)) % len(INK)
+    return colour, ' stroke-dasharray="4 3"' if engine.endswith("best found") else ""
 
 
 def text(x, y, words, size=11, kind="ff", anchor="start", weight="normal"):
@@ -31,14 +42,14 @@ def place(step, error):
 
 def panel(name, runs, engines):
     parts = [text(10, 16, name, 12.5, "ft", weight="bold")]
-    for power in range(-16, 1, 4):
+    for power in range(-12, 1, 3):
         x, y = place(LEAST_STEP, 10.0**power)
         parts.append(f'<path d="M{x:.1f} {y:.1f}H{PANEL_W - 16}" class="sl"/>' + text(x - 4, y + 4, f"1e{power}", 10, anchor="end"))
     for power in (-4, -3, -2):
         x, y = place(10.0**power, LEAST)
         parts.append(text(x, y + 14, f"1e{power}", 10, anchor="middle"))
     for engine, points in runs.items():
-        colour, kept, broken = engines.index(engine) % len(INK), [], []
+        (colour, dash), kept, broken = stroke(engine, engines), [], []
         # A curve is cut where it breaks.
         for step, error in points:
             (kept if error is not None else broken).append((step, error))
@@ -48,7 +59,6 @@ def panel(name, runs, engines):
                 x, y = place(step, error)
                 pieces += f"{'M' if before else 'L'}{x:.1f} {y:.1f}"
             before = error is None
-        dash = ' stroke-dasharray="4 3"' if engines.index(engine) >= len(INK) else ""
         parts.append(f'<path d="{pieces}" fill="none" class="sc{colour}" stroke-width="1.6"{dash}/>')
         parts += [f'<circle cx="{x:.1f}" cy="{y:.1f}" r="2.2" class="fc{colour}"/>' for x, y in (place(*p) for p in kept)]
         for step, _ in broken:
@@ -67,14 +77,14 @@ def figure(found):
         "font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\">",
         f'<title>Error over step</title>{style()}<rect width="{WIDTH}" height="{height}" class="fg"/>',
         text(12, 23.6, "Error over step", 16, "ft", weight="bold"),
-        text(12, 43, "step, s, across; what the error is of stands in the table; 1e-17 and less at the bottom; a cross is a run that breaks"),
+        text(12, 43, "step, s, across; what the error is of stands in the table; 1e-12 and less at the bottom; dashed: the best setting found; a cross is a run that breaks"),
     ]
     x, y = 12, 64
-    for k, engine in enumerate(engines):
+    for engine in engines:
         if x + 7 * len(engine) + 34 > WIDTH:
             x, y = 12, y + 17
-        dash = ' stroke-dasharray="4 3"' if k >= len(INK) else ""
-        parts.append(f'<path d="M{x} {y - 4}h20" class="sc{k % len(INK)}" stroke-width="2"{dash}/>' + text(x + 25, y, engine))
+        colour, dash = stroke(engine, engines)
+        parts.append(f'<path d="M{x} {y - 4}h20" class="sc{colour}" stroke-width="2"{dash}/>' + text(x + 25, y, engine))
         x += 6.4 * len(engine) + 44
     for k, (name, runs) in enumerate(found.items()):
         at = (12 + k % COLUMNS * (PANEL_W + 4), TOP + k // COLUMNS * PANEL_H)

@@ -184,6 +184,8 @@ def curves(arguments):
                 except Refused:
                     break
                 points.append((step, error))
+            if not points:
+                continue
             found.setdefault(scene.name, {})[engine.name] = points
             print(scene.name, engine.name, *(f"{step:.1e}:{told(error)}" for step, error in points), flush=True)
     arguments.curves.write_text(figure(found))

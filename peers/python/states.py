@@ -130,7 +130,7 @@ def apart(one, other):
 
 
 def file_name(scene, engine):
-    return f"{scene.name}, {engine}.csv.gz".replace(" ", "-").replace("'", "").replace(",", "")
+    return f"{scene.name}__{engine}.csv.gz".replace(" ", "-").replace("'", "").replace(",", "")
 
 
 def keep(folder, scene, engine, recorded, every=1):

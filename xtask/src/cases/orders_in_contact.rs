@@ -41,6 +41,8 @@ const SLOPE: f64 = 0.3;
 const RADIUS: f64 = 0.1;
 /// Stiffness of springs, N/m: some 60 ms for one swing of 1 kg.
 const STIFFNESS: f64 = 1e4;
+/// Moment of the ladder about its axis, about which it does not turn, kg m^2.
+const AXIAL: f64 = 1e-3;
 /// Restitution of springs, whose dampers reach none of zero.
 const SPRUNG: f64 = 0.5;
 
@@ -140,7 +142,7 @@ impl Motion {
 fn ladder() -> Result<SceneBuilder, Box<dyn Error>> {
     let (length, radius) = (2.0, 0.02);
     let across = length * length / 12.0;
-    let moments = Inertia::from_diagonal(DVec3::new(across, across, 1e-3))?;
+    let moments = Inertia::from_diagonal(DVec3::new(across, across, AXIAL))?;
     let centre = DVec3::new(0.5 * length * FRAC_PI_3.cos() + radius, 0.0, 0.5 * length * FRAC_PI_3.sin() + radius);
     let turn = Rotation::from_rotation_vector(DVec3::Y * (FRAC_PI_3 - FRAC_PI_2));
     let rod = Body::movable("ladder", MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, moments))
