@@ -106,7 +106,11 @@ fn growth(tier: Tier, seconds: f64) -> Result<(), String> {
         }
         if let [(least, first, begun), .., (most, last, ended)] = points[..] {
             let over = f64::ln(most / least);
-            println!("{kind}: exponents of a step {:.2}, of the start {:.2}", (last / first).ln() / over, (ended / begun).ln() / over);
+            println!(
+                "{kind}: exponents of a step {:.2}, of the start {:.2}",
+                (last / first).ln() / over,
+                (ended / begun).ln() / over
+            );
         }
     }
     Ok(())

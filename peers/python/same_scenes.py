@@ -1,319 +1,218 @@
-"""Scenes with exact answers, by polhode and by MuJoCo.
+"""Scenes with exact answers, by polhode, rapier, MuJoCo and Drake.
 
-    python peers/python/same_scenes.py --polhode target/release/polhode [--keep FOLDER] [SCENE ...]
+    cargo build --release --manifest-path peers/Cargo.toml --example same_scenes
+    python peers/python/same_scenes.py --polhode target/release/polhode --rapier peers/target/release/examples/same_scenes
+    python peers/python/same_scenes.py --recompute peers/recorded
 
-Each scene is run by MuJoCo with three settings (its defaults; what its manual advises for contact; the best that was found) and by
-polhode in its tiers with defaults. The error is that of one quantity whose exact value is known in closed form, computed from recorded
-positions alone. The energy that a run has made (positive) or lost beyond what the exact motion loses is relative to the largest energy
-of the motion, likewise from recorded states. A run that breaks (a position that is no number, or an error above `BROKEN`) is marked.
-`--keep` writes the recorded positions as CSV, so that others can compute again.
+Each scene is run by each peer with three settings (its defaults; what its manual advises; the best that was found) and by polhode in its
+tiers with defaults. Every error is that of one quantity whose exact value is known, computed from recorded states alone. A cell has: the error;
+the energy made (positive) or lost beyond what the exact motion loses, of the largest energy of the motion; the residual of Coulomb's law of the
+engine's own impulses, in the middle of the samples and at its largest (of polhode what the run tells itself); with `--fine` the distance of
+the end from that of the same setting at a quarter of its step, m; the time in units of the yardstick, a loop of a million square roots in Python.
+A run that breaks (a position that is no number, or an error above `BROKEN`) is marked. `--keep` writes the recorded states as CSV,
+`--recompute` computes the table from such files. `--floats` gives how high sliding boxes float, `--curves FILE` errors over steps.
 
-MuJoCo (pip install mujoco) is left out where it is not installed.
+Engines that are not there are left out.
 """
 
 import argparse
-import csv
-import io
 import math
 import pathlib
-import subprocess
 import sys
-import tempfile
-from dataclasses import dataclass, field
+import time
+from dataclasses import dataclass
 
-G = 9.81
+import by_drake
+import by_mujoco
+import by_polhode
+import by_rapier
+from scenes import SCENES, sliding
+from states import Refused, apart, file_name, gained, keep, read, residual
+
 SAMPLES = 200
+# An error (of what the scene says) above which nothing is left of the motion.
 BROKEN = 10.0
+# A run that takes longer has no fine run, s.
+LONG = 2.0
+TIERS = "accurate,stepped,fast,micro-collisions,penalty,thesis"
+# Steps of curves, s.
+STEPS = [1 / 60, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.0002, 0.0001]
 
 
 @dataclass
-class Body:
-    """A ball, box or capsule. Sizes in m, mass in kg, velocity in m/s."""
+class Engine:
+    """An engine with a setting: `run` of a scene and samples; `with_step` the same with another step (s)."""
 
     name: str
-    shape: str
-    size: tuple
-    mass: float
-    position: tuple
-    velocity: tuple = (0.0, 0.0, 0.0)
-    about_y: float = 0.0
-    inertia: tuple | None = None
+    run: object
+    with_step: object
+    step: float | None
 
 
-@dataclass
-class Scene:
-    """Bodies above a floor at z = 0; `exact` gives the error from times and positions (m) of the bodies by name."""
+def engines(arguments):
+    def polhode(tier, step=None):
+        run = lambda scene, samples: by_polhode.run(arguments.polhode, scene, tier, samples, step)
+        usual = {"fast": 1 / 60, "stepped": 0.001, "micro-collisions": 0.001, "thesis": 0.01}.get(tier)
+        return Engine(f"polhode, {tier}", run, lambda step: polhode(tier, step), step or usual)
 
-    name: str
-    duration: float
-    bodies: list
-    error: object
-    what: str
-    friction: float = 0.0
-    restitution: float = 0.0
-    wall: bool = False
-    links: list = field(default_factory=list)
+    def peer(module, name, setting, *program):
+        run = lambda scene, samples: module.run(*program, scene, setting, samples)
+        again = lambda step: peer(module, name, setting.with_step(step), *program)
+        return Engine(f"{name}, {setting.name}", run, again, setting.step)
 
+    found = [polhode(tier) for tier in arguments.tiers.split(",")] if arguments.polhode else []
+    if arguments.rapier:
+        found += [peer(by_rapier, "rapier3d-f64 0.36.1", s, arguments.rapier) for s in by_rapier.SETTINGS]
+    try:
+        import mujoco
 
-def last(track):
-    return track[-1]
+        found += [peer(by_mujoco, f"MuJoCo {mujoco.__version__}", s) for s in by_mujoco.SETTINGS]
+    except ImportError:
+        print("MuJoCo is not installed (pip install mujoco)", file=sys.stderr)
+    try:
+        import pydrake
+        from importlib.metadata import version
 
-
-def velocity(track, times, at):
-    """Of a body that moves evenly there, from two samples."""
-    k = min(range(len(times)), key=lambda i: abs(times[i] - at))
-    h = times[k] - times[k - 20]
-    return [(track[k][i] - track[k - 20][i]) / h for i in range(3)]
-
-
-def bounce(e=0.8, drop=1.0, radius=0.1, end=2.0):
-    def height(t):
-        fall = math.sqrt(2 * drop / G)
-        if t < fall:
-            return drop - 0.5 * G * t * t
-        t, speed = t - fall, G * fall
-        while True:
-            speed *= e
-            flight = 2 * speed / G
-            if t < flight:
-                return speed * t - 0.5 * G * t * t
-            t -= flight
-
-    def error(times, tracks):
-        return abs(last(tracks["ball"])[2] - radius - height(times[-1])) / drop
-
-    ball = Body("ball", "sphere", (radius,), 1.0, (0, 0, radius + drop))
-    return Scene("bounce", end, [ball], error, "height after 2 s of bounces, of the drop", restitution=e)
+        found += [peer(by_drake, f"Drake {version('drake')}", s) for s in by_drake.SETTINGS]
+        if arguments.floats:
+            found.append(peer(by_drake, f"Drake {version('drake')}", by_drake.CONVEX))
+    except ImportError:
+        print("Drake is not installed (pip install drake)", file=sys.stderr)
+    return [engine for engine in found if arguments.engine in engine.name]
 
 
-def rolling(angle, name):
-    speed, radius, friction = 3.0, 0.1, 0.3
-
-    def error(times, tracks):
-        found = velocity(tracks["ball"], times, times[-1])
-        exact = [5 / 7 * speed * math.cos(angle), 5 / 7 * speed * math.sin(angle), 0]
-        return math.dist(found, exact) / speed
-
-    start = (speed * math.cos(angle), speed * math.sin(angle), 0.0)
-    ball = Body("ball", "sphere", (radius,), 1.0, (0, 0, radius), start)
-    return Scene(name, 1.0, [ball], error, "velocity once it rolls, of that at the start", friction=friction)
+def yardstick():
+    """Seconds of a loop of a million square roots: the least of three."""
+    times = []
+    for _ in range(3):
+        begin = time.perf_counter()
+        sum(math.sqrt(k) for k in range(1_000_000))
+        times.append(time.perf_counter() - begin)
+    return min(times)
 
 
-def slide():
-    speed, friction, angle = 2.0, 0.3, math.pi / 4
-
-    def error(times, tracks):
-        way = speed**2 / (2 * friction * G)
-        exact = [way * math.cos(angle), way * math.sin(angle), 0.05]
-        return math.dist(last(tracks["box"]), exact) / way
-
-    start = (speed * math.cos(angle), speed * math.sin(angle), 0.0)
-    box = Body("box", "box", (0.4, 0.4, 0.1), 1.0, (0, 0, 0.05), start)
-    return Scene("slide", 3.0, [box], error, "where it stops, of its way", friction=friction)
+def error_of(scene, recorded):
+    """None where the run has broken."""
+    error = scene.error(recorded.times, recorded.tracks)
+    return error if error < BROKEN else None
 
 
-def diamond():
-    places = [(x, row) for row, xs in enumerate([[0], [-0.5, 0.5], [-1, 0, 1], [-1.5, -0.5, 0.5, 1.5]]) for x in xs]
-    places += [(x, row + 4) for row, xs in enumerate([[-1, 0, 1], [-0.5, 0.5], [0]]) for x in xs]
-    bodies = [
-        Body(f"brick {k}", "box", (1, 0.5, 0.25), 1.0, (x, 0, 0.125 + 0.25 * row)) for k, (x, row) in enumerate(places)
-    ]
-
-    def error(times, tracks):
-        return max(math.dist(track[0], last(track)) for track in tracks.values()) / 0.25
-
-    return Scene("diamond-4", 10.0, bodies, error, "how far a brick has moved after 10 s, of its height")
+def told(value):
+    return "-" if value is None else "0" if value == 0 else f"{value:.1e}"
 
 
-def ladder():
-    length, radius, start = 2.0, 0.02, math.radians(60)
-
-    def error(times, tracks):
-        exact = math.sqrt(G * length) * math.sin(start) ** 1.5 / 3
-        return abs(velocity(tracks["ladder"], times, times[-1])[0] - exact) / exact
-
-    centre = (0.5 * length * math.cos(start) + radius, 0, 0.5 * length * math.sin(start) + radius)
-    # Along its z axis; the upper end leans on the wall at x = 0.
-    across = length**2 / 12
-    rod = Body("ladder", "capsule", (radius, length), 1.0, centre, about_y=start - math.pi / 2, inertia=(across, across, 1e-3))
-    return Scene("ladder", 0.85, [rod], error, "speed along the floor once it has left the wall", wall=True)
-
-
-def heavy():
-    bodies = [
-        Body(f"light {x} {y}", "box", (1, 1, 1), 1.0, (1.2 * x, 1.2 * y, 0.5)) for x in (-1, 0, 1) for y in (-1, 0, 1)
-    ]
-    bodies.append(Body("heavy", "box", (4, 4, 1), 1000.0, (0, 0, 1.5)))
-
-    def error(times, tracks):
-        return max(math.dist(track[0], last(track)) for track in tracks.values())
-
-    return Scene("1000 kg on nine boxes", 10.0, bodies, error, "how far a body has moved after 10 s, m", friction=0.5)
-
-
-SCENES = [bounce(), rolling(0.0, "rolling"), rolling(math.pi / 4, "rolling at 45 degrees"), slide(), diamond(), ladder(), heavy()]
+def measured(scene, engine, arguments, unit):
+    """The fields of a row."""
+    try:
+        recorded = engine.run(scene, SAMPLES)
+    except Refused as error:
+        print(f"{scene.name}, {engine.name}: {str(error)[:160]}", file=sys.stderr)
+        return ["refused", "", "", "", ""]
+    error = error_of(scene, recorded)
+    if arguments.keep and error is not None:
+        keep(arguments.keep, scene, engine.name, recorded, arguments.every)
+    if error is None:
+        return ["broken", "", "", "", f"{recorded.wall / unit:.2g}"]
+    judged = residual(scene, recorded)
+    law = f"{told(judged[0])} / {told(judged[1])}" if judged else "-"
+    if recorded.own_residual is not None:
+        law = f"{told(recorded.own_residual)} (own)"
+    fine = None
+    if arguments.fine and engine.step and recorded.wall < LONG:
+        try:
+            fine = apart(recorded, engine.with_step(engine.step / 4).run(scene, SAMPLES))
+        except Refused:
+            pass
+    return [told(error), f"{gained(scene, recorded):+.1e}", law, told(fine), f"{recorded.wall / unit:.2g}"]
 
 
-def as_toml(scene, tier):
-    """The scene as a file of polhode."""
-    text = [
-        f'format = 1\nname = "{scene.name}"\nduration = {scene.duration}\ngravity = [0, 0, {-G}]\n',
-        f'[method]\ntier = "{tier}"\n[output]\ninterval = {scene.duration / SAMPLES!r}\n',
-        f"[materials.all]\nfriction = {scene.friction}\nrestitution = {scene.restitution}\n",
-        '[[bodies]]\nname = "floor"\nfixed = true\nmaterial = "all"\nshape.half_space.normal = [0, 0, 1]\n',
-    ]
-    if scene.wall:
-        text.append('[[bodies]]\nname = "wall"\nfixed = true\nmaterial = "all"\nshape.half_space.normal = [1, 0, 0]\n')
-    for body in scene.bodies:
-        shape = {
-            "sphere": lambda s: f"shape.sphere.radius = {s[0]}",
-            "box": lambda s: f"shape.box.size = {list(s)}",
-            "capsule": lambda s: f"shape.capsule = {{ radius = {s[0]}, height = {s[1]} }}",
-        }[body.shape](body.size)
-        text.append(
-            f'[[bodies]]\nname = "{body.name}"\nmass = {body.mass}\nmaterial = "all"\nposition = {list(body.position)}\n'
-            f"velocity = {list(body.velocity)}\nrotation_vector = [0, {body.about_y!r}, 0]\n{shape}\n"
-        )
-        if body.inertia:
-            text.append(f"inertia = {list(body.inertia)}\n")
-    return "".join(text)
-
-
-def by_polhode(program, scene, tier):
-    with tempfile.TemporaryDirectory() as folder:
-        file = pathlib.Path(folder, "scene.toml")
-        file.write_text(as_toml(scene, tier))
-        done = subprocess.run(
-            [program, "run", "--quiet", str(file), "-o", "-"], capture_output=True, text=True, check=False
-        )
-        if done.returncode not in (0, 1) or not done.stdout:
-            raise RuntimeError(done.stderr.strip() or "polhode wrote nothing")
-    times, tracks = [], {body.name: [] for body in scene.bodies}
-    for row in csv.DictReader(io.StringIO(done.stdout)):
-        if row["body"] not in tracks:
+def table(arguments):
+    print("| scene | engine | error | energy gained | residual, middle / largest | from own fine run, m | time |\n" + "|---" * 7 + "|")
+    for scene in SCENES:
+        if arguments.scenes and scene.name not in arguments.scenes:
             continue
-        t = float(row["t"])
-        if not times or times[-1] != t:
-            times.append(t)
-        tracks[row["body"]].append([float(row[key]) for key in ("px", "py", "pz")])
-    return times, tracks
+        unit = yardstick()
+        for engine in engines(arguments):
+            cells = measured(scene, engine, arguments, unit)
+            print(f"| {scene.name} | {engine.name} | " + " | ".join(cells) + " |", flush=True)
 
 
-@dataclass
-class Mujoco:
-    """A setting of MuJoCo: its step (s), options of the file, and the time constant of contacts in steps (none: its default)."""
-
-    name: str
-    step: float
-    options: str
-    contact_steps: float | None
-
-
-MUJOCO = [
-    Mujoco("defaults", 0.002, "", None),
-    Mujoco("as its manual advises", 0.001, 'cone="elliptic" impratio="10" integrator="implicitfast"', 2.0),
-    Mujoco("best found", 0.0001, 'cone="elliptic" impratio="100" noslip_iterations="10" integrator="implicitfast"', 2.0),
-]
+def recompute(arguments):
+    """Errors and energies from files."""
+    print("| scene | file | error | energy gained |\n|---|---|---|---|")
+    for scene in SCENES:
+        begin = file_name(scene, "").removesuffix(".csv.gz")
+        for file in sorted(arguments.recompute.glob(begin + "*.csv.gz")):
+            engine = file.name.removeprefix(begin).removesuffix(".csv.gz")
+            recorded = read(arguments.recompute, scene, engine)
+            error = error_of(scene, recorded)
+            cells = [told(error), f"{gained(scene, recorded):+.1e}"] if error is not None else ["broken", ""]
+            print(f"| {scene.name} | {engine} | " + " | ".join(cells) + " |")
 
 
-def as_mjcf(scene, setting):
-    """The scene as a file of MuJoCo. Restitution is that of a spring with the damping that gives it."""
-    solref = ""
-    if scene.restitution > 0:
-        stiffness = (0.1 / setting.step) ** 2
-        log = math.log(scene.restitution)
-        ratio = -log / math.sqrt(math.pi**2 + log**2)
-        solref = f'solref="{-stiffness} {-2 * ratio * math.sqrt(stiffness)}"'
-    elif setting.contact_steps:
-        solref = f'solref="{setting.contact_steps * setting.step} 1"'
-    geom = f'condim="{3 if scene.friction > 0 else 1}" friction="{scene.friction} 0 0" {solref}'
-    text = [
-        f'<mujoco><option timestep="{setting.step}" gravity="0 0 {-G}" {setting.options}/>',
-        f'<default><geom {geom}/></default><worldbody><geom type="plane" size="0 0 1"/>',
-    ]
-    if scene.wall:
-        text.append('<geom type="plane" size="0 0 1" zaxis="1 0 0"/>')
-    for body in scene.bodies:
-        quat = f"{math.cos(body.about_y / 2)} 0 {math.sin(body.about_y / 2)} 0"
-        half = body.size if body.shape == "sphere" else [0.5 * s for s in body.size]
-        half = (body.size[0], 0.5 * body.size[1]) if body.shape == "capsule" else half
-        inertial = ""
-        if body.inertia:
-            inertial = f'<inertial pos="0 0 0" mass="{body.mass}" diaginertia="{" ".join(map(str, body.inertia))}"/>'
-        text.append(
-            f'<body name="{body.name}" pos="{" ".join(map(str, body.position))}" quat="{quat}"><freejoint/>{inertial}'
-            f'<geom type="{body.shape}" size="{" ".join(map(str, half))}" mass="{body.mass}"/></body>'
-        )
-    return "".join(text) + "</worldbody></mujoco>"
+def floats(arguments):
+    """How high a sliding box is above where it touches, m, while it slides."""
+    cases = [(mu, v) for mu in (0.1, 0.5, 1.0) for v in (0.1, 1.0, 10.0)]
+    print("| engine | " + " | ".join(f"mu {mu}, {v} m/s" for mu, v in cases) + " |\n" + "|---" * (len(cases) + 1) + "|")
+    for engine in engines(arguments):
+        cells = []
+        for mu, v in cases:
+            scene = sliding(mu, v)
+            try:
+                recorded = engine.run(scene, SAMPLES)
+                cells.append(f"{scene.error(recorded.times, recorded.tracks):+.1e}")
+            except Refused:
+                cells.append("refused")
+        print(f"| {engine.name} | " + " | ".join(cells) + " |", flush=True)
 
 
-def by_mujoco(scene, setting):
-    import mujoco
+def curves(arguments):
+    """Errors over steps, cut where they break, as a figure."""
+    from figure import figure
 
-    model = mujoco.MjModel.from_xml_string(as_mjcf(scene, setting))
-    data = mujoco.MjData(model)
-    for k, body in enumerate(scene.bodies):
-        data.qvel[6 * k : 6 * k + 3] = body.velocity
-    mujoco.mj_forward(model, data)
-    times, tracks = [], {body.name: [] for body in scene.bodies}
-    for sample in range(SAMPLES + 1):
-        end = sample * scene.duration / SAMPLES
-        while data.time < end - 0.5 * setting.step:
-            mujoco.mj_step(model, data)
-        times.append(data.time)
-        for body in scene.bodies:
-            tracks[body.name].append([float(x) for x in data.body(body.name).xpos])
-    return times, tracks
-
-
-def keep(folder, scene, engine, times, tracks):
-    folder.mkdir(parents=True, exist_ok=True)
-    with open(folder / f"{scene.name}, {engine}.csv".replace(" ", "-"), "w", newline="") as file:
-        writer = csv.writer(file)
-        writer.writerow(["t", "body", "x", "y", "z"])
-        for k, t in enumerate(times):
-            writer.writerows([t, name, *track[k]] for name, track in tracks.items())
-
-
-def told(error):
-    return f"{error:.1e}" if error < BROKEN else "broken"
+    found = {}
+    for scene in SCENES:
+        if arguments.scenes and scene.name not in arguments.scenes:
+            continue
+        for engine in engines(arguments):
+            if engine.step is None or "as advised" in engine.name:
+                continue
+            points = []
+            for step in STEPS:
+                try:
+                    error = error_of(scene, engine.with_step(step).run(scene, 40))
+                except Refused:
+                    break
+                points.append((step, error))
+            if not points:
+                continue
+            found.setdefault(scene.name, {})[engine.name] = points
+            print(scene.name, engine.name, *(f"{step:.1e}:{told(error)}" for step, error in points), flush=True)
+    arguments.curves.write_text(figure(found))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--polhode", default="target/release/polhode", help="the program")
-    parser.add_argument("--tiers", default="accurate,stepped", help="tiers of polhode, with commas")
-    parser.add_argument("--keep", type=pathlib.Path, help="a folder for the recorded positions")
+    parser.add_argument("--polhode", help="the program")
+    parser.add_argument("--rapier", help="the program of peers/examples/same_scenes.rs")
+    parser.add_argument("--tiers", default=TIERS, help="tiers of polhode, with commas")
+    parser.add_argument("--engine", default="", help="only engines whose names contain this")
+    parser.add_argument("--fine", action="store_true", help="also runs at a quarter of each step")
+    parser.add_argument("--keep", type=pathlib.Path, help="a folder for the recorded states")
+    parser.add_argument("--every", type=int, default=1, help="keeps one sample of so many")
+    parser.add_argument("--recompute", type=pathlib.Path, help="a folder with recorded states")
+    parser.add_argument("--floats", action="store_true", help="how high sliding boxes float")
+    parser.add_argument("--curves", type=pathlib.Path, help="an SVG file of errors over steps")
     parser.add_argument("scenes", nargs="*", help="names of scenes (default: all)")
     arguments = parser.parse_args()
-    engines = [
-        (f"polhode, {tier}", lambda scene, tier=tier: by_polhode(arguments.polhode, scene, tier))
-        for tier in arguments.tiers.split(",")
-    ]
-    try:
-        import mujoco
-
-        engines += [
-            (f"MuJoCo {mujoco.__version__}, {s.name}", lambda scene, s=s: by_mujoco(scene, s)) for s in MUJOCO
-        ]
-    except ImportError:
-        print("MuJoCo is not installed (pip install mujoco)", file=sys.stderr)
-    print("| scene | error of | " + " | ".join(name for name, _ in engines) + " |")
-    print("|---" * (len(engines) + 2) + "|")
-    for scene in SCENES:
-        if arguments.scenes and scene.name not in arguments.scenes:
-            continue
-        cells = []
-        for name, run in engines:
-            try:
-                times, tracks = run(scene)
-                if arguments.keep:
-                    keep(arguments.keep, scene, name, times, tracks)
-                cells.append(told(scene.error(times, tracks)))
-            except RuntimeError as error:
-                print(f"{scene.name}, {name}: {error}", file=sys.stderr)
-                cells.append("refused")
-        print(f"| {scene.name} | {scene.what} | " + " | ".join(cells) + " |", flush=True)
+    if arguments.recompute:
+        recompute(arguments)
+    elif arguments.floats:
+        floats(arguments)
+    elif arguments.curves:
+        curves(arguments)
+    else:
+        table(arguments)
 
 
 if __name__ == "__main__":

@@ -6,10 +6,10 @@ use super::{
     effects, elastic_body, exact_drift, falling_shapes, fast_tier, free_rotation, friction_effects,
     friction_invariances, friction_scenes, frictional_impacts, frictional_statics, heaps, heavy_tops, impact_chains,
     impact_laws, impacts, invariances, joints, ledger, long_runs, mass_properties, numerical_loss, one_dependency,
-    peers, pi_machine, polhode_times, published_rotations, random_scenes, random_solids, reductions, resting_contact,
-    rigid_ipc, rocking_and_toppling, rolling_disc, seams, sliding, sliding_and_spinning, slipping_and_rolling, slopes,
-    snapshots, speed, spinning_scenes, stability, stackings, stacks, stacks_on_slopes, structures, table_edge,
-    thesis_forces, thesis_tier, tunnelling, units, valleys, videos, walls,
+    orders_in_contact, peers, pi_machine, polhode_times, published_rotations, random_scenes, random_solids, reductions,
+    resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, seams, sliding, sliding_and_spinning,
+    sliding_height, slipping_and_rolling, slopes, snapshots, speed, spinning_scenes, stability, stackings, stacks,
+    stacks_on_slopes, structures, table_edge, thesis_forces, thesis_tier, tunnelling, units, valleys, videos, walls,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -186,6 +186,8 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "diamond-4 for an hour", rows: diamonds::stands_for_an_hour },
     Case { name: "diamond-5 falls", rows: diamonds::falls_symmetrically },
     Case { name: "tier fast", rows: fast_tier::closed_forms },
+    Case { name: "orders in contact", rows: orders_in_contact::rows },
+    Case { name: "sliding does not float", rows: sliding_height::rows },
     Case { name: "tier thesis", rows: thesis_tier::diamonds },
     Case { name: "videos", rows: videos::rows },
     Case { name: "thesis forces", rows: thesis_forces::rows },

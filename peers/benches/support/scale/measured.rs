@@ -42,7 +42,8 @@ impl Measured {
         self.residuals.push(verdict.residual);
         (self.contacts, self.carried) = (verdict.contacts, verdict.carried);
         let moved = bodies.iter().zip(&scene.members);
-        self.drift = moved.map(|(body, from)| from.pose.translation.distance(body.pose.translation)).fold(0.0, f64::max);
+        self.drift =
+            moved.map(|(body, from)| from.pose.translation.distance(body.pose.translation)).fold(0.0, f64::max);
     }
 }
 

@@ -26,7 +26,8 @@ impl Ours {
         let method = Method { tier: Some(tier), step_s: Some(scene.step), ..Method::default() };
         let material = Material::new("rough").with_friction(scene.friction)?;
         let duration = scene.step * (scene.steps + 1) as f64;
-        let mut builder = polhode::Scene::builder(scene.name).method(method).duration_s(duration).output_interval_s(duration);
+        let mut builder =
+            polhode::Scene::builder(scene.name).method(method).duration_s(duration).output_interval_s(duration);
         for (k, plane) in scene.planes.iter().enumerate() {
             let shape = Shape::half_space(UnitVector::new(plane.normal)?);
             let body = Body::fixed(format!("plane {k}")).geometry(shape.into());

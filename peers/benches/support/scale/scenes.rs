@@ -118,7 +118,9 @@ fn dropped(name: &'static str, count: usize) -> Scene {
         Pose::new(Rotation::from_rotation_vector(turn), at)
     };
     let edges = DVec3::new(0.12, 0.1, 0.08);
-    let members = (0..count).map(|k| Member { form: Form::Box(edges), mass: 1.0, pose: place(k), velocity: DVec3::ZERO }).collect();
+    let members = (0..count)
+        .map(|k| Member { form: Form::Box(edges), mass: 1.0, pose: place(k), velocity: DVec3::ZERO })
+        .collect();
     let steps = 120 + 2 * count;
     Scene { name, members, planes: vec![FLOOR], friction: 0.5, step: STEP, steps, stands: false }
 }
@@ -174,9 +176,8 @@ fn kapla() -> Scene {
 fn diamond() -> Scene {
     let brick = DVec3::new(1.0, 0.5, 0.25);
     let rows = [1, 2, 3, 2, 1];
-    let place = |row: usize, k: usize| {
-        DVec3::new(k as f64 - 0.5 * (rows[row] - 1) as f64, 0.0, (row as f64 + 0.5) * brick.z)
-    };
+    let place =
+        |row: usize, k: usize| DVec3::new(k as f64 - 0.5 * (rows[row] - 1) as f64, 0.0, (row as f64 + 0.5) * brick.z);
     let places = (0..rows.len()).flat_map(|row| (0..rows[row]).map(move |k| place(row, k)));
     standing("diamond", places.map(|at| member(Form::Box(brick), 1.0, at)).collect(), 0.5, 600)
 }

@@ -33,7 +33,13 @@ impl Compared {
             format!("{} of {}", ours.times.len(), scene.steps),
             format!("{} ms; {}", number(ours.start * 1e3), times(ours)),
             format!("{}; {}", times(defaults), times(awake)),
-            format!("{} / {}; {} / {}", ratio(0.5, defaults), ratio(0.99, defaults), ratio(0.5, awake), ratio(0.99, awake)),
+            format!(
+                "{} / {}; {} / {}",
+                ratio(0.5, defaults),
+                ratio(0.99, defaults),
+                ratio(0.5, awake),
+                ratio(0.99, awake)
+            ),
             format!("{}; {}", number(ours.penetration), number(judged.penetration)),
             format!("{}; {}", drift(ours), drift(judged)),
             format!("{}; {}", residual(ours), residual(judged)),
@@ -78,7 +84,13 @@ pub(crate) fn figure(compared: &[Compared]) -> String {
 
 fn number(value: f64) -> String {
     if value == 0.0 || (0.01..1e4).contains(&value) {
-        let digits = if value >= 100.0 { 0 } else if value >= 1.0 { 1 } else { 3 };
+        let digits = if value >= 100.0 {
+            0
+        } else if value >= 1.0 {
+            1
+        } else {
+            3
+        };
         return format!("{value:.digits$}");
     }
     format!("{value:.1e}")
