@@ -5,11 +5,11 @@ use super::{
     arches, chung_ooi, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds, effects,
     elastic_body, exact_drift, falling_shapes, fast_tier, free_rotation, friction_effects, friction_invariances,
     friction_scenes, frictional_impacts, frictional_statics, heaps, heavy_tops, impact_chains, impact_laws, impacts,
-    invariances, joints, ledger, long_runs, mass_properties, numerical_loss, one_dependency, peers, pi_machine,
-    polhode_times, published_rotations, random_scenes, random_solids, reductions, resting_contact, rigid_ipc,
-    rocking_and_toppling, rolling_disc, seams, sliding, sliding_and_spinning, slipping_and_rolling, slopes, snapshots,
-    speed, spinning_scenes, stability, stackings, stacks, stacks_on_slopes, structures, table_edge, thesis_forces,
-    thesis_tier, tunnelling, units, valleys, videos, walls,
+    impacts_every_way, invariances, joints, ledger, long_runs, mass_properties, numerical_loss, one_dependency, peers,
+    pi_machine, polhode_times, published_rotations, random_scenes, random_solids, reductions, resting_contact,
+    rigid_ipc, rocking_and_toppling, rolling_disc, seams, sliding, sliding_and_spinning, slipping_and_rolling, slopes,
+    snapshots, speed, spinning_scenes, stability, stackings, stacks, stacks_on_slopes, structures, table_edge,
+    thesis_forces, thesis_tier, tunnelling, units, valleys, videos, walls,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -117,6 +117,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "IM-03", rows: impact_chains::im_03 },
     Case { name: "IM-04", rows: impact_chains::im_04 },
     Case { name: "impact laws", rows: impact_laws::rows },
+    Case { name: "impacts by every way", rows: impacts_every_way::rows },
     Case { name: "IM-05", rows: impacts::im_05 },
     Case { name: "IM-06", rows: pi_machine::im_06 },
     Case { name: "IM-07", rows: frictional_impacts::im_07 },

@@ -48,6 +48,7 @@ mod heavy_tops;
 mod impact_chains;
 mod impact_laws;
 mod impacts;
+mod impacts_every_way;
 mod invariances;
 mod joints;
 mod ledger;
@@ -97,6 +98,7 @@ mod units;
 mod valleys;
 mod videos;
 mod walls;
+mod ways;
 
 pub(crate) use case::{CaseResult, guarded};
 pub(crate) use context::{Amount, Context};
