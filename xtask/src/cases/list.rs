@@ -6,10 +6,10 @@ use super::{
     elastic_body, exact_drift, falling_shapes, fast_tier, free_rotation, friction_effects, friction_invariances,
     friction_scenes, frictional_impacts, frictional_statics, heaps, heavy_tops, impact_chains, impact_laws, impacts,
     impacts_every_way, invariances, joints, ledger, long_runs, mass_properties, numerical_loss, one_dependency, peers,
-    pi_machine, polhode_times, published_rotations, random_scenes, random_solids, reductions, resting_contact,
-    rigid_ipc, rocking_and_toppling, rolling_disc, seams, sliding, sliding_and_spinning, slipping_and_rolling, slopes,
-    snapshots, speed, spinning_scenes, stability, stackings, stacks, stacks_on_slopes, structures, table_edge,
-    thesis_forces, thesis_tier, tunnelling, units, valleys, videos, walls,
+    pi_machine, polhode_times, published_rotations, random_scenes, random_solids, reductions, rest_every_way,
+    resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, seams, sliding, sliding_and_spinning,
+    slipping_and_rolling, slopes, snapshots, speed, spinning_scenes, stability, stackings, stacks, stacks_on_slopes,
+    structures, table_edge, thesis_forces, thesis_tier, tunnelling, units, valleys, videos, walls,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -137,6 +137,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "RC-08", rows: resting_contact::rc_08 },
     Case { name: "RC-09", rows: resting_contact::rc_09 },
     Case { name: "RC-10", rows: table_edge::rc_10 },
+    Case { name: "rest by every way", rows: rest_every_way::rows },
     Case { name: "seams", rows: seams::tiles },
     Case { name: "seams: steps", rows: seams::steps },
     Case { name: "seams of other surfaces", rows: seams::surfaces },

@@ -69,6 +69,7 @@ pub(crate) mod random_scenes;
 mod random_solids;
 mod random_throws;
 mod reductions;
+mod rest_every_way;
 mod resting_contact;
 mod rigid_ipc;
 mod rocking_and_toppling;

@@ -14,6 +14,8 @@ use std::error::Error;
 pub(super) const STEP_S: f64 = 1e-4;
 /// Penetration that springs are to keep, m, beside bodies of some 1 m.
 pub(super) const DEPTH_M: f64 = 1e-6;
+/// The same of bodies that rest, m.
+pub(super) const REST_DEPTH_M: f64 = 1e-3;
 /// Tolerance of the steps on springs.
 const SPRING_TOLERANCE: f64 = 1e-9;
 
@@ -85,6 +87,15 @@ impl Way {
                 Method { tier: Some(Tier::Thesis), contact: Some(contact), step_s: Some(STEP_S), ..plain }
             }
         }
+    }
+
+    /// A scene of bodies at rest by this way: springs give way by [`REST_DEPTH_M`].
+    pub(super) fn at_rest(self, scene: Scene) -> Scene {
+        let mut method = self.method();
+        if let Some(penalty) = &mut method.penalty {
+            penalty.penetration_m = Some(REST_DEPTH_M);
+        }
+        scene.with_method(method)
     }
 
     /// The scene by this way.
