@@ -98,6 +98,7 @@ fn springs_json(report: &RunReport, springs: &SpringReport) -> Value {
     json!({
         "penetration_asked_m": springs.penetration_asked_m,
         "penetration_m": springs.penetration_m,
+        "restitution_out_of_reach": springs.out_of_reach.map(|[asked, reached]| json!({ "asked": asked, "reached": reached })),
         "impacts": springs.impacts,
         "worst_restitution": springs.worst_restitution.as_ref().map(impact),
         "first_impacts": springs.first_impacts.iter().map(impact).collect::<Vec<_>>(),

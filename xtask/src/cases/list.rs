@@ -5,11 +5,12 @@ use super::{
     accuracy_choice, arches, chung_ooi, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds,
     effects, elastic_body, exact_drift, falling_shapes, fast_tier, free_rotation, friction_effects,
     friction_invariances, friction_scenes, frictional_impacts, frictional_statics, heaps, heavy_tops, impact_chains,
-    impact_laws, impacts, invariances, joints, ledger, long_runs, mass_properties, numerical_loss, one_dependency,
-    orders_in_contact, peers, pi_machine, polhode_times, published_rotations, random_scenes, random_solids, reductions,
-    resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, seams, sliding, sliding_and_spinning,
-    sliding_height, slipping_and_rolling, slopes, snapshots, speed, spinning_scenes, stability, stackings, stacks,
-    stacks_on_slopes, structures, table_edge, thesis_forces, thesis_tier, tunnelling, units, valleys, videos, walls,
+    impact_laws, impacts, impacts_every_way, invariances, joints, ledger, long_runs, mass_properties, numerical_loss,
+    one_dependency, orders_in_contact, peers, pi_machine, polhode_times, published_rotations, random_scenes,
+    random_solids, reductions, rest_every_way, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, seams,
+    sliding, sliding_and_spinning, sliding_height, slipping_and_rolling, slopes, snapshots, speed, spinning_scenes,
+    stability, stackings, stacks, stacks_on_slopes, structures, table_edge, thesis_forces, thesis_tier, tunnelling,
+    units, valleys, videos, walls,
 };
 
 /// Cases that need the whole machine: they build, or show how long something takes.
@@ -117,6 +118,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "IM-03", rows: impact_chains::im_03 },
     Case { name: "IM-04", rows: impact_chains::im_04 },
     Case { name: "impact laws", rows: impact_laws::rows },
+    Case { name: "impacts by every way", rows: impacts_every_way::rows },
     Case { name: "IM-05", rows: impacts::im_05 },
     Case { name: "IM-06", rows: pi_machine::im_06 },
     Case { name: "IM-07", rows: frictional_impacts::im_07 },
@@ -136,6 +138,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "RC-08", rows: resting_contact::rc_08 },
     Case { name: "RC-09", rows: resting_contact::rc_09 },
     Case { name: "RC-10", rows: table_edge::rc_10 },
+    Case { name: "rest by every way", rows: rest_every_way::rows },
     Case { name: "seams", rows: seams::tiles },
     Case { name: "seams: steps", rows: seams::steps },
     Case { name: "seams of other surfaces", rows: seams::surfaces },

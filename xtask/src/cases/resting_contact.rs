@@ -46,6 +46,13 @@ fn beam_forces(pillars: &[f64]) -> Result<Vec<f64>, Box<dyn Error>> {
 
 /// Largest linear and angular acceleration of the beam in a scene.
 fn beam_accelerations() -> Result<(f64, f64), Box<dyn Error>> {
+    let accelerations = Simulation::new(&beam()?)?.accelerations()?;
+    let beam = accelerations[0];
+    Ok((beam.linear.abs().max_element(), beam.angular.abs().max_element()))
+}
+
+/// The beam on three pillars.
+pub(super) fn beam() -> Result<Scene, Box<dyn Error>> {
     let size = DVec3::new(BEAM, 0.5, 0.25);
     let pillar = DVec3::new(0.25, 0.5, 1.0);
     let mut builder = Scene::builder("beam on pillars").body(cuboid("beam", size, 1.0, DVec3::Z * 0.5 * size.z)?);
@@ -54,13 +61,11 @@ fn beam_accelerations() -> Result<(f64, f64), Box<dyn Error>> {
         let center = DVec3::new(x - x * 0.5 * pillar.x, 0.0, -0.5 * pillar.z);
         builder = builder.body(fixed_cuboid(&format!("pillar at {x}"), pillar, center)?);
     }
-    let accelerations = Simulation::new(&builder.build()?)?.accelerations()?;
-    let beam = accelerations[0];
-    Ok((beam.linear.abs().max_element(), beam.angular.abs().max_element()))
+    Ok(builder.build()?)
 }
 
 /// A problem whose bodies have mass and inertia 1, one row after the other.
-fn unit_problem(rows: &[[f64; 3]]) -> Result<ContactProblem, Box<dyn Error>> {
+pub(super) fn unit_problem(rows: &[[f64; 3]]) -> Result<ContactProblem, Box<dyn Error>> {
     let mut problem = ContactProblem::new(3, vec![1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0])?;
     for row in rows {
         problem.push_row(&[(0, row)])?;

@@ -26,7 +26,7 @@ pub(super) fn rc_05(context: &Context) -> CaseResult {
 }
 
 /// `n` bricks over the edge of a table at x = 0, all shifted outwards by `offset`, m.
-fn overhang(n: usize, offset: f64) -> Result<Scene, Box<dyn Error>> {
+pub(super) fn overhang(n: usize, offset: f64) -> Result<Scene, Box<dyn Error>> {
     let table = DVec3::new(10.0, 4.0, 1.0);
     let table_center = DVec3::new(-0.5 * table.x, 0.0, -0.5 * table.z);
     let mut builder = Scene::builder("overhang").body(fixed_cuboid("table", table, table_center)?);
@@ -54,7 +54,7 @@ pub(super) fn rc_06(context: &Context) -> CaseResult {
     Ok(rows)
 }
 
-fn staircase(shift: f64, n: usize) -> Result<Scene, Box<dyn Error>> {
+pub(super) fn staircase(shift: f64, n: usize) -> Result<Scene, Box<dyn Error>> {
     let mut builder = Scene::builder("staircase").body(half_space("floor", UnitVector::Z));
     for number in 0..n {
         let center = DVec3::new(shift * number as f64, 0.0, BRICK.z * (number as f64 + 0.5));

@@ -49,7 +49,7 @@ pub(super) fn rc_10(context: &Context) -> CaseResult {
     Ok(rows)
 }
 
-fn scene(duration_s: f64) -> Result<Scene, Box<dyn Error>> {
+pub(super) fn scene(duration_s: f64) -> Result<Scene, Box<dyn Error>> {
     let table = DVec3::new(4.0, 2.0, 1.0);
     let table_center = DVec3::new(-0.5 * table.x, 0.0, -0.5 * table.z);
     let start = DVec3::new(-TIPPING_S, 0.0, 0.5 * SIZE.z);

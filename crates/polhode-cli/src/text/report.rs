@@ -151,6 +151,9 @@ fn of_springs(springs: &SpringReport) -> [String; 3] {
             )
         },
     );
+    let restitution = springs.out_of_reach.map_or(restitution.clone(), |[asked, reached]| {
+        format!("{restitution}; {} asked is beyond any damper, {} is reached", number(asked), number(reached))
+    });
     let stiffness =
         format!("up to {} rad/s, times the step {}", number(springs.fastest_rad_s), number(springs.frequency_step));
     [format!("{} m reached{asked}", number(springs.penetration_m)), restitution, stiffness]

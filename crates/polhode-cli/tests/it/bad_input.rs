@@ -60,7 +60,6 @@ const SCENES: &[Change] = &[
     ("duration = 0.1", "[start]\nseparate = -1", &["-1 is not accepted", "at least 0"]),
     ("duration = 0.1", "[start]\nseperate = 1e-6", &["did you mean `separate`?"]),
     ("duration = 0.1", "[method]\ntier = \"acurate\"", &["did you mean `accurate`?"]),
-    ("duration = 0.1", "[method]\nresponse = \"penalty\"", &["restitution of at least 0.01"]),
     ("duration = 0.1", "[method]\ncontact = \"interior-point\"", &["not yet available"]),
     ("duration = 0.1", "[method]\nsubsteps = 0", &["method.substeps"]),
     ("duration = 0.1", "[method]\nstep = 0", &["method.step"]),

@@ -25,7 +25,8 @@
 //!
 //! Sources: docs/REFERENCES.md, Hunt and Crossley; Schwager and Poeschel (end of a contact at vanishing force); Antypov and
 //! Elliott (Hertz's spring as a linear one). Symbols: e, zeta, y (no unit). How it fails: e = 0 would need damping
-//! beyond all bounds; below [`SMALLEST_RESTITUTION`] it is refused.
+//! beyond all bounds. [`Relation::number_for`] refuses what is below [`SMALLEST_RESTITUTION`]; [`Relation::reachable`] says what the
+//! strongest damping gives instead.
 
 use super::SpringError;
 use std::f64::consts::PI;
@@ -51,6 +52,11 @@ pub enum Relation {
 }
 
 impl Relation {
+    /// The restitution that a damper reaches where this one is asked: at least [`SMALLEST_RESTITUTION`].
+    pub fn reachable(self, restitution: f64) -> f64 {
+        if restitution < SMALLEST_RESTITUTION { SMALLEST_RESTITUTION } else { restitution }
+    }
+
     /// The number with which a lone impact has this restitution: 0 for e = 1.
     ///
     /// # Errors

@@ -176,16 +176,13 @@ impl NormalSpring {
         }
     }
 
-    /// The stiffness of this growth with which neither a load (N) at rest nor an impact of a mass (kg) at a speed (m/s) is
-    /// deeper than `depth` (m): `max(W/d, m v^2/d^2)`, for Hertz `max(W/d^(3/2), 5 m v^2/(4 d^(5/2)))`.
-    pub fn stiffness_for(growth: Growth, depth: f64, load: f64, (mass, speed): (f64, f64)) -> f64 {
-        let energy = mass * speed * speed;
+    /// The stiffness of this growth that stops a body with a kinetic energy (J) under a load (N) within `depth` (m): its energy there
+    /// is the kinetic one and the work of the load. Linear `2 (E + W d)/d^2`, Hertz `5 (E + W d)/(2 d^(5/2))`.
+    pub fn stiffness_for(growth: Growth, depth: f64, load: f64, kinetic: f64) -> f64 {
+        let energy = kinetic + load * depth;
         match growth {
-            Growth::Linear => (load / depth).max(energy / (depth * depth)),
-            Growth::Hertz => {
-                let root = depth.sqrt();
-                (load / (depth * root)).max(1.25 * energy / (depth * depth * root))
-            }
+            Growth::Linear => 2.0 * energy / (depth * depth),
+            Growth::Hertz => 2.5 * energy / (depth * depth * depth.sqrt()),
         }
     }
 }

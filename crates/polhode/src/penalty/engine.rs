@@ -51,6 +51,7 @@ impl PenaltyEngine {
         let is_linear = core.settings.penalty.law.unwrap_or_default() == crate::scene::SpringLaw::Linear;
         let measured = SpringReport {
             penetration_asked_m: (asked && is_linear).then_some(laws.depth_m),
+            out_of_reach: core.world.scene.restitution_out_of_reach(),
             ..SpringReport::default()
         };
         Self {
@@ -70,14 +71,14 @@ impl PenaltyEngine {
     /// When the data are not of this scene.
     pub(crate) fn restored(core: &mut Core, saved: &content::Penalty) -> Result<Self, SnapshotError> {
         let bodies = core.world.bodies.len();
-        if saved.proposed.len() != bodies {
-            return Err(SnapshotError::Invalid("it does not have one length of step for each body"));
+        if saved.proposed.len() != bodies || saved.laws.blows.len() != bodies {
+            return Err(SnapshotError::Invalid("it does not have one length of step and one blow for each body"));
         }
         let springs: Result<Vec<_>, _> = saved.springs.iter().map(|one| restored_spring(&core.world, one)).collect();
         let engine = Self {
             states: read_states(&saved.states, bodies)?,
             springs: springs?,
-            laws: restored_laws(core.settings.penalty, saved.laws),
+            laws: restored_laws(core.settings.penalty, &saved.laws),
             proposed: saved.proposed.clone(),
             boxes: Boxes::new(&core.settings, bodies),
             islands: saved.islands.clone(),
@@ -345,6 +346,7 @@ impl Tier for PenaltyEngine {
 
     fn add_body(&mut self, core: &Core, state: BodyState) {
         self.states.push(state);
+        self.laws.add_body(core.world.point_speed(&self.states, self.states.len() - 1));
         self.proposed.push(core.settings.step_s);
         self.boxes.make_room();
     }

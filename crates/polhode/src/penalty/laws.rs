@@ -1,25 +1,26 @@
-//! The springs of a pair of bodies: from the knobs of the scene, the materials, the weights and the speeds.
+//! The springs of a pair of bodies: from the knobs of the scene, the materials, and what a contact must be expected to bear.
 //!
-//! **Linear.** Neither the weight W of all bodies at rest nor an impact at the speed v of the scene is to be deeper than the stated
-//! penetration d: `k = max(W/d, m v^2/d^2)`, m the reduced mass of the pair. d is [`STATED_DEPTH_RELATIVE`] of the smallest body
-//! that moves when the scene gives none. v is the sum of the two largest speeds at the start, and what a fall through the height
-//! of the scene adds, `v^2 + 2 g h`. These are facts of the start: nothing of them changes during a run.
+//! **Linear.** The overlap is not to be deeper than the stated penetration d, [`STATED_DEPTH_RELATIVE`] of the smallest body
+//! that moves when the scene gives none: `k d^2/2 = E + W d` with the energy E and the weight W of [`super::expected`], shared by
+//! the points of the pair that are within d of touching when the contact begins.
 //!
 //! **Hertz.** `k = (4/3) E* sqrt(R)` from moduli and radii (`polhode_response::penalty`).
 //!
 //! **Damping** from the restitution of the pair, exact for a lone impact: the effective mass along the normal and, for
 //! Hunt and Crossley, the speed of approach are taken when the contact begins. Below the speed `sqrt(g d)`, at which
-//! weight alone compresses a spring, that speed is taken: a contact at rest has no approach.
+//! weight alone compresses a spring, that speed is taken: a contact at rest has no approach. A restitution below what a damper
+//! reaches gets the strongest damping that is used (`Relation::reachable`).
 //!
 //! Source: docs/REFERENCES.md, Hunt and Crossley. How it fails: a stiffness that is not finite is refused when the
 //! contact begins.
 
+use super::expected::{blows, burden, reduced_mass};
 use crate::collision::contact_id::ContactId;
 use crate::scene::spring_checks::elastic_pair;
 use crate::scene::{PenaltyMethod, SceneError, SpringFriction, SpringLaw};
 use crate::world::World;
 use polhode_contact::{ContactGeometry, Shape};
-use polhode_dynamics::{BodyState, RigidBody};
+use polhode_dynamics::BodyState;
 use polhode_response::penalty::{Damping, Growth, NormalSpring, Relation, SpringError, TangentialSpring};
 use polhode_spatial::DVec3;
 
@@ -35,15 +36,15 @@ const POISSON_RATIO: f64 = 0.3;
 const SLIP_SPEED_RELATIVE: f64 = 1e-3;
 
 /// What the springs of a run follow from.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Laws {
     pub(super) method: PenaltyMethod,
     /// The penetration that linear springs are to keep, m, and that errors are measured by.
     pub(super) depth_m: f64,
-    /// Weight of all bodies, N.
-    pub(super) load_n: f64,
     /// Greatest speed at which two bodies of the scene are expected to meet, m/s.
     pub(super) speed: f64,
+    /// Square of the speed with which each body may strike others, (m/s)^2.
+    pub(super) blows: Vec<f64>,
 }
 
 /// Coefficients of friction of a contact.
@@ -73,18 +74,16 @@ impl Laws {
         let smallest = moving().map(|body| world.bodies[body].size).filter(|size| *size > 0.0);
         let smallest = smallest.fold(f64::INFINITY, f64::min);
         let depth = if smallest.is_finite() { STATED_DEPTH_RELATIVE * smallest } else { STATED_DEPTH_RELATIVE };
-        let gravity = world.gravity().length();
-        let mass: f64 = moving().filter_map(|body| world.bodies[body].rigid.as_ref()).map(RigidBody::mass).sum();
-        let mut speeds: Vec<f64> = (0..states.len()).map(|body| world.point_speed(states, body)).collect();
+        let blows = blows(world, states);
+        let mut speeds: Vec<f64> = blows.iter().map(|square| square.sqrt()).collect();
         speeds.sort_by(|x, y| y.total_cmp(x));
-        let closing: f64 = speeds.iter().take(2).sum();
-        let fall = fall_of(world, states);
-        Self {
-            method,
-            depth_m: method.penetration_m.unwrap_or(depth),
-            load_n: mass * gravity,
-            speed: (closing * closing + 2.0 * gravity * fall).sqrt(),
-        }
+        let speed = speeds.iter().take(2).sum();
+        Self { method, depth_m: method.penetration_m.unwrap_or(depth), speed, blows }
+    }
+
+    /// Takes in a body that a program adds.
+    pub(super) fn add_body(&mut self, speed: f64) {
+        self.blows.push(speed * speed);
     }
 
     /// A speed (m/s) below which a contact is at rest: weight alone compresses springs at `sqrt(g d)`.
@@ -115,9 +114,9 @@ impl Laws {
             materials: [id.a, id.b].map(|body| world.bodies[body].name.clone()),
             source,
         };
-        let (spring, tangential) = self.elastic(world, id)?;
+        let (spring, tangential) = self.elastic(world, states, (id, geometry), approach)?;
         let relation = self.method.relation();
-        let number = relation.number_for(material.restitution()).map_err(refused)?;
+        let number = relation.number_for(relation.reachable(material.restitution())).map_err(refused)?;
         let normal = match relation {
             Relation::Plain => spring.with_plain_damping(number, mass),
             Relation::HuntCrossley => {
@@ -137,8 +136,32 @@ impl Laws {
         Ok(ContactLaw { normal, tangential, friction, restitution: material.restitution(), mass })
     }
 
+    /// Stiffness of a linear spring, N/m.
+    fn stiffness(
+        &self,
+        world: &World,
+        states: &[BodyState],
+        (id, geometry): (ContactId, &ContactGeometry),
+        approach: f64,
+    ) -> f64 {
+        let [load, energy] = burden(world, states, id, (approach, self.speed), &self.blows);
+        let needed = NormalSpring::stiffness_for(Growth::Linear, self.depth_m, load, energy);
+        // Without weight and speed anything keeps bodies apart: a spring that a mass swings on once a second.
+        let needed = if needed > 0.0 { needed } else { reduced_mass(world, id) };
+        let reach = geometry.separation.max(0.0) + self.depth_m;
+        let points = world.contacts_of_pair(states, id.a, id.b, reach).into_iter();
+        let sharing = points.filter(|point| point.kinematics.geometry.separation <= reach).count();
+        needed / sharing.max(1) as f64
+    }
+
     /// Springs without damping.
-    fn elastic(&self, world: &World, id: ContactId) -> Result<(NormalSpring, TangentialSpring), SceneError> {
+    fn elastic(
+        &self,
+        world: &World,
+        states: &[BodyState],
+        (id, geometry): (ContactId, &ContactGeometry),
+        approach: f64,
+    ) -> Result<(NormalSpring, TangentialSpring), SceneError> {
         let materials = world.scene.pair_materials(id.a, id.b);
         let names = || [id.a, id.b].map(|body| world.bodies[body].name.clone());
         let refused = |source: SpringError| SceneError::SpringRestitution { materials: names(), source };
@@ -151,11 +174,8 @@ impl Laws {
                 Ok((spring, TangentialSpring::mindlin(&pair, radius)))
             }
             SpringLaw::Linear => {
-                let motion = (reduced_mass(world, id), self.speed);
-                let needed = NormalSpring::stiffness_for(Growth::Linear, self.depth_m, self.load_n, motion);
-                // Without weight and speed anything keeps bodies apart: a spring that a mass swings on once a second.
-                let needed = if needed > 0.0 { needed } else { motion.0 };
-                let stiffness = self.method.stiffness_n_m.unwrap_or(needed);
+                let stiffness = self.method.stiffness_n_m;
+                let stiffness = stiffness.unwrap_or_else(|| self.stiffness(world, states, (id, geometry), approach));
                 let spring = NormalSpring::elastic(Growth::Linear, stiffness).map_err(refused)?;
                 let ratios =
                     materials.iter().filter_map(|material| material.elastic_constants().map(|[_, ratio]| ratio));
@@ -165,43 +185,6 @@ impl Laws {
             }
         }
     }
-}
-
-/// How far a body of the scene may fall, m: the height of the scene along gravity.
-fn fall_of(world: &World, states: &[BodyState]) -> f64 {
-    let Some(down) = world.gravity().try_normalize() else { return 0.0 };
-    let (mut lowest, mut highest) = (f64::NEG_INFINITY, f64::INFINITY);
-    for (body, state) in world.bodies.iter().zip(states).filter(|(body, _)| body.shape.is_some() && body.size > 0.0) {
-        let depth = state.pose.translation.dot(down);
-        lowest = lowest.max(depth + body.size);
-        if body.moves() {
-            highest = highest.min(depth - body.size);
-        }
-    }
-    // Under a half-space nothing falls.
-    for (body, state) in world.bodies.iter().zip(states) {
-        if let Some(Shape::HalfSpace(plane)) = &body.shape {
-            let normal = state.pose.rotation.rotate(plane.normal());
-            let steepness = normal.dot(-down);
-            if steepness > 0.0 {
-                let point = state.pose.translation + normal * plane.offset();
-                let deepest = world.movable.iter().map(|&body| (states[body].pose.translation - point).dot(normal));
-                let height = deepest.fold(0.0, f64::max) / steepness;
-                lowest = lowest.max(highest + height);
-            }
-        }
-    }
-    if lowest.is_finite() && highest.is_finite() { (lowest - highest).max(0.0) } else { 0.0 }
-}
-
-/// Reduced mass of two bodies, kg.
-fn reduced_mass(world: &World, id: ContactId) -> f64 {
-    let inverse: f64 = [id.a, id.b].into_iter().map(|body| inverse_mass(world, body)).sum();
-    if inverse > 0.0 { 1.0 / inverse } else { 1.0 }
-}
-
-fn inverse_mass(world: &World, body: usize) -> f64 {
-    world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass)
 }
 
 /// Effective mass along the normal of a contact, `1/(n . (sum 1/m + I^-1 (r x n) x r) n)`, kg.

@@ -43,6 +43,8 @@ impl SpringImpact {
 pub struct SpringReport {
     /// Penetration that linear springs were to keep, m; none of springs with a stiffness of their own.
     pub penetration_asked_m: Option<f64>,
+    /// Restitution asked and reached, where materials ask for less than a damper reaches: the strongest damping acts then.
+    pub out_of_reach: Option<[f64; 2]>,
     /// Greatest penetration, m.
     pub penetration_m: f64,
     /// Number of contacts that have begun and ended.

@@ -14,6 +14,7 @@
 //! | module | holds |
 //! |---|---|
 //! | `facts` | what the tier is |
+//! | `expected` | weights and blows that a contact must be expected to bear |
 //! | `laws` | springs of a pair from materials, weights and speeds |
 //! | `contact` | one contact: its springs, its mode, its force in a state |
 //! | `system` | the equations of motion of a group with its springs |
@@ -30,6 +31,7 @@
 mod contact;
 mod engine;
 mod events;
+mod expected;
 mod facts;
 mod fixed;
 mod groups;

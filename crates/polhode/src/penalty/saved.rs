@@ -11,12 +11,12 @@ use crate::world::World;
 use polhode_response::penalty::{Damping, NormalSpring, TangentialSpring};
 use polhode_spatial::DVec3;
 
-pub(super) fn save_laws(laws: &Laws) -> [f64; 3] {
-    [laws.depth_m, laws.load_n, laws.speed]
+pub(super) fn save_laws(laws: &Laws) -> content::SpringLaws {
+    content::SpringLaws { depth_m: laws.depth_m, speed: laws.speed, blows: laws.blows.clone() }
 }
 
-pub(super) fn restored_laws(method: PenaltyMethod, [depth_m, load_n, speed]: [f64; 3]) -> Laws {
-    Laws { method, depth_m, load_n, speed }
+pub(super) fn restored_laws(method: PenaltyMethod, saved: &content::SpringLaws) -> Laws {
+    Laws { method, depth_m: saved.depth_m, speed: saved.speed, blows: saved.blows.clone() }
 }
 
 pub(super) fn save_spring(spring: &ContactSpring) -> content::ContactSpring {
@@ -88,6 +88,7 @@ pub(super) fn save_report(report: &SpringReport) -> content::SpringReport {
         first: report.first_impacts.iter().map(save_impact).collect(),
         worst: report.worst_restitution.as_ref().map(save_impact),
         fastest: [report.fastest_rad_s, report.frequency_step],
+        out_of_reach: report.out_of_reach,
     }
 }
 
@@ -100,6 +101,7 @@ pub(super) fn restored_report(saved: &content::SpringReport) -> SpringReport {
         worst_restitution: saved.worst.as_ref().map(restored_impact),
         fastest_rad_s: saved.fastest[0],
         frequency_step: saved.fastest[1],
+        out_of_reach: saved.out_of_reach,
     }
 }
 

@@ -22,7 +22,7 @@ impl Scene {
     /// Checks that springs can do what the materials ask.
     ///
     /// # Errors
-    /// When a restitution is out of reach of a damped spring, friction has a grain or resists rotation, or bodies have no moduli
+    /// When a restitution is not one, friction has a grain or resists rotation, or bodies have no moduli
     /// or no radii of curvature for Hertz's law.
     pub(super) fn check_springs(&self) -> Result<(), SceneError> {
         let method = self.method.penalty.unwrap_or_default();
@@ -48,8 +48,9 @@ impl Scene {
         let is_hertz = method.law == Some(SpringLaw::Hertz);
         for (a, b) in self.material_pairs() {
             let material = self.pair_material(a, b);
-            let reachable = method.relation().number_for(material.restitution());
-            reachable.map_err(|source| SceneError::SpringRestitution { materials: names(a, b), source })?;
+            let relation = method.relation();
+            let number = relation.number_for(relation.reachable(material.restitution()));
+            number.map_err(|source| SceneError::SpringRestitution { materials: names(a, b), source })?;
             let what = if material.grain().is_some() {
                 "friction with a grain"
             } else if material.rolling_friction() > 0.0 || material.spinning_friction() > 0.0 {
@@ -64,6 +65,15 @@ impl Scene {
             return Err(SceneError::NotYetAvailable { what: format!("{what} with response = \"penalty\""), instead });
         }
         if is_hertz { self.check_curvature() } else { Ok(()) }
+    }
+
+    /// The smallest restitution of materials that may meet and what a damped spring reaches instead; none where all are reached.
+    pub(crate) fn restitution_out_of_reach(&self) -> Option<[f64; 2]> {
+        let method = self.method.penalty.unwrap_or_default();
+        let all = self.material_pairs().into_iter().map(|(a, b)| self.pair_material(a, b).restitution());
+        let least = all.fold(f64::INFINITY, f64::min);
+        let reached = method.relation().reachable(least);
+        (reached > least).then_some([least, reached])
     }
 
     /// Checks that every pair that may touch has radii of curvature: a ball, on a ball or on what has flat faces.

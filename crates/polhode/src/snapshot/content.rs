@@ -597,13 +597,20 @@ pub(crate) struct Thesis {
 pub(crate) struct Penalty {
     pub(crate) states: Vec<State>,
     pub(crate) springs: Vec<ContactSpring>,
-    /// Penetration (m), weight (N) and speed (m/s) from which stiffness follows.
-    pub(crate) laws: [f64; 3],
+    pub(crate) laws: SpringLaws,
     /// Length of step (s) proposed for the group of each body.
     pub(crate) proposed: Vec<f64>,
     /// Bodies of each group of the last step.
     pub(crate) islands: Vec<Vec<usize>>,
     pub(crate) measured: SpringReport,
+}
+
+/// What the stiffness of springs follows from: penetration (m), speed (m/s), and for each body the square of the speed of its blows.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct SpringLaws {
+    pub(crate) depth_m: f64,
+    pub(crate) speed: f64,
+    pub(crate) blows: Vec<f64>,
 }
 
 /// A contact with its springs.
@@ -649,6 +656,8 @@ pub(crate) struct SpringReport {
     pub(crate) worst: Option<SpringImpact>,
     /// Largest frequency (rad/s), and its largest product with a step.
     pub(crate) fastest: [f64; 2],
+    /// Restitution asked and reached where no damper reaches it.
+    pub(crate) out_of_reach: Option<[f64; 2]>,
 }
 
 /// A contact that has ended.
