@@ -19,7 +19,8 @@
 //! | `manifold` | [`ImpulseManifold`]: what is given; [`PointImpulse`]: what comes back |
 //! | `colours` | which manifolds are solved side by side |
 //! | `batch` | manifolds in batches of four |
-//! | `sweep` | one sweep: law and work |
+//! | `works` | the frame of contacts, and what impulses do along it |
+//! | `sweep` | one sweep: the law |
 //! | `stages` | masses, known impulses, restitution, totals |
 //! | `residual` | how far the impulses are from the law |
 //!
@@ -61,11 +62,13 @@ mod manifold;
 mod residual;
 mod stages;
 mod sweep;
+mod works;
 
 pub use body::ImpulseBody;
 pub use manifold::{ImpulseManifold, MOST_POINTS, ManifoldPoint, PointImpulse};
 pub use residual::Residual;
-pub use sweep::{Softness, SweepRule, SweepStage, Works};
+pub use sweep::{Softness, SweepRule, SweepStage};
+pub use works::Works;
 
 use batch::Batches;
 use wide::{f64x2, f64x4};

@@ -7,7 +7,8 @@
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody};
 use super::lanes::{FOUR, Four, Lanes, Vectors};
-use super::sweep::{Frame, SweepRule, numbers};
+use super::sweep::SweepRule;
+use super::works::{Frame, numbers};
 
 /// The largest natural map of all points, and the largest speed of a point, m/s.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

@@ -4,7 +4,7 @@
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody, Twist};
 use super::lanes::{FOUR, Lanes, Vectors};
-use super::sweep::{FourWorks, Frame, LaneWorks, Works, numbers};
+use super::works::{FourWorks, Frame, LaneWorks, Works, book, numbers};
 
 /// Effective masses of all points, and their rates at the start of the step.
 ///
@@ -145,24 +145,4 @@ pub(super) fn end<L: Lanes>(
         }
     }
     works.sums()
-}
-
-/// Books the impulse of a substep at a point, along the mean velocity of the point: `p . u` is exactly the change of the kinetic energy (by
-/// algebra), with `u` the mean of the velocities before and after all impulses.
-#[inline(always)]
-pub(super) fn book<L: Lanes>(
-    works: &mut LaneWorks<L>,
-    (row, part): (&mut PointRows, usize),
-    (frame, mean, impulse): (&Frame<L>, Vectors<L>, [L; 3]),
-    colliding: L,
-) {
-    let zero = L::splat(0.0);
-    let work = impulse[0] * frame.normal.dot(mean);
-    let rate = L::load(&row.rate, part);
-    works.colliding = works.colliding + L::pick_greater(colliding, rate, work, zero);
-    works.resting = works.resting + L::pick_greater(colliding, rate, zero, work);
-    works.friction = works.friction + impulse[1] * frame.first.dot(mean) + impulse[2] * frame.second.dot(mean);
-    for (total, impulse) in row.total.iter_mut().zip(impulse) {
-        (L::load(total, part) + impulse).store(total, part);
-    }
 }

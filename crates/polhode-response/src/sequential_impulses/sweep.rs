@@ -12,13 +12,13 @@
 //! `m = 1 / K_nn`, `rho` the inverse of the largest eigenvalue of `K_tt`; `a`, `b`, `c` are [`Softness`]. Separations are those at the
 //! start of the step plus the displacements of the bodies along the rows of then.
 //!
-//! **Work.** Impulses of a substep do work along the mean of the velocities before and after all of them (`stages::book`). A sweep that begins a substep books
+//! **Work.** Impulses of a substep do work along the mean of the velocities before and after all of them (`works::book`). A sweep that begins a substep books
 //! those of the substep before, which it reads anyway.
 
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody, Twist};
-use super::lanes::{FOUR, Four, Lanes, Vectors};
-use super::stages::book;
+use super::lanes::{FOUR, Lanes, Vectors};
+use super::works::{FourWorks, Frame, LaneWorks, Works, book, numbers};
 
 /// How a contact gives way where it overlaps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,91 +69,6 @@ pub struct SweepRule {
     pub inverse_step: f64,
     /// Contacts that approach faster than this at the start of the step collide, m/s.
     pub colliding: f64,
-}
-
-/// Changes of energy by impulses, J.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Works {
-    /// By normal impulses of contacts that collide.
-    pub colliding_j: f64,
-    /// By normal impulses of other contacts.
-    pub resting_j: f64,
-    /// By friction.
-    pub friction_j: f64,
-}
-
-impl std::ops::AddAssign for Works {
-    fn add_assign(&mut self, other: Self) {
-        self.colliding_j += other.colliding_j;
-        self.resting_j += other.resting_j;
-        self.friction_j += other.friction_j;
-    }
-}
-
-/// The same in lanes.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct LaneWorks<L> {
-    pub(super) colliding: L,
-    pub(super) resting: L,
-    pub(super) friction: L,
-}
-
-/// The works of all lanes: each lane's sum, then these in order.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct FourWorks {
-    colliding: Four,
-    resting: Four,
-    friction: Four,
-}
-
-impl FourWorks {
-    pub(super) fn load<L: Lanes>(&self, part: usize) -> LaneWorks<L> {
-        LaneWorks {
-            colliding: L::load(&self.colliding, part),
-            resting: L::load(&self.resting, part),
-            friction: L::load(&self.friction, part),
-        }
-    }
-
-    pub(super) fn store<L: Lanes>(&mut self, works: LaneWorks<L>, part: usize) {
-        works.colliding.store(&mut self.colliding, part);
-        works.resting.store(&mut self.resting, part);
-        works.friction.store(&mut self.friction, part);
-    }
-
-    pub(super) fn sums(&self) -> Works {
-        let sum = |four: &Four| (four.0[0] + four.0[1]) + (four.0[2] + four.0[3]);
-        Works { colliding_j: sum(&self.colliding), resting_j: sum(&self.resting), friction_j: sum(&self.friction) }
-    }
-}
-
-/// The frame of a batch's manifolds.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Frame<L> {
-    pub(super) normal: Vectors<L>,
-    pub(super) first: Vectors<L>,
-    pub(super) second: Vectors<L>,
-    pub(super) between: Vectors<L>,
-}
-
-impl<L: Lanes> Frame<L> {
-    #[inline(always)]
-    pub(super) fn load(batch: &Batch, part: usize) -> Self {
-        let normal = Vectors::load(&batch.normal, part);
-        let first = Vectors::load(&batch.tangent, part);
-        Self { normal, first, second: normal.cross(first), between: Vectors::load(&batch.between, part) }
-    }
-
-    #[inline(always)]
-    pub(super) fn vector(&self, n: L, x: L, y: L) -> Vectors<L> {
-        self.normal.times(n) + self.first.times(x) + self.second.times(y)
-    }
-}
-
-/// The part of the bodies' numbers of a batch that a kernel works on.
-#[inline(always)]
-pub(super) fn numbers<L: Lanes>(of: &[u32; FOUR], part: usize) -> &[u32] {
-    &of[part * L::WIDTH..(part + 1) * L::WIDTH]
 }
 
 /// A sweep over all batches, in order. Returns the change of energy that it has booked.
