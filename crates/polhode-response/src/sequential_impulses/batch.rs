@@ -26,8 +26,9 @@ pub(super) struct Batch {
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct PointRows {
     pub(super) arm: [Four; 3],
-    /// At the start of the step, m.
+    /// At the start of the step, and at present, m.
     pub(super) separation: Four,
+    pub(super) present: Four,
     /// `K_nn` (1/kg) and its inverse; zero for a lane without a point.
     pub(super) stiffness: Four,
     pub(super) mass: Four,
@@ -35,8 +36,6 @@ pub(super) struct PointRows {
     pub(super) sliding_mass: Four,
     /// `K_n1`, `K_n2`.
     pub(super) coupling: [Four; 2],
-    /// `K_11`, `K_12`, `K_22`.
-    pub(super) tangential: [Four; 3],
     /// Of the present substep: along normal and tangents, N s.
     pub(super) impulse: [Four; 3],
     /// Of all substeps before, N s.
@@ -132,7 +131,7 @@ impl Batches {
             let ManifoldPoint { arm, separation, impulse } = *point;
             put_vector(&mut row.arm, lane, arm.to_array());
             put_vector(&mut row.impulse, lane, impulse);
-            row.separation.0[lane] = separation;
+            (row.separation.0[lane], row.present.0[lane]) = (separation, separation);
         }
     }
 }

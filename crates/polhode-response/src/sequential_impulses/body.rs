@@ -16,8 +16,8 @@ pub struct ImpulseBody {
     moved: [f64; 3],
     turned: [f64; 3],
     inverse_inertia: [f64; 6],
-    /// To the end of the third line of the cache.
-    padding: [f64; 4],
+    mean_linear: [f64; 3],
+    mean_angular: [f64; 3],
 }
 
 impl ImpulseBody {
@@ -32,7 +32,8 @@ impl ImpulseBody {
             moved: [0.0; 3],
             turned: [0.0; 3],
             inverse_inertia: [x.x, x.y, x.z, y.y, y.z, z.z],
-            padding: [0.0; 4],
+            mean_linear: [0.0; 3],
+            mean_angular: [0.0; 3],
         }
     }
 
@@ -66,6 +67,11 @@ impl ImpulseBody {
         (self.linear, self.angular) = (linear.to_array(), angular.to_array());
     }
 
+    /// Sets the mean of both velocities at the start and at the end of a substep: impulses of the substep do their work along it.
+    pub fn set_mean_velocity(&mut self, linear: DVec3, angular: DVec3) {
+        (self.mean_linear, self.mean_angular) = (linear.to_array(), angular.to_array());
+    }
+
     /// Sets how far the centre of mass has come since the start of the step (m), and how far the body has turned (rotation
     /// vector, rad).
     pub fn set_displacement(&mut self, moved: DVec3, turned: DVec3) {
@@ -78,10 +84,52 @@ impl ImpulseBody {
 pub(super) struct Gathered<L> {
     pub(super) linear: Vectors<L>,
     pub(super) angular: Vectors<L>,
-    pub(super) moved: Vectors<L>,
-    pub(super) turned: Vectors<L>,
     pub(super) inverse_mass: L,
     pub(super) inverse_inertia: Symmetric<L>,
+}
+
+/// One vector of each of these bodies.
+#[inline(always)]
+fn gathered<L: Lanes>(bodies: &[ImpulseBody], numbers: &[u32], part: fn(&ImpulseBody) -> &[f64; 3]) -> Vectors<L> {
+    let of = |lane: usize| part(&bodies[numbers[lane] as usize]);
+    Vectors {
+        x: L::from_lanes(|lane| of(lane)[0]),
+        y: L::from_lanes(|lane| of(lane)[1]),
+        z: L::from_lanes(|lane| of(lane)[2]),
+    }
+}
+
+/// A vector of translation and one of rotation of each body.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Twist<L> {
+    pub(super) linear: Vectors<L>,
+    pub(super) angular: Vectors<L>,
+}
+
+impl<L: Lanes> Twist<L> {
+    /// How far the bodies have come since the start of the step.
+    #[inline(always)]
+    pub(super) fn displacements(bodies: &[ImpulseBody], numbers: &[u32]) -> Self {
+        Self {
+            linear: gathered(bodies, numbers, |body| &body.moved),
+            angular: gathered(bodies, numbers, |body| &body.turned),
+        }
+    }
+
+    /// Their mean velocities over a substep.
+    #[inline(always)]
+    pub(super) fn means(bodies: &[ImpulseBody], numbers: &[u32]) -> Self {
+        Self {
+            linear: gathered(bodies, numbers, |body| &body.mean_linear),
+            angular: gathered(bodies, numbers, |body| &body.mean_angular),
+        }
+    }
+
+    /// At a point of the body, by its arm.
+    #[inline(always)]
+    pub(super) fn at(&self, arm: Vectors<L>) -> Vectors<L> {
+        self.linear + self.angular.cross(arm)
+    }
 }
 
 impl<L: Lanes> Gathered<L> {
@@ -89,16 +137,9 @@ impl<L: Lanes> Gathered<L> {
     #[inline(always)]
     pub(super) fn load(bodies: &[ImpulseBody], numbers: &[u32]) -> Self {
         let of = |lane: usize| &bodies[numbers[lane] as usize];
-        let vectors = |part: fn(&ImpulseBody) -> &[f64; 3]| Vectors {
-            x: L::from_lanes(|lane| part(of(lane))[0]),
-            y: L::from_lanes(|lane| part(of(lane))[1]),
-            z: L::from_lanes(|lane| part(of(lane))[2]),
-        };
         Self {
-            linear: vectors(|body| &body.linear),
-            angular: vectors(|body| &body.angular),
-            moved: vectors(|body| &body.moved),
-            turned: vectors(|body| &body.turned),
+            linear: gathered(bodies, numbers, |body| &body.linear),
+            angular: gathered(bodies, numbers, |body| &body.angular),
             inverse_mass: L::from_lanes(|lane| of(lane).inverse_mass),
             inverse_inertia: Symmetric {
                 entries: std::array::from_fn(|k| L::from_lanes(|lane| of(lane).inverse_inertia[k])),

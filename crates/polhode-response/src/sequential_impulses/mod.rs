@@ -19,13 +19,14 @@
 //! | `manifold` | [`ImpulseManifold`]: what is given; [`PointImpulse`]: what comes back |
 //! | `colours` | which manifolds are solved side by side |
 //! | `batch` | manifolds in batches of four |
-//! | `sweep` | one sweep: law and work |
+//! | `works` | the frame of contacts, and what impulses do along it |
+//! | `sweep` | one sweep: the law |
 //! | `stages` | masses, known impulses, restitution, totals |
 //! | `residual` | how far the impulses are from the law |
 //!
 //! ```
 //! use polhode_response::sequential_impulses::{ImpulseBody, ImpulseManifold, ManifoldPoint, SequentialImpulses};
-//! use polhode_response::sequential_impulses::{Softness, SweepRule};
+//! use polhode_response::sequential_impulses::{Softness, SweepRule, SweepStage};
 //! use polhode_response::spatial::{DMat3, DVec3};
 //! // A point mass of 2 kg that falls onto the ground at 3 m/s.
 //! let mut solver = SequentialImpulses::default();
@@ -41,8 +42,11 @@
 //! let rule = SweepRule {
 //!     between: Softness::RIGID, with_fixed: Softness::RIGID, push: 0.0, inverse_step: 240.0, colliding: 1.0,
 //! };
-//! let works = solver.sweep(&rule);
+//! solver.sweep(SweepStage::First, &rule);
 //! assert_eq!(solver.body(body).linear(), DVec3::ZERO);
+//! // The mean of its velocities before and after.
+//! solver.body_mut(body).set_mean_velocity(DVec3::Z * -1.5, DVec3::ZERO);
+//! let works = solver.end_substep(&rule);
 //! assert_eq!(works.colliding_j, -9.0);
 //! ```
 #![expect(
@@ -58,15 +62,15 @@ mod manifold;
 mod residual;
 mod stages;
 mod sweep;
+mod works;
 
 pub use body::ImpulseBody;
 pub use manifold::{ImpulseManifold, MOST_POINTS, ManifoldPoint, PointImpulse};
 pub use residual::Residual;
-pub use sweep::{Softness, SweepRule, Works};
+pub use sweep::{Softness, SweepRule, SweepStage};
+pub use works::Works;
 
 use batch::Batches;
-use polhode_spatial::DVec3;
-use stages::Pass;
 use wide::{f64x2, f64x4};
 
 /// How many contacts an instruction works on. It changes the time, and no bit.
@@ -152,48 +156,43 @@ impl SequentialImpulses {
         }
     }
 
-    /// Gives the impulses that are known, at the start of a substep.
-    pub fn warm_start(&mut self, rule: &SweepRule) -> Works {
-        self.give((Pass::WarmStart, rule.colliding))
+    /// Gives the impulses that are known, at the start of a step. Those of its later substeps are known by bodies: as long as rows do not
+    /// change, they change the velocities by as much as in the substep before.
+    pub fn warm_start(&mut self) {
+        let Batches { list: batches, points, .. } = &self.batches;
+        match self.width {
+            LaneWidth::Two => stages::warm_start::<f64x2>(&mut self.bodies, batches, points),
+            LaneWidth::Four => stages::warm_start::<f64x4>(&mut self.bodies, batches, points),
+        }
     }
 
     /// Gives colliding contacts the impulses by which they part again, at the end of a step whose totals are complete.
     pub fn restitute(&mut self, rule: &SweepRule) -> Works {
-        self.give((Pass::Restitution(rule.colliding), rule.colliding))
-    }
-
-    fn give(&mut self, pass: (Pass, f64)) -> Works {
+        if self.manifolds.iter().all(|manifold| manifold.restitution == 0.0) {
+            return Works::default();
+        }
         let Batches { list: batches, points, .. } = &mut self.batches;
         match self.width {
-            LaneWidth::Two => stages::give::<f64x2>(&mut self.bodies, batches, points, pass),
-            LaneWidth::Four => stages::give::<f64x4>(&mut self.bodies, batches, points, pass),
+            LaneWidth::Two => stages::part_again::<f64x2>(&mut self.bodies, batches, points, rule.colliding),
+            LaneWidth::Four => stages::part_again::<f64x4>(&mut self.bodies, batches, points, rule.colliding),
         }
     }
 
-    /// One sweep over all contacts.
-    pub fn sweep(&mut self, rule: &SweepRule) -> Works {
+    /// One sweep over all contacts. Returns the works that it has booked: those of the substep before where it begins a later one.
+    pub fn sweep(&mut self, stage: SweepStage, rule: &SweepRule) -> Works {
         let Batches { list: batches, points, .. } = &mut self.batches;
         match self.width {
-            LaneWidth::Two => sweep::sweep::<f64x2>(&mut self.bodies, batches, points, rule),
-            LaneWidth::Four => sweep::sweep::<f64x4>(&mut self.bodies, batches, points, rule),
+            LaneWidth::Two => sweep::sweep::<f64x2>(&mut self.bodies, batches, points, (stage, rule)),
+            LaneWidth::Four => sweep::sweep::<f64x4>(&mut self.bodies, batches, points, (stage, rule)),
         }
     }
 
-    /// Ends a substep: its impulses are added to those of the step.
-    pub fn end_substep(&mut self) {
-        let points = &mut self.batches.points;
+    /// Ends the last substep: its impulses are added to those of the step. Returns what they did along the mean velocities of the bodies.
+    pub fn end_substep(&mut self, rule: &SweepRule) -> Works {
+        let Batches { list: batches, points, .. } = &mut self.batches;
         match self.width {
-            LaneWidth::Two => stages::add_to_totals::<f64x2>(points),
-            LaneWidth::Four => stages::add_to_totals::<f64x4>(points),
-        }
-    }
-
-    /// Half of what the impulses of the step did along the velocity (m/s) that every movable body got at the start of each substep.
-    pub fn works_of_kick(&self, kick: DVec3, rule: &SweepRule) -> Works {
-        let Batches { list: batches, points, .. } = &self.batches;
-        match self.width {
-            LaneWidth::Two => stages::works_of_kick::<f64x2>(batches, points, kick, rule.colliding),
-            LaneWidth::Four => stages::works_of_kick::<f64x4>(batches, points, kick, rule.colliding),
+            LaneWidth::Two => stages::end::<f64x2>(&self.bodies, batches, points, rule.colliding),
+            LaneWidth::Four => stages::end::<f64x4>(&self.bodies, batches, points, rule.colliding),
         }
     }
 
@@ -206,15 +205,17 @@ impl SequentialImpulses {
         }
     }
 
-    /// What became of a point of a manifold; nothing where there is none.
-    pub fn impulse(&self, manifold: usize, point: usize) -> PointImpulse {
-        let Some(place) = self.batches.places.get(manifold) else { return PointImpulse::default() };
-        let batch = &self.batches.list[place.batch as usize];
-        if point >= batch.count as usize {
-            return PointImpulse::default();
-        }
-        let (row, lane) = (&self.batches.points[batch.first as usize + point], place.lane as usize);
-        PointImpulse { last: row.impulse.map(|four| four.0[lane]), total: row.total.map(|four| four.0[lane]) }
+    /// What became of the points of a manifold; nothing where there is none.
+    #[inline]
+    pub fn impulses(&self, manifold: usize) -> impl Iterator<Item = PointImpulse> {
+        let place = self.batches.places.get(manifold).copied();
+        let batch = place.and_then(|place| self.batches.list.get(place.batch as usize));
+        let range = batch.map_or(0..0, |batch| batch.first as usize..(batch.first + batch.count) as usize);
+        let lane = place.map_or(0, |place| place.lane as usize);
+        self.batches.points[range].iter().map(move |row| PointImpulse {
+            last: std::array::from_fn(|k| row.impulse[k].0[lane]),
+            total: std::array::from_fn(|k| row.total[k].0[lane]),
+        })
     }
 }
 
@@ -223,7 +224,7 @@ mod tests {
     //! Two and four lanes give the same bits; four bodies side by side, and many contacts of one body, obey the law; the works are the change of
     //! energy.
     use super::*;
-    use polhode_spatial::{DMat3, SplitMix64};
+    use polhode_spatial::{DMat3, DVec3, SplitMix64};
 
     const RULE: SweepRule = SweepRule {
         between: Softness { rate: 20.0, mass: 0.9, impulse: 0.1 },
@@ -281,13 +282,31 @@ mod tests {
         solver
     }
 
+    /// The velocities of all bodies.
+    fn velocities(solver: &SequentialImpulses) -> Vec<(DVec3, DVec3)> {
+        (1..=20).map(|number| (solver.body(number).linear(), solver.body(number).angular())).collect()
+    }
+
     fn step(solver: &mut SequentialImpulses) -> Works {
+        let mut works = Works::default();
+        let mut before = velocities(solver);
         solver.prepare();
-        let mut works = solver.warm_start(&RULE);
-        for _ in 0..3 {
-            works += solver.sweep(&RULE);
+        solver.warm_start();
+        for (stage, relax) in [(SweepStage::First, SweepStage::Moved), (SweepStage::Next, SweepStage::Moved)] {
+            works += solver.sweep(stage, &RULE);
+            works += solver.sweep(relax, &RULE);
+            let after = velocities(solver);
+            for ((number, (v0, w0)), (v1, w1)) in (1..).zip(&before).zip(&after) {
+                let body = solver.body_mut(number);
+                body.set_mean_velocity((*v0 + *v1) * 0.5, (*w0 + *w1) * 0.5);
+                if stage == SweepStage::First {
+                    // Warm start of the next substep, by bodies.
+                    body.set_velocity(*v1 + (*v1 - *v0), *w1 + (*w1 - *w0));
+                }
+            }
+            before = after;
         }
-        solver.end_substep();
+        works += solver.end_substep(&RULE);
         works += solver.restitute(&RULE);
         works
     }
@@ -317,7 +336,7 @@ mod tests {
         solver.prepare();
         let rule = SweepRule { between: Softness::RIGID, with_fixed: Softness::RIGID, ..RULE };
         for _ in 0..20_000 {
-            solver.sweep(&rule);
+            solver.sweep(SweepStage::First, &rule);
         }
         let residual = solver.residual(&rule);
         assert!(residual.map < 1e-9, "{residual:?}");

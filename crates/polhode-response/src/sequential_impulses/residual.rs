@@ -7,7 +7,8 @@
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody};
 use super::lanes::{FOUR, Four, Lanes, Vectors};
-use super::sweep::{Frame, SweepRule, numbers};
+use super::sweep::SweepRule;
+use super::works::{Frame, numbers};
 
 /// The largest natural map of all points, and the largest speed of a point, m/s.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -56,8 +57,7 @@ fn largest_of<L: Lanes>(
         let arm = Vectors::<L>::load(&row.arm, part);
         let arm_b = arm + frame.between;
         let velocity = a.linear - b.linear + a.angular.cross(arm) - b.angular.cross(arm_b);
-        let moved = a.moved - b.moved + a.turned.cross(arm) - b.turned.cross(arm_b);
-        let separation = L::load(&row.separation, part) + frame.normal.dot(moved);
+        let separation = L::load(&row.present, part);
         let inverse_mass = L::load(&row.stiffness, part);
         let (x, y) = (frame.first.dot(velocity), frame.second.dot(velocity));
         let slip = (x * x + y * y).root();

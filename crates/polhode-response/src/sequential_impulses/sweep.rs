@@ -12,12 +12,13 @@
 //! `m = 1 / K_nn`, `rho` the inverse of the largest eigenvalue of `K_tt`; `a`, `b`, `c` are [`Softness`]. Separations are those at the
 //! start of the step plus the displacements of the bodies along the rows of then.
 //!
-//! **Work.** An impulse `d` at velocity `u` changes the energy by `d.u + d.K d / 2`; summed over all impulses that is the exact change
-//! of the kinetic energy (by algebra). The sweep sums it for friction, for contacts that collide and for those that rest.
+//! **Work.** Impulses of a substep do work along the mean of the velocities before and after all of them (`works::book`). A sweep that begins a substep books
+//! those of the substep before, which it reads anyway.
 
 use super::batch::{Batch, PointRows};
-use super::body::{Gathered, ImpulseBody};
-use super::lanes::{FOUR, Four, Lanes, Vectors};
+use super::body::{Gathered, ImpulseBody, Twist};
+use super::lanes::{FOUR, Lanes, Vectors};
+use super::works::{FourWorks, Frame, LaneWorks, Works, book, numbers};
 
 /// How a contact gives way where it overlaps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,6 +45,17 @@ impl Softness {
     }
 }
 
+/// What a sweep does beside finding impulses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SweepStage {
+    /// The first one of a step: nothing.
+    First,
+    /// It begins a later substep: it books the impulses of the substep before, along the mean velocities of the bodies.
+    Next,
+    /// It follows a movement of the bodies: separations are found anew.
+    Moved,
+}
+
 /// What all contacts of a sweep have in common.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SweepRule {
@@ -59,107 +71,79 @@ pub struct SweepRule {
     pub colliding: f64,
 }
 
-/// Changes of energy by impulses, J.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Works {
-    /// By normal impulses of contacts that collide.
-    pub colliding_j: f64,
-    /// By normal impulses of other contacts.
-    pub resting_j: f64,
-    /// By friction.
-    pub friction_j: f64,
-}
-
-impl std::ops::AddAssign for Works {
-    fn add_assign(&mut self, other: Self) {
-        self.colliding_j += other.colliding_j;
-        self.resting_j += other.resting_j;
-        self.friction_j += other.friction_j;
-    }
-}
-
-/// The same in lanes.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct LaneWorks<L> {
-    pub(super) colliding: L,
-    pub(super) resting: L,
-    pub(super) friction: L,
-}
-
-/// The works of all lanes: each lane's sum, then these in order.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct FourWorks {
-    colliding: Four,
-    resting: Four,
-    friction: Four,
-}
-
-impl FourWorks {
-    pub(super) fn load<L: Lanes>(&self, part: usize) -> LaneWorks<L> {
-        LaneWorks {
-            colliding: L::load(&self.colliding, part),
-            resting: L::load(&self.resting, part),
-            friction: L::load(&self.friction, part),
-        }
-    }
-
-    pub(super) fn store<L: Lanes>(&mut self, works: LaneWorks<L>, part: usize) {
-        works.colliding.store(&mut self.colliding, part);
-        works.resting.store(&mut self.resting, part);
-        works.friction.store(&mut self.friction, part);
-    }
-
-    pub(super) fn sums(&self) -> Works {
-        let sum = |four: &Four| (four.0[0] + four.0[1]) + (four.0[2] + four.0[3]);
-        Works { colliding_j: sum(&self.colliding), resting_j: sum(&self.resting), friction_j: sum(&self.friction) }
-    }
-}
-
-/// The frame of a batch's manifolds.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Frame<L> {
-    pub(super) normal: Vectors<L>,
-    pub(super) first: Vectors<L>,
-    pub(super) second: Vectors<L>,
-    pub(super) between: Vectors<L>,
-}
-
-impl<L: Lanes> Frame<L> {
-    #[inline(always)]
-    pub(super) fn load(batch: &Batch, part: usize) -> Self {
-        let normal = Vectors::load(&batch.normal, part);
-        let first = Vectors::load(&batch.tangent, part);
-        Self { normal, first, second: normal.cross(first), between: Vectors::load(&batch.between, part) }
-    }
-
-    #[inline(always)]
-    pub(super) fn vector(&self, n: L, x: L, y: L) -> Vectors<L> {
-        self.normal.times(n) + self.first.times(x) + self.second.times(y)
-    }
-}
-
-/// The part of the bodies' numbers of a batch that a kernel works on.
-#[inline(always)]
-pub(super) fn numbers<L: Lanes>(of: &[u32; FOUR], part: usize) -> &[u32] {
-    &of[part * L::WIDTH..(part + 1) * L::WIDTH]
-}
-
-/// A sweep over all batches, in order. Returns the change of energy.
+/// A sweep over all batches, in order. Returns the change of energy that it has booked.
 pub(super) fn sweep<L: Lanes>(
     bodies: &mut [ImpulseBody],
     batches: &[Batch],
     points: &mut [PointRows],
-    rule: &SweepRule,
+    (stage, rule): (SweepStage, &SweepRule),
+) -> Works {
+    // A kernel for each stage.
+    match stage {
+        SweepStage::First => sweep_all::<L>(bodies, batches, points, (SweepStage::First, rule)),
+        SweepStage::Next => sweep_all::<L>(bodies, batches, points, (SweepStage::Next, rule)),
+        SweepStage::Moved => sweep_all::<L>(bodies, batches, points, (SweepStage::Moved, rule)),
+    }
+}
+
+#[inline(always)]
+fn sweep_all<L: Lanes>(
+    bodies: &mut [ImpulseBody],
+    batches: &[Batch],
+    points: &mut [PointRows],
+    (stage, rule): (SweepStage, &SweepRule),
 ) -> Works {
     let mut works = FourWorks::default();
     for batch in batches {
         let rows = &mut points[batch.first as usize..(batch.first + batch.count) as usize];
         for part in 0..FOUR / L::WIDTH {
-            let own = works.load::<L>(part);
-            works.store(solve::<L>(bodies, (batch, part), rows, rule, own), part);
+            match stage {
+                SweepStage::First => {}
+                SweepStage::Next => {
+                    let mut own = works.load::<L>(part);
+                    book_all::<L>(bodies, (batch, part), rows, (&mut own, rule));
+                    works.store(own, part);
+                }
+                SweepStage::Moved => move_all::<L>(bodies, (batch, part), rows),
+            }
+            solve::<L>(bodies, (batch, part), rows, rule);
         }
     }
     works.sums()
+}
+
+/// Books the impulses of the substep before.
+#[inline(always)]
+fn book_all<L: Lanes>(
+    bodies: &[ImpulseBody],
+    (batch, part): (&Batch, usize),
+    rows: &mut [PointRows],
+    (works, rule): (&mut LaneWorks<L>, &SweepRule),
+) {
+    let frame = Frame::<L>::load(batch, part);
+    let [mean_a, mean_b] = [&batch.a, &batch.b].map(|of| Twist::<L>::means(bodies, numbers::<L>(of, part)));
+    for row in rows {
+        let arm = Vectors::<L>::load(&row.arm, part);
+        let mean = mean_a.at(arm) - mean_b.at(arm + frame.between);
+        let impulse = [0, 1, 2].map(|k| L::load(&row.impulse[k], part));
+        book(works, (row, part), (&frame, mean, impulse), L::splat(-rule.colliding));
+    }
+}
+
+/// Separations after the displacements of the bodies.
+#[inline(always)]
+fn move_all<L: Lanes>(bodies: &[ImpulseBody], (batch, part): (&Batch, usize), rows: &mut [PointRows]) {
+    let normal = Vectors::<L>::load(&batch.normal, part);
+    let between = Vectors::<L>::load(&batch.between, part);
+    let [a, b] = [&batch.a, &batch.b].map(|of| Twist::<L>::displacements(bodies, numbers::<L>(of, part)));
+    // What all points have in common, and what goes with the arm: n . (w x r) = (n x w) . r.
+    let common = normal.dot(a.linear - b.linear) - normal.dot(b.angular.cross(between));
+    let along = normal.cross(a.angular - b.angular);
+    for row in rows {
+        let arm = Vectors::<L>::load(&row.arm, part);
+        let moved = common + along.dot(arm);
+        (L::load(&row.separation, part) + moved).store(&mut row.present, part);
+    }
 }
 
 /// The softness of each lane.
@@ -190,22 +174,19 @@ fn solve<L: Lanes>(
     (batch, part): (&Batch, usize),
     rows: &mut [PointRows],
     rule: &SweepRule,
-    mut works: LaneWorks<L>,
-) -> LaneWorks<L> {
+) {
     let (numbers_a, numbers_b) = (numbers::<L>(&batch.a, part), numbers::<L>(&batch.b, part));
     let (mut a, mut b) = (Gathered::<L>::load(bodies, numbers_a), Gathered::<L>::load(bodies, numbers_b));
     let frame = Frame::<L>::load(batch, part);
     let friction = L::load(&batch.friction, part);
     let soft = Soft::of(rule, L::load(&batch.side, part));
-    let (zero, one, half) = (L::splat(0.0), L::splat(1.0), L::splat(0.5));
-    let (inverse_step, push, colliding) =
-        (L::splat(rule.inverse_step), L::splat(-rule.push), L::splat(-rule.colliding));
+    let (zero, one) = (L::splat(0.0), L::splat(1.0));
+    let (inverse_step, push) = (L::splat(rule.inverse_step), L::splat(-rule.push));
     for row in rows {
         let arm = Vectors::<L>::load(&row.arm, part);
         let arm_b = arm + frame.between;
         let velocity = a.linear - b.linear + a.angular.cross(arm) - b.angular.cross(arm_b);
-        let moved = a.moved - b.moved + a.turned.cross(arm) - b.turned.cross(arm_b);
-        let separation = L::load(&row.separation, part) + frame.normal.dot(moved);
+        let separation = L::load(&row.present, part);
         let overlapping = (soft.mass * soft.rate * separation).greater(push);
         let bias = L::pick_greater(separation, zero, separation * inverse_step, overlapping);
         let share = L::pick_greater(separation, zero, one, soft.mass);
@@ -216,10 +197,6 @@ fn solve<L: Lanes>(
         let wanted = before - L::load(&row.mass, part) * (share * normal_rate + bias) - taken_back * before;
         let normal = wanted.greater(zero);
         let d_normal = normal - before;
-        let work = d_normal * (normal_rate + half * L::load(&row.stiffness, part) * d_normal);
-        let rate = L::load(&row.rate, part);
-        works.colliding = works.colliding + L::pick_greater(colliding, rate, work, zero);
-        works.resting = works.resting + L::pick_greater(colliding, rate, zero, work);
 
         let slip_x = frame.first.dot(velocity) + L::load(&row.coupling[0], part) * d_normal;
         let slip_y = frame.second.dot(velocity) + L::load(&row.coupling[1], part) * d_normal;
@@ -231,9 +208,6 @@ fn solve<L: Lanes>(
         let scale = L::pick_greater(square, limit * limit, limit / square.root(), one);
         let (x, y) = (wanted_x * scale, wanted_y * scale);
         let (d_x, d_y) = (x - before_x, y - before_y);
-        let [xx, xy, yy] = [0, 1, 2].map(|k| L::load(&row.tangential[k], part));
-        let change = d_x * (xx * d_x + xy * d_y) + d_y * (xy * d_x + yy * d_y);
-        works.friction = works.friction + d_x * slip_x + d_y * slip_y + half * change;
 
         normal.store(&mut row.impulse[0], part);
         x.store(&mut row.impulse[1], part);
@@ -244,5 +218,4 @@ fn solve<L: Lanes>(
     }
     a.store_velocities(bodies, numbers_a);
     b.store_velocities(bodies, numbers_b);
-    works
 }

@@ -280,8 +280,7 @@ impl Course {
                 let [n, x] = [manifold.normal, manifold.tangent];
                 let y = n.cross(x);
                 let points = self.pairs[place.pair].patches[place.patch].points_mut();
-                for (index, point) in points.iter_mut().enumerate() {
-                    let impulse = group.solver.impulse(number, index);
+                for (point, impulse) in points.iter_mut().zip(group.solver.impulses(number)) {
                     if is_whole {
                         point.normal_impulse = impulse.last[0];
                         point.friction_impulse = x * impulse.last[1] + y * impulse.last[2];

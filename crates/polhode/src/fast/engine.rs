@@ -110,11 +110,11 @@ impl FastEngine {
         let mut residual = 0.0_f64;
         let smallest = world.gravity().length() * rules.h;
         for report in self.course.reports() {
-            let (works, kick) = (report.works, report.of_kick);
-            soft.impact_j -= works.colliding_j - kick.colliding_j;
-            soft.projection_j -= works.resting_j - kick.resting_j;
-            soft.friction_j -= works.friction_j - kick.friction_j;
-            soft.given_j += report.given_j - (kick.colliding_j + kick.resting_j + kick.friction_j);
+            let works = report.works;
+            soft.impact_j -= works.colliding_j;
+            soft.projection_j -= works.resting_j;
+            soft.friction_j -= works.friction_j;
+            soft.given_j += report.given_j;
             let speed = report.residual.speed.max(smallest);
             if report.residual.map > 0.0 {
                 residual = residual.max(report.residual.map / speed);

@@ -9,7 +9,7 @@ use crate::world::{Loads, World};
 use polhode_contact::tangent_basis;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::sequential_impulses::{
-    ImpulseBody, ImpulseManifold, MOST_POINTS, ManifoldPoint, Residual, SequentialImpulses, Works,
+    ImpulseBody, ImpulseManifold, MOST_POINTS, ManifoldPoint, Residual, SequentialImpulses, SweepStage, Works,
 };
 use polhode_spatial::{DMat3, DVec3, Velocity};
 
@@ -30,6 +30,10 @@ struct Member {
     turned: DVec3,
     /// Velocity that gravity gives in a substep, m/s.
     kick: DVec3,
+    /// Velocities before the kick of the substep.
+    before: Velocity,
+    /// What impulses have changed in the substep: velocity (m/s), angular velocity (rad/s).
+    changed: Velocity,
     /// Energy that impulses gave, J.
     given_j: f64,
 }
@@ -61,8 +65,6 @@ pub(super) struct Group {
 pub(super) struct GroupReport {
     /// By impulses of contacts, summed by contacts.
     pub(super) works: Works,
-    /// The part of it that belongs to the kick of gravity.
-    pub(super) of_kick: Works,
     /// The same as `works`, summed by bodies, J.
     pub(super) given_j: f64,
     pub(super) residual: Residual,
@@ -103,24 +105,51 @@ impl Group {
         }
         for substep in 0..rules.substeps {
             self.kick(given, f64::from(substep) * rules.h);
-            let mut works = self.solver.warm_start(&rules.soft);
-            works += self.solver.sweep(&rules.soft);
+            let stage = if substep == 0 { SweepStage::First } else { SweepStage::Next };
+            if substep == 0 {
+                self.solver.warm_start();
+            }
+            self.report.works += self.solver.sweep(stage, &rules.soft);
             self.take_velocities();
             self.move_bodies(given.world, rules.h);
             for (number, velocity) in &self.drivers {
                 let time = f64::from(substep + 1) * rules.h;
                 self.solver.body_mut(*number).set_displacement(velocity.linear * time, velocity.angular * time);
             }
-            works += self.solver.sweep(&rules.relax);
+            self.solver.sweep(SweepStage::Moved, &rules.relax);
             self.take_velocities();
-            self.solver.end_substep();
-            self.report.works += works;
+            self.book();
         }
-        self.report.of_kick = self.solver.works_of_kick(rules.kick, &rules.soft);
+        self.report.works += self.solver.end_substep(&rules.soft);
         self.report.residual = self.solver.residual(&rules.relax);
+        self.begin();
         self.report.works += self.solver.restitute(&rules.soft);
         self.take_velocities();
+        self.book();
         self.report.given_j = self.members.iter().map(|member| member.given_j).sum();
+    }
+
+    /// What impulses change is counted from here.
+    fn begin(&mut self) {
+        for member in &mut self.members {
+            member.before = Velocity::new(member.state.linear_velocity, member.angular);
+            member.changed = Velocity::default();
+        }
+    }
+
+    /// Books by bodies what the impulses of the substep did along the mean of the velocities before the kick and now.
+    fn book(&mut self) {
+        for (number, member) in (1..).zip(&mut self.members) {
+            let linear = (member.before.linear + member.state.linear_velocity) * 0.5;
+            let angular = (member.before.angular + member.angular) * 0.5;
+            member.given_j += angular.dot(member.inertia * member.changed.angular);
+            let body = self.solver.body_mut(number);
+            body.set_mean_velocity(linear, angular);
+            // Of a body on a pivot only the rotation takes impulses.
+            if member.changed.linear != DVec3::ZERO {
+                member.given_j += linear.dot(member.changed.linear) / body.inverse_mass();
+            }
+        }
     }
 
     /// States at the end of the step.
@@ -189,6 +218,7 @@ impl Group {
         }
         let number = self.solver.add_body(ImpulseBody::immovable());
         self.solver.body_mut(number).set_velocity(linear, angular);
+        self.solver.body_mut(number).set_mean_velocity(linear, angular);
         self.drivers.push((number, Velocity::new(linear, angular)));
         number
     }
@@ -207,6 +237,8 @@ impl Group {
             start: state.pose.translation,
             turned: DVec3::ZERO,
             kick,
+            before: Velocity::default(),
+            changed: Velocity::default(),
             given_j: 0.0,
         });
     }
@@ -220,6 +252,7 @@ impl Group {
             loads = world.loads_on(given.t + time, &self.present, &self.bodies);
         }
         for (number, member) in (1..).zip(&mut self.members) {
+            member.before = Velocity::new(member.state.linear_velocity, member.angular);
             member.state.linear_velocity += member.kick;
             if let Some(rigid) = world.bodies[member.body].rigid.as_ref().filter(|_| given.rules.has_loads) {
                 let wrench = loads.of(member.body);
@@ -228,23 +261,22 @@ impl Group {
                 let (turn, momentum) = (member.state.pose.rotation, member.state.angular_momentum);
                 member.angular = rigid.angular_velocity_at(turn, momentum);
             }
-            self.solver.body_mut(number).set_velocity(member.state.linear_velocity, member.angular);
+            // The impulses of the substep before act again: by as much as they changed the velocities then.
+            let warm = std::mem::take(&mut member.changed);
+            let (linear, angular) = (member.state.linear_velocity + warm.linear, member.angular + warm.angular);
+            self.solver.body_mut(number).set_velocity(linear, angular);
         }
     }
 
-    /// Takes the velocities that impulses have left, with the energy that they gave.
+    /// Takes the velocities that impulses have left.
     fn take_velocities(&mut self) {
         for (number, member) in (1..).zip(&mut self.members) {
             let body = self.solver.body(number);
             let (linear, angular) = (body.linear(), body.angular());
-            let (before, turned) = (member.state.linear_velocity, angular - member.angular);
-            let momentum = member.inertia * turned;
-            member.given_j += 0.5 * (member.angular + angular).dot(momentum);
-            // Of a body on a pivot only the rotation takes impulses.
-            if linear != before {
-                member.given_j += 0.5 * (linear + before).dot(linear - before) / body.inverse_mass();
-            }
-            member.state.angular_momentum += momentum;
+            let turned = angular - member.angular;
+            member.changed.linear += linear - member.state.linear_velocity;
+            member.changed.angular += turned;
+            member.state.angular_momentum += member.inertia * turned;
             member.state.linear_velocity = linear;
             member.angular = angular;
         }
