@@ -2,7 +2,7 @@
 //! steps and tolerances, the thesis's own ways to find contact forces, and the impact laws that are not the scene's.
 
 use super::candidate::{Candidate, change};
-use polhode::scene::{ContactMethod, ImpactLaw, Integrator, Response, Tier};
+use polhode::scene::{ContactMethod, ImpactLaw, Integrator, Response, Tier, TierFeature};
 use polhode_scene::{Override, names};
 
 /// Ratio of a step to the next: 2 shows the order of a method well, 4 spans five decades of error in a few runs.
@@ -40,6 +40,9 @@ const TOLERANCE_GROWTH: f64 = 2.0;
 
 /// Tolerance of runs by another impact law (dimensionless): they show the law, whose difference is far larger.
 const LAW_TOLERANCE: f64 = 1e-6;
+
+/// The key of the tier.
+const TIER: &str = "method.tier";
 
 /// What decides about the candidates of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,7 +93,10 @@ pub(crate) fn candidates(facts: &SceneFacts, given: &[Override], range: Range) -
     let mut candidates = Vec::new();
     for series in all {
         let [key, value] = series.selects;
-        if value_of(key).is_some_and(|given| given.trim_matches(['"', '\'']) != value) {
+        let is_other =
+            |key: &str, value: &str| value_of(key).is_some_and(|given| given.trim_matches(['"', '\'']) != value);
+        let needs_other_tier = |(key, value): &(&str, String)| *key == TIER && is_other(key, value);
+        if is_other(key, value) || series.besides.iter().any(needs_other_tier) {
             continue;
         }
         let mut base = vec![change(key, value)];
@@ -158,7 +164,7 @@ fn without_contact(facts: &SceneFacts) -> Vec<Series> {
 fn with_contact(facts: &SceneFacts) -> Vec<Series> {
     let series = |tier: Tier| {
         let (name, besides) = (tier.name(), Vec::new());
-        let selects = ["method.tier", name];
+        let selects = [TIER, name];
         if tier.facts().own_response == Some(Response::Penalty) {
             // What springs err by is their penetration; the tolerance must not bind.
             let besides = vec![("method.tolerance", format!("{SPRING_TOLERANCE:e}"))];
@@ -193,17 +199,19 @@ fn with_contact(facts: &SceneFacts) -> Vec<Series> {
     Tier::ALL.into_iter().map(series).chain(own_ways_of_the_thesis(facts)).collect()
 }
 
-/// The other ways of the thesis to find contact forces (section 3.4), over steps.
+/// The other ways of the thesis to find contact forces (section 3.4), in the tiers that take them, over steps.
 fn own_ways_of_the_thesis(facts: &SceneFacts) -> impl Iterator<Item = Series> {
-    [ContactMethod::Heuristic, ContactMethod::Guesses].into_iter().map(|method| Series {
+    let series = |tier: Tier, method: ContactMethod| Series {
         name: method.name(),
         selects: ["method.contact", method.name()],
-        besides: vec![("method.tier", Tier::Thesis.name().to_owned())],
+        besides: vec![(TIER, tier.name().to_owned())],
         stepped: "method.step",
         values: steps(facts),
         growth: STEP_RATIO as f64,
         is_limited: true,
-    })
+    };
+    let tiers = Tier::ALL.into_iter().filter(|tier| tier.facts().takes(TierFeature::LeastForce));
+    tiers.flat_map(move |tier| [ContactMethod::Heuristic, ContactMethod::Guesses].map(|method| series(tier, method)))
 }
 
 /// The impact laws that are not the scene's, each by one run of the most accurate tier.
@@ -212,7 +220,7 @@ fn other_laws(facts: &SceneFacts) -> impl Iterator<Item = Series> {
     ImpactLaw::ALL.into_iter().filter(move |&law| law != own).map(|law| Series {
         name: names::impact(law),
         selects: ["method.impact", names::impact(law)],
-        besides: vec![("method.tier", Tier::default().name().to_owned())],
+        besides: vec![(TIER, Tier::default().name().to_owned())],
         stepped: "method.tolerance",
         values: vec![format!("{LAW_TOLERANCE:e}")],
         growth: 1.0,
@@ -332,7 +340,10 @@ mod tests {
         assert_eq!((all[0].name().as_str(), all[0].changes.len()), ("rk4 step 0.1", 0));
         let contact = SceneFacts { contact: true, ..FREE };
         let all = candidates(&contact, &[change("method.tier", "thesis")], Range::Methods);
-        assert!(all.iter().all(|candidate| candidate.series == "thesis"));
-        assert_eq!(all.len(), STEP_RUNGS as usize);
+        // The tier has two further ways to find contact forces; the impact laws are run by another tier.
+        assert!(all.iter().all(|candidate| ["thesis", "heuristic", "guesses"].contains(&candidate.series.as_str())));
+        assert_eq!(all.len(), 3 * STEP_RUNGS as usize);
+        let all = candidates(&contact, &[change("method.tier", "stepped")], Range::MethodsAndLaws);
+        assert!(all.iter().all(|candidate| candidate.series == "stepped"));
     }
 }

@@ -67,7 +67,7 @@ impl FastEngine {
     }
 
     fn rules(core: &Core, step_s: f64) -> Rules {
-        Rules::new(step_s, core.settings.substeps.unwrap_or(SUBSTEPS), &core.world)
+        Rules::new(step_s, core.settings.step_s, core.settings.substeps.unwrap_or(SUBSTEPS), &core.world)
     }
 
     /// One step to `t_next`.

@@ -36,19 +36,21 @@ pub(super) struct Rules {
 }
 
 impl Rules {
-    /// Those of a step of this length (s) in so many substeps.
-    pub(super) fn new(step_s: f64, substeps: u32, world: &World) -> Self {
+    /// Those of a step of this length (s) in so many substeps, where a whole step has the length `whole_s` (s). The softness of contacts and
+    /// the speed at which overlaps are pushed apart are those of whole steps: a step that a sample or a program cuts short would
+    /// else push with what a whole step may move, in no time.
+    pub(super) fn new(step_s: f64, whole_s: f64, substeps: u32, world: &World) -> Self {
         let gravity = world.gravity();
         let h = step_s / f64::from(substeps);
-        let frequency = OF_THE_RATE / h;
+        let frequency = OF_THE_RATE * f64::from(substeps) / whole_s;
         let moving = world.bodies.iter().filter(|body| body.moves() && body.size > 0.0);
         let smallest = moving.map(|body| body.size).fold(f64::INFINITY, f64::min);
         let soft = SweepRule {
             between: Softness::of_spring(frequency, DAMPING, h),
             with_fixed: Softness::of_spring(WITH_FIXED * frequency, DAMPING, h),
-            push: PUSH_OF_SIZE * smallest / step_s,
+            push: PUSH_OF_SIZE * smallest / whole_s,
             inverse_step: 1.0 / h,
-            colliding: RESTING_STEPS * gravity.length() * step_s,
+            colliding: RESTING_STEPS * gravity.length() * whole_s,
         };
         let relax = SweepRule { between: Softness::RIGID, with_fixed: Softness::RIGID, ..soft };
         Self { substeps, h, has_loads: world.has_loads(), soft, relax }
