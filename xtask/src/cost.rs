@@ -54,6 +54,10 @@ fixtures/scenes/NAME.toml` prints the whole table of each.
 - **Reference** is the exact solution if the motion is flight in closed form, else the finest one computed. Its own
   uncertainty is stated. An error is given as `<=` that uncertainty if it is smaller. *Confirmed* is the difference from
   a method that integrates in another way.
+- **Law** is no error: where bodies meet, methods may have other laws (of impacts, or springs in the place of impacts). Each is judged by
+  the limit of its own law, computed by the most accurate tier, or by its own finest run where no other method has that
+  law. How far that limit is from the limit of the scene's law stands in a column of its own, and as a line across the figure. It counts
+  where an accuracy is asked for (`--target`, `--accuracy`): the error is then that of the method and of its law together.
 - **Time** is a ratio: of the time of RK4 at its middle step, or of the first method where RK4 does not run alone. All
   methods take turns on the same machine, round after round, and the median of the ratios is given, so that it says
   something on other machines too. Its third digit is not reliable: caches and compilers change it.

@@ -269,11 +269,13 @@ fn patch_of(group: &[&Contact], normal: DVec3, (pose_a, pose_b): (&Pose, &Pose))
     Patch { normal: pose_b.rotation.inverse_rotate(normal), points, count: group.len() }
 }
 
-/// Leaves four contacts of a group: the deepest, the farthest from it, and the two farthest from their line on both sides.
+/// Leaves four contacts of a group: of those in front, the deepest, the farthest from it, and the two farthest from their line on both
+/// sides.
 fn reduce(group: &mut Vec<&Contact>, normal: DVec3) {
     if group.len() <= PATCH_POINTS {
         return;
     }
+    keep_those_in_front(group, normal);
     let place = |contact: &&Contact| contact.geometry.point;
     let deepest =
         (0..group.len()).min_by(|&i, &j| group[i].geometry.separation.total_cmp(&group[j].geometry.separation));
@@ -290,6 +292,19 @@ fn reduce(group: &mut Vec<&Contact>, normal: DVec3) {
     chosen.sort_unstable();
     chosen.dedup();
     *group = chosen.into_iter().map(|number| group[number]).collect();
+}
+
+/// Drops contacts behind others: those that lie higher above another one than aside of it, such as the upper corners of a flat body whose
+/// speed along the floor makes the search reach that far. They bear nothing unless the body turns by more than 45 degrees, and would take
+/// the places of the corners below them.
+fn keep_those_in_front(group: &mut Vec<&Contact>, normal: DVec3) {
+    let is_behind = |contact: &&Contact, other: &&Contact| {
+        let between = contact.geometry.point - other.geometry.point;
+        let aside = between - normal * normal.dot(between);
+        contact.geometry.separation - other.geometry.separation > aside.length()
+    };
+    let all = group.clone();
+    group.retain(|contact| !all.iter().any(|other| is_behind(contact, other)));
 }
 
 /// The boxes of bodies, large enough to last for some steps, and the pairs whose boxes meet.

@@ -251,3 +251,14 @@ fn a_sample_just_after_a_step_shows_the_velocities_of_the_step() {
         }
     }
 }
+
+/// A thin slab that slides fast lies on its four lower corners. (In a step it moves farther than it is thick, so that the search found its
+/// upper corners too; two of them took the places of lower ones, and it sank by a third of its thickness.)
+#[test]
+fn a_thin_slab_that_slides_fast_does_not_sink() {
+    let slab = brick("slab", DVec3::new(1.0, 0.5, 0.1), DVec3::Z * 0.05).material(rough(0.1));
+    let slab = slab.velocity(Velocity::new(DVec3::X * 10.0, DVec3::ZERO));
+    let scene = Scene::builder("slide").method(fast(1.0 / 60.0)).duration_s(0.5);
+    let report = run(scene.body(floor().material(rough(0.1))).body(slab));
+    assert!((position(&report, 1).z - 0.05).abs() < 2e-4, "{}", position(&report, 1));
+}
