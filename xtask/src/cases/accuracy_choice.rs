@@ -101,7 +101,11 @@ fn ask(program: &Path, known: &Known, target: f64, context: &Context) -> Result<
     let cost = |candidate: &Value| candidate["time_ratio"].as_f64().unwrap_or(f64::INFINITY);
     let mut dearer = 1.0_f64;
     if context.amount == Amount::Full {
-        for candidate in candidates.iter().filter(|candidate| cost(candidate) * DEARER < cost(chosen)) {
+        // The closed forms are of positions; attitudes, which count too, are as the program tells them.
+        let turns_well =
+            |candidate: &&Value| candidate["attitude_error_rad"].as_f64().is_some_and(|error| error <= target);
+        let is_cheap = |candidate: &&Value| cost(candidate) * DEARER < cost(chosen);
+        for candidate in candidates.iter().filter(is_cheap).filter(turns_well) {
             if error(known, candidate).is_ok_and(|error| error <= target) {
                 dearer = dearer.max(cost(chosen) / cost(candidate));
             }
