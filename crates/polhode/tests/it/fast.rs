@@ -180,8 +180,7 @@ fn the_ledger_of_a_heap_closes() {
     let ledger = &report.ledger;
     assert!(ledger.friction.value() > 0.0 && ledger.impact.value() > 0.0, "{ledger:?}");
     assert!(report.certificate.max_residual > 0.0 && report.certificate.max_residual.is_finite());
-    // A body that is hit within a step may overlap others by what the hit gave it: at most half of a ball here.
-    assert!(report.certificate.max_penetration_m < 0.15, "{:?}", report.certificate);
+    // How far bodies overlap is a row of `cargo xtask verify` (tier fast).
 }
 
 /// A run that goes on from a snapshot has the same bits.
