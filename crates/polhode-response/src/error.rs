@@ -148,6 +148,15 @@ pub enum ResponseError {
         /// Its rows.
         rows: usize,
     },
+    /// The pulse law is given a contact that resists rotations.
+    #[error(
+        "block {block} resists rolling or spinning, or slides already: the pulse law takes contacts with friction against slip \
+         alone; use the simultaneous law"
+    )]
+    PulseOfRotation {
+        /// The block.
+        block: usize,
+    },
     /// A coefficient of friction is negative or not finite.
     #[error("the coefficient of friction of contact {contact} must be at least 0 and finite, found {friction}")]
     Friction {

@@ -17,9 +17,10 @@
 //!
 //! Source: Stronge 1990, for one contact; the extension to several is derived here.
 
-use super::finish::{Impact, gains_energy};
+use super::finish::Impact;
 use super::impact_problem::ImpactProblem;
 use super::outcome::{ImpactOutcome, ImpactStatus};
+use super::unequal::or_lowered;
 use crate::complementarity::ComplementaritySolver;
 use crate::error::ResponseError;
 
@@ -45,19 +46,15 @@ pub fn energetic(
     solver: &mut ComplementaritySolver,
 ) -> Result<ImpactOutcome, ResponseError> {
     let approach = problem.approach()?;
-    let ImpactProblem { u_before, restitution, .. } = *problem;
+    let restitution = problem.restitution;
     let mut impact = Impact::new(problem, approach, solver);
     if approach == 0.0 {
         return Ok(impact.nothing());
     }
-    let mut outcome = rounds(&mut impact, restitution);
-    if gains_energy(u_before, &outcome) {
-        // Rounding of rows that nearly contradict each other.
-        outcome = rounds(&mut impact, &vec![0.0; restitution.len()]);
-        if outcome.status == ImpactStatus::Separated {
-            outcome.status = ImpactStatus::RestitutionLowered;
-        }
-    }
+    let found = rounds(&mut impact, restitution);
+    let rows = restitution.len();
+    // Rounding of rows that nearly contradict each other: no restitution is left.
+    let mut outcome = or_lowered(&mut impact, found, Some(0.0), |impact, none| rounds(impact, &vec![none; rows]));
     impact.list_applications(&mut outcome);
     Ok(outcome)
 }

@@ -1,8 +1,8 @@
 //! The choice of an impact law.
 
+use super::friction::PulseExponent;
 use super::impact_problem::ImpactProblem;
 use super::outcome::ImpactOutcome;
-use super::pulse::PulseExponent;
 use super::{energetic, poisson, propagation, pulse, reflection, simultaneous};
 use crate::complementarity::ComplementaritySolver;
 use crate::error::ResponseError;

@@ -27,6 +27,7 @@
 //! | `single_contact` | equation (14): one row struck alone |
 //! | `impact_problem` | what a law resolves, and its check: [`ImpactProblem`] |
 //! | `finish` | what all laws share: inelastic solves, the end of an impact, its energy |
+//! | `unequal` | restitutions that contradict each other: one lower one for all |
 //! | [`friction`] | impacts with friction, at one contact and at several |
 //! | `settings` | tolerances and limits: [`ImpactSettings`] |
 //! | `outcome` | what a law did: [`ImpactOutcome`] |
@@ -44,14 +45,16 @@ mod reflection;
 mod settings;
 mod simultaneous;
 mod single_contact;
+mod unequal;
 
 pub use energetic::energetic;
+pub use friction::PulseExponent;
 pub use impact_problem::ImpactProblem;
 pub use law::ImpactLaw;
 pub use outcome::{Application, ImpactOutcome, ImpactStatus};
 pub use poisson::poisson;
 pub use propagation::{propagation, propagation_in_order};
-pub use pulse::{PulseExponent, pulse};
+pub use pulse::pulse;
 pub use reflection::reflection;
 pub use settings::ImpactSettings;
 pub use simultaneous::simultaneous;

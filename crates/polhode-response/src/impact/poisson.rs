@@ -16,9 +16,10 @@
 //!
 //! Source: Poisson 1811; Glocker and Pfeiffer 1995.
 
-use super::finish::{Impact, gains_energy};
+use super::finish::Impact;
 use super::impact_problem::ImpactProblem;
 use super::outcome::{ImpactOutcome, ImpactStatus};
+use super::unequal::{or_lowered, smallest_where_they_differ};
 use crate::complementarity::ComplementaritySolver;
 use crate::error::ResponseError;
 
@@ -31,22 +32,16 @@ pub fn poisson(
     solver: &mut ComplementaritySolver,
 ) -> Result<ImpactOutcome, ResponseError> {
     let approach = problem.approach()?;
-    let ImpactProblem { u_before, restitution, .. } = *problem;
+    let restitution = problem.restitution;
     let mut impact = Impact::new(problem, approach, solver);
     if approach == 0.0 {
         return Ok(impact.nothing());
     }
-    let mut outcome = two_phases(&mut impact, restitution);
-    let mut contacts = problem.contact_restitutions();
-    let first = contacts.next();
-    let differ = contacts.any(|e| Some(e) != first);
-    if differ && (outcome.status == ImpactStatus::NotSolved || gains_energy(u_before, &outcome)) {
-        let smallest = problem.contact_restitutions().fold(1.0, f64::min);
-        outcome = two_phases(&mut impact, &vec![smallest; restitution.len()]);
-        if outcome.status == ImpactStatus::Separated {
-            outcome.status = ImpactStatus::RestitutionLowered;
-        }
-    }
+    let found = two_phases(&mut impact, restitution);
+    let rows = restitution.len();
+    let mut outcome = or_lowered(&mut impact, found, smallest_where_they_differ(problem), |impact, smallest| {
+        two_phases(impact, &vec![smallest; rows])
+    });
     impact.list_applications(&mut outcome);
     Ok(outcome)
 }

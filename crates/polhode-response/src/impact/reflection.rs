@@ -14,9 +14,10 @@
 //!
 //! Source: Smith, Kaufman, Vouga, Tamstorf and Grinspun, Reflections on simultaneous impact, 2012.
 
-use super::finish::{Impact, gains_energy};
+use super::finish::Impact;
 use super::impact_problem::ImpactProblem;
 use super::outcome::{ImpactOutcome, ImpactStatus};
+use super::unequal::{extremes, or_lowered};
 use crate::complementarity::ComplementaritySolver;
 use crate::error::ResponseError;
 
@@ -39,32 +40,28 @@ pub fn reflection(
     solver: &mut ComplementaritySolver,
 ) -> Result<ImpactOutcome, ResponseError> {
     let approach = problem.approach()?;
-    let ImpactProblem { u_before, restitution, .. } = *problem;
     let mut impact = Impact::new(problem, approach, solver);
     if approach == 0.0 {
         return Ok(impact.nothing());
     }
     let mut outcome = ImpactOutcome { status: ImpactStatus::Separated, ..impact.nothing() };
     // Joints have none, and leave with the mean of the two parts whatever the contacts have.
-    let extremes =
-        problem.contact_restitutions().fold((1.0, 0.0), |(least, most): (f64, f64), e| (least.min(e), most.max(e)));
-    let extremes = if extremes.0 > extremes.1 { (0.0, 0.0) } else { extremes };
-    let inelastic = if extremes.0 < 1.0 { Some(inelastic(&mut impact, &mut outcome)) } else { None };
-    let elastic = if extremes.1 > 0.0 { Some(elastic(&mut impact, &mut outcome)) } else { None };
+    let [least, most] = extremes(problem);
+    let inelastic = if least < 1.0 { Some(inelastic(&mut impact, &mut outcome)) } else { None };
+    let elastic = if most > 0.0 { Some(elastic(&mut impact, &mut outcome)) } else { None };
     let parts = (inelastic.as_ref(), elastic.as_ref());
-    if extremes.0 == extremes.1 {
-        blend_evenly(&mut impact, parts, extremes.0, &mut outcome);
+    let start = outcome.clone();
+    let evenly = |impact: &mut Impact<'_>, restitution: f64| {
+        let mut outcome = start;
+        blend_evenly(impact, parts, restitution, &mut outcome);
+        outcome
+    };
+    let mut outcome = if least == most {
+        evenly(&mut impact, least)
     } else {
-        let start = outcome.clone();
-        blend_by_row(&mut impact, parts, restitution, &mut outcome);
-        if gains_energy(u_before, &outcome) {
-            outcome = start;
-            blend_evenly(&mut impact, parts, extremes.0, &mut outcome);
-            if outcome.status == ImpactStatus::Separated {
-                outcome.status = ImpactStatus::RestitutionLowered;
-            }
-        }
-    }
+        blend_by_row(&mut impact, parts, problem.restitution, &mut outcome);
+        or_lowered(&mut impact, outcome, Some(least), evenly)
+    };
     impact.list_applications(&mut outcome);
     Ok(outcome)
 }

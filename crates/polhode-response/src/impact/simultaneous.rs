@@ -9,9 +9,10 @@
 //!
 //! Source: thesis, section 3.4 (a), (b), (c) for impulses; Moreau 1988; Baraff 1989.
 
-use super::finish::{Impact, gains_energy};
+use super::finish::Impact;
 use super::impact_problem::ImpactProblem;
 use super::outcome::{ImpactOutcome, ImpactStatus};
+use super::unequal::{or_lowered, smallest_where_they_differ};
 use crate::complementarity::ComplementaritySolver;
 use crate::error::ResponseError;
 
@@ -24,22 +25,16 @@ pub fn simultaneous(
     solver: &mut ComplementaritySolver,
 ) -> Result<ImpactOutcome, ResponseError> {
     let approach = problem.approach()?;
-    let ImpactProblem { u_before, restitution, .. } = *problem;
+    let restitution = problem.restitution;
     let mut impact = Impact::new(problem, approach, solver);
     if approach == 0.0 {
         return Ok(impact.nothing());
     }
-    let mut outcome = rounds(&mut impact, restitution);
-    let mut contacts = problem.contact_restitutions();
-    let first = contacts.next();
-    let differ = contacts.any(|e| Some(e) != first);
-    if differ && (outcome.status == ImpactStatus::NotSolved || gains_energy(u_before, &outcome)) {
-        let smallest = problem.contact_restitutions().fold(1.0, f64::min);
-        outcome = rounds(&mut impact, &vec![smallest; restitution.len()]);
-        if outcome.status == ImpactStatus::Separated {
-            outcome.status = ImpactStatus::RestitutionLowered;
-        }
-    }
+    let found = rounds(&mut impact, restitution);
+    let rows = restitution.len();
+    let mut outcome = or_lowered(&mut impact, found, smallest_where_they_differ(problem), |impact, smallest| {
+        rounds(impact, &vec![smallest; rows])
+    });
     impact.list_applications(&mut outcome);
     Ok(outcome)
 }

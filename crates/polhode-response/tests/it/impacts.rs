@@ -573,7 +573,8 @@ fn check_degenerate(small: &Small, v: &[f64], restitution: &[f64]) -> Result<(),
         prop_assert!(outcome.energy_change <= 4.0 * f64::EPSILON * size, "{label}: {:e}", outcome.energy_change);
         prop_assert!((end - start - outcome.energy_change).abs() <= 1e-13 * size, "{label}: {start} {end}");
         let may_lose = matches!(law, ImpactLaw::Poisson | ImpactLaw::Energetic);
-        let keeps = outcome.finishing.is_empty() && !may_lose;
+        // A body that just fits between two others can have no velocity: springs that keep all energy never end there.
+        let keeps = outcome.finishing.is_empty() && !may_lose && ended;
         let elastic = restitution.iter().all(|e| *e == 1.0) && keeps;
         let kept = if matches!(law, ImpactLaw::Pulse(_)) { 1e-9 } else { 1e-12 };
         prop_assert!(!elastic || (end - start).abs() <= kept * size, "{label}: {start} {end}");

@@ -29,6 +29,7 @@ mod mass_ratios;
 mod multiple_frictional_impacts;
 mod oracle;
 mod problem;
+mod pulse_with_friction;
 mod resisted_rotations;
 mod scenes;
 mod thesis_forces;

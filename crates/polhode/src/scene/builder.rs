@@ -194,9 +194,9 @@ impl SceneBuilder {
             let instead = Tier::names_with(TierFeature::Friction);
             return Err(SceneError::FrictionInTier { tier: tier.name, instead });
         }
-        if scene.method.impact == Some(ImpactLaw::Pulse) && scene.colliding().have_friction() {
-            let what = "impact = \"pulse\" where contacts have friction".to_owned();
-            let instead = "friction = 0, or impact = \"energetic\", \"poisson\" or \"reflection\"".to_owned();
+        if scene.method.impact == Some(ImpactLaw::Pulse) && scene.colliding().largest_rotational_friction > 0.0 {
+            let what = "impact = \"pulse\" where contacts resist rolling or spinning".to_owned();
+            let instead = "rolling_friction = 0 and spinning_friction = 0, or impact = \"energetic\", \"poisson\" or \"reflection\"".to_owned();
             return Err(SceneError::NotYetAvailable { what, instead });
         }
         if let (false, Some(effect)) = (tier.takes(TierFeature::SurfaceEffects), scene.surface_effect())

@@ -3,7 +3,7 @@
 //! The contacts are struck by the laws of `polhode_response::impact::friction`: one contact alone by Stronge's energetic
 //! restitution along Routh's path of slip, stick and reversal; several together, as a contact and its mirror image in planar
 //! motion, by the cone problem of their velocities
-//! after generalised reflection, or one after the other where the scene asks for propagation. The coefficient is that of
+//! after generalised reflection, one after the other where the scene asks for propagation, as springs where it asks for pulse. The coefficient is that of
 //! kinetic friction. Friction of rolling and of spinning gives impulses of moments, bounded by its length times the normal
 //! impulse: a contact with it is struck by the cone problem, also alone. A scene may name another law for one contact alone without it ([`polhode_response::RestitutionLaw`]).
 //!
@@ -107,12 +107,16 @@ pub(crate) fn solve(
     restitution.resize(blocks.len(), 0.0);
     let mirrored: Vec<usize> =
         (0..contacts.len()).filter(|&contact| world.mirrored(states, contacts[contact].id).is_some()).collect();
-    let in_order = law == ImpactLaw::Propagation;
+    let of_several = match law {
+        ImpactLaw::Propagation => MultipleImpactLaw::Sequence,
+        ImpactLaw::Pulse => MultipleImpactLaw::Pulse(world.scene.method().pulse_exponent.unwrap_or_default()),
+        _ => MultipleImpactLaw::Simultaneous,
+    };
     let impact = MultipleFrictionalImpact {
         contacts: &blocks.problem(&delassus, &before)?,
         restitution: &restitution,
         stand_for_several: &mirrored,
-        law: if in_order { MultipleImpactLaw::Sequence } else { MultipleImpactLaw::Simultaneous },
+        law: of_several,
         single: single_law(world, law),
         settings: &settings,
     };

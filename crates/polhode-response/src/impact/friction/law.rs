@@ -1,5 +1,7 @@
 //! The choice of an impact law with friction.
 
+use super::springs::PulseExponent;
+
 /// The law of restitution of an impact with friction at one contact that is struck alone.
 ///
 /// The first three follow the velocity along the impact (Routh, Keller), so that slip may turn, stop and reverse in it;
@@ -50,4 +52,7 @@ pub enum MultipleImpactLaw {
     Simultaneous,
     /// One contact at a time, in the order of the blocks, each by the law of a single contact, until none approaches.
     Sequence,
+    /// The contacts as springs that spend what they have taken, with Coulomb's friction meanwhile (Liu, Zhao and Brogliato).
+    /// Symmetric, says how momentum spreads, and never raises the energy.
+    Pulse(PulseExponent),
 }

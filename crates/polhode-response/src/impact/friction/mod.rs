@@ -13,7 +13,9 @@
 //! | `outcome`, `phase` | [`FrictionalImpact`]: what it did; slip, stick, reversal, jam |
 //! | `multiple` | [`MultipleFrictionalImpact`]: an impact at several contacts |
 //! | `multiple_outcome` | [`MultipleImpact`]: what it did |
-//! | `simultaneous`, `sequence` | contacts struck together, and one at a time ([`MultipleImpactLaw`]) |
+//! | `simultaneous`, `sequence`, `pulse` | contacts struck together, one at a time, and as springs ([`MultipleImpactLaw`]) |
+//! | `springs`, `held_slip` | contacts as springs with friction, and which of them stick |
+//! | `reactions` | what unit impulses at a contact do with joints held |
 //! | `without_collision` | impacts of contacts that jam, at one or several |
 //! | `part` | contacts that move each other, and their cone problems |
 //! | `sliding` | [`SlidingContact`]: whether a contact that slides has a finite force (Painleve) |
@@ -28,6 +30,7 @@
 mod algebraic;
 mod collision_matrix;
 mod coulomb;
+mod held_slip;
 mod law;
 mod multiple;
 mod multiple_outcome;
@@ -36,12 +39,15 @@ mod part;
 mod path;
 mod phase;
 mod plane;
+pub(in crate::impact) mod pulse;
+mod reactions;
 mod restitution;
 mod root;
 mod sequence;
 mod simultaneous;
 mod single;
 mod sliding;
+pub(in crate::impact) mod springs;
 mod straight;
 mod turning;
 mod without_collision;
@@ -54,3 +60,4 @@ pub use outcome::{FrictionalImpact, FrictionalImpactStatus};
 pub use phase::{ImpactPhase, PhaseKind};
 pub use single::SingleFrictionalImpact;
 pub use sliding::{SlidingContact, SlidingForce};
+pub use springs::PulseExponent;

@@ -8,6 +8,7 @@
 use super::law::{MultipleImpactLaw, RestitutionLaw};
 use super::multiple_outcome::{MultipleImpact, MultipleImpactStatus};
 use super::part::{CONE_ENERGY_ROUNDING, Part, Struck, energy};
+use super::pulse::strike_by_springs;
 use super::sequence::strike_in_order;
 use super::simultaneous::strike_together;
 use super::without_collision::strike_without_collision;
@@ -173,7 +174,10 @@ impl MultipleFrictionalImpact<'_> {
         part.tolerance = self.settings.threshold * approach;
         part.status = part.status.and(MultipleImpactStatus::Separated);
         let resist_rotations = contacts.iter().any(|&block| part.contacts.blocks()[block].resists_rotation());
-        let in_order = self.law == MultipleImpactLaw::Sequence;
+        if let (MultipleImpactLaw::Pulse(exponent), true) = (self.law, contacts.len() > 1 || resist_rotations) {
+            return strike_by_springs(part, struck, exponent, self.settings.limit);
+        }
+        let in_order = matches!(self.law, MultipleImpactLaw::Sequence | MultipleImpactLaw::Pulse(_));
         let are_several = contacts.len() > 1 || self.stands_for_several(group);
         let together = !in_order && (are_several || resist_rotations);
         if together && strike_together(part, struck)? {

@@ -12,6 +12,7 @@ use super::law::RestitutionLaw;
 use super::multiple_outcome::MultipleImpactStatus;
 use super::outcome::FrictionalImpactStatus;
 use super::part::{Part, Struck};
+use super::reactions::UnitReactions;
 use super::simultaneous::strike_together;
 use super::single::SingleFrictionalImpact;
 use crate::dense::kernels::largest;
@@ -115,31 +116,16 @@ fn strike_with_joints(part: &mut Part, struck: &mut Struck, block: usize) -> Res
 /// What an impulse at `block` does, with all joints held. None where these leave it hardly any freedom along the normal: of its
 /// collision matrix most digits are lost then.
 fn reaction_at(part: &mut Part, block: usize) -> Result<Option<Reaction>, ResponseError> {
-    let (range, joints) = (part.contact_rows(block), part.joints());
-    let zero = vec![0.0; part.contacts.rows()];
-    let (mut impulses, mut changes) = (Vec::new(), Vec::new());
-    for row in range.clone() {
-        let mut unit = zero.clone();
-        unit[row] = 1.0;
-        let mut change = part.after(&zero, &unit);
-        if !joints.is_empty() {
-            let held = part.solve(&joints, &change, None)?;
-            unit.iter_mut().zip(&held.impulses).for_each(|(total, impulse)| *total += impulse);
-            change = part.after(&change, &held.impulses);
-            if !held.is_solved {
-                part.not_solved();
-            }
-        }
-        impulses.push(unit);
-        changes.push(change);
-    }
+    let range = part.contact_rows(block);
+    let UnitReactions { impulses, changes } = UnitReactions::of(part, range.clone())?;
     let entry = |i: usize, j: usize| 0.5 * changes[j][range.start + i] + 0.5 * changes[i][range.start + j];
     let alone = part.contacts.matrix().diagonal_entry(block, 0);
-    if !joints.is_empty() && entry(0, 0) < LEAST_FREEDOM * alone {
+    let has_joints = !part.joints().is_empty();
+    if has_joints && entry(0, 0) < LEAST_FREEDOM * alone {
         return Ok(None);
     }
     let full = [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i.max(j) < range.len() { entry(i, j) } else { 0.0 }));
-    let held = if joints.is_empty() { full } else { without_rounding(full) };
+    let held = if has_joints { without_rounding(full) } else { full };
     let collision = match range.len() {
         1 => CollisionMatrix::planar(held[0][0], 0.0, held[0][0])?,
         2 => CollisionMatrix::planar(held[0][0], held[0][1], held[1][1])?,
@@ -202,7 +188,7 @@ fn apply(
 /// Stops what still approaches by one inelastic cone problem. What a sequence leaves when it ends is below the threshold
 /// and often no more than rounding, which contradicts itself at redundant contacts: it is stopped to a part of the
 /// threshold.
-fn finish(part: &mut Part, struck: &mut Struck) -> Result<(), ResponseError> {
+pub(super) fn finish(part: &mut Part, struck: &mut Struck) -> Result<(), ResponseError> {
     let all: Vec<usize> = (0..part.contacts.len()).collect();
     let settings = part.settings;
     let left = largest(&struck.velocities);
