@@ -80,6 +80,15 @@ impl Reference {
         Ok(Row::compared(case, quantity, found.value.clone(), measured, tolerance))
     }
 
+    /// The numbers of a reference value.
+    ///
+    /// # Errors
+    /// When there is no such case or quantity, or it is not made of numbers.
+    pub(crate) fn numbers(&self, case: &str, quantity: &str) -> Result<Vec<f64>, Box<dyn Error>> {
+        let found = self.quantity(case, quantity)?.value.numbers();
+        found.ok_or_else(|| format!("the reference value \"{quantity}\" of case {case} is not made of numbers").into())
+    }
+
     fn quantity(&self, case: &str, quantity: &str) -> Result<&ReferenceQuantity, Box<dyn Error>> {
         let found = self.cases.iter().find(|candidate| candidate.id == case);
         let found = found.ok_or_else(|| format!("no reference values for case {case}"))?;

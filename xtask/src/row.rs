@@ -22,7 +22,7 @@ pub(crate) enum Value {
 
 impl Value {
     /// The value as numbers, when it is made of them.
-    fn numbers(&self) -> Option<Vec<f64>> {
+    pub(crate) fn numbers(&self) -> Option<Vec<f64>> {
         match self {
             Self::Count(count) => Some(vec![*count as f64]),
             Self::Number(number) => Some(vec![*number]),

@@ -64,6 +64,7 @@ pub(super) fn rows(context: &Context) -> CaseResult {
     motions(&mut rows)?;
     leaving(&mut rows)?;
     forces(&mut rows)?;
+    held_by_walls(context, &mut rows)?;
     Ok(rows)
 }
 
@@ -367,4 +368,58 @@ fn table(duration_s: f64) -> Result<Scene, Box<dyn Error>> {
     let properties = MassProperties::new(Mass::new(mass)?, center, Inertia::from_diagonal(DVec3::splat(mass))?);
     let table = Body::movable("table", properties).geometry(Shape::points(feet)?.into());
     Ok(Scene::builder("table").body(half_space("floor", UnitVector::Z)).body(table).duration_s(duration_s).build()?)
+}
+
+/// RC-16: forces on a ball on two equal ones that walls hold, all without friction, after 0.1 s (springs: 0.3 s). The force between
+/// the lower two is free: what the wall bears beyond it is not.
+fn held_by_walls(context: &Context, rows: &mut Vec<Row>) -> Result<(), Box<dyn Error>> {
+    let of_one = context.reference.numbers("RC-16", "N_upper, wall - mutual, floor, W")?;
+    let expected: Vec<f64> = of_one.iter().flat_map(|force| [*force; 2]).collect();
+    for way in TIERS.into_iter().chain(FORCES).chain([EXACT]) {
+        let duration_s = match way {
+            Way::Of(Tier::Penalty) => 0.3,
+            Way::Forces(_) => FEW_STEPS_S,
+            _ => 0.1,
+        };
+        let found = balls_between_walls(2.0 * duration_s).and_then(|scene| {
+            let mut simulation = Simulation::new(&way.at_rest(scene))?;
+            simulation.advance_to(duration_s)?;
+            simulation.accelerations()?;
+            let contacts = simulation.contacts();
+            let between = |a: &str, b: &str| -> Result<f64, Box<dyn Error>> {
+                let of = |name: &str| simulation.body_id(name).ok_or_else(|| format!("no body {name}"));
+                let (a, b) = (of(a)?, of(b)?);
+                let own = contacts.iter().filter(|one| [(a, b), (b, a)].contains(&(one.body_a, one.body_b)));
+                Ok(own.map(|one| one.normal_force_n).sum::<f64>() / GRAVITY)
+            };
+            let mutual = between("left", "right")?;
+            Ok(vec![
+                between("upper", "left")?,
+                between("upper", "right")?,
+                between("left", "left wall")? - mutual,
+                between("right", "right wall")? - mutual,
+                between("left", "floor")?,
+                between("right", "floor")?,
+            ])
+        });
+        rows.push(compared(CASE, "RC-16, balls between walls: forces / weight", (way, &SETTLED), found, &expected));
+    }
+    Ok(())
+}
+
+/// RC-16: balls of 1 m radius and 1 kg, two on the floor that touch each other and a wall each, one on both.
+fn balls_between_walls(duration_s: f64) -> Result<Scene, Box<dyn Error>> {
+    let ball = |name: &str, x: f64, z: f64| -> Result<Body, Box<dyn Error>> {
+        Ok(ball_on_x(name, 1.0, 1.0, 0.0, 0.0)?.pose(Pose::from_translation(DVec3::new(x, 0.0, z))))
+    };
+    let right_wall = half_space("right wall", -UnitVector::X).pose(Pose::from_translation(DVec3::X * 2.0));
+    Ok(Scene::builder("balls between walls")
+        .duration_s(duration_s)
+        .body(half_space("floor", UnitVector::Z))
+        .body(half_space("left wall", UnitVector::X).pose(Pose::from_translation(-DVec3::X * 2.0)))
+        .body(right_wall)
+        .body(ball("left", -1.0, 1.0)?)
+        .body(ball("right", 1.0, 1.0)?)
+        .body(ball("upper", 0.0, 1.0 + 3f64.sqrt())?)
+        .build()?)
 }

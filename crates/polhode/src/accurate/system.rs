@@ -17,20 +17,21 @@
 
 use super::held_forces::{self, FrictionContact, HeldForces};
 use crate::Momentum;
-use crate::accounting::books::{Received, given_by_fields, gravity_at};
+use crate::accounting::books::Received;
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_id::ContactId;
 use crate::constraint::bilateral::bilateral_support;
 use crate::reduced::tree::Tree;
+use crate::smooth_rates::{add, add_outside_rates, free_rates};
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::impact::support;
 use crate::solve::rotational_friction::{moment_support, moment_work};
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics};
-use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH, quaternion_rate};
+use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, WIDTH};
 use polhode_dynamics::{BodyState, RigidBody, System};
 use polhode_response::ResponseError;
-use polhode_spatial::{DQuat, DVec3};
+use polhode_spatial::DVec3;
 
 /// Number of components after those of the bodies: momentum and energy from external agents.
 const TAIL: usize = 20;
@@ -285,41 +286,9 @@ impl<'a> ContactSystem<'a> {
             add(&mut rates[..], support.linear);
             add(&mut rates[3..], support.angular);
         }
-        for &body in self.bodies {
-            let gravity = gravity_at(self.world, self.states, body, self.about, 1.0);
-            add(&mut rates[6..], gravity.linear);
-            add(&mut rates[9..], gravity.angular);
-        }
-        if self.world.has_fields() {
-            let given = given_by_fields(self.world, t, self.states, self.bodies, self.about);
-            add(&mut rates[12..], given.fields.linear);
-            add(&mut rates[15..], given.fields.angular);
-            rates[18] = given.damping_j;
-            rates[19] += given.external_j;
-        }
+        add_outside_rates(self.world, t, (self.bodies, self.states), self.about, rates);
         if let Some(friction) = rates.get_mut(TAIL) {
             *friction = held.dissipation;
-        }
-    }
-
-    /// Rates without contact forces.
-    fn free_rates(&self, loads: &Loads, state: &[f64], rates: &mut [f64]) {
-        let numbers = state.as_chunks::<WIDTH>().0;
-        for ((&body, number), rate) in self.bodies.iter().zip(numbers).zip(rates.as_chunks_mut::<WIDTH>().0) {
-            let velocity = self.world.velocity(body, &self.states[body]);
-            let quaternion = DQuat::from_xyzw(
-                number[QUATERNION + 1],
-                number[QUATERNION + 2],
-                number[QUATERNION + 3],
-                number[QUATERNION],
-            );
-            rate[POSITION..QUATERNION].copy_from_slice(&velocity.linear.to_array());
-            rate[QUATERNION..LINEAR_VELOCITY].copy_from_slice(&quaternion_rate(quaternion, velocity.angular));
-            let load = loads.of(body);
-            let inverse_mass = self.world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass);
-            let acceleration = self.world.free_acceleration(body) + load.force * inverse_mass;
-            rate[LINEAR_VELOCITY..ANGULAR_MOMENTUM].copy_from_slice(&acceleration.to_array());
-            rate[ANGULAR_MOMENTUM..].copy_from_slice(&load.torque.to_array());
         }
     }
 }
@@ -351,7 +320,7 @@ impl System for ContactSystem<'_> {
         if !std::mem::replace(&mut self.has_begun, true) {
             self.violation_at_start = held.violation;
         }
-        self.free_rates(&loads, state, rates);
+        free_rates(self.world, (self.bodies, self.states), &loads, state, rates);
         if let Some(sums) = &held.sums {
             self.add_sums(sums, rates);
         } else {
@@ -394,12 +363,5 @@ fn share_normals(world: &World, contacts: &mut [(ContactId, ContactKinematics)])
                 None => directions.push(*normal),
             }
         }
-    }
-}
-
-/// Adds a vector to the first three numbers of a slice.
-fn add(numbers: &mut [f64], vector: DVec3) {
-    for (number, component) in numbers.iter_mut().zip(vector.to_array()) {
-        *number += component;
     }
 }

@@ -11,7 +11,10 @@
 //!
 //! Fails where bodies overlap: `e = 1` then, and nothing drives them apart.
 //!
-//! Source: Mirtich 1996, chapter 3; Mirtich and Canny 1995.
+//! Contacts that stick reverse their slip as well (`solve/reversal.rs`).
+//!
+//! Source: the envelope and its speed, Mirtich 1996, section 3.5, and Mirtich and Canny 1995; the restitution that grows towards touch is
+//! derived here (Mirtich's own micro-collision reverses the velocity, `e = 1`, where friction allows it).
 
 /// The envelope of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,24 +6,20 @@ use crate::collision::contact_set::Touch;
 use crate::collision::envelope::CollisionEnvelope;
 use crate::core::Core;
 use crate::event::EventKind;
+use crate::fixed_steps::{Continues, SteppedBodies, accelerations_under, contacts_within, next_step_end};
 use crate::frame::{ContactView, IslandView, MotionKind};
 use crate::free_stage::{self, Ends};
 use crate::observer::Observer;
-use crate::rows::assembly::free_acceleration;
 use crate::rows::groups::{Group, groups};
 use crate::sampling::emit_samples_before;
-use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::parts::{restored_id, save_contact};
 use crate::snapshot::{SnapshotError, content};
 use crate::solve::impact::{Struck, impulse_event, strike};
 use crate::tier::{Reached, Tier};
-use crate::world::WorldBody;
-use crate::{Acceleration, BodyId, SimulationError};
+use crate::{Acceleration, SimulationError};
 use polhode_dynamics::BodyState;
-use polhode_dynamics::integrator::Integrator;
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
-use polhode_spatial::{DVec3, Still};
-use std::sync::Arc;
+use polhode_spatial::DVec3;
 
 /// Depth of the envelope when none is given, relative to the smallest body that moves (dimensionless, 1e-4 to 1e-2): it is not seen.
 const ENVELOPE_RELATIVE: f64 = 1e-3;
@@ -47,17 +43,10 @@ struct MeanForce {
 /// A run in progress.
 #[derive(Debug)]
 pub(crate) struct MicroCollisionEngine {
-    /// States of all bodies at the present.
-    states: Vec<BodyState>,
-    integrator: Box<dyn Integrator>,
-    boxes: Boxes,
+    bodies: SteppedBodies,
     envelope: CollisionEnvelope,
-    /// Number of pairs within the envelope at the last detection.
-    touching_pairs: usize,
     /// Of the last step.
     forces: Vec<MeanForce>,
-    /// Which bodies forces move.
-    moves: Vec<bool>,
 }
 
 /// The envelope that the scene gives, or that its smallest body suggests.
@@ -75,15 +64,7 @@ impl MicroCollisionEngine {
     pub(crate) fn new(core: &mut Core, states: Vec<BodyState>) -> Self {
         let envelope = envelope_of(core);
         core.world.envelope = Some(envelope);
-        Self {
-            integrator: core.settings.build_integrator(),
-            boxes: Boxes::new(&core.settings, states.len()),
-            envelope,
-            touching_pairs: 0,
-            forces: Vec::new(),
-            moves: core.world.bodies.iter().map(WorldBody::moves).collect(),
-            states,
-        }
+        Self { bodies: SteppedBodies::new(core, states), envelope, forces: Vec::new() }
     }
 
     /// The engine of a snapshot. `core` already has the time and the accounts of the snapshot.
@@ -91,11 +72,10 @@ impl MicroCollisionEngine {
     /// # Errors
     /// When the data are not of this scene.
     pub(crate) fn restored(core: &mut Core, saved: &content::MicroCollisions) -> Result<Self, SnapshotError> {
-        let bodies = core.world.bodies.len();
-        let mut engine = Self::new(core, read_states(&saved.states, bodies)?);
-        let restored = engine.integrator.restore(&core.world.free_motion(), &saved.integrator);
-        restored.map_err(|_| SnapshotError::Invalid("the variables of the integrator do not fit its bodies"))?;
-        engine.touching_pairs = saved.touching_pairs;
+        let bodies = SteppedBodies::restored(core, &saved.states, &saved.integrator)?;
+        let mut engine = Self::new(core, Vec::new());
+        engine.bodies = bodies;
+        engine.bodies.touching_pairs = saved.touching_pairs;
         for (contact, normal, friction) in &saved.forces {
             let id = restored_id(&core.world, contact)?;
             engine.forces.push(MeanForce { id, normal: *normal, friction: DVec3::from_array(*friction) });
@@ -108,23 +88,22 @@ impl MicroCollisionEngine {
         let h = t_next - core.t;
         self.collide(core, h, observer)?;
         let movable = core.world.movable.clone();
-        let before = core.accounts.books.balance(&core.world, &self.states, &movable);
+        let before = core.accounts.books.balance(&core.world, &self.bodies.states, &movable);
         self.integrate(core, h)?;
         self.emit_samples_within(core, t_next, observer)?;
-        let ends = all_states(core, &self.states, self.integrator.states(), t_next);
+        let ends = self.bodies.all_states(core, self.bodies.integrator.states(), t_next);
         let about = core.accounts.books.ledger.momentum.about;
-        let stage = Ends { t: [core.t, t_next], states: [&self.states, &ends] };
+        let stage = Ends { t: [core.t, t_next], states: [&self.bodies.states, &ends] };
         let received = free_stage::received(&core.world, stage, &movable, about);
-        self.states = ends;
-        let after = core.accounts.books.balance(&core.world, &self.states, &movable);
+        self.bodies.states = ends;
+        let after = core.accounts.books.balance(&core.world, &self.bodies.states, &movable);
         core.accounts.books.smooth_stage(before, after, received);
         core.t = t_next;
         core.accounts.count_step();
-        core.accounts.observe(&core.world, &self.states, core.t)?;
-        let touches = contacts_within(core, &self.states, &mut self.boxes, self.envelope.depth_m)?;
-        self.touching_pairs = touches.chunk_by(|x, y| (x.id.a, x.id.b) == (y.id.a, y.id.b)).count();
+        core.accounts.observe(&core.world, &self.bodies.states, core.t)?;
+        let touches = self.bodies.detect(core, self.envelope.depth_m)?;
         for touch in &touches {
-            core.note_contact(core.t, &self.states, (touch.id.a, touch.id.b), &touch.kinematics);
+            core.note_contact(core.t, &self.bodies.states, (touch.id.a, touch.id.b), &touch.kinematics);
         }
         Ok(())
     }
@@ -132,8 +111,8 @@ impl MicroCollisionEngine {
     /// Strikes the contacts that approach, those within the envelope and those that would close within `h` (s).
     fn collide(&mut self, core: &mut Core, h: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
         self.forces.clear();
-        let reach = self.envelope.depth_m + 2.0 * h * fastest(core, &self.states);
-        let mut touches = contacts_within(core, &self.states, &mut self.boxes, reach)?;
+        let reach = self.envelope.depth_m + 2.0 * h * fastest(core, &self.bodies.states);
+        let mut touches = contacts_within(core, &self.bodies.states, &mut self.bodies.boxes, reach)?;
         let (depth, gravity) = (self.envelope.depth_m, core.world.gravity().length());
         touches.retain(|touch| {
             let (gap, rate) = (touch.kinematics.geometry.separation, touch.kinematics.separation_rate);
@@ -153,7 +132,7 @@ impl MicroCollisionEngine {
     fn strike_group(&mut self, core: &mut Core, group: &Group, touches: &[Touch]) -> Result<(), SimulationError> {
         let settings = ImpactSettings { threshold: THRESHOLD, limit: MOST_COLLISIONS, ..ImpactSettings::default() };
         let law = core.settings.impact;
-        let struck = strike(&core.world, &mut self.states, group, touches, law, &settings, &mut core.solver);
+        let struck = strike(&core.world, &mut self.bodies.states, group, touches, law, &settings, &mut core.solver);
         let struck = struck.map_err(|source| Core::response_error(core.t, source))?;
         // Sequences without end are what supports a body on several corners: their end at the threshold is no news.
         let mut outcome = struck.outcome.clone();
@@ -166,7 +145,7 @@ impl MicroCollisionEngine {
         }
         let members: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
         let given = struck.support(&core.world, core.accounts.books.ledger.momentum.about, &members);
-        let work = struck.work(&core.world, &self.states, &members);
+        let work = struck.work(&core.world, &self.bodies.states, &members);
         core.accounts.books.impact((outcome.energy_change, struck.friction_j), given, work);
         for application in &outcome.applications {
             let Some(touch) = members.get(application.row) else { continue };
@@ -194,12 +173,8 @@ impl MicroCollisionEngine {
     /// Integrates the bodies over a step of length `h`. The integrator continues from its own variables if only it has changed
     /// the states since its last step.
     fn integrate(&mut self, core: &Core, h: f64) -> Result<(), SimulationError> {
-        let states = core.world.movable_states(&self.states);
         let motion = core.world.free_motion();
-        if self.integrator.states() != states {
-            self.integrator.start(&motion, core.t, &states);
-        }
-        self.integrator.step(&motion, h).map_err(|source| SimulationError::Integration { t_s: core.t, source })
+        self.bodies.integrate(core, &motion, (h, Continues::Untouched))
     }
 
     /// Gives the observer the samples within the step that has just been integrated, computed by a shorter step.
@@ -210,14 +185,7 @@ impl MicroCollisionEngine {
         observer: &mut dyn Observer,
     ) -> Result<(), SimulationError> {
         emit_samples_before(t_next, self, core, observer, |engine, core, t| {
-            let motion = core.world.free_motion();
-            let mut movable = core.world.movable_states(&engine.states);
-            let within = t.min(engine.integrator.time());
-            engine
-                .integrator
-                .states_within(&motion, within, &mut movable)
-                .map_err(|source| SimulationError::Integration { t_s: core.t, source })?;
-            Ok(Some(Arc::new(all_states(core, &engine.states, &movable, t))))
+            engine.bodies.states_within(core, &core.world.free_motion(), t)
         })
     }
 }
@@ -230,8 +198,7 @@ impl Tier for MicroCollisionEngine {
         observer: &mut dyn Observer,
     ) -> Result<Reached, SimulationError> {
         while core.t < limit_s {
-            let h = core.settings.step_s;
-            let t_next = if h >= limit_s - core.t { limit_s } else { core.t + h };
+            let t_next = next_step_end(core, limit_s);
             self.step(core, t_next, observer)?;
         }
         Ok(Reached::Limit)
@@ -242,27 +209,16 @@ impl Tier for MicroCollisionEngine {
     }
 
     fn states(&self, _core: &Core) -> Vec<BodyState> {
-        self.states.clone()
+        self.bodies.states.clone()
     }
 
     fn state(&self, _core: &Core, body: usize) -> BodyState {
-        self.states[body]
+        self.bodies.states[body]
     }
 
     /// Those of free motion: there are no contact forces.
     fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
-        let world = &core.world;
-        let fields = world.loads(core.t, &self.states);
-        let mut out = vec![Acceleration { linear: DVec3::ZERO, angular: DVec3::ZERO }; world.bodies.len()];
-        for &body in world.prescribed() {
-            let (linear, angular) = world.prescribed_acceleration(body, core.t);
-            out[body] = Acceleration { linear, angular };
-        }
-        for &body in &world.movable {
-            let (linear, angular) = free_acceleration(world, &self.states, &fields, body);
-            out[body] = world.reported_acceleration(body, &self.states[body], linear, angular);
-        }
-        Ok(out)
+        Ok(accelerations_under(core, &self.bodies.states, |_| None))
     }
 
     fn contacts(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<ContactView> {
@@ -277,43 +233,37 @@ impl Tier for MicroCollisionEngine {
     }
 
     fn motions(&self, _core: &Core) -> Vec<MotionKind> {
-        self.moves.iter().map(|&moves| if moves { MotionKind::Integrated } else { MotionKind::Given }).collect()
+        self.bodies.motions()
     }
 
     fn islands(&self, _core: &Core) -> Vec<IslandView> {
-        // All bodies step together.
-        let moving = self.moves.iter().enumerate().filter(|&(_, &moves)| moves);
-        let bodies: Vec<BodyId> = moving.map(|(body, _)| BodyId::new(body)).collect();
-        if bodies.is_empty() { Vec::new() } else { vec![IslandView { bodies }] }
+        self.bodies.islands()
     }
 
     fn states_mut(&mut self) -> &mut [BodyState] {
-        &mut self.states
+        &mut self.bodies.states
     }
 
     fn add_body(&mut self, core: &Core, state: BodyState) {
-        self.moves.push(core.world.bodies[self.states.len()].moves());
-        self.states.push(state);
-        self.boxes.make_room();
+        self.bodies.add_body(core, state);
     }
 
     fn remove_body(&mut self, body: usize) {
-        self.boxes.put(body, None);
-        self.moves[body] = false;
+        self.bodies.remove_body(body);
         self.forces.retain(|force| force.id.a != body && force.id.b != body);
     }
 
     fn touching_pairs(&self) -> usize {
-        self.touching_pairs
+        self.bodies.touching_pairs
     }
 
     fn save(&self) -> content::Tier {
         let force = |force: &MeanForce| (save_contact(force.id), force.normal, force.friction.to_array());
         content::Tier::MicroCollisions(content::MicroCollisions {
-            states: write_states(&self.states),
+            states: self.bodies.save_states(),
             forces: self.forces.iter().map(force).collect(),
-            touching_pairs: self.touching_pairs,
-            integrator: self.integrator.save(),
+            touching_pairs: self.bodies.touching_pairs,
+            integrator: self.bodies.integrator.save(),
         })
     }
 }
@@ -326,35 +276,4 @@ fn fastest(core: &Core, states: &[BodyState]) -> f64 {
         velocity.linear.length() + velocity.angular.length() * world.bodies[body].size
     };
     states.iter().enumerate().map(speed).fold(0.0, f64::max)
-}
-
-/// Every contact point of every pair that is apart by at most `reach` (m), or overlaps.
-///
-/// # Errors
-/// When there are more bodies than the broad phase can number.
-fn contacts_within(
-    core: &Core,
-    states: &[BodyState],
-    boxes: &mut Boxes,
-    reach: f64,
-) -> Result<Vec<Touch>, SimulationError> {
-    for (body, state) in states.iter().enumerate() {
-        boxes.set(&core.world, body, &Still(state.pose), (core.t, core.t), reach);
-    }
-    let mut touches = Vec::new();
-    boxes.all_pairs(&core.world, |a, b| {
-        let reach = reach.max(core.world.rounding(states, a, b));
-        touches.extend(core.world.contacts_of_pair(states, a, b, reach).into_iter().map(Touch::from));
-    })?;
-    Ok(touches)
-}
-
-/// States of all bodies at `t` (s), given those of the movable ones.
-fn all_states(core: &Core, states: &[BodyState], movable: &[BodyState], t: f64) -> Vec<BodyState> {
-    let mut states = states.to_vec();
-    core.world.prescribe(t, &mut states);
-    for (&body, state) in core.world.movable.iter().zip(movable) {
-        states[body] = *state;
-    }
-    states
 }

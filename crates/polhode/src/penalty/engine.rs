@@ -10,10 +10,10 @@ use super::{fixed, stepping};
 use crate::collision::boxes::Boxes;
 use crate::collision::contact_set::Touch;
 use crate::core::Core;
+use crate::fixed_steps::accelerations_under;
 use crate::frame::{ContactView, IslandView, MotionKind};
 use crate::observer::Observer;
 use crate::report::RunReport;
-use crate::rows::assembly::free_acceleration;
 use crate::sampling::emit_samples_before;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::{SnapshotError, content};
@@ -266,7 +266,6 @@ impl Tier for PenaltyEngine {
 
     fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
         let world = &core.world;
-        let fields = world.loads(core.t, &self.states);
         let mut forces = vec![(DVec3::ZERO, DVec3::ZERO); world.bodies.len()];
         for spring in &self.springs {
             let at = Evaluated::new(world, &self.states, spring.id, spring.friction.is_some());
@@ -277,20 +276,8 @@ impl Tier for PenaltyEngine {
                 forces[body].1 += (at.point - self.states[body].pose.translation).cross(force);
             }
         }
-        let mut out = vec![Acceleration { linear: DVec3::ZERO, angular: DVec3::ZERO }; world.bodies.len()];
-        for &body in world.prescribed() {
-            let (linear, angular) = world.prescribed_acceleration(body, core.t);
-            out[body] = Acceleration { linear, angular };
-        }
-        for (&body, rigid) in world.movable.iter().zip(world.free_motion().bodies()) {
-            let state = &self.states[body];
-            let (linear, angular) = free_acceleration(world, &self.states, &fields, body);
-            let inverse = rigid.inverse_inertia_world(state.pose.rotation);
-            let (force, torque) = forces[body];
-            let (linear, angular) = (linear + force * rigid.inverse_mass(), angular + inverse * torque);
-            out[body] = world.reported_acceleration(body, state, linear, angular);
-        }
-        Ok(out)
+        let load_of = |place: usize| forces.get(*world.movable.get(place)?).copied();
+        Ok(accelerations_under(core, &self.states, load_of))
     }
 
     fn contacts(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<ContactView> {

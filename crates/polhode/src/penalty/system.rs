@@ -7,12 +7,13 @@
 
 use super::contact::{ContactSpring, Evaluated, Force};
 use crate::Momentum;
-use crate::accounting::books::{Received, given_by_fields, gravity_at};
+use crate::accounting::books::Received;
 use crate::collision::contact_id::ContactId;
+use crate::smooth_rates::{add, add_outside_rates, free_rates};
 use crate::world::World;
-use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH, quaternion_rate};
-use polhode_dynamics::{BodyState, RigidBody, System, state};
-use polhode_spatial::{DQuat, DVec3};
+use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, WIDTH};
+use polhode_dynamics::{BodyState, System, state};
+use polhode_spatial::DVec3;
 use std::convert::Infallible;
 
 /// Numbers for the ledgers after those of bodies and springs.
@@ -99,24 +100,6 @@ impl SpringSystem<'_> {
         }
     }
 
-    /// Rates of the bodies without springs.
-    fn free_rates(&self, t: f64, flat: &[f64], rates: &mut [f64]) {
-        let loads = self.world.loads_on(t, self.states, self.bodies);
-        let numbers = flat.as_chunks::<WIDTH>().0;
-        for ((&body, number), rate) in self.bodies.iter().zip(numbers).zip(rates.as_chunks_mut::<WIDTH>().0) {
-            let velocity = self.world.velocity(body, &self.states[body]);
-            let [w, x, y, z] = [0, 1, 2, 3].map(|k| number[QUATERNION + k]);
-            rate[POSITION..QUATERNION].copy_from_slice(&velocity.linear.to_array());
-            let turning = quaternion_rate(DQuat::from_xyzw(x, y, z, w), velocity.angular);
-            rate[QUATERNION..LINEAR_VELOCITY].copy_from_slice(&turning);
-            let load = loads.of(body);
-            let inverse_mass = self.world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass);
-            let acceleration = self.world.free_acceleration(body) + load.force * inverse_mass;
-            rate[LINEAR_VELOCITY..ANGULAR_MOMENTUM].copy_from_slice(&acceleration.to_array());
-            rate[ANGULAR_MOMENTUM..].copy_from_slice(&load.torque.to_array());
-        }
-    }
-
     /// Adds a force on a body at a point to the rates.
     fn add_force(&self, body: usize, force: DVec3, point: DVec3, rates: &mut [f64]) {
         let (Ok(index), Some(rigid)) = (self.bodies.binary_search(&body), &self.world.bodies[body].rigid) else {
@@ -125,22 +108,6 @@ impl SpringSystem<'_> {
         let rate = &mut rates[index * WIDTH..(index + 1) * WIDTH];
         add(&mut rate[LINEAR_VELOCITY..], force * rigid.inverse_mass());
         add(&mut rate[ANGULAR_MOMENTUM..], (point - self.states[body].pose.translation).cross(force));
-    }
-
-    /// Rates of the ledgers by weights and fields.
-    fn outside_rates(&self, t: f64, tail: &mut [f64]) {
-        for &body in self.bodies {
-            let gravity = gravity_at(self.world, self.states, body, self.about, 1.0);
-            add(&mut tail[6..], gravity.linear);
-            add(&mut tail[9..], gravity.angular);
-        }
-        if self.world.has_fields() {
-            let given = given_by_fields(self.world, t, self.states, self.bodies, self.about);
-            add(&mut tail[12..], given.fields.linear);
-            add(&mut tail[15..], given.fields.angular);
-            tail[18] += given.damping_j;
-            tail[19] += given.external_j;
-        }
     }
 
     /// Rates of the ledgers by one contact.
@@ -186,7 +153,8 @@ impl System for SpringSystem<'_> {
 
     fn derivative(&mut self, t: f64, flat: &[f64], rates: &mut [f64]) -> Result<(), Infallible> {
         self.set_states(t, flat);
-        self.free_rates(t, flat, rates);
+        let loads = self.world.loads_on(t, self.states, self.bodies);
+        free_rates(self.world, (self.bodies, self.states), &loads, flat, rates);
         let first = self.bodies.len() * WIDTH;
         let end = first + self.springs.len() * SPRING;
         rates[first..].fill(0.0);
@@ -200,7 +168,7 @@ impl System for SpringSystem<'_> {
             rates[place..place + SPRING].copy_from_slice(&force.vector_rate.to_array());
             self.contact_rates(spring.id, &at, &force, &mut rates[end..]);
         }
-        self.outside_rates(t, &mut rates[end..]);
+        add_outside_rates(self.world, t, (self.bodies, self.states), self.about, &mut rates[end..]);
         Ok(())
     }
 
@@ -209,11 +177,5 @@ impl System for SpringSystem<'_> {
         if let Some(bodies) = flat.get_mut(..bodies) {
             state::normalize(bodies);
         }
-    }
-}
-
-fn add(target: &mut [f64], vector: DVec3) {
-    for (number, more) in target.iter_mut().zip(vector.to_array()) {
-        *number += more;
     }
 }

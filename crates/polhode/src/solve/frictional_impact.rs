@@ -18,6 +18,7 @@ use crate::rows::friction_blocks::{push_contact, push_held, with_rotations};
 use crate::rows::resisted_rotation::ResistedRotation;
 use crate::rows::rotation_row::RotationRow;
 use crate::scene::{FrictionEllipse, ImpactLaw};
+use crate::solve::reversal::reversal;
 use crate::world::{Loads, World};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
@@ -120,8 +121,9 @@ pub(crate) fn solve(
         single: single_law(world, law),
         settings: &settings,
     };
+    let reversed = if are_micro_collisions(world, contacts) { reversal(&impact, contacts.len())? } else { None };
     let struck = match &accelerations {
-        None => impact.resolve()?,
+        None => reversed.map_or_else(|| impact.resolve(), Ok)?,
         Some(accelerations) => impact.without_collision(&blocks.velocities_in_blocks(accelerations))?,
     };
     let reactions = blocks.reactions_in_rows(&struck.impulses);
@@ -138,6 +140,12 @@ pub(crate) fn solve(
     let friction_work_j = share_of_friction(by_friction, energy_change);
     let rows = StruckRows { reactions, velocities_after, energy_change, friction_work_j };
     Ok(impact_of(assembly, contacts.len(), &struck, rows))
+}
+
+/// Whether no contact approaches faster than a micro-collision, where there are any.
+fn are_micro_collisions(world: &World, contacts: &[Touch]) -> bool {
+    let is_slow = |slow: f64| contacts.iter().all(|touch| -touch.kinematics.separation_rate <= slow);
+    world.envelope.is_some_and(|envelope| is_slow(envelope.slow))
 }
 
 /// The law of a contact that is struck alone: that of the scene, or else that of its impact law.

@@ -27,6 +27,7 @@ pub(crate) mod jointed;
 mod least_sliding_forces;
 pub(crate) mod overlap;
 pub(crate) mod projection;
+pub(crate) mod reversal;
 pub(crate) mod rotational_friction;
 mod standing;
 mod sticking_forces;

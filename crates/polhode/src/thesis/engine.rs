@@ -10,28 +10,25 @@ use crate::collision::contact_set::Touch;
 use crate::core::Core;
 use crate::error_estimate::{EVERY, ErrorEstimate};
 use crate::event::EventKind;
+use crate::fixed_steps::{Continues, SteppedBodies, accelerations_under, contacts_within, next_step_end};
 use crate::frame::{ContactView, IslandView, MotionKind};
 use crate::free_stage::{self, Ends};
 use crate::observer::Observer;
-use crate::rows::assembly::{Assembly, free_acceleration};
+use crate::rows::assembly::Assembly;
 use crate::rows::groups::{Group, groups};
 use crate::sampling::emit_samples_before;
 use crate::scene::{ContactMethod, Response};
-use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::parts::save_contact;
 use crate::snapshot::{SnapshotError, content};
 use crate::solve::impact::{impulse_event, strike, support};
 use crate::tier::{Reached, Tier};
-use crate::world::WorldBody;
-use crate::{Acceleration, BodyId, Momentum, SimulationError};
+use crate::{Acceleration, Momentum, SimulationError};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::Wrench;
-use polhode_dynamics::integrator::Integrator;
 use polhode_response::impact::{ImpactOutcome, ImpactSettings};
 use polhode_response::least_force::{LeastForceStage, least_force};
 use polhode_response::{Delassus, ResponseError, SolverReport, SolverSettings, SolverStatus, guesses, heuristic};
-use polhode_spatial::{DVec3, Still};
-use std::sync::Arc;
+use polhode_spatial::DVec3;
 
 /// A contact counts as resting if its rate of separation is at most the speed that gravity gives a body in this many
 /// steps (thesis 3.5: "a speed of separation that is sufficiently small").
@@ -44,6 +41,9 @@ const PROPAGATION_THRESHOLD: f64 = 1e-6;
 /// Largest number of impulses by propagation in one step; beyond it the remaining contacts are resolved at once.
 const PROPAGATION_LIMIT: usize = 20_000;
 
+/// Reach of contacts that count as touching, m: none but rounding.
+const TOUCH: f64 = 0.0;
+
 /// Forces of the resting contacts.
 struct RestingForces {
     touches: Vec<Touch>,
@@ -53,18 +53,11 @@ struct RestingForces {
 /// A run in progress.
 #[derive(Debug)]
 pub(crate) struct ThesisEngine {
-    /// States of all bodies at the present.
-    states: Vec<BodyState>,
-    integrator: Box<dyn Integrator>,
+    bodies: SteppedBodies,
     /// The movable bodies under the forces of the present step.
     loaded: LoadedBodies,
-    boxes: Boxes,
-    /// Number of pairs that touched at the last detection.
-    touching_pairs: usize,
     /// Forces of the resting contacts in the last step, N.
     resting: Vec<(ContactId, f64)>,
-    /// Which bodies forces move.
-    moves: Vec<bool>,
     /// Estimated errors of the bodies.
     errors: ErrorEstimate,
 }
@@ -76,16 +69,12 @@ impl ThesisEngine {
     /// When there are more bodies than the broad phase can number.
     pub(crate) fn new(core: &Core, states: Vec<BodyState>) -> Result<Self, SimulationError> {
         let mut engine = Self {
-            integrator: core.settings.build_integrator(),
             loaded: LoadedBodies::default(),
-            boxes: Boxes::new(&core.settings, states.len()),
-            touching_pairs: 0,
             resting: Vec::new(),
-            moves: core.world.bodies.iter().map(WorldBody::moves).collect(),
             errors: ErrorEstimate::new(states.len()),
-            states,
+            bodies: SteppedBodies::new(core, states),
         };
-        engine.detect(core)?;
+        engine.bodies.detect(core, TOUCH)?;
         Ok(engine)
     }
 
@@ -94,28 +83,22 @@ impl ThesisEngine {
     /// # Errors
     /// When the data are not of this scene.
     pub(crate) fn restored(core: &Core, saved: &content::Thesis) -> Result<Self, SnapshotError> {
-        let mut integrator = core.settings.build_integrator();
-        let restored = integrator.restore(&core.world.free_motion(), &saved.integrator);
-        restored.map_err(|_| SnapshotError::Invalid("the variables of the integrator do not fit its bodies"))?;
-        let bodies = core.world.bodies.len();
+        let mut bodies = SteppedBodies::restored(core, &saved.states, &saved.integrator)?;
+        bodies.touching_pairs = saved.touching_pairs;
         Ok(Self {
-            states: read_states(&saved.states, bodies)?,
-            integrator,
             loaded: LoadedBodies::default(),
-            boxes: Boxes::new(&core.settings, bodies),
-            touching_pairs: saved.touching_pairs,
             resting: crate::snapshot::parts::restored_forces(&core.world, &saved.resting)?,
-            moves: core.world.bodies.iter().map(WorldBody::moves).collect(),
-            errors: ErrorEstimate::restored(&saved.errors, bodies)?,
+            errors: ErrorEstimate::restored(&saved.errors, bodies.states.len())?,
+            bodies,
         })
     }
 
     /// One step of section 3.5, to `t_next`.
     fn step(&mut self, core: &mut Core, t_next: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
-        let touches = self.detect(core)?;
+        let touches = self.bodies.detect(core, TOUCH)?;
         self.apply_impulses(core, &touches, observer)?;
         let resting = self.resting_forces(core)?;
-        let loads = loads(core, &self.states, &resting);
+        let loads = loads(core, &self.bodies.states, &resting);
         self.resting = resting.touches.iter().map(|touch| touch.id).zip(resting.forces.iter().copied()).collect();
 
         let compares = core.accounts.steps().is_multiple_of(EVERY);
@@ -123,24 +106,24 @@ impl ThesisEngine {
         self.integrate(core, loads.clone(), t_next - core.t)?;
         self.emit_samples_within(core, t_next, observer)?;
         let movable = core.world.movable.clone();
-        let before = core.accounts.books.balance(&core.world, &self.states, &movable);
-        let ends = all_states(core, &self.states, self.integrator.states(), t_next);
+        let before = core.accounts.books.balance(&core.world, &self.bodies.states, &movable);
+        let ends = self.bodies.all_states(core, self.bodies.integrator.states(), t_next);
         let received = self.received(core, &resting, &loads, &ends, t_next);
         self.note_errors(core, &ends, halves.as_deref(), t_next - core.t);
-        self.states = ends;
-        let after = core.accounts.books.balance(&core.world, &self.states, &movable);
+        self.bodies.states = ends;
+        let after = core.accounts.books.balance(&core.world, &self.bodies.states, &movable);
         core.accounts.books.smooth_stage(before, after, received);
         core.t = t_next;
         core.accounts.count_step();
-        core.accounts.observe(&core.world, &self.states, core.t)?;
-        let touches = self.detect(core)?;
+        core.accounts.observe(&core.world, &self.bodies.states, core.t)?;
+        let touches = self.bodies.detect(core, TOUCH)?;
         for touch in &touches {
             self.errors.overlap((touch.id.a, touch.id.b), -touch.kinematics.geometry.separation);
-            core.note_contact(core.t, &self.states, (touch.id.a, touch.id.b), &touch.kinematics);
+            core.note_contact(core.t, &self.bodies.states, (touch.id.a, touch.id.b), &touch.kinematics);
         }
         core.accounts.certificate.estimated_error = Some(self.errors.largest(&core.world));
         if core.settings.response == Response::ImpulseProjection {
-            move_apart(core, &mut self.states, &touches);
+            move_apart(core, &mut self.bodies.states, &touches);
         }
         Ok(())
     }
@@ -150,12 +133,12 @@ impl ThesisEngine {
         let loaded = LoadedBodies::new(core.world.shared_fields(), loads.to_vec());
         let motion = loaded.motion(core.world.free_motion().bodies(), core.world.gravity());
         let mut integrator = core.settings.build_integrator();
-        integrator.start(&motion, core.t, &core.world.movable_states(&self.states));
+        integrator.start(&motion, core.t, &core.world.movable_states(&self.bodies.states));
         for _ in 0..2 {
             let step = integrator.step(&motion, 0.5 * h);
             step.map_err(|source| SimulationError::Integration { t_s: core.t, source })?;
         }
-        Ok(all_states(core, &self.states, integrator.states(), core.t + h))
+        Ok(self.bodies.all_states(core, integrator.states(), core.t + h))
     }
 
     /// Records how far the bodies move in a step of `h` (s) to `ends`, and its estimated error.
@@ -166,21 +149,11 @@ impl ThesisEngine {
                 self.errors.compare(world, body, &ends[body], &halves[body]);
             }
             if world.bodies[body].shape.is_some() {
-                let movement = Movement::between(world, body, (&self.states[body], &ends[body]), (core.t, h));
+                let movement = Movement::between(world, body, (&self.bodies.states[body], &ends[body]), (core.t, h));
                 core.accounts.measures.long_steps.note(movement);
             }
         }
         self.errors.go_on(world, ends, h);
-    }
-
-    /// Detects penetrations: every contact point of every pair that touches or overlaps.
-    ///
-    /// # Errors
-    /// When there are more bodies than the broad phase can number.
-    fn detect(&mut self, core: &Core) -> Result<Vec<Touch>, SimulationError> {
-        let touches = touching(core, &self.states, &mut self.boxes)?;
-        self.touching_pairs = touches.chunk_by(|x, y| (x.id.a, x.id.b) == (y.id.a, y.id.b)).count();
-        Ok(touches)
     }
 
     /// Applies impulses, one contact after the other, until no contact approaches.
@@ -195,7 +168,7 @@ impl ThesisEngine {
             let Some(outcome) = self.strike(core, &group, touches)? else { continue };
             let impulses = group.contacts.iter().zip(&outcome.impulses);
             let impulses = impulses.map(|(&i, &p)| (touches[i].id, &touches[i].kinematics.geometry, p));
-            let work = core.world.prescribed_work(&self.states, impulses.clone());
+            let work = core.world.prescribed_work(&self.bodies.states, impulses.clone());
             let given = support(&core.world, core.accounts.books.ledger.momentum.about, impulses);
             core.accounts.books.impact((outcome.energy_change, 0.0), given, work);
             core.accounts.note_impact(&core.world, core.t, core.settings.impact, &group.bodies, &outcome);
@@ -215,7 +188,7 @@ impl ThesisEngine {
         group: &Group,
         touches: &[Touch],
     ) -> Result<Option<ImpactOutcome>, SimulationError> {
-        let (world, states) = (&core.world, &mut self.states);
+        let (world, states) = (&core.world, &mut self.bodies.states);
         let outcome = if core.settings.response == Response::ImpulseUnconditional {
             strike_unconditionally(world, states, group, touches)
         } else {
@@ -236,13 +209,13 @@ impl ThesisEngine {
             return Ok(RestingForces { touches: Vec::new(), forces: Vec::new() });
         }
         let slow = SEPARATING_STEPS * core.world.gravity().length() * core.settings.step_s;
-        let mut touches = self.detect(core)?;
+        let mut touches = self.bodies.detect(core, TOUCH)?;
         touches.retain(|touch| touch.kinematics.separation_rate.abs() <= slow);
         let mut forces = vec![0.0; touches.len()];
         let all: Vec<_> = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b)).collect();
         for group in groups(&core.world, all.into_iter()) {
             let members: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
-            let solved = group_forces(core, &self.states, &group.bodies, &members);
+            let solved = group_forces(core, &self.bodies.states, &group.bodies, &members);
             let solved = solved.map_err(|source| Core::response_error(core.t, source))?;
             for (&i, force) in group.contacts.iter().zip(solved) {
                 forces[i] = force;
@@ -264,17 +237,17 @@ impl ThesisEngine {
         let world = &core.world;
         let about = core.accounts.books.ledger.momentum.about;
         let h = t_next - core.t;
-        let stage = Ends { t: [core.t, t_next], states: [&self.states, ends] };
+        let stage = Ends { t: [core.t, t_next], states: [&self.bodies.states, ends] };
         let mut received = free_stage::received(world, stage, &world.movable, about);
         // The work of constant forces is along the path of the contact points: to second order, by their speed in the
         // middle.
-        let mut middle = self.states.clone();
+        let mut middle = self.bodies.states.clone();
         world.prescribe(core.t + 0.5 * h, &mut middle);
         let contacts = resting.touches.iter().zip(&resting.forces);
         let impulses = contacts.map(|(touch, &force)| (touch.id, &touch.kinematics.geometry, force * h));
         received.external_j += world.prescribed_work(&middle, impulses);
         for (&body, (rigid, load)) in world.movable.iter().zip(world.free_motion().bodies().iter().zip(loads)) {
-            let state = &self.states[body];
+            let state = &self.bodies.states[body];
             let acceleration = world.gravity() + load.force * rigid.inverse_mass();
             let shift = state.linear_velocity * (0.5 * h) + acceleration * (h * h / 6.0);
             let contacts = resting.touches.iter().zip(&resting.forces);
@@ -291,13 +264,10 @@ impl ThesisEngine {
     /// if only it has changed the states since its last step.
     fn integrate(&mut self, core: &Core, loads: Vec<Wrench>, h: f64) -> Result<(), SimulationError> {
         let loaded = loads.iter().any(|load| *load != Wrench::default());
-        let states = core.world.movable_states(&self.states);
         self.loaded = LoadedBodies::new(core.world.shared_fields(), loads);
         let motion = self.loaded.motion(core.world.free_motion().bodies(), core.world.gravity());
-        if loaded || self.integrator.states() != states {
-            self.integrator.start(&motion, core.t, &states);
-        }
-        self.integrator.step(&motion, h).map_err(|source| SimulationError::Integration { t_s: core.t, source })
+        let continues = if loaded { Continues::Anew } else { Continues::Untouched };
+        self.bodies.integrate(core, &motion, (h, continues))
     }
 
     /// Gives the observer the samples within the step that has just been integrated, computed by a shorter step under
@@ -310,13 +280,7 @@ impl ThesisEngine {
     ) -> Result<(), SimulationError> {
         emit_samples_before(t_next, self, core, observer, |engine, core, t| {
             let motion = engine.loaded.motion(core.world.free_motion().bodies(), core.world.gravity());
-            let mut movable = core.world.movable_states(&engine.states);
-            let within = t.min(engine.integrator.time());
-            engine
-                .integrator
-                .states_within(&motion, within, &mut movable)
-                .map_err(|source| SimulationError::Integration { t_s: core.t, source })?;
-            Ok(Some(Arc::new(all_states(core, &engine.states, &movable, t))))
+            engine.bodies.states_within(core, &motion, t)
         })
     }
 }
@@ -329,8 +293,7 @@ impl Tier for ThesisEngine {
         observer: &mut dyn Observer,
     ) -> Result<Reached, SimulationError> {
         while core.t < limit_s {
-            let h = core.settings.step_s;
-            let t_next = if h >= limit_s - core.t { limit_s } else { core.t + h };
+            let t_next = next_step_end(core, limit_s);
             self.step(core, t_next, observer)?;
         }
         Ok(Reached::Limit)
@@ -341,38 +304,30 @@ impl Tier for ThesisEngine {
     }
 
     fn states(&self, _core: &Core) -> Vec<BodyState> {
-        self.states.clone()
+        self.bodies.states.clone()
     }
 
     fn state(&self, _core: &Core, body: usize) -> BodyState {
-        self.states[body]
+        self.bodies.states[body]
     }
 
     fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
         let resting = self.resting_forces(core)?;
-        let loads = loads(core, &self.states, &resting);
-        let world = &core.world;
-        let fields = world.loads(core.t, &self.states);
-        let mut out = vec![Acceleration { linear: DVec3::ZERO, angular: DVec3::ZERO }; world.bodies.len()];
-        for &body in world.prescribed() {
-            let (linear, angular) = world.prescribed_acceleration(body, core.t);
-            out[body] = Acceleration { linear, angular };
-        }
-        for ((&body, rigid), load) in world.movable.iter().zip(world.free_motion().bodies()).zip(&loads) {
-            let state = &self.states[body];
-            let (linear, angular) = free_acceleration(world, &self.states, &fields, body);
-            let arm = state.pose.rotation.rotate(rigid.arm());
-            let torque = load.torque + arm.cross(load.force);
-            let inverse = rigid.inverse_inertia_world(state.pose.rotation);
-            let (linear, angular) = (linear + load.force * rigid.inverse_mass(), angular + inverse * torque);
-            out[body] = world.reported_acceleration(body, state, linear, angular);
-        }
-        Ok(out)
+        let loads = loads(core, &self.bodies.states, &resting);
+        let motion = core.world.free_motion();
+        let bodies = motion.bodies();
+        let load_of = |place: usize| {
+            let (load, rigid) = (loads.get(place)?, bodies.get(place)?);
+            let rotation = self.bodies.states[*core.world.movable.get(place)?].pose.rotation;
+            Some((load.force, load.torque + rotation.rotate(rigid.arm()).cross(load.force)))
+        };
+        Ok(accelerations_under(core, &self.bodies.states, load_of))
     }
 
     fn contacts(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<ContactView> {
         let mut views = Vec::new();
-        for touch in touching(core, states, &mut Boxes::new(&core.settings, states.len())).unwrap_or_default() {
+        let mut boxes = Boxes::new(&core.settings, states.len());
+        for touch in contacts_within(core, states, &mut boxes, TOUCH).unwrap_or_default() {
             let id = touch.id;
             let resting = self.resting.iter().find(|(known, _)| *known == id);
             let force = resting.map_or(0.0, |(_, force)| *force);
@@ -382,61 +337,39 @@ impl Tier for ThesisEngine {
     }
 
     fn motions(&self, _core: &Core) -> Vec<MotionKind> {
-        self.moves.iter().map(|&moves| if moves { MotionKind::Integrated } else { MotionKind::Given }).collect()
+        self.bodies.motions()
     }
 
     fn islands(&self, _core: &Core) -> Vec<IslandView> {
-        // The algorithm of section 3.5 advances all bodies together.
-        let moving = self.moves.iter().enumerate().filter(|&(_, &moves)| moves);
-        let bodies: Vec<BodyId> = moving.map(|(body, _)| BodyId::new(body)).collect();
-        if bodies.is_empty() { Vec::new() } else { vec![IslandView { bodies }] }
+        self.bodies.islands()
     }
 
     fn states_mut(&mut self) -> &mut [BodyState] {
-        &mut self.states
+        &mut self.bodies.states
     }
 
     fn add_body(&mut self, core: &Core, state: BodyState) {
         self.errors.add_body();
-        self.moves.push(core.world.bodies[self.states.len()].moves());
-        self.states.push(state);
-        self.boxes.make_room();
+        self.bodies.add_body(core, state);
     }
 
     fn remove_body(&mut self, body: usize) {
-        self.boxes.put(body, None);
-        self.moves[body] = false;
+        self.bodies.remove_body(body);
     }
 
     fn touching_pairs(&self) -> usize {
-        self.touching_pairs
+        self.bodies.touching_pairs
     }
 
     fn save(&self) -> content::Tier {
         content::Tier::Thesis(content::Thesis {
-            states: write_states(&self.states),
+            states: self.bodies.save_states(),
             errors: self.errors.save(),
             resting: self.resting.iter().map(|&(id, force)| (save_contact(id), force)).collect(),
-            touching_pairs: self.touching_pairs,
-            integrator: self.integrator.save(),
+            touching_pairs: self.bodies.touching_pairs,
+            integrator: self.bodies.integrator.save(),
         })
     }
-}
-
-/// Every contact point of every pair that touches or overlaps.
-///
-/// # Errors
-/// When there are more bodies than the broad phase can number.
-fn touching(core: &Core, states: &[BodyState], boxes: &mut Boxes) -> Result<Vec<Touch>, SimulationError> {
-    for (body, state) in states.iter().enumerate() {
-        boxes.set(&core.world, body, &Still(state.pose), (core.t, core.t), 0.0);
-    }
-    let mut touches = Vec::new();
-    boxes.all_pairs(&core.world, |a, b| {
-        let reach = core.world.rounding(states, a, b);
-        touches.extend(core.world.contacts_of_pair(states, a, b, reach).into_iter().map(Touch::from));
-    })?;
-    Ok(touches)
 }
 
 fn group_forces(
@@ -553,14 +486,4 @@ fn loads(core: &Core, states: &[BodyState], resting: &RestingForces) -> Vec<Wren
         }
     }
     loads
-}
-
-/// States of all bodies at `t` (s), given those of the movable ones.
-fn all_states(core: &Core, states: &[BodyState], movable: &[BodyState], t: f64) -> Vec<BodyState> {
-    let mut states = states.to_vec();
-    core.world.prescribe(t, &mut states);
-    for (&body, state) in core.world.movable.iter().zip(movable) {
-        states[body] = *state;
-    }
-    states
 }
