@@ -4,7 +4,7 @@
 //! energy (`dT > 0`), or of bodies that fit between others to leave on both sides, which no impulses do. A law then resolves the
 //! impact once more with one lower restitution `e` for all rows, and the status says so ([`ImpactStatus::RestitutionLowered`]).
 //!
-//! Source: Glocker 2013 (energy of unequal restitutions).
+//! Source: Glocker 2001 (energy of unequal restitutions).
 
 use super::finish::{Impact, gains_energy};
 use super::impact_problem::ImpactProblem;

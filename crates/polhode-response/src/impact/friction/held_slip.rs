@@ -6,7 +6,7 @@
 //!
 //! Method: contact by contact ([`Coulomb::leaving_zero_slip`], exact for one), from the answer before, until nothing changes.
 //!
-//! Source: Tresca 1864, as used for friction by Duvaut and Lions 1972.
+//! Source: Duvaut and Lions 1972 (friction with given normal forces).
 
 use super::collision_matrix::CollisionMatrix;
 use super::coulomb::{Coulomb, ZeroSlip};
