@@ -1,7 +1,8 @@
 //! Steps of a verification: what runs beside what, and how long each takes.
 //!
-//! Steps that build or measure time run alone, one after the other; all others run beside each other, one on each processor.
-//! Rows come in the order of the steps, whichever ends first.
+//! Steps that build run one after the other, the cheapest first: the compiler of a chain of crates leaves processors idle, and cargo
+//! makes a second build wait. All others run beside them and beside each other, one on each processor. Steps that show how long something
+//! takes, or how much memory, run alone when these are done. Rows come in the order of the steps, whichever ends first.
 
 use crate::known;
 use crate::row::Row;
@@ -15,8 +16,10 @@ const SLOWEST: usize = 10;
 /// Whether other steps may run at the same time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Company {
-    /// It needs the whole machine: it builds with all processors, or shows how long something takes.
+    /// It shows what something takes: nothing runs at the same time.
     Alone,
+    /// It builds: no other build runs at the same time.
+    Build,
     /// Others run beside it.
     Beside,
 }
@@ -57,7 +60,7 @@ impl<'a> Step<'a> {
     }
 }
 
-/// Runs all steps; their rows, and those that say which steps took longest.
+/// Runs all steps; gives their rows, and those that say which steps took longest.
 pub(crate) fn run(steps: &[Step<'_>]) -> Vec<Row> {
     let done: Vec<Mutex<Option<Done>>> = steps.iter().map(|_| Mutex::new(None)).collect();
     let finish = |number: usize| {
@@ -66,21 +69,24 @@ pub(crate) fn run(steps: &[Step<'_>]) -> Vec<Row> {
             *place = Some(result);
         }
     };
-    let of = |company: Company| (0..steps.len()).filter(move |&number| steps[number].company == company);
-    for number in of(Company::Alone) {
-        finish(number);
-    }
-    let beside: Vec<usize> = of(Company::Beside).collect();
+    let of = |company: Company| -> Vec<usize> {
+        (0..steps.len()).filter(|&number| steps[number].company == company).collect()
+    };
+    let (builds, beside) = (of(Company::Build), of(Company::Beside));
     let next = AtomicUsize::new(0);
-    std::thread::scope(|scope| {
-        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
-            scope.spawn(|| {
-                while let Some(&number) = beside.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    finish(number);
-                }
-            });
+    let finish_beside = || {
+        while let Some(&number) = beside.get(next.fetch_add(1, Ordering::Relaxed)) {
+            finish(number);
         }
+    };
+    std::thread::scope(|scope| {
+        for _ in 1..std::thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(finish_beside);
+        }
+        builds.iter().for_each(|&number| finish(number));
+        finish_beside();
     });
+    of(Company::Alone).into_iter().for_each(finish);
     let (mut rows, mut times) = (Vec::new(), Vec::new());
     for (step, done) in steps.iter().zip(done) {
         match done.into_inner().ok().flatten() {
@@ -106,7 +112,8 @@ fn slowest(mut times: Vec<(f64, &str)>) -> impl Iterator<Item = Row> {
 
 #[cfg(test)]
 mod tests {
-    //! Rows stand in the order of their steps, those that run alone or beside each other alike, and the slowest are named.
+    //! Rows stand in the order of their steps, whatever runs beside what, and the slowest are named. No build runs beside another, and
+    //! nothing beside what runs alone.
     use super::*;
     use std::time::Duration;
 
@@ -122,11 +129,34 @@ mod tests {
             step("a", Company::Beside, 30),
             step("b", Company::Alone, 0),
             step("c", Company::Beside, 0),
-            step("d", Company::Beside, 0),
+            step("d", Company::Build, 0),
         ];
         let rows = run(&steps);
         let cases: Vec<&str> = rows.iter().map(|row| row.case.as_str()).collect();
         assert_eq!(&cases[..4], ["a", "b", "c", "d"]);
         assert_eq!((cases[4], rows[4].quantity.as_str()), ("slowest", "a"));
+    }
+
+    #[test]
+    fn no_build_runs_beside_another_and_nothing_beside_what_runs_alone() {
+        let (running, building) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        let step = |company| {
+            let (running, building) = (&running, &building);
+            Step::new("a step", company, move || {
+                let others = running.fetch_add(1, Ordering::SeqCst);
+                let builds = if company == Company::Build { building.fetch_add(1, Ordering::SeqCst) } else { 0 };
+                std::thread::sleep(Duration::from_millis(5));
+                let alone = company != Company::Alone || (others == 0 && running.load(Ordering::SeqCst) == 1);
+                if company == Company::Build {
+                    building.fetch_sub(1, Ordering::SeqCst);
+                }
+                running.fetch_sub(1, Ordering::SeqCst);
+                vec![Row::exact("a step", "keeps to its company", true, builds == 0 && alone)]
+            })
+        };
+        let companies =
+            [Company::Alone, Company::Build, Company::Beside, Company::Build, Company::Beside, Company::Alone];
+        let steps: Vec<Step<'_>> = companies.into_iter().map(step).collect();
+        assert!(run(&steps).iter().all(|row| !row.verdict.fails_the_run()));
     }
 }

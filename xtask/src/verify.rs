@@ -4,7 +4,7 @@
 //! 4. README and book, the gallery, 5. golden trajectories and pictures, 6. the viewer in a browser.
 //!
 //! Every step runs even when an earlier one failed, so that one run shows everything that is
-//! wrong; cases and golden trajectories run beside each other (`schedule.rs`). Progress goes to stderr, the table (or, with
+//! wrong; cases and golden trajectories run beside the builds and each other (`schedule.rs`). Progress goes to stderr, the table (or, with
 //! `--json`, the array) to stdout. `--quick` is for between two edits: formatting, rules, unit tests, one case of each kind
 //! and the golden trajectories.
 
@@ -82,20 +82,22 @@ fn steps<'a>(options: &Options, root: &'a Path, context: &'a Context, scenes: &'
     let mut steps = Vec::new();
     if !options.bless {
         if selected(HOUSE) {
-            steps.push(Step::new(HOUSE, Company::Alone, || house::check(root)));
+            steps.push(Step::new(HOUSE, Company::Build, || house::check(root)));
         }
         if options.only.is_none() {
             let checks = if options.extent.quick { commands::QUICK_CHECKS } else { commands::CHECKS };
-            steps.extend(checks.iter().map(|check| Step::new(check.name(), Company::Alone, || vec![check.run(root)])));
+            steps.extend(checks.iter().map(|check| Step::new(check.name(), Company::Build, || vec![check.run(root)])));
         }
         let runs = |name: &str| selected(name) && (!options.extent.quick || cases::QUICK.contains(&name));
-        steps.extend(cases::ALL.iter().filter(|case| runs(case.name)).map(|case| {
-            let company = if cases::ALONE.contains(&case.name) { Company::Alone } else { Company::Beside };
-            Step::new(case.name, company, || case.run(context))
-        }));
+        steps.extend(
+            cases::ALL
+                .iter()
+                .filter(|case| runs(case.name))
+                .map(|case| Step::new(case.name, cases::company(case.name), || case.run(context))),
+        );
     }
     if !options.bless && selected(book::NAME) && !options.extent.quick {
-        steps.push(Step::new(book::NAME, Company::Alone, || book::check(context, &names(scenes))));
+        steps.push(Step::new(book::NAME, Company::Build, || book::check(context, &names(scenes))));
     }
     if !options.bless && selected(gallery::CASE) {
         steps.push(Step::new(gallery::CASE, Company::Beside, || gallery::check(context)));
@@ -106,7 +108,7 @@ fn steps<'a>(options: &Options, root: &'a Path, context: &'a Context, scenes: &'
     steps.extend(stills.map(|still| Step::new(still.case_name(), Company::Beside, || still.check(context))));
     if selected(viewer::NAME) && !options.extent.quick {
         let look = if options.bless { viewer::record } else { viewer::check };
-        steps.push(Step::new(viewer::NAME, Company::Alone, move || look(context)));
+        steps.push(Step::new(viewer::NAME, Company::Build, move || look(context)));
     }
     steps
 }

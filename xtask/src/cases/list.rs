@@ -12,9 +12,24 @@ use super::{
     stability, stackings, stacks, stacks_on_slopes, structures, table_edge, thesis_forces, thesis_tier, tunnelling,
     units, valleys, videos, walls,
 };
+use crate::schedule::Company;
 
-/// Cases that need the whole machine: they build, or show how long something takes.
-pub(crate) const ALONE: &[&str] = &["one dependency", "peers", "speed"];
+/// Cases that build.
+const BUILD: &[&str] = &["one dependency"];
+
+/// Cases that show what something takes.
+const ALONE: &[&str] = &["peers", "speed"];
+
+/// Whether other steps may run beside a case.
+pub(crate) fn company(name: &str) -> Company {
+    if ALONE.contains(&name) {
+        Company::Alone
+    } else if BUILD.contains(&name) {
+        Company::Build
+    } else {
+        Company::Beside
+    }
+}
 
 /// One case of each kind, for `--quick`; none of them builds anything.
 pub(crate) const QUICK: &[&str] = &[
@@ -234,9 +249,9 @@ mod tests {
 
     #[test]
     fn lists_name_cases() {
-        for name in ALONE.iter().chain(QUICK) {
+        for name in ALONE.iter().chain(BUILD).chain(QUICK) {
             assert!(ALL.iter().any(|case| case.name == *name), "{name}");
         }
-        assert!(!QUICK.iter().any(|name| ALONE.contains(name)));
+        assert!(QUICK.iter().all(|name| company(name) == Company::Beside));
     }
 }

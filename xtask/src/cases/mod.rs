@@ -106,6 +106,6 @@ mod ways;
 
 pub(crate) use case::{CaseResult, guarded};
 pub(crate) use context::{Amount, Context};
-pub(crate) use list::{ALL, ALONE, QUICK};
+pub(crate) use list::{ALL, QUICK, company};
 pub(crate) use run::Run;
 pub(crate) use speed::build_program;
