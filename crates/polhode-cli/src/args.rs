@@ -216,6 +216,7 @@ pub(crate) struct PlanArgs {
 }
 
 /// Arguments of `cost`.
+#[expect(clippy::struct_excessive_bools, reason = "flags of a command line, each with a name")]
 #[derive(Debug, Args)]
 pub(crate) struct CostArgs {
     #[command(flatten)]

@@ -12,7 +12,7 @@ use crate::elastic::rigid::{self, Rebound, RigidDrop};
 use crate::failure::Failure;
 use polhode::contact::{ConvexPolyhedron, HalfSpace, Shape};
 use polhode::scene::{Geometry, ImpactLaw, Material};
-use polhode::spatial::DVec3;
+use polhode::spatial::{DVec3, MassProperties};
 use polhode::{Body, Scene};
 use polhode_elastic::{DropStudy, ElasticMaterial, Extrapolated, MeshedDrops, Quantity, RectangleDrop};
 use std::time::Instant;
@@ -96,7 +96,7 @@ impl ElasticDrop {
         if !(gap >= -SAME * size.length() && square > 0.0) {
             return Err("its box does not fall onto the floor".to_owned());
         }
-        let mass_kg = dropped.mass_properties().map_or(f64::NAN, |mass| mass.mass());
+        let mass_kg = dropped.mass_properties().map_or(f64::NAN, MassProperties::mass);
         let density = mass_kg / (size.x * size.y * size.z);
         let material = ElasticMaterial::new(young, poisson, density).map_err(|error| error.to_string())?;
         let drop = RectangleDrop::new(slice.width, slice.height, material, square.sqrt());
