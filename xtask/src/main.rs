@@ -11,7 +11,8 @@
 //! | [`cost`] | the command: what accuracy costs, from shipped scenes |
 //! | [`cross`] | the command: golden trajectories on other platforms, bit by bit |
 //! | [`friction`] | the command: frictional contact problems of other programs |
-//! | [`cost_summary`] | its figure of all scenes |
+//! | [`cost_summary`], [`contact_chart`] | its figures of all scenes, and of contact by every method |
+//! | [`elastic_table`] | the command: impacts of elastic rectangles, and to how many digits |
 //! | [`narrow_phase`] | the command: separating axes against GJK |
 //! | [`house`] | rules of the house, checked from `cargo metadata` and the sources |
 //! | [`commands`] | child processes: formatting, lints, docs, tests |
@@ -36,9 +37,11 @@ mod book;
 mod cases;
 mod chain_costs;
 mod commands;
+mod contact_chart;
 mod cost;
 mod cost_summary;
 mod cross;
+mod elastic_table;
 mod exact;
 mod friction;
 mod gallery;
@@ -88,6 +91,8 @@ enum Task {
     Gallery(gallery::Options),
     /// Regenerates the comparison of narrow phases in docs/accuracy-and-cost.md.
     NarrowPhase,
+    /// Measures impacts of elastic rectangles on finer and finer meshes, for docs/elastic-body.md.
+    Elastic(elastic_table::Options),
     /// Measures the processor time of heaps in the tiers, from which the plan chooses a tier.
     TierCosts(tier_costs::Options),
     /// Measures the time of a step of chains against their length.
@@ -107,6 +112,7 @@ fn main() -> ExitCode {
         Task::SolveFriction(options) => friction::run(&options),
         Task::Gallery(options) => verify::workspace_root().and_then(|root| gallery::run(&options, &root)),
         Task::NarrowPhase => verify::workspace_root().and_then(|root| narrow_phase::run(&root)),
+        Task::Elastic(options) => verify::workspace_root().and_then(|root| elastic_table::run(&options, &root)),
         Task::TierCosts(options) => tier_costs::run(&options),
         Task::ChainCosts(options) => chain_costs::run(&options),
         Task::RandomScene(options) => random_scene::run(&options),

@@ -216,6 +216,7 @@ pub(crate) struct PlanArgs {
 }
 
 /// Arguments of `cost`.
+#[expect(clippy::struct_excessive_bools, reason = "flags of a command line, each with a name")]
 #[derive(Debug, Args)]
 pub(crate) struct CostArgs {
     #[command(flatten)]
@@ -223,6 +224,12 @@ pub(crate) struct CostArgs {
     /// Varies a key of the scene over values; several keys give all combinations [default: integrators and steps]
     #[arg(long, value_name = "KEY=VALUE,...")]
     pub(crate) vary: Vec<String>,
+    /// Says why an elastic body cannot be shown beside the impact laws [default: it is shown where the scene is the drop of a box with moduli]
+    ///
+    /// Such a scene has one box that falls straight onto a fixed floor, flat or on an edge, without friction, and whose material
+    /// has youngs_modulus_pa and poisson_ratio. Contact time, impulse and effective restitution are computed by finite elements.
+    #[arg(long, conflicts_with_all = ["scale", "broad_phase"])]
+    pub(crate) elastic: bool,
     /// Compares the broad phases, which find pairs that may touch, on the boxes of one run
     #[arg(long, conflicts_with_all = ["vary", "target", "instructions", "svg"])]
     pub(crate) broad_phase: bool,

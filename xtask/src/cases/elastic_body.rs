@@ -4,7 +4,8 @@
 //! A bar of height L in uniaxial strain that meets a rigid floor sends a wave up at c_p, which comes back as one that
 //! relieves: after `2 L / c_p` the bar leaves with the speed it came with, and the floor has given `2 m v`.
 
-use super::{CaseResult, Context};
+use super::{Amount, CaseResult, Context};
+use crate::elastic_table;
 use crate::row::Row;
 use polhode_elastic::{DropStudy, ElasticError, ElasticMaterial, Quantity, RectangleDrop};
 
@@ -26,6 +27,12 @@ const STEPS: f64 = 1e-3;
 /// The coefficient of `fixtures/scenes/figure-02.toml`.
 const SHIPPED_RESTITUTION: f64 = 0.8195;
 
+/// Drops of the table that are made again: flat, and on a steep corner.
+const KEPT: [[f64; 2]; 2] = [[2.0, 0.0], [2.0, 75.0]];
+
+/// What they may differ by, relative: the arithmetic is the same, that of another compiler would be found.
+const AGAIN: f64 = 1e-12;
+
 /// Elements of Figure 2.
 const ELEMENTS: usize = 200;
 
@@ -35,11 +42,12 @@ fn figure_2() -> Result<RectangleDrop, ElasticError> {
 }
 
 /// All rows.
-pub(super) fn rows(_context: &Context) -> CaseResult {
+pub(super) fn rows(context: &Context) -> CaseResult {
     let mut rows = confined()?;
     rows.extend(ledgers()?);
     rows.extend(mirrored()?);
     rows.extend(restitution()?);
+    rows.extend(kept(context)?);
     Ok(rows)
 }
 
@@ -94,6 +102,30 @@ fn mirrored() -> CaseResult {
     ];
     let worst = differences.iter().fold(0.0, |worst: f64, difference| worst.max(difference.abs()));
     Ok(vec![Row::at_most(NAME, "mirrored drops: difference, m/s and rad/s", MIRROR, worst)])
+}
+
+/// The means of the document's table, made again: two drops on the two coarsest meshes, with all cases every drop on three.
+fn kept(context: &Context) -> CaseResult {
+    let drops = elastic_table::kept(&context.root)?;
+    let is_full = matches!(context.amount, Amount::Full);
+    let meshes = if is_full { 3 } else { 2 };
+    let mut rows = Vec::new();
+    for drop in drops.iter().filter(|drop| is_full || KEPT.contains(&[drop.aspect, drop.tilt_deg])) {
+        let again = elastic_table::measured(drop.aspect, drop.tilt_deg, meshes)?;
+        let pairs = again.meshes.iter().zip(&drop.meshes);
+        let differences = pairs.flat_map(|(again, kept)| {
+            [
+                again.contact_time.value / kept.contact_time.value,
+                again.impulse.value / kept.impulse.value,
+                again.restitution.value / kept.restitution.value,
+            ]
+        });
+        let worst = differences.map(|ratio| (ratio - 1.0).abs()).fold(0.0, f64::max);
+        let what =
+            format!("W/H {}, tilt {} degrees: {meshes} meshes against those of the table", drop.aspect, drop.tilt_deg);
+        rows.push(Row::at_most(NAME, &what, AGAIN, worst));
+    }
+    Ok(rows)
 }
 
 /// What Figure 2 bounces with.

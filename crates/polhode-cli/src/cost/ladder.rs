@@ -44,6 +44,9 @@ const LAW_TOLERANCE: f64 = 1e-6;
 /// The key of the tier.
 const TIER: &str = "method.tier";
 
+/// The key of the tolerance.
+const TOLERANCE: &str = "method.tolerance";
+
 /// What decides about the candidates of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SceneFacts {
@@ -80,6 +83,52 @@ struct Series {
     growth: f64,
     /// Whether its first candidate too may only take its share of the time.
     is_limited: bool,
+}
+
+impl Series {
+    /// A method of fixed step, over steps.
+    fn by_steps(name: &'static str, selects: [&'static str; 2], steps: Vec<String>) -> Self {
+        let growth = STEP_RATIO as f64;
+        Self { name, selects, besides: Vec::new(), stepped: "method.step", values: steps, growth, is_limited: false }
+    }
+
+    /// A method that controls its error, over these tolerances.
+    fn by_tolerances(name: &'static str, selects: [&'static str; 2], tolerances: impl Iterator<Item = f64>) -> Self {
+        Self {
+            name,
+            selects,
+            besides: Vec::new(),
+            stepped: TOLERANCE,
+            values: tolerances.map(|tolerance| format!("{tolerance:e}")).collect(),
+            growth: TOLERANCE_GROWTH,
+            is_limited: false,
+        }
+    }
+
+    /// Springs, over what they give way: that is what they err by, and the tolerance must not bind.
+    fn by_penetrations(name: &'static str, selects: [&'static str; 2]) -> Self {
+        Self {
+            name,
+            selects,
+            besides: vec![(TOLERANCE, format!("{SPRING_TOLERANCE:e}"))],
+            stepped: "method.penalty.penetration_m",
+            values: PENETRATIONS_M.map(|depth| format!("{depth:e}")).to_vec(),
+            growth: STEP_RATIO as f64,
+            is_limited: true,
+        }
+    }
+
+    /// With another setting besides.
+    fn with(mut self, key: &'static str, value: String) -> Self {
+        self.besides.push((key, value));
+        self
+    }
+
+    /// With no more than its share of the time for any of its candidates.
+    fn limited(mut self) -> Self {
+        self.is_limited = true;
+        self
+    }
 }
 
 /// Candidates for a scene, the cheapest of each series first. Keys in `given` are set already: a method that they
@@ -130,31 +179,13 @@ fn without_contact(facts: &SceneFacts) -> Vec<Series> {
     let series = |integrator: Integrator| {
         let name = names::integrator(integrator);
         let selects = ["method.integrator", name];
-        if integrator.controls_error() && !(integrator.is_exact_without_loads() && facts.closed_form) {
-            let values = TOLERANCES.map(|tolerance| format!("{tolerance:e}")).to_vec();
+        if integrator.is_exact_without_loads() && facts.closed_form {
+            Series::by_steps(name, selects, vec![number(facts.duration_s)])
+        } else if integrator.controls_error() {
             // The step is an upper bound that must not bind.
-            let besides = vec![("method.step", number(facts.duration_s))];
-            Series {
-                name,
-                selects,
-                besides,
-                stepped: "method.tolerance",
-                values,
-                growth: TOLERANCE_GROWTH,
-                is_limited: false,
-            }
+            Series::by_tolerances(name, selects, TOLERANCES.into_iter()).with("method.step", number(facts.duration_s))
         } else {
-            let is_closed = integrator.is_exact_without_loads() && facts.closed_form;
-            let values = if is_closed { vec![number(facts.duration_s)] } else { steps(facts) };
-            Series {
-                name,
-                selects,
-                besides: Vec::new(),
-                stepped: "method.step",
-                values,
-                growth: STEP_RATIO as f64,
-                is_limited: false,
-            }
+            Series::by_steps(name, selects, steps(facts))
         }
     };
     Integrator::ALL.into_iter().map(series).collect()
@@ -163,37 +194,14 @@ fn without_contact(facts: &SceneFacts) -> Vec<Series> {
 /// Every tier: one under error control over tolerances, one of fixed steps over steps.
 fn with_contact(facts: &SceneFacts) -> Vec<Series> {
     let series = |tier: Tier| {
-        let (name, besides) = (tier.name(), Vec::new());
-        let selects = [TIER, name];
+        let (name, selects) = (tier.name(), [TIER, tier.name()]);
         if tier.facts().own_response == Some(Response::Penalty) {
-            // What springs err by is their penetration; the tolerance must not bind.
-            let besides = vec![("method.tolerance", format!("{SPRING_TOLERANCE:e}"))];
-            let values = PENETRATIONS_M.map(|depth| format!("{depth:e}")).to_vec();
-            return Series {
-                name,
-                selects,
-                besides,
-                stepped: "method.penalty.penetration_m",
-                values,
-                growth: STEP_RATIO as f64,
-                is_limited: true,
-            };
-        }
-        if tier.facts().controls_error() {
+            Series::by_penetrations(name, selects)
+        } else if tier.facts().controls_error() {
             let tight = TOLERANCES.into_iter().filter(|&tolerance| tolerance <= LOOSEST_CONTACT_TOLERANCE);
-            let values = tight.map(|tolerance| format!("{tolerance:e}")).collect();
-            Series {
-                name,
-                selects,
-                besides,
-                stepped: "method.tolerance",
-                values,
-                growth: TOLERANCE_GROWTH,
-                is_limited: false,
-            }
+            Series::by_tolerances(name, selects, tight)
         } else {
-            let (values, growth) = (steps(facts), STEP_RATIO as f64);
-            Series { name, selects, besides, stepped: "method.step", values, growth, is_limited: false }
+            Series::by_steps(name, selects, steps(facts))
         }
     };
     Tier::ALL.into_iter().map(series).chain(own_ways_of_the_thesis(facts)).collect()
@@ -201,14 +209,9 @@ fn with_contact(facts: &SceneFacts) -> Vec<Series> {
 
 /// The other ways of the thesis to find contact forces (section 3.4), in the tiers that take them, over steps.
 fn own_ways_of_the_thesis(facts: &SceneFacts) -> impl Iterator<Item = Series> {
-    let series = |tier: Tier, method: ContactMethod| Series {
-        name: method.name(),
-        selects: ["method.contact", method.name()],
-        besides: vec![(TIER, tier.name().to_owned())],
-        stepped: "method.step",
-        values: steps(facts),
-        growth: STEP_RATIO as f64,
-        is_limited: true,
+    let series = |tier: Tier, method: ContactMethod| {
+        let selects = ["method.contact", method.name()];
+        Series::by_steps(method.name(), selects, steps(facts)).with(TIER, tier.name().to_owned()).limited()
     };
     let tiers = Tier::ALL.into_iter().filter(|tier| tier.facts().takes(TierFeature::LeastForce));
     tiers.flat_map(move |tier| [ContactMethod::Heuristic, ContactMethod::Guesses].map(|method| series(tier, method)))
@@ -217,14 +220,11 @@ fn own_ways_of_the_thesis(facts: &SceneFacts) -> impl Iterator<Item = Series> {
 /// The impact laws that are not the scene's, each by one run of the most accurate tier.
 fn other_laws(facts: &SceneFacts) -> impl Iterator<Item = Series> {
     let own = facts.impact;
-    ImpactLaw::ALL.into_iter().filter(move |&law| law != own).map(|law| Series {
-        name: names::impact(law),
-        selects: ["method.impact", names::impact(law)],
-        besides: vec![(TIER, Tier::default().name().to_owned())],
-        stepped: "method.tolerance",
-        values: vec![format!("{LAW_TOLERANCE:e}")],
-        growth: 1.0,
-        is_limited: true,
+    ImpactLaw::ALL.into_iter().filter(move |&law| law != own).map(|law| {
+        let name = names::impact(law);
+        Series::by_tolerances(name, ["method.impact", name], std::iter::once(LAW_TOLERANCE))
+            .with(TIER, Tier::default().name().to_owned())
+            .limited()
     })
 }
 

@@ -18,6 +18,7 @@
 //! | `front` | the Pareto front, and the cheapest that reaches a target |
 //! | `runs` | all runs of a study |
 //! | `study` | all of it together |
+//! | `elastic_drop`, `elastic_text` | an elastic body on the drop of a scene, beside the impact laws |
 //! | `scale` | how the time of a method grows with the bodies |
 //! | `broad_phases` | what finding pairs costs |
 //! | `text`, `csv`, `json`, `figure`, `html` | how it is told |
@@ -25,6 +26,8 @@
 mod broad_phases;
 mod candidate;
 mod csv;
+mod elastic_drop;
+mod elastic_text;
 mod error;
 mod figure;
 mod front;
@@ -53,6 +56,7 @@ use crate::scene::SceneText;
 use crate::{inputs, stdout};
 use broad_phases::BroadPhaseStudy;
 use candidate::Axis;
+use elastic_drop::{ElasticBeside, ElasticDrop};
 use ladder::Range;
 use options::{Counting, Options};
 use polhode_scene::{AtomicFile, Override};
@@ -94,6 +98,7 @@ pub(crate) fn cost(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure
     }
     let source = Source::new(&text, &args.scene.changes)?;
     check_outputs(args, &source)?;
+    let elastic = elastic_drop(args, &source)?;
     // A folder that does not exist is found before the work, not after it.
     let paths = [&args.csv, &args.svg, &args.html];
     let [csv, svg, html] = interrupt.remove(|| open_all(paths), temporary)?;
@@ -101,21 +106,43 @@ pub(crate) fn cost(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure
     let options =
         Options { samples: args.samples, effort: effort(args), budget_s: args.budget, target, range, counting };
     let study = Study::run(&source, &axes, &options)?;
+    let beside: Option<ElasticBeside> = elastic.map(ElasticDrop::run).transpose()?;
+    let told = beside.as_ref().map_or_else(String::new, ElasticBeside::text);
     let drawn = if svg.is_some() || html.is_some() { figure::svg(&study, args.target) } else { String::new() };
-    for (file, text) in [(csv, csv::text(&study)), (html, html::page(&study, &drawn)), (svg, drawn)] {
+    for (file, text) in [(csv, csv::text(&study)), (html, html::page(&study, &drawn, &told)), (svg, drawn)] {
         if let Some(file) = file {
             write(file, &text)?;
         }
     }
     if args.json {
-        stdout::json(&json::value(&study, args.target))?;
+        let mut value = json::value(&study, args.target);
+        if let Some(beside) = beside {
+            value["elastic"] = beside.json();
+        }
+        stdout::json(&value)?;
     } else {
-        stdout::text(&text::page(&study, args.target))?;
+        stdout::text(&format!("{}{told}", text::page(&study, args.target)))?;
     }
     match args.target {
         _ if study.base.is_none() => Err(Failure::Check(text::none_ran(&study))),
         Some(target) if study.cheapest(target).is_none() => Err(Failure::Check(text::not_reached(&study, target))),
         _ => Ok(()),
+    }
+}
+
+/// The drop of the scene, where an elastic body can be shown beside the laws: wherever it can, unless settings are varied.
+///
+/// # Errors
+/// Why it cannot, where it is asked for.
+fn elastic_drop(args: &CostArgs, source: &Source<'_>) -> Result<Option<ElasticDrop>, Failure> {
+    if !args.elastic && !args.vary.is_empty() {
+        return Ok(None);
+    }
+    match ElasticDrop::of(&source.load()?.scene) {
+        Err(reason) if args.elastic => {
+            Err(usage(&format!("--elastic: no elastic body stands for this scene: {reason}")))
+        }
+        drop => Ok(drop.ok()),
     }
 }
 

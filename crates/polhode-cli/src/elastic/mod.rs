@@ -7,9 +7,10 @@
 //! | `table` | many drops, one a row |
 //! | `picture` | the deformed mesh with its stresses as SVG |
 
+pub(crate) mod rigid;
+
 mod one;
 mod picture;
-mod rigid;
 mod table;
 
 use crate::args::ElasticArgs;

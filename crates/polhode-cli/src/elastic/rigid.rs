@@ -23,13 +23,13 @@ const TRIED: usize = 100;
 
 /// A rebound.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Rebound {
+pub(crate) struct Rebound {
     /// Velocity along the floor, m/s.
-    pub(super) along: f64,
+    pub(crate) along: f64,
     /// Velocity up, m/s.
-    pub(super) up: f64,
+    pub(crate) up: f64,
     /// Angular velocity about y, rad/s.
-    pub(super) spin: f64,
+    pub(crate) spin: f64,
 }
 
 impl Rebound {
@@ -43,19 +43,22 @@ impl Rebound {
 
 /// What a law makes of the drop.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct RigidDrop {
-    pub(super) law: ImpactLaw,
-    pub(super) restitution: f64,
-    pub(super) rebound: Rebound,
+pub(crate) struct RigidDrop {
+    /// The law.
+    pub(crate) law: ImpactLaw,
+    /// Its coefficient.
+    pub(crate) restitution: f64,
+    /// How the box leaves.
+    pub(crate) rebound: Rebound,
     /// How far it is off the elastic rebound, in units of the speed of the drop.
-    pub(super) error: f64,
+    pub(crate) error: f64,
     /// Computing time, s.
-    pub(super) wall_s: f64,
+    pub(crate) wall_s: f64,
 }
 
 /// The laws without loss, and that with the best coefficient, beside an elastic rebound that was watched for so long (s).
-pub(super) fn laws(drop: &RectangleDrop, elastic: &Rebound, watched_s: f64) -> Result<Vec<RigidDrop>, Failure> {
-    let run = |law, restitution| run(drop, elastic, watched_s, law, restitution);
+pub(crate) fn laws(drop: &RectangleDrop, elastic: &Rebound, watched_s: f64) -> Result<Vec<RigidDrop>, Failure> {
+    let run = |law, restitution| of_law(drop, elastic, watched_s, law, restitution);
     let mut found: Vec<RigidDrop> = [ImpactLaw::Propagation, ImpactLaw::Simultaneous, ImpactLaw::Reflection]
         .map(|law| run(law, 1.0))
         .into_iter()
@@ -71,7 +74,8 @@ pub(super) fn laws(drop: &RectangleDrop, elastic: &Rebound, watched_s: f64) -> R
     Ok(found)
 }
 
-fn run(
+/// What a law with a coefficient makes of the drop, beside an elastic rebound that was watched for so long (s).
+pub(crate) fn of_law(
     drop: &RectangleDrop,
     elastic: &Rebound,
     watched_s: f64,

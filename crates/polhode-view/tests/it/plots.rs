@@ -6,6 +6,7 @@ use polhode::mesh::solid_sphere;
 use polhode::spatial::{DVec3, Mass, Pose, Velocity};
 use polhode::{Body, BodySample, Observer, Scene, Simulation};
 use polhode_view::plot::cost_chart::{CostCurve, CostPoint, Level, OtherUnits, Rank, Target};
+use polhode_view::plot::cost_panels::{CostPanel, CostPanels, PanelBand, PanelCurve};
 use polhode_view::plot::dot_chart::{Cell, Dot, Row};
 use polhode_view::plot::time_chart::{AxisKind, Course, EventRow, Line, Panel, Reach, Stop};
 use polhode_view::plot::{ComparePlot, ComparePlots, CostChart, DotChart, Ink, RunPlot, RunPlots, TimeChart, Trace};
@@ -238,6 +239,41 @@ fn a_study_of_any_kind_gives_a_figure() {
         row(vec![cells(&[("rk4", nan)], Some(0)), cells(&[("exact", 1e-5)], Some(7))]),
     ];
     check(&dots(all).svg());
+}
+
+/// Panels of nothing, of points that are none, of errors beyond any answer; one method highlighted.
+#[test]
+fn panels_of_any_kind_give_a_figure() {
+    let curve = |name: &str, points: &[[f64; 2]]| PanelCurve { name: name.to_owned(), points: points.to_vec() };
+    let band = Some(PanelBand { errors: [1e-2, 1e-2], text: "laws differ".to_owned() });
+    let panel = |curves: Vec<PanelCurve>| CostPanel { title: "A box & a floor".to_owned(), curves, band: band.clone() };
+    let figure = |panels: Vec<CostPanel>, highlighted: &[&str]| {
+        let highlighted = highlighted.iter().map(|name| (*name).to_owned()).collect();
+        let text = |text: &str| text.to_owned();
+        CostPanels {
+            title: text("title"),
+            subtitle: text("how"),
+            across: text("s"),
+            up: text("error"),
+            panels,
+            highlighted,
+        }
+        .svg()
+    };
+    check(&figure(Vec::new(), &[]));
+    check(&figure(vec![panel(Vec::new())], &["fast"]));
+    let nan = f64::NAN;
+    let odd = panel(vec![curve("fast", &[[nan, 1.0], [1.0, nan], [0.0, 0.0]]), curve("none", &[])]);
+    check(&figure(vec![odd.clone()], &[]));
+    let all = || {
+        vec![panel(vec![curve("accurate", &[[1e-3, 1e-15]]), curve("fast", &[[1e-3, 1e5], [1e-1, 1e-2]])]), odd.clone()]
+    };
+    check(&figure(all(), &[]));
+    let highlighted = figure(all(), &["fast"]);
+    check(&highlighted);
+    assert!(
+        highlighted.contains(">fast<") && highlighted.contains(">accurate<") && highlighted.contains(">real time<")
+    );
 }
 
 /// Nothing but the error of the reference and a target, below it or at the upper edge: both levels and their names are
