@@ -8,13 +8,14 @@ use super::run::Run;
 use super::{CaseResult, Context};
 use crate::row::Row;
 use glam::DVec3;
+use polhode::contact::Shape;
 use polhode::response::impact::PulseExponent;
 use polhode::response::{
     ComplementaritySolver, ContactProblem, ImpactLaw, ImpactProblem, ImpactSettings, ImpactStatus,
 };
-use polhode::scene::{Material, RestitutionSpeed};
-use polhode::spatial::{Pose, UnitVector};
-use polhode::{Effects, EventKind, Scene};
+use polhode::scene::{Material, Method, RestitutionSpeed};
+use polhode::spatial::{Inertia, Mass, MassProperties, Pose, UnitVector, Velocity};
+use polhode::{Body, Effects, EventKind, Scene};
 use std::error::Error;
 
 const CASE: &str = "impact laws";
@@ -36,6 +37,8 @@ const EXACT: f64 = 1e-14;
 const BOUNCE: f64 = 1e-12;
 /// Those of springs to the error of their steps.
 const OF_STEPS: f64 = 1e-10;
+/// With friction some more pieces add up, in space those of slips that turn.
+const WITH_FRICTION: f64 = 1e-9;
 /// The energy may rise by this part: four rounding units.
 const RISE: f64 = 4.0 * f64::EPSILON;
 
@@ -112,8 +115,9 @@ fn difference(found: &[f64], expected: &[f64]) -> f64 {
 }
 
 /// The tables.
-pub(super) fn rows(_context: &Context) -> CaseResult {
+pub(super) fn rows(context: &Context) -> CaseResult {
     let mut rows = tables()?;
+    rows.extend(plank(context)?);
     rows.extend(energies()?);
     rows.extend(bounces_at_speed()?);
     Ok(rows)
@@ -194,6 +198,57 @@ fn energies() -> CaseResult {
         rows.push(Row::at_most(CASE, &format!("{name}: largest rise of energy, of the energy"), RISE, rise));
         rows.push(Row::at_most(CASE, &format!("{name}: largest loss of energy with e=1, of the energy"), limit, loss));
         rows.push(Row::exact(CASE, &format!("{name}: separates with e=1"), true, separated));
+    }
+    Ok(rows)
+}
+
+/// A plank that lands on its lower edge, at two points, is the rod of IM-07: slip that goes on, reverses, or sticks. The law pulse
+/// integrates the two contacts, where the rod has Stronge's closed form.
+fn plank(context: &Context) -> CaseResult {
+    /// Half the width of the plank, m.
+    const HALF_WIDTH: f64 = 0.2;
+    /// Gap below the edge, m.
+    const GAP_M: f64 = 0.05;
+    let half = 0.5 * std::f64::consts::FRAC_1_SQRT_2;
+    let inertia = Inertia::from_diagonal(DVec3::new(1.0 / 12.0, 1.0 / 12.0, 1.0 / 12.0))?;
+    let along = DVec3::new(half, 0.0, half);
+    let across = DVec3::Y * HALF_WIDTH;
+    let points = vec![along - across, along + across, -along - across, -along + across];
+    let mut rows = Vec::new();
+    for friction in [0.1, 0.5, 1.0] {
+        let of_rod =
+            context.reference.numbers("IM-07", &format!("mu={friction}, stronge: p_t, p_n, vx', vy', w', T'/T"))?;
+        // Turning about z in the plane of the case is turning about -y here.
+        let expected = [of_rod[2], of_rod[3], -of_rod[4]];
+        let material = Material::new("rough").with_restitution(0.5)?.with_friction(friction)?;
+        for exponent in [PulseExponent::Linear, PulseExponent::Hertz] {
+            for effects in [Effects::Planned, Effects::All] {
+                let body = Body::movable("plank", MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, inertia))
+                    .geometry(Shape::points(points.clone())?.into())
+                    .pose(Pose::from_translation(DVec3::Z * (half + GAP_M)))
+                    .velocity(Velocity::new(DVec3::new(0.6, 0.0, -1.0), DVec3::ZERO))
+                    .material(material.clone());
+                let method = Method {
+                    impact: Some(polhode::scene::ImpactLaw::Pulse),
+                    pulse_exponent: Some(exponent),
+                    ..Method::default()
+                };
+                let scene = Scene::builder("plank")
+                    .gravity(DVec3::ZERO)
+                    .method(method)
+                    .body(half_space("floor", UnitVector::Z).material(material.clone()))
+                    .body(body)
+                    .duration_s(1.01 * GAP_M)
+                    .build()?;
+                let end = Run::of(&scene, effects)?.last("plank")?.velocity;
+                let found = [end.linear.x, end.linear.z, end.angular.y];
+                let quantity = format!(
+                    "plank on its edge, mu={friction}, pulse, {}, {effects:?} effects: largest error of velocities, m/s",
+                    exponent.name()
+                );
+                rows.push(Row::at_most(CASE, &quantity, WITH_FRICTION, difference(&found, &expected)));
+            }
+        }
     }
     Ok(rows)
 }

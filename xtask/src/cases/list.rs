@@ -9,8 +9,8 @@ use super::{
     one_dependency, orders_in_contact, peers, pi_machine, polhode_times, published_rotations, random_scenes,
     random_solids, reductions, rest_every_way, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, seams,
     sliding, sliding_and_spinning, sliding_height, slipping_and_rolling, slopes, snapshots, speed, spinning_scenes,
-    stability, stackings, stacks, stacks_on_slopes, structures, table_edge, thesis_forces, thesis_tier, tunnelling,
-    units, valleys, videos, walls,
+    stability, stackings, stacks, stacks_on_slopes, stiffness_limit, structures, table_edge, thesis_forces,
+    thesis_tier, tunnelling, units, valleys, videos, walls,
 };
 use crate::schedule::Company;
 
@@ -205,6 +205,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "diamond-5 falls", rows: diamonds::falls_symmetrically },
     Case { name: "tier fast", rows: fast_tier::closed_forms },
     Case { name: "orders in contact", rows: orders_in_contact::rows },
+    Case { name: "stiffness limit", rows: stiffness_limit::rows },
     Case { name: "sliding does not float", rows: sliding_height::rows },
     Case { name: "tier thesis", rows: thesis_tier::diamonds },
     Case { name: "videos", rows: videos::rows },

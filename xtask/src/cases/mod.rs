@@ -92,6 +92,7 @@ mod stability;
 mod stackings;
 mod stacks;
 mod stacks_on_slopes;
+mod stiffness_limit;
 mod structures;
 mod table_edge;
 mod thesis_forces;

@@ -10,7 +10,7 @@ use polhode_response::impact::PulseExponent;
 use polhode_response::{
     CollisionMatrix, ComplementaritySolver, ContactProblem, ImpactLaw, ImpactProblem, ImpactSettings, ImpactStatus,
     Law, MultipleFrictionalImpact, MultipleImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus,
-    RestitutionLaw, SingleFrictionalImpact,
+    Resistance, RestitutionLaw, SingleFrictionalImpact,
 };
 use proptest::prelude::*;
 
@@ -254,8 +254,8 @@ fn rolling_is_refused() {
     let rows = box_on_two_corners();
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let matrix: Vec<f64> = rows.iter().flat_map(|a| rows.iter().map(|b| dot(a, b))).collect();
-    let rolls = polhode_response::Resistance { rows: 1, friction: 0.1, slides: false };
-    let law = Law::Resist { parts: [Default::default(), rolls, Default::default()] };
+    let rolls = Resistance { rows: 1, friction: 0.1, slides: false };
+    let law = Law::Resist { parts: [Resistance::default(), rolls, Resistance::default()] };
     let problem = FrictionProblem::from_dense(vec![law, law], &matrix, vec![-1.0, 0.1, -1.0, 0.1]).unwrap();
     let impact = MultipleFrictionalImpact {
         contacts: &problem,

@@ -220,8 +220,12 @@ impl Springs {
         if !(impulse_unit > 0.0 && impulse_unit.is_finite()) {
             return None;
         }
-        matrix.iter_mut().for_each(|entry| *entry /= largest);
-        from.iter_mut().for_each(|u| *u /= approach);
+        for entry in &mut matrix {
+            *entry /= largest;
+        }
+        for u in &mut from {
+            *u /= approach;
+        }
         for contact in &mut contacts {
             if contact.restitution < NO_REBOUND {
                 contact.restitution = 0.0;
@@ -316,7 +320,7 @@ impl<'a> Walk<'a> {
             let tried = self.step(length);
             let relative = tried.error / STEP_ERROR;
             if relative <= 1.0 || length <= SHORTEST_PULSE_STEP {
-                let taken = if self.inside(&tried) < 0.0 { self.to_the_end(tried, length) } else { tried };
+                let taken = if self.inside(&tried) < 0.0 { self.shortened(tried, length) } else { tried };
                 self.state = taken.state;
                 self.velocities = taken.velocities;
                 self.change_modes();
@@ -413,7 +417,7 @@ impl<'a> Walk<'a> {
     }
 
     /// The step to where the first contact leaves its mode, within one of a length that goes beyond.
-    fn to_the_end(&mut self, beyond: Tried, length: f64) -> Tried {
+    fn shortened(&mut self, beyond: Tried, length: f64) -> Tried {
         let start = Tried { state: self.state.clone(), velocities: self.velocities.clone(), error: 0.0 };
         let (mut low, mut high) = ((0.0, self.inside(&start).max(0.0)), (length, self.inside(&beyond)));
         let mut taken = beyond;
