@@ -26,6 +26,7 @@ use crate::solve::contradiction::refuse_contradictions;
 use crate::world::World;
 use polhode_dynamics::error_allowance::{ErrorAllowance, LargestError};
 use polhode_dynamics::field::Wrench;
+use polhode_dynamics::integrated_motion::OVERHANG;
 use polhode_dynamics::integrator::dop853::STEP_SHARE;
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, WIDTH};
 use polhode_dynamics::step_control::{Accepted, Attempt, StepControl, Steps};
@@ -36,9 +37,9 @@ use polhode_spatial::DVec3;
 /// A step shorter than this fraction of the longest allowed makes no progress.
 const SMALLEST_STEP_RELATIVE: f64 = 1e-15;
 
-/// Nor does one shorter than this many times the spacing of times (8 to 1e3): the polynomials of its motion, whose rates are
-/// divided by powers of its length, then say nothing.
-const SMALLEST_STEP_UNITS: f64 = 16.0;
+/// Nor does one shorter than this many times the spacing of times (no unit): the rounding of its end, half a spacing, would lie beyond
+/// the part of a step by which an interval may leave it, where the bounds of the motion are infinite.
+const SMALLEST_STEP_UNITS: f64 = 0.5 / OVERHANG;
 
 /// Rounding error of the directions of contact forces, which differs from stage to stage: that of the normals, a few
 /// rounding units.
@@ -403,5 +404,23 @@ fn field_rounding([(start, before), (end, after)]: [(&BodyState, Wrench); 2]) ->
         [(after.force - before.force).length() / units, (after.torque - before.torque).length() / units]
     } else {
         [0.0; 2]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    //! The bounds of the motion hold over the shortest step that is made, whatever the rounding of its end.
+    use super::{OVERHANG, SMALLEST_STEP_UNITS};
+
+    #[test]
+    fn the_rounded_end_of_the_shortest_step_is_where_the_bounds_of_its_motion_hold() {
+        for t in [0.312_505_103_289_186_6, 0.999, 1.0, 1.7, 6.02e3] {
+            for longer in [1.0, 1.01, 1.03, 1.31, 1.57] {
+                let h = longer * SMALLEST_STEP_UNITS * f64::EPSILON * t;
+                let end: f64 = t + h;
+                let beyond = (end - t) / h - 1.0;
+                assert!(beyond <= OVERHANG, "{t} s, {h:e} s: {beyond}");
+            }
+        }
     }
 }

@@ -2,9 +2,10 @@
 
 use crate::support::brick;
 use polhode::dynamics::integrator::Method as Integrator;
+use polhode::mesh::primitives::Amount;
 use polhode::observer::Flow;
 use polhode::scene::Method;
-use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Velocity};
+use polhode::spatial::{DVec3, Density, Inertia, Mass, MassProperties, Pose, Velocity};
 use polhode::{Body, BodySample, Event, Observer, Recorder, RunReport, Scene, Simulation, SimulationError};
 
 /// The largest closure error of a ledger, relative to its scale: compensated sums leave some roundings.
@@ -20,8 +21,17 @@ pub(crate) fn particle(name: &str, mass: f64, position: DVec3, velocity: DVec3) 
 
 /// A box of uniform density and of this mass.
 pub(crate) fn heavy_brick(name: &str, mass: f64, size: DVec3, center: DVec3) -> Body {
+    solid_brick(name, Mass::new(mass).unwrap(), size, center)
+}
+
+/// A box of this density.
+pub(crate) fn dense_brick(name: &str, density: f64, size: DVec3, center: DVec3) -> Body {
+    solid_brick(name, Density::new(density).unwrap(), size, center)
+}
+
+fn solid_brick(name: &str, amount: impl Into<Amount>, size: DVec3, center: DVec3) -> Body {
     let shape = brick(name, size, center).shape().unwrap().clone();
-    let properties = polhode::mesh::primitives::solid_box(size, Mass::new(mass).unwrap()).unwrap();
+    let properties = polhode::mesh::primitives::solid_box(size, amount).unwrap();
     Body::movable(name, properties).geometry(shape).pose(Pose::from_translation(center))
 }
 
