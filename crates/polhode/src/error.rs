@@ -92,6 +92,19 @@ pub enum SimulationError {
         /// Largest frequency, or rate of a damper, 1/s.
         rate: f64,
     },
+    /// An implicit step on springs has too many bodies for its matrix.
+    #[error(
+        "the implicit step on springs factorises one matrix of all bodies that may meet, at most {limit}, and {bodies} may at t = \
+         {t_s} s: leave out method.integrator, whose steps are under error control, or give \"rk4\" or \"semi-implicit-euler\""
+    )]
+    ImplicitTooLarge {
+        /// When, s.
+        t_s: f64,
+        /// Bodies that may meet within a step.
+        bodies: usize,
+        /// The most that are accepted.
+        limit: usize,
+    },
     /// Gears or prescribed motions of joints ask for what cannot be together.
     #[error(
         "{what} contradicts other gears, prescribed motions or joints at t = {t_s} s: no motion of the bodies keeps all of them; leave \

@@ -12,8 +12,8 @@ use polhode_spatial::{DQuat, DVec3};
 /// Places in the ledgers of a flat state: impulse and moment of weights, those of fields, energy to dampers, external work.
 const WEIGHTS: usize = 6;
 const FIELDS: usize = 12;
-const DAMPING: usize = 18;
-const EXTERNAL: usize = 19;
+const TO_DAMPERS: usize = 18;
+const FROM_OUTSIDE: usize = 19;
 
 /// Rates of `bodies`, in the states that they have and in `flat`, under these loads.
 pub(crate) fn free_rates(
@@ -55,8 +55,8 @@ pub(crate) fn add_outside_rates(
         let given = given_by_fields(world, t, states, bodies, about);
         add(&mut ledgers[FIELDS..], given.fields.linear);
         add(&mut ledgers[FIELDS + 3..], given.fields.angular);
-        ledgers[DAMPING] += given.damping_j;
-        ledgers[EXTERNAL] += given.external_j;
+        ledgers[TO_DAMPERS] += given.damping_j;
+        ledgers[FROM_OUTSIDE] += given.external_j;
     }
 }
 

@@ -31,6 +31,9 @@ const STIFFNESSES: [f64; 5] = [1e3, 1e5, 1e7, 1e9, 1e11];
 const STIFFEST_EXPLICIT: f64 = 1e9;
 /// Explicit methods with their bound of a step times a frequency.
 const EXPLICIT: [(Integrator, f64); 2] = [(Integrator::SemiImplicitEuler, 2.0), (Integrator::Rk4, 2.78)];
+/// Tolerances of error control: of what is compared with, and of everyday.
+const TIGHT: f64 = 1e-12;
+const EVERYDAY: f64 = 1e-6;
 /// Part of the bound that is used.
 const WITHIN: f64 = 0.5;
 /// Bounds are those of the frequency to this, relative.
@@ -41,11 +44,11 @@ const FEW_STEPS: f64 = 1.0;
 const GAIN: f64 = 1e-2;
 
 /// The ball with a method, on a floor of this stiffness.
-fn fall(stiffness: f64, method: Method) -> Result<Run, Box<dyn Error>> {
+fn fall(stiffness: f64, method: &Method) -> Result<Run, Box<dyn Error>> {
     let material = Material::new("elastic").with_restitution(1.0)?;
     let ball = sphere(RADIUS)?.pose(Pose::from_translation(DVec3::Z * (RADIUS + FALL_M))).material(material.clone());
     let penalty = PenaltyMethod { stiffness_n_m: Some(stiffness), ..PenaltyMethod::default() };
-    let method = Method { response: Some(Response::Penalty), penalty: Some(penalty), ..method };
+    let method = Method { response: Some(Response::Penalty), penalty: Some(penalty), ..method.clone() };
     let scene = Scene::builder("fall").body(ball).body(half_space("floor", UnitVector::Z).material(material));
     let scene = scene.method(method).duration_s(DURATION_S).output_interval_s(DURATION_S).build()?;
     Run::of(&scene, Effects::Planned)
@@ -76,12 +79,12 @@ pub(super) fn rows(_context: &Context) -> CaseResult {
     let mut rows = Vec::new();
     for stiffness in STIFFNESSES {
         let frequency = stiffness.sqrt();
-        let exact = fall(stiffness, Method { tolerance: Some(1e-12), ..Method::default() })?;
+        let exact = fall(stiffness, &Method { tolerance: Some(TIGHT), ..Method::default() })?;
         let height = end(&exact)?[0];
-        let controlled = fall(stiffness, Method { tolerance: Some(1e-6), ..Method::default() })?;
+        let controlled = fall(stiffness, &Method { tolerance: Some(EVERYDAY), ..Method::default() })?;
         rows.push(row(stiffness, "error control at 1e-6", (&controlled, height), FEW_STEPS)?);
         for (integrator, bound) in EXPLICIT {
-            let named = named_step(fall(stiffness, fixed(integrator, 1.1 * bound / frequency)));
+            let named = named_step(fall(stiffness, &fixed(integrator, 1.1 * bound / frequency)));
             let quantity = format!("k = {stiffness:e} N/m: longest step of {integrator} that a refusal names, s");
             rows.push(Row::compared(
                 CASE,
@@ -91,13 +94,13 @@ pub(super) fn rows(_context: &Context) -> CaseResult {
                 Tolerance::Relative(BOUND),
             ));
             if stiffness <= STIFFEST_EXPLICIT {
-                let run = fall(stiffness, fixed(integrator, WITHIN * bound / frequency))?;
+                let run = fall(stiffness, &fixed(integrator, WITHIN * bound / frequency))?;
                 rows.push(row(stiffness, &format!("{integrator} at half its bound"), (&run, height), FEW_STEPS)?);
             }
         }
         for times in [1.0, 30.0] {
             let step_s = (times * 2.0 / frequency).min(0.1 * DURATION_S);
-            let run = fall(stiffness, fixed(Integrator::ImplicitMidpoint, step_s))?;
+            let run = fall(stiffness, &fixed(Integrator::ImplicitMidpoint, step_s))?;
             let energy = end(&run)?[1];
             let what = format!("implicit-midpoint at {times} times the bound of Euler");
             rows.push(row(stiffness, &what, (&run, height), f64::INFINITY)?);

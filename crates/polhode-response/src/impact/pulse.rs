@@ -24,7 +24,8 @@
 
 use super::finish::Impact;
 use super::friction::pulse::MOST_COMPRESSIONS;
-use super::friction::springs::{PulseExponent, SpringContact, Springs};
+use super::friction::spring_contact::SpringContact;
+use super::friction::springs::{PulseExponent, Springs};
 use super::impact_problem::ImpactProblem;
 use super::outcome::{ImpactOutcome, ImpactStatus};
 use super::single_contact_impulse;

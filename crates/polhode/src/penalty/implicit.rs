@@ -3,6 +3,8 @@
 //! It is stable however stiff a spring is. The equation is solved by Newton's method, with a matrix of differences that is made
 //! anew when the iteration slows; where it does not converge the step is halved, and both halves are made in turn. The
 //! ledgers are integrated by the same rule. Source: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.7.
+//! The matrix is dense: 13 numbers for each body and 3 for each spring, factorised in their cube. More than [`MOST_BODIES`] that may
+//! meet are refused: [`SimulationError::ImplicitTooLarge`].
 //! How it fails: a force that no midpoint satisfies leaves no step above [`SMALLEST_PART`] of that asked:
 //! [`SimulationError::StepTooSmall`].
 
@@ -12,6 +14,9 @@ use super::system::{SPRING, SpringSystem};
 use crate::SimulationError;
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH};
 use polhode_dynamics::{RigidBody, System};
+
+/// Most bodies of a group (32 to 128): with two springs each a factorisation is of 1200 rows, half a second.
+const MOST_BODIES: usize = 64;
 
 /// The shortest part of a step that is tried.
 const SMALLEST_PART: f64 = 1.0 / 1024.0;
@@ -31,13 +36,17 @@ const SLOW_NEWTON: f64 = 0.1;
 /// Advances a flat state over `h` from `t` (s).
 ///
 /// # Errors
-/// When Newton's method does not converge in a small part of the step either.
+/// When there are too many bodies, or Newton's method does not converge in a small part of the step either.
 pub(super) fn step(
     system: &mut SpringSystem<'_>,
     laws: &Laws,
     (t, h): (f64, f64),
     state: &mut [f64],
 ) -> Result<(), SimulationError> {
+    let bodies = system.bodies.len();
+    if bodies > MOST_BODIES {
+        return Err(SimulationError::ImplicitTooLarge { t_s: t, bodies, limit: MOST_BODIES });
+    }
     let (mut made, mut part) = (0.0, 1.0);
     while made < 1.0 {
         if midpoint(system, laws, (t + made * h, part * h), state) {

@@ -6,8 +6,8 @@
 //! then goes uphill as long as downhill.
 //!
 //! Here, for any number of contacts: with `p_0` the impulses that stop all contacts that carry (the cone problem without restitution)
-//! and stick them, `p = (1 + e) p_0` and `u+ = u_0 + e (u_0 - u-)`. `e` is the least restitution of those contacts, which is 1 where
-//! bodies touch (`collision/envelope.rs`): there this is Mirtich's rule. `p` is in all cones with `p_0`; the energy changes by `1 - e^2`
+//! and stick them, `p = (1 + e) p_0` and `u+ = u_0 + e (u_0 - u-)`. `e` is the largest restitution of those contacts, that of the nearest, which is 1 where
+//! bodies touch (`collision/envelope.rs`): there this is Mirtich's rule, and no corner sinks below touch. `p` is in all cones with `p_0`; the energy changes by `1 - e^2`
 //! times what a stop takes.
 //!
 //! It does not apply where a contact slips, carries with a velocity left, or would be left approaching.
@@ -36,7 +36,7 @@ pub(crate) fn reversal(
     if !(0..contacts).filter(carries).all(sticks) {
         return Ok(None);
     }
-    let e = (0..contacts).filter(carries).map(|block| impact.restitution[block]).fold(1.0, f64::min);
+    let e = (0..contacts).filter(carries).map(|block| impact.restitution[block]).fold(0.0, f64::max);
     let before = blocks.constant();
     let velocities_after: Vec<f64> =
         stop.velocities_after.iter().zip(before).map(|(stopped, before)| stopped + e * (stopped - before)).collect();

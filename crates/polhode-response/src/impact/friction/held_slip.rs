@@ -11,10 +11,10 @@
 use super::collision_matrix::CollisionMatrix;
 use super::coulomb::{Coulomb, ZeroSlip};
 use super::plane::{self, Tangent};
-use super::springs::SpringContact;
+use super::spring_contact::SpringContact;
 
 /// Most sweeps over the contacts (100 to 10 000).
-const SWEEPS: usize = 2_000;
+const HELD_SWEEPS: usize = 2_000;
 
 /// A change below this part of the largest force is none (no unit): rounding.
 const NO_CHANGE: f64 = 1e-15;
@@ -57,7 +57,7 @@ impl HeldSlip {
             }
         }
         let alone = chosen.len() == 1;
-        for _ in 0..SWEEPS {
+        for _ in 0..HELD_SWEEPS {
             let mut change: f64 = 0.0;
             for &i in &chosen {
                 let contact = &contacts[i];

@@ -14,7 +14,7 @@
 //! | `multiple` | [`MultipleFrictionalImpact`]: an impact at several contacts |
 //! | `multiple_outcome` | [`MultipleImpact`]: what it did |
 //! | `simultaneous`, `sequence`, `pulse` | contacts struck together, one at a time, and as springs ([`MultipleImpactLaw`]) |
-//! | `springs`, `held_slip` | contacts as springs with friction, and which of them stick |
+//! | `springs`, `spring_contact`, `held_slip` | contacts as springs with friction, and which of them stick |
 //! | `reactions` | what unit impulses at a contact do with joints held |
 //! | `without_collision` | impacts of contacts that jam, at one or several |
 //! | `part` | contacts that move each other, and their cone problems |
@@ -39,7 +39,7 @@ mod part;
 mod path;
 mod phase;
 mod plane;
-pub(in crate::impact) mod pulse;
+pub(crate) mod pulse;
 mod reactions;
 mod restitution;
 mod root;
@@ -47,7 +47,8 @@ mod sequence;
 mod simultaneous;
 mod single;
 mod sliding;
-pub(in crate::impact) mod springs;
+pub(crate) mod spring_contact;
+pub(crate) mod springs;
 mod straight;
 mod turning;
 mod without_collision;

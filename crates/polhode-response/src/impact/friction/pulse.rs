@@ -17,13 +17,14 @@ use super::multiple_outcome::MultipleImpactStatus;
 use super::part::{Part, Struck};
 use super::reactions::UnitReactions;
 use super::sequence::finish;
-use super::springs::{PulseExponent, SpringContact, Springs};
+use super::spring_contact::SpringContact;
+use super::springs::{PulseExponent, Springs};
 use crate::error::ResponseError;
 use crate::law::Law;
 
 /// Most compressions of an impact (1e3 to 1e5). A body between others is compressed about as often as the root of the ratio of
 /// their masses says where no energy is lost, a ratio of some 1e6 here, and as often as that ratio itself where much is lost.
-pub(in crate::impact) const MOST_COMPRESSIONS: usize = 2_000;
+pub(crate) const MOST_COMPRESSIONS: usize = 2_000;
 
 /// Strikes all contacts of a part, whose joints do not move.
 pub(super) fn strike_by_springs(

@@ -26,6 +26,7 @@
 
 use super::held_slip::HeldSlip;
 use super::plane::{self, Tangent};
+use super::spring_contact::SpringContact;
 
 /// The exponent of the springs of the contacts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -83,7 +84,7 @@ const END_WITHOUT_REBOUND: f64 = 1e-4;
 const NO_REBOUND: f64 = 2e-2;
 
 /// A slip below this part of the first approach has stopped (no unit): in space its direction turns ever faster towards its end.
-const STOPPED_SLIP: f64 = 1e-10;
+const ENDED_SLIP: f64 = 1e-10;
 
 /// A contact that starts to slip has the direction that its loads ask for, not that of its slip, up to this part of the first
 /// approach (no unit, 1e-7 to 1e-5): before, the two differ by the rounding of a slip that is hardly there.
@@ -122,34 +123,6 @@ const STAGES: [&[f64]; 6] = [
 const DIFFERENCE: [f64; 7] =
     [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
 
-/// A contact of the springs.
-#[derive(Debug, Clone, Copy)]
-pub(in crate::impact) struct SpringContact {
-    /// Its normal row; those of its tangents follow.
-    pub(in crate::impact) row: usize,
-    /// How many tangents: 0 to 2.
-    pub(in crate::impact) tangents: usize,
-    pub(in crate::impact) friction: f64,
-    pub(in crate::impact) restitution: f64,
-}
-
-impl SpringContact {
-    /// Its slip, of the velocities of all rows.
-    pub(super) fn slip(&self, velocities: &[f64]) -> Tangent {
-        let along = |k: usize| if k < self.tangents { velocities[self.row + 1 + k] } else { 0.0 };
-        [along(0), along(1)]
-    }
-
-    /// An approach that is over, in units of the first one.
-    fn spent(&self) -> f64 {
-        if self.restitution > 0.0 { SPENT_APPROACH } else { END_WITHOUT_REBOUND }
-    }
-
-    fn has_friction(&self) -> bool {
-        self.tangents > 0 && self.friction > 0.0
-    }
-}
-
 /// Whether a spring is loaded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Load {
@@ -178,7 +151,7 @@ struct Mode {
 
 /// The springs of all contacts, in units of the largest approach and of the largest inverse mass along a normal.
 #[derive(Debug)]
-pub(in crate::impact) struct Springs {
+pub(crate) struct Springs {
     exponent: PulseExponent,
     contacts: Vec<SpringContact>,
     /// `G` of all rows in these units, row-major.
@@ -193,21 +166,21 @@ pub(in crate::impact) struct Springs {
 
 /// What the springs did.
 #[derive(Debug)]
-pub(in crate::impact) struct Sprung {
+pub(crate) struct Sprung {
     /// Of all rows, N s.
-    pub(in crate::impact) impulses: Vec<f64>,
+    pub(crate) impulses: Vec<f64>,
     /// Works of the normal impulse and of friction of each contact, J.
-    pub(in crate::impact) works: Vec<[f64; 2]>,
+    pub(crate) works: Vec<[f64; 2]>,
     /// Whether each contact has friction and does not slip at the end.
-    pub(in crate::impact) sticks: Vec<bool>,
+    pub(crate) sticks: Vec<bool>,
     /// Whether everything was spent.
-    pub(in crate::impact) ended: bool,
+    pub(crate) ended: bool,
 }
 
 impl Springs {
     /// Of the rows of contacts, row-major `matrix` (1/kg) with the joints held, and velocities before (m/s). None where nothing
     /// can be moved, or nothing approaches.
-    pub(in crate::impact) fn of(
+    pub(crate) fn of(
         mut contacts: Vec<SpringContact>,
         mut matrix: Vec<f64>,
         mut from: Vec<f64>,
@@ -235,7 +208,7 @@ impl Springs {
     }
 
     /// Lets the springs spend what they take, with this many compressions at most.
-    pub(in crate::impact) fn run(&self, most_compressions: usize) -> Sprung {
+    pub(crate) fn run(&self, most_compressions: usize) -> Sprung {
         let mut walk = Walk::new(self);
         let ended = walk.go(most_compressions);
         let (count, rows) = (self.contacts.len(), self.from.len());
@@ -401,7 +374,7 @@ impl<'a> Walk<'a> {
         let within = |(i, (contact, mode)): (usize, (&SpringContact, &Mode))| {
             let u = tried.velocities[contact.row];
             let load = match mode.load {
-                Load::Apart => return u + contact.spent(),
+                Load::Apart => return u + spent(contact),
                 Load::Closing => -u,
                 Load::Opening => u.min(tried.state[i]),
             };
@@ -410,7 +383,7 @@ impl<'a> Walk<'a> {
                 Slip::Free => f64::INFINITY,
                 Slip::Held => STARTED_SLIP - plane::length(slip),
                 Slip::Slips(first) if contact.tangents == 1 => plane::dot(slip, first),
-                Slip::Slips(first) => plane::dot(slip, first).min(plane::length(slip) - STOPPED_SLIP),
+                Slip::Slips(first) => plane::dot(slip, first).min(plane::length(slip) - ENDED_SLIP),
             })
         };
         contacts.map(within).fold(f64::INFINITY, f64::min)
@@ -458,7 +431,7 @@ impl<'a> Walk<'a> {
             };
             if mode.load == Load::Apart {
                 self.state[i] = 0.0;
-                if u < -contact.spent() {
+                if u < -spent(contact) {
                     *mode = Mode { load: Load::Closing, slip: slip_of(contact, &self.velocities) };
                     self.compressions += 1;
                 }
@@ -468,10 +441,8 @@ impl<'a> Walk<'a> {
             let speed = plane::length(slip);
             mode.slip = match mode.slip {
                 Slip::Slips(first) if contact.tangents == 1 && plane::dot(slip, first) <= 0.0 => Slip::Held,
-                Slip::Slips(_) if contact.tangents > 1 && speed <= STOPPED_SLIP => Slip::Held,
-                Slip::Held if speed < STARTED_SLIP && !(speed > 2.0 * STOPPED_SLIP && self.held.sticks(i)) => {
-                    Slip::Held
-                }
+                Slip::Slips(_) if contact.tangents > 1 && speed <= ENDED_SLIP => Slip::Held,
+                Slip::Held if speed < STARTED_SLIP && !(speed > 2.0 * ENDED_SLIP && self.held.sticks(i)) => Slip::Held,
                 Slip::Free => Slip::Free,
                 Slip::Slips(_) | Slip::Held => plane::direction(slip).map_or(Slip::Held, Slip::Slips),
             };
@@ -519,6 +490,11 @@ fn slip_of(contact: &SpringContact, velocities: &[f64]) -> Slip {
         return Slip::Free;
     }
     let slip = contact.slip(velocities);
-    let slips = plane::length(slip) > STOPPED_SLIP;
+    let slips = plane::length(slip) > ENDED_SLIP;
     if slips { plane::direction(slip).map_or(Slip::Held, Slip::Slips) } else { Slip::Held }
+}
+
+/// An approach of a contact that is over, in units of the first one.
+fn spent(contact: &SpringContact) -> f64 {
+    if contact.restitution > 0.0 { SPENT_APPROACH } else { END_WITHOUT_REBOUND }
 }
