@@ -3,7 +3,6 @@
 use super::colours::{Colours, GROUPS, NO_COLOUR};
 use super::lanes::{FOUR, Four};
 use super::manifold::{ImpulseManifold, ManifoldPoint};
-use super::patch::Blocks;
 use polhode_spatial::DVec3;
 
 /// Four manifolds of one colour; lanes without one are of the immovable body 0 and of no effect.
@@ -23,7 +22,16 @@ pub(super) struct Batch {
     pub(super) restitution: Four,
     /// 1 where A alone is moved by impulses, -1 where B alone is, 0 where both are.
     pub(super) side: Four,
+    /// `patch.rs` says what of.
     pub(super) blocks: Blocks,
+}
+
+/// What impulses do to the coordinates of a patch: `K_NN`, `K_TT` (xx, xy, xz, yy, yz, zz) and `K_TN` (rows of `T`).
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Blocks {
+    pub(super) pressing: [Four; 6],
+    pub(super) slipping: [Four; 6],
+    pub(super) coupling: [[Four; 3]; 3],
 }
 
 /// One point of each of the four manifolds.

@@ -106,22 +106,21 @@ impl JointImpulses {
     /// Gives the joint of a number its rows in the present poses; the next number adds one.
     pub fn set(&mut self, solver: &SequentialImpulses, number: usize, mut joint: ImpulseJoint) {
         joint.count = joint.count.min(MOST_JOINT_ROWS);
-        match self.joints.get_mut(number) {
-            Some(known) => known.take(solver, joint),
-            None => {
-                let zero = [0.0; MOST_JOINT_ROWS];
-                let mut new = Solved {
-                    joint,
-                    effects: [[(DVec3::ZERO, DVec3::ZERO); 2]; MOST_JOINT_ROWS],
-                    factors: [zero; MOST_JOINT_ROWS],
-                    multipliers: zero,
-                    given: Default::default(),
-                    total: Default::default(),
-                };
-                new.take(solver, joint);
-                self.joints.push(new);
-            }
+        if let Some(known) = self.joints.get_mut(number) {
+            known.take(solver, &joint);
+            return;
         }
+        let zero = [0.0; MOST_JOINT_ROWS];
+        let mut new = Solved {
+            joint,
+            effects: [[(DVec3::ZERO, DVec3::ZERO); 2]; MOST_JOINT_ROWS],
+            factors: [zero; MOST_JOINT_ROWS],
+            multipliers: zero,
+            given: Default::default(),
+            total: Default::default(),
+        };
+        new.take(solver, &joint);
+        self.joints.push(new);
     }
 
     /// Gives the impulses that are known at the start of a step.
@@ -219,8 +218,8 @@ impl JointImpulses {
 }
 
 impl Solved {
-    fn take(&mut self, solver: &SequentialImpulses, joint: ImpulseJoint) {
-        self.joint = joint;
+    fn take(&mut self, solver: &SequentialImpulses, joint: &ImpulseJoint) {
+        self.joint = *joint;
         let bodies = joint.bodies.map(|number| solver.body(number));
         for (row, effects) in joint.rows[..joint.count].iter().zip(&mut self.effects) {
             for side in 0..2 {

@@ -17,7 +17,7 @@
 //! Assumption: the points of a patch lie in the plane of its centre. Those that are apart along the normal act with their friction at the height of
 //! the point with the least separation.
 
-use super::batch::Batch;
+use super::batch::{Batch, Blocks};
 use super::body::{Gathered, Twist};
 use super::lanes::{Four, Lanes, Vectors};
 
@@ -135,14 +135,6 @@ impl<L: Lanes> Wrench<L> {
 #[inline(always)]
 pub(super) fn add<L: Lanes>(left: [L; 3], right: [L; 3]) -> [L; 3] {
     [left[0] + right[0], left[1] + right[1], left[2] + right[2]]
-}
-
-/// What impulses do to the coordinates of a patch: `K_NN`, `K_TT` (xx, xy, xz, yy, yz, zz) and `K_TN` (rows of `T`).
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Blocks {
-    pub(super) pressing: [Four; 6],
-    pub(super) slipping: [Four; 6],
-    pub(super) coupling: [[Four; 3]; 3],
 }
 
 /// One of the symmetric blocks; its entries are read where they are used, since there are more than registers.
