@@ -9,6 +9,7 @@
 //! | `crowded bounces` | the time steps of a stretch in which events crowd: balls that bounce in a corner |
 //! | `stepped: 5 x 5 stacks, a step` | one step of tier `stepped`, contact search and impulses included |
 //! | `stepped: rough pyramid, a step` | the same of 55 cubes with friction, in the velocities of bodies, while they stand |
+//! | `fast: rough pyramid, 16 steps` | the same pyramid in tier `fast`, made and stepped from its start, before it rests |
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use polhode::contact::Shape;
@@ -29,6 +30,8 @@ const STEP_S: f64 = 1e-3;
 /// Rows of the rough pyramid, and its step, s.
 const ROUGH_ROWS: usize = 10;
 const ROUGH_STEP_S: f64 = 1.0 / 60.0;
+/// Steps of the pyramid in tier `fast`.
+const FAST_STEPS: f64 = 16.0;
 
 fn floor() -> Body {
     Body::fixed("floor").geometry(Geometry::Shape(Shape::half_space(UnitVector::Z)))
@@ -142,6 +145,11 @@ fn bench_all(criterion: &mut Criterion) -> Made<()> {
     let mut simulation = Simulation::with_effects(&scene, Effects::All)?;
     criterion.bench_function("stepped: rough pyramid, a step", |bencher| {
         bencher.iter(|| simulation.step().is_ok());
+    });
+    let method = Method { tier: Some(Tier::Fast), step_s: Some(ROUGH_STEP_S), ..Method::default() };
+    let scene = rough_pyramid()?.method(method).duration_s(FAST_STEPS * ROUGH_STEP_S).build()?;
+    criterion.bench_function("fast: rough pyramid, 16 steps", |bencher| {
+        bencher.iter(|| step_to_the_end(black_box(&scene)));
     });
     Ok(())
 }

@@ -3,6 +3,7 @@
 use super::colours::{Colours, GROUPS, NO_COLOUR};
 use super::lanes::{FOUR, Four};
 use super::manifold::{ImpulseManifold, ManifoldPoint};
+use polhode_spatial::DVec3;
 
 /// Four manifolds of one colour; lanes without one are of the immovable body 0 and of no effect.
 #[derive(Debug, Clone, Copy, Default)]
@@ -14,18 +15,30 @@ pub(super) struct Batch {
     pub(super) count: u32,
     pub(super) normal: [Four; 3],
     pub(super) tangent: [Four; 3],
-    /// From the centre of mass of B to that of A.
+    /// From the centre of mass of A to the centre of the patch, and from that of B to that of A.
+    pub(super) arm: [Four; 3],
     pub(super) between: [Four; 3],
     pub(super) friction: Four,
     pub(super) restitution: Four,
     /// 1 where A alone is moved by impulses, -1 where B alone is, 0 where both are.
     pub(super) side: Four,
+    /// `patch.rs` says what of.
+    pub(super) blocks: Blocks,
+}
+
+/// What impulses do to the coordinates of a patch: `K_NN`, `K_TT` (xx, xy, xz, yy, yz, zz) and `K_TN` (rows of `T`).
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Blocks {
+    pub(super) pressing: [Four; 6],
+    pub(super) slipping: [Four; 6],
+    pub(super) coupling: [[Four; 3]; 3],
 }
 
 /// One point of each of the four manifolds.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct PointRows {
-    pub(super) arm: [Four; 3],
+    /// Along both tangents from the centre of the patch, m.
+    pub(super) place: [Four; 2],
     /// At the start of the step, and at present, m.
     pub(super) separation: Four,
     pub(super) present: Four,
@@ -34,8 +47,6 @@ pub(super) struct PointRows {
     pub(super) mass: Four,
     /// Inverse of the largest eigenvalue of `K_tt`, kg.
     pub(super) sliding_mass: Four,
-    /// `K_n1`, `K_n2`.
-    pub(super) coupling: [Four; 2],
     /// Of the present substep: along normal and tangents, N s.
     pub(super) impulse: [Four; 3],
     /// Of all substeps before, N s.
@@ -123,17 +134,34 @@ impl Batches {
         put_vector(&mut batch.normal, lane, manifold.normal.to_array());
         put_vector(&mut batch.tangent, lane, manifold.tangent.to_array());
         put_vector(&mut batch.between, lane, manifold.between.to_array());
+        let center = center_of(manifold);
+        put_vector(&mut batch.arm, lane, center.to_array());
+        let axes = [manifold.tangent, manifold.normal.cross(manifold.tangent)];
         batch.friction.0[lane] = manifold.friction;
         batch.restitution.0[lane] = manifold.restitution;
         batch.side.0[lane] = f64::from(moves[0]) - f64::from(moves[1]);
         let rows = &mut self.points[batch.first as usize..];
         for (row, point) in rows.iter_mut().zip(&manifold.points[..manifold.count]) {
             let ManifoldPoint { arm, separation, impulse } = *point;
-            put_vector(&mut row.arm, lane, arm.to_array());
+            for (place, axis) in row.place.iter_mut().zip(axes) {
+                place.0[lane] = axis.dot(arm - center);
+            }
             put_vector(&mut row.impulse, lane, impulse);
             (row.separation.0[lane], row.present.0[lane]) = (separation, separation);
         }
     }
+}
+
+/// The centre of a patch: the mean of its arms, at the height of the point with the least separation.
+fn center_of(manifold: &ImpulseManifold) -> DVec3 {
+    let points = &manifold.points[..manifold.count];
+    let Some(first) = points.first() else { return DVec3::ZERO };
+    if points.len() == 1 {
+        return first.arm;
+    }
+    let lowest = points.iter().fold(first, |low, point| if point.separation < low.separation { point } else { low });
+    let mean = points.iter().map(|point| point.arm - lowest.arm).sum::<DVec3>() / points.len() as f64;
+    lowest.arm + (mean - manifold.normal * manifold.normal.dot(mean))
 }
 
 fn put_vector(to: &mut [Four; 3], lane: usize, from: [f64; 3]) {

@@ -13,9 +13,11 @@ pub struct ImpulseBody {
     inverse_mass: f64,
     angular: [f64; 3],
     unused: f64,
+    // A line of the cache for what all sweeps read, one for each of the others.
+    inverse_inertia: [f64; 6],
+    unused_too: [f64; 2],
     moved: [f64; 3],
     turned: [f64; 3],
-    inverse_inertia: [f64; 6],
     mean_linear: [f64; 3],
     mean_angular: [f64; 3],
 }
@@ -29,6 +31,7 @@ impl ImpulseBody {
             inverse_mass,
             angular: [0.0; 3],
             unused: 0.0,
+            unused_too: [0.0; 2],
             moved: [0.0; 3],
             turned: [0.0; 3],
             inverse_inertia: [x.x, x.y, x.z, y.y, y.z, z.z],
@@ -45,6 +48,12 @@ impl ImpulseBody {
     /// Inverse mass, 1/kg.
     pub fn inverse_mass(&self) -> f64 {
         self.inverse_mass
+    }
+
+    /// Inverse inertia about the centre of mass, world, 1/(kg m^2).
+    pub fn inverse_inertia(&self) -> DMat3 {
+        let [xx, xy, xz, yy, yz, zz] = self.inverse_inertia;
+        DMat3::from_cols(DVec3::new(xx, xy, xz), DVec3::new(xy, yy, yz), DVec3::new(xz, yz, zz))
     }
 
     /// Whether an impulse moves it.
@@ -70,6 +79,11 @@ impl ImpulseBody {
     /// Sets the mean of both velocities at the start and at the end of a substep: impulses of the substep do their work along it.
     pub fn set_mean_velocity(&mut self, linear: DVec3, angular: DVec3) {
         (self.mean_linear, self.mean_angular) = (linear.to_array(), angular.to_array());
+    }
+
+    /// The means that have been set: of the velocity of the centre of mass, m/s, and of the angular velocity, rad/s.
+    pub fn mean_velocity(&self) -> (DVec3, DVec3) {
+        (DVec3::from_array(self.mean_linear), DVec3::from_array(self.mean_angular))
     }
 
     /// Sets how far the centre of mass has come since the start of the step (m), and how far the body has turned (rotation
@@ -124,12 +138,6 @@ impl<L: Lanes> Twist<L> {
             angular: gathered(bodies, numbers, |body| &body.mean_angular),
         }
     }
-
-    /// At a point of the body, by its arm.
-    #[inline(always)]
-    pub(super) fn at(&self, arm: Vectors<L>) -> Vectors<L> {
-        self.linear + self.angular.cross(arm)
-    }
 }
 
 impl<L: Lanes> Gathered<L> {
@@ -158,17 +166,23 @@ impl<L: Lanes> Gathered<L> {
         }
     }
 
-    /// The impulse `p` at the arm `r` acts with a sign.
+    /// Its velocities.
     #[inline(always)]
-    pub(super) fn take(&mut self, impulse: Vectors<L>, arm: Vectors<L>) {
+    pub(super) fn twist(&self) -> Twist<L> {
+        Twist { linear: self.linear, angular: self.angular }
+    }
+
+    /// An impulse with its moment about the centre of mass acts.
+    #[inline(always)]
+    pub(super) fn take(&mut self, impulse: Vectors<L>, moment: Vectors<L>) {
         self.linear = self.linear + impulse.times(self.inverse_mass);
-        self.angular = self.angular + self.inverse_inertia.times(arm.cross(impulse));
+        self.angular = self.angular + self.inverse_inertia.times(moment);
     }
 
     /// The opposite of the impulse.
     #[inline(always)]
-    pub(super) fn give(&mut self, impulse: Vectors<L>, arm: Vectors<L>) {
+    pub(super) fn give(&mut self, impulse: Vectors<L>, moment: Vectors<L>) {
         self.linear = self.linear - impulse.times(self.inverse_mass);
-        self.angular = self.angular - self.inverse_inertia.times(arm.cross(impulse));
+        self.angular = self.angular - self.inverse_inertia.times(moment);
     }
 }

@@ -40,6 +40,9 @@ pub(super) trait Lanes:
     /// Where `left > right`, the one, else the other; NaN is greater than nothing.
     fn pick_greater(left: Self, right: Self, greater: Self, otherwise: Self) -> Self;
 
+    /// Whether `left > right` in any lane.
+    fn any_greater(left: Self, right: Self) -> bool;
+
     /// The square root.
     fn root(self) -> Self;
 
@@ -90,6 +93,11 @@ impl Lanes for f64x2 {
     }
 
     #[inline(always)]
+    fn any_greater(left: Self, right: Self) -> bool {
+        left.simd_gt(right).any()
+    }
+
+    #[inline(always)]
     fn root(self) -> Self {
         self.sqrt()
     }
@@ -126,6 +134,11 @@ impl Lanes for f64x4 {
     #[inline(always)]
     fn pick_greater(left: Self, right: Self, greater: Self, otherwise: Self) -> Self {
         left.simd_gt(right).select(greater, otherwise)
+    }
+
+    #[inline(always)]
+    fn any_greater(left: Self, right: Self) -> bool {
+        left.simd_gt(right).any()
     }
 
     #[inline(always)]

@@ -44,4 +44,6 @@ pub struct PointImpulse {
     pub last: [f64; 3],
     /// Impulse of the whole step, N s.
     pub total: [f64; 3],
+    /// Rate of separation at the start of the step, m/s.
+    pub rate: f64,
 }

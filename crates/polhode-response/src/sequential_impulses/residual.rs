@@ -6,9 +6,10 @@
 
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody};
-use super::lanes::{FOUR, Four, Lanes, Vectors};
+use super::lanes::{FOUR, Four, Lanes};
+use super::patch::{Frame, place};
 use super::sweep::SweepRule;
-use super::works::{Frame, numbers};
+use super::works::numbers;
 
 /// The largest natural map of all points, and the largest speed of a point, m/s.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -53,16 +54,15 @@ fn largest_of<L: Lanes>(
     let frame = Frame::<L>::load(batch, part);
     let friction = L::load(&batch.friction, part);
     let (zero, one) = (L::splat(0.0), L::splat(1.0));
+    let relative = frame.relative(&a.twist(), &b.twist());
     for row in rows {
-        let arm = Vectors::<L>::load(&row.arm, part);
-        let arm_b = arm + frame.between;
-        let velocity = a.linear - b.linear + a.angular.cross(arm) - b.angular.cross(arm_b);
+        let at = place(&row.place, part);
         let separation = L::load(&row.present, part);
         let inverse_mass = L::load(&row.stiffness, part);
-        let (x, y) = (frame.first.dot(velocity), frame.second.dot(velocity));
+        let [x, y] = relative.slip(at);
         let slip = (x * x + y * y).root();
         let closing = separation.greater(zero) * L::splat(rule.inverse_step);
-        let corrected = frame.normal.dot(velocity) + closing + friction * slip;
+        let corrected = relative.rate(at) + closing + friction * slip;
         let scaled = [0, 1, 2].map(|k| L::load(&row.impulse[k], part) * inverse_mass);
         let wanted = [scaled[0] - corrected, scaled[1] - x, scaled[2] - y];
         let length = (wanted[1] * wanted[1] + wanted[2] * wanted[2]).root();

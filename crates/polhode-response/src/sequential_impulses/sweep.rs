@@ -9,16 +9,18 @@
 //! p_t <- P(p_t - rho u_t)             onto the disc |p_t| <= mu p_n; rho one number, so that friction acts against the slip
 //! ```
 //!
-//! `m = 1 / K_nn`, `rho` the inverse of the largest eigenvalue of `K_tt`; `a`, `b`, `c` are [`Softness`]. Separations are those at the
-//! start of the step plus the displacements of the bodies along the rows of then.
+//! The points of a patch are solved in its coordinates (`patch`), first all along the tangents, then all along the normal. `m = 1 / K_nn`, `rho` the
+//! inverse of the largest eigenvalue of `K_tt`; `a`, `b`, `c` are [`Softness`]. Separations are those at the start of the step plus the
+//! displacements of the bodies along the rows of then.
 //!
 //! **Work.** Impulses of a substep do work along the mean of the velocities before and after all of them (`works::book`). A sweep that begins a substep books
 //! those of the substep before, which it reads anyway.
 
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody, Twist};
-use super::lanes::{FOUR, Lanes, Vectors};
-use super::works::{FourWorks, Frame, LaneWorks, Works, book, numbers};
+use super::lanes::{FOUR, Lanes};
+use super::patch::{Block, Frame, Wrench, add, coupled, place};
+use super::works::{FourWorks, Works, book, numbers};
 
 /// How a contact gives way where it overlaps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -101,7 +103,7 @@ fn sweep_all<L: Lanes>(
                 SweepStage::First => {}
                 SweepStage::Next => {
                     let mut own = works.load::<L>(part);
-                    book_all::<L>(bodies, (batch, part), rows, (&mut own, rule));
+                    book::<L>(bodies, (batch, part), rows, (&mut own, rule.colliding));
                     works.store(own, part);
                 }
                 SweepStage::Moved => move_all::<L>(bodies, (batch, part), rows),
@@ -112,62 +114,84 @@ fn sweep_all<L: Lanes>(
     works.sums()
 }
 
-/// Books the impulses of the substep before.
-#[inline(always)]
-fn book_all<L: Lanes>(
-    bodies: &[ImpulseBody],
-    (batch, part): (&Batch, usize),
-    rows: &mut [PointRows],
-    (works, rule): (&mut LaneWorks<L>, &SweepRule),
-) {
-    let frame = Frame::<L>::load(batch, part);
-    let [mean_a, mean_b] = [&batch.a, &batch.b].map(|of| Twist::<L>::means(bodies, numbers::<L>(of, part)));
-    for row in rows {
-        let arm = Vectors::<L>::load(&row.arm, part);
-        let mean = mean_a.at(arm) - mean_b.at(arm + frame.between);
-        let impulse = [0, 1, 2].map(|k| L::load(&row.impulse[k], part));
-        book(works, (row, part), (&frame, mean, impulse), L::splat(-rule.colliding));
-    }
-}
-
 /// Separations after the displacements of the bodies.
 #[inline(always)]
 fn move_all<L: Lanes>(bodies: &[ImpulseBody], (batch, part): (&Batch, usize), rows: &mut [PointRows]) {
-    let normal = Vectors::<L>::load(&batch.normal, part);
-    let between = Vectors::<L>::load(&batch.between, part);
     let [a, b] = [&batch.a, &batch.b].map(|of| Twist::<L>::displacements(bodies, numbers::<L>(of, part)));
-    // What all points have in common, and what goes with the arm: n . (w x r) = (n x w) . r.
-    let common = normal.dot(a.linear - b.linear) - normal.dot(b.angular.cross(between));
-    let along = normal.cross(a.angular - b.angular);
+    let moved = Frame::<L>::load(batch, part).relative(&a, &b);
     for row in rows {
-        let arm = Vectors::<L>::load(&row.arm, part);
-        let moved = common + along.dot(arm);
-        (L::load(&row.separation, part) + moved).store(&mut row.present, part);
+        let present = L::load(&row.separation, part) + moved.rate(place(&row.place, part));
+        present.store(&mut row.present, part);
     }
 }
 
-/// The softness of each lane.
-struct Soft<L> {
+/// What the points of a patch have in common in a sweep, in lanes.
+struct Law<L> {
     rate: L,
     mass: L,
-    impulse: L,
+    taken_back: L,
+    inverse_step: L,
+    /// Largest speed of the push, negative.
+    push: L,
+    friction: L,
 }
 
-impl<L: Lanes> Soft<L> {
+impl<L: Lanes> Law<L> {
     #[inline(always)]
-    fn of(rule: &SweepRule, side: L) -> Self {
+    fn of(rule: &SweepRule, batch: &Batch, part: usize) -> Self {
+        let side = L::load(&batch.side, part);
         let square = side * side;
         let pick =
             |between: f64, fixed: f64| L::pick_greater(square, L::splat(0.0), L::splat(fixed), L::splat(between));
         let (between, fixed) = (&rule.between, &rule.with_fixed);
         Self {
-            rate: pick(between.rate, fixed.rate),
+            rate: pick(between.mass * between.rate, fixed.mass * fixed.rate),
             mass: pick(between.mass, fixed.mass),
-            impulse: pick(between.impulse, fixed.impulse),
+            taken_back: pick(between.impulse, fixed.impulse),
+            inverse_step: L::splat(rule.inverse_step),
+            push: L::splat(-rule.push),
+            friction: L::load(&batch.friction, part),
         }
+    }
+
+    /// The impulse along the normal at a point with this rate of separation; what it changes by.
+    #[inline(always)]
+    fn press(&self, row: &mut PointRows, part: usize, rate: L) -> L {
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let separation = L::load(&row.present, part);
+        let overlapping = (self.rate * separation).greater(self.push);
+        let bias = L::pick_greater(separation, zero, separation * self.inverse_step, overlapping);
+        let share = L::pick_greater(separation, zero, one, self.mass);
+        let taken_back = L::pick_greater(separation, zero, zero, self.taken_back);
+        let before = L::load(&row.impulse[0], part);
+        let wanted = before - L::load(&row.mass, part) * (share * rate + bias) - taken_back * before;
+        let normal = wanted.greater(zero);
+        normal.store(&mut row.impulse[0], part);
+        normal - before
+    }
+
+    /// The impulse of friction at a point with this slip, under its last impulse along the normal; what it changes by.
+    #[inline(always)]
+    fn rub(&self, row: &mut PointRows, part: usize, [slip_x, slip_y]: [L; 2]) -> [L; 2] {
+        let (before_x, before_y) = (L::load(&row.impulse[1], part), L::load(&row.impulse[2], part));
+        let rho = L::load(&row.sliding_mass, part);
+        let (mut x, mut y) = (before_x - rho * slip_x, before_y - rho * slip_y);
+        let limit = self.friction * L::load(&row.impulse[0], part);
+        let square = x * x + y * y;
+        let largest = limit * limit;
+        // Most points stick: the root is taken where one of them does not.
+        if L::any_greater(square, largest) {
+            let scale = L::pick_greater(square, largest, limit / square.root(), L::splat(1.0));
+            (x, y) = (x * scale, y * scale);
+        }
+        x.store(&mut row.impulse[1], part);
+        y.store(&mut row.impulse[2], part);
+        [x - before_x, y - before_y]
     }
 }
 
+/// Brings the points of a patch to the law: all along the tangents, under the impulses along the normal of before, then all along the normal, which
+/// matters most.
 #[inline(always)]
 fn solve<L: Lanes>(
     bodies: &mut [ImpulseBody],
@@ -178,43 +202,30 @@ fn solve<L: Lanes>(
     let (numbers_a, numbers_b) = (numbers::<L>(&batch.a, part), numbers::<L>(&batch.b, part));
     let (mut a, mut b) = (Gathered::<L>::load(bodies, numbers_a), Gathered::<L>::load(bodies, numbers_b));
     let frame = Frame::<L>::load(batch, part);
-    let friction = L::load(&batch.friction, part);
-    let soft = Soft::of(rule, L::load(&batch.side, part));
-    let (zero, one) = (L::splat(0.0), L::splat(1.0));
-    let (inverse_step, push) = (L::splat(rule.inverse_step), L::splat(-rule.push));
-    for row in rows {
-        let arm = Vectors::<L>::load(&row.arm, part);
-        let arm_b = arm + frame.between;
-        let velocity = a.linear - b.linear + a.angular.cross(arm) - b.angular.cross(arm_b);
-        let separation = L::load(&row.present, part);
-        let overlapping = (soft.mass * soft.rate * separation).greater(push);
-        let bias = L::pick_greater(separation, zero, separation * inverse_step, overlapping);
-        let share = L::pick_greater(separation, zero, one, soft.mass);
-        let taken_back = L::pick_greater(separation, zero, zero, soft.impulse);
-
-        let normal_rate = frame.normal.dot(velocity);
-        let before = L::load(&row.impulse[0], part);
-        let wanted = before - L::load(&row.mass, part) * (share * normal_rate + bias) - taken_back * before;
-        let normal = wanted.greater(zero);
-        let d_normal = normal - before;
-
-        let slip_x = frame.first.dot(velocity) + L::load(&row.coupling[0], part) * d_normal;
-        let slip_y = frame.second.dot(velocity) + L::load(&row.coupling[1], part) * d_normal;
-        let (before_x, before_y) = (L::load(&row.impulse[1], part), L::load(&row.impulse[2], part));
-        let rho = L::load(&row.sliding_mass, part);
-        let (wanted_x, wanted_y) = (before_x - rho * slip_x, before_y - rho * slip_y);
-        let limit = friction * normal;
-        let square = wanted_x * wanted_x + wanted_y * wanted_y;
-        let scale = L::pick_greater(square, limit * limit, limit / square.root(), one);
-        let (x, y) = (wanted_x * scale, wanted_y * scale);
-        let (d_x, d_y) = (x - before_x, y - before_y);
-
-        normal.store(&mut row.impulse[0], part);
-        x.store(&mut row.impulse[1], part);
-        y.store(&mut row.impulse[2], part);
-        let impulse = frame.vector(d_normal, d_x, d_y);
-        a.take(impulse, arm);
-        b.give(impulse, arm_b);
+    let law = Law::of(rule, batch, part);
+    let mut relative = frame.relative(&a.twist(), &b.twist());
+    if let [row] = rows {
+        let [x, y] = law.rub(row, part, [relative.slipping[0], relative.slipping[1]]);
+        let [first, second, _] = &batch.blocks.coupling;
+        let rate = relative.pressing[0] + L::load(&first[0], part) * x + L::load(&second[0], part) * y;
+        let normal = law.press(row, part, rate);
+        frame.give_at_point([normal, x, y], &mut a, &mut b);
+    } else {
+        let mut wrench = Wrench::none();
+        let block = Block::of(&batch.blocks.slipping, part);
+        for row in rows.iter_mut() {
+            let at = place(&row.place, part);
+            let change = law.rub(row, part, relative.slip(at));
+            relative.slipping = add(relative.slipping, block.times(wrench.rub(at, change)));
+        }
+        relative.pressing = add(relative.pressing, coupled(&batch.blocks.coupling, part, wrench.slipping));
+        let block = Block::of(&batch.blocks.pressing, part);
+        for row in rows {
+            let at = place(&row.place, part);
+            let change = law.press(row, part, relative.rate(at));
+            relative.pressing = add(relative.pressing, block.times(wrench.press(at, change)));
+        }
+        frame.give(&wrench, &mut a, &mut b);
     }
     a.store_velocities(bodies, numbers_a);
     b.store_velocities(bodies, numbers_b);

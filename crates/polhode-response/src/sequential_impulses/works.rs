@@ -1,10 +1,12 @@
-//! What impulses do: their work by kinds, and the frame of the contacts along which it is found.
+//! What impulses do: their work by kinds.
 //!
 //! The impulses `p` (N s) of a substep at a point do the work `p . u` (J), with `u` (m/s) the mean of the relative velocities of the point before and
 //! after all impulses of the substep. Assumption: rows do not change within a step. Source: algebra of kinetic energy.
 
 use super::batch::{Batch, PointRows};
-use super::lanes::{FOUR, Four, Lanes, Vectors};
+use super::body::{ImpulseBody, Twist};
+use super::lanes::{FOUR, Four, Lanes};
+use super::patch::{Frame, place};
 
 /// Changes of energy by impulses, J.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -62,51 +64,35 @@ impl FourWorks {
     }
 }
 
-/// The frame of a batch's manifolds.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Frame<L> {
-    pub(super) normal: Vectors<L>,
-    pub(super) first: Vectors<L>,
-    pub(super) second: Vectors<L>,
-    pub(super) between: Vectors<L>,
-}
-
-impl<L: Lanes> Frame<L> {
-    #[inline(always)]
-    pub(super) fn load(batch: &Batch, part: usize) -> Self {
-        let normal = Vectors::load(&batch.normal, part);
-        let first = Vectors::load(&batch.tangent, part);
-        Self { normal, first, second: normal.cross(first), between: Vectors::load(&batch.between, part) }
-    }
-
-    #[inline(always)]
-    pub(super) fn vector(&self, n: L, x: L, y: L) -> Vectors<L> {
-        self.normal.times(n) + self.first.times(x) + self.second.times(y)
-    }
-}
-
 /// The part of the bodies' numbers of a batch that a kernel works on.
 #[inline(always)]
 pub(super) fn numbers<L: Lanes>(of: &[u32; FOUR], part: usize) -> &[u32] {
     &of[part * L::WIDTH..(part + 1) * L::WIDTH]
 }
 
-/// Books the impulse of a substep at a point, along the mean velocity of the point: `p . u` is exactly the change of the kinetic energy (by
-/// algebra), with `u` the mean of the velocities before and after all impulses.
+/// Books the impulses of a substep at a patch, along its mean velocity: `p . u` is exactly the change of the kinetic energy (by algebra), with
+/// `u` the mean of the velocities before and after all impulses. Contacts that approached faster than `colliding` (m/s) collide.
 #[inline(always)]
 pub(super) fn book<L: Lanes>(
-    works: &mut LaneWorks<L>,
-    (row, part): (&mut PointRows, usize),
-    (frame, mean, impulse): (&Frame<L>, Vectors<L>, [L; 3]),
-    colliding: L,
+    bodies: &[ImpulseBody],
+    (batch, part): (&Batch, usize),
+    rows: &mut [PointRows],
+    (works, colliding): (&mut LaneWorks<L>, f64),
 ) {
-    let zero = L::splat(0.0);
-    let work = impulse[0] * frame.normal.dot(mean);
-    let rate = L::load(&row.rate, part);
-    works.colliding = works.colliding + L::pick_greater(colliding, rate, work, zero);
-    works.resting = works.resting + L::pick_greater(colliding, rate, zero, work);
-    works.friction = works.friction + impulse[1] * frame.first.dot(mean) + impulse[2] * frame.second.dot(mean);
-    for (total, impulse) in row.total.iter_mut().zip(impulse) {
-        (L::load(total, part) + impulse).store(total, part);
+    let (zero, faster) = (L::splat(0.0), L::splat(-colliding));
+    let [mean_a, mean_b] = [&batch.a, &batch.b].map(|of| Twist::<L>::means(bodies, numbers::<L>(of, part)));
+    let mean = Frame::<L>::load(batch, part).relative(&mean_a, &mean_b);
+    for row in rows {
+        let at = place::<L>(&row.place, part);
+        let impulse = [0, 1, 2].map(|k| L::load(&row.impulse[k], part));
+        let work = impulse[0] * mean.rate(at);
+        let slip = mean.slip(at);
+        let rate = L::load(&row.rate, part);
+        works.colliding = works.colliding + L::pick_greater(faster, rate, work, zero);
+        works.resting = works.resting + L::pick_greater(faster, rate, zero, work);
+        works.friction = works.friction + impulse[1] * slip[0] + impulse[2] * slip[1];
+        for (total, impulse) in row.total.iter_mut().zip(impulse) {
+            (L::load(total, part) + impulse).store(total, part);
+        }
     }
 }

@@ -84,7 +84,7 @@ fn path_of(error: &SceneError, entry: &MethodEntry) -> KeyPath {
         }
         _ if entry.substeps.is_some() && !tier.takes(TierFeature::SequentialImpulses) => path.key("substeps"),
         _ if entry.contact.is_some()
-            && (entry.contact == Some(ContactName::SequentialImpulses))
+            && matches!(entry.contact, Some(ContactName::SequentialImpulses | ContactName::Nncg))
                 != tier.takes(TierFeature::SequentialImpulses) =>
         {
             path.key("contact")
@@ -178,6 +178,7 @@ const fn contact(name: ContactName) -> ContactMethod {
         ContactName::Heuristic => ContactMethod::Heuristic,
         ContactName::Guesses => ContactMethod::Guesses,
         ContactName::SequentialImpulses => ContactMethod::SequentialImpulses,
+        ContactName::Nncg => ContactMethod::ConjugateGradients,
     }
 }
 

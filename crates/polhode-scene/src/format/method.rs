@@ -181,6 +181,8 @@ pub enum ContactName {
     Guesses,
     /// One contact after the other, from the impulses of the step before; tier fast.
     SequentialImpulses,
+    /// The same with steps of nonsmooth nonlinear conjugate gradients between several sweeps; tier fast.
+    Nncg,
 }
 
 /// How bodies in contact act on each other.

@@ -265,6 +265,7 @@ fn knobs_that_do_not_go_together() {
         ("contact = \"least-force\"\nmethod.integrator = \"rk4\"", "method.contact"),
         ("contact = \"least-force\"\nmethod.tier = \"stepped\"", "method.contact"),
         ("contact = \"sequential-impulses\"", "method.contact"),
+        ("contact = \"nncg\"", "method.contact"),
         ("contact = \"active-set\"\nmethod.tier = \"fast\"", "method.contact"),
         ("substeps = 8", "method.substeps"),
         ("integrator = \"rk4\"\nmethod.tier = \"fast\"", "method.integrator"),

@@ -41,8 +41,8 @@ fn lists_what_is_accepted() {
         quaternion-unnormalized quaternion-three-numbers matrix matrix-unorthogonalized euler-angles angular-momentum \
         angular-velocity type point_gravity mutual_gravity force torque drag spring center mu constant body frame point \
         signal world sinusoid table polynomial amplitude frequency_hz phase law linear quadratic translational \
-        rotational wind points anchor stiffness rest_length damping propagation simultaneous reflection poisson energetic pulse micro-collisions collision_envelope propagation_order key depth random pulse_exponent hertz restitution_yield_speed restitution_slope least-force active-set sequential-impulses heuristic guesses constraint impulse impulse-projection \
-        rotational wind points anchor stiffness rest_length damping propagation simultaneous reflection least-force active-set sequential-impulses constraint impulse impulse-projection \
+        rotational wind points anchor stiffness rest_length damping propagation simultaneous reflection poisson energetic pulse micro-collisions collision_envelope propagation_order key depth random pulse_exponent hertz restitution_yield_speed restitution_slope least-force active-set sequential-impulses nncg heuristic guesses constraint impulse impulse-projection \
+        rotational wind points anchor stiffness rest_length damping propagation simultaneous reflection least-force active-set sequential-impulses nncg constraint impulse impulse-projection \
         impulse-unconditional title description static_friction rolling_friction spinning_friction along across \
         surface_velocity restitution_law approximate parts joints ball hinge universal fixed slider cylindrical planar anchor axis axes normal \
         breakaway coefficient screw lead tracks track curve line circle helix path spline wave cycloid closed \

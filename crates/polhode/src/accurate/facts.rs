@@ -34,6 +34,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     features: &[
         TierFeature::Friction,
         TierFeature::Joints,
+        TierFeature::AllOfJoints,
         TierFeature::SurfaceEffects,
         TierFeature::PivotRows,
         TierFeature::ConstrainedRk4,

@@ -31,6 +31,10 @@ const SAME_PLACE_RELATIVE: f64 = 2e-2;
 /// How much farther than needed patches are searched, so that they last (no unit).
 const REACH_TO_SPARE: f64 = 1.5;
 
+/// Contacts of one normal whose surfaces lie at other heights by more than this, relative to the size of the smaller body, are patches of their own
+/// (no unit, 1e-3 to 5e-2): friction acts in the plane of a patch.
+const ONE_LEVEL_RELATIVE: f64 = 1e-2;
+
 /// Cosine of the angle between the normals of contacts of one patch: some two degrees.
 const ONE_NORMAL_COSINE: f64 = 0.9994;
 
@@ -181,7 +185,7 @@ impl PairPatches {
         }
         self.found_at = Some(FoundAt { pose: now, reach: far, separation: tools.found.separation });
         let before = std::mem::take(&mut self.patches);
-        make_patches(&mut self.patches, &tools.found.contacts, (pose_a, pose_b));
+        make_patches(&mut self.patches, &tools.found.contacts, (pose_a, pose_b), ONE_LEVEL_RELATIVE * self.size);
         if !before.is_empty() {
             self.take_impulses(&before);
         }
@@ -232,12 +236,18 @@ pub(crate) struct Tools {
     found: Manifold,
 }
 
-/// Contacts as patches, in the order of their first contacts.
-fn make_patches(patches: &mut Vec<Patch>, contacts: &[Contact], poses: (&Pose, &Pose)) {
+/// Contacts as patches, in the order of their first contacts. Those of a patch have one normal, and lie in one plane of body A or of body B, to `level` (m).
+fn make_patches(patches: &mut Vec<Patch>, contacts: &[Contact], poses: (&Pose, &Pose), level: f64) {
     let mut left: Vec<&Contact> = contacts.iter().collect();
     while let Some(&first) = left.first() {
-        let normal = first.geometry.normal;
-        let is_along = |contact: &&Contact| contact.geometry.normal.dot(normal) >= ONE_NORMAL_COSINE;
+        let (normal, apart) = (first.geometry.normal, first.geometry.separation);
+        let is_along = |contact: &&Contact| {
+            let higher = normal.dot(contact.geometry.point - first.geometry.point);
+            // Half of the separation lies on either side of the point.
+            let farther = 0.5 * (contact.geometry.separation - apart);
+            contact.geometry.normal.dot(normal) >= ONE_NORMAL_COSINE
+                && (higher + farther).abs().min((higher - farther).abs()) <= level
+        };
         let mut group: Vec<&Contact> = left.iter().copied().filter(is_along).collect();
         if group.is_empty() {
             return;

@@ -10,6 +10,7 @@
 //! | impulses | go back to the points of the patches |
 
 use super::group::{FULL, Given, Group, GroupReport, PatchPlace};
+use super::held::HeldJoint;
 use super::rules::Rules;
 use super::turning::turn;
 use crate::SimulationError;
@@ -18,6 +19,7 @@ use crate::executor::{Executor, Task};
 use crate::settings::Settings;
 use crate::world::World;
 use polhode_dynamics::BodyState;
+use polhode_response::sequential_impulses::MOST_JOINT_ROWS;
 use polhode_spatial::{DVec3, DisjointSets, Pose};
 use std::sync::Arc;
 
@@ -37,6 +39,8 @@ pub(super) struct Course {
     /// Which bodies rest, and how often in a row each of the others was slow.
     pub(super) resting: Vec<bool>,
     pub(super) quiet: Vec<u32>,
+    /// Joints and pivots after the last step, ascending.
+    pub(super) held: Vec<HeldJoint>,
     boxes: LastingBoxes,
     groups: Vec<Group>,
     /// How many of them the step has.
@@ -59,6 +63,7 @@ impl Course {
             group_of: vec![None; states.len()],
             states,
             pairs: Vec::new(),
+            held: Vec::new(),
             last_h: 0.0,
             boxes: LastingBoxes::new(settings.broad_phase),
             groups: Vec::new(),
@@ -73,6 +78,7 @@ impl Course {
     pub(super) fn copy(&self, settings: &Settings) -> Self {
         Self {
             pairs: self.pairs.clone(),
+            held: self.held.clone(),
             last_h: self.last_h,
             resting: self.resting.clone(),
             quiet: self.quiet.clone(),
@@ -224,7 +230,8 @@ impl Course {
     /// The step of each group for itself.
     pub(super) fn solve(&mut self, world: &World, executor: &dyn Executor, (t, rules): (f64, &Rules)) {
         let warm = if self.last_h > 0.0 { rules.h / self.last_h } else { 0.0 };
-        let given = Given { world, states: &self.states, pairs: &self.pairs, numbers: &self.numbers, t, warm, rules };
+        let (states, pairs, numbers, held) = (&self.states, &self.pairs, &self.numbers, &self.held);
+        let given = Given { world, states, pairs, numbers, held, t, warm, rules };
         let groups = &mut self.groups[..self.used];
         if groups.len() == 1 || executor.width().get() == 1 {
             for group in groups {
@@ -275,6 +282,16 @@ impl Course {
             self.last_h = rules.h;
         }
         let inverse_step = 1.0 / (rules.h * f64::from(rules.substeps));
+        let after = self.groups[..self.used].iter().flat_map(|group| group.held.after(inverse_step));
+        let mut after: Vec<HeldJoint> = after.collect();
+        after.sort_by_key(|held| held.id);
+        if !is_whole {
+            for own in &mut after {
+                let known = self.held.binary_search_by_key(&own.id, |held| held.id);
+                own.multipliers = known.map_or([0.0; MOST_JOINT_ROWS], |place| self.held[place].multipliers);
+            }
+        }
+        self.held = after;
         for group in &self.groups[..self.used] {
             for (number, (place, manifold)) in group.patches.iter().zip(group.solver.manifolds()).enumerate() {
                 let [n, x] = [manifold.normal, manifold.tangent];

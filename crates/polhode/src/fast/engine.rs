@@ -2,6 +2,8 @@
 
 use super::course::Course;
 use super::facts::SUBSTEPS;
+use super::held::HeldJoint;
+use super::impacts::impacts;
 use super::rest::settle;
 use super::rules::Rules;
 use super::step::step;
@@ -10,9 +12,11 @@ use crate::accounting::measures::Measure;
 use crate::collision::contact_id::{ContactId, Feature};
 use crate::collision::contact_set::{FoundContact, Touch};
 use crate::collision::face_patches::{FoundAt, PairPatches, Patch, PatchPoint};
+use crate::constraint::ConstraintId;
+use crate::constraint::joint::WorldJoint;
 use crate::core::Core;
 use crate::event::{Event, EventKind};
-use crate::frame::{ContactView, IslandView, MotionKind};
+use crate::frame::{ContactView, IslandView, JointView, MotionKind};
 use crate::free_stage::{self, Ends};
 use crate::observer::Observer;
 use crate::sampling::emit_samples_before;
@@ -20,10 +24,11 @@ use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::parts::{restored_id, save_contact};
 use crate::snapshot::{SnapshotError, content};
 use crate::tier::{Reached, Tier};
-use crate::{Acceleration, BodyId, Momentum, MomentumSum, SimulationError};
+use crate::{Acceleration, BodyId, JointId, Momentum, MomentumSum, SimulationError};
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
-use polhode_spatial::{DVec3, Pose, Rotation};
+use polhode_spatial::{DVec3, DisjointSets, Pose, Rotation};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Times that differ by less than this part of a step are the same (no unit): some rounding of times of a long run.
@@ -60,6 +65,10 @@ impl FastEngine {
         {
             return Err(SnapshotError::Invalid("its pairs are not in order"));
         }
+        course.held = saved.held.iter().map(|held| restored_held(core, held)).collect::<Result<_, _>>()?;
+        if !course.held.is_sorted_by_key(|held| held.id) {
+            return Err(SnapshotError::Invalid("its joints are not in order"));
+        }
         course.last_h = saved.last_h;
         course.resting.clone_from(&saved.resting);
         course.quiet.clone_from(&saved.quiet);
@@ -67,7 +76,9 @@ impl FastEngine {
     }
 
     fn rules(core: &Core, step_s: f64) -> Rules {
-        Rules::new(step_s, core.settings.step_s, core.settings.substeps.unwrap_or(SUBSTEPS), &core.world)
+        let settings = &core.settings;
+        let rules = Rules::new(step_s, settings.step_s, settings.substeps.unwrap_or(SUBSTEPS), &core.world);
+        rules.by(settings.contact)
     }
 
     /// One step to `t_next`.
@@ -81,6 +92,9 @@ impl FastEngine {
         self.book(core, &before, (t_next, &rules));
         core.t = t_next;
         core.accounts.count_step();
+        for event in impacts(&self.course, &core.world, &before, (t_next, &rules)) {
+            core.accounts.add_event(event);
+        }
         settle(&mut self.course, core, &rules)?;
         self.report_pairs(core);
         core.accounts.emit_events(core.t, observer);
@@ -140,6 +154,10 @@ impl FastEngine {
     fn support(&self, core: &Core, states: &[BodyState], about: DVec3, (received, h): (&mut Received, f64)) {
         let world = &core.world;
         let mut sum = MomentumSum::default();
+        for report in self.course.reports() {
+            let Momentum { linear, angular } = report.support;
+            sum.add(Momentum { linear, angular: angular - about.cross(linear) });
+        }
         for pair in &self.course.pairs {
             let carries = [pair.a, pair.b].map(|body| world.carries_momentum(body));
             if pair.patches.is_empty()
@@ -289,6 +307,26 @@ impl Tier for FastEngine {
         views
     }
 
+    fn joint_loads(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<JointView> {
+        let world = &core.world;
+        let view = |held: &HeldJoint| {
+            let ConstraintId::Joint { joint, bodies } = held.id else { return None };
+            let own = world.joints.iter().find(|own| own.number() == joint)?;
+            let point_m = world.anchor_of(states, own);
+            let moment = held.moment - (point_m - states[held.body].pose.translation).cross(held.force);
+            // Of a joint of the world with its second body the first end is the world.
+            let sign = if core.world.scene.joints().get(joint)?.body().index() == held.body { 1.0 } else { -1.0 };
+            debug_assert!(bodies.0 == held.body || bodies.1 == held.body);
+            Some(JointView {
+                joint: JointId::new(joint),
+                point_m,
+                force_n: held.force * sign,
+                moment_n_m: moment * sign,
+            })
+        };
+        self.course.held.iter().filter_map(view).collect()
+    }
+
     fn motions(&self, core: &Core) -> Vec<MotionKind> {
         let kind = |body: usize| match self.course.group_of[body] {
             _ if !core.world.bodies[body].moves() => MotionKind::Given,
@@ -298,9 +336,25 @@ impl Tier for FastEngine {
         (0..self.course.states.len()).map(kind).collect()
     }
 
-    fn islands(&self, _core: &Core) -> Vec<IslandView> {
-        let view = |bodies: &Vec<usize>| IslandView { bodies: bodies.iter().map(|&body| BodyId::new(body)).collect() };
-        self.course.groups().iter().map(|group| view(&group.bodies)).collect()
+    fn islands(&self, core: &Core) -> Vec<IslandView> {
+        // Bodies that may touch within a step, or that joints connect; those that rest too.
+        let (world, bodies) = (&core.world, self.course.states.len());
+        let moves = |body: usize| world.bodies[body].moves();
+        let mut sets = DisjointSets::new(bodies);
+        let mut is_in_one = vec![false; bodies];
+        let pairs = self.course.pairs.iter().filter(|pair| !pair.patches.is_empty()).map(|pair| (pair.a, pair.b));
+        let joints = world.joints.iter().map(WorldJoint::pair);
+        for (a, b) in pairs.chain(joints) {
+            (is_in_one[a], is_in_one[b]) = (is_in_one[a] | moves(a), is_in_one[b] | moves(b));
+            if moves(a) && moves(b) {
+                sets.join(a, b);
+            }
+        }
+        let mut islands: BTreeMap<usize, Vec<BodyId>> = BTreeMap::new();
+        for body in (0..bodies).filter(|&body| is_in_one[body]) {
+            islands.entry(sets.smallest(body)).or_default().push(BodyId::new(body));
+        }
+        islands.into_values().map(|bodies| IslandView { bodies }).collect()
     }
 
     fn interrupt(&mut self, _core: &mut Core, _bodies: &[usize]) -> Result<(), SimulationError> {
@@ -321,6 +375,7 @@ impl Tier for FastEngine {
         self.course.remove_body(body);
         self.course.wake_all();
         self.touching.retain(|&(a, b)| a != body && b != body);
+        self.course.held.retain(|held| ![held.id.bodies().0, held.id.bodies().1].contains(&body));
     }
 
     fn touching_pairs(&self) -> usize {
@@ -335,10 +390,39 @@ impl Tier for FastEngine {
             resting: self.course.resting.clone(),
             quiet: self.course.quiet.clone(),
             touching: self.touching.clone(),
+            held: self.course.held.iter().map(save_held).collect(),
             grid: self.grid,
             begun: self.begun,
         })
     }
+}
+
+fn save_held(held: &HeldJoint) -> content::HeldJoint {
+    let (kind, number) = match held.id {
+        ConstraintId::Joint { joint, .. } => (content::HeldKind::Joint, joint),
+        _ => (content::HeldKind::Pivot, held.body),
+    };
+    let load = [held.force.to_array(), held.moment.to_array()];
+    content::HeldJoint { kind, number, body: held.body, multipliers: held.multipliers, load }
+}
+
+fn restored_held(core: &Core, saved: &content::HeldJoint) -> Result<HeldJoint, SnapshotError> {
+    let invalid = || SnapshotError::Invalid("it has a joint that the scene has not");
+    let world = &core.world;
+    let id = match saved.kind {
+        content::HeldKind::Pivot => ConstraintId::Pivot { body: saved.number },
+        content::HeldKind::Joint => {
+            let joint = world.joints.iter().find(|own| own.number() == saved.number).ok_or_else(invalid)?;
+            let mut held = joint.bodies();
+            let first = held.next().ok_or_else(invalid)?;
+            ConstraintId::Joint { joint: saved.number, bodies: (first, held.next().unwrap_or(first)) }
+        }
+    };
+    if saved.body >= world.bodies.len() {
+        return Err(invalid());
+    }
+    let [force, moment] = saved.load.map(DVec3::from_array);
+    Ok(HeldJoint { id, multipliers: saved.multipliers, body: saved.body, force, moment })
 }
 
 fn save_pair(pair: &PairPatches) -> content::PairPatches {

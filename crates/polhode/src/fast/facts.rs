@@ -29,5 +29,5 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     flight: FlightRecords::None,
     order: ErrorOrder::WithContact(ORDER_OF_SUBSTEPS),
     promise: None,
-    features: &[TierFeature::Friction, TierFeature::SequentialImpulses],
+    features: &[TierFeature::Friction, TierFeature::Joints, TierFeature::SequentialImpulses],
 };

@@ -2,8 +2,10 @@
 //!
 //! Groups are filled with whole islands until they have [`FULL`] patches, whatever the number of threads, so that sums have one order.
 
+use super::held::{Held, HeldJoint};
 use super::rules::Rules;
 use super::turning::turn;
+use crate::Momentum;
 use crate::collision::face_patches::PairPatches;
 use crate::world::{Loads, World};
 use polhode_contact::tangent_basis;
@@ -57,6 +59,7 @@ pub(super) struct Group {
     /// States within the step, where forces depend on them.
     present: Vec<BodyState>,
     pub(super) solver: SequentialImpulses,
+    pub(super) held: Held,
     pub(super) report: GroupReport,
 }
 
@@ -68,6 +71,8 @@ pub(super) struct GroupReport {
     /// The same as `works`, summed by bodies, J.
     pub(super) given_j: f64,
     pub(super) residual: Residual,
+    /// Momentum from the world through joints, about its origin.
+    pub(super) support: Momentum,
     /// The pair that overlaps most at the start, by its place, and how deep, m.
     pub(super) deepest: Option<(usize, f64)>,
 }
@@ -80,6 +85,8 @@ pub(super) struct Given<'a> {
     pub(super) pairs: &'a [PairPatches],
     /// Number of each body in the solver of its group.
     pub(super) numbers: &'a [u32],
+    /// Joints after the last step, ascending.
+    pub(super) held: &'a [HeldJoint],
     /// Start of the step, s.
     pub(super) t: f64,
     /// Factor on impulses of the last step: its length over that of the substeps now (no unit).
@@ -103,12 +110,17 @@ impl Group {
         if rules.has_loads {
             self.present = given.states.to_vec();
         }
+        self.find_rows(given);
         for substep in 0..rules.substeps {
             self.kick(given, f64::from(substep) * rules.h);
             let stage = if substep == 0 { SweepStage::First } else { SweepStage::Next };
             if substep == 0 {
                 self.solver.warm_start();
+                self.held.start(&mut self.solver, given.held, given.warm);
+            } else {
+                self.held.start_again(&mut self.solver);
             }
+            self.held.sweep(&mut self.solver, &rules.soft);
             self.report.works += self.solver.sweep(stage, &rules.soft);
             self.take_velocities();
             self.move_bodies(given.world, rules.h);
@@ -116,17 +128,35 @@ impl Group {
                 let time = f64::from(substep + 1) * rules.h;
                 self.solver.body_mut(*number).set_displacement(velocity.linear * time, velocity.angular * time);
             }
-            self.solver.sweep(SweepStage::Moved, &rules.relax);
+            self.find_rows(given);
+            self.held.sweep(&mut self.solver, &rules.relax);
+            self.solver.sweep_conjugate(rules.relax_sweeps, &rules.relax);
             self.take_velocities();
             self.book();
+            self.report.works.resting_j += self.held.end_substep(&self.solver, &self.present);
         }
         self.report.works += self.solver.end_substep(&rules.soft);
         self.report.residual = self.solver.residual(&rules.relax);
         self.begin();
-        self.report.works += self.solver.restitute(&rules.soft);
+        let bounced = self.solver.restitute(&rules.soft);
+        self.report.works += bounced;
+        if bounced != Works::default() && !self.held.is_empty() {
+            let held_j = self.held.hold_after_impact(&mut self.solver, &rules.relax, &self.present);
+            self.report.works.resting_j += held_j;
+        }
         self.take_velocities();
         self.book();
+        self.report.support = self.held.support();
         self.report.given_j = self.members.iter().map(|member| member.given_j).sum();
+    }
+
+    /// The rows of joints where the bodies are now.
+    fn find_rows(&mut self, given: &Given<'_>) {
+        if given.world.has_rows() {
+            self.members.iter().for_each(|member| self.present[member.body] = member.state);
+            let states = (&self.present[..], &self.bodies[..]);
+            self.held.find_rows((given.world, &self.solver), states, given.numbers);
+        }
     }
 
     /// What impulses change is counted from here.
@@ -162,6 +192,7 @@ impl Group {
         self.solver.clear();
         self.members.clear();
         self.drivers.clear();
+        self.held.clear();
         for place in 0..self.bodies.len() {
             let body = self.bodies[place];
             let Some(rigid) = &world.bodies[body].rigid else { continue };

@@ -8,7 +8,7 @@
 //! 3. the bodies move;
 //! 4. another sweep, without the push, takes out the velocity that it gave.
 //!
-//! At the end contacts that collided part again with their restitution. Friction is Coulomb's at each point, in a disc. Sources and formulas:
+//! Joints are swept before contacts, their rows found anew after every movement. At the end contacts that collided part again with their restitution. Friction is Coulomb's at each point, in a disc. Sources and formulas:
 //! `polhode_response::sequential_impulses`, docs/contact-methods/fast.md. Failure: none that stops a run; with few substeps tall stacks and large mass
 //! ratios sag, and the residual of the certificate says how much.
 //!
@@ -20,6 +20,8 @@
 //! | `step` | the stages of a step |
 //! | `turning` | free rotation over a substep |
 //! | `group` | the step of some islands: what one task computes |
+//! | `held` | joints: their rows, and what they give |
+//! | `impacts` | collisions as events |
 //! | `course` | states and contacts of all bodies, and a step of them |
 //! | `engine` | a run: steps, what is booked, queries at the present |
 
@@ -27,6 +29,8 @@ mod course;
 mod engine;
 mod facts;
 mod group;
+mod held;
+mod impacts;
 mod rest;
 mod rules;
 mod step;

@@ -4,6 +4,7 @@
 //! [`DAMPING`]; one with a body that does not move is twice as stiff. Nothing here is an absolute time or length, so that a scene in
 //! other units moves as before. Source: docs/REFERENCES.md, Catto 2024, which has 30 Hz and 3 m/s.
 
+use crate::scene::ContactMethod;
 use crate::world::World;
 use polhode_response::sequential_impulses::{Softness, SweepRule};
 
@@ -23,6 +24,9 @@ const PUSH_OF_SIZE: f64 = 0.1;
 /// A contact that approaches more slowly than gravity makes it in this many steps does not bounce (no unit): it rests.
 const RESTING_STEPS: f64 = 2.0;
 
+/// Sweeps of the relax stage with conjugate gradients between them (no unit, 2 to 30): fewer are hardly better than one.
+const CONJUGATE_SWEEPS: u32 = 8;
+
 /// The numbers of a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rules {
@@ -33,6 +37,8 @@ pub(super) struct Rules {
     pub(super) has_loads: bool,
     pub(super) soft: SweepRule,
     pub(super) relax: SweepRule,
+    /// Sweeps of the relax stage: with more than one, conjugate gradients are between them.
+    pub(super) relax_sweeps: u32,
 }
 
 impl Rules {
@@ -53,6 +59,12 @@ impl Rules {
             colliding: RESTING_STEPS * gravity.length() * whole_s,
         };
         let relax = SweepRule { between: Softness::RIGID, with_fixed: Softness::RIGID, ..soft };
-        Self { substeps, h, has_loads: world.has_loads(), soft, relax }
+        Self { substeps, h, has_loads: world.has_loads(), soft, relax, relax_sweeps: 1 }
+    }
+
+    /// The same by a method of contact forces.
+    pub(super) fn by(self, contact: ContactMethod) -> Self {
+        let relax_sweeps = if contact == ContactMethod::ConjugateGradients { CONJUGATE_SWEEPS } else { 1 };
+        Self { relax_sweeps, ..self }
     }
 }

@@ -1,7 +1,9 @@
 //! Checks of the joints of a scene: that their bodies exist and can be held, that they do not part at the start, and that the
 //! method solves for them.
 
-use super::{Coordinate, Integrator, IntegratorChoice, Joint, JointKind, Scene, SceneError, Tier, TierFeature};
+use super::{
+    Coordinate, Freedom, Integrator, IntegratorChoice, Joint, JointKind, Scene, SceneError, Tier, TierFeature,
+};
 use crate::constraint::joint::{HeldBody, WorldJoint};
 use crate::constraint::row::RowKind;
 use polhode_spatial::{Motion, Pose, Velocity};
@@ -89,11 +91,51 @@ impl Scene {
                 let instead = Tier::names_with(TierFeature::Joints);
                 Err(SceneError::JointsInTier { tier: tier.name, instead })
             }
+            _ if !tier.takes(TierFeature::AllOfJoints) => self.check_plain_joints(tier.name),
             None | Some(Integrator::Dop853 | Integrator::Rk4) => Ok(()),
             // A tier with an integrator of its own refuses all others.
             Some(_) if matches!(tier.integrator_choice, IntegratorChoice::Tier { .. }) => Ok(()),
             Some(integrator) => Err(SceneError::JointsWithIntegrator { integrator: integrator.name() }),
         }
+    }
+
+    /// Checks that joints have nothing beside what they hold, and limits of their coordinates.
+    ///
+    /// # Errors
+    /// With the first joint that has.
+    fn check_plain_joints(&self, tier: &str) -> Result<(), SceneError> {
+        let instead = || {
+            let tiers = Tier::names_with(TierFeature::AllOfJoints);
+            format!(
+                "joints without it (they hold, and their coordinates have limits without restitution), or tier {tiers}"
+            )
+        };
+        let refuse = |what: String| Err(SceneError::NotYetAvailable { what, instead: instead() });
+        if !self.gears.is_empty() || !self.coordinate_motions.is_empty() {
+            return refuse(format!("a gear or a prescribed motion of a joint with tier = \"{tier}\""));
+        }
+        for (number, joint) in self.joints.iter().enumerate() {
+            let has = |of: &dyn Fn(&Freedom) -> bool| {
+                joint
+                    .kind()
+                    .coordinates()
+                    .iter()
+                    .filter_map(|&coordinate| joint.freedom(coordinate))
+                    .any(|own| of(&own))
+            };
+            let found = [
+                (matches!(joint.kind(), JointKind::Track { .. }), "a track"),
+                (joint.bodies().any(|body| self.bodies[body].motion().is_some()), "a kinematic member"),
+                (joint.strength().is_some(), "a strength"),
+                (has(&|own| own.has_forces()), "a spring, damper or motor"),
+                (has(&|own| own.friction().is_some()), "friction"),
+                (has(&|own| own.limits().is_some_and(|limits| limits.restitution() > 0.0)), "a limit that bounces"),
+            ];
+            if let Some((_, what)) = found.into_iter().find(|(is_there, _)| *is_there) {
+                return refuse(format!("joint {number} with {what} in tier = \"{tier}\""));
+            }
+        }
+        Ok(())
     }
 
     /// The pose of the moving frame of a body at the start, and its velocity.

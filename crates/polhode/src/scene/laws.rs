@@ -106,6 +106,8 @@ pub enum ContactMethod {
     Guesses,
     /// One contact after the other, with impulses of the step before to begin with.
     SequentialImpulses,
+    /// The same, with steps of nonsmooth nonlinear conjugate gradients between several sweeps.
+    ConjugateGradients,
 }
 
 impl ContactMethod {
@@ -117,6 +119,7 @@ impl ContactMethod {
             Self::Heuristic => "heuristic",
             Self::Guesses => "guesses",
             Self::SequentialImpulses => "sequential-impulses",
+            Self::ConjugateGradients => "nncg",
         }
     }
 }

@@ -126,14 +126,16 @@ impl Method {
     fn check_contact(&self, tier: &TierFacts) -> Result<(), SceneError> {
         let refuse = |what: String, instead: String| Err(SceneError::NotYetAvailable { what, instead });
         let is_taken = |contact: ContactMethod| match contact {
-            ContactMethod::SequentialImpulses => tier.takes(TierFeature::SequentialImpulses),
+            ContactMethod::SequentialImpulses | ContactMethod::ConjugateGradients => {
+                tier.takes(TierFeature::SequentialImpulses)
+            }
             ContactMethod::ActiveSet => !tier.takes(TierFeature::SequentialImpulses),
             _ => tier.takes(TierFeature::LeastForce),
         };
         if let Some(contact) = self.contact.filter(|&contact| !is_taken(contact)) {
             let what = format!("contact = \"{}\" with tier = \"{}\"", contact.name(), tier.name);
             let instead = match contact {
-                ContactMethod::SequentialImpulses => {
+                ContactMethod::SequentialImpulses | ContactMethod::ConjugateGradients => {
                     format!("contact = \"active-set\", or tier {}", Tier::names_with(TierFeature::SequentialImpulses))
                 }
                 ContactMethod::ActiveSet => format!("contact = \"{}\"", tier.contact.name()),

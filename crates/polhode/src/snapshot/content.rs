@@ -546,8 +546,31 @@ pub(crate) struct Fast {
     pub(crate) quiet: Vec<u32>,
     /// Pairs that pressed on each other in the last step, ascending.
     pub(crate) touching: Vec<(usize, usize)>,
+    /// Joints and pivots after the last step.
+    pub(crate) held: Vec<HeldJoint>,
     pub(crate) grid: u64,
     pub(crate) begun: bool,
+}
+
+/// What holds bodies after a step.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct HeldJoint {
+    pub(crate) kind: HeldKind,
+    /// Of the joint, or of the body with the pivot.
+    pub(crate) number: usize,
+    /// The body that the load is on.
+    pub(crate) body: usize,
+    /// Impulses of the rows in the last substep, N s.
+    pub(crate) multipliers: [f64; 6],
+    /// Mean force (N), and moment about the centre of mass (N m), in the last step.
+    pub(crate) load: [Vector; 2],
+}
+
+/// What holds a body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) enum HeldKind {
+    Joint,
+    Pivot,
 }
 
 /// Where two bodies may touch.

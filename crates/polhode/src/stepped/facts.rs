@@ -27,5 +27,5 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     flight: FlightRecords::All,
     order: ErrorOrder::Fixed(ORDER_OF_TIME_STEPS),
     promise: None,
-    features: &[TierFeature::Friction, TierFeature::Joints, TierFeature::SurfaceEffects],
+    features: &[TierFeature::Friction, TierFeature::Joints, TierFeature::AllOfJoints, TierFeature::SurfaceEffects],
 };

@@ -410,7 +410,9 @@ fn group_forces(
             let found = solution.report.status != SolverStatus::Infeasible;
             guessed_or_exact(core, &assembly, (&delassus, &b), found.then_some((solution.forces, solution.report)))?
         }
-        ContactMethod::ActiveSet | ContactMethod::SequentialImpulses => exact_forces(core, &assembly, &delassus, &b)?,
+        ContactMethod::ActiveSet | ContactMethod::SequentialImpulses | ContactMethod::ConjugateGradients => {
+            exact_forces(core, &assembly, &delassus, &b)?
+        }
     };
     let worst = &mut core.accounts.certificate.max_acceleration_error_bound;
     *worst = Some(worst.unwrap_or(0.0).max(bound));

@@ -111,7 +111,7 @@ fn takes_all_of(scene: &Scene, tier: Tier) -> bool {
     let has_pivots = scene.bodies().iter().any(|body| body.pivot_point().is_some());
     let facts = tier.facts();
     (!has_pivots || facts.takes(TierFeature::PivotRows))
-        && (scene.joints().is_empty() || facts.takes(TierFeature::Joints))
+        && (scene.joints().is_empty() || facts.takes(TierFeature::AllOfJoints))
         && (!scene.colliding().have_friction() || facts.takes(TierFeature::Friction))
 }
 

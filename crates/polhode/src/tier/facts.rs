@@ -130,6 +130,9 @@ pub enum TierFeature {
     Friction,
     /// Joints.
     Joints,
+    /// All that joints have: gears, prescribed motions, forces, friction and strengths along their coordinates, limits that bounce, tracks, and
+    /// kinematic members.
+    AllOfJoints,
     /// Pivots held by constraint rows; without it a pivoted body only turns about its pivot.
     PivotRows,
     /// [`ContactMethod::LeastForce`].

@@ -50,7 +50,7 @@ impl Tier {
         self.facts().name
     }
 
-    /// The names of the tiers that take this, for a message: `accurate` or `stepped`.
+    /// The names of the tiers that take this, for a message: `accurate` or `stepped` or `fast`.
     pub(crate) fn names_with(feature: TierFeature) -> String {
         let takes = |tier: &Self| tier.facts().takes(feature);
         let names = Self::ALL.into_iter().filter(takes).map(|tier| format!("`{}`", tier.name()));
@@ -79,6 +79,6 @@ mod tests {
             assert_eq!(Tier::from_name(tier.name()), Some(tier));
         }
         assert_eq!(Tier::from_name("another"), None);
-        assert_eq!(Tier::names_with(TierFeature::Joints), "`accurate` or `stepped`");
+        assert_eq!(Tier::names_with(TierFeature::Joints), "`accurate` or `stepped` or `fast`");
     }
 }

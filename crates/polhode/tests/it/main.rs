@@ -15,6 +15,7 @@ mod diamonds;
 mod driven_joints;
 mod energy_after_actions;
 mod fast;
+mod fast_joints;
 mod fixed_steps;
 mod flight;
 mod forces;

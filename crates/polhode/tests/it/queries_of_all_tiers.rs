@@ -28,7 +28,10 @@ fn simulation(tier: Tier) -> Simulation {
 
 #[test]
 fn every_query_answers_in_every_tier() {
-    for tier in [Tier::Accurate, Tier::Stepped, Tier::Thesis] {
+    for tier in [Tier::Accurate, Tier::Stepped, Tier::Thesis, Tier::Fast] {
+        // Soft contacts sag by the square of a step times gravity, and a fixed number of sweeps leaves a part of the forces.
+        let is_soft = tier == Tier::Fast;
+        let (place, force) = if is_soft { (1e-5, 1e-2) } else { (1e-11, 1e-9) };
         let mut simulation = simulation(tier);
         let t = 0.3;
         simulation.advance_to(t).unwrap();
@@ -36,7 +39,7 @@ fn every_query_answers_in_every_tier() {
         let position = |id: BodyId| simulation.body(id).pose.translation;
         let flown = DVec3::new(2.0, t, 3.0 - 0.5 * G * t * t);
         assert!((position(flying) - flown).length() < 1e-11, "{tier:?}");
-        assert!((position(box_) - DVec3::Z * 0.1).length() < 1e-11, "{tier:?}");
+        assert!((position(box_) - DVec3::Z * 0.1).length() < place, "{tier:?}");
         // The balance of a spring is held to g h^2.
         assert!((position(hanging) - DVec3::new(5.0, 0.0, 3.0)).length() < 1e-5, "{tier:?}");
         let listed = simulation.bodies();
@@ -44,7 +47,7 @@ fn every_query_answers_in_every_tier() {
 
         let contacts = simulation.contacts();
         let sum: f64 = contacts.iter().map(|contact| contact.normal_force_n * contact.normal.z.abs()).sum();
-        assert!(contacts.len() == 4 && (sum - G).abs() < 1e-9, "{tier:?} {sum}");
+        assert!(contacts.len() == 4 && (sum - G).abs() < force, "{tier:?} {sum}");
         assert!(simulation.pivots().is_empty(), "{tier:?}");
         let islands = simulation.islands();
         assert!(islands.iter().flat_map(|island| &island.bodies).any(|&id| id == box_), "{tier:?} {islands:?}");
@@ -65,7 +68,7 @@ fn every_query_answers_in_every_tier() {
         let queries = simulation.queries().unwrap();
         let down = Ray::new(DVec3::Z * 9.0, UnitVector::new(-DVec3::Z).unwrap()).unwrap();
         let (first, hit) = queries.first_hit(&down, 100.0).unwrap();
-        assert!(first == box_ && (hit.distance - 8.8).abs() < 1e-9, "{tier:?}");
+        assert!(first == box_ && (hit.distance - 8.8).abs() < place.max(1e-9), "{tier:?}");
 
         let accelerations = simulation.accelerations().unwrap();
         let expected = [(box_, DVec3::ZERO), (flying, -DVec3::Z * G), (hanging, DVec3::ZERO)];
@@ -76,6 +79,12 @@ fn every_query_answers_in_every_tier() {
         let report = simulation.run().unwrap();
         let certificate = report.certificate;
         let is_fixed = tier != Tier::Accurate;
+        if is_soft {
+            // It estimates no error, of the run or of a step.
+            assert_eq!([certificate.estimated_error.is_some(), certificate.max_step_error.is_some()], [false; 2]);
+            assert!(certificate.max_residual.is_finite() && certificate.max_acceleration_error_bound.is_none());
+            continue;
+        }
         assert_eq!(certificate.estimated_error.is_some(), is_fixed, "{tier:?}");
         assert_eq!(certificate.max_step_error.is_some(), !is_fixed, "{tier:?}");
         assert_eq!(certificate.max_acceleration_error_bound.is_some(), tier != Tier::Stepped, "{tier:?}");
