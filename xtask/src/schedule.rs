@@ -83,10 +83,14 @@ pub(crate) fn run(steps: &[Step<'_>]) -> Vec<Row> {
         for _ in 1..std::thread::available_parallelism().map_or(1, usize::from) {
             scope.spawn(finish_beside);
         }
-        builds.iter().for_each(|&number| finish(number));
+        for &number in &builds {
+            finish(number);
+        }
         finish_beside();
     });
-    of(Company::Alone).into_iter().for_each(finish);
+    for number in of(Company::Alone) {
+        finish(number);
+    }
     let (mut rows, mut times) = (Vec::new(), Vec::new());
     for (step, done) in steps.iter().zip(done) {
         match done.into_inner().ok().flatten() {

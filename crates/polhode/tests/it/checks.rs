@@ -2,7 +2,7 @@
 
 use crate::support::brick;
 use polhode::dynamics::integrator::Method as Integrator;
-use polhode::mesh::primitives::Amount;
+use polhode::mesh::Amount;
 use polhode::observer::Flow;
 use polhode::scene::Method;
 use polhode::spatial::{DVec3, Density, Inertia, Mass, MassProperties, Pose, Velocity};

@@ -186,7 +186,11 @@ fn a_heavy_box_that_falls_tilted_on_a_light_plate_comes_to_an_end() {
             .duration_s(0.45)
             .body(floor().material(rough()))
             .body(dense_brick("plate", 12.5, DVec3::new(1.0, 0.8, 0.1), DVec3::Z * 0.05).material(rough()))
-            .body(dense_brick("box", 8.0 * ratio, DVec3::splat(0.5), place).pose(Pose::new(tilt, place)).material(rough()));
+            .body(
+                dense_brick("box", 8.0 * ratio, DVec3::splat(0.5), place)
+                    .pose(Pose::new(tilt, place))
+                    .material(rough()),
+            );
         let (report, _) = run(&scene.build().unwrap(), Effects::Planned);
         let heights = report.bodies.iter().map(|polhode::ReportedBody { state, .. }| state.pose.translation.z);
         assert!(heights.fold(0.0, f64::max) < place.z, "{ratio:e}: {report:?}");
