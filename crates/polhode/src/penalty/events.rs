@@ -35,10 +35,6 @@ const TIME_DIFFERENCE: f64 = 1e-4;
 /// A turn counts when the rate changes by more than this part of the rate of approach (1e-9 to 1e-3).
 const TURN_RELATIVE: f64 = 1e-6;
 
-/// A spring ceases to press when its force changes by more than this part of that at the stated penetration (1e-12 to 1e-6): of contacts
-/// that carry nothing it is rounding, of either sign from one instant to the next.
-const PRESS_RELATIVE: f64 = 1e-9;
-
 /// What happens.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Happening {
@@ -63,8 +59,6 @@ pub(super) struct Looking<'a, 'b> {
     pub(super) candidates: &'a [ContactId],
     /// A speed at which a contact is at rest, m/s.
     pub(super) resting_speed: f64,
-    /// The stated penetration, m.
-    pub(super) depth_m: f64,
     /// What has happened at the start of the step already, without time passing.
     pub(super) done: &'a [Happening],
 }
@@ -138,19 +132,10 @@ impl Looking<'_, '_> {
 
     /// Whether a change of a signal is more than rounding.
     fn counts(&self, what: Happening, before: f64, now: f64) -> bool {
-        let own = |id: ContactId| self.system.springs.iter().find(|spring| spring.id == id);
-        let least = match what {
-            Happening::Turn(id) => {
-                let approach = own(id).map_or(0.0, |spring| spring.passage.approach);
-                TURN_RELATIVE * approach.max(self.resting_speed)
-            }
-            Happening::Press(id) => own(id).map_or(0.0, |spring| match spring.normal.damping() {
-                Damping::HuntCrossley(_) => PRESS_RELATIVE,
-                Damping::Plain(_) => PRESS_RELATIVE * spring.normal.elastic_force(self.depth_m),
-            }),
-            _ => return true,
-        };
-        before - now > least
+        let Happening::Turn(id) = what else { return true };
+        let own = self.system.springs.iter().find(|spring| spring.id == id);
+        let approach = own.map_or(0.0, |spring| spring.passage.approach);
+        before - now > TURN_RELATIVE * approach.max(self.resting_speed)
     }
 
     /// Where in an interval (s) a signal becomes negative: the first time at which it is.

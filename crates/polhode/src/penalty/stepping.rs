@@ -152,8 +152,7 @@ fn step(
     run.done.largest_error = Some(run.done.largest_error.unwrap_or(0.0).max(error));
     let Ok(mut dense) = method.dense(&mut system);
     let resting_speed = run.laws.resting_speed(&core.world);
-    let (depth_m, done) = (run.laws.depth_m, &control.done);
-    let mut looking = Looking { system: &mut system, dense: &dense, candidates, resting_speed, depth_m, done };
+    let mut looking = Looking { system: &mut system, dense: &dense, candidates, resting_speed, done: &control.done };
     let found = looking.first();
     let reaches_end = h >= t_end - t;
     let Some((t_event, what)) = found else {
