@@ -186,7 +186,8 @@ const SMOOTH: [(Tier, Motion, f64, f64); 13] = [
     (Tier::Fast, Motion::Spinning, 0.005, 1.0),
     (Tier::Fast, Motion::Stop, 0.005, 1.0),
     (Tier::Thesis, Motion::Ladder, 0.00125, 1.0),
-    (Tier::MicroCollisions, Motion::Rolling, 0.0025, 1.0),
+    // A micro-collision reverses the slip: its mean over a step is that of rolling.
+    (Tier::MicroCollisions, Motion::Rolling, 0.0025, 2.0),
 ];
 
 /// Rows of the tiers, of springs, and of impacts within a step.
