@@ -183,7 +183,7 @@ fn a_heavy_box_that_falls_tilted_on_a_light_plate_comes_to_an_end() {
         let rough = || rough(0.5);
         let scene = Scene::builder("heavy on light")
             .method(accurate())
-            .duration_s(0.45)
+            .duration_s(0.6)
             .body(floor().material(rough()))
             .body(dense_brick("plate", 12.5, DVec3::new(1.0, 0.8, 0.1), DVec3::Z * 0.05).material(rough()))
             .body(
