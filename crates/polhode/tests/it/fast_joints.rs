@@ -9,11 +9,10 @@ use crate::checks::assert_closes;
 use crate::joints::{down, inertia, rod};
 use crate::snapshots::check_restored_runs;
 use crate::support::{ball, brick, floor, run_even_degraded};
-use crate::threads::Threads;
+use crate::threads::check_threads;
 use polhode::scene::{Coordinate, Drive, Freedom, Joint, JointKind, Limits, Material, Method, Motor, Strength, Tier};
 use polhode::spatial::{DVec3, UnitVector};
 use polhode::{BodyId, Effects, RunReport, Scene, SceneBuilder, Simulation};
-use std::sync::Arc;
 
 const G: f64 = 9.81;
 
@@ -195,16 +194,7 @@ fn a_ragdoll_holds_together_and_lies() {
 #[test]
 fn threads_and_snapshots_change_no_bit() {
     let scene = ragdoll().duration_s(0.5).build().unwrap();
-    let of = |threads: usize| {
-        let mut simulation = Simulation::new(&scene).unwrap();
-        simulation.set_executor(Arc::new(Threads(threads)));
-        simulation.run().unwrap();
-        simulation.snapshot().to_bytes()
-    };
-    let one = of(1);
-    for threads in [2, 3, 8] {
-        assert!(of(threads) == one, "{threads} threads");
-    }
+    check_threads(&scene);
     check_restored_runs(&scene, Effects::Planned);
 }
 

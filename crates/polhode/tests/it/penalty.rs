@@ -198,6 +198,32 @@ fn fixed_steps_are_followed_or_refused() {
     Simulation::new(&bouncing(by(Integrator::ImplicitMidpoint, Some(1e-3)), 0.02)).unwrap().run().unwrap();
 }
 
+/// The implicit step has one matrix of all bodies that may meet: a row of more than 64 balls about to touch is refused, a short one is not.
+#[test]
+fn implicit_steps_of_many_bodies_are_refused() {
+    const STEP: f64 = 1e-4;
+    let plain = Material::new("plain").with_restitution(0.5).unwrap();
+    let implicit = || Method {
+        integrator: Some(Integrator::ImplicitMidpoint),
+        step_s: Some(STEP),
+        ..method(PenaltyMethod::default())
+    };
+    let outcome = |bodies: u32| {
+        let one = |number: u32| {
+            let place = DVec3::new(0.200_000_1 * f64::from(number), 0.0, 0.100_000_1);
+            let inwards = if number.is_multiple_of(2) { DVec3::X } else { DVec3::NEG_X };
+            let velocity = Velocity::new(inwards - DVec3::Z, DVec3::ZERO);
+            ball(&format!("ball {number}"), 0.1, 1000.0, &plain, place, velocity)
+        };
+        let scene = Scene::builder("row").method(implicit()).duration_s(STEP).body(wall(&plain));
+        let scene = (0..bodies).map(one).fold(scene, polhode::SceneBuilder::body).build().unwrap();
+        Simulation::new(&scene).unwrap().run().map(|_| ())
+    };
+    outcome(8).unwrap();
+    let refused = outcome(65).unwrap_err();
+    assert!(matches!(refused, SimulationError::ImplicitTooLarge { bodies: 65, limit: 64, .. }), "{refused}");
+}
+
 /// A run that goes on from a snapshot in the middle of a contact has the same bits.
 #[test]
 fn snapshots_keep_springs() {

@@ -5,7 +5,7 @@
 use crate::checks::assert_closes;
 use crate::support::{accurate, ball, brick, floor, run, run_even_degraded};
 use polhode::contact::Shape;
-use polhode::scene::{ImpactLaw, Material, Method};
+use polhode::scene::{ImpactLaw, Material, Method, SceneError};
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation, SplitMix64, Velocity};
 use polhode::{Body, Effects, RunReport, Scene};
 
@@ -135,5 +135,25 @@ fn contact_that_a_pivot_leaves_no_freedom_is_no_error() {
                 assert_takes_energy(&report, 5.0, &what);
             }
         }
+    }
+}
+
+/// The law `pulse` strikes contacts with friction, and refuses those that resist rolling or spinning as well, when the scene is built.
+#[test]
+fn pulse_refuses_contacts_that_resist_rotations() {
+    let scene = |rolling: f64, spinning: f64| {
+        let felt = Material::new("felt").with_friction(0.4).expect("a coefficient");
+        let felt = felt.with_rotational_friction(rolling, spinning).expect("lengths of friction");
+        Scene::builder("pulse")
+            .method(Method { impact: Some(ImpactLaw::Pulse), ..accurate() })
+            .duration_s(0.3)
+            .body(floor().material(felt.clone()))
+            .body(body_of(1, "box").pose(Pose::from_translation(DVec3::Z * 0.2)).material(felt))
+            .build()
+    };
+    run(&scene(0.0, 0.0).expect("a scene"), Effects::Planned);
+    for (rolling, spinning) in [(0.002, 0.0), (0.0, 0.002)] {
+        let refused = scene(rolling, spinning).expect_err("friction of rotations");
+        assert!(matches!(refused, SceneError::NotYetAvailable { .. }), "{refused}");
     }
 }

@@ -46,7 +46,7 @@ fn run_all<'a>(tasks: impl Iterator<Item = Task<'a>>) {
 
 /// So many threads, each of which takes every n-th task, n being their number.
 #[derive(Debug)]
-pub(crate) struct Threads(pub(crate) usize);
+struct Threads(usize);
 
 impl Executor for Threads {
     fn width(&self) -> NonZeroUsize {
@@ -85,12 +85,18 @@ fn end_by(scene: &Scene, executor: Arc<dyn Executor>) -> (Vec<u8>, String) {
     (simulation.snapshot().to_bytes(), format!("{:?} {:?}", report.ledger, report.certificate))
 }
 
+/// Checks that the whole state of a scene's end, accounts with it, has the same bits with two, three and eight threads, and backwards,
+/// as with one.
+#[track_caller]
+pub(crate) fn check_threads(scene: &Scene) {
+    let one = end_by(scene, Arc::new(OneThread));
+    for number in [2, 3, 8] {
+        assert!(end_by(scene, Arc::new(Threads(number))) == one, "{number} threads");
+    }
+    assert!(end_by(scene, Arc::new(Backwards)) == one);
+}
+
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {
-    let scene = heaps();
-    let one = end_by(&scene, Arc::new(OneThread));
-    for number in [2, 3, 8] {
-        assert!(end_by(&scene, Arc::new(Threads(number))) == one, "{number} threads");
-    }
-    assert!(end_by(&scene, Arc::new(Backwards)) == one);
+    check_threads(&heaps());
 }
