@@ -46,7 +46,7 @@ const ASKED: f64 = 4.0;
 /// What to measure.
 #[derive(Debug, Args)]
 pub(crate) struct Options {
-    /// Meshes, each with four times the elements of the one before. Four take half an hour.
+    /// Meshes, each with four times the elements of the one before. The finest takes most of the time.
     #[arg(long, default_value_t = 4, value_parser = clap::value_parser!(u8).range(3..=5))]
     meshes: u8,
     /// Writes the section from the means that are kept, without measuring.
@@ -167,7 +167,7 @@ fn section(drops: &[KeptDrop]) -> Result<String, ElasticError> {
 Contact time (first to last touch, in units of `2 H/c_p`), impulse (of `m v`) and effective restitution (velocity up over velocity
 down) for nu = 0.3, from meshes of 200 to {most} elements: the limit by Richardson extrapolation with the observed order, its
 estimated error, that order, and the digits that hold, `-log10` of the relative error. Four digits are reached by {reached} of {entries}
-entries. `cargo xtask elastic` makes this section (half an hour); the means of all meshes are in
+entries. `cargo xtask elastic` makes this section (the finest meshes take most of its time); the means of all meshes are in
 `{RECORD}`, and `cargo xtask verify --only \"elastic body\"` makes some of them again.
 
 | W/H | tilt, degrees | contact time | order | digits | impulse | order | digits | restitution | order | digits |
