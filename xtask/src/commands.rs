@@ -2,8 +2,9 @@
 
 use crate::golden;
 use crate::row::Row;
+use std::error::Error;
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::{Command, ExitCode, Stdio};
 
 /// A command that must succeed.
 #[derive(Debug)]
@@ -43,7 +44,7 @@ pub(crate) const CHECKS: &[Check] = &[
         environment: &[],
     },
     // The program that some cases run.
-    Check { arguments: &["build", "--release", "--package", "polhode-cli", "--quiet"], environment: &[] },
+    Check { arguments: &["build", "--package", "polhode-cli", "--quiet"], environment: &[] },
 ];
 
 /// The same for `--quick`: what takes seconds when nothing has to be compiled.
@@ -73,6 +74,18 @@ impl Check {
         };
         Row::exact("cargo", &self.name(), "success", measured)
     }
+}
+
+/// Goes on in a release build of this program, with the same arguments and in the same folder.
+///
+/// # Errors
+/// When cargo cannot be run.
+pub(crate) fn go_on_in_release() -> Result<ExitCode, Box<dyn Error>> {
+    let status = cargo(&std::env::current_dir()?)
+        .args(["run", "--release", "--quiet", "--package", env!("CARGO_PKG_NAME"), "--"])
+        .args(std::env::args_os().skip(1))
+        .status()?;
+    Ok(if status.success() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
 /// The cargo that runs this program, in `root`.

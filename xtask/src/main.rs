@@ -103,8 +103,30 @@ enum Task {
     JudgeScenes(cases::random_scenes::Options),
 }
 
+impl Task {
+    /// Whether it tells how long something takes: that is said of a release build.
+    fn tells_times(&self) -> bool {
+        match self {
+            Self::Cost(_)
+            | Self::SolveFriction(_)
+            | Self::NarrowPhase
+            | Self::Elastic(_)
+            | Self::TierCosts(_)
+            | Self::ChainCosts(_) => true,
+            Self::Verify(_)
+            | Self::Cross(_)
+            | Self::ImportRigidIpc(_)
+            | Self::Gallery(_)
+            | Self::RandomScene(_)
+            | Self::JudgeScenes(_) => false,
+        }
+    }
+}
+
 fn main() -> ExitCode {
-    let outcome = match Arguments::parse().task {
+    let task = Arguments::parse().task;
+    let outcome = match task {
+        _ if cfg!(debug_assertions) && task.tells_times() => commands::go_on_in_release(),
         Task::Verify(options) => verify::run(&options),
         Task::ImportRigidIpc(options) => rigid_ipc::run(&options),
         Task::Cost(options) => verify::workspace_root().and_then(|root| cost::run(&options, &root)),
