@@ -146,22 +146,15 @@ pub(crate) fn measured(aspect: f64, tilt_deg: f64, meshes: usize) -> Result<Kept
 fn section(drops: &[KeptDrop]) -> Result<String, ElasticError> {
     let most = drops.iter().flat_map(|drop| &drop.meshes).map(|mesh| mesh.columns * mesh.rows).max().unwrap_or(0);
     let mut table = String::new();
-    let (mut entries, mut reached) = (0, 0);
     for drop in drops {
         let _ = write!(table, "| {} | {} |", drop.aspect, drop.tilt_deg);
-        let quantities: [fn(&KeptMesh) -> KeptMean; 3] =
-            [|mesh| mesh.contact_time, |mesh| mesh.impulse, |mesh| mesh.restitution];
-        for quantity in quantities {
-            let means: Vec<Mean> =
-                drop.meshes.iter().map(quantity).map(|KeptMean { value, error }| Mean { value, error }).collect();
-            let limit = Extrapolated::of_means(&means)?;
+        for limit in limits(drop)? {
             let digits = digits(&limit);
-            entries += 1;
-            reached += i32::from(digits >= ASKED);
             let _ = write!(table, " {:.4} +- {:.4} | {:.2} | {digits:.1} |", limit.value, limit.error, limit.order);
         }
         table.push('\n');
     }
+    let Reached { entries, reached } = Reached::of(drops)?;
     Ok(format!(
         "{HEADING}
 Contact time (first to last touch, in units of `2 H/c_p`), impulse (of `m v`) and effective restitution (velocity up over velocity
@@ -174,6 +167,38 @@ entries. `cargo xtask elastic` makes this section (the finest meshes take most o
 |---|---|---|---|---|---|---|---|---|---|---|
 {table}"
     ))
+}
+
+/// Limits of the contact time, the impulse and the restitution of a drop.
+fn limits(drop: &KeptDrop) -> Result<[Extrapolated; 3], ElasticError> {
+    let limit = |quantity: fn(&KeptMesh) -> KeptMean| {
+        let means: Vec<Mean> =
+            drop.meshes.iter().map(quantity).map(|KeptMean { value, error }| Mean { value, error }).collect();
+        Extrapolated::of_means(&means)
+    };
+    Ok([limit(|mesh| mesh.contact_time)?, limit(|mesh| mesh.impulse)?, limit(|mesh| mesh.restitution)?])
+}
+
+/// How many entries of the table hold the digits that are asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Reached {
+    /// Entries of the table.
+    pub(crate) entries: usize,
+    /// Those with as many digits.
+    pub(crate) reached: usize,
+}
+
+impl Reached {
+    /// Counts the entries of these drops.
+    ///
+    /// # Errors
+    /// A drop with fewer than three meshes.
+    pub(crate) fn of(drops: &[KeptDrop]) -> Result<Self, ElasticError> {
+        let limits: Vec<[Extrapolated; 3]> = drops.iter().map(limits).collect::<Result<_, _>>()?;
+        let limits = limits.as_flattened();
+        let reached = limits.iter().filter(|limit| digits(limit) >= ASKED).count();
+        Ok(Self { entries: limits.len(), reached })
+    }
 }
 
 /// Decimal digits that hold; none is less than none.

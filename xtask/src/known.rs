@@ -225,6 +225,12 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
         reason: COLLISIONS_IN_TURN,
     },
     KnownFailure {
+        case: "elastic body",
+        quantity: "entries of the table that hold four digits",
+        reason: "meshes of up to 13,000 elements hold 1.3 to 3.4: wave fronts are discontinuous, so that the error falls with the first power of \
+                 the length of an element, and a digit more takes a thousand times the time",
+    },
+    KnownFailure {
         case: "friction elsewhere",
         quantity: "tippe top, moved by 1e6 m",
         reason: "so far from the origin rounding makes the steps of slow slips short, and islands whose sliding steps have a small mean \

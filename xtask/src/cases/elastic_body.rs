@@ -5,7 +5,7 @@
 //! relieves: after `2 L / c_p` the bar leaves with the speed it came with, and the floor has given `2 m v`.
 
 use super::{Amount, CaseResult, Context};
-use crate::elastic_table;
+use crate::elastic_table::{self, Reached};
 use crate::row::Row;
 use polhode_elastic::{DropStudy, ElasticError, ElasticMaterial, Quantity, RectangleDrop};
 
@@ -125,6 +125,8 @@ fn kept(context: &Context) -> CaseResult {
             format!("W/H {}, tilt {} degrees: {meshes} meshes against those of the table", drop.aspect, drop.tilt_deg);
         rows.push(Row::at_most(NAME, &what, AGAIN, worst));
     }
+    let Reached { entries, reached } = Reached::of(&drops)?;
+    rows.push(Row::exact(NAME, "entries of the table that hold four digits", entries as u64, reached as u64));
     Ok(rows)
 }
 
