@@ -7,7 +7,8 @@
 //!
 //! d is the overlap (m), d' its rate (m/s, positive while bodies approach), k the stiffness (N/m; Hertz N/m^(3/2)), c
 //! the coefficient of the damper (N s/m; Hertz N s/m^(5/4)), a that of Hunt and Crossley (s/m). A contact never pulls:
-//! where the sum is negative the force is zero. Source: docs/REFERENCES.md, Hertz; Hunt and Crossley; Tsuji, Tanaka and
+//! where the sum is negative the force is zero. A law that a step has frozen is continued past that, and past the end of the
+//! overlap, as an odd function of d, so that it is as smooth there as within ([`NormalSpring::continued`]). Source: docs/REFERENCES.md, Hertz; Hunt and Crossley; Tsuji, Tanaka and
 //! Ishida. How it fails: never; NaN gives NaN.
 
 use super::SpringError;
@@ -141,6 +142,16 @@ impl NormalSpring {
         let force = self.unclipped(depth, rate);
         // Written so that NaN stays NaN.
         if force < 0.0 { 0.0 } else { force }
+    }
+
+    /// The force at an overlap (m) and its rate (m/s) as if the contact went on where bodies part and where the damper pulls, N: smooth
+    /// there, and not a force between bodies.
+    pub fn continued(&self, depth: f64, rate: f64) -> f64 {
+        let elastic = if depth < 0.0 { -self.elastic_force(-depth) } else { self.elastic_force(depth) };
+        match self.damping {
+            Damping::HuntCrossley(a) => elastic * (1.0 + a * rate),
+            Damping::Plain(_) => elastic + self.damper(depth.abs()) * rate,
+        }
     }
 
     /// Coefficient of the damper at an overlap (m): the derivative of the force in the rate, N s/m.

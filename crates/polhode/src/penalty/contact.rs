@@ -6,7 +6,8 @@
 //! F_n = normal spring (d, d')                                  never pulls
 //! stick:  T' = k_t u + T min(k_t'/k_t, 0) + n x n' x T         |T| <= mu_s F_n
 //! slide:  T = mu F_n e,  e' = k_t/(mu F_n) (u - (u.e) e)       u.e > (mu F_n' - mu F_n min(k_t'/k_t, 0))/k_t
-//! regularised:  T = mu F_n u/sqrt(u^2 + u_s^2)
+//! regularised:  T = mu F_n u/sqrt(u^2 + u_s^2)                 along a grain: T = F_n (mu^2 u/|mu u|) |u|/sqrt(u^2 + u_s^2), mu a matrix
+//! rolling, spinning:  M = -c F_n w/sqrt(w^2 + w_s^2)           w the part of the relative rotation across, along the normal
 //! ```
 //!
 //! While the normal force falls the stiffness k_t of Mindlin falls, and the spring gives up force in proportion; while it rises
@@ -19,13 +20,24 @@
 //! Source: docs/REFERENCES.md, Mindlin and Deresiewicz; Johnson. How it fails: features that no longer define a contact
 //! give no force.
 
-use super::laws::{ContactLaw, Coulomb};
+use super::laws::{ContactLaw, Coulomb, Resistance};
 use crate::collision::contact_id::ContactId;
 use crate::world::World;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 use polhode_response::penalty::{Growth, NormalSpring, TangentialSpring};
 use polhode_spatial::DVec3;
+
+/// What the normal spring does at present.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Push {
+    /// A step under error control has frozen that it pushes: its law is continued smoothly past where it would pull.
+    On,
+    /// The same, that it would pull: no force.
+    Off,
+    /// A fixed step does not know: the law as it is, which never pulls.
+    Cut,
+}
 
 /// What friction does at present.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,11 +73,11 @@ pub(super) struct ContactSpring {
     pub(super) normal: NormalSpring,
     pub(super) tangential: TangentialSpring,
     pub(super) friction: Option<Coulomb>,
+    pub(super) resistance: Option<Resistance>,
     pub(super) restitution: f64,
     /// Effective mass along the normal at the begin, kg.
     pub(super) mass: f64,
-    /// Whether the sum of spring and damper pushes; where it would pull there is no force.
-    pub(super) presses: bool,
+    pub(super) push: Push,
     /// Whether the overlap grows.
     pub(super) loading: bool,
     pub(super) grip: Grip,
@@ -84,6 +96,10 @@ pub(super) struct Evaluated {
     /// u, m/s; zero without friction.
     pub(super) slip: DVec3,
     pub(super) normal_rate: DVec3,
+    /// Direction and coefficient of sliding friction along a grain; none without one.
+    pub(super) grained: Option<(DVec3, f64)>,
+    /// Angular velocity of A relative to B, rad/s; zero where nothing resists it.
+    pub(super) rotation: DVec3,
     /// Where the forces act.
     pub(super) point: DVec3,
 }
@@ -97,6 +113,8 @@ pub(super) struct Force {
     pub(super) normal: f64,
     /// On A, in the tangent plane, N.
     pub(super) tangential: DVec3,
+    /// Of friction of rolling and spinning, on A, N m.
+    pub(super) moment: DVec3,
     /// Power taken by the damper, W.
     pub(super) damping: f64,
     /// Power taken by friction, W: of a contact that slides or is cut with what its spring takes up.
@@ -114,9 +132,10 @@ impl ContactSpring {
             normal: law.normal,
             tangential: law.tangential,
             friction: law.friction,
+            resistance: law.resistance,
             restitution: law.restitution,
             mass: law.mass,
-            presses: true,
+            push: Push::On,
             loading: at.rate >= 0.0,
             grip: Grip::Free,
             vector: DVec3::ZERO,
@@ -157,9 +176,13 @@ impl ContactSpring {
         self.friction.map_or(0.0, |friction| coefficient(friction) * normal)
     }
 
-    /// The normal force in a state, N.
+    /// The normal force in a state, N: of the mode, negative where a step goes on past the end of the push.
     pub(super) fn normal_force(&self, at: &Evaluated) -> f64 {
-        if self.presses { self.normal.force(at.depth, at.rate) } else { 0.0 }
+        match self.push {
+            Push::On => self.normal.continued(at.depth, at.rate),
+            Push::Off => 0.0,
+            Push::Cut => self.normal.force(at.depth, at.rate),
+        }
     }
 
     /// Elastic energy in a state, J.
@@ -183,14 +206,20 @@ impl ContactSpring {
         let normal = self.normal_force(at);
         let damping = (normal - self.normal.elastic_force(at.depth)) * at.rate;
         let n = at.kinematics.geometry.normal;
-        let along = Force { on_a: n * normal, normal, damping, ..Force::default() };
+        let moment = self.resistance.map_or(DVec3::ZERO, |own| own.moment(normal, (at.rotation, n)));
+        let resisted = -moment.dot(at.rotation);
+        let along = Force { on_a: n * normal, normal, moment, damping, friction: resisted, ..Force::default() };
         let Some(friction) = self.friction else { return along };
         let slip = at.slip;
         let (spring, power, vector_rate) = match self.grip {
             Grip::Free => {
                 let speed = friction.slip_speed.unwrap_or(0.0);
                 let size = (slip.length_squared() + speed * speed).sqrt();
-                let spring = if size > 0.0 { slip * (friction.sliding * normal / size) } else { DVec3::ZERO };
+                let (along, coefficient) = match at.grained {
+                    Some((direction, coefficient)) => (direction * slip.length(), coefficient),
+                    None => (slip, friction.sliding),
+                };
+                let spring = if size > 0.0 { along * (coefficient * normal / size) } else { DVec3::ZERO };
                 (spring, spring.dot(slip), DVec3::ZERO)
             }
             Grip::Stick => {
@@ -209,18 +238,32 @@ impl ContactSpring {
                 (spring, spring.dot(slip), self.turning_rate(at, direction, limit))
             }
         };
-        Force { on_a: along.on_a - spring, tangential: -spring, friction: power, vector_rate, ..along }
+        Force { on_a: along.on_a - spring, tangential: -spring, friction: power + resisted, vector_rate, ..along }
     }
 
     /// T' of a spring that holds.
     fn sticking_rate(&self, at: &Evaluated, spring: DVec3) -> DVec3 {
-        let falling = self.tangential.relative_rate(at.depth, at.rate).min(0.0);
-        at.slip * self.tangential.stiffness(at.depth) + spring * falling + transport(at, spring)
+        at.slip * self.tangential.stiffness(at.depth) + spring * self.falling(at) + transport(at, spring)
+    }
+
+    /// `k_t'/k_t` while the overlap falls, and zero while it grows, 1/s: of the mode.
+    pub(super) fn falling(&self, at: &Evaluated) -> f64 {
+        let rate = self.tangential.relative_rate(at.depth, at.rate);
+        match (self.push, self.loading) {
+            (Push::Cut, _) => rate.min(0.0),
+            (Push::On | Push::Off, true) => 0.0,
+            (Push::On | Push::Off, false) => rate,
+        }
     }
 
     /// Power of micro-slip, W: what the elastic energy of a spring that holds loses as its stiffness changes.
     fn micro_slip(&self, at: &Evaluated) -> f64 {
-        let rate = self.tangential.relative_rate(at.depth, at.rate).abs();
+        let rate = self.tangential.relative_rate(at.depth, at.rate);
+        let rate = match (self.push, self.loading) {
+            (Push::Cut, _) => rate.abs(),
+            (Push::On | Push::Off, true) => rate,
+            (Push::On | Push::Off, false) => -rate,
+        };
         self.tangential.energy(at.depth, self.vector.length()) * rate
     }
 
@@ -262,21 +305,30 @@ impl Evaluated {
     pub(super) fn of(kinematics: ContactKinematics) -> Self {
         let (depth, rate) = (-kinematics.geometry.separation, -kinematics.separation_rate);
         let point = kinematics.geometry.point;
-        Self { kinematics, depth, rate, slip: DVec3::ZERO, normal_rate: DVec3::ZERO, point }
+        let (slip, normal_rate, rotation) = (DVec3::ZERO, DVec3::ZERO, DVec3::ZERO);
+        Self { kinematics, depth, rate, slip, normal_rate, grained: None, rotation, point }
     }
 
     /// A contact in these states; none where its features no longer define one.
     pub(super) fn new(world: &World, states: &[BodyState], id: ContactId, with_slip: bool) -> Option<Self> {
         let kinematics = world.kinematics(states, id)?;
         let geometry = &kinematics.geometry;
-        let (depth, rate) = (-geometry.separation, -kinematics.separation_rate);
         let point = acting_point(world, id, &kinematics);
-        let mut evaluated = Self { kinematics, depth, rate, slip: DVec3::ZERO, normal_rate: DVec3::ZERO, point };
+        let mut evaluated = Self { point, ..Self::of(kinematics) };
+        if world.has_rotational_friction() {
+            evaluated.rotation = world.relative_rotation(states, id);
+        }
         if with_slip {
             let terms = world.tangential_kinematics(states, id)?;
             let turning = world.relative_rotation(states, id).cross(point - geometry.point);
             evaluated.slip = terms.slip_velocity + in_plane(turning, geometry.normal);
             evaluated.normal_rate = terms.normal_rate;
+            if world.has_grain()
+                && let Some(coefficients) = world.friction_at(states, id, terms.basis)
+            {
+                let along = evaluated.slip.try_normalize().unwrap_or(terms.basis[0]);
+                evaluated.grained = Some(coefficients.sliding.opposed(terms.basis, along));
+            }
         }
         Some(evaluated)
     }

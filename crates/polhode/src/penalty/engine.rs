@@ -11,16 +11,19 @@ use crate::collision::boxes::Boxes;
 use crate::collision::contact_set::Touch;
 use crate::core::Core;
 use crate::fixed_steps::accelerations_under;
-use crate::frame::{ContactView, IslandView, MotionKind};
+use crate::frame::{ContactView, IslandView, JointView, MotionKind};
 use crate::observer::Observer;
 use crate::report::RunReport;
 use crate::sampling::emit_samples_before;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::{SnapshotError, content};
+use crate::solve::joint_loads::joint_loads;
+use crate::solve::joint_reactions::JointReactions;
 use crate::tier::{Reached, Tier};
 use crate::{Acceleration, BodyId, SimulationError};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::state::WIDTH;
+use polhode_response::ResponseError;
 use polhode_spatial::{DVec3, Still};
 use std::sync::Arc;
 
@@ -150,6 +153,9 @@ impl PenaltyEngine {
             for of in &run.separations {
                 core.note_separation(of.t_s, &self.states, of.pair, (of.distance, of.rate));
             }
+            for of in &run.projections {
+                core.book_projection(of.t_s, &self.states, &of.done, of.balances);
+            }
             (0..run.steps).for_each(|_| core.accounts.count_step());
             if let Some(error) = run.largest_error {
                 let worst = &mut core.accounts.certificate.max_step_error;
@@ -192,6 +198,43 @@ impl PenaltyEngine {
         self.springs = springs;
         core.world.contact_energy_j = energy_j;
         emitted
+    }
+}
+
+impl PenaltyEngine {
+    /// What the springs do to each body in these states: N, and N m about its centre of mass.
+    fn loads_of_springs(&self, core: &Core, states: &[BodyState]) -> Vec<(DVec3, DVec3)> {
+        let world = &core.world;
+        let mut loads = vec![(DVec3::ZERO, DVec3::ZERO); world.bodies.len()];
+        for spring in &self.springs {
+            let at = Evaluated::new(world, states, spring.id, spring.friction.is_some());
+            let Some(at) = at else { continue };
+            let force = spring.force(&at);
+            for (body, sign) in [(spring.id.a, 1.0), (spring.id.b, -1.0)] {
+                let on = force.on_a * sign;
+                loads[body].0 += on;
+                loads[body].1 += (at.point - states[body].pose.translation).cross(on) + force.moment * sign;
+            }
+        }
+        loads
+    }
+
+    /// Reactions of all joints at `t` (s) in these states; none without joints.
+    fn joint_reactions(
+        &self,
+        core: &Core,
+        t: f64,
+        states: &[BodyState],
+    ) -> Result<Option<JointReactions>, ResponseError> {
+        let world = &core.world;
+        if !world.has_rows() {
+            return Ok(None);
+        }
+        let springs = self.loads_of_springs(core, states).into_iter().enumerate();
+        let of_springs = springs.map(|(body, (force, moment))| (body, force, moment));
+        let loads = world.loads(t, states).with(of_springs);
+        let bodies: Vec<usize> = world.movable.iter().copied().filter(|&body| world.bodies[body].moves()).collect();
+        JointReactions::solve(world, (t, states), &bodies, &loads).map(Some)
     }
 }
 
@@ -265,19 +308,24 @@ impl Tier for PenaltyEngine {
     }
 
     fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
-        let world = &core.world;
-        let mut forces = vec![(DVec3::ZERO, DVec3::ZERO); world.bodies.len()];
-        for spring in &self.springs {
-            let at = Evaluated::new(world, &self.states, spring.id, spring.friction.is_some());
-            let Some(at) = at else { continue };
-            let force = spring.force(&at).on_a;
-            for (body, force) in [(spring.id.a, force), (spring.id.b, -force)] {
+        let mut forces = self.loads_of_springs(core, &self.states);
+        let reactions = self.joint_reactions(core, core.t, &self.states);
+        let reactions = reactions.map_err(|source| Core::response_error(core.t, source))?;
+        for (bilateral, reaction) in reactions.iter().flat_map(JointReactions::reactions) {
+            for (body, force, moment) in bilateral.loads(reaction) {
                 forces[body].0 += force;
-                forces[body].1 += (at.point - self.states[body].pose.translation).cross(force);
+                forces[body].1 += moment;
             }
         }
+        let world = &core.world;
         let load_of = |place: usize| forces.get(*world.movable.get(place)?).copied();
         Ok(accelerations_under(core, &self.states, load_of))
+    }
+
+    fn joint_loads(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<JointView> {
+        let Ok(Some(found)) = self.joint_reactions(core, t, states) else { return Vec::new() };
+        let of = (&found.assembly, found.forces.as_slice());
+        joint_loads(&core.world, states, of, std::iter::empty()).into_values().collect()
     }
 
     fn contacts(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<ContactView> {

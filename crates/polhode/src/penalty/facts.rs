@@ -22,5 +22,5 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     flight: FlightRecords::None,
     order: ErrorOrder::OfIntegrator,
     promise: None,
-    features: &[TierFeature::Friction],
+    features: &[TierFeature::Friction, TierFeature::Joints, TierFeature::SurfaceEffects],
 };

@@ -11,7 +11,7 @@
 //! numerical error shows in the ledger. Source: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.6 (the cubic polynomial
 //! that gives samples within a step). How it fails: [`SimulationError::StepTooLong`].
 
-use super::contact::{ContactSpring, Grip};
+use super::contact::{ContactSpring, Grip, Push};
 use super::implicit;
 use super::run::{GroupRun, Run, Segment};
 use super::system::SpringSystem;
@@ -106,7 +106,7 @@ fn gather(run: &mut Run<'_>, h: f64) -> Result<(), SimulationError> {
     let before = if gone.is_empty() { 0.0 } else { run.energy() };
     let has_gone = !gone.is_empty();
     for id in gone {
-        run.remove(id);
+        run.remove_now(id);
     }
     for (id, kinematics) in &near {
         let Err(place) = run.done.springs.binary_search_by_key(id, |known| known.id) else { continue };
@@ -115,6 +115,7 @@ fn gather(run: &mut Run<'_>, h: f64) -> Result<(), SimulationError> {
             spring.grip = Grip::Cut;
             spring.vector = polhode_spatial::DVec3::ZERO;
         }
+        spring.push = Push::Cut;
         spring.passage.deepest = 0.0;
         run.done.springs.insert(place, spring);
     }
@@ -167,7 +168,7 @@ fn release(run: &mut Run<'_>) {
             continue;
         }
         if spring.passage.deepest > 0.0 {
-            run.remove(spring.id);
+            run.remove_now(spring.id);
         } else {
             run.done.springs.retain(|known| known.id != spring.id);
         }

@@ -1,7 +1,7 @@
 //! Which bodies may meet within a longest step.
 //!
 //! Each body has a box that holds it through the step: its box at the start, enlarged by what it may move, at first at
-//! its present velocity and under gravity and fields. Bodies whose boxes overlap, or that fields couple, form a group; fixed
+//! its present velocity and under gravity and fields. Bodies whose boxes overlap, or that fields or joints couple, form a group; fixed
 //! and kinematic bodies join none. Whether bodies have kept to their boxes is looked at afterwards ([`Margins::grow`]); where
 //! one has not, its margin is enlarged and all groups are made and advanced anew. A group's motion depends on its members alone.
 //! How it fails: a box that is not finite is refused by the broad phase.
@@ -75,7 +75,11 @@ pub(super) fn groups(
     let mut of_body: Vec<usize> = (0..states.len()).collect();
     let joined = pairs.iter().copied().filter(|&(a, b)| moves(a) && moves(b));
     let coupled = world.couplings_among(&movable).flat_map(|bodies| bodies.windows(2).map(|pair| (pair[0], pair[1])));
-    let links: Vec<(usize, usize)> = joined.chain(coupled).collect();
+    let jointed = world.joints_among(&movable).filter_map(|joint| {
+        let mut bodies = joint.bodies();
+        bodies.next().zip(bodies.next())
+    });
+    let links: Vec<(usize, usize)> = joined.chain(coupled).chain(jointed).collect();
     for (a, b) in links {
         let (x, y) = (root(&of_body, a), root(&of_body, b));
         let (low, high) = (x.min(y), x.max(y));

@@ -21,6 +21,7 @@
 
 use super::expected::{blows, burden, reduced_mass};
 use crate::collision::contact_id::ContactId;
+use crate::collision::turn::Turn;
 use crate::scene::spring_checks::elastic_pair;
 use crate::scene::{PenaltyMethod, SceneError, SpringFriction, SpringLaw};
 use crate::world::World;
@@ -61,12 +62,35 @@ pub(super) struct Coulomb {
     pub(super) slip_speed: Option<f64>,
 }
 
+/// Friction of rolling and spinning of a contact, regularised: `M = -c F_n w/sqrt(w^2 + w_s^2)` for each part of the rotation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Resistance {
+    /// c of rolling and of spinning, m.
+    pub(super) rolling: f64,
+    pub(super) spinning: f64,
+    /// w_s, rad/s.
+    pub(super) rate: f64,
+}
+
+impl Resistance {
+    /// The moment on A under a normal force (N), of a relative rotation (rad/s) about a normal, N m.
+    pub(super) fn moment(&self, normal_force: f64, (rotation, normal): (DVec3, DVec3)) -> DVec3 {
+        let of = |turn: Turn, length: f64| {
+            let part = turn.part(rotation, normal);
+            let size = (part.length_squared() + self.rate * self.rate).sqrt();
+            if size > 0.0 { part * (-length * normal_force / size) } else { DVec3::ZERO }
+        };
+        of(Turn::Rolling, self.rolling) + of(Turn::Spinning, self.spinning)
+    }
+}
+
 /// The springs of a contact that begins.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ContactLaw {
     pub(super) normal: NormalSpring,
     pub(super) tangential: TangentialSpring,
     pub(super) friction: Option<Coulomb>,
+    pub(super) resistance: Option<Resistance>,
     pub(super) restitution: f64,
     /// Effective mass along the normal, kg.
     pub(super) mass: f64,
@@ -100,6 +124,17 @@ impl Laws {
     fn slip_speed(&self, world: &World) -> f64 {
         let own = SLIP_SPEED_RELATIVE * self.speed.max(self.resting_speed(world));
         self.method.slip_speed_m_s.unwrap_or(if own > 0.0 { own } else { SLIP_SPEED_RELATIVE })
+    }
+
+    /// What resists rolling and spinning at a contact: the speed of slip of regularised friction is that of a rotation at the length of the pair.
+    fn resistance(&self, world: &World, id: ContactId) -> Option<Resistance> {
+        let [rolling, spinning] = [Turn::Rolling, Turn::Spinning].map(|turn| turn.friction(world, (id.a, id.b)));
+        let rate = self.slip_speed(world) / world.turning_length(id.a, id.b);
+        (rolling.is_some() || spinning.is_some()).then(|| Resistance {
+            rolling: rolling.unwrap_or(0.0),
+            spinning: spinning.unwrap_or(0.0),
+            rate,
+        })
     }
 
     /// The springs of a contact that begins at this rate of approach (m/s).
@@ -138,11 +173,13 @@ impl Laws {
             at_rest,
             sliding: material.friction_ellipse().largest(),
             slip_speed: match self.method.friction.unwrap_or_default() {
-                SpringFriction::Mindlin => None,
-                SpringFriction::Regularised => Some(self.slip_speed(world)),
+                // A spring along a grain has no direction of its own: what has a grain and names no law is regularised.
+                SpringFriction::Mindlin if material.grain().is_none() => None,
+                SpringFriction::Mindlin | SpringFriction::Regularised => Some(self.slip_speed(world)),
             },
         });
-        Ok(ContactLaw { normal, tangential, friction, restitution: material.restitution(), mass })
+        let resistance = self.resistance(world, id);
+        Ok(ContactLaw { normal, tangential, friction, resistance, restitution: material.restitution(), mass })
     }
 
     /// The factor `a` (s/m) of Hunt and Crossley's damper with which a contact that carries what its spring is made for is critically damped.

@@ -19,6 +19,7 @@
 //! | `contact` | one contact: its springs, its mode, its force in a state |
 //! | `system` | the equations of motion of a group with its springs |
 //! | `events` | where a step has to end |
+//! | `change_modes` | contacts that begin, end, stick, slide |
 //! | `run` | a group on its way: contacts, booking, measures |
 //! | `stepping` | a group over a longest step under error control |
 //! | `fixed` | the same by fixed steps |
@@ -28,6 +29,7 @@
 //! | `engine` | a run, and queries at the present |
 //! | `saved` | springs as plain data |
 
+mod change_modes;
 mod contact;
 mod engine;
 mod events;

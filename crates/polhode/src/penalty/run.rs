@@ -4,15 +4,17 @@
 //! what is measured of it.
 
 use super::contact::{ContactSpring, Evaluated};
+use super::events::Peak;
 use super::laws::Laws;
 use super::measures::SpringReport;
 use super::system::SpringSystem;
 use crate::BodyId;
 use crate::SimulationError;
-use crate::accounting::books::Books;
+use crate::accounting::books::{Balance, Books};
 use crate::collision::contact_id::ContactId;
 use crate::core::Core;
 use crate::event::{Event, EventKind};
+use crate::solve::projection::{Projection, Removal, project_positions, project_velocities};
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::{BodyState, DenseStep, System};
 
@@ -46,12 +48,23 @@ pub(super) struct GroupRun {
     pub(super) events: Vec<Event>,
     /// Penetrations: pair, time (s), separation (m) and its rate (m/s).
     pub(super) separations: Vec<Separation>,
+    /// Of bodies back onto their joints.
+    pub(super) projections: Vec<JointProjection>,
     /// Steps made.
     pub(super) steps: u64,
     /// Largest error of a step relative to what is allowed; none of fixed steps.
     pub(super) largest_error: Option<f64>,
     /// Length that error control proposes next, s.
     pub(super) proposed_s: f64,
+}
+
+/// A projection of bodies back onto their joints.
+#[derive(Debug)]
+pub(super) struct JointProjection {
+    pub(super) t_s: f64,
+    pub(super) done: Projection,
+    /// Before and after.
+    pub(super) balances: (Balance, Balance),
 }
 
 /// The separation of a pair at the end of a step.
@@ -72,6 +85,8 @@ pub(super) struct Run<'a> {
     /// States of all bodies; those of the group are of time `t`.
     pub(super) states: Vec<BodyState>,
     pub(super) t: f64,
+    /// Where the last step began, s.
+    before_s: f64,
     pub(super) done: GroupRun,
 }
 
@@ -93,11 +108,12 @@ impl<'a> Run<'a> {
             measured: SpringReport::default(),
             events: Vec::new(),
             separations: Vec::new(),
+            projections: Vec::new(),
             steps: 0,
             largest_error: None,
             proposed_s,
         };
-        Self { core, laws, states: states.to_vec(), t: core.t, done }
+        Self { core, laws, states: states.to_vec(), t: core.t, before_s: core.t, done }
     }
 
     /// The end of the run.
@@ -149,7 +165,9 @@ impl<'a> Run<'a> {
         let law = self.laws.of_contact(world, &self.states, (id, &kinematics.geometry), approach)?;
         let at = Evaluated::new(world, &self.states, id, law.friction.is_some());
         let at = at.unwrap_or_else(|| Evaluated::of(*kinematics));
-        Ok(ContactSpring::begun(id, law, &at, self.t))
+        // It has overlapped since then, at most since the last step began.
+        let since = if at.depth > 0.0 && at.rate > 0.0 { self.t - at.depth / at.rate } else { self.t };
+        Ok(ContactSpring::begun(id, law, &at, since.max(self.before_s)))
     }
 
     /// Takes a step to the flat state `end` at `t` (s) as made: books it and measures it.
@@ -171,8 +189,35 @@ impl<'a> Run<'a> {
         done.springs = held;
         done.steps += 1;
         let h = t - self.t;
+        self.before_s = self.t;
         self.t = t;
+        self.project(after_balance);
         self.measure(h);
+    }
+
+    /// Puts the bodies that joints hold back onto them at the end of a step: what the integrator has let them drift. `before` is their
+    /// balance.
+    fn project(&mut self, before: Balance) {
+        let world = &self.core.world;
+        if !world.has_rows() || world.held_among(&self.done.group.bodies).is_empty() {
+            return;
+        }
+        let bodies = self.done.group.bodies.clone();
+        let kept = self.states.clone();
+        let projected = project_positions(world, &mut self.states, &bodies, &[]).and_then(|mut done| {
+            let none = (&[][..], &[][..], &[][..]);
+            let removed = project_velocities(world, &mut self.states, &bodies, none, Removal::OfDrift)?;
+            done.work_j += removed.work_j;
+            Ok(done)
+        });
+        // A state that is not finite is refused where it is observed.
+        let Ok(done) = projected else {
+            self.states = kept;
+            return;
+        };
+        let energy = self.energy();
+        let after = self.done.books.balance(&self.core.world, &self.states, &bodies).with_energy(energy);
+        self.done.projections.push(JointProjection { t_s: self.t, done, balances: (before, after) });
     }
 
     /// Measures the springs at the end of a step of `h` (s).
@@ -210,13 +255,38 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Removes a spring, and records what it did.
-    pub(super) fn remove(&mut self, id: ContactId) {
+    /// Removes a spring whose contact has ended at `t` (s) at a speed of separation (m/s), and records what it did.
+    pub(super) fn remove(&mut self, id: ContactId, t: f64, separation: f64) {
         let Ok(place) = self.done.springs.binary_search_by_key(&id, |known| known.id) else { return };
         let spring = self.done.springs.remove(place);
-        let separation = self.evaluated(&spring).map_or(0.0, |at| -at.rate);
-        self.done.measured.note_impact(spring.ended(self.t, separation));
+        self.done.measured.note_impact(spring.ended(t, separation));
         self.note_event(EventKind::ContactEnd, &spring);
+    }
+
+    /// The same of a contact that ends at the present.
+    pub(super) fn remove_now(&mut self, id: ContactId) {
+        let rate = Evaluated::new(&self.core.world, &self.states, id, false).map_or(0.0, |at| at.rate);
+        self.remove(id, self.t, -rate);
+    }
+
+    /// Changes a spring.
+    pub(super) fn with_spring(&mut self, id: ContactId, change: impl FnOnce(&mut ContactSpring)) {
+        if let Some(spring) = self.done.springs.iter_mut().find(|spring| spring.id == id) {
+            change(spring);
+        }
+    }
+
+    /// Takes in the greatest overlaps and forces within the step that is to be booked.
+    pub(super) fn note_peaks(&mut self, peaks: &[Peak]) {
+        for (spring, peak) in self.done.springs.iter_mut().zip(peaks) {
+            let passage = &mut spring.passage;
+            passage.hardest = passage.hardest.max(peak.force);
+            if peak.depth > passage.deepest {
+                passage.deepest = peak.depth;
+                let pair = (spring.id.a, spring.id.b);
+                self.done.separations.push(Separation { pair, t_s: self.t, distance: -peak.depth, rate: 0.0 });
+            }
+        }
     }
 
     pub(super) fn note_event(&mut self, kind: EventKind, spring: &ContactSpring) {

@@ -1,7 +1,7 @@
 //! Springs and what is measured of them as plain data, for snapshots.
 
-use super::contact::{ContactSpring, Grip, Passage};
-use super::laws::{Coulomb, Laws};
+use super::contact::{ContactSpring, Grip, Passage, Push};
+use super::laws::{Coulomb, Laws, Resistance};
 use super::measures::{SpringImpact, SpringReport};
 use crate::BodyId;
 use crate::scene::PenaltyMethod;
@@ -32,10 +32,15 @@ pub(super) fn save_spring(spring: &ContactSpring) -> content::ContactSpring {
         damping,
         tangential: spring.tangential.coefficient(),
         friction: spring.friction.map(|of| [of.at_rest, of.sliding]),
+        resistance: spring.resistance.map(|of| [of.rolling, of.spinning, of.rate]),
         slip_speed: spring.friction.and_then(|of| of.slip_speed),
         restitution: spring.restitution,
         mass: spring.mass,
-        presses: spring.presses,
+        push: match spring.push {
+            Push::On => content::Push::On,
+            Push::Off => content::Push::Off,
+            Push::Cut => content::Push::Cut,
+        },
         loading: spring.loading,
         grip: match spring.grip {
             Grip::Free => content::Grip::Free,
@@ -65,9 +70,14 @@ pub(super) fn restored_spring(world: &World, saved: &content::ContactSpring) -> 
         normal: spring.with_damping(damping),
         tangential: TangentialSpring::of_coefficient(growth, saved.tangential),
         friction: saved.friction.map(|[at_rest, sliding]| Coulomb { at_rest, sliding, slip_speed: saved.slip_speed }),
+        resistance: saved.resistance.map(|[rolling, spinning, rate]| Resistance { rolling, spinning, rate }),
         restitution: saved.restitution,
         mass: saved.mass,
-        presses: saved.presses,
+        push: match saved.push {
+            content::Push::On => Push::On,
+            content::Push::Off => Push::Off,
+            content::Push::Cut => Push::Cut,
+        },
         loading: saved.loading,
         grip: match saved.grip {
             content::Grip::Free => Grip::Free,

@@ -1,25 +1,24 @@
 //! A group over a longest step by DOP853 under error control.
 //!
 //! At the start of each step the contacts that overlap have springs; those near are watched. The step is attempted until its
-//! error is allowed, cut where something happens (`events`), and then repeated with that length. Errors are allowed in units of
+//! error is allowed, cut where something happens that it may not pass over (`events`), and then repeated with that length. Errors are allowed in units of
 //! the tolerance: of velocities relative to the fastest body of the group, of positions relative to the penetration that the
 //! springs keep, since a force follows from it. What rounding of positions makes of forces is allowed too.
 //!
 //! How it fails: [`SimulationError::StepTooSmall`] where springs are so stiff that no step advances time, and
 //! [`SimulationError::TooManyEvents`].
 
+use super::change_modes;
 use super::contact::{ContactSpring, Grip};
-use super::events::{Happening, Looking};
+use super::events::{Allowed, Happening, Looking, Passed};
 use super::run::{GroupRun, Run, Segment};
 use super::system::{DISSIPATION, DISSIPATIONS, SPRING, SpringSystem};
 use crate::SimulationError;
 use crate::collision::contact_id::ContactId;
-use crate::event::EventKind;
 use polhode_dynamics::error_allowance::{ErrorAllowance, LargestError};
 use polhode_dynamics::state::WIDTH;
 use polhode_dynamics::step_control::REFUSED_FACTOR;
 use polhode_dynamics::{BodyState, Dop853, RigidBody, System};
-use polhode_spatial::DVec3;
 
 /// Steps shorter than this many units in the last place of the time do not advance it.
 const TIME_ULPS: f64 = 4.0;
@@ -42,6 +41,14 @@ struct Control {
     events: u64,
 }
 
+impl Control {
+    /// Time has advanced.
+    fn advanced(&mut self) {
+        self.done.clear();
+        self.still = 0;
+    }
+}
+
 /// Advances the group to `t_end` (s).
 ///
 /// # Errors
@@ -51,7 +58,7 @@ pub(super) fn advance(mut run: Run<'_>, t_end: f64) -> Result<GroupRun, Simulati
     while run.t < t_end {
         let longest = longest(&run, t_end);
         let h = run.done.proposed_s.min(longest);
-        let candidates = settle(&mut run, h)?;
+        let candidates = settle(&mut run, &control.done, h)?;
         let h = h.min(longest_on_springs(&run));
         step(&mut run, &mut control, &candidates, (h, longest, t_end))?;
     }
@@ -83,8 +90,9 @@ fn longest_on_springs(run: &Run<'_>) -> f64 {
     MOST_PHASE / run.done.springs.iter().map(frequency).fold(0.0, f64::max)
 }
 
-/// Gives contacts that overlap springs, takes away those whose features have gone, and returns the other contacts near.
-fn settle(run: &mut Run<'_>, h: f64) -> Result<Vec<ContactId>, SimulationError> {
+/// Gives contacts that overlap springs, takes away those whose features have gone, and returns the other contacts near. One that was
+/// found to end at this instant does not begin again.
+fn settle(run: &mut Run<'_>, done: &[Happening], h: f64) -> Result<Vec<ContactId>, SimulationError> {
     let near = run.near(h);
     let gone: Vec<ContactId> = run.done.springs.iter().map(|spring| spring.id).collect();
     let gone = gone.into_iter().filter(|id| near.binary_search_by_key(id, |(known, _)| *known).is_err());
@@ -98,7 +106,8 @@ fn settle(run: &mut Run<'_>, h: f64) -> Result<Vec<ContactId>, SimulationError> 
         let separation = kinematics.geometry.separation;
         let rounding = run.core.world.rounding(&run.states, id.a, id.b);
         let touches = separation <= rounding && kinematics.separation_rate <= 0.0;
-        if touches || separation < -rounding {
+        let has_ended = done.contains(&Happening::End(*id));
+        if (touches || separation < -rounding) && !has_ended {
             begun.push(run.begun(*id, kinematics)?);
         } else {
             candidates.push(*id);
@@ -107,7 +116,7 @@ fn settle(run: &mut Run<'_>, h: f64) -> Result<Vec<ContactId>, SimulationError> 
     if !(gone.is_empty() && begun.is_empty()) {
         let before = run.energy();
         for id in gone {
-            run.remove(id);
+            run.remove_now(id);
         }
         for spring in begun {
             run.insert(spring);
@@ -151,17 +160,16 @@ fn step(
     run.done.proposed_s = if h >= longest { next.max(run.done.proposed_s) } else { next };
     run.done.largest_error = Some(run.done.largest_error.unwrap_or(0.0).max(error));
     let Ok(mut dense) = method.dense(&mut system);
-    let resting_speed = run.laws.resting_speed(&core.world);
-    let mut looking = Looking { system: &mut system, dense: &dense, candidates, resting_speed, done: &control.done };
-    let found = looking.first();
-    let reaches_end = h >= t_end - t;
-    let Some((t_event, what)) = found else {
-        let end = if reaches_end { t_end } else { t + h };
+    let allowed = allowances(run, &method, (&springs, candidates)).least();
+    let (laws, done) = (run.laws, control.done.as_slice());
+    let seen = Looking { system: &mut system, dense: &dense, laws, candidates, allowed, done }.seen();
+    let Some((t_event, what)) = seen.first else {
+        let end = if h >= t_end - t { t_end } else { t + h };
         run.done.segments.push(Segment { dense, springs });
+        run.note_peaks(&seen.peaks);
         run.commit(&flat, method.end_state().to_vec(), end);
-        control.done.clear();
-        control.still = 0;
-        return Ok(());
+        control.advanced();
+        return change_modes::make(run, &seen.passed);
     };
     control.events += 1;
     let cut = t_event - t;
@@ -170,9 +178,9 @@ fn step(
         let Ok(shorter) = method.dense(&mut system);
         dense = shorter;
         run.done.segments.push(Segment { dense, springs });
+        run.note_peaks(&seen.peaks);
         run.commit(&flat, method.end_state().to_vec(), t_event);
-        control.done.clear();
-        control.still = 0;
+        control.advanced();
     }
     control.done.push(what);
     control.still += 1;
@@ -180,62 +188,32 @@ fn step(
     if control.events > most || control.still > STILL_PER_CONTACT * (1 + run.done.springs.len() + candidates.len()) {
         return Err(SimulationError::TooManyEvents { limit: most, t_s: run.t });
     }
-    apply(run, what)
+    change_modes::make(run, &[Passed { what, t_s: run.t, rate: change_modes::rate(run, what) }])
 }
 
 /// Events without time passing, for each contact: each of its signals may change twice.
 const STILL_PER_CONTACT: usize = 16;
 
-/// Changes the mode of a contact at the present.
-fn apply(run: &mut Run<'_>, what: Happening) -> Result<(), SimulationError> {
-    let before = run.energy();
-    match what {
-        Happening::Begin(id) => {
-            if let Some(kinematics) = run.core.world.kinematics(&run.states, id) {
-                let spring = run.begun(id, &kinematics)?;
-                run.insert(spring);
-            }
-        }
-        Happening::End(id) => run.remove(id),
-        Happening::Press(id) => with_spring(run, id, |spring| spring.presses = !spring.presses),
-        Happening::Turn(id) => with_spring(run, id, |spring| spring.loading = !spring.loading),
-        Happening::Grip(id) => change_grip(run, id),
-    }
-    let lost = before - run.energy();
-    let ledger = &mut run.done.books.ledger;
-    if matches!(what, Happening::Grip(_)) {
-        ledger.friction.add(lost);
-    } else {
-        ledger.numerical.add(lost);
-    }
-    Ok(())
+/// What a step may err by.
+#[derive(Debug)]
+struct Allowances {
+    /// Of each body of the group that forces move: its place in the group.
+    bodies: Vec<(usize, ErrorAllowance)>,
+    /// The greatest speed, m/s.
+    speed: f64,
 }
 
-fn with_spring(run: &mut Run<'_>, id: ContactId, change: impl FnOnce(&mut ContactSpring)) {
-    if let Some(spring) = run.done.springs.iter_mut().find(|spring| spring.id == id) {
-        change(spring);
+impl Allowances {
+    /// The least of all bodies.
+    fn least(&self) -> Allowed {
+        let least =
+            |of: fn(&ErrorAllowance) -> f64| self.bodies.iter().map(|(_, own)| of(own)).fold(f64::INFINITY, f64::min);
+        Allowed { position: least(|own| own.position), velocity: least(|own| own.velocity) }
     }
 }
 
-/// A tangential spring gives way, or holds again.
-fn change_grip(run: &mut Run<'_>, id: ContactId) {
-    let Some(spring) = run.done.springs.iter().find(|spring| spring.id == id).copied() else { return };
-    let Some(at) = run.evaluated(&spring) else { return };
-    let direction = spring.vector.normalize_or_zero();
-    let (grip, vector, kind) = match spring.grip {
-        Grip::Stick => {
-            let along = if direction == DVec3::ZERO { at.slip.normalize_or_zero() } else { direction };
-            (Grip::Slide, along, EventKind::Slide)
-        }
-        Grip::Slide => (Grip::Stick, direction * spring.limit(spring.normal_force(&at)), EventKind::Stick),
-        other => (other, spring.vector, EventKind::Slide),
-    };
-    with_spring(run, id, |spring| (spring.grip, spring.vector) = (grip, vector));
-    run.note_event(kind, &spring);
-}
-
-/// The largest error of an attempt in units of what is allowed.
-fn largest_error(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[ContactSpring], &[ContactId])) -> f64 {
+/// What an attempt may err by.
+fn allowances(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[ContactSpring], &[ContactId])) -> Allowances {
     let world = &run.core.world;
     let tolerance = STEP_SHARE * run.core.settings.tolerance;
     let bodies = &run.done.group.bodies;
@@ -249,9 +227,8 @@ fn largest_error(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[Conta
     let speed = speeds.fold(run.laws.resting_speed(world), f64::max);
     let near_contact = !(springs.is_empty() && candidates.is_empty());
     let frequency = springs.iter().map(|spring| spring.frequency(run.laws.depth_m)).fold(0.0, f64::max);
-    let mut largest = LargestError::default();
-    for (index, &body) in bodies.iter().enumerate() {
-        let Some(rigid) = &world.bodies[body].rigid else { continue };
+    let of_body = |(index, &body): (usize, &usize)| {
+        let rigid = world.bodies[body].rigid.as_ref()?;
         let size = world.bodies[body].size.max(f64::MIN_POSITIVE);
         let length = if near_contact { run.laws.depth_m.min(size) } else { size };
         let coordinate = run.states[body].pose.translation.abs().max_element() + size;
@@ -264,6 +241,20 @@ fn largest_error(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[Conta
             velocity,
             angular_momentum: velocity * rigid.moments().max_element() / size,
         };
+        Some((index, allowance))
+    };
+    Allowances { bodies: bodies.iter().enumerate().filter_map(of_body).collect(), speed }
+}
+
+/// The largest error of an attempt in units of what is allowed.
+fn largest_error(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[ContactSpring], &[ContactId])) -> f64 {
+    let world = &run.core.world;
+    let tolerance = STEP_SHARE * run.core.settings.tolerance;
+    let bodies = &run.done.group.bodies;
+    let allowances = allowances(run, method, (springs, candidates));
+    let speed = allowances.speed;
+    let mut largest = LargestError::default();
+    for &(index, allowance) in &allowances.bodies {
         largest.include_body(method, index * WIDTH, allowance);
     }
     for (index, spring) in springs.iter().enumerate() {

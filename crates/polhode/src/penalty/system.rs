@@ -1,6 +1,7 @@
 //! The equations of motion of a group of bodies with the springs between them.
 //!
-//! `p' = v`, `q' = w q / 2`, `v' = g + sum F/m`, `L' = sum r x F`, with the forces of `contact` at the state of the stage. Which
+//! `p' = v`, `q' = w q / 2`, `v' = g + sum F/m`, `L' = sum r x F + M`, with the forces of `contact` at the state of the stage, and the
+//! reactions of joints that leave their rows no acceleration under all of these (`crate::solve::joint_reactions`). Which
 //! springs there are and their modes are frozen. The state is flat: the bodies, three numbers for each spring (its tangential
 //! vector), and [`TAIL`] numbers for the ledgers: impulses of fixed bodies, weights and fields, each with its moment, energy
 //! lost to dampers and drag, external work, and energy lost to friction.
@@ -9,8 +10,10 @@ use super::contact::{ContactSpring, Evaluated, Force};
 use crate::Momentum;
 use crate::accounting::books::Received;
 use crate::collision::contact_id::ContactId;
+use crate::constraint::bilateral::bilateral_support;
 use crate::smooth_rates::{add, add_outside_rates, free_rates};
-use crate::world::World;
+use crate::solve::joint_reactions::JointReactions;
+use crate::world::{Loads, World};
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, WIDTH};
 use polhode_dynamics::{BodyState, System, state};
 use polhode_spatial::DVec3;
@@ -100,39 +103,68 @@ impl SpringSystem<'_> {
         }
     }
 
-    /// Adds a force on a body at a point to the rates.
-    fn add_force(&self, body: usize, force: DVec3, point: DVec3, rates: &mut [f64]) {
+    /// Adds the reactions of joints to the rates of bodies and ledgers, where springs do this to the bodies (by their places in the group: N,
+    /// N m). Where they cannot be found the rates are no numbers, and the step is refused.
+    fn add_reactions(&self, t: f64, (loads, springs): (&Loads, &[(DVec3, DVec3)]), rates: &mut [f64]) {
+        let of_springs = self.bodies.iter().zip(springs).map(|(&body, &(force, moment))| (body, force, moment));
+        let Ok(found) = JointReactions::solve(self.world, (t, self.states), self.bodies, &loads.with(of_springs))
+        else {
+            rates.fill(f64::NAN);
+            return;
+        };
+        for (bilateral, reaction) in found.reactions() {
+            for (body, force, moment) in bilateral.loads(reaction) {
+                self.add_load(body, force, moment, rates);
+            }
+        }
+        let tail = &mut rates[self.bodies.len() * WIDTH + self.springs.len() * SPRING..];
+        let support = bilateral_support(self.about, found.reactions());
+        add(tail, support.linear);
+        add(&mut tail[3..], support.angular);
+        tail[19] += self.world.driven_work(self.states, found.reactions());
+    }
+
+    /// Adds a force on a body and its moment about the centre of mass to the rates.
+    fn add_load(&self, body: usize, force: DVec3, moment: DVec3, rates: &mut [f64]) {
         let (Ok(index), Some(rigid)) = (self.bodies.binary_search(&body), &self.world.bodies[body].rigid) else {
             return;
         };
         let rate = &mut rates[index * WIDTH..(index + 1) * WIDTH];
         add(&mut rate[LINEAR_VELOCITY..], force * rigid.inverse_mass());
-        add(&mut rate[ANGULAR_MOMENTUM..], (point - self.states[body].pose.translation).cross(force));
+        add(&mut rate[ANGULAR_MOMENTUM..], moment);
+    }
+
+    /// What a contact does to one of its bodies, by the sign of its force there: N, and N m about the centre of mass.
+    fn load(&self, body: usize, (at, force, sign): (&Evaluated, &Force, f64)) -> (DVec3, DVec3) {
+        let on = force.on_a * sign;
+        (on, (at.point - self.states[body].pose.translation).cross(on) + force.moment * sign)
     }
 
     /// Rates of the ledgers by one contact.
     fn contact_rates(&self, id: ContactId, at: &Evaluated, force: &Force, tail: &mut [f64]) {
         let carries = |body: usize| self.world.carries_momentum(body);
-        let given = match (carries(id.a), carries(id.b)) {
-            (true, false) => force.on_a,
-            (false, true) => -force.on_a,
-            _ => DVec3::ZERO,
+        let sign = match (carries(id.a), carries(id.b)) {
+            (true, false) => 1.0,
+            (false, true) => -1.0,
+            _ => 0.0,
         };
+        let given = force.on_a * sign;
         add(tail, given);
-        add(&mut tail[3..], (at.point - self.about).cross(given));
+        add(&mut tail[3..], (at.point - self.about).cross(given) + force.moment * sign);
         tail[18] += force.damping;
         tail[20] += force.friction;
         // Kinematic bodies and driven surfaces give what movable bodies receive beyond the relative power.
         let is_driven = |body: usize| self.world.bodies[body].trajectory.is_some();
         if is_driven(id.a) || is_driven(id.b) || self.world.has_moving_surfaces() {
-            let power = |body: usize, force: DVec3| {
+            let power = |body: usize, sign: f64| {
                 let Some(rigid) = &self.world.bodies[body].rigid else { return 0.0 };
                 let velocity = rigid.velocity(&self.states[body]);
-                let arm = at.point - self.states[body].pose.translation;
-                force.dot(velocity.linear + velocity.angular.cross(arm))
+                let (force, moment) = self.load(body, (at, force, sign));
+                force.dot(velocity.linear) + moment.dot(velocity.angular)
             };
-            let received = power(id.a, force.on_a) + power(id.b, -force.on_a);
-            tail[19] += received + force.normal * at.rate - force.tangential.dot(at.slip);
+            let received = power(id.a, 1.0) + power(id.b, -1.0);
+            let relative = force.tangential.dot(at.slip) + force.moment.dot(at.rotation);
+            tail[19] += received + force.normal * at.rate - relative;
         }
     }
 }
@@ -158,15 +190,24 @@ impl System for SpringSystem<'_> {
         let first = self.bodies.len() * WIDTH;
         let end = first + self.springs.len() * SPRING;
         rates[first..].fill(0.0);
+        let mut sums = vec![(DVec3::ZERO, DVec3::ZERO); self.bodies.len()];
         for index in 0..self.springs.len() {
             let spring = self.spring(flat, index);
             let Some(at) = self.evaluated(&spring) else { continue };
             let force = spring.force(&at);
-            self.add_force(spring.id.a, force.on_a, at.point, rates);
-            self.add_force(spring.id.b, -force.on_a, at.point, rates);
+            for (body, sign) in [(spring.id.a, 1.0), (spring.id.b, -1.0)] {
+                let Ok(index) = self.bodies.binary_search(&body) else { continue };
+                let (force, moment) = self.load(body, (&at, &force, sign));
+                self.add_load(body, force, moment, rates);
+                sums[index].0 += force;
+                sums[index].1 += moment;
+            }
             let place = first + index * SPRING;
             rates[place..place + SPRING].copy_from_slice(&force.vector_rate.to_array());
             self.contact_rates(spring.id, &at, &force, &mut rates[end..]);
+        }
+        if self.world.has_rows() {
+            self.add_reactions(t, (&loads, &sums), rates);
         }
         add_outside_rates(self.world, t, (self.bodies, self.states), self.about, &mut rates[end..]);
         Ok(())

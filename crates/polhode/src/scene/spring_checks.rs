@@ -1,6 +1,6 @@
 //! Whether springs at contacts can do what a scene asks: restitution, moduli, radii of curvature, friction, integrator.
 
-use super::{Geometry, Integrator, Material, Scene, SceneError, SpringLaw};
+use super::{Coordinate, Geometry, Integrator, Material, Scene, SceneError, SpringFriction, SpringLaw};
 use polhode_contact::Shape;
 use polhode_response::penalty::ElasticPair;
 
@@ -22,7 +22,7 @@ impl Scene {
     /// Checks that springs can do what the materials ask.
     ///
     /// # Errors
-    /// When a restitution is not one, friction has a grain or resists rotation, or bodies have no moduli
+    /// When a restitution is not one, springs along the contact have a grain, a joint has a limit, or bodies have no moduli
     /// or no radii of curvature for Hertz's law.
     pub(super) fn check_springs(&self) -> Result<(), SceneError> {
         let method = self.method.penalty.unwrap_or_default();
@@ -51,20 +51,36 @@ impl Scene {
             let relation = method.relation();
             let number = relation.number_for(relation.reachable(material.restitution()));
             number.map_err(|source| SceneError::SpringRestitution { materials: names(a, b), source })?;
-            let what = if material.grain().is_some() {
-                "friction with a grain"
-            } else if material.rolling_friction() > 0.0 || material.spinning_friction() > 0.0 {
-                "friction of rolling or spinning"
-            } else {
-                if is_hertz {
-                    elastic_pair(&self.bodies[a].material, &self.bodies[b].material)?;
-                }
-                continue;
-            };
-            let instead = "response = \"constraint\"".to_owned();
-            return Err(SceneError::NotYetAvailable { what: format!("{what} with response = \"penalty\""), instead });
+            if material.grain().is_some() && method.friction == Some(SpringFriction::Mindlin) {
+                return Err(SceneError::NotYetAvailable {
+                    what: "friction with a grain by springs along the contact (method.penalty.friction = \"mindlin\")"
+                        .to_owned(),
+                    instead: "method.penalty.friction = \"regularised\"".to_owned(),
+                });
+            }
+            if is_hertz {
+                elastic_pair(&self.bodies[a].material, &self.bodies[b].material)?;
+            }
         }
+        self.check_jointed_springs()?;
         if is_hertz { self.check_curvature() } else { Ok(()) }
+    }
+
+    /// Checks that joints have no limits: springs have no stops.
+    ///
+    /// # Errors
+    /// With the first joint that has one.
+    fn check_jointed_springs(&self) -> Result<(), SceneError> {
+        for (number, joint) in self.joints.iter().enumerate() {
+            let is_limited = |&coordinate: &Coordinate| joint.limits(coordinate).is_some();
+            if joint.kind().coordinates().iter().any(is_limited) {
+                return Err(SceneError::NotYetAvailable {
+                    what: format!("a limit of joint {number} with response = \"penalty\""),
+                    instead: "the joint without it, or response = \"constraint\"".to_owned(),
+                });
+            }
+        }
+        Ok(())
     }
 
     /// The smallest restitution of materials that may meet and what a damped spring reaches instead; none where all are reached.

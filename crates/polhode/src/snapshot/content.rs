@@ -649,15 +649,25 @@ pub(crate) struct ContactSpring {
     /// At rest, sliding.
     pub(crate) friction: Option<[f64; 2]>,
     pub(crate) slip_speed: Option<f64>,
+    /// Friction of rolling and spinning (m), and the rate of its regularisation (rad/s).
+    pub(crate) resistance: Option<[f64; 3]>,
     pub(crate) restitution: f64,
     pub(crate) mass: f64,
-    pub(crate) presses: bool,
+    pub(crate) push: Push,
     pub(crate) loading: bool,
     pub(crate) grip: Grip,
     pub(crate) vector: Vector,
     /// Begin (s), rate of approach (m/s), greatest depth (m) and force (N).
     pub(crate) passage: [f64; 4],
     pub(crate) alone: bool,
+}
+
+/// What a normal spring does.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) enum Push {
+    On,
+    Off,
+    Cut,
 }
 
 /// What friction of a spring does.

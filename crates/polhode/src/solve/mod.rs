@@ -13,6 +13,7 @@
 //! | `projection`, `overlap` | projection of held contacts and joints; removal of penetration |
 //! | `contradiction` | whether gears and prescribed motions of joints contradict each other |
 //! | `joint_loads` | what joints bear, from the forces of all rows |
+//! | `joint_reactions` | reactions of joints alone, under loads that are given |
 //! | `cone_violation` | how far forces are from Coulomb's law |
 
 pub(crate) mod accelerations;
@@ -23,6 +24,7 @@ pub(crate) mod frictional_impact;
 pub(crate) mod held_at_rest;
 pub(crate) mod impact;
 pub(crate) mod joint_loads;
+pub(crate) mod joint_reactions;
 pub(crate) mod jointed;
 mod least_sliding_forces;
 pub(crate) mod overlap;

@@ -79,6 +79,6 @@ mod tests {
             assert_eq!(Tier::from_name(tier.name()), Some(tier));
         }
         assert_eq!(Tier::from_name("another"), None);
-        assert_eq!(Tier::names_with(TierFeature::Joints), "`accurate` or `stepped` or `fast`");
+        assert_eq!(Tier::names_with(TierFeature::Joints), "`accurate` or `stepped` or `fast` or `penalty`");
     }
 }

@@ -359,6 +359,24 @@ pub(crate) enum Loads {
 }
 
 impl Loads {
+    /// The same with forces and moments (N, N m, about the centres of mass) on some bodies, ascending.
+    pub(crate) fn with(&self, own: impl Iterator<Item = (usize, DVec3, DVec3)>) -> Self {
+        let mut all = match self {
+            Self::None => Vec::new(),
+            Self::Of(loads) => loads.clone(),
+        };
+        for (body, force, torque) in own {
+            match all.binary_search_by_key(&body, |(loaded, _)| *loaded) {
+                Ok(place) => {
+                    all[place].1.force += force;
+                    all[place].1.torque += torque;
+                }
+                Err(place) => all.insert(place, (body, Wrench { force, torque })),
+            }
+        }
+        Self::Of(all)
+    }
+
     /// The wrench on one body.
     pub(crate) fn of(&self, body: usize) -> Wrench {
         match self {

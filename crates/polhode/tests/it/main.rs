@@ -48,6 +48,7 @@ mod momentum;
 mod moving_surfaces;
 mod outcomes;
 mod penalty;
+mod penalty_effects;
 mod piles;
 mod pivot_rows;
 mod pivots;

@@ -295,8 +295,6 @@ fn refusals() {
     let elastic = soft.clone().with_elasticity(1e9, 0.3).unwrap();
     assert!(matches!(build(soft.clone(), hertz(), ball.clone()), SceneError::HertzModulus { .. }));
     assert!(matches!(build(elastic.clone(), hertz(), cube), SceneError::HertzShape { .. }));
-    let rolling = soft.clone().with_rotational_friction(0.01, 0.0).unwrap();
-    assert!(matches!(build(rolling, PenaltyMethod::default(), ball.clone()), SceneError::NotYetAvailable { .. }));
     let contradictory = [
         PenaltyMethod { penetration_m: Some(1e-3), ..hertz() },
         PenaltyMethod { penetration_m: Some(1e-3), stiffness_n_m: Some(1.0), ..PenaltyMethod::default() },

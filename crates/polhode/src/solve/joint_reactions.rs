@@ -1,0 +1,56 @@
+//! Reactions of bilateral constraints alone, under loads that are given: `G l = -b` with `G = J M^-1 J^T` and the constant terms b of
+//! the accelerations of their rows.
+//!
+//! What else acts on the bodies (springs, fields) is among the loads. Large trees of joints are eliminated first, as everywhere.
+//! Where rows depend on each other the least reactions are taken. How it fails: a state that is not finite.
+
+use crate::constraint::bilateral::{Bilateral, Reaction};
+use crate::rows::assembly::Assembly;
+use crate::solve::jointed::trees_of;
+use crate::world::{Loads, World};
+use polhode_dynamics::BodyState;
+use polhode_response::{LeastNormHold, ResponseError};
+
+/// The reactions of a group of bodies.
+#[derive(Debug)]
+pub(crate) struct JointReactions {
+    pub(crate) assembly: Assembly,
+    /// Multipliers of its rows, N.
+    pub(crate) forces: Vec<f64>,
+}
+
+impl JointReactions {
+    /// Of the bilateral constraints of these bodies (movable, ascending) at `t` (s) under these loads.
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    pub(crate) fn solve(
+        world: &World,
+        (t, states): (f64, &[BodyState]),
+        bodies: &[usize],
+        loads: &Loads,
+    ) -> Result<Self, ResponseError> {
+        let assembly = Assembly::new(world, states, bodies, std::iter::empty())?;
+        let free = assembly.free_accelerations(world, states, loads);
+        let constants = assembly.acceleration_constants(world, t, states, &free, std::iter::empty())?;
+        let problem = &assembly.problem;
+        let forces = if let Some(forest) = trees_of(&assembly) {
+            let of_others = if forest.others().is_empty() {
+                Vec::new()
+            } else {
+                let delassus = forest.beside(problem).delassus;
+                LeastNormHold::factor(&delassus)?.solve(&delassus, &forest.constants_beside(problem, &constants)?)?
+            };
+            forest.with_others(problem, &constants, &of_others)?.forces
+        } else {
+            let delassus = problem.delassus();
+            LeastNormHold::factor(&delassus)?.solve(&delassus, &constants)?
+        };
+        Ok(Self { assembly, forces })
+    }
+
+    /// The constraints and their reactions.
+    pub(crate) fn reactions(&self) -> impl Iterator<Item = (&Bilateral, Reaction)> + Clone {
+        self.assembly.reactions(&self.forces)
+    }
+}
