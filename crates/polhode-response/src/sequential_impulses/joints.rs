@@ -425,7 +425,7 @@ mod tests {
             let (mut solver, mut joints, all) = crowd(width);
             let before: Vec<_> = (0..=150).map(|n| (solver.body(n).linear(), solver.body(n).angular())).collect();
             let rule = SweepRule { inverse_step: 1.0, ..RIGID };
-            for _ in 0..2000 {
+            for _ in 0..8000 {
                 joints.sweep(&mut solver, &rule);
             }
             let rate = |joint: &ImpulseJoint, row: &JointRow| {
