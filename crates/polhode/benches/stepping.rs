@@ -10,10 +10,12 @@
 //! | `stepped: 5 x 5 stacks, a step` | one step of tier `stepped`, contact search and impulses included |
 //! | `stepped: rough pyramid, a step` | the same of 55 cubes with friction, in the velocities of bodies, while they stand |
 //! | `fast: rough pyramid, 16 steps` | the same pyramid in tier `fast`, made and stepped from its start, before it rests |
+//! | `fast: chain of 200, 16 steps` | rods on ball joints that fall from the horizontal: two colours of joints |
+//! | `fast: net of 196, 16 steps` | bodies on ball joints in a square net, 378 joints that close loops: more colours |
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use polhode::contact::Shape;
-use polhode::scene::{Material, Method, Tier};
+use polhode::scene::{Joint, Material, Method, Tier};
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, UnitVector, Velocity};
 use polhode::{Body, BodyId, Effects, Geometry, Scene, SceneBuilder, Simulation};
 use std::error::Error;
@@ -30,8 +32,11 @@ const STEP_S: f64 = 1e-3;
 /// Rows of the rough pyramid, and its step, s.
 const ROUGH_ROWS: usize = 10;
 const ROUGH_STEP_S: f64 = 1.0 / 60.0;
-/// Steps of the pyramid in tier `fast`.
+/// Steps of scenes in tier `fast`.
 const FAST_STEPS: f64 = 16.0;
+/// Rods of the chain, and bodies along each side of the net.
+const RODS: usize = 200;
+const NET: usize = 14;
 
 fn floor() -> Body {
     Body::fixed("floor").geometry(Geometry::Shape(Shape::half_space(UnitVector::Z)))
@@ -80,6 +85,41 @@ fn rough_pyramid() -> Made<SceneBuilder> {
     for (row, column) in (0..ROUGH_ROWS).flat_map(|row| (0..ROUGH_ROWS - row).map(move |column| (row, column))) {
         let place = DVec3::new(1.1 * (column as f64 + 0.5 * row as f64), 0.0, row as f64 + 0.5);
         builder = builder.body(cube(format!("{row} {column}"), place)?.material(rough.clone()));
+    }
+    Ok(builder)
+}
+
+/// A body of 1 kg without a shape.
+fn knot(name: String, inertia: DVec3, place: DVec3) -> Made<Body> {
+    let properties = MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, Inertia::from_diagonal(inertia)?);
+    Ok(Body::movable(name, properties).pose(Pose::from_translation(place)))
+}
+
+/// Rods of 1 m in line, held at one end.
+fn chain() -> Made<SceneBuilder> {
+    let mut builder = Scene::builder("chain");
+    for rod in 0..RODS {
+        let place = DVec3::X * rod as f64;
+        builder = builder.body(knot(format!("{rod}"), DVec3::new(0.01, 0.0833, 0.0833), place + DVec3::X * 0.5)?);
+        let joint = Joint::ball(BodyId::new(rod), place);
+        builder = builder.joint(if rod == 0 { joint } else { joint.with(BodyId::new(rod - 1)) });
+    }
+    Ok(builder)
+}
+
+/// A square net, held along one side.
+fn net() -> Made<SceneBuilder> {
+    let mut builder = Scene::builder("net");
+    for (row, column) in (0..NET).flat_map(|row| (0..NET).map(move |column| (row, column))) {
+        let place = DVec3::new(row as f64, column as f64, 0.0);
+        builder = builder.body(knot(format!("{row} {column}"), DVec3::splat(0.1), place)?);
+        let own = NET * row + column;
+        let [beside, below] =
+            [place - DVec3::X * 0.5, place - DVec3::Y * 0.5].map(|at| Joint::ball(BodyId::new(own), at));
+        if row > 0 {
+            builder = builder.joint(beside.with(BodyId::new(own - NET)));
+        }
+        builder = builder.joint(if column == 0 { below } else { below.with(BodyId::new(own - 1)) });
     }
     Ok(builder)
 }
@@ -151,6 +191,11 @@ fn bench_all(criterion: &mut Criterion) -> Made<()> {
     criterion.bench_function("fast: rough pyramid, 16 steps", |bencher| {
         bencher.iter(|| step_to_the_end(black_box(&scene)));
     });
+    for (name, builder) in [("fast: chain of 200, 16 steps", chain()?), ("fast: net of 196, 16 steps", net()?)] {
+        let method = Method { tier: Some(Tier::Fast), step_s: Some(ROUGH_STEP_S), ..Method::default() };
+        let scene = builder.method(method).duration_s(FAST_STEPS * ROUGH_STEP_S).build()?;
+        criterion.bench_function(name, |bencher| bencher.iter(|| step_to_the_end(black_box(&scene))));
+    }
     Ok(())
 }
 

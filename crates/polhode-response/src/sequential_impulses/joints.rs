@@ -1,39 +1,49 @@
 //! Joints among sequential impulses: what holds two bodies by rows of either sign, and limits that push.
 //!
-//! The rows of a joint (up to six) are solved together, by the factors of their own matrix; joints one after the other. With the rates `u = J v` of its
-//! rows (m/s), their gaps `g` (m), and the softness `a`, `b`, `c` of a sweep ([`SweepRule::with_fixed`]),
+//! The rows of a joint (up to six) are solved together, by the factors of their own matrix. With the rates `u = J v` of its rows (m/s), their gaps `g`
+//! (m), and the softness `a`, `b`, `c` of a sweep ([`SweepRule::with_fixed`]),
 //!
 //! ```text
 //! l <- l - a K^-1 (u + b g) - c l       K = J M^-1 J^T (1/kg), l impulses (N s); b g cut to the largest push
 //! a limit: l <- max(0, ...), and where it is apart by s > 0: a = 1, b s = s / h, c = 0
 //! ```
 //!
-//! Rows may be given anew whenever the bodies have moved. What the joint has given its bodies in a substep is summed as it was given, and its work is
-//! that along the mean velocities. At the start of the next substep its multipliers act again, along the present rows: the impulses of before, along
-//! rows of before, would drive a body that turns about the joint. A joint is a handful of rows: it is
-//! solved by itself and not in lanes, so that its bits depend on neither lanes nor threads. Sweeps go forth and back in turn, which carries a load
-//! along a chain both ways. Sources: Catto 2005, Catto 2024 (soft constraints), Golub and Van Loan 4.1 (the factors), docs/REFERENCES.md.
+//! Joints that move no body together have one colour, and four of a colour with as many rows are solved side by side (`joint_batch`). Batches and
+//! sums do not depend on the width of the lanes, so that the bits do not.
 //!
-//! Failure: rows that depend on each other within one joint are left out, one of them; joints that contradict each other share the error.
+//! Rows are given anew whenever the bodies have moved. What a joint has given its bodies in a substep is summed as it was given, and its work is
+//! that along the mean velocities. At the start of the next substep its multipliers act again, along the present rows: the impulses of before, along
+//! rows of before, would drive a body that turns about the joint. Sources: Catto 2005, Catto 2024 (soft constraints), docs/REFERENCES.md.
+//!
+//! Failure: rows that depend on each other within one joint are left out, one of them; joints that contradict each other share the error; a load comes
+//! along a chain by as many joints as a sweep has passes over their colours.
 
-use super::SequentialImpulses;
-use super::sweep::{Softness, SweepRule};
+use super::body::ImpulseBody;
+use super::colours::{Colours, GROUPS, NO_COLOUR};
+use super::joint_batch::{self, JointBatch, LaneImpulse, LaneRow};
+use super::lanes::{FOUR, Four, Lanes};
+use super::sweep::SweepRule;
+use super::{LaneWidth, SequentialImpulses};
 use polhode_spatial::DVec3;
+use wide::{f64x2, f64x4};
 
 /// Most rows of a joint: it holds all relative motion.
 pub const MOST_JOINT_ROWS: usize = 6;
 
-/// A pivot below this part of the diagonal is rounding: its row depends on those before it (no unit, 1e-14 to 1e-8).
-const DEPENDENT: f64 = 1e-12;
+/// How often a sweep goes over all joints, forth and back in turn: a load comes along a chain by so many joints more, both ways.
+const ROUNDS: usize = 2;
 
-/// How often a sweep goes over all joints: a load comes along a chain by so many joints more.
-const ROUNDS: usize = 4;
+/// The same after an impact, which no other sweep follows.
+const ROUNDS_AFTER_IMPACT: usize = 4;
+
+/// Kinds of batches of one colour: limits, and joints by their number of rows.
+const KINDS: usize = 1 + MOST_JOINT_ROWS;
 
 /// A row: what a unit of its multiplier does.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct JointRow {
-    /// Forces on A and B (no unit).
-    pub forces: [DVec3; 2],
+    /// Force on A, and its opposite on B (no unit).
+    pub force: DVec3,
     /// Moments about the centres of mass of A and B, m.
     pub moments: [DVec3; 2],
     /// What the row keeps at zero, m; of a limit what is left of the way.
@@ -50,17 +60,15 @@ pub enum JointLaw {
     Limit,
 }
 
-/// A joint in given poses.
+/// A joint without its rows, which change with the poses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ImpulseJoint {
     /// Numbers of its bodies in the solver.
     pub bodies: [u32; 2],
     /// Its law.
     pub law: JointLaw,
-    /// Its rows.
-    pub rows: [JointRow; MOST_JOINT_ROWS],
-    /// How many of them there are.
-    pub count: usize,
+    /// How many rows it has: 1 to [`MOST_JOINT_ROWS`].
+    pub rows: usize,
 }
 
 /// An impulse on a body: force part (N s), and moment about its centre of mass (N m s).
@@ -72,24 +80,35 @@ pub struct BodyImpulse {
     pub angular: DVec3,
 }
 
-/// Joints of a step.
+/// Joints of a step, with the buffers from which their batches are made.
 #[derive(Debug, Clone, Default)]
 pub struct JointImpulses {
-    joints: Vec<Solved>,
+    joints: Vec<ImpulseJoint>,
+    batches: Vec<JointBatch>,
+    rows: Vec<LaneRow>,
+    /// Where each joint has gone: its batch and lane.
+    places: Vec<Place>,
+    colours: Colours,
+    keys: Vec<u32>,
+    order: Vec<u32>,
+    kept: Vec<Four>,
 }
 
-/// A joint with its factors and what it has given.
-#[derive(Debug, Clone)]
-struct Solved {
-    joint: ImpulseJoint,
-    /// Of each row: change of the velocities of A and B by a unit.
-    effects: [[(DVec3, DVec3); 2]; MOST_JOINT_ROWS],
-    /// `K = L D L^T`: `L` below the diagonal, on it the inverse of `D`, zero of a row that depends on others.
-    factors: [[f64; MOST_JOINT_ROWS]; MOST_JOINT_ROWS],
-    multipliers: [f64; MOST_JOINT_ROWS],
-    /// In the present substep.
-    given: [BodyImpulse; 2],
-    total: [BodyImpulse; 2],
+/// Where a joint has gone.
+#[derive(Debug, Clone, Copy, Default)]
+struct Place {
+    batch: u32,
+    lane: u32,
+}
+
+/// Calls a kernel with lanes of the width of a solver.
+macro_rules! in_lanes {
+    ($width:expr, $($kernel:ident)::+, $($argument:expr),+) => {
+        match $width {
+            LaneWidth::Two => $($kernel)::+::<f64x2>($($argument),+),
+            LaneWidth::Four => $($kernel)::+::<f64x4>($($argument),+),
+        }
+    };
 }
 
 impl JointImpulses {
@@ -101,239 +120,192 @@ impl JointImpulses {
     /// Removes all.
     pub fn clear(&mut self) {
         self.joints.clear();
+        self.batches.clear();
+        self.places.clear();
     }
 
-    /// Gives the joint of a number its rows in the present poses; the next number adds one.
-    pub fn set(&mut self, solver: &SequentialImpulses, number: usize, mut joint: ImpulseJoint) {
-        joint.count = joint.count.min(MOST_JOINT_ROWS);
-        if let Some(known) = self.joints.get_mut(number) {
-            known.take(solver, &joint);
-            return;
-        }
-        let zero = [0.0; MOST_JOINT_ROWS];
-        let mut new = Solved {
-            joint,
-            effects: [[(DVec3::ZERO, DVec3::ZERO); 2]; MOST_JOINT_ROWS],
-            factors: [zero; MOST_JOINT_ROWS],
-            multipliers: zero,
-            given: Default::default(),
-            total: Default::default(),
-        };
-        new.take(solver, &joint);
-        self.joints.push(new);
+    /// Adds a joint of bodies that the solver has. Returns its number.
+    pub fn add(&mut self, joint: ImpulseJoint) -> usize {
+        let rows = if joint.law == JointLaw::Limit { 1 } else { joint.rows.clamp(1, MOST_JOINT_ROWS) };
+        self.joints.push(ImpulseJoint { rows, ..joint });
+        self.joints.len() - 1
     }
 
-    /// Gives the impulses that are known at the start of a step.
-    pub fn start(&mut self, solver: &mut SequentialImpulses, number: usize, multipliers: [f64; MOST_JOINT_ROWS]) {
-        if let Some(own) = self.joints.get_mut(number) {
-            own.multipliers = multipliers;
-            own.give(solver, multipliers);
-        }
-    }
-
-    /// Takes back what the joints gave in the substep before, which has acted on the velocities again, and gives their multipliers along the present
-    /// rows.
-    pub fn start_again(&mut self, solver: &mut SequentialImpulses) {
-        for own in &mut self.joints {
-            for (side, given) in std::mem::take(&mut own.given).into_iter().enumerate() {
-                let body = solver.body_mut(own.joint.bodies[side]);
-                let linear = body.linear() - given.linear * body.inverse_mass();
-                let angular = body.angular() - body.inverse_inertia() * given.angular;
-                body.set_velocity(linear, angular);
+    /// Puts the joints into batches, without rows and impulses.
+    pub fn prepare(&mut self, solver: &SequentialImpulses) {
+        let moves = |body: u32| solver.body(body).is_moved();
+        self.sort(solver.bodies.len(), moves);
+        self.batches.clear();
+        self.rows.clear();
+        self.places.clear();
+        self.places.resize(self.joints.len(), Place::default());
+        let (mut open, mut used) = (u32::MAX, FOUR);
+        for &number in &self.order {
+            let (joint, key) = (self.joints[number as usize], self.keys[number as usize]);
+            let is_alone = key / KINDS as u32 == NO_COLOUR;
+            if used == FOUR || key != open || is_alone {
+                (open, used) = (key, 0);
+                let first = self.rows.len();
+                self.rows.resize(first + joint.rows, LaneRow::default());
+                let (first, count) = (first as u32, joint.rows as u32);
+                self.batches.push(JointBatch { law: joint.law, first, count, ..JointBatch::default() });
             }
-            own.give(solver, own.multipliers);
+            let batch = self.batches.len() - 1;
+            [self.batches[batch].a[used], self.batches[batch].b[used]] = joint.bodies;
+            self.places[number as usize] = Place { batch: batch as u32, lane: used as u32 };
+            used += 1;
         }
     }
 
-    /// Brings all joints to their laws, some rounds forth and back.
-    pub fn sweep(&mut self, solver: &mut SequentialImpulses, rule: &SweepRule) {
-        for _ in 0..ROUNDS / 2 {
-            self.joints.iter_mut().for_each(|own| own.solve(solver, rule));
-            self.joints.iter_mut().rev().for_each(|own| own.solve(solver, rule));
+    /// Sorts the joints by colour and kind, those of one kind as they are given.
+    fn sort(&mut self, bodies: usize, moves: impl Fn(u32) -> bool) {
+        self.colours.begin(bodies);
+        self.keys.clear();
+        let mut counts = [0_u32; GROUPS * KINDS + 1];
+        for joint in &mut self.joints {
+            joint.bodies = joint.bodies.map(|body| if (body as usize) < bodies { body } else { 0 });
+            let colour = self.colours.next(joint.bodies, joint.bodies.map(&moves));
+            let kind = if joint.law == JointLaw::Limit { 0 } else { joint.rows as u32 };
+            let key = colour * KINDS as u32 + kind;
+            counts[key as usize + 1] += 1;
+            self.keys.push(key);
         }
+        for k in 1..counts.len() {
+            counts[k] += counts[k - 1];
+        }
+        self.order.clear();
+        self.order.resize(self.joints.len(), 0);
+        for (number, &key) in self.keys.iter().enumerate() {
+            let place = &mut counts[key as usize];
+            self.order[*place as usize] = number as u32;
+            *place += 1;
+        }
+    }
+
+    /// Gives a joint its rows in the present poses. Rows that it has beside those given hold nothing. [`Self::factor`] follows.
+    pub fn set_rows(&mut self, number: usize, rows: &[JointRow]) {
+        let Some(Place { batch, lane }) = self.places.get(number).copied() else { return };
+        let JointBatch { first, count, .. } = self.batches[batch as usize];
+        let none = JointRow::default();
+        let own = &mut self.rows[first as usize..(first + count) as usize];
+        for (to, row) in own.iter_mut().zip(rows.iter().chain(std::iter::repeat(&none))) {
+            to.put(lane as usize, row);
+        }
+    }
+
+    /// Finds the factors of the rows that have been given.
+    pub fn factor(&mut self, solver: &SequentialImpulses) {
+        for batch in &mut self.batches {
+            let rows = &mut self.rows[batch.first as usize..(batch.first + batch.count) as usize];
+            in_lanes!(solver.width, joint_batch::factor, &solver.bodies, (batch, rows));
+        }
+    }
+
+    /// Gives a joint the multipliers that are known at the start of a step, N s. [`Self::start`] follows.
+    pub fn set_multipliers(&mut self, number: usize, multipliers: [f64; MOST_JOINT_ROWS]) {
+        let Some(Place { batch, lane }) = self.places.get(number).copied() else { return };
+        let JointBatch { first, count, .. } = self.batches[batch as usize];
+        let own = &mut self.rows[first as usize..(first + count) as usize];
+        own.iter_mut().zip(multipliers).for_each(|(row, own)| row.multiplier.0[lane as usize] = own);
+    }
+
+    /// Starts a substep: takes back what the joints gave in the one before, which has acted on the velocities again, and gives their multipliers
+    /// along the present rows.
+    pub fn start(&mut self, solver: &mut SequentialImpulses) {
+        for batch in &mut self.batches {
+            let rows = &mut self.rows[batch.first as usize..(batch.first + batch.count) as usize];
+            in_lanes!(solver.width, joint_batch::start, &mut solver.bodies, (batch, rows));
+        }
+    }
+
+    /// Brings all joints to their laws, in rounds forth and back.
+    pub fn sweep(&mut self, solver: &mut SequentialImpulses, rule: &SweepRule) {
+        in_lanes!(solver.width, sweep, &mut solver.bodies, (&mut self.batches, &mut self.rows), rule);
     }
 
     /// Ends a substep. Returns their work along the mean velocities of the bodies, J.
     pub fn end_substep(&mut self, solver: &SequentialImpulses) -> f64 {
-        let mut work = 0.0;
-        for own in &mut self.joints {
-            for (side, &number) in own.joint.bodies.iter().enumerate() {
-                let (linear, angular) = solver.body(number).mean_velocity();
-                let given = own.given[side];
-                work += given.linear.dot(linear) + given.angular.dot(angular);
-                own.total[side].linear += given.linear;
-                own.total[side].angular += given.angular;
-            }
+        let mut work = Four::default();
+        for batch in &mut self.batches {
+            in_lanes!(solver.width, joint_batch::end, &solver.bodies, batch, &mut work);
         }
-        work
+        sum(&work)
     }
 
     /// Takes up what contacts have given besides: after an impact at the end of the step the joints hold again. Returns the work, J.
     pub fn hold_after_impact(&mut self, solver: &mut SequentialImpulses, rule: &SweepRule) -> f64 {
-        let mut work = 0.0;
-        for own in &mut self.joints {
-            own.given = Default::default();
+        self.kept.clear();
+        self.kept.extend(self.rows.iter().map(|row| row.multiplier));
+        self.batches.iter_mut().for_each(|batch| batch.given = LaneImpulse::default());
+        let mut work = Four::default();
+        for place in rounds(ROUNDS_AFTER_IMPACT, self.batches.len()) {
+            let batch = &mut self.batches[place];
+            let rows = &mut self.rows[batch.first as usize..(batch.first + batch.count) as usize];
+            let of = (rule, &mut work);
+            in_lanes!(solver.width, joint_batch::solve_and_book, &mut solver.bodies, (batch, rows), of);
         }
-        let kept: Vec<_> = self.joints.iter().map(|own| own.multipliers).collect();
-        for back in [false, true].repeat(ROUNDS / 2) {
-            let count = self.joints.len();
-            for k in 0..count {
-                let own = &mut self.joints[if back { count - 1 - k } else { k }];
-                let before = own.velocities(solver);
-                let given = own.given;
-                own.solve(solver, rule);
-                let after = own.velocities(solver);
-                for side in 0..2 {
-                    let (linear, angular) =
-                        (own.given[side].linear - given[side].linear, own.given[side].angular - given[side].angular);
-                    work += 0.5 * linear.dot(before[side].0 + after[side].0);
-                    work += 0.5 * angular.dot(before[side].1 + after[side].1);
-                }
-            }
-        }
-        for (own, multipliers) in self.joints.iter_mut().zip(kept) {
-            own.multipliers = multipliers;
-            for side in 0..2 {
-                own.total[side].linear += own.given[side].linear;
-                own.total[side].angular += own.given[side].angular;
-            }
-        }
-        work
+        self.rows.iter_mut().zip(&self.kept).for_each(|(row, kept)| row.multiplier = *kept);
+        self.batches.iter_mut().for_each(JointBatch::add_up);
+        sum(&work)
     }
 
     /// The multipliers of a joint: of the last substep, N s.
     pub fn multipliers(&self, number: usize) -> [f64; MOST_JOINT_ROWS] {
-        self.joints.get(number).map_or([0.0; MOST_JOINT_ROWS], |own| own.multipliers)
+        let mut multipliers = [0.0; MOST_JOINT_ROWS];
+        if let Some(Place { batch, lane }) = self.places.get(number).copied() {
+            let JointBatch { first, count, .. } = self.batches[batch as usize];
+            let own = &self.rows[first as usize..(first + count) as usize];
+            multipliers.iter_mut().zip(own).for_each(|(to, row)| *to = row.multiplier.0[lane as usize]);
+        }
+        multipliers
     }
 
     /// What a joint gave to A and B in the present substep.
     pub fn given(&self, number: usize) -> [BodyImpulse; 2] {
-        self.joints.get(number).map_or_else(Default::default, |own| own.given)
+        self.impulse(number, |batch| &batch.given)
     }
 
     /// What a joint gave to A and B in the whole step.
     pub fn total(&self, number: usize) -> [BodyImpulse; 2] {
-        self.joints.get(number).map_or_else(Default::default, |own| own.total)
+        self.impulse(number, |batch| &batch.total)
+    }
+
+    fn impulse(&self, number: usize, of: impl Fn(&JointBatch) -> &LaneImpulse) -> [BodyImpulse; 2] {
+        let Some(Place { batch, lane }) = self.places.get(number).copied() else { return Default::default() };
+        let LaneImpulse { force, moments } = of(&self.batches[batch as usize]);
+        let vector = |from: &[Four; 3]| DVec3::from_array(from.map(|four| four.0[lane as usize]));
+        let linear = vector(force);
+        let [on_a, on_b] = [&moments[0], &moments[1]].map(vector);
+        [BodyImpulse { linear, angular: on_a }, BodyImpulse { linear: -linear, angular: on_b }]
     }
 }
 
-impl Solved {
-    fn take(&mut self, solver: &SequentialImpulses, joint: &ImpulseJoint) {
-        self.joint = *joint;
-        let bodies = joint.bodies.map(|number| solver.body(number));
-        for (row, effects) in joint.rows[..joint.count].iter().zip(&mut self.effects) {
-            for side in 0..2 {
-                let body = bodies[side];
-                effects[side] = (row.forces[side] * body.inverse_mass(), body.inverse_inertia() * row.moments[side]);
-            }
-        }
-        self.factor();
-    }
+/// The sum of the lanes, in order.
+fn sum(four: &Four) -> f64 {
+    (four.0[0] + four.0[1]) + (four.0[2] + four.0[3])
+}
 
-    /// `L D L^T` of `K`, row by row.
-    fn factor(&mut self) {
-        let rows = &self.joint.rows;
-        for i in 0..self.joint.count {
-            let entry = |j: usize| -> f64 {
-                let of = |side: usize| {
-                    let (linear, angular) = self.effects[j][side];
-                    rows[i].forces[side].dot(linear) + rows[i].moments[side].dot(angular)
-                };
-                of(0) + of(1)
-            };
-            let line: [f64; MOST_JOINT_ROWS] = std::array::from_fn(|j| if j <= i { entry(j) } else { 0.0 });
-            let mut pivot = line[i];
-            let mut scaled = [0.0; MOST_JOINT_ROWS];
-            for j in 0..i {
-                // The entry of L D, and of L.
-                let mut value = line[j];
-                for k in 0..j {
-                    value -= scaled[k] * self.factors[j][k];
-                }
-                scaled[j] = value;
-                self.factors[i][j] = value * self.factors[j][j];
-                pivot -= value * self.factors[i][j];
-            }
-            self.factors[i][i] = if pivot > DEPENDENT * line[i] { 1.0 / pivot } else { 0.0 };
-        }
+/// Rounds over all batches.
+fn sweep<L: Lanes>(bodies: &mut [ImpulseBody], (batches, rows): (&mut [JointBatch], &mut [LaneRow]), rule: &SweepRule) {
+    for place in rounds(ROUNDS, batches.len()) {
+        let batch = &mut batches[place];
+        let rows = &mut rows[batch.first as usize..(batch.first + batch.count) as usize];
+        joint_batch::solve::<L>(bodies, (batch, rows), rule);
     }
+}
 
-    /// `K^-1 x`.
-    fn solved(&self, mut x: [f64; MOST_JOINT_ROWS]) -> [f64; MOST_JOINT_ROWS] {
-        let count = self.joint.count;
-        for i in 0..count {
-            for j in 0..i {
-                x[i] -= self.factors[i][j] * x[j];
-            }
-        }
-        for i in 0..count {
-            x[i] *= self.factors[i][i];
-        }
-        for i in (0..count).rev() {
-            for j in i + 1..count {
-                x[i] -= self.factors[j][i] * x[j];
-            }
-        }
-        x
-    }
-
-    fn velocities(&self, solver: &SequentialImpulses) -> [(DVec3, DVec3); 2] {
-        self.joint.bodies.map(|number| {
-            let body = solver.body(number);
-            (body.linear(), body.angular())
-        })
-    }
-
-    fn solve(&mut self, solver: &mut SequentialImpulses, rule: &SweepRule) {
-        let velocities = self.velocities(solver);
-        let count = self.joint.count;
-        let gap = self.joint.rows[0].gap;
-        let is_apart = self.joint.law == JointLaw::Limit && gap > 0.0;
-        let soft = if is_apart { Softness { rate: rule.inverse_step, ..Softness::RIGID } } else { rule.with_fixed };
-        let mut wanted = [0.0; MOST_JOINT_ROWS];
-        for (row, wanted) in self.joint.rows[..count].iter().zip(&mut wanted) {
-            let of = |side: usize| row.forces[side].dot(velocities[side].0) + row.moments[side].dot(velocities[side].1);
-            let push = soft.rate * row.gap;
-            let push = if is_apart { push } else { push.clamp(-rule.push.abs(), rule.push.abs()) };
-            *wanted = of(0) + of(1) + push;
-        }
-        let mut change = self.solved(wanted);
-        for (change, known) in change.iter_mut().zip(&self.multipliers).take(count) {
-            *change = -soft.mass * *change - soft.impulse * known;
-        }
-        if self.joint.law == JointLaw::Limit {
-            change[0] = (self.multipliers[0] + change[0]).max(0.0) - self.multipliers[0];
-        }
-        for (known, change) in self.multipliers.iter_mut().zip(&change).take(count) {
-            *known += change;
-        }
-        self.give(solver, change);
-    }
-
-    /// The bodies take these multipliers.
-    fn give(&mut self, solver: &mut SequentialImpulses, multipliers: [f64; MOST_JOINT_ROWS]) {
-        for side in 0..2 {
-            let body = solver.body_mut(self.joint.bodies[side]);
-            let (mut linear, mut angular) = (body.linear(), body.angular());
-            let given = &mut self.given[side];
-            let rows = self.joint.rows.iter().zip(&self.effects).zip(multipliers).take(self.joint.count);
-            for ((row, effects), multiplier) in rows {
-                linear += effects[side].0 * multiplier;
-                angular += effects[side].1 * multiplier;
-                given.linear += row.forces[side] * multiplier;
-                given.angular += row.moments[side] * multiplier;
-            }
-            body.set_velocity(linear, angular);
-        }
-    }
+/// The places of so many batches in rounds forth and back.
+fn rounds(rounds: usize, batches: usize) -> impl Iterator<Item = usize> {
+    (0..rounds).flat_map(move |round| (0..batches).map(move |k| if round % 2 == 0 { k } else { batches - 1 - k }))
 }
 
 #[cfg(test)]
 mod tests {
-    //! A ball joint and a hinge stop the motion that they hold, at once; a limit pushes and does not pull; the work is the change of energy.
-    use super::super::ImpulseBody;
+    //! A ball joint and a hinge stop the motion that they hold, at once; a limit pushes and does not pull; the work is the change of energy. Joints of all
+    //! numbers of rows side by side obey their laws, with the same bits for two and four lanes.
+    use super::super::sweep::Softness;
     use super::*;
-    use polhode_spatial::DMat3;
+    use polhode_spatial::{DMat3, SplitMix64};
 
     const RIGID: SweepRule = SweepRule {
         between: Softness::RIGID,
@@ -352,11 +324,14 @@ mod tests {
         let mut rows = [JointRow::default(); MOST_JOINT_ROWS];
         for (row, &direction) in rows.iter_mut().zip(directions) {
             let moments = [arm.cross(direction), DVec3::ZERO];
-            *row = JointRow { forces: [direction, -direction], moments, gap };
+            *row = JointRow { force: direction, moments, gap };
         }
         let bodies = [body, SequentialImpulses::IMMOVABLE];
         let mut joints = JointImpulses::default();
-        joints.set(&solver, 0, ImpulseJoint { bodies, law, rows, count: directions.len() });
+        let number = joints.add(ImpulseJoint { bodies, law, rows: directions.len() });
+        joints.prepare(&solver);
+        joints.set_rows(number, &rows[..directions.len()]);
+        joints.factor(&solver);
         (solver, joints)
     }
 
@@ -391,5 +366,96 @@ mod tests {
         let body = solver.body(1);
         let at_point = body.linear() + body.angular().cross(DVec3::X);
         assert!(at_point.y.abs() < 1e-14 && at_point.z.abs() < 1e-14 && at_point.x == 1.0, "{at_point}");
+    }
+    type Given = (ImpulseJoint, Vec<JointRow>);
+
+    /// A crowd of joints, more of them at one body than there are colours.
+    fn crowd(width: LaneWidth) -> (SequentialImpulses, JointImpulses, Vec<Given>) {
+        let mut random = SplitMix64::new(11);
+        let mut vector = || DVec3::new(random.uniform(), random.uniform(), random.uniform()) - DVec3::splat(0.5);
+        let mut solver = SequentialImpulses::with_lanes(width);
+        for _ in 0..150 {
+            let body = solver.add_body(ImpulseBody::new(1.5, DMat3::IDENTITY * 2.0));
+            let (linear, angular) = (vector(), vector());
+            solver.body_mut(body).set_velocity(linear, angular);
+        }
+        let (mut joints, mut all) = (JointImpulses::default(), Vec::new());
+        for k in 0..220_u32 {
+            let law = if k % 8 == 7 { JointLaw::Limit } else { JointLaw::Hold };
+            // Bodies 2 to 150 in four chains, the world among their ends; body 1 with all others.
+            let bodies = if k < 150 { [1 + k, (k + 4) % 151] } else { [1, 2 + k - 150] };
+            let joint = ImpulseJoint { bodies, law, rows: if k % 8 == 7 { 1 } else { 1 + k as usize % 6 } };
+            let mut row = || JointRow { force: vector(), moments: [vector(), vector()], gap: 0.01 * vector().x };
+            let rows: Vec<JointRow> = (0..joint.rows).map(|_| row()).collect();
+            all.push((joint, rows));
+            joints.add(joint);
+        }
+        joints.prepare(&solver);
+        all.iter().enumerate().for_each(|(number, (_, rows))| joints.set_rows(number, rows));
+        joints.factor(&solver);
+        (solver, joints, all)
+    }
+
+    const SOFT: SweepRule = SweepRule { with_fixed: Softness { rate: 20.0, mass: 0.9, impulse: 0.1 }, ..RIGID };
+
+    #[test]
+    fn two_and_four_lanes_give_the_same_bits() {
+        let of = |width: LaneWidth| {
+            let (mut solver, mut joints, all) = crowd(width);
+            joints.set_multipliers(3, [0.1; MOST_JOINT_ROWS]);
+            let mut works = Vec::new();
+            for _ in 0..2 {
+                joints.start(&mut solver);
+                joints.sweep(&mut solver, &SOFT);
+                joints.sweep(&mut solver, &RIGID);
+                works.push(joints.end_substep(&solver).to_bits());
+            }
+            works.push(joints.hold_after_impact(&mut solver, &RIGID).to_bits());
+            let velocities: Vec<_> = (0..=150).map(|n| (solver.body(n).linear(), solver.body(n).angular())).collect();
+            let impulses: Vec<_> = (0..all.len()).map(|n| (joints.multipliers(n), joints.total(n))).collect();
+            (works, velocities, impulses)
+        };
+        assert!(of(LaneWidth::Two) == of(LaneWidth::Four));
+    }
+
+    /// After many sweeps every joint holds, those of a body with more joints than colours too; what the joints gave is what changed the bodies.
+    #[test]
+    fn joints_side_by_side_obey_their_laws() {
+        for width in [LaneWidth::Two, LaneWidth::Four] {
+            let (mut solver, mut joints, all) = crowd(width);
+            let before: Vec<_> = (0..=150).map(|n| (solver.body(n).linear(), solver.body(n).angular())).collect();
+            let rule = SweepRule { inverse_step: 1.0, ..RIGID };
+            for _ in 0..8000 {
+                joints.sweep(&mut solver, &rule);
+            }
+            let rate = |joint: &ImpulseJoint, row: &JointRow| {
+                let [a, b] = joint.bodies.map(|body| solver.body(body));
+                let turns = row.moments[0].dot(a.angular()) + row.moments[1].dot(b.angular());
+                row.force.dot(a.linear() - b.linear()) + turns
+            };
+            let mut changes = vec![(DVec3::ZERO, DVec3::ZERO); 151];
+            for (number, (joint, rows)) in all.iter().enumerate() {
+                match joint.law {
+                    JointLaw::Hold => {
+                        let most = rows.iter().fold(0.0, |most: f64, row| most.max(rate(joint, row).abs()));
+                        assert!(most < 1e-6, "{number} {most} {joint:?}");
+                    }
+                    JointLaw::Limit => {
+                        let (multiplier, allowed) = (joints.multipliers(number)[0], rows[0].gap.max(0.0));
+                        let slack = rate(joint, &rows[0]) + allowed;
+                        assert!(multiplier >= 0.0 && slack > -1e-6 && (multiplier * slack).abs() < 1e-6, "{number}");
+                    }
+                }
+                for (body, given) in joint.bodies.into_iter().zip(joints.given(number)) {
+                    changes[body as usize].0 += given.linear * solver.body(body).inverse_mass();
+                    changes[body as usize].1 += solver.body(body).inverse_inertia() * given.angular;
+                }
+            }
+            for (number, (before, change)) in (0..).zip(before.iter().zip(&changes)) {
+                let body = solver.body(number);
+                assert!((body.linear() - before.0 - change.0).length() < 1e-9, "{number}");
+                assert!((body.angular() - before.1 - change.1).length() < 1e-9, "{number}");
+            }
+        }
     }
 }

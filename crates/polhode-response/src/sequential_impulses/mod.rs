@@ -22,6 +22,7 @@
 //! | `patch` | a patch in coordinates of its own |
 //! | `conjugate` | steps of conjugate gradients between sweeps |
 //! | `joints` | [`JointImpulses`]: joints and their limits |
+//! | `joint_batch` | joints in batches of four, and what the lanes do with them |
 //! | `works` | what impulses do |
 //! | `sweep` | one sweep: the law |
 //! | `stages` | masses, known impulses, restitution, totals |
@@ -61,6 +62,7 @@ mod batch;
 mod body;
 mod colours;
 mod conjugate;
+mod joint_batch;
 mod joints;
 mod lanes;
 mod manifold;

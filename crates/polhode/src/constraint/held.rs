@@ -28,13 +28,9 @@ impl World {
         bodies: &'a [usize],
     ) -> impl Iterator<Item = Bilateral> + 'a {
         let bodies = if self.held_by_rows.is_empty() { &[] } else { bodies };
-        let joints = self.joints_among(bodies).map(|joint| {
-            let mut held = joint.bodies();
-            let first = held.next().unwrap_or_default();
-            let second = held.next().or_else(|| joint.driver()).unwrap_or(first);
-            let id = ConstraintId::Joint { joint: joint.number(), bodies: (first, second) };
-            Bilateral::new(id, joint.rows_at(|body| self.motion_of(states, body)))
-        });
+        let joints = self
+            .joints_among(bodies)
+            .map(|joint| Bilateral::new(joint.id(), joint.rows_at(|body| self.motion_of(states, body))));
         let ties = self.ties_among(bodies).filter_map(|tie| {
             let rows = tie.row_at(|body| self.motion_of(states, body))?;
             let (first, last) = (rows.members.first()?.body, rows.members.last()?.body);
@@ -57,12 +53,17 @@ impl World {
 
     /// The joints that hold some of these bodies, in the order of the scene.
     pub(crate) fn joints_among(&self, bodies: &[usize]) -> impl Iterator<Item = &WorldJoint> {
+        self.joint_places_among(bodies).into_iter().map(|joint| &self.joints[joint])
+    }
+
+    /// The places of these joints in the world.
+    pub(crate) fn joint_places_among(&self, bodies: &[usize]) -> Vec<usize> {
         let bodies = if self.joints.is_empty() { &[] } else { bodies };
         let mut joints: Vec<usize> =
             bodies.iter().filter_map(|body| self.joints_of.get(body)).flatten().copied().collect();
         joints.sort_unstable();
         joints.dedup();
-        joints.into_iter().map(|joint| &self.joints[joint])
+        joints
     }
 
     /// The kinematic bodies that joints and ties hold to these; one with several joints is repeated.

@@ -22,7 +22,7 @@ use super::row::RowsAt;
 use super::stop::Stop;
 use super::track::Guide;
 use super::tree_joint::TreeJoint;
-use super::{cylindrical, fixed, hinge, on_track, planar, point, screw, slider, universal};
+use super::{ConstraintId, cylindrical, fixed, hinge, on_track, planar, point, screw, slider, universal};
 use crate::body_id::BodyId;
 use crate::scene::{Coordinate, Joint, JointKind, Motor, TrackHold};
 use polhode_contact::ContactKinematics;
@@ -115,6 +115,14 @@ impl WorldJoint {
     /// The kinematic body that it holds, if there is one.
     pub(crate) fn driver(&self) -> Option<usize> {
         self.a.driver().or_else(|| self.b.driver())
+    }
+
+    /// Its identity among constraints.
+    pub(crate) fn id(&self) -> ConstraintId {
+        let mut held = self.bodies();
+        let first = held.next().unwrap_or_default();
+        let second = held.next().or_else(|| self.driver()).unwrap_or(first);
+        ConstraintId::Joint { joint: self.number, bodies: (first, second) }
     }
 
     /// Its movable bodies and its kinematic one, A <= B; the same body twice if it holds a body to the world.

@@ -4,17 +4,18 @@
 //! |---|---|
 //! | boxes | which pairs may touch in this step |
 //! | patches | where: kept, or found anew; pairs are divided among the tasks of the executor |
-//! | groups | islands of bodies that patches connect |
+//! | groups | islands of bodies that patches and joints connect |
 //! | solve | each group for itself: substeps (`group.rs`) |
 //! | flight | bodies that touch nothing |
 //! | impulses | go back to the points of the patches |
 
 use super::group::{FULL, Given, Group, GroupReport, PatchPlace};
-use super::held::HeldJoint;
+use super::held::{HeldJoint, HeldLimit};
 use super::rules::Rules;
 use super::turning::turn;
 use crate::SimulationError;
 use crate::collision::face_patches::{LastingBoxes, PairPatches, Tools, follow_pairs};
+use crate::constraint::joint::WorldJoint;
 use crate::executor::{Executor, Task};
 use crate::settings::Settings;
 use crate::world::World;
@@ -41,6 +42,8 @@ pub(super) struct Course {
     pub(super) quiet: Vec<u32>,
     /// Joints and pivots after the last step, ascending.
     pub(super) held: Vec<HeldJoint>,
+    /// Limits that pressed in the last step, ascending.
+    pub(super) limits: Vec<HeldLimit>,
     boxes: LastingBoxes,
     groups: Vec<Group>,
     /// How many of them the step has.
@@ -64,6 +67,7 @@ impl Course {
             states,
             pairs: Vec::new(),
             held: Vec::new(),
+            limits: Vec::new(),
             last_h: 0.0,
             boxes: LastingBoxes::new(settings.broad_phase),
             groups: Vec::new(),
@@ -79,6 +83,7 @@ impl Course {
         Self {
             pairs: self.pairs.clone(),
             held: self.held.clone(),
+            limits: self.limits.clone(),
             last_h: self.last_h,
             resting: self.resting.clone(),
             quiet: self.quiet.clone(),
@@ -104,6 +109,7 @@ impl Course {
     pub(super) fn remove_body(&mut self, body: usize) {
         self.boxes.forget(body);
         self.pairs.retain(|pair| pair.a != body && pair.b != body);
+        self.limits.retain(|limit| limit.id.a != body && limit.id.b != body);
         self.resting[body] = false;
         self.group_of[body] = None;
     }
@@ -175,21 +181,30 @@ impl Course {
         executor.run(tasks.collect());
     }
 
-    /// Puts bodies that patches connect into groups, islands in the order of their first bodies.
+    /// Puts bodies that patches and joints connect into groups, islands in the order of their first bodies. Force fields may couple any bodies: with them
+    /// there is one group.
     pub(super) fn make_groups(&mut self, world: &World, rules: &Rules) {
         let bodies = self.states.len();
         let is_moved = |body: usize| world.bodies[body].moves() && !self.resting[body];
         let mut sets = DisjointSets::new(bodies);
-        let mut patches = vec![0_u32; bodies];
-        let together = rules.has_loads;
+        // The patches and joints of each island, at its smallest body.
+        let mut work = vec![0_u32; bodies];
+        let together = rules.has_fields;
         for pair in self.pairs.iter().filter(|pair| !pair.patches.is_empty()) {
             if is_moved(pair.a) && is_moved(pair.b) {
                 sets.join(pair.a, pair.b);
             }
         }
-        for pair in self.pairs.iter().filter(|pair| !pair.patches.is_empty()) {
-            let Some(own) = [pair.a, pair.b].into_iter().find(|&body| is_moved(body)) else { continue };
-            patches[sets.smallest(own)] += pair.patches.len() as u32;
+        for (a, b) in world.joints.iter().map(WorldJoint::pair) {
+            if is_moved(a) && is_moved(b) {
+                sets.join(a, b);
+            }
+        }
+        let of_pairs = self.pairs.iter().map(|pair| ((pair.a, pair.b), pair.patches.len()));
+        let of_joints = world.joints.iter().map(|joint| (joint.pair(), 1));
+        for ((a, b), count) in of_pairs.chain(of_joints).filter(|(_, count)| *count > 0) {
+            let Some(own) = [a, b].into_iter().find(|&body| is_moved(body)) else { continue };
+            work[sets.smallest(own)] += count as u32;
         }
         // The group of each island, at its smallest body.
         let mut group_of_island: Vec<Option<u32>> = vec![None; bodies];
@@ -201,7 +216,7 @@ impl Course {
                 continue;
             }
             let island = sets.smallest(body);
-            if patches[island] == 0 && !(together && world.is_loaded(body)) {
+            if work[island] == 0 && !(rules.has_loads && world.is_loaded(body)) {
                 continue;
             }
             let group = *group_of_island[island].get_or_insert_with(|| {
@@ -211,7 +226,7 @@ impl Course {
                     self.groups.resize_with(self.used.max(self.groups.len()), Group::default);
                     self.groups[self.used - 1].clear();
                 }
-                load += patches[island] as usize;
+                load += work[island] as usize;
                 self.used as u32 - 1
             });
             self.group_of[body] = Some(group);
@@ -230,7 +245,8 @@ impl Course {
     /// The step of each group for itself.
     pub(super) fn solve(&mut self, world: &World, executor: &dyn Executor, (t, rules): (f64, &Rules)) {
         let warm = if self.last_h > 0.0 { rules.h / self.last_h } else { 0.0 };
-        let (states, pairs, numbers, held) = (&self.states, &self.pairs, &self.numbers, &self.held);
+        let (states, pairs, numbers) = (&self.states, &self.pairs, &self.numbers);
+        let held = (&self.held[..], &self.limits[..]);
         let given = Given { world, states, pairs, numbers, held, t, warm, rules };
         let groups = &mut self.groups[..self.used];
         if groups.len() == 1 || executor.width().get() == 1 {
@@ -283,7 +299,8 @@ impl Course {
         }
         let inverse_step = 1.0 / (rules.h * f64::from(rules.substeps));
         let after = self.groups[..self.used].iter().flat_map(|group| group.held.after(inverse_step));
-        let mut after: Vec<HeldJoint> = after.collect();
+        let resting = self.held.iter().copied().filter(|held| self.resting[held.body]);
+        let mut after: Vec<HeldJoint> = after.chain(resting).collect();
         after.sort_by_key(|held| held.id);
         if !is_whole {
             for own in &mut after {
@@ -292,6 +309,13 @@ impl Course {
             }
         }
         self.held = after;
+        if is_whole {
+            let after = self.groups[..self.used].iter().flat_map(|group| group.held.limits_after());
+            let resting = self.limits.iter().copied().filter(|limit| self.resting[limit.id.a]);
+            let mut after: Vec<HeldLimit> = after.chain(resting).collect();
+            after.sort_by_key(|limit| limit.id);
+            self.limits = after;
+        }
         for group in &self.groups[..self.used] {
             for (number, (place, manifold)) in group.patches.iter().zip(group.solver.manifolds()).enumerate() {
                 let [n, x] = [manifold.normal, manifold.tangent];

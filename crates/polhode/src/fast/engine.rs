@@ -2,7 +2,7 @@
 
 use super::course::Course;
 use super::facts::SUBSTEPS;
-use super::held::HeldJoint;
+use super::held::{HeldJoint, HeldLimit};
 use super::impacts::impacts;
 use super::rest::settle;
 use super::rules::Rules;
@@ -20,7 +20,7 @@ use crate::frame::{ContactView, IslandView, JointView, MotionKind};
 use crate::free_stage::{self, Ends};
 use crate::observer::Observer;
 use crate::sampling::emit_samples_before;
-use crate::snapshot::numbers::{read_states, write_states};
+use crate::snapshot::numbers::{Contact, read_states, write_states};
 use crate::snapshot::parts::{restored_id, save_contact};
 use crate::snapshot::{SnapshotError, content};
 use crate::tier::{Reached, Tier};
@@ -68,6 +68,10 @@ impl FastEngine {
         course.held = saved.held.iter().map(|held| restored_held(core, held)).collect::<Result<_, _>>()?;
         if !course.held.is_sorted_by_key(|held| held.id) {
             return Err(SnapshotError::Invalid("its joints are not in order"));
+        }
+        course.limits = saved.limits.iter().map(|limit| restored_limit(core, limit)).collect::<Result<_, _>>()?;
+        if !course.limits.is_sorted_by_key(|limit| limit.id) {
+            return Err(SnapshotError::Invalid("its limits of joints are not in order"));
         }
         course.last_h = saved.last_h;
         course.resting.clone_from(&saved.resting);
@@ -391,6 +395,7 @@ impl Tier for FastEngine {
             quiet: self.course.quiet.clone(),
             touching: self.touching.clone(),
             held: self.course.held.iter().map(save_held).collect(),
+            limits: self.course.limits.iter().map(|limit| (save_contact(limit.id), limit.multiplier)).collect(),
             grid: self.grid,
             begun: self.begun,
         })
@@ -423,6 +428,10 @@ fn restored_held(core: &Core, saved: &content::HeldJoint) -> Result<HeldJoint, S
     }
     let [force, moment] = saved.load.map(DVec3::from_array);
     Ok(HeldJoint { id, multipliers: saved.multipliers, body: saved.body, force, moment })
+}
+
+fn restored_limit(core: &Core, (id, multiplier): &(Contact, f64)) -> Result<HeldLimit, SnapshotError> {
+    Ok(HeldLimit { id: restored_id(&core.world, id)?, multiplier: *multiplier })
 }
 
 fn save_pair(pair: &PairPatches) -> content::PairPatches {

@@ -1,8 +1,8 @@
 //! A group of islands and its step: what one task computes.
 //!
-//! Groups are filled with whole islands until they have [`FULL`] patches, whatever the number of threads, so that sums have one order.
+//! Groups are filled with whole islands until they have [`FULL`] patches and joints, whatever the number of threads, so that sums have one order.
 
-use super::held::{Held, HeldJoint};
+use super::held::{Held, HeldJoint, HeldLimit};
 use super::rules::Rules;
 use super::turning::turn;
 use crate::Momentum;
@@ -15,7 +15,7 @@ use polhode_response::sequential_impulses::{
 };
 use polhode_spatial::{DMat3, DVec3, Velocity};
 
-/// Patches of a group that takes no further island: work for a task that is worth its start.
+/// Patches and joints of a group that takes no further island: work for a task that is worth its start.
 pub(super) const FULL: usize = 256;
 
 /// A movable body in the step of its group.
@@ -85,8 +85,8 @@ pub(super) struct Given<'a> {
     pub(super) pairs: &'a [PairPatches],
     /// Number of each body in the solver of its group.
     pub(super) numbers: &'a [u32],
-    /// Joints after the last step, ascending.
-    pub(super) held: &'a [HeldJoint],
+    /// Joints after the last step, and limits that pressed, ascending.
+    pub(super) held: (&'a [HeldJoint], &'a [HeldLimit]),
     /// Start of the step, s.
     pub(super) t: f64,
     /// Factor on impulses of the last step: its length over that of the substeps now (no unit).
@@ -108,7 +108,7 @@ impl Group {
         self.solver.prepare();
         let rules = given.rules;
         if rules.has_loads {
-            self.present = given.states.to_vec();
+            given.states.clone_into(&mut self.present);
         }
         self.find_rows(given);
         for substep in 0..rules.substeps {
@@ -120,8 +120,8 @@ impl Group {
             } else {
                 self.held.start_again(&mut self.solver);
             }
-            self.held.sweep(&mut self.solver, &rules.soft);
-            self.report.works += self.solver.sweep(stage, &rules.soft);
+            let booked = self.sweep_softly(stage, rules);
+            self.report.works += booked;
             self.take_velocities();
             self.move_bodies(given.world, rules.h);
             for (number, velocity) in &self.drivers {
@@ -129,8 +129,7 @@ impl Group {
                 self.solver.body_mut(*number).set_displacement(velocity.linear * time, velocity.angular * time);
             }
             self.find_rows(given);
-            self.held.sweep(&mut self.solver, &rules.relax);
-            self.solver.sweep_conjugate(rules.relax_sweeps, &rules.relax);
+            self.relax(rules);
             self.take_velocities();
             self.book();
             self.report.works.resting_j += self.held.end_substep(&self.solver, &self.present);
@@ -150,12 +149,33 @@ impl Group {
         self.report.given_j = self.members.iter().map(|member| member.given_j).sum();
     }
 
+    /// Joints and contacts in turns, while both are pushed softly to where they hold. What a contact gives a body its joints pass on, and what they then do
+    /// at the contact it corrects: after one turn a limb that hits the ground would open its joint by as far as it flies in a substep.
+    fn sweep_softly(&mut self, stage: SweepStage, rules: &Rules) -> Works {
+        self.held.sweep(&mut self.solver, &rules.soft_joints);
+        let booked = self.solver.sweep(stage, &rules.soft);
+        if !self.held.is_empty() {
+            self.held.sweep(&mut self.solver, &rules.soft_joints);
+            self.solver.sweep(SweepStage::First, &rules.soft);
+        }
+        booked
+    }
+
+    /// The same without the push, after a movement.
+    fn relax(&mut self, rules: &Rules) {
+        self.held.sweep(&mut self.solver, &rules.relax);
+        self.solver.sweep_conjugate(rules.relax_sweeps, &rules.relax);
+        if !self.held.is_empty() {
+            self.held.sweep(&mut self.solver, &rules.relax);
+            self.solver.sweep(SweepStage::First, &rules.relax);
+        }
+    }
+
     /// The rows of joints where the bodies are now.
     fn find_rows(&mut self, given: &Given<'_>) {
         if given.world.has_rows() {
             self.members.iter().for_each(|member| self.present[member.body] = member.state);
-            let states = (&self.present[..], &self.bodies[..]);
-            self.held.find_rows((given.world, &self.solver), states, given.numbers);
+            self.held.find_rows(given.world, &self.solver, &self.present);
         }
     }
 
@@ -192,12 +212,12 @@ impl Group {
         self.solver.clear();
         self.members.clear();
         self.drivers.clear();
-        self.held.clear();
         for place in 0..self.bodies.len() {
             let body = self.bodies[place];
             let Some(rigid) = &world.bodies[body].rigid else { continue };
             self.add_member(rigid, body, &states[body], world.free_acceleration(body) * given.rules.h);
         }
+        self.held.load((world, &self.solver), (states, &self.bodies), given.numbers);
         // Kinematic bodies follow: each patch with one has it for itself.
         for number in 0..self.patches.len() {
             let place = self.patches[number];

@@ -1,22 +1,23 @@
 //! The joints of a group: their rows in the present poses, and what they give.
 //!
-//! The bilateral constraints of the bodies (`World::bilaterals`: pivots and joints) and the limits of their coordinates become joints of
+//! The pivots and joints of the bodies and the limits of their coordinates become joints of
 //! `polhode_response::sequential_impulses`. Rows are found anew after every movement, so that an axis that turns by some degrees in a step is
-//! followed. The impulses of holding rows start the next step; limits start from nothing.
+//! followed. The impulses of the last substep start the next step.
 //!
 //! Assumption: no member is kinematic, and no coordinate has forces of its own (`TierFeature::AllOfJoints` refuses these). Failure: loads that need
 //! more rounds than there are sweeps leave gaps, which the certificate tells.
 
 use crate::collision::contact_id::ContactId;
 use crate::constraint::ConstraintId;
-use crate::constraint::bilateral::Bilateral;
+use crate::constraint::joint::pivot_rows;
+use crate::constraint::row::{BilateralRow, Member, RowsAt};
 use crate::world::World;
 use crate::{Momentum, MomentumSum};
 use polhode_dynamics::BodyState;
 use polhode_response::sequential_impulses::{
     BodyImpulse, ImpulseJoint, JointImpulses, JointLaw, JointRow, MOST_JOINT_ROWS, SequentialImpulses, SweepRule,
 };
-use polhode_spatial::DVec3;
+use polhode_spatial::{DVec3, Velocity};
 
 /// A joint or a pivot after a step: what the next one starts from, and what it has done.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,9 +31,27 @@ pub(super) struct HeldJoint {
     pub(super) moment: DVec3,
 }
 
-/// What a joint of the solver is: of a constraint, none of a limit; and the bodies of its two sides.
+/// A limit that pressed in the last substep of a step: what the next one starts from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct HeldLimit {
+    pub(super) id: ContactId,
+    /// Its impulse, N s.
+    pub(super) multiplier: f64,
+}
+
+/// What a joint of the solver is.
+#[derive(Debug, Clone, Copy)]
+enum Source {
+    Pivot(usize),
+    /// The place of the joint in the world.
+    Joint(usize),
+    Limit(ContactId),
+}
+
+/// A joint of the solver: what it is of, its identity after the step (none of a limit), and the bodies of its two sides.
 #[derive(Debug, Clone, Copy)]
 struct Known {
+    source: Source,
     id: Option<ConstraintId>,
     sides: [Option<usize>; 2],
 }
@@ -42,6 +61,7 @@ struct Known {
 pub(super) struct Held {
     joints: JointImpulses,
     known: Vec<Known>,
+    rows: Vec<JointRow>,
     support: MomentumSum,
 }
 
@@ -51,75 +71,79 @@ impl Held {
         self.joints.is_empty()
     }
 
-    /// Removes all.
-    pub(super) fn clear(&mut self) {
-        self.joints.clear();
-        self.known.clear();
-        self.support = MomentumSum::default();
-    }
-
-    /// The rows of these bodies, ascending, in these states. `numbers` are those of the bodies in the solver.
-    pub(super) fn find_rows(
+    /// Takes the joints of these bodies, ascending, in these states. `numbers` are those of the bodies in the solver.
+    pub(super) fn load(
         &mut self,
         (world, solver): (&World, &SequentialImpulses),
         (states, bodies): (&[BodyState], &[usize]),
         numbers: &[u32],
     ) {
+        self.joints.clear();
+        self.known.clear();
+        self.support = MomentumSum::default();
         if !world.has_rows() {
             return;
         }
-        let mut place = 0;
-        let mut set = |known: Known, law: JointLaw, rows: &[JointRow]| {
-            let mut joint = ImpulseJoint {
-                bodies: known.sides.map(|body| body.map_or(SequentialImpulses::IMMOVABLE, |body| numbers[body])),
-                law,
-                rows: [JointRow::default(); MOST_JOINT_ROWS],
-                count: rows.len(),
-            };
-            joint.rows.iter_mut().zip(rows).for_each(|(to, row)| *to = *row);
-            self.joints.set(solver, place, joint);
-            if self.known.len() == place {
-                self.known.push(known);
-            }
-            place += 1;
-        };
-        for bilateral in world.bilaterals(states, bodies) {
-            let rows = rows_of(&bilateral);
-            let sides = [0, 1].map(|side| bilateral.members.get(side).map(|member| member.body));
-            set(Known { id: Some(bilateral.id), sides }, JointLaw::Hold, &rows);
+        let pivots = bodies.iter().filter(|&&body| world.bodies[body].held.is_some());
+        let pivots = pivots.map(|&body| (Source::Pivot(body), Some(ConstraintId::Pivot { body })));
+        let joints = world.joint_places_among(bodies);
+        let joints = joints.into_iter().map(|place| (Source::Joint(place), Some(world.joints[place].id())));
+        for (source, id) in pivots.chain(joints) {
+            let at = rows_at(world, states, source);
+            let sides = [0, 1].map(|side| at.as_ref()?.members.get(side).map(|member| member.body));
+            self.add(Known { source, id, sides }, JointLaw::Hold, at.map_or(0, |at| at.rows.len()), numbers);
         }
         for (a, b) in world.joint_contact_pairs_among(bodies) {
             for &feature in world.joint_contacts_of_pair((a, b)) {
                 let id = ContactId { a, b, feature };
-                let sides = [Some(a), id.second()];
-                let row = world.joint_contact_kinematics(states, id).map(|at| {
-                    let (normal, point) = (at.geometry.normal, at.geometry.point);
-                    let forces = [normal, if id.second().is_some() { -normal } else { DVec3::ZERO }];
-                    let arm = |body: usize| point - states[body].pose.translation;
-                    JointRow {
-                        forces,
-                        moments: [arm(a).cross(forces[0]), arm(b).cross(forces[1])],
-                        gap: at.geometry.separation,
-                    }
-                });
-                set(Known { id: None, sides }, JointLaw::Limit, row.as_slice());
+                let known = Known { source: Source::Limit(id), id: None, sides: [Some(a), id.second()] };
+                self.add(known, JointLaw::Limit, 1, numbers);
             }
         }
+        self.joints.prepare(solver);
+    }
+
+    fn add(&mut self, known: Known, law: JointLaw, rows: usize, numbers: &[u32]) {
+        let bodies = known.sides.map(|body| body.map_or(SequentialImpulses::IMMOVABLE, |body| numbers[body]));
+        self.joints.add(ImpulseJoint { bodies, law, rows });
+        self.known.push(known);
+    }
+
+    /// The rows in these states.
+    pub(super) fn find_rows(&mut self, world: &World, solver: &SequentialImpulses, states: &[BodyState]) {
+        for (number, known) in self.known.iter().enumerate() {
+            self.rows.clear();
+            if let Source::Limit(id) = known.source {
+                self.rows.extend(limit_row(world, states, id));
+            } else if let Some(at) = rows_at(world, states, known.source) {
+                self.rows.extend(at.rows.iter().map(|row| row_of(row, &at.members)));
+            }
+            self.joints.set_rows(number, &self.rows);
+        }
+        self.joints.factor(solver);
     }
 
     /// Gives the impulses that are known from the last step, times `warm`.
-    pub(super) fn start(&mut self, solver: &mut SequentialImpulses, last: &[HeldJoint], warm: f64) {
+    pub(super) fn start(&mut self, solver: &mut SequentialImpulses, last: (&[HeldJoint], &[HeldLimit]), warm: f64) {
+        let (joints, limits) = last;
         for (number, known) in self.known.iter().enumerate() {
-            let Some(id) = known.id else { continue };
-            if let Ok(place) = last.binary_search_by_key(&id, |held| held.id) {
-                self.joints.start(solver, number, last[place].multipliers.map(|impulse| impulse * warm));
+            let multipliers = if let Source::Limit(id) = known.source {
+                let place = limits.binary_search_by_key(&id, |held| held.id).ok();
+                place.map(|place| [limits[place].multiplier, 0.0, 0.0, 0.0, 0.0, 0.0])
+            } else {
+                let place = known.id.and_then(|id| joints.binary_search_by_key(&id, |held| held.id).ok());
+                place.map(|place| joints[place].multipliers)
+            };
+            if let Some(multipliers) = multipliers {
+                self.joints.set_multipliers(number, multipliers.map(|impulse| impulse * warm));
             }
         }
+        self.joints.start(solver);
     }
 
     /// Starts a later substep: the impulses of the one before, which act again, are turned with the rows.
     pub(super) fn start_again(&mut self, solver: &mut SequentialImpulses) {
-        self.joints.start_again(solver);
+        self.joints.start(solver);
     }
 
     /// A sweep over all.
@@ -170,16 +194,46 @@ impl Held {
             Some(HeldJoint { id, multipliers: self.joints.multipliers(number), body, force, moment })
         })
     }
+
+    /// The limits that pressed in the last substep.
+    pub(super) fn limits_after(&self) -> impl Iterator<Item = HeldLimit> + '_ {
+        self.known.iter().enumerate().filter_map(|(number, known)| {
+            let Source::Limit(id) = known.source else { return None };
+            let multiplier = self.joints.multipliers(number)[0];
+            (multiplier > 0.0).then_some(HeldLimit { id, multiplier })
+        })
+    }
 }
 
-/// The rows of a constraint.
-fn rows_of(bilateral: &Bilateral) -> Vec<JointRow> {
-    let of = |row: &crate::constraint::row::BilateralRow| {
-        let mut own = JointRow { gap: row.gap, ..JointRow::default() };
-        for (side, member) in bilateral.members.iter().take(2).enumerate() {
-            (own.forces[side], own.moments[side]) = row.entries(member);
+/// The rows of a pivot or a joint where the bodies are; rates are not asked for. None of a limit.
+fn rows_at(world: &World, states: &[BodyState], source: Source) -> Option<RowsAt> {
+    let at = |body: usize| (states[body].pose, Velocity::default());
+    match source {
+        Source::Pivot(body) => {
+            let held = world.bodies[body].held?;
+            Some(pivot_rows((body, held.arm), held.place, at))
         }
-        own
-    };
-    bilateral.rows.iter().map(of).collect()
+        Source::Joint(place) => Some(world.joints[place].rows_at(at)),
+        Source::Limit(_) => None,
+    }
+}
+
+/// A row of these members for the solver.
+fn row_of(row: &BilateralRow, members: &[Member]) -> JointRow {
+    let mut own = JointRow { gap: row.gap, ..JointRow::default() };
+    if let Some(first) = members.first() {
+        (own.force, own.moments[0]) = row.entries(first);
+    }
+    if let Some(second) = members.get(1) {
+        own.moments[1] = row.entries(second).1;
+    }
+    own
+}
+
+/// The row of a limit of a joint; none where its coordinate has no direction.
+fn limit_row(world: &World, states: &[BodyState], id: ContactId) -> Option<JointRow> {
+    let geometry = world.joint_contact_kinematics(states, id)?.geometry;
+    let moment = |body: usize| (geometry.point - states[body].pose.translation).cross(geometry.normal);
+    let second = id.second().map_or(DVec3::ZERO, |second| -moment(second));
+    Some(JointRow { force: geometry.normal, moments: [moment(id.a), second], gap: geometry.separation })
 }

@@ -1,9 +1,11 @@
 //! Islands at rest, which the steps leave out until something reaches them.
 //!
-//! Every [`EVERY`] steps each island is looked at whose bodies are slower than a step can tell from rest ([`SLOW`]). Where forces of its contacts hold it
-//! (`crate::solve::held_at_rest`), its velocities are zero from then on, exactly, and what they had is booked as rest. An island that could not be held is
+//! Every [`EVERY`] steps each island is looked at whose bodies are slower than a step can tell from rest ([`SLOW`]). Where forces of its contacts, its
+//! joints and their limits hold it (`crate::solve::held_at_rest`: contacts push within their cones of friction, joints by forces of either sign), its velocities are zero from then on, exactly, and what they had is booked as rest. An island that could not be held is
 //! tried again after twice the time. It wakes as a whole where a body that moves may reach one of its own within a step, and by actions of
 //! a program.
+//!
+//! A pendulum at its turning point is as slow, but no force of its joint bears its weight there: it swings on.
 //!
 //! Assumption: nothing on the bodies depends on time; islands with force fields or beside a body of prescribed motion do not rest.
 
@@ -13,10 +15,11 @@ use crate::SimulationError;
 use crate::collision::contact_id::{ContactId, Feature};
 use crate::collision::contact_set::{FoundContact, Touch};
 use crate::collision::face_patches::PairPatches;
+use crate::constraint::joint::WorldJoint;
 use crate::core::Core;
 use crate::solve::held_at_rest::HeldAtRest;
-use crate::world::{Loads, World};
-use polhode_contact::ContactKinematics;
+use crate::world::World;
+use polhode_contact::{ContactFeature, ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 use polhode_spatial::DisjointSets;
@@ -68,7 +71,7 @@ fn slow_islands(course: &mut Course, world: &World, rules: &Rules) -> Vec<Vec<us
         .map(|body| {
             world.bodies[body].moves()
                 && !course.resting[body]
-                && !world.is_loaded(body)
+                && !world.has_fields_on(body)
                 && world.point_speed(&course.states, body) <= slow
         })
         .collect();
@@ -86,6 +89,11 @@ fn slow_islands(course: &mut Course, world: &World, rules: &Rules) -> Vec<Vec<us
             [false, false] => {}
         }
     }
+    for (a, b) in world.joints.iter().map(WorldJoint::pair) {
+        if awake(course, a) && awake(course, b) {
+            sets.join(a, b);
+        }
+    }
     let mut islands: Vec<Vec<usize>> = Vec::new();
     let mut place: Vec<Option<usize>> = vec![None; bodies];
     let mut is_slow: Vec<bool> = Vec::new();
@@ -101,20 +109,21 @@ fn slow_islands(course: &mut Course, world: &World, rules: &Rules) -> Vec<Vec<us
     islands.into_iter().zip(is_slow).filter(|(_, is_slow)| *is_slow).map(|(island, _)| island).collect()
 }
 
-/// Whether forces of their contacts hold these bodies at rest.
+/// Whether forces of their contacts, of their joints and of the limits of these hold these bodies at rest.
 fn are_held(course: &Course, core: &Core, island: &[usize]) -> Result<bool, ResponseError> {
     let is_own = |body: usize| island.binary_search(&body).is_ok();
     let mut states = course.states.clone();
     for &body in island {
         states[body] = BodyState::at_rest(states[body].pose);
     }
-    let mut touches = Vec::new();
+    let world = &core.world;
+    let mut touches = limits_that_may_press(course, world, (&states, island));
     for pair in course.pairs.iter().filter(|pair| is_own(pair.a) || is_own(pair.b)) {
         for patch in &pair.patches {
             for point in patch.points() {
-                let geometry = pair.geometry(&states, patch, point);
+                let id = ContactId { a: pair.a, b: pair.b, feature: Feature::Shapes(point.feature) };
+                let geometry = present_geometry(world, &states, id, pair.geometry(&states, patch, point));
                 if geometry.separation <= 0.0 || point.normal_force > 0.0 {
-                    let id = ContactId { a: pair.a, b: pair.b, feature: Feature::Shapes(point.feature) };
                     let kinematics = ContactKinematics { geometry, separation_rate: 0.0, acceleration_bias: 0.0 };
                     touches.push(Touch::from(FoundContact { id, kinematics }));
                 }
@@ -122,10 +131,39 @@ fn are_held(course: &Course, core: &Core, island: &[usize]) -> Result<bool, Resp
         }
     }
     touches.sort_by_key(|touch| touch.id);
-    if touches.is_empty() {
+    let is_alone = touches.is_empty() && !island.iter().any(|&body| world.is_loaded(body));
+    if is_alone {
         return Ok(false);
     }
-    Ok(HeldAtRest::of(&core.world, (core.t, &states), island, &touches, &Loads::default())?.is_some())
+    // Gravity about the pivots of bodies that have no rows for them.
+    let loads = world.loads_on(core.t, &states, island);
+    Ok(HeldAtRest::of(world, (core.t, &states), island, &touches, &loads)?.is_some())
+}
+
+/// Where a contact of a round body is: its point does not turn with the body, as that of a patch does. Of all others what the patch says.
+fn present_geometry(world: &World, states: &[BodyState], id: ContactId, of_patch: ContactGeometry) -> ContactGeometry {
+    match id.feature {
+        Feature::Shapes(ContactFeature::Smooth { .. }) => {
+            world.kinematics(states, id).map_or(of_patch, |at| at.geometry)
+        }
+        _ => of_patch,
+    }
+}
+
+/// The limits of joints of these bodies that are reached, or pressed in the last step.
+fn limits_that_may_press(course: &Course, world: &World, (states, island): (&[BodyState], &[usize])) -> Vec<Touch> {
+    let mut touches = Vec::new();
+    for (a, b) in world.joint_contact_pairs_among(island) {
+        for &feature in world.joint_contacts_of_pair((a, b)) {
+            let id = ContactId { a, b, feature };
+            let Some(kinematics) = world.joint_contact_kinematics(states, id) else { continue };
+            let has_pressed = course.limits.binary_search_by_key(&id, |limit| limit.id).is_ok();
+            if kinematics.geometry.separation <= 0.0 || has_pressed {
+                touches.push(Touch::from(FoundContact { id, kinematics }));
+            }
+        }
+    }
+    touches
 }
 
 /// Wakes the islands at rest that a body may reach within a step: the patches are those of the present. Returns whether any did.
@@ -154,6 +192,9 @@ pub(super) fn wake(course: &mut Course, world: &World, rules: &Rules) -> bool {
     let mut sets = DisjointSets::new(resting.len());
     for pair in course.pairs.iter().filter(|pair| resting[pair.a] && resting[pair.b] && !pair.patches.is_empty()) {
         sets.join(pair.a, pair.b);
+    }
+    for (a, b) in world.joints.iter().map(WorldJoint::pair).filter(|&(a, b)| resting[a] && resting[b]) {
+        sets.join(a, b);
     }
     let mut wakes = vec![false; resting.len()];
     for body in reached.into_iter().filter(|&body| resting[body]) {

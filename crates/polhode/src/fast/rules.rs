@@ -1,7 +1,7 @@
 //! The numbers of a step: softness of contacts, substeps, thresholds.
 //!
 //! A contact gives way as a spring whose frequency is an eighth of the rate of substeps (30 Hz with four in 1/60 s), with the damping ratio
-//! [`DAMPING`]; one with a body that does not move is twice as stiff. Nothing here is an absolute time or length, so that a scene in
+//! [`DAMPING`]; one with a body that does not move is twice as stiff, as joints are, whose damping ratio is [`JOINT_DAMPING`]. Nothing here is an absolute time or length, so that a scene in
 //! other units moves as before. Source: docs/REFERENCES.md, Catto 2024, which has 30 Hz and 3 m/s.
 
 use crate::scene::ContactMethod;
@@ -17,6 +17,10 @@ const DAMPING: f64 = 5.0;
 
 /// How much stiffer contacts with bodies are that do not move (no unit).
 const WITH_FIXED: f64 = 2.0;
+
+/// Damping ratio of a joint (no unit, 1 to 5): a gap closes faster the smaller it is. With 5 the joints of a chain that falls open half as far again as
+/// with 2, and a pendulum loses twice the energy; without a damping of its own, by closing a part of the gap in each substep, long chains gain energy.
+const JOINT_DAMPING: f64 = 2.0;
 
 /// How far overlaps are pushed apart in a step at most, in sizes of the smallest body that moves (no unit, 0.05 to 0.2).
 const PUSH_OF_SIZE: f64 = 0.1;
@@ -35,7 +39,11 @@ pub(super) struct Rules {
     pub(super) h: f64,
     /// Whether other forces act than gravity on centres of mass.
     pub(super) has_loads: bool,
+    /// Whether force fields are among them: they may couple any bodies.
+    pub(super) has_fields: bool,
     pub(super) soft: SweepRule,
+    /// Of joints: as stiff as contacts with bodies that do not move.
+    pub(super) soft_joints: SweepRule,
     pub(super) relax: SweepRule,
     /// Sweeps of the relax stage: with more than one, conjugate gradients are between them.
     pub(super) relax_sweeps: u32,
@@ -58,8 +66,19 @@ impl Rules {
             inverse_step: 1.0 / h,
             colliding: RESTING_STEPS * gravity.length() * whole_s,
         };
+        let joint = Softness::of_spring(WITH_FIXED * frequency, JOINT_DAMPING, h);
+        let soft_joints = SweepRule { between: joint, with_fixed: joint, ..soft };
         let relax = SweepRule { between: Softness::RIGID, with_fixed: Softness::RIGID, ..soft };
-        Self { substeps, h, has_loads: world.has_loads(), soft, relax, relax_sweeps: 1 }
+        Self {
+            substeps,
+            h,
+            has_loads: world.has_loads(),
+            has_fields: world.has_fields(),
+            soft,
+            soft_joints,
+            relax,
+            relax_sweeps: 1,
+        }
     }
 
     /// The same by a method of contact forces.

@@ -548,6 +548,8 @@ pub(crate) struct Fast {
     pub(crate) touching: Vec<(usize, usize)>,
     /// Joints and pivots after the last step.
     pub(crate) held: Vec<HeldJoint>,
+    /// Limits of joints that pressed in the last substep, with their impulses, N s.
+    pub(crate) limits: Vec<(Contact, f64)>,
     pub(crate) grid: u64,
     pub(crate) begun: bool,
 }

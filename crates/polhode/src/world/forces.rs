@@ -145,6 +145,11 @@ impl World {
         self.movable.iter().filter(|&&body| self.is_loaded(body)).count()
     }
 
+    /// Whether force fields act on a body.
+    pub(crate) fn has_fields_on(&self, body: usize) -> bool {
+        self.slot(body).is_some_and(|slot| self.field_index.acts_on(&self.fields, slot))
+    }
+
     /// Whether anything but uniform gravity acts on bodies between contacts.
     pub(crate) fn has_loads(&self) -> bool {
         self.has_rows() || self.free_motion().has_loads()

@@ -15,6 +15,8 @@ mod diamonds;
 mod driven_joints;
 mod energy_after_actions;
 mod fast;
+mod fast_joint_kinds;
+mod fast_joint_rest;
 mod fast_joints;
 mod fixed_steps;
 mod flight;
