@@ -120,8 +120,9 @@ impl Group {
             } else {
                 self.held.start_again(&mut self.solver);
             }
+            let [pushed, relaxed] = rules.orders(substep);
             self.held.sweep(&mut self.solver, &rules.soft);
-            self.report.works += self.solver.sweep(stage, &rules.soft);
+            self.report.works += self.solver.sweep(stage, pushed, &rules.soft);
             self.take_velocities();
             self.move_bodies(given.world, rules.h);
             for (number, velocity) in &self.drivers {
@@ -130,7 +131,7 @@ impl Group {
             }
             self.find_rows(given);
             self.held.sweep(&mut self.solver, &rules.relax);
-            self.solver.sweep_conjugate(rules.relax_sweeps, &rules.relax);
+            self.solver.sweep_conjugate(rules.relax_sweeps, relaxed, &rules.relax);
             self.take_velocities();
             self.book();
             self.report.works.resting_j += self.held.end_substep(&self.solver, &self.present);
