@@ -1,6 +1,6 @@
 //! Manifolds in batches of four, side by side in memory: what the sweeps read and write.
 
-use super::colours::{Colours, GROUPS, NO_COLOUR};
+use super::colours::{BETWEEN_MOVABLE, Colours, GROUPS, NO_COLOUR};
 use super::lanes::{FOUR, Four};
 use super::manifold::{ImpulseManifold, ManifoldPoint};
 use polhode_spatial::DVec3;
@@ -67,6 +67,8 @@ pub(super) struct Place {
 pub(super) struct Batches {
     pub(super) list: Vec<Batch>,
     pub(super) points: Vec<PointRows>,
+    /// How many of the batches, the first ones, have contacts between bodies that impulses move.
+    pub(super) between: usize,
     /// Where each manifold of the input has gone.
     pub(super) places: Vec<Place>,
     colours: Colours,
@@ -79,6 +81,7 @@ impl Batches {
     /// Puts manifolds into batches. `moves` says whether impulses move a body.
     pub(super) fn fill(&mut self, bodies: usize, manifolds: &[ImpulseManifold], moves: impl Fn(u32) -> bool) {
         self.list.clear();
+        self.between = 0;
         self.points.clear();
         self.places.clear();
         self.places.resize(manifolds.len(), Place::default());
@@ -95,6 +98,9 @@ impl Batches {
                 let first = self.points.len();
                 self.points.resize(first + manifold.count, PointRows::default());
                 self.list.push(Batch { first: first as u32, count: manifold.count as u32, ..Batch::default() });
+                if key / (FOUR as u32) < BETWEEN_MOVABLE {
+                    self.between = self.list.len();
+                }
             }
             self.put(number as usize, manifold, used, manifold.bodies.map(&moves));
             used += 1;

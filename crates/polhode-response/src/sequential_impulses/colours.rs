@@ -6,7 +6,7 @@
 //! manifolds than colours has the others solved one after the other.
 
 /// Colours of manifolds between two movable bodies.
-const BETWEEN_MOVABLE: u32 = 44;
+pub(super) const BETWEEN_MOVABLE: u32 = 44;
 
 /// All colours: bits of a word.
 const ALL: u32 = 64;

@@ -30,7 +30,7 @@
 //!
 //! ```
 //! use polhode_response::sequential_impulses::{ImpulseBody, ImpulseManifold, ManifoldPoint, SequentialImpulses};
-//! use polhode_response::sequential_impulses::{Softness, SweepRule, SweepStage};
+//! use polhode_response::sequential_impulses::{Softness, SweepOrder, SweepRule, SweepStage};
 //! use polhode_response::spatial::{DMat3, DVec3};
 //! // A point mass of 2 kg that falls onto the ground at 3 m/s.
 //! let mut solver = SequentialImpulses::default();
@@ -46,7 +46,7 @@
 //! let rule = SweepRule {
 //!     between: Softness::RIGID, with_fixed: Softness::RIGID, push: 0.0, inverse_step: 240.0, colliding: 1.0,
 //! };
-//! solver.sweep(SweepStage::First, &rule);
+//! solver.sweep(SweepStage::First, SweepOrder::Onward, &rule);
 //! assert_eq!(solver.body(body).linear(), DVec3::ZERO);
 //! // The mean of its velocities before and after.
 //! solver.body_mut(body).set_mean_velocity(DVec3::Z * -1.5, DVec3::ZERO);
@@ -76,10 +76,11 @@ pub use body::ImpulseBody;
 pub use joints::{BodyImpulse, ImpulseJoint, JointImpulses, JointLaw, JointRow, MOST_JOINT_ROWS};
 pub use manifold::{ImpulseManifold, MOST_POINTS, ManifoldPoint, PointImpulse};
 pub use residual::Residual;
-pub use sweep::{Softness, SweepRule, SweepStage};
+pub use sweep::{Softness, SweepOrder, SweepRule, SweepStage};
 pub use works::Works;
 
 use batch::Batches;
+use sweep::Sweep;
 use wide::{f64x2, f64x4};
 
 /// How many contacts an instruction works on. It changes the time, and no bit.
@@ -189,18 +190,19 @@ impl SequentialImpulses {
     }
 
     /// One sweep over all contacts. Returns the works that it has booked: those of the substep before where it begins a later one.
-    pub fn sweep(&mut self, stage: SweepStage, rule: &SweepRule) -> Works {
+    pub fn sweep(&mut self, stage: SweepStage, order: SweepOrder, rule: &SweepRule) -> Works {
+        let sweep = Sweep { stage, order, rule, between: self.batches.between };
         let Batches { list: batches, points, .. } = &mut self.batches;
         match self.width {
-            LaneWidth::Two => sweep::sweep::<f64x2>(&mut self.bodies, batches, points, (stage, rule)),
-            LaneWidth::Four => sweep::sweep::<f64x4>(&mut self.bodies, batches, points, (stage, rule)),
+            LaneWidth::Two => sweep::sweep::<f64x2>(&mut self.bodies, batches, points, sweep),
+            LaneWidth::Four => sweep::sweep::<f64x4>(&mut self.bodies, batches, points, sweep),
         }
     }
 
     /// So many sweeps after a movement of the bodies, with steps of conjugate gradients between them (`conjugate`); one sweep is [`Self::sweep`].
-    pub fn sweep_conjugate(&mut self, sweeps: u32, rule: &SweepRule) {
+    pub fn sweep_conjugate(&mut self, sweeps: u32, order: SweepOrder, rule: &SweepRule) {
         if sweeps <= 1 {
-            self.sweep(SweepStage::Moved, rule);
+            self.sweep(SweepStage::Moved, order, rule);
             return;
         }
         self.memory.clear();
@@ -208,7 +210,7 @@ impl SequentialImpulses {
         let mut last = 0.0;
         for sweep in 0..sweeps {
             conjugate::remember(&self.batches.points, &mut self.memory);
-            self.sweep(if sweep == 0 { SweepStage::Moved } else { SweepStage::First }, rule);
+            self.sweep(if sweep == 0 { SweepStage::Moved } else { SweepStage::First }, order, rule);
             if sweep + 1 == sweeps {
                 break;
             }
@@ -276,6 +278,8 @@ mod tests {
         colliding: 0.3,
     };
 
+    const ONWARD: SweepOrder = SweepOrder::Onward;
+
     fn energy(solver: &SequentialImpulses) -> f64 {
         let of = |number: u32| {
             let body = solver.body(number);
@@ -335,8 +339,8 @@ mod tests {
         solver.prepare();
         solver.warm_start();
         for (stage, relax) in [(SweepStage::First, SweepStage::Moved), (SweepStage::Next, SweepStage::Moved)] {
-            works += solver.sweep(stage, &RULE);
-            works += solver.sweep(relax, &RULE);
+            works += solver.sweep(stage, ONWARD, &RULE);
+            works += solver.sweep(relax, SweepOrder::Back, &RULE);
             let after = velocities(solver);
             for ((number, (v0, w0)), (v1, w1)) in (1..).zip(&before).zip(&after) {
                 let body = solver.body_mut(number);
@@ -399,30 +403,64 @@ mod tests {
         for (cubes, sweeps) in [(10, 20), (20, 40), (20, 80), (40, 80)] {
             let [mut plain, mut conjugate] = [stack(LaneWidth::Two, cubes), stack(LaneWidth::Two, cubes)];
             (0..sweeps).for_each(|_| {
-                plain.sweep(SweepStage::Moved, &rule);
+                plain.sweep(SweepStage::Moved, ONWARD, &rule);
             });
-            conjugate.sweep_conjugate(sweeps, &rule);
+            conjugate.sweep_conjugate(sweeps, ONWARD, &rule);
             let [plain, left] = [plain, conjugate].map(|solver| solver.residual(&rule).map);
             assert!(left < 0.5 * plain, "{cubes} cubes, {sweeps} sweeps: {left} for {plain}");
             let mut wide = stack(LaneWidth::Four, cubes);
-            wide.sweep_conjugate(sweeps, &rule);
+            wide.sweep_conjugate(sweeps, ONWARD, &rule);
             assert_eq!(wide.residual(&rule).map, left);
         }
         let [mut one, mut other] = [stack(LaneWidth::Two, 5), stack(LaneWidth::Two, 5)];
-        one.sweep(SweepStage::Moved, &rule);
-        other.sweep_conjugate(1, &rule);
+        one.sweep(SweepStage::Moved, ONWARD, &rule);
+        other.sweep_conjugate(1, ONWARD, &rule);
         assert_eq!(one.bodies, other.bodies);
+    }
+
+    /// In both orders a falling chain of points stands on the ground after a sweep: contacts with what does not move are the last ones. The contacts between
+    /// points change places: onward the lower one is solved first, back the upper one.
+    #[test]
+    fn a_sweep_back_turns_the_order_of_contacts_between_bodies_that_move() {
+        let rule = SweepRule { between: Softness::RIGID, with_fixed: Softness::RIGID, ..RULE };
+        let of = |order: SweepOrder| {
+            let mut solver = SequentialImpulses::default();
+            for below in 0..3 {
+                let body = solver.add_body(ImpulseBody::new(1.0, DMat3::ZERO));
+                solver.body_mut(body).set_velocity(DVec3::Z * -f64::from(1 << below), DVec3::ZERO);
+                solver.add(ImpulseManifold {
+                    bodies: [body, below],
+                    normal: DVec3::Z,
+                    tangent: DVec3::X,
+                    between: DVec3::ZERO,
+                    friction: 0.0,
+                    restitution: 0.0,
+                    points: Default::default(),
+                    count: 1,
+                });
+            }
+            solver.prepare();
+            solver.sweep(SweepStage::First, order, &rule);
+            [1, 2, 3].map(|body| solver.body(body).linear().z)
+        };
+        // At -1, -2 and -4 m/s: the lower pair comes to -1.5, then the upper one to -2.75; or the upper one to -3, then the lower one to -2.
+        assert_eq!(of(ONWARD), [0.0, -2.75, -2.75]);
+        assert_eq!(of(SweepOrder::Back), [0.0, -2.0, -3.0]);
     }
 
     #[test]
     fn many_sweeps_come_to_the_law() {
-        let mut solver = heap(LaneWidth::Two);
-        solver.prepare();
         let rule = SweepRule { between: Softness::RIGID, with_fixed: Softness::RIGID, ..RULE };
-        for _ in 0..20_000 {
-            solver.sweep(SweepStage::First, &rule);
+        for orders in [[ONWARD; 2], [SweepOrder::Back; 2], [ONWARD, SweepOrder::Back]] {
+            let mut solver = heap(LaneWidth::Two);
+            solver.prepare();
+            for _ in 0..10_000 {
+                for order in orders {
+                    solver.sweep(SweepStage::First, order, &rule);
+                }
+            }
+            let residual = solver.residual(&rule);
+            assert!(residual.map < 1e-9, "{orders:?}: {residual:?}");
         }
-        let residual = solver.residual(&rule);
-        assert!(residual.map < 1e-9, "{residual:?}");
     }
 }

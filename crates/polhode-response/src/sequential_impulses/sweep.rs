@@ -58,6 +58,25 @@ pub enum SweepStage {
     Moved,
 }
 
+/// In which order a sweep goes through the contacts. A sweep back is the adjoint of one onward: both together damp errors without making them swing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SweepOrder {
+    /// Colour by colour, contacts with bodies that impulses do not move last.
+    Onward,
+    /// The contacts between bodies that move from the last to the first, and then those with others as before: nothing that these lean on gives way.
+    Back,
+}
+
+/// A sweep: what it does, in which order, and by which rule.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sweep<'a> {
+    pub(super) stage: SweepStage,
+    pub(super) order: SweepOrder,
+    pub(super) rule: &'a SweepRule,
+    /// How many of the batches are between bodies that impulses move.
+    pub(super) between: usize,
+}
+
 /// What all contacts of a sweep have in common.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SweepRule {
@@ -73,18 +92,18 @@ pub struct SweepRule {
     pub colliding: f64,
 }
 
-/// A sweep over all batches, in order. Returns the change of energy that it has booked.
+/// A sweep over all batches. Returns the change of energy that it has booked.
 pub(super) fn sweep<L: Lanes>(
     bodies: &mut [ImpulseBody],
     batches: &[Batch],
     points: &mut [PointRows],
-    (stage, rule): (SweepStage, &SweepRule),
+    sweep: Sweep<'_>,
 ) -> Works {
     // A kernel for each stage.
-    match stage {
-        SweepStage::First => sweep_all::<L>(bodies, batches, points, (SweepStage::First, rule)),
-        SweepStage::Next => sweep_all::<L>(bodies, batches, points, (SweepStage::Next, rule)),
-        SweepStage::Moved => sweep_all::<L>(bodies, batches, points, (SweepStage::Moved, rule)),
+    match sweep.stage {
+        SweepStage::First => sweep_all::<L>(bodies, batches, points, Sweep { stage: SweepStage::First, ..sweep }),
+        SweepStage::Next => sweep_all::<L>(bodies, batches, points, Sweep { stage: SweepStage::Next, ..sweep }),
+        SweepStage::Moved => sweep_all::<L>(bodies, batches, points, Sweep { stage: SweepStage::Moved, ..sweep }),
     }
 }
 
@@ -93,10 +112,14 @@ fn sweep_all<L: Lanes>(
     bodies: &mut [ImpulseBody],
     batches: &[Batch],
     points: &mut [PointRows],
-    (stage, rule): (SweepStage, &SweepRule),
+    Sweep { stage, order, rule, between }: Sweep<'_>,
 ) -> Works {
     let mut works = FourWorks::default();
-    for batch in batches {
+    for place in 0..batches.len() {
+        let batch = match order {
+            SweepOrder::Back if place < between => &batches[between - 1 - place],
+            SweepOrder::Onward | SweepOrder::Back => &batches[place],
+        };
         let rows = &mut points[batch.first as usize..(batch.first + batch.count) as usize];
         for part in 0..FOUR / L::WIDTH {
             match stage {

@@ -82,7 +82,7 @@ impl FastEngine {
     fn rules(core: &Core, step_s: f64) -> Rules {
         let settings = &core.settings;
         let rules = Rules::new(step_s, settings.step_s, settings.substeps.unwrap_or(SUBSTEPS), &core.world);
-        rules.by(settings.contact)
+        rules.by(settings.contact).after(core.accounts.steps())
     }
 
     /// One step to `t_next`.

@@ -11,7 +11,8 @@ use crate::world::{Loads, World};
 use polhode_contact::tangent_basis;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::sequential_impulses::{
-    ImpulseBody, ImpulseManifold, MOST_POINTS, ManifoldPoint, Residual, SequentialImpulses, SweepStage, Works,
+    ImpulseBody, ImpulseManifold, MOST_POINTS, ManifoldPoint, Residual, SequentialImpulses, SweepOrder, SweepStage,
+    Works,
 };
 use polhode_spatial::{DMat3, DVec3, Velocity};
 
@@ -120,7 +121,8 @@ impl Group {
             } else {
                 self.held.start_again(&mut self.solver);
             }
-            let booked = self.sweep_softly(stage, rules);
+            let [pushed, relaxed] = rules.orders(substep);
+            let booked = self.sweep_softly(stage, pushed, rules);
             self.report.works += booked;
             self.take_velocities();
             self.move_bodies(given.world, rules.h);
@@ -129,7 +131,7 @@ impl Group {
                 self.solver.body_mut(*number).set_displacement(velocity.linear * time, velocity.angular * time);
             }
             self.find_rows(given);
-            self.relax(rules);
+            self.relax(relaxed, rules);
             self.take_velocities();
             self.book();
             self.report.works.resting_j += self.held.end_substep(&self.solver, &self.present);
@@ -151,23 +153,23 @@ impl Group {
 
     /// Joints and contacts in turns, while both are pushed softly to where they hold. What a contact gives a body its joints pass on, and what they then do
     /// at the contact it corrects: after one turn a limb that hits the ground would open its joint by as far as it flies in a substep.
-    fn sweep_softly(&mut self, stage: SweepStage, rules: &Rules) -> Works {
+    fn sweep_softly(&mut self, stage: SweepStage, order: SweepOrder, rules: &Rules) -> Works {
         self.held.sweep(&mut self.solver, &rules.soft_joints);
-        let booked = self.solver.sweep(stage, &rules.soft);
+        let booked = self.solver.sweep(stage, order, &rules.soft);
         if !self.held.is_empty() {
             self.held.sweep(&mut self.solver, &rules.soft_joints);
-            self.solver.sweep(SweepStage::First, &rules.soft);
+            self.solver.sweep(SweepStage::First, order, &rules.soft);
         }
         booked
     }
 
     /// The same without the push, after a movement.
-    fn relax(&mut self, rules: &Rules) {
+    fn relax(&mut self, order: SweepOrder, rules: &Rules) {
         self.held.sweep(&mut self.solver, &rules.relax);
-        self.solver.sweep_conjugate(rules.relax_sweeps, &rules.relax);
+        self.solver.sweep_conjugate(rules.relax_sweeps, order, &rules.relax);
         if !self.held.is_empty() {
             self.held.sweep(&mut self.solver, &rules.relax);
-            self.solver.sweep(SweepStage::First, &rules.relax);
+            self.solver.sweep(SweepStage::First, order, &rules.relax);
         }
     }
 

@@ -6,7 +6,7 @@
 //! 1. gravity and forces act on the velocities;
 //! 2. the impulses of the substep before act again, and one sweep over all contacts corrects them, while overlaps are pushed apart softly;
 //! 3. the bodies move;
-//! 4. another sweep, without the push, takes out the velocity that it gave.
+//! 4. another sweep the other way, without the push, takes out the velocity that it gave.
 //!
 //! Joints are swept before contacts, their rows found anew after every movement. At the end contacts that collided part again with their restitution. Friction is Coulomb's at each point, in a disc. Sources and formulas:
 //! `polhode_response::sequential_impulses`, docs/contact-methods/fast.md. Failure: none that stops a run; with few substeps tall stacks and large mass

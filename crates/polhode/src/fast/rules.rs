@@ -1,19 +1,23 @@
 //! The numbers of a step: softness of contacts, substeps, thresholds.
 //!
 //! A contact gives way as a spring whose frequency is an eighth of the rate of substeps (30 Hz with four in 1/60 s), with the damping ratio
-//! [`DAMPING`]; one with a body that does not move is twice as stiff, as joints are, whose damping ratio is [`JOINT_DAMPING`]. Nothing here is an absolute time or length, so that a scene in
-//! other units moves as before. Source: docs/REFERENCES.md, Catto 2024, which has 30 Hz and 3 m/s.
+//! [`DAMPING`]; one with a body that does not move is twice as stiff ([`DAMPING_WITH_FIXED`]), as joints are ([`JOINT_DAMPING`]). Nothing here is an
+//! absolute time or length, so that a scene in other units moves as before. Source: docs/REFERENCES.md, Catto 2024, which has 30 Hz, the damping ratio 10
+//! and 3 m/s.
 
 use crate::scene::ContactMethod;
 use crate::world::World;
-use polhode_response::sequential_impulses::{Softness, SweepRule};
+use polhode_response::sequential_impulses::{Softness, SweepOrder, SweepRule};
 
 /// Frequency of the spring of a contact as a part of the rate of substeps (no unit): a quarter is the most that is followed.
 const OF_THE_RATE: f64 = 0.125;
 
-/// Damping ratio of a contact (no unit): overlaps are pushed apart without a bounce. What a contact forgets of its impulse in a substep is what damps the
-/// swings of a whole stack on the impulses that it carries over; with 10 a pyramid of twenty rows swings for ever, with 5 it comes to rest.
-const DAMPING: f64 = 5.0;
+/// Damping ratio of a contact (no unit, 5 to 10): overlaps are pushed apart without a bounce. The larger, the less a tall stack sinks before it is borne, and
+/// the longer it swings: a contact forgets `1 / (1 + h w (2 z + h w))` of its impulse in a substep, a thirteenth here.
+const DAMPING: f64 = 7.5;
+
+/// That of a contact with a body that does not move (no unit): nothing swings on a contact that stands on the ground.
+const DAMPING_WITH_FIXED: f64 = 5.0;
 
 /// How much stiffer contacts with bodies are that do not move (no unit).
 const WITH_FIXED: f64 = 2.0;
@@ -47,6 +51,8 @@ pub(super) struct Rules {
     pub(super) relax: SweepRule,
     /// Sweeps of the relax stage: with more than one, conjugate gradients are between them.
     pub(super) relax_sweeps: u32,
+    /// Substeps of all steps before, if the steps are of one kind; only whether they are even or odd matters.
+    substeps_before: u64,
 }
 
 impl Rules {
@@ -61,7 +67,7 @@ impl Rules {
         let smallest = moving.map(|body| body.size).fold(f64::INFINITY, f64::min);
         let soft = SweepRule {
             between: Softness::of_spring(frequency, DAMPING, h),
-            with_fixed: Softness::of_spring(WITH_FIXED * frequency, DAMPING, h),
+            with_fixed: Softness::of_spring(WITH_FIXED * frequency, DAMPING_WITH_FIXED, h),
             push: PUSH_OF_SIZE * smallest / whole_s,
             inverse_step: 1.0 / h,
             colliding: RESTING_STEPS * gravity.length() * whole_s,
@@ -78,6 +84,7 @@ impl Rules {
             soft_joints,
             relax,
             relax_sweeps: 1,
+            substeps_before: 0,
         }
     }
 
@@ -85,5 +92,21 @@ impl Rules {
     pub(super) fn by(self, contact: ContactMethod) -> Self {
         let relax_sweeps = if contact == ContactMethod::ConjugateGradients { CONJUGATE_SWEEPS } else { 1 };
         Self { relax_sweeps, ..self }
+    }
+
+    /// The same after so many steps.
+    pub(super) fn after(self, steps: u64) -> Self {
+        Self { substeps_before: steps.wrapping_mul(u64::from(self.substeps)), ..self }
+    }
+
+    /// The orders of both sweeps of a substep: onward and back, in the next one back and onward, and so on from step to step.
+    ///
+    /// What a sweep leaves of an error is no symmetric matrix times it: errors turn as they fade, and the impulses that are carried over make a stack
+    /// swing. A sweep and its adjoint, which goes back, leave a symmetric one, without negative eigenvalues: nothing turns. So the sweeps of a substep are
+    /// adjoint to each other, and those of one kind in two substeps are. Source: docs/REFERENCES.md, Saad 2003, 4.1 (symmetric Gauss-Seidel).
+    pub(super) fn orders(&self, substep: u32) -> [SweepOrder; 2] {
+        use SweepOrder::{Back, Onward};
+        let is_even = self.substeps_before.wrapping_add(u64::from(substep)).is_multiple_of(2);
+        if is_even { [Onward, Back] } else { [Back, Onward] }
     }
 }

@@ -205,22 +205,42 @@ fn what_rests_is_exactly_still_until_it_is_hit() {
     assert!(simulation.bodies()[1..4].iter().any(|body| body.velocity != Velocity::ZERO));
 }
 
-/// A pyramid of twenty rows comes to rest: after six seconds no body moves, exactly. (With contacts that forget less of their impulses the
-/// stack swung on what it carried over from step to step, for ever.)
-#[test]
-fn a_pyramid_of_twenty_rows_comes_to_rest() {
-    const ROWS: u32 = 20;
+/// A pyramid of cubes of 1 m that are 5 cm apart beside each other, on a rough floor.
+fn pyramid(rows: u32) -> SceneBuilder {
     let mut scene =
         Scene::builder("pyramid").method(fast(1.0 / 60.0)).duration_s(6.0).body(floor().material(rough(0.5)));
-    for row in 0..ROWS {
-        for place in 0..ROWS - row {
+    for row in 0..rows {
+        for place in 0..rows - row {
             let x = 1.05 * (f64::from(place) + 0.5 * f64::from(row));
             let center = DVec3::new(x, 0.0, f64::from(row) + 0.5);
             scene = scene.body(brick(&format!("b{row}-{place}"), DVec3::ONE, center).material(rough(0.5)));
         }
     }
-    let report = run(scene);
+    scene
+}
+
+/// A pyramid of twenty rows comes to rest: after six seconds no body moves, exactly. (With sweeps that all went the same way, and contacts that forget
+/// less of their impulses, the stack swung on what it carried over from step to step, for ever.)
+#[test]
+fn a_pyramid_of_twenty_rows_comes_to_rest() {
+    let report = run(pyramid(20));
     assert!(report.bodies.iter().all(|body| body.state.velocity.is_zero()), "{:?}", report.energy);
+}
+
+/// A pyramid of forty rows sinks until its contacts bear it, and hardly farther: its top is never lower than three hundredths below where it comes to. (It
+/// was, by seven hundredths, when all sweeps went the same way and contacts forgot more of their impulses.)
+#[test]
+fn a_tall_pyramid_sinks_hardly_farther_than_it_sags() {
+    const ROWS: u32 = 40;
+    let mut simulation = Simulation::new(&pyramid(ROWS).build().unwrap()).unwrap();
+    let top = simulation.bodies().len() - 1;
+    let mut sinks = Vec::new();
+    for look in 1..=36 {
+        simulation.advance_to(0.05 * f64::from(look)).unwrap();
+        sinks.push(f64::from(ROWS) - 0.5 - simulation.bodies()[top].pose.translation.z);
+    }
+    let (largest, last) = (sinks.iter().copied().fold(0.0, f64::max), sinks[35]);
+    assert!(largest < 1.03 * last, "{sinks:?}");
 }
 
 /// A sample a moment after the end of a step, by the rounding of its time, shows the velocities of that step. (Overlaps were pushed
