@@ -12,7 +12,7 @@
 //! Every number of rows has a kernel of its own. Sources: Golub and Van Loan 4.1 (the factors), Catto 2024 (soft constraints, lanes), docs/REFERENCES.md.
 
 use super::body::{Gathered, ImpulseBody, Twist};
-use super::joints::{JointLaw, JointRow, MOST_JOINT_ROWS};
+use super::joint::{JointLaw, JointRow, MOST_JOINT_ROWS};
 use super::lanes::{FOUR, Four, Lanes, Vectors};
 use super::sweep::{Softness, SweepRule};
 use super::works::numbers;

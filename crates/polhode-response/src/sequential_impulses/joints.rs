@@ -20,15 +20,13 @@
 
 use super::body::ImpulseBody;
 use super::colours::{Colours, GROUPS, NO_COLOUR};
+use super::joint::{ImpulseJoint, JointLaw, JointRow, MOST_JOINT_ROWS};
 use super::joint_batch::{self, JointBatch, LaneImpulse, LaneRow};
 use super::lanes::{FOUR, Four, Lanes};
 use super::sweep::SweepRule;
 use super::{LaneWidth, SequentialImpulses};
 use polhode_spatial::DVec3;
 use wide::{f64x2, f64x4};
-
-/// Most rows of a joint: it holds all relative motion.
-pub const MOST_JOINT_ROWS: usize = 6;
 
 /// How often a sweep goes over all joints, forth and back in turn: a load comes along a chain by so many joints more, both ways.
 const ROUNDS: usize = 2;
@@ -38,38 +36,6 @@ const ROUNDS_AFTER_IMPACT: usize = 4;
 
 /// Kinds of batches of one colour: limits, and joints by their number of rows.
 const KINDS: usize = 1 + MOST_JOINT_ROWS;
-
-/// A row: what a unit of its multiplier does.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct JointRow {
-    /// Force on A, and its opposite on B (no unit).
-    pub force: DVec3,
-    /// Moments about the centres of mass of A and B, m.
-    pub moments: [DVec3; 2],
-    /// What the row keeps at zero, m; of a limit what is left of the way.
-    pub gap: f64,
-}
-
-/// What the multipliers of a joint may be.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum JointLaw {
-    /// Of either sign: gaps stay zero.
-    #[default]
-    Hold,
-    /// A limit, with one row: not negative.
-    Limit,
-}
-
-/// A joint without its rows, which change with the poses.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ImpulseJoint {
-    /// Numbers of its bodies in the solver.
-    pub bodies: [u32; 2],
-    /// Its law.
-    pub law: JointLaw,
-    /// How many rows it has: 1 to [`MOST_JOINT_ROWS`].
-    pub rows: usize,
-}
 
 /// An impulse on a body: force part (N s), and moment about its centre of mass (N m s).
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

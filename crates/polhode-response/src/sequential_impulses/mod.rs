@@ -22,6 +22,7 @@
 //! | `patch` | a patch in coordinates of its own |
 //! | `conjugate` | steps of conjugate gradients between sweeps |
 //! | `joints` | [`JointImpulses`]: joints and their limits |
+//! | `joint` | [`ImpulseJoint`]: what is given of a joint |
 //! | `joint_batch` | joints in batches of four, and what the lanes do with them |
 //! | `works` | what impulses do |
 //! | `sweep` | one sweep: the law |
@@ -62,6 +63,7 @@ mod batch;
 mod body;
 mod colours;
 mod conjugate;
+mod joint;
 mod joint_batch;
 mod joints;
 mod lanes;
@@ -73,7 +75,8 @@ mod sweep;
 mod works;
 
 pub use body::ImpulseBody;
-pub use joints::{BodyImpulse, ImpulseJoint, JointImpulses, JointLaw, JointRow, MOST_JOINT_ROWS};
+pub use joint::{ImpulseJoint, JointLaw, JointRow, MOST_JOINT_ROWS};
+pub use joints::{BodyImpulse, JointImpulses};
 pub use manifold::{ImpulseManifold, MOST_POINTS, ManifoldPoint, PointImpulse};
 pub use residual::Residual;
 pub use sweep::{Softness, SweepOrder, SweepRule, SweepStage};

@@ -16,7 +16,7 @@ use crate::observer::Observer;
 use crate::report::RunReport;
 use crate::sampling::emit_samples_before;
 use crate::snapshot::numbers::{read_states, write_states};
-use crate::snapshot::{SnapshotError, content};
+use crate::snapshot::{SnapshotError, content, springs};
 use crate::solve::joint_loads::joint_loads;
 use crate::solve::joint_reactions::JointReactions;
 use crate::tier::{Reached, Tier};
@@ -72,7 +72,7 @@ impl PenaltyEngine {
     ///
     /// # Errors
     /// When the data are not of this scene.
-    pub(crate) fn restored(core: &mut Core, saved: &content::Penalty) -> Result<Self, SnapshotError> {
+    pub(crate) fn restored(core: &mut Core, saved: &springs::Penalty) -> Result<Self, SnapshotError> {
         let bodies = core.world.bodies.len();
         if saved.proposed.len() != bodies || saved.laws.blows.len() != bodies {
             return Err(SnapshotError::Invalid("it does not have one length of step and one blow for each body"));
@@ -402,7 +402,7 @@ impl Tier for PenaltyEngine {
     }
 
     fn save(&self) -> content::Tier {
-        content::Tier::Penalty(content::Penalty {
+        content::Tier::Penalty(springs::Penalty {
             states: write_states(&self.states),
             springs: self.springs.iter().map(save_spring).collect(),
             laws: save_laws(&self.laws),

@@ -6,25 +6,25 @@ use super::measures::{SpringImpact, SpringReport};
 use crate::BodyId;
 use crate::scene::PenaltyMethod;
 use crate::snapshot::parts::{restored_id, save_contact};
-use crate::snapshot::{SnapshotError, content};
+use crate::snapshot::{SnapshotError, springs};
 use crate::world::World;
 use polhode_response::penalty::{Damping, NormalSpring, TangentialSpring};
 use polhode_spatial::DVec3;
 
-pub(super) fn save_laws(laws: &Laws) -> content::SpringLaws {
-    content::SpringLaws { depth_m: laws.depth_m, speed: laws.speed, blows: laws.blows.clone() }
+pub(super) fn save_laws(laws: &Laws) -> springs::SpringLaws {
+    springs::SpringLaws { depth_m: laws.depth_m, speed: laws.speed, blows: laws.blows.clone() }
 }
 
-pub(super) fn restored_laws(method: PenaltyMethod, saved: &content::SpringLaws) -> Laws {
+pub(super) fn restored_laws(method: PenaltyMethod, saved: &springs::SpringLaws) -> Laws {
     Laws { method, depth_m: saved.depth_m, speed: saved.speed, blows: saved.blows.clone() }
 }
 
-pub(super) fn save_spring(spring: &ContactSpring) -> content::ContactSpring {
+pub(super) fn save_spring(spring: &ContactSpring) -> springs::ContactSpring {
     let (is_plain, damping) = match spring.normal.damping() {
         Damping::Plain(value) => (true, value),
         Damping::HuntCrossley(value) => (false, value),
     };
-    content::ContactSpring {
+    springs::ContactSpring {
         id: save_contact(spring.id),
         is_hertz: spring.normal.growth() == polhode_response::penalty::Growth::Hertz,
         stiffness: spring.normal.stiffness(),
@@ -37,16 +37,16 @@ pub(super) fn save_spring(spring: &ContactSpring) -> content::ContactSpring {
         restitution: spring.restitution,
         mass: spring.mass,
         push: match spring.push {
-            Push::On => content::Push::On,
-            Push::Off => content::Push::Off,
-            Push::Cut => content::Push::Cut,
+            Push::On => springs::Push::On,
+            Push::Off => springs::Push::Off,
+            Push::Cut => springs::Push::Cut,
         },
         loading: spring.loading,
         grip: match spring.grip {
-            Grip::Free => content::Grip::Free,
-            Grip::Stick => content::Grip::Stick,
-            Grip::Slide => content::Grip::Slide,
-            Grip::Cut => content::Grip::Cut,
+            Grip::Free => springs::Grip::Free,
+            Grip::Stick => springs::Grip::Stick,
+            Grip::Slide => springs::Grip::Slide,
+            Grip::Cut => springs::Grip::Cut,
         },
         vector: spring.vector.to_array(),
         passage: [spring.passage.begun_s, spring.passage.approach, spring.passage.deepest, spring.passage.hardest],
@@ -58,7 +58,7 @@ pub(super) fn save_spring(spring: &ContactSpring) -> content::ContactSpring {
 ///
 /// # Errors
 /// When it is not of two bodies that can touch, or its stiffness is not positive.
-pub(super) fn restored_spring(world: &World, saved: &content::ContactSpring) -> Result<ContactSpring, SnapshotError> {
+pub(super) fn restored_spring(world: &World, saved: &springs::ContactSpring) -> Result<ContactSpring, SnapshotError> {
     use polhode_response::penalty::Growth;
     let growth = if saved.is_hertz { Growth::Hertz } else { Growth::Linear };
     let spring = NormalSpring::elastic(growth, saved.stiffness);
@@ -74,24 +74,24 @@ pub(super) fn restored_spring(world: &World, saved: &content::ContactSpring) -> 
         restitution: saved.restitution,
         mass: saved.mass,
         push: match saved.push {
-            content::Push::On => Push::On,
-            content::Push::Off => Push::Off,
-            content::Push::Cut => Push::Cut,
+            springs::Push::On => Push::On,
+            springs::Push::Off => Push::Off,
+            springs::Push::Cut => Push::Cut,
         },
         loading: saved.loading,
         grip: match saved.grip {
-            content::Grip::Free => Grip::Free,
-            content::Grip::Stick => Grip::Stick,
-            content::Grip::Slide => Grip::Slide,
-            content::Grip::Cut => Grip::Cut,
+            springs::Grip::Free => Grip::Free,
+            springs::Grip::Stick => Grip::Stick,
+            springs::Grip::Slide => Grip::Slide,
+            springs::Grip::Cut => Grip::Cut,
         },
         vector: DVec3::from_array(saved.vector),
         passage: Passage { begun_s, approach, deepest, hardest, alone: saved.alone },
     })
 }
 
-pub(super) fn save_report(report: &SpringReport) -> content::SpringReport {
-    content::SpringReport {
+pub(super) fn save_report(report: &SpringReport) -> springs::SpringReport {
+    springs::SpringReport {
         asked_m: report.penetration_asked_m,
         reached_m: report.penetration_m,
         impacts: report.impacts,
@@ -102,7 +102,7 @@ pub(super) fn save_report(report: &SpringReport) -> content::SpringReport {
     }
 }
 
-pub(super) fn restored_report(saved: &content::SpringReport) -> SpringReport {
+pub(super) fn restored_report(saved: &springs::SpringReport) -> SpringReport {
     SpringReport {
         penetration_asked_m: saved.asked_m,
         penetration_m: saved.reached_m,
@@ -115,8 +115,8 @@ pub(super) fn restored_report(saved: &content::SpringReport) -> SpringReport {
     }
 }
 
-fn save_impact(impact: &SpringImpact) -> content::SpringImpact {
-    content::SpringImpact {
+fn save_impact(impact: &SpringImpact) -> springs::SpringImpact {
+    springs::SpringImpact {
         bodies: impact.bodies.map(BodyId::index),
         is_alone: impact.is_alone,
         numbers: [
@@ -131,7 +131,7 @@ fn save_impact(impact: &SpringImpact) -> content::SpringImpact {
     }
 }
 
-fn restored_impact(saved: &content::SpringImpact) -> SpringImpact {
+fn restored_impact(saved: &springs::SpringImpact) -> SpringImpact {
     let [begun_s, duration_s, approach_m_s, separation_m_s, penetration_m, force_n, restitution_asked] = saved.numbers;
     SpringImpact {
         begun_s,

@@ -4,6 +4,7 @@
 //! | module | holds |
 //! |---|---|
 //! | `content` | the plain data from which a run continues |
+//! | `springs` | that of the tier `penalty` |
 //! | `numbers`, `parts` | vectors, states, contacts and flight records as plain data |
 //! | `envelope` | the header of the bytes: version, length, checksum |
 //! | `hash` | the hash of a scene |
@@ -18,6 +19,7 @@ mod error;
 mod hash;
 pub(crate) mod numbers;
 pub(crate) mod parts;
+pub(crate) mod springs;
 
 pub use error::SnapshotError;
 
