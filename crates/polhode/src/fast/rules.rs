@@ -22,8 +22,7 @@ const DAMPING_WITH_FIXED: f64 = 5.0;
 /// How much stiffer contacts with bodies are that do not move (no unit).
 const WITH_FIXED: f64 = 2.0;
 
-/// Damping ratio of a joint (no unit, 1 to 5): a gap closes faster the smaller it is. With 5 the joints of a chain that falls open half as far again as
-/// with 2, and a pendulum loses twice the energy; without a damping of its own, by closing a part of the gap in each substep, long chains gain energy.
+/// Damping ratio of a joint (no unit, 1 to 5): the smaller it is, the faster a gap closes, and the more of its impulse a joint forgets in a substep.
 const JOINT_DAMPING: f64 = 2.0;
 
 /// How far overlaps are pushed apart in a step at most, in sizes of the smallest body that moves (no unit, 0.05 to 0.2).

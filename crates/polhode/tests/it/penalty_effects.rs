@@ -1,5 +1,4 @@
-//! Springs at contacts beside what else a scene may ask for: joints, rolling friction, a grain, faces that touch side by side, and a
-//! fold of a floor.
+//! Springs at contacts beside what else a scene may ask for: joints, rolling friction, a grain, and faces that touch side by side.
 
 use polhode::contact::Shape;
 use polhode::mesh::{solid_box, solid_sphere};
@@ -73,8 +72,7 @@ fn joints_hold_as_rigid_ones() {
     }
 }
 
-/// A pendulum of small swing has the period `2 pi sqrt(I/(m g l))`, on its joint while its foot drags on springs of a floor below it that
-/// it does not reach.
+/// A pendulum of small swing has the period `2 pi sqrt(I/(m g l))`, above a floor that it does not reach.
 #[test]
 fn a_pendulum_has_the_period_of_its_joint() {
     let size = DVec3::new(0.1, 0.1, 1.0);
@@ -109,6 +107,25 @@ fn rolling_friction_slows_a_ball() {
         assert!((reached / expected - 1.0).abs() < 2e-3, "{friction:?}: {reached} instead of {expected}");
         assert!(report.ledger.friction.value() > 0.0);
     }
+}
+
+/// A ball that spins about the vertical is slowed by `5 c g/(2 R^2)`, where friction of spinning has the length c.
+#[test]
+fn spinning_friction_slows_a_ball() {
+    let (radius, length, rate, duration) = (0.1, 1e-3, 10.0, 2.0);
+    let felt = Material::new("felt").with_friction(0.5).unwrap().with_rotational_friction(0.0, length).unwrap();
+    let own = Body::movable("ball", solid_sphere(radius, Mass::new(1.0).unwrap()).unwrap())
+        .geometry(Shape::sphere(radius).unwrap().into())
+        .material(felt.clone())
+        .pose(Pose::from_translation(DVec3::Z * radius))
+        .velocity(Velocity::new(DVec3::ZERO, DVec3::Z * rate));
+    let penalty = PenaltyMethod { penetration_m: Some(1e-4), ..PenaltyMethod::default() };
+    let scene = Scene::builder("spinning").method(springs(penalty)).duration_s(duration);
+    let report = run(scene.body(floor(&felt)).body(own));
+    let expected = rate - 2.5 * length * GRAVITY / (radius * radius) * duration;
+    let reached = state(&report, 1).velocity.angular.z;
+    assert!((reached / expected - 1.0).abs() < 2e-3, "{reached} instead of {expected}");
+    assert!(report.ledger.friction.value() > 0.0);
 }
 
 /// A block that slides across a grain goes where the tier `accurate` sends it, the nearer the slower the regularised slip.
