@@ -163,10 +163,7 @@ impl Looking<'_, '_> {
     }
 
     fn watched(&self) -> Vec<Happening> {
-        let springs = self.system.springs.iter().flat_map(|spring| {
-            let id = spring.id;
-            [Happening::End(id), Happening::Press(id), Happening::Turn(id), Happening::Leave(id), Happening::Grip(id)]
-        });
+        let springs = self.system.springs.iter().flat_map(|spring| of_spring(spring.id));
         springs.chain(self.candidates.iter().flat_map(|&id| [Happening::Begin(id), Happening::Leave(id)])).collect()
     }
 
@@ -193,10 +190,11 @@ impl Looking<'_, '_> {
                 continue;
             };
             motions.push(Motion { depth: at.depth, rate: at.rate, force: spring.normal_force(&at) });
-            signals.extend([ending(&spring, &at), pressing(&spring, &at), turning(&spring, &at)]);
-            signals.extend([self.leaving(spring.id, &at), holding(&spring, &at)]);
-            if spring.grip == Grip::Slide {
-                sliding.push((signals.len() - 1, spring, at));
+            for what in of_spring(spring.id) {
+                if matches!(what, Happening::Grip(_)) && spring.grip == Grip::Slide {
+                    sliding.push((signals.len(), spring, at));
+                }
+                signals.push(self.at_look(what, &spring, &at));
             }
         }
         for (&id, begun) in self.candidates.iter().zip(begun) {
@@ -208,6 +206,18 @@ impl Looking<'_, '_> {
             signals[place] = Signal { value: speed, missed: 0.0, missed_rate };
         }
         Look { t, signals, motions }
+    }
+
+    /// The signal of a spring at a look; of one that slides and may hold again it is found when all others are.
+    fn at_look(&self, what: Happening, spring: &ContactSpring, at: &Evaluated) -> Signal {
+        match what {
+            Happening::Begin(_) => Signal::NONE,
+            Happening::End(_) => ending(spring, at),
+            Happening::Press(_) => pressing(spring, at),
+            Happening::Turn(_) => turning(spring, at),
+            Happening::Leave(id) => self.leaving(id, at),
+            Happening::Grip(_) => holding(spring, at),
+        }
     }
 
     /// The margin of a point within its features.
@@ -455,6 +465,11 @@ fn bisected(from: f64, to: f64, mut signal: impl FnMut(f64) -> f64) -> f64 {
         if signal(middle) < 0.0 { high = middle } else { low = middle }
     }
     high
+}
+
+/// What is watched of a spring, in the order of its signals.
+fn of_spring(id: ContactId) -> [Happening; SIGNALS] {
+    [Happening::End(id), Happening::Press(id), Happening::Turn(id), Happening::Leave(id), Happening::Grip(id)]
 }
 
 /// The overlap.

@@ -23,7 +23,7 @@ use super::expected::{blows, burden, reduced_mass};
 use crate::collision::contact_id::ContactId;
 use crate::collision::turn::Turn;
 use crate::scene::spring_checks::elastic_pair;
-use crate::scene::{PenaltyMethod, SceneError, SpringFriction, SpringLaw};
+use crate::scene::{PenaltyMethod, SceneError, SpringLaw};
 use crate::world::World;
 use polhode_contact::{ContactGeometry, Shape};
 use polhode_dynamics::BodyState;
@@ -172,11 +172,7 @@ impl Laws {
         let friction = (at_rest > 0.0).then(|| Coulomb {
             at_rest,
             sliding: material.friction_ellipse().largest(),
-            slip_speed: match self.method.friction.unwrap_or_default() {
-                // A spring along a grain has no direction of its own: what has a grain and names no law is regularised.
-                SpringFriction::Mindlin if material.grain().is_none() => None,
-                SpringFriction::Mindlin | SpringFriction::Regularised => Some(self.slip_speed(world)),
-            },
+            slip_speed: self.method.is_regularised(&material).then(|| self.slip_speed(world)),
         });
         let resistance = self.resistance(world, id);
         Ok(ContactLaw { normal, tangential, friction, resistance, restitution: material.restitution(), mass })

@@ -3,7 +3,7 @@
 //! What is absent has a default that is not tuned: linear springs with the damper of Hunt and Crossley and sprung
 //! friction, as stiff as keeps the overlap within a thousandth of the smallest body.
 
-use super::SceneError;
+use super::{Material, SceneError};
 use polhode_response::penalty::Relation;
 
 /// How the elastic force of a contact grows with the overlap.
@@ -86,6 +86,12 @@ impl PenaltyMethod {
             return contradicts("slip_speed_m_s", reason);
         }
         Ok(())
+    }
+
+    /// Whether friction of a pair of this material is regularised: as named, or because it has a grain, along which a spring has no
+    /// direction of its own.
+    pub(crate) fn is_regularised(&self, material: &Material) -> bool {
+        self.friction.unwrap_or_default() == SpringFriction::Regularised || material.grain().is_some()
     }
 
     /// The relation of damping to restitution.

@@ -22,8 +22,8 @@ impl Scene {
     /// Checks that springs can do what the materials ask.
     ///
     /// # Errors
-    /// When a restitution is not one, springs along the contact have a grain, a joint has a limit, or bodies have no moduli
-    /// or no radii of curvature for Hertz's law.
+    /// When a restitution is not one, springs along the contact have a grain, regularised friction has a static coefficient of its own, a joint
+    /// has a limit, or bodies have no moduli or no radii of curvature for Hertz's law.
     pub(super) fn check_springs(&self) -> Result<(), SceneError> {
         let method = self.method.penalty.unwrap_or_default();
         let taken = [Integrator::Dop853, Integrator::Rk4, Integrator::SemiImplicitEuler, Integrator::ImplicitMidpoint];
@@ -56,6 +56,18 @@ impl Scene {
                     what: "friction with a grain by springs along the contact (method.penalty.friction = \"mindlin\")"
                         .to_owned(),
                     instead: "method.penalty.friction = \"regularised\"".to_owned(),
+                });
+            }
+            let [kinetic, at_rest] = [material.friction_ellipse(), material.static_ellipse()];
+            if method.is_regularised(&material) && at_rest != kinetic {
+                return Err(SceneError::NotYetAvailable {
+                    what: format!(
+                        "static friction above kinetic (`{}` on `{}`) where friction of springs is regularised, which does not stick",
+                        self.bodies[a].material.name(),
+                        self.bodies[b].material.name()
+                    ),
+                    instead: "method.penalty.friction = \"mindlin\" without a grain, or response = \"constraint\""
+                        .to_owned(),
                 });
             }
             if is_hertz {

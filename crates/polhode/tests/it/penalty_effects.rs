@@ -128,6 +128,42 @@ fn spinning_friction_slows_a_ball() {
     assert!(report.ledger.friction.value() > 0.0);
 }
 
+/// A block on a belt gets `mu g t` until it goes with the belt, and the drive of the belt is in the ledger.
+#[test]
+fn a_belt_carries_a_block() {
+    let rubber = Material::new("rubber").with_friction(0.5).unwrap();
+    let speed = 1.0;
+    for (duration, expected) in [(0.1, 0.5 * GRAVITY * 0.1), (0.6, speed)] {
+        let penalty = PenaltyMethod { penetration_m: Some(1e-5), ..PenaltyMethod::default() };
+        let scene = Scene::builder("belt").method(springs(penalty)).duration_s(duration);
+        let belt = floor(&rubber).surface_velocity(DVec3::X * speed);
+        let own = block("block", DVec3::new(0.4, 0.4, 0.02), DVec3::Z * 0.01).material(rubber.clone());
+        let reached = state(&run(scene.body(belt).body(own)), 1).velocity.linear.x;
+        assert!((reached / expected - 1.0).abs() < 5e-3, "{duration} s: {reached} instead of {expected}");
+    }
+}
+
+/// With static friction above kinetic a block stays on a slope between both angles, and slides there by kinetic friction once it does. Its weight comes
+/// at once, so that the spring along the slope bears up to twice its share at first: the slope is less than half as steep as static friction holds.
+#[test]
+fn static_friction_holds_what_stands() {
+    let (kinetic, at_rest, slope) = (0.1, 0.8, 0.25_f64);
+    let rubber = Material::new("rubber").with_friction(kinetic).unwrap().with_static_friction(at_rest).unwrap();
+    let down = DVec3::new(slope.sin(), 0.0, -slope.cos()) * GRAVITY;
+    let end = |speed: f64| {
+        let penalty = PenaltyMethod { penetration_m: Some(1e-5), ..PenaltyMethod::default() };
+        let scene = Scene::builder("slope").method(springs(penalty)).gravity(down).duration_s(0.3);
+        let own = block("block", DVec3::new(0.4, 0.4, 0.02), DVec3::Z * 0.01).material(rubber.clone());
+        let own = own.velocity(Velocity::new(DVec3::X * speed, DVec3::ZERO));
+        state(&run(scene.body(floor(&rubber)).body(own)), 1)
+    };
+    let stands = end(0.0);
+    assert!(stands.pose.translation.x.abs() < 1e-4, "{:?}", stands.pose);
+    let expected = 1.0 + (slope.sin() - kinetic * slope.cos()) * GRAVITY * 0.3;
+    let slides = end(1.0).velocity.linear.x;
+    assert!((slides / expected - 1.0).abs() < 5e-3, "{slides} instead of {expected}");
+}
+
 /// A block that slides across a grain goes where the tier `accurate` sends it, the nearer the slower the regularised slip.
 #[test]
 fn a_grain_turns_a_slide() {
@@ -183,6 +219,17 @@ fn refusals() {
         .build()
         .unwrap_err();
     assert!(matches!(refused, SceneError::NotYetAvailable { .. }), "{refused}");
+    for friction in [None, Some(SpringFriction::Regularised)] {
+        let ice = match friction {
+            None => planks.clone().with_static_ellipse(FrictionEllipse { along: 0.2, across: 0.3 }).unwrap(),
+            Some(_) => Material::new("ice").with_friction(0.1).unwrap().with_static_friction(0.3).unwrap(),
+        };
+        let penalty = PenaltyMethod { friction, ..PenaltyMethod::default() };
+        let scene = Scene::builder("refused").method(springs(penalty)).body(floor(&ice));
+        let own = block("block", size, DVec3::Z).material(Material::new("plain").with_friction(0.1).unwrap());
+        let refused = scene.body(own).build().unwrap_err();
+        assert!(matches!(refused, SceneError::NotYetAvailable { .. }), "{refused}");
+    }
     let rope = Joint::rope(BodyId::new(0), DVec3::Z, DVec3::Z * 2.0, 1.5).unwrap();
     let scene =
         Scene::builder("refused").method(springs(PenaltyMethod::default())).body(block("block", size, DVec3::Z));
