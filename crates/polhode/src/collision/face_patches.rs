@@ -16,6 +16,7 @@ use polhode_contact::{
 };
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose};
+use smallvec::SmallVec;
 
 /// Movement of two bodies relative to each other for which their patches are kept, relative to the size of the smaller one (no
 /// unit, 1e-5 to 1e-3): a corner is then taken that far from where it is, along its face.
@@ -42,7 +43,7 @@ const ONE_NORMAL_COSINE: f64 = 0.9994;
 pub(crate) const PATCH_POINTS: usize = 4;
 
 /// A point of a patch.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub(crate) struct PatchPoint {
     pub(crate) feature: ContactFeature,
     /// In the frames of the bodies, m.
@@ -57,7 +58,34 @@ pub(crate) struct PatchPoint {
     pub(crate) friction_force: DVec3,
 }
 
+impl Default for PatchPoint {
+    /// At the origins of both bodies, without impulses.
+    fn default() -> Self {
+        Self {
+            feature: ContactFeature::SphereSphere,
+            on_a: DVec3::ZERO,
+            on_b: DVec3::ZERO,
+            normal_impulse: 0.0,
+            friction_impulse: DVec3::ZERO,
+            normal_force: 0.0,
+            friction_force: DVec3::ZERO,
+        }
+    }
+}
+
 impl PatchPoint {
+    /// That of a contact of bodies at these poses, without impulses.
+    fn of(contact: &Contact, (pose_a, pose_b): (&Pose, &Pose)) -> Self {
+        let geometry = &contact.geometry;
+        let half = geometry.normal * (0.5 * geometry.separation);
+        Self {
+            feature: contact.feature,
+            on_a: pose_a.inverse_transform_point(geometry.point + half),
+            on_b: pose_b.inverse_transform_point(geometry.point - half),
+            ..Self::default()
+        }
+    }
+
     /// Takes the impulses and forces of another point.
     fn take(&mut self, known: &Self) {
         (self.normal_impulse, self.friction_impulse) = (known.normal_impulse, known.friction_impulse);
@@ -66,7 +94,7 @@ impl PatchPoint {
 }
 
 /// Points with one normal.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Patch {
     /// From B to A, in the frame of body B.
     pub(crate) normal: DVec3,
@@ -82,9 +110,23 @@ impl Patch {
         Some(Self { normal, points, count: known.len() })
     }
 
+    /// Becomes that of these contacts of bodies at these poses.
+    fn set(&mut self, contacts: &[&Contact], normal: DVec3, poses: (&Pose, &Pose)) {
+        self.normal = poses.1.rotation.inverse_rotate(normal);
+        self.count = contacts.len().min(PATCH_POINTS);
+        for (point, contact) in self.points.iter_mut().zip(contacts) {
+            *point = PatchPoint::of(contact, poses);
+        }
+    }
+
     /// Its points.
     pub(crate) fn points(&self) -> &[PatchPoint] {
         &self.points[..self.count]
+    }
+
+    /// Whether a point of it pressed in the last step.
+    pub(crate) fn presses(&self) -> bool {
+        self.points().iter().any(|point| point.normal_force > 0.0)
     }
 
     /// Its points, to be changed.
@@ -118,8 +160,11 @@ pub(crate) struct PairPatches {
     size: f64,
     smaller: Side,
     found_at: Option<FoundAt>,
-    memory: Box<PairMemory>,
+    /// Of polyhedra that are searched.
+    memory: Option<Box<PairMemory>>,
     pub(crate) patches: Vec<Patch>,
+    /// Whether the bodies pressed on each other in the last step.
+    pub(crate) presses: bool,
 }
 
 impl PairPatches {
@@ -142,8 +187,9 @@ impl PairPatches {
             size,
             smaller: if size == world.bodies[a].size { Side::A } else { Side::B },
             found_at: None,
-            memory: Box::default(),
+            memory: None,
             patches: Vec::new(),
+            presses: false,
         }
     }
 
@@ -155,6 +201,7 @@ impl PairPatches {
     /// The pair with the patches of a snapshot.
     pub(crate) fn with_patches(mut self, found_at: Option<FoundAt>, patches: Vec<Patch>) -> Self {
         (self.found_at, self.patches) = (found_at, patches);
+        self.presses = self.patches.iter().any(Patch::presses);
         self
     }
 
@@ -177,18 +224,29 @@ impl PairPatches {
         if self.are_kept(&now, reach) {
             return;
         }
-        let Some((shape_a, shape_b)) = world.shapes(self.a, self.b) else { return self.patches.clear() };
+        let Some((shape_a, shape_b)) = world.shapes(self.a, self.b) else {
+            self.presses = false;
+            return self.patches.clear();
+        };
         let far = REACH_TO_SPARE * reach;
         let (a, b) = ((shape_a, pose_a), (shape_b, pose_b));
         if !clipped_manifold(a, b, far, &mut tools.found) {
-            near_manifold_with(&mut tools.workspace, &mut self.memory, a, b, far, &mut tools.found);
+            let memory = match (shape_a, shape_b) {
+                (Shape::Convex(_), Shape::Convex(_)) => self.memory.get_or_insert_default(),
+                _ => &mut tools.no_memory,
+            };
+            near_manifold_with(&mut tools.workspace, memory, a, b, far, &mut tools.found);
         }
         self.found_at = Some(FoundAt { pose: now, reach: far, separation: tools.found.separation });
-        let before = std::mem::take(&mut self.patches);
-        make_patches(&mut self.patches, &tools.found.contacts, (pose_a, pose_b), ONE_LEVEL_RELATIVE * self.size);
-        if !before.is_empty() {
-            self.take_impulses(&before);
+        tools.before.clear();
+        for patch in &self.patches {
+            tools.before.extend_from_slice(patch.points());
         }
+        make_patches(&mut self.patches, &tools.found.contacts, (pose_a, pose_b), ONE_LEVEL_RELATIVE * self.size);
+        if !tools.before.is_empty() {
+            self.take_impulses(&tools.before);
+        }
+        self.presses &= !self.patches.is_empty();
     }
 
     /// Whether the patches still hold at a relative pose.
@@ -208,10 +266,10 @@ impl PairPatches {
 
     /// The impulses of points that were there before: by their features, and those of other features at the same place (where edges of two
     /// faces nearly coincide, rounding says which of them makes the corner).
-    fn take_impulses(&mut self, before: &[Patch]) {
+    fn take_impulses(&mut self, before: &[PatchPoint]) {
         let near = SAME_PLACE_RELATIVE * self.size;
-        let mut left: Vec<&PatchPoint> = before.iter().flat_map(Patch::points).collect();
-        let mut new: Vec<&mut PatchPoint> = Vec::new();
+        let mut left: FewContacts<&PatchPoint> = before.iter().collect();
+        let mut new: FewContacts<&mut PatchPoint> = FewContacts::new();
         for point in self.patches.iter_mut().flat_map(Patch::points_mut) {
             match left.iter().position(|known| known.feature == point.feature) {
                 Some(place) => point.take(left.swap_remove(place)),
@@ -234,54 +292,58 @@ impl PairPatches {
 pub(crate) struct Tools {
     workspace: Workspace,
     found: Manifold,
+    /// Shapes other than polyhedra remember nothing.
+    no_memory: Box<PairMemory>,
+    /// The points that a pair had before.
+    before: Vec<PatchPoint>,
 }
 
-/// Contacts as patches, in the order of their first contacts. Those of a patch have one normal, and lie in one plane of body A or of body B, to `level` (m).
+/// A list that is rarely longer than two patches.
+type FewContacts<T> = SmallVec<[T; 2 * PATCH_POINTS]>;
+
+/// Brings patches to these contacts, in the order of their first ones. Those of a patch have one normal, and lie in one plane of body A or of body B, to
+/// `level` (m).
 fn make_patches(patches: &mut Vec<Patch>, contacts: &[Contact], poses: (&Pose, &Pose), level: f64) {
-    let mut left: Vec<&Contact> = contacts.iter().collect();
-    while let Some(&first) = left.first() {
+    let is_along = |first: &Contact, contact: &Contact| {
         let (normal, apart) = (first.geometry.normal, first.geometry.separation);
-        let is_along = |contact: &&Contact| {
-            let higher = normal.dot(contact.geometry.point - first.geometry.point);
-            // Half of the separation lies on either side of the point.
-            let farther = 0.5 * (contact.geometry.separation - apart);
-            contact.geometry.normal.dot(normal) >= ONE_NORMAL_COSINE
-                && (higher + farther).abs().min((higher - farther).abs()) <= level
-        };
-        let mut group: Vec<&Contact> = left.iter().copied().filter(is_along).collect();
-        if group.is_empty() {
-            return;
-        }
-        left.retain(|contact| !is_along(contact));
-        reduce(&mut group, normal);
-        patches.push(patch_of(&group, normal, poses));
-    }
-}
-
-fn patch_of(group: &[&Contact], normal: DVec3, (pose_a, pose_b): (&Pose, &Pose)) -> Patch {
-    let point = |contact: &Contact| {
-        let geometry = &contact.geometry;
-        let half = geometry.normal * (0.5 * geometry.separation);
-        PatchPoint {
-            feature: contact.feature,
-            on_a: pose_a.inverse_transform_point(geometry.point + half),
-            on_b: pose_b.inverse_transform_point(geometry.point - half),
-            normal_impulse: 0.0,
-            friction_impulse: DVec3::ZERO,
-            normal_force: 0.0,
-            friction_force: DVec3::ZERO,
-        }
+        let higher = normal.dot(contact.geometry.point - first.geometry.point);
+        // Half of the separation lies on either side of the point.
+        let farther = 0.5 * (contact.geometry.separation - apart);
+        contact.geometry.normal.dot(normal) >= ONE_NORMAL_COSINE
+            && (higher + farther).abs().min((higher - farther).abs()) <= level
     };
-    let mut points = [point(group[0]); PATCH_POINTS];
-    for (place, contact) in points.iter_mut().zip(group) {
-        *place = point(contact);
+    let mut made = 0;
+    // Patches that are there already are written over: most pairs have as many as before.
+    let mut put = |group: &[&Contact], normal: DVec3| {
+        if made == patches.len() {
+            patches.push(Patch::default());
+        }
+        patches[made].set(group, normal, poses);
+        made += 1;
+    };
+    if let [only] = contacts {
+        if is_along(only, only) {
+            put(&[only], only.geometry.normal);
+        }
+        return patches.truncate(made);
     }
-    Patch { normal: pose_b.rotation.inverse_rotate(normal), points, count: group.len() }
+    let mut left: FewContacts<&Contact> = contacts.iter().collect();
+    while let Some(&first) = left.first() {
+        let mut group: FewContacts<&Contact> =
+            left.iter().copied().filter(|contact| is_along(first, contact)).collect();
+        if group.is_empty() {
+            break;
+        }
+        left.retain(|contact| !is_along(first, contact));
+        reduce(&mut group, first.geometry.normal);
+        put(&group, first.geometry.normal);
+    }
+    patches.truncate(made);
 }
 
 /// Leaves four contacts of a group: of those in front, the deepest, the farthest from it, and the two farthest from their line on both
 /// sides.
-fn reduce(group: &mut Vec<&Contact>, normal: DVec3) {
+fn reduce(group: &mut FewContacts<&Contact>, normal: DVec3) {
     if group.len() <= PATCH_POINTS {
         return;
     }
@@ -307,7 +369,7 @@ fn reduce(group: &mut Vec<&Contact>, normal: DVec3) {
 /// Drops contacts behind others: those that lie higher above another one than aside of it, such as the upper corners of a flat body whose
 /// speed along the floor makes the search reach that far. They bear nothing unless the body turns by more than 45 degrees, and would take
 /// the places of the corners below them.
-fn keep_those_in_front(group: &mut Vec<&Contact>, normal: DVec3) {
+fn keep_those_in_front(group: &mut FewContacts<&Contact>, normal: DVec3) {
     let is_behind = |contact: &&Contact, other: &&Contact| {
         let between = contact.geometry.point - other.geometry.point;
         let aside = between - normal * normal.dot(between);
@@ -402,13 +464,22 @@ impl LastingBoxes {
     }
 }
 
-/// Brings the records of pairs to a new list of pairs, ascending; those that are no longer near are dropped.
-pub(crate) fn follow_pairs(world: &World, records: &mut Vec<PairPatches>, pairs: &[(usize, usize)]) {
-    let mut old = std::mem::take(records).into_iter().peekable();
+/// Brings the records of pairs to a new list of pairs, ascending; those that are no longer near are dropped. `spare` keeps the memory of the list before.
+pub(crate) fn follow_pairs(
+    world: &World,
+    (records, spare): (&mut Vec<PairPatches>, &mut Vec<PairPatches>),
+    pairs: &[(usize, usize)],
+) {
+    std::mem::swap(records, spare);
+    let mut old = spare.drain(..);
     records.reserve(pairs.len());
     for &pair in pairs {
-        while old.next_if(|record| (record.a, record.b) < pair).is_some() {}
-        let known = old.next_if(|record| (record.a, record.b) == pair);
-        records.push(known.unwrap_or_else(|| PairPatches::new(world, pair)));
+        let mut known = old.as_slice().first().map(|record| (record.a, record.b));
+        while known.is_some_and(|known| known < pair) {
+            old.next();
+            known = old.as_slice().first().map(|record| (record.a, record.b));
+        }
+        let kept = if known == Some(pair) { old.next() } else { None };
+        records.push(kept.unwrap_or_else(|| PairPatches::new(world, pair)));
     }
 }

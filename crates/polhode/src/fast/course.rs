@@ -45,6 +45,8 @@ pub(super) struct Course {
     /// Limits that pressed in the last step, ascending.
     pub(super) limits: Vec<HeldLimit>,
     boxes: LastingBoxes,
+    /// Empty between steps: memory for a new list of pairs.
+    spare_pairs: Vec<PairPatches>,
     groups: Vec<Group>,
     /// How many of them the step has.
     pub(super) used: usize,
@@ -70,6 +72,7 @@ impl Course {
             limits: Vec::new(),
             last_h: 0.0,
             boxes: LastingBoxes::new(settings.broad_phase),
+            spare_pairs: Vec::new(),
             groups: Vec::new(),
             used: 0,
             numbers: Vec::new(),
@@ -146,7 +149,7 @@ impl Course {
         }
         let found = self.boxes.renew(world, &self.states, |body| travels[body]);
         if found.map_err(SimulationError::BroadPhase)? {
-            follow_pairs(world, &mut self.pairs, &self.boxes.pairs);
+            follow_pairs(world, (&mut self.pairs, &mut self.spare_pairs), &self.boxes.pairs);
         }
         Ok(())
     }
@@ -159,9 +162,10 @@ impl Course {
         self.tools.resize_with(width.max(self.tools.len()), Tools::default);
         let share = self.pairs.len().div_ceil(width).max(1);
         let (states, spins, resting) = (&self.states, &self.spins, &self.resting);
-        let still = |body: usize| resting[body] || !world.bodies[body].moves();
+        let still: Vec<bool> = (0..states.len()).map(|body| resting[body] || !world.bodies[body].moves()).collect();
+        let nothing_is_driven = world.prescribed.is_empty();
         let renew = |pair: &mut PairPatches, tools: &mut Tools| {
-            if still(pair.a) && still(pair.b) && world.prescribed.is_empty() {
+            if still[pair.a] && still[pair.b] && nothing_is_driven {
                 return;
             }
             let [a, b] = [pair.a, pair.b].map(|body| states[body].linear_velocity);
@@ -185,7 +189,8 @@ impl Course {
     /// there is one group.
     pub(super) fn make_groups(&mut self, world: &World, rules: &Rules) {
         let bodies = self.states.len();
-        let is_moved = |body: usize| world.bodies[body].moves() && !self.resting[body];
+        let moved: Vec<bool> = (0..bodies).map(|body| world.bodies[body].moves() && !self.resting[body]).collect();
+        let is_moved = |body: usize| moved[body];
         let mut sets = DisjointSets::new(bodies);
         // The patches and joints of each island, at its smallest body.
         let mut work = vec![0_u32; bodies];
@@ -320,8 +325,9 @@ impl Course {
             for (number, (place, manifold)) in group.patches.iter().zip(group.solver.manifolds()).enumerate() {
                 let [n, x] = [manifold.normal, manifold.tangent];
                 let y = n.cross(x);
-                let points = self.pairs[place.pair].patches[place.patch].points_mut();
-                for (point, impulse) in points.iter_mut().zip(group.solver.impulses(number)) {
+                let pair = &mut self.pairs[place.pair];
+                let patch = &mut pair.patches[place.patch];
+                for (point, impulse) in patch.points_mut().iter_mut().zip(group.solver.impulses(number)) {
                     if is_whole {
                         point.normal_impulse = impulse.last[0];
                         point.friction_impulse = x * impulse.last[1] + y * impulse.last[2];
@@ -329,6 +335,8 @@ impl Course {
                     point.normal_force = impulse.total[0] * inverse_step;
                     point.friction_force = (x * impulse.total[1] + y * impulse.total[2]) * inverse_step;
                 }
+                // The patches of a pair come one after the other, the first one first.
+                pair.presses = (pair.presses && place.patch > 0) || patch.presses();
             }
         }
     }

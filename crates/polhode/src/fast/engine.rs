@@ -157,13 +157,14 @@ impl FastEngine {
     /// Momentum from fixed and kinematic bodies over a step of `h` (s), and the work of the latter.
     fn support(&self, core: &Core, states: &[BodyState], about: DVec3, (received, h): (&mut Received, f64)) {
         let world = &core.world;
+        let carries: Vec<bool> = (0..states.len()).map(|body| world.carries_momentum(body)).collect();
         let mut sum = MomentumSum::default();
         for report in self.course.reports() {
             let Momentum { linear, angular } = report.support;
             sum.add(Momentum { linear, angular: angular - about.cross(linear) });
         }
         for pair in &self.course.pairs {
-            let carries = [pair.a, pair.b].map(|body| world.carries_momentum(body));
+            let carries = [carries[pair.a], carries[pair.b]];
             if pair.patches.is_empty()
                 || carries == [true, true]
                 || [pair.a, pair.b].iter().any(|&body| self.course.resting[body])
@@ -198,15 +199,13 @@ impl FastEngine {
 
     /// Adds an event for every pair that has begun or ceased to press on each other.
     fn report_pairs(&mut self, core: &mut Core) {
-        let presses =
-            |pair: &&PairPatches| pair.patches.iter().flat_map(Patch::points).any(|point| point.normal_force > 0.0);
-        let now: Vec<(usize, usize)> = self.course.pairs.iter().filter(presses).map(|pair| (pair.a, pair.b)).collect();
-        let is_same = self.touching == now;
-        let before = std::mem::replace(&mut self.touching, now);
-        if is_same {
+        let now = self.course.pairs.iter().filter(|pair| pair.presses).map(|pair| (pair.a, pair.b));
+        if now.clone().eq(self.touching.iter().copied()) {
             self.begun = true;
             return;
         }
+        let now = now.collect();
+        let before = std::mem::replace(&mut self.touching, now);
         if !std::mem::replace(&mut self.begun, true) {
             return;
         }

@@ -41,6 +41,19 @@ struct Member {
     given_j: f64,
 }
 
+impl Member {
+    /// Takes the velocity that impulses have left.
+    fn take_velocity(&mut self, body: &ImpulseBody) {
+        let (linear, angular) = (body.linear(), body.angular());
+        let turned = angular - self.angular;
+        self.changed.linear += linear - self.state.linear_velocity;
+        self.changed.angular += turned;
+        self.state.angular_momentum += self.inertia * turned;
+        self.state.linear_velocity = linear;
+        self.angular = angular;
+    }
+}
+
 /// A patch of a pair, by their places.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PatchPlace {
@@ -124,7 +137,6 @@ impl Group {
             let [pushed, relaxed] = rules.orders(substep);
             let booked = self.sweep_softly(stage, pushed, rules);
             self.report.works += booked;
-            self.take_velocities();
             self.move_bodies(given.world, rules.h);
             for (number, velocity) in &self.drivers {
                 let time = f64::from(substep + 1) * rules.h;
@@ -132,7 +144,6 @@ impl Group {
             }
             self.find_rows(given);
             self.relax(relaxed, rules);
-            self.take_velocities();
             self.book();
             self.report.works.resting_j += self.held.end_substep(&self.solver, &self.present);
         }
@@ -145,7 +156,6 @@ impl Group {
             let held_j = self.held.hold_after_impact(&mut self.solver, &rules.relax, &self.present);
             self.report.works.resting_j += held_j;
         }
-        self.take_velocities();
         self.book();
         self.report.support = self.held.support();
         self.report.given_j = self.members.iter().map(|member| member.given_j).sum();
@@ -189,9 +199,11 @@ impl Group {
         }
     }
 
-    /// Books by bodies what the impulses of the substep did along the mean of the velocities before the kick and now.
+    /// Takes the velocities that impulses have left, and books by bodies what the impulses of the substep did along the mean of the velocities before the
+    /// kick and now.
     fn book(&mut self) {
         for (number, member) in (1..).zip(&mut self.members) {
+            member.take_velocity(self.solver.body(number));
             let linear = (member.before.linear + member.state.linear_velocity) * 0.5;
             let angular = (member.before.angular + member.angular) * 0.5;
             member.given_j += angular.dot(member.inertia * member.changed.angular);
@@ -321,23 +333,11 @@ impl Group {
         }
     }
 
-    /// Takes the velocities that impulses have left.
-    fn take_velocities(&mut self) {
-        for (number, member) in (1..).zip(&mut self.members) {
-            let body = self.solver.body(number);
-            let (linear, angular) = (body.linear(), body.angular());
-            let turned = angular - member.angular;
-            member.changed.linear += linear - member.state.linear_velocity;
-            member.changed.angular += turned;
-            member.state.angular_momentum += member.inertia * turned;
-            member.state.linear_velocity = linear;
-            member.angular = angular;
-        }
-    }
-
+    /// Takes the velocities that impulses have left, and moves the bodies with them.
     fn move_bodies(&mut self, world: &World, h: f64) {
         for (number, member) in (1..).zip(&mut self.members) {
             let Some(rigid) = &world.bodies[member.body].rigid else { continue };
+            member.take_velocity(self.solver.body(number));
             let pose = &mut member.state.pose;
             pose.translation += member.state.linear_velocity * h;
             let of_turn = (member.state.angular_momentum, member.angular);

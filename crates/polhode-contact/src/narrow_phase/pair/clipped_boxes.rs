@@ -11,6 +11,7 @@ use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::{Contact, ContactFeature, ContactGeometry, HalfSpace, Manifold, SeparatingAxis, Shape, Side};
 use glam::{DMat3, DVec3};
 use polhode_spatial::Pose;
+use smallvec::SmallVec;
 
 /// By how much two edges must separate more than the best face, relative to the smallest edge of the boxes (no unit, 1e-3 to 5e-2).
 const EDGES_BEYOND: f64 = 1e-2;
@@ -36,8 +37,8 @@ impl Placed {
         }
         let (middle, half) = ((*first + *last) * 0.5, (*last - *first) * 0.5);
         let is_corner = |(number, vertex): (usize, &DVec3)| {
-            let expected = [0, 1, 2].map(|k| if number >> k & 1 == 1 { last[k] } else { first[k] });
-            vertex.to_array() == expected
+            let expected = |k: usize| if number >> k & 1 == 1 { last[k] } else { first[k] };
+            vertex.x == expected(0) && vertex.y == expected(1) && vertex.z == expected(2)
         };
         let is_box = half.min_element() > 0.0 && polyhedron.vertices().iter().enumerate().all(is_corner);
         is_box.then(|| Self { center: pose.transform_point(middle), axes: pose.rotation.to_matrix(), half })
@@ -45,8 +46,8 @@ impl Placed {
 
     /// The corner of this number.
     fn corner(&self, number: usize) -> DVec3 {
-        let signs = [0, 1, 2].map(|k| if number >> k & 1 == 1 { 1.0 } else { -1.0 });
-        self.center + self.axes * (DVec3::from_array(signs) * self.half)
+        let sign = |k: usize| if number >> k & 1 == 1 { 1.0 } else { -1.0 };
+        self.center + self.axes * (DVec3::new(sign(0), sign(1), sign(2)) * self.half)
     }
 
     /// The number of the corner farthest along a direction (world).
@@ -214,20 +215,20 @@ fn edge_between(polyhedron: &ConvexPolyhedron, x: usize, y: usize) -> Option<u32
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Line {
     /// An edge of the face that is clipped: its two corners.
-    Own(usize, usize),
+    Own(u8, u8),
     /// A side of the face that clips.
-    Clip(usize),
+    Clip(u8),
 }
 
 /// What a corner of the clipped face is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Corner {
     /// One of the face that is clipped.
-    Own(usize),
+    Own(u8),
     /// Where an edge of it crosses a side of the other.
-    Crossing(usize, usize, usize),
+    Crossing(u8, u8, u8),
     /// Below a corner of the face that clips, between two of its sides.
-    Below(usize, usize),
+    Below(u8, u8),
 }
 
 /// A corner of the clipped face, with what its side to the next one lies on.
@@ -241,6 +242,9 @@ struct Clipped {
 
 /// Most corners: four, and one more for each side that clips.
 const MOST_CORNERS: usize = 8;
+
+/// A face while it is clipped.
+type Polygon = SmallVec<[Clipped; MOST_CORNERS]>;
 
 /// The contacts of the face that decides with the facing one of the other box.
 fn clip(polyhedra: [&ConvexPolyhedron; 2], boxes: &[Placed; 2], best: &Best, reach: f64, found: &mut Manifold) {
@@ -261,16 +265,15 @@ fn clip(polyhedra: [&ConvexPolyhedron; 2], boxes: &[Placed; 2], best: &Best, rea
     let facing = 2 * m + usize::from(against[m] < 0.0);
     let [p, q] = [(m + 1) % 3, (m + 2) % 3];
     let base = usize::from(against[m] < 0.0) << m;
-    let ring = [base, base | 1 << p, base | 1 << p | 1 << q, base | 1 << q];
-    let mut polygon: Vec<Clipped> = Vec::with_capacity(MOST_CORNERS);
+    let ring = [base, base | 1 << p, base | 1 << p | 1 << q, base | 1 << q].map(|corner| corner as u8);
+    let mut polygon = Polygon::new();
     for (place, &number) in ring.iter().enumerate() {
-        let at = frame.transpose() * (other.corner(number) - center);
+        let at = frame.transpose() * (other.corner(usize::from(number)) - center);
         let line = Line::Own(number, ring[(place + 1) % 4]);
         polygon.push(Clipped { at, corner: Corner::Own(number), line });
     }
-    let half = [own.half[u], own.half[v]];
-    for clip_side in 0..4 {
-        polygon = clipped(&polygon, clip_side, half[clip_side / 2]);
+    for (clip_side, half) in (0..).zip([own.half[u], own.half[u], own.half[v], own.half[v]]) {
+        polygon = clipped(&polygon, clip_side, half);
     }
     let normal = if side == Side::A { -outward } else { outward };
     for corner in polygon.iter().filter(|corner| corner.at.z <= reach) {
@@ -285,12 +288,12 @@ fn clip(polyhedra: [&ConvexPolyhedron; 2], boxes: &[Placed; 2], best: &Best, rea
 }
 
 /// What of a polygon is inside one side of a rectangle: along axis `side / 2`, below `-half` (even) or above `half` (odd) is outside.
-fn clipped(polygon: &[Clipped], side: usize, half: f64) -> Vec<Clipped> {
+fn clipped(polygon: &[Clipped], side: u8, half: f64) -> Polygon {
     let outside = |corner: &Clipped| {
         let along = if side < 2 { corner.at.x } else { corner.at.y };
         if side.is_multiple_of(2) { -along - half } else { along - half }
     };
-    let mut kept = Vec::with_capacity(MOST_CORNERS);
+    let mut kept = Polygon::new();
     for (place, now) in polygon.iter().enumerate() {
         let next = &polygon[(place + 1) % polygon.len()];
         let (here, there) = (outside(now), outside(next));
@@ -318,12 +321,12 @@ fn feature_of(
 ) -> Option<ContactFeature> {
     let [k, u, v] = axes;
     let top = (face % 2) << k;
-    let along = |clip_side: usize| if clip_side < 2 { u } else { v };
-    let bit = |clip_side: usize| (clip_side % 2) << along(clip_side);
+    let along = |clip_side: u8| if clip_side < 2 { u } else { v };
+    let bit = |clip_side: u8| usize::from(clip_side % 2) << along(clip_side);
     let (own, other) = (polyhedra[side.index()], polyhedra[side.other().index()]);
     Some(match corner {
         Corner::Own(vertex) => {
-            ContactFeature::VertexFace { vertex_of: side.other(), vertex: vertex as u32, face: face as u32 }
+            ContactFeature::VertexFace { vertex_of: side.other(), vertex: vertex.into(), face: face as u32 }
         }
         Corner::Below(x, y) => {
             let vertex = (top | bit(x) | bit(y)) as u32;
@@ -332,7 +335,8 @@ fn feature_of(
         Corner::Crossing(x, y, clip_side) => {
             let free = if clip_side < 2 { v } else { u };
             let low = top | bit(clip_side);
-            let (own_edge, other_edge) = (edge_between(own, low, low | 1 << free)?, edge_between(other, x, y)?);
+            let (own_edge, other_edge) =
+                (edge_between(own, low, low | 1 << free)?, edge_between(other, x.into(), y.into())?);
             let [edge_a, edge_b] = if side == Side::A { [own_edge, other_edge] } else { [other_edge, own_edge] };
             ContactFeature::EdgeEdge { edge_a, edge_b }
         }
