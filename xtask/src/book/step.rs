@@ -3,7 +3,7 @@
 use super::commands::{self, Shell};
 use super::page::{Block, Page, pages_in};
 use super::{links, programs, python, scenes, selections};
-use crate::cases::{CaseResult, Context, build_program, guarded};
+use crate::cases::{CaseResult, Context, guarded};
 use crate::row::Row;
 use std::collections::BTreeSet;
 use std::error::Error;
@@ -29,7 +29,7 @@ pub(crate) fn check(context: &Context, names: &[String]) -> Vec<Row> {
 
 fn rows(context: &Context, names: &[String]) -> CaseResult {
     let root = &context.root;
-    let program = build_program(root)?;
+    let program = context.program.path(root)?;
     let build_folder = program.parent().ok_or("the program lies in no folder")?.join(NAME);
     let mut run = vec![Page::read(root, README)?];
     for path in pages_in(root, BOOK)? {
@@ -37,7 +37,7 @@ fn rows(context: &Context, names: &[String]) -> CaseResult {
     }
     let (mut rows, mut shells) = (Vec::new(), Vec::new());
     for page in &run {
-        let shell = Shell { root, program: program.clone(), folder: page_folder(root, page, &build_folder)? };
+        let shell = Shell { root, program: program.to_owned(), folder: page_folder(root, page, &build_folder)? };
         rows.push(run_page(page, &shell)?);
         shells.push(shell);
     }

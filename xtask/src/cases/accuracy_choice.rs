@@ -8,7 +8,6 @@
 //! since that is timed.
 
 use super::context::Amount;
-use super::speed::build_program;
 use super::{CaseResult, Context};
 use crate::row::Row;
 use glam::DVec3;
@@ -70,11 +69,11 @@ struct Asked {
 
 /// All rows.
 pub(super) fn rows(context: &Context) -> CaseResult {
-    let program = build_program(&context.root)?;
+    let program = context.program.path(&context.root)?;
     let every = if context.amount == Amount::Full { 1 } else { PLAIN };
     let mut asked = Vec::new();
     for (number, known) in corpus().iter().enumerate().step_by(every) {
-        asked.push(ask(&program, known, TARGETS[number % TARGETS.len()], context)?);
+        asked.push(ask(program, known, TARGETS[number % TARGETS.len()], context)?);
     }
     let missing = asked.iter().filter(|asked| asked.reached > 1.0).count() as f64 / asked.len() as f64;
     let worst = |value: fn(&Asked) -> f64| asked.iter().max_by(|a, b| value(a).total_cmp(&value(b)));

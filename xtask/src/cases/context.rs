@@ -1,5 +1,6 @@
 //! What every case may use: the folder, reference values, runs of shipped scenes, and how much is to be run.
 
+use super::program::Program;
 use super::run::ShippedScenes;
 use crate::reference::Reference;
 use std::error::Error;
@@ -35,6 +36,8 @@ pub(crate) struct Context {
     pub(crate) amount: Amount,
     /// Runs of the scenes that the project ships, each made once.
     pub(crate) shipped: ShippedScenes,
+    /// The program.
+    pub(crate) program: Program,
 }
 
 impl Context {
@@ -48,6 +51,7 @@ impl Context {
             reference: Reference::load(&root.join("fixtures/reference"))?,
             amount,
             shipped: ShippedScenes::new(&root.join("fixtures/scenes")),
+            program: Program::default(),
         })
     }
 }

@@ -1,7 +1,6 @@
 //! What the program `polhode mesh` prints about a mesh.
 
 use super::Context;
-use super::speed::build_program;
 use polhode::mesh::TriangleMesh;
 use serde_json::Value;
 use std::error::Error;
@@ -21,7 +20,7 @@ pub(super) fn report(
     mesh: &TriangleMesh,
     arguments: &[&str],
 ) -> Result<Reported, Box<dyn Error>> {
-    let program = build_program(&context.root)?;
+    let program = context.program.path(&context.root)?;
     let file = program.with_file_name(format!("verify-{name}.obj"));
     let mut text = String::new();
     for v in mesh.vertices() {

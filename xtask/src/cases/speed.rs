@@ -3,17 +3,12 @@
 use super::diamonds::{Sides, diamond};
 use super::run::Run;
 use super::{CaseResult, Context};
-use crate::commands;
 use crate::row::Row;
 use polhode::Effects;
 use std::error::Error;
-use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
-
-/// Folder of what is built with the profile for development.
-const DEBUG_FOLDER: &str = "debug";
 
 /// Simulated seconds per second of wall time of the 4-diamond with every effect simulated.
 pub(super) fn diamond_4(_context: &Context) -> CaseResult {
@@ -29,27 +24,12 @@ pub(super) fn peak_memory(context: &Context) -> CaseResult {
     /// Asked for, MB.
     const MEGABYTES: f64 = 50.0;
     let quantity = "polhode run diamond-4: peak memory, MB (asked: < 50)";
-    let program = build_program(&context.root)?;
+    let program = context.program.path(&context.root)?;
     let scene = context.shipped.path("diamond-4");
     Ok(vec![match peak_of(Command::new(program).arg("run").arg(scene))? {
         Some(kilobytes) => Row::info("memory", quantity, MEGABYTES, kilobytes as f64 / 1000.0),
         None => Row::skipped("memory", quantity, "this system does not say how much memory a process has used"),
     }])
-}
-
-/// Builds the program and returns where it is: beside this one, which was built with the same profile.
-pub(crate) fn build_program(root: &Path) -> Result<PathBuf, Box<dyn Error>> {
-    let own = std::env::current_exe()?;
-    let folder = own.parent().ok_or("this program lies in no folder")?;
-    let mut command = commands::cargo(root);
-    command.args(["build", "--quiet", "--package", "polhode-cli"]);
-    if !folder.ends_with(DEBUG_FOLDER) {
-        command.arg("--release");
-    }
-    if !command.status()?.success() {
-        return Err("the program polhode does not build".into());
-    }
-    Ok(folder.join(format!("polhode{}", std::env::consts::EXE_SUFFIX)))
 }
 
 /// Largest resident memory of a command until it ends, kB, where the system tells.

@@ -1,6 +1,6 @@
 //! The pages that the program writes, as its users get them.
 
-use crate::cases::{Context, build_program};
+use crate::cases::Context;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -41,11 +41,11 @@ const PAGES: &[ShippedPage] = &[
 /// # Errors
 /// When the program does not build, or ends otherwise than expected.
 pub(super) fn write(context: &Context, folder: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
-    let program = build_program(&context.root)?;
+    let program = context.program.path(&context.root)?;
     let mut pages = Vec::new();
     for page in PAGES {
         let path = folder.join(page.name).with_extension("html");
-        let mut command = Command::new(&program);
+        let mut command = Command::new(program);
         command.arg("view").arg(context.shipped.path(page.scene)).args(page.changes).arg("-o").arg(&path);
         let output = command.output()?;
         if output.status.code() != Some(page.exit_code) {

@@ -246,7 +246,7 @@ impl PairPatches {
         if !tools.before.is_empty() {
             self.take_impulses(&tools.before);
         }
-        self.presses &= !self.patches.is_empty();
+        self.presses = self.patches.iter().any(Patch::presses);
     }
 
     /// Whether the patches still hold at a relative pose.
