@@ -1,7 +1,7 @@
 //! Child processes: formatting, lints, documentation, tests. Their output is shown when they fail.
 
-use crate::golden;
 use crate::row::Row;
+use crate::snapshot_environment::without_snapshot_environment;
 use std::error::Error;
 use std::path::Path;
 use std::process::{Command, ExitCode, Stdio};
@@ -92,6 +92,6 @@ pub(crate) fn go_on_in_release() -> Result<ExitCode, Box<dyn Error>> {
 pub(crate) fn cargo(root: &Path) -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.current_dir(root);
-    golden::without_snapshot_environment(&mut command);
+    without_snapshot_environment(&mut command);
     command
 }

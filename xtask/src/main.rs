@@ -20,6 +20,7 @@
 //! | [`cases`] | validation cases, one file per group |
 //! | [`exact`] | exact geometry of convex polyhedra, to judge contacts by |
 //! | [`golden`] | golden trajectories |
+//! | [`snapshot_environment`] | what insta is told by its environment |
 //! | [`gallery`] | the command: stills, document and page of all shipped scenes |
 //! | [`random`] | random numbers with a fixed seed |
 //! | [`mod@reference`] | the values that cases are compared with |
@@ -58,6 +59,7 @@ mod rigid_ipc;
 mod row;
 mod scene_units;
 mod schedule;
+mod snapshot_environment;
 mod statics;
 mod table;
 mod tier_costs;

@@ -11,6 +11,7 @@
 use crate::cases::{self, Amount, Context};
 use crate::row::Row;
 use crate::schedule::{self, Company, Step};
+use crate::snapshot_environment::in_snapshot_environment;
 use crate::table::{self, Counts};
 use crate::{book, commands, gallery, golden, house, viewer};
 use clap::Args;
@@ -59,7 +60,7 @@ struct Extent {
 /// When it cannot start: no case of that name, no reference values, no workspace.
 pub(crate) fn run(options: &Options) -> Result<ExitCode, Box<dyn Error>> {
     let root = workspace_root()?;
-    if let Some(code) = golden::in_snapshot_environment(options.bless)? {
+    if let Some(code) = in_snapshot_environment(options.bless)? {
         return Ok(code);
     }
     let amount = if options.extent.full { Amount::Full } else { Amount::Part };

@@ -10,20 +10,17 @@
 //! | `trajectory` | a run as readable text |
 //! | `comparator` | two texts compared number by number |
 //! | `still` | pictures of scenes, compared pixel by pixel |
-//! | `environment` | what insta is told by its environment |
 
 mod comparator;
-mod environment;
 mod still;
 mod trajectory;
 
-pub(crate) use environment::{in_snapshot_environment, without_snapshot_environment};
 pub(crate) use still::{GoldenStill, STILLS};
 
 use crate::cases::{CaseResult, Context, Run, guarded};
 use crate::row::{Row, Tolerance};
+use crate::snapshot_environment::is_blessed;
 use comparator::{Comparison, DEFAULT_DESCRIPTION, ToleranceComparator};
-use environment::is_blessed;
 use polhode::Effects;
 use std::error::Error;
 use std::path::Path;

@@ -3,9 +3,9 @@
 //! The rasteriser draws the same pixels on every platform, so that nothing may differ. A picture that is meant to be another
 //! one is renewed by `cargo xtask verify --bless --only still`, to be looked at before it is committed.
 
-use super::environment::is_blessed;
 use crate::cases::{CaseResult, Context, guarded};
 use crate::row::Row;
+use crate::snapshot_environment::is_blessed;
 use polhode::Simulation;
 use polhode_view::Recording;
 use polhode_view::raster::{Picture, PictureSize};

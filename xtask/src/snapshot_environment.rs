@@ -7,7 +7,7 @@ use std::process::{Command, ExitCode};
 const ENVIRONMENT: [&str; 3] = ["INSTA_UPDATE", "INSTA_FORCE_PASS", "INSTA_OUTPUT"];
 
 /// Whether goldens are written anew.
-pub(super) fn is_blessed() -> bool {
+pub(crate) fn is_blessed() -> bool {
     std::env::var(ENVIRONMENT[0]).is_ok_and(|value| value == "force")
 }
 
