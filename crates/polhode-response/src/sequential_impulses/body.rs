@@ -113,21 +113,6 @@ fn gathered<L: Lanes>(bodies: &[ImpulseBody], numbers: &[u32], part: fn(&Impulse
     }
 }
 
-/// The inverse inertia of each of these bodies.
-#[inline(always)]
-fn inertias<L: Lanes>(bodies: &[ImpulseBody], numbers: &[u32]) -> [L; 6] {
-    let of = |lane: usize| &bodies[numbers[lane] as usize].inverse_inertia;
-    // Written out: `from_fn` makes a call for each entry.
-    [
-        L::from_lanes(|lane| of(lane)[0]),
-        L::from_lanes(|lane| of(lane)[1]),
-        L::from_lanes(|lane| of(lane)[2]),
-        L::from_lanes(|lane| of(lane)[3]),
-        L::from_lanes(|lane| of(lane)[4]),
-        L::from_lanes(|lane| of(lane)[5]),
-    ]
-}
-
 /// A vector of translation and one of rotation of each body.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Twist<L> {
@@ -164,7 +149,9 @@ impl<L: Lanes> Gathered<L> {
             linear: gathered(bodies, numbers, |body| &body.linear),
             angular: gathered(bodies, numbers, |body| &body.angular),
             inverse_mass: L::from_lanes(|lane| of(lane).inverse_mass),
-            inverse_inertia: Symmetric { entries: inertias(bodies, numbers) },
+            inverse_inertia: Symmetric {
+                entries: std::array::from_fn(|k| L::from_lanes(|lane| of(lane).inverse_inertia[k])),
+            },
         }
     }
 

@@ -147,12 +147,6 @@ impl Lanes for f64x4 {
     }
 }
 
-/// Three of them, written out: `map` of an array is a call.
-#[inline(always)]
-pub(super) fn loaded<L: Lanes>(from: &[Four; 3], part: usize) -> [L; 3] {
-    [L::load(&from[0], part), L::load(&from[1], part), L::load(&from[2], part)]
-}
-
 /// A vector in each lane.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Vectors<L> {

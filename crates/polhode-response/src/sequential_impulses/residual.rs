@@ -6,7 +6,7 @@
 
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody};
-use super::lanes::{FOUR, Four, Lanes, loaded};
+use super::lanes::{FOUR, Four, Lanes};
 use super::patch::{Frame, place};
 use super::sweep::SweepRule;
 use super::works::numbers;
@@ -32,7 +32,7 @@ pub(super) fn residual<L: Lanes>(
     for batch in batches {
         let rows = &points[batch.first as usize..(batch.first + batch.count) as usize];
         for part in 0..FOUR / L::WIDTH {
-            let mut own: [L; 3] = loaded(&worst, part);
+            let mut own = [0, 1, 2].map(|k| L::load(&worst[k], part));
             largest_of::<L>(bodies, (batch, part), rows, (rule, &mut own));
             own.into_iter().zip(&mut worst).for_each(|(value, to)| value.store(to, part));
         }
@@ -63,8 +63,7 @@ fn largest_of<L: Lanes>(
         let slip = (x * x + y * y).root();
         let closing = separation.greater(zero) * L::splat(rule.inverse_step);
         let corrected = relative.rate(at) + closing + friction * slip;
-        let impulse: [L; 3] = loaded(&row.impulse, part);
-        let scaled = [impulse[0] * inverse_mass, impulse[1] * inverse_mass, impulse[2] * inverse_mass];
+        let scaled = [0, 1, 2].map(|k| L::load(&row.impulse[k], part) * inverse_mass);
         let wanted = [scaled[0] - corrected, scaled[1] - x, scaled[2] - y];
         let length = (wanted[1] * wanted[1] + wanted[2] * wanted[2]).root();
         let on_edge = ((wanted[0] + friction * length) / (one + friction * friction)).greater(zero);

@@ -3,7 +3,7 @@
 
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody};
-use super::lanes::{FOUR, Lanes, loaded};
+use super::lanes::{FOUR, Lanes};
 use super::patch::{Block, Frame, Wrench, add, find_blocks, place};
 use super::works::{FourWorks, LaneWorks, Works, book, numbers};
 
@@ -50,7 +50,7 @@ pub(super) fn warm_start<L: Lanes>(bodies: &mut [ImpulseBody], batches: &[Batch]
             let mut wrench = Wrench::none();
             for row in rows {
                 let at = place(&row.place, part);
-                let [normal, x, y] = loaded(&row.impulse, part);
+                let [normal, x, y] = [0, 1, 2].map(|k| L::load(&row.impulse[k], part));
                 wrench.press(at, normal);
                 wrench.rub(at, [x, y]);
             }

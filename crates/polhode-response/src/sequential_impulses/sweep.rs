@@ -140,8 +140,7 @@ fn sweep_all<L: Lanes>(
 /// Separations after the displacements of the bodies.
 #[inline(always)]
 fn move_all<L: Lanes>(bodies: &[ImpulseBody], (batch, part): (&Batch, usize), rows: &mut [PointRows]) {
-    let a = Twist::<L>::displacements(bodies, numbers::<L>(&batch.a, part));
-    let b = Twist::<L>::displacements(bodies, numbers::<L>(&batch.b, part));
+    let [a, b] = [&batch.a, &batch.b].map(|of| Twist::<L>::displacements(bodies, numbers::<L>(of, part)));
     let moved = Frame::<L>::load(batch, part).relative(&a, &b);
     for row in rows {
         let present = L::load(&row.separation, part) + moved.rate(place(&row.place, part));

@@ -5,7 +5,7 @@
 
 use super::batch::{Batch, PointRows};
 use super::body::{ImpulseBody, Twist};
-use super::lanes::{FOUR, Four, Lanes, loaded};
+use super::lanes::{FOUR, Four, Lanes};
 use super::patch::{Frame, place};
 
 /// Changes of energy by impulses, J.
@@ -80,12 +80,11 @@ pub(super) fn book<L: Lanes>(
     (works, colliding): (&mut LaneWorks<L>, f64),
 ) {
     let (zero, faster) = (L::splat(0.0), L::splat(-colliding));
-    let mean_a = Twist::<L>::means(bodies, numbers::<L>(&batch.a, part));
-    let mean_b = Twist::<L>::means(bodies, numbers::<L>(&batch.b, part));
+    let [mean_a, mean_b] = [&batch.a, &batch.b].map(|of| Twist::<L>::means(bodies, numbers::<L>(of, part)));
     let mean = Frame::<L>::load(batch, part).relative(&mean_a, &mean_b);
     for row in rows {
         let at = place::<L>(&row.place, part);
-        let impulse: [L; 3] = loaded(&row.impulse, part);
+        let impulse = [0, 1, 2].map(|k| L::load(&row.impulse[k], part));
         let work = impulse[0] * mean.rate(at);
         let slip = mean.slip(at);
         let rate = L::load(&row.rate, part);

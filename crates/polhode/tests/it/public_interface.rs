@@ -205,7 +205,7 @@ fn restored_simulations_go_on_with_the_same_bits() {
 /// bodies have joined and left them at different times.
 fn rough_balls() -> SceneBuilder {
     let rough = || Material::new("rough").with_friction(0.5).unwrap().with_restitution(0.5).unwrap();
-    let mut scene = Scene::builder("rough balls").duration_s(0.8).body(floor().material(rough()));
+    let mut scene = Scene::builder("rough balls").duration_s(1.2).body(floor().material(rough()));
     for (k, inward) in [DVec3::X, -DVec3::X, DVec3::Y, -DVec3::Y].into_iter().enumerate() {
         let wall = Geometry::Shape(Shape::half_space(UnitVector::new(inward).unwrap()));
         let place = Pose::from_translation(inward * -0.55);
