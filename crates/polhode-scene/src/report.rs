@@ -3,6 +3,7 @@
 use crate::load::LoadedScene;
 use crate::names;
 use glam::DVec3;
+use polhode::scene::{OverlapLimit, Promise};
 use polhode::stability::{Beginning, MovingBody, PushMargin, Stability};
 use polhode::{
     Acceleration, BodyId, BodySample, Momentum, MomentumLedger, PairAt, Plan, RunReport, Scene, SpringImpact,
@@ -59,6 +60,7 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
         "max_friction_violation_of_limit": certificate.max_friction_violation_of_limit,
         "max_friction_violation_at": pair_json(report, certificate.max_friction_violation_at),
         "max_residual": certificate.max_residual,
+        "max_residual_of_limit": certificate.max_residual_of_limit,
         "max_acceleration_error_bound": certificate.max_acceleration_error_bound,
         "max_step_error": certificate.max_step_error,
         "estimated_error": certificate.estimated_error,
@@ -72,6 +74,8 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
     });
     value["max_joint_error_m"] = json!(certificate.max_joint_error_m);
     value["max_joint_error_rad"] = json!(certificate.max_joint_error_rad);
+    value["max_joint_error_of_limit"] = json!(certificate.max_joint_error_of_limit);
+    value["max_joint_error_at"] = pair_json(report, certificate.max_joint_error_at);
     if let Some(springs) = &report.springs {
         value["springs"] = springs_json(report, springs);
     }
@@ -190,8 +194,27 @@ pub fn plan_json(plan: &Plan) -> Value {
         "broad_phase": plan.broad_phase.name(),
         "step_s": plan.step_s,
         "tolerance": plan.tolerance,
+        "promise": promise_json(&plan.promise),
         "max_events_per_step": plan.max_events_per_step,
         "effects": effects,
+    })
+}
+
+/// What a run promises; null where nothing is.
+fn promise_json(promise: &Promise) -> Value {
+    let overlap = match promise.overlap {
+        OverlapLimit::OfSize(part) => json!({ "of_size": part }),
+        OverlapLimit::OfStatedPenetration(times) => json!({ "of_stated_penetration": times }),
+        OverlapLimit::OfEnvelope(times) => json!({ "of_envelope": times }),
+        _ => Value::Null,
+    };
+    json!({
+        "overlap": overlap,
+        "joint_gap": promise.joint_gap,
+        "energy": promise.energy,
+        "residual": promise.residual,
+        "friction": promise.friction,
+        "error": promise.error,
     })
 }
 

@@ -24,6 +24,8 @@ pub(crate) struct Core {
     pub(crate) solver: ComplementaritySolver,
     /// Who computes what does not depend on each other.
     pub(crate) executor: Arc<dyn Executor>,
+    /// The overlap that springs or the collision envelope are made for, m; infinite in a run without them.
+    pub(crate) stated_depth_m: f64,
     /// The overlaps of the last sample, as a cache.
     pub(crate) last_sample: LastSample,
 }

@@ -11,7 +11,8 @@ pub use crate::effects::Effects;
 use crate::free_method::Choice;
 use crate::planar::PlanarFinding;
 use crate::scene::{
-    Body, BroadPhaseMethod, ContactMethod, Coordinate, Coordinates, ImpactLaw, Integrator, Joint, Response, Scene, Tier,
+    Body, BroadPhaseMethod, ContactMethod, Coordinate, Coordinates, ImpactLaw, Integrator, Joint, Promise, Response,
+    Scene, Tier,
 };
 use crate::settings::Settings;
 use crate::snapshot::{SnapshotError, content};
@@ -113,6 +114,8 @@ pub struct Plan {
     pub step_s: f64,
     /// Local error per step of constrained motion (dimensionless).
     pub tolerance: f64,
+    /// What the run promises.
+    pub promise: Promise,
     /// Largest number of events in one step.
     pub max_events_per_step: u64,
     /// One decision per effect.
@@ -133,6 +136,7 @@ impl Plan {
             broad_phase: settings.broad_phase,
             step_s: settings.step_s,
             tolerance: settings.tolerance,
+            promise: settings.promise,
             max_events_per_step: settings.max_events_per_step,
             effects: decisions(world, settings, effects, findings),
         }

@@ -1,25 +1,26 @@
-//! The promised limits of a run: the penetration and the projection that its tier promises not to exceed.
+//! Holds a run to what its tier promises (`crate::scene::promise` has the quantities and their limits).
 //!
-//! | tier | penetration of a pair | displacement by one projection | energy that projections take |
-//! |---|---|---|---|
-//! | `accurate` | `1e-12 s + 18 ulp`; above the default tolerance `tolerance s + 18 ulp` | `drift s + 40 ulp` | `drift E`, one or all |
-//! | `accurate` by `rk4` | as above | no promise: depends on the step | no promise |
-//! | `stepped` | no promise: depends on the step | no promise | no promise |
-//! | `thesis` | no promise | no promise: projects only if asked to | no promise |
+//! Every step, impact, projection and sample records what it measures in the accounts, with bodies, time and limit; the end
+//! of the run compares. A run that exceeds a limit is [`Outcome::Degraded`](crate::Outcome::Degraded), and its first
+//! warnings say by how much, which bodies, when, and what would help.
 //!
-//! s: size of the smaller body of the pair, m; ulp: unit in the last place of the largest coordinate of the two, m;
-//! tolerance: that of the method; drift: the tolerance, at least ten times its default; E: the largest energy of the
-//! run, at least that of lifting all bodies by their size, J. In every tier the integrator may lose or gain at most a
-//! hundredth of the largest energy (`crate::accounting::numerical_loss`); in tier `accurate` under error control at most
-//! what its tolerances allow: `drift E` for each longest step of the run and the tolerance of crowding times E for each
-//! longest step in stretches of crowded events (at least one of each). Projections in such stretches may take as much as
-//! the second. The time of an impact is known to four units in its last
-//! place, and the distance by which the bodies approach in that time is added to the limit of penetration. A run that
-//! exceeds one of these limits is [`Outcome::Degraded`](crate::Outcome::Degraded). So is a run of any tier in which ending
-//! bounces took more than 1e-9 of E beyond the energy of the bounces themselves, one in which lifting bodies onto faces that are
-//! higher by less than the touch distance gave more than that, or with a problem that was not solved to
-//! its tolerance, or with forces of friction that violate Coulomb's law by more than
-//! [`CONE_LIMIT`](crate::solve::cone_violation::CONE_LIMIT) relative to the largest force of their problem.
+//! | quantity | limit |
+//! |---|---|
+//! | penetration of a pair | `overlap s + 18 ulp`, plus the approach during four units of the time of an impact |
+//! | gap of a joint | `gap s + 18 ulp`; a rotation `gap` rad |
+//! | displacement by one projection, under error control | `overlap s + 40 ulp` |
+//! | energy that projections take or give, in all | `energy E` |
+//! | energy that the method takes or gives, in all | `energy E`; under error control at least 10 tolerances E for each longest step |
+//! | both in stretches of crowded events | the tolerance of crowding times E for each longest step |
+//! | residual, violation of Coulomb's law, estimated error | those of the promise |
+//!
+//! s: size of the smaller body of the pair, m; ulp: unit in the last place of the largest coordinate of the two, m; E: the largest
+//! energy of the run, at least that of lifting all bodies by their size, J. Integrators of fixed steps that a scene names in a tier
+//! under error control may take what those of other tiers may, a hundredth of E.
+//!
+//! In every tier a run is degraded too in which ending bounces took more than 1e-9 of E beyond the energy of the bounces
+//! themselves, or lifting bodies onto faces that are higher by less than the touch distance gave more than that, or with a problem
+//! that was not solved to its tolerance.
 
 use crate::accounting::books::Balance;
 use crate::accounting::measures::{Limits, Measure};
@@ -27,7 +28,7 @@ use crate::accounting::numerical_loss::FixedStep;
 use crate::collision::contact_set::Touch;
 use crate::constraint::ConstraintId;
 use crate::core::Core;
-use crate::scene::ErrorOrder;
+use crate::scene::{ErrorOrder, OverlapLimit};
 use crate::solve::bounce_friction::EndedBounces;
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::projection::Projection;
@@ -47,33 +48,35 @@ const TIME_ULPS: f64 = 4.0;
 /// energy of the run (no unit, 1e-12 to 1e-8): a run that loses or gains more does not have the motion of its scene.
 const REPLACED_RELATIVE: f64 = 1e-9;
 
+/// Energy that a method under error control may take in a step, in units of its tolerance, relative to the largest energy (no unit,
+/// 1 to 100): the error of a step is a fraction of its tolerance.
+const TOLERANCES_PER_STEP: f64 = 10.0;
+
 /// Most bodies that a warning names.
 const MOST_NAMES: usize = 4;
 
 impl Core {
     /// The limits of the whole run.
     pub(crate) fn limits(&self) -> Limits {
-        let drift = self.settings.promised_drift();
         let settings = &self.settings;
-        let tier = settings.tier.facts();
-        let order = match tier.order {
+        let order = match settings.tier.facts().order {
             ErrorOrder::Fixed(order) => order,
             ErrorOrder::WithContact(order) if self.world.may_collide_at_all() => order,
             ErrorOrder::WithContact(_) | ErrorOrder::OfIntegrator => settings.integrator.order(),
         };
-        let is_fixed = !(tier.controls_error() && settings.integrator.controls_error());
+        let is_fixed = !settings.controls_error();
         let duration_s = self.world.scene.duration_s();
         let step = is_fixed.then_some(FixedStep { step_s: settings.step_s, order, duration_s });
+        let energy = settings.promise.energy;
+        let of_steps = TOLERANCES_PER_STEP * settings.tolerance * (duration_s / settings.step_s).max(1.0);
         Limits {
-            projection_energy_relative: drift.unwrap_or(f64::INFINITY),
+            projection_energy_relative: energy,
             crowd_projection_relative: self.crowding_allowed(),
-            numerical_relative: match drift {
-                Some(drift) if !is_fixed => drift * (duration_s / settings.step_s).max(1.0) + self.crowding_allowed(),
-                _ => f64::INFINITY,
-            },
+            numerical_relative: if is_fixed { energy } else { energy.max(of_steps) + self.crowding_allowed() },
             replaced_relative: REPLACED_RELATIVE,
             smallest_energy_j: self.world.lifting_energy_j(),
             step,
+            remedy: settings.tier.facts().remedy,
         }
     }
 
@@ -124,24 +127,40 @@ impl Core {
         self.accounts.measures.penetration.note(Measure { t, pair: (a, b), value: -separation_m, allowed });
     }
 
-    /// The penetration (m) that the tier promises not to exceed for a pair at `t` (s) whose separation changes at this rate
+    /// The penetration (m) that the run promises not to exceed for a pair at `t` (s) whose separation changes at this rate
     /// (m/s); infinite without a promise.
     pub(crate) fn penetration_allowed(&self, t: f64, states: &[BodyState], (a, b): (usize, usize), rate: f64) -> f64 {
-        self.settings.promised_penetration().map_or(f64::INFINITY, |relative| {
-            // The time of an impact is known to its rounding only.
-            let late_approach = TIME_ULPS * f64::EPSILON * t.abs() * rate.abs();
-            relative * self.world.pair_size(a, b) + self.world.penetration_rounding(states, a, b) + late_approach
-        })
+        // The time of an impact is known to its rounding only.
+        let late_approach = TIME_ULPS * f64::EPSILON * t.abs() * rate.abs();
+        self.promised_overlap_m((a, b)) + self.world.penetration_rounding(states, a, b) + late_approach
     }
 
-    /// Records the penetration that a time step up to `t` (s) has left and removed. Its tier promises no limit.
-    pub(crate) fn note_overlap_of_step(&mut self, t: f64, report: &TimeStepReport) {
+    /// The overlap (m) that the run promises not to exceed for a pair, without rounding.
+    fn promised_overlap_m(&self, (a, b): (usize, usize)) -> f64 {
+        match self.settings.promise.overlap {
+            OverlapLimit::OfSize(part) => part * self.world.pair_size(a, b),
+            OverlapLimit::OfStatedPenetration(times) | OverlapLimit::OfEnvelope(times) => times * self.stated_depth_m,
+        }
+    }
+
+    /// Whether a pair overlaps by more than a step under error control leaves, which is far less than is promised.
+    pub(crate) fn overlaps_beyond_aim(&self, overlap: &Measure) -> bool {
+        let (a, b) = overlap.pair;
+        let aim = self.settings.penetration_aim() * self.world.pair_size(a, b);
+        overlap.value > overlap.allowed - self.promised_overlap_m(overlap.pair) + aim
+    }
+
+    /// Records the penetration that a time step up to `t` (s) has left and removed, and what that took.
+    pub(crate) fn note_overlap_of_step(&mut self, t: f64, states: &[BodyState], report: &TimeStepReport) {
+        let taken_j = report.books.ledger.projection.value();
+        self.accounts.measures.drift_energy.add(taken_j);
         let Some(pair) = report.deepest.map(|id| (id.a, id.b)) else { return };
-        let measure = |value: f64| Measure { t, pair, value, allowed: f64::INFINITY };
+        let allowed = self.penetration_allowed(t, states, pair, 0.0);
+        let measure = |value: f64, allowed: f64| Measure { t, pair, value, allowed };
         let measures = &mut self.accounts.measures;
-        measures.penetration.note(measure(report.max_penetration_m));
-        measures.projection.note(measure(report.max_projection_m));
-        measures.projection_energy.note(measure(report.books.ledger.projection.value().abs()));
+        measures.penetration.note(measure(report.max_penetration_m, allowed));
+        measures.projection.note(measure(report.max_projection_m, f64::INFINITY));
+        measures.projection_energy.note(measure(taken_j.abs(), f64::INFINITY));
     }
 
     /// Books the end of bounces of some bodies at `t` (s), and records in the certificate what was taken beyond the
@@ -167,9 +186,9 @@ impl Core {
         self.accounts.measures.ended_bounces_sum.add(beyond);
     }
 
-    /// Records in the certificate how far forces or impulses at `t` (s) are from Coulomb's law, and how far they may be.
-    pub(crate) fn note_friction(&mut self, t: f64, violation: Option<ConeViolation>, allowed: f64) {
-        self.accounts.measures.note_friction(t, violation, allowed);
+    /// Records in the certificate how far forces or impulses at `t` (s) are from Coulomb's law.
+    pub(crate) fn note_friction(&mut self, t: f64, violation: Option<ConeViolation>) {
+        self.accounts.note_friction(t, violation);
     }
 
     /// Books a projection at `t` (s) that has led to these states, and records it in the certificate.
@@ -195,17 +214,17 @@ impl Core {
         }
     }
 
-    /// Records how far a projection at `t` (s) that has led to these states moved bodies.
+    /// Records how far a projection at `t` (s) that has led to these states moved bodies. Steps of a fixed length leave more
+    /// to it the longer they are, and only their overlaps are limited.
     fn note_displacement(&mut self, t: f64, states: &[BodyState], done: &Projection) {
-        let drift = self.settings.promised_drift();
-        let allowed = |(a, b): (usize, usize)| {
-            let rounding = MOVED_BY_ROUNDING * self.world.rounding(states, a, b);
-            drift.map_or(f64::INFINITY, |drift| drift * self.world.pair_size(a, b) + rounding)
+        let Some(pair @ (a, b)) = done.pair() else { return };
+        let allowed = match self.settings.promise.overlap {
+            OverlapLimit::OfSize(part) if self.settings.projects_within_promise() => {
+                part * self.world.pair_size(a, b) + MOVED_BY_ROUNDING * self.world.rounding(states, a, b)
+            }
+            _ => f64::INFINITY,
         };
-        if let Some(pair) = done.pair() {
-            let moved = Measure { t, pair, value: done.moved_m, allowed: allowed(pair) };
-            self.accounts.measures.projection.note(moved);
-        }
+        self.accounts.measures.projection.note(Measure { t, pair, value: done.moved_m, allowed });
     }
 
     /// The same for overlaps within the touch distance at the start, which are removed without a limit.

@@ -12,6 +12,8 @@ use std::fmt;
 pub struct Certificate {
     /// Largest residual of a contact-force or impact problem (natural map, relative).
     pub max_residual: f64,
+    /// The same relative to its limit: above 1 the run is degraded. Zero for a tier without a promise.
+    pub max_residual_of_limit: f64,
     /// Largest penetration, m; zero when no bodies overlapped.
     pub max_penetration_m: f64,
     /// Largest penetration relative to the limit that the tier promises for the pair: above 1 the run is degraded. Zero
@@ -67,12 +69,16 @@ pub struct Certificate {
     pub max_joint_error_m: Option<f64>,
     /// The same of its rotations, rad.
     pub max_joint_error_rad: Option<f64>,
+    /// The larger one of both relative to its limit: above 1 the run is degraded.
+    pub max_joint_error_of_limit: f64,
+    /// The bodies and the time of the largest distance; one body twice where the joint holds it to the world.
+    pub max_joint_error_at: Option<PairAt>,
     /// Estimated error of a run by fixed steps of the tiers `stepped` and `thesis`: the largest sum of the errors of
     /// position of a body, relative to its size, each by comparison with two steps of half the length; in the tier
     /// `thesis` with the deepest overlap. It does not contain what an unstable motion adds. None in the tier `accurate`.
     pub estimated_error: Option<f64>,
     /// The largest energy that the integrator had lost or gained at any time, relative to the largest energy of the run
-    /// until then: above 0.01 the run is degraded.
+    /// until then: above the promised part the run is degraded.
     pub max_numerical_relative: f64,
     /// Factorisations by which time steps have solved for the velocities of bodies with many rough contacts: what they cost,
     /// whatever the machine. Those of samples within a step, and of its comparison with two halves, are left out.
@@ -127,10 +133,10 @@ pub enum Outcome {
     Completed,
     /// The observer stopped it.
     Stopped,
-    /// The run ended, or the observer stopped it, but it did not keep the promise of its tier: a penetration, the
-    /// displacement of a projection, the energy of projections or what the integrator lost or gained exceeded its limit,
-    /// a problem was not solved to its tolerance, or fixed steps were too long and the estimated error exceeds the size of
-    /// a body. The first warnings say which bodies, when, and by how much.
+    /// The run ended, or the observer stopped it, but it did not keep its promise ([`Promise`](crate::scene::Promise)): a
+    /// penetration, the gap of a joint, the displacement of a projection, the energy of projections, what the integrator lost or
+    /// gained, a residual or a violation of Coulomb's law exceeded its limit, or fixed steps were too long and the estimated error
+    /// exceeds the size of a body. The first warnings say which bodies, when, and by how much.
     Degraded,
 }
 

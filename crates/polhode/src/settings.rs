@@ -2,15 +2,23 @@
 
 use crate::scene::{
     BroadPhaseMethod, ContactMethod, Coordinates, Crowding, FlightRecords, ImpactLaw, Integrator, Method, Orientation,
-    PenaltyMethod, Response, RotationRate, Tier, TierFeature,
+    PenaltyMethod, Promise, Response, RotationRate, Tier, TierFeature,
 };
 use polhode_dynamics::integrator::{self, MethodSettings, Tolerance};
 
 /// Local error of a step of constrained motion when none is given, relative to size and speed (dimensionless).
 const DEFAULT_TOLERANCE: f64 = 1e-11;
 
+/// Penetration that a step under error control leaves at the default tolerance and tighter ones, besides rounding, relative to the
+/// size of the smaller body (no unit). Closing contacts are located far more accurately, whatever the tolerance.
+const PENETRATION_AIM: f64 = 1e-12;
+
 /// Error of a stretch of crowded events when none is given, relative to the size of a body (dimensionless).
 const DEFAULT_CROWDING_TOLERANCE: f64 = 1e-6;
+
+/// Energy that an integrator of fixed steps which a scene names may lose or gain in a tier under error control, relative to the
+/// largest of the run (no unit, 1e-3 to 1e-1). A speed is then wrong by half of that: such a motion looks the same.
+const ENERGY_OF_NAMED_STEPS: f64 = 1e-2;
 
 /// Largest number of events in one step when none is given.
 const DEFAULT_MAX_EVENTS_PER_STEP: u64 = 1_000_000;
@@ -39,6 +47,8 @@ pub(crate) struct Settings {
     /// Whether the scene gives that step.
     pub(crate) step_is_given: bool,
     pub(crate) tolerance: f64,
+    /// What the run promises.
+    pub(crate) promise: Promise,
     pub(crate) max_events_per_step: u64,
     pub(crate) crowding: Crowding,
     /// Error of a stretch of crowded events per longest step, relative to the size of each body.
@@ -78,19 +88,20 @@ impl Settings {
         self.takes(TierFeature::ConstrainedRk4) && self.named_integrator == Some(Integrator::Rk4)
     }
 
-    /// Promised limit of penetration, relative to the size of the smaller body of a pair; none for a tier without a
-    /// promise. A tolerance above the default is itself the limit, because active contacts drift by errors of that size
-    /// within a step.
-    pub(crate) fn promised_penetration(&self) -> Option<f64> {
-        let promise = self.tier.facts().promise?;
-        Some(if self.tolerance > DEFAULT_TOLERANCE { self.tolerance } else { promise.penetration_relative })
+    /// Whether error control chooses the steps of all motion.
+    pub(crate) fn controls_error(&self) -> bool {
+        self.tier.facts().controls_error() && self.integrator.controls_error() && !self.constrains_by_rk4()
     }
 
-    /// Promised limit of projections: of a displacement relative to the size of the pair, of the energy relative to
-    /// that of the scene (dimensionless). None for a tier without a promise, and for a method without error control.
-    pub(crate) fn promised_drift(&self) -> Option<f64> {
-        let promise = self.tier.facts().promise.filter(|_| !self.constrains_by_rk4())?;
-        Some(self.tolerance.max(promise.drift_factor * DEFAULT_TOLERANCE))
+    /// Penetration that a step under error control leaves, besides rounding, relative to the size of the smaller body: a tolerance
+    /// above the default is itself that, because active contacts drift by errors of that size within a step.
+    pub(crate) fn penetration_aim(&self) -> f64 {
+        if self.tolerance > DEFAULT_TOLERANCE { self.tolerance } else { PENETRATION_AIM }
+    }
+
+    /// Whether what projections move is an error of controlled steps.
+    pub(crate) fn projects_within_promise(&self) -> bool {
+        self.tier.facts().controls_error() && !self.constrains_by_rk4()
     }
 
     /// Largest local error of a step of constrained motion (dimensionless): the tolerance under error control, infinite
@@ -123,6 +134,11 @@ impl Settings {
     /// The settings that the method gives, and the defaults of this tier for the rest.
     pub(crate) fn resolve(method: &Method, tier: Tier) -> Self {
         let facts = tier.facts();
+        let tolerance = method.tolerance.unwrap_or(DEFAULT_TOLERANCE);
+        let mut promise = facts.promise.at_least(tolerance);
+        if facts.controls_error() && method.integrator.is_some_and(|named| !named.controls_error()) {
+            promise.energy = promise.energy.max(ENERGY_OF_NAMED_STEPS);
+        }
         Self {
             tier,
             integrator: method.integrator.unwrap_or(facts.integrator),
@@ -138,7 +154,8 @@ impl Settings {
             substeps: method.substeps,
             step_s: method.step_s.unwrap_or(facts.step_s),
             step_is_given: method.step_s.is_some(),
-            tolerance: method.tolerance.unwrap_or(DEFAULT_TOLERANCE),
+            tolerance,
+            promise: promise.changed(&method.promise),
             max_events_per_step: method.max_events_per_step.unwrap_or(DEFAULT_MAX_EVENTS_PER_STEP),
             crowding: method.crowding.unwrap_or_default(),
             crowding_tolerance: method.crowding_tolerance.unwrap_or(DEFAULT_CROWDING_TOLERANCE),

@@ -157,10 +157,12 @@ impl Simulation {
             Effects::All => PlanarFinding::off("the run simulates all effects: every body moves in space"),
         };
         world.confine_to_plane(planar.plane, &mut states);
-        let accounts = Accounts::open(&world, &states);
+        let accounts = Accounts::open(&world, &states, settings.promise);
         let (solver, last_sample) = (ComplementaritySolver::default(), LastSample::default());
         let executor = Arc::new(OneThread);
-        let mut core = Core { world, settings, effects, t: 0.0, accounts, solver, executor, last_sample };
+        let stated_depth_m = f64::INFINITY;
+        let mut core =
+            Core { world, settings, effects, t: 0.0, accounts, solver, executor, stated_depth_m, last_sample };
         for what in separated.into_iter().chain(scene.warnings()) {
             core.accounts.warn(0.0, what);
         }
@@ -507,11 +509,11 @@ impl Simulation {
         settings.integrator = Integrator::from_name(&content.integrator)
             .map_err(|_| SnapshotError::Invalid("it names an integrator that does not exist"))?;
         let plan = self.plan_at_start.restored(content.plan.as_ref(), settings.integrator)?;
-        let accounts = Accounts::restored(&content.accounts, world.bodies.len())?;
+        let accounts = Accounts::restored(&content.accounts, world.bodies.len(), settings.promise)?;
         let solver = ComplementaritySolver::default();
         let (executor, last_sample) = (self.core.executor.clone(), LastSample::default());
-        let mut core =
-            Core { world, settings, effects: self.core.effects, t: content.t, accounts, solver, executor, last_sample };
+        let (effects, t, stated_depth_m) = (self.core.effects, content.t, f64::INFINITY);
+        let mut core = Core { world, settings, effects, t, accounts, solver, executor, stated_depth_m, last_sample };
         let tier = engines::restored(&mut core, &content.tier)?;
         // A scene with a longer duration goes on.
         let ended = content.ended && core.t >= self.scene.duration_s();

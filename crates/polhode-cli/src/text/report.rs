@@ -2,6 +2,7 @@
 
 use super::table::{Table, number, vector};
 use crate::heading::Heading;
+use polhode::scene::{OverlapLimit, Promise};
 use polhode::{
     Acceleration, Body, BodyId, Certificate, Ledger, MomentumLedger, PairAt, Plan, RunReport, Scene, SpringReport,
 };
@@ -52,6 +53,7 @@ fn methods_and_effects(plan: &Plan) -> String {
     methods.row(["broad phase", plan.broad_phase.name()]);
     methods.row(["step", &format!("{} s", number(plan.step_s))]);
     methods.row(["tolerance", &number(plan.tolerance)]);
+    methods.row(["promise", &promise(&plan.promise)]);
     let mut effects = Table::default();
     for effect in &plan.effects {
         let saves = if effect.saves.is_empty() { String::new() } else { format!("; {}", effect.saves) };
@@ -59,6 +61,25 @@ fn methods_and_effects(plan: &Plan) -> String {
         effects.row([effect.effect.name(), names::decision(effect.decision), &fact]);
     }
     format!("plan\n{}\neffects\n{}", methods.print_within(WIDTH), effects.print_within(WIDTH))
+}
+
+/// The limits beyond which a run is degraded.
+fn promise(promise: &Promise) -> String {
+    let overlap = match promise.overlap {
+        OverlapLimit::OfSize(part) => format!("{} of the smaller body", number(part)),
+        OverlapLimit::OfStatedPenetration(times) => format!("{} times the stated penetration", number(times)),
+        OverlapLimit::OfEnvelope(times) => format!("{} times the envelope", number(times)),
+        _ => "not limited".to_owned(),
+    };
+    let others = [
+        ("gaps of joints", promise.joint_gap),
+        ("energy from projections and from the method", Some(promise.energy)),
+        ("residuals", promise.residual),
+        ("Coulomb's law", promise.friction),
+        ("estimated error", promise.error),
+    ];
+    let others = others.into_iter().filter_map(|(what, limit)| Some(format!(", {what} {}", number(limit?))));
+    format!("overlaps at most {overlap}{}", others.collect::<String>())
 }
 
 /// Accelerations at t = 0.
@@ -205,11 +226,14 @@ fn certificate(report: &RunReport) -> String {
     let of_limit = of_its_limit(certificate.max_friction_violation_of_limit);
     let at = self::at(report, certificate.max_friction_violation_at);
     table.row(["largest violation of friction's law", &format!("{violation} of the largest force{of_limit}{at}")]);
-    table.row(["largest residual of a contact problem", &number(certificate.max_residual)]);
+    let of_limit = of_its_limit(certificate.max_residual_of_limit);
+    table.row(["largest residual of a contact problem", &format!("{}{of_limit}", number(certificate.max_residual))]);
     table.row(["bound on the error of an acceleration", &measured(certificate.max_acceleration_error_bound)]);
     table.row(["largest error of a step, of its tolerance", &measured(certificate.max_step_error)]);
     if let (Some(apart), Some(turned)) = (certificate.max_joint_error_m, certificate.max_joint_error_rad) {
-        table.row(["largest error of a joint", &format!("{} m, {} rad", number(apart), number(turned))]);
+        let of_limit = of_its_limit(certificate.max_joint_error_of_limit);
+        let at = self::at(report, certificate.max_joint_error_at);
+        table.row(["largest error of a joint", &format!("{} m, {} rad{of_limit}{at}", number(apart), number(turned))]);
     }
     table.row(["estimated error of the run, of a body's size", &measured(certificate.estimated_error)]);
     table.row(["fallbacks", &certificate.fallbacks.to_string()]);

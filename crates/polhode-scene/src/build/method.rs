@@ -5,17 +5,17 @@ use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{
     BroadPhaseName, ContactName, CoordinatesName, CrowdingName, ImpactName, IntegratorName, MethodEntry,
-    OrientationName, PropagationOrderName, PulseExponentName, ResponseName, RestitutionLawName, RotationRateName,
-    TierName,
+    OrientationName, PromiseEntry, PropagationOrderName, PulseExponentName, ResponseName, RestitutionLawName,
+    RotationRateName, TierName,
 };
 use polhode::SceneError;
 use polhode::scene::{
-    ContactMethod, Coordinates, Crowding, ImpactLaw, IntegratorChoice, Method, Orientation, PropagationOrder,
-    PulseExponent, Response, RestitutionLaw, RotationRate, TierFeature,
+    ContactMethod, Coordinates, Crowding, ImpactLaw, IntegratorChoice, Method, Orientation, PromiseChanges,
+    PropagationOrder, PulseExponent, Response, RestitutionLaw, RotationRate, TierFeature,
 };
 
-/// The method that the file asks for.
-pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
+/// The method that the file asks for, with these limits.
+pub(super) fn build(entry: &MethodEntry, promise: &PromiseEntry) -> Result<Method, Fault> {
     let path = KeyPath::of(&["method"]);
     let step_s = entry.step.map(|step| positive(step, &path.key("step"))).transpose()?;
     let tolerance = entry.tolerance.map(|tolerance| positive(tolerance, &path.key("tolerance"))).transpose()?;
@@ -46,9 +46,16 @@ pub(super) fn build(entry: &MethodEntry) -> Result<Method, Fault> {
         crowding: entry.crowding.map(crowding),
         crowding_tolerance,
         penalty: entry.penalty.as_ref().map(super::penalty::build),
+        promise: limits(promise),
     };
     method.validate().map_err(|error| (path_of(&error, entry), error.into()))?;
     Ok(method)
+}
+
+/// The limits that the file sets.
+const fn limits(entry: &PromiseEntry) -> PromiseChanges {
+    let &PromiseEntry { overlap, joint_gap, energy, residual, friction, error } = entry;
+    PromiseChanges { overlap, joint_gap, energy, residual, friction, error }
 }
 
 /// The key that an error of the method is about.

@@ -85,7 +85,7 @@ pub(crate) fn scene(file: &SceneFile, folder: &MeshFolder, name: &str) -> Result
 
 /// Method, times, gravity and start.
 fn times(file: &SceneFile, mut builder: SceneBuilder, faults: &mut Faults) -> SceneBuilder {
-    if let Some(method) = faults.note(method::build(&file.method)) {
+    if let Some(method) = faults.note(method::build(&file.method, &file.promise)) {
         builder = builder.method(method);
     }
     let duration = file.duration.map(|duration| positive(duration, &KeyPath::of(&["duration"])));

@@ -34,6 +34,7 @@ mod model;
 mod motion;
 mod penalty;
 pub(crate) mod planned;
+mod promise;
 mod scene;
 mod signal;
 mod tier;
@@ -66,6 +67,7 @@ pub use method::{
 pub use model::{BaseName, ModelEntry, UnphysicalName};
 pub use motion::{ConstantMotionEntry, InterpolationEntry, MotionEntry, SineMotionEntry, TableMotionEntry};
 pub use penalty::{PenaltyEntry, SpringDampingName, SpringFrictionName, SpringLawName};
+pub use promise::PromiseEntry;
 pub use scene::{MaterialEntry, NoContactEntry, OutputEntry, PairEntry, SceneFile, StartEntry};
 pub use signal::{SignalEntry, SinusoidEntry};
 pub use tier::TierName;

@@ -2,7 +2,7 @@
 
 use super::exactly::{Exactly, Vector};
 use super::{
-    ArrayEntry, BodyEntry, ForceEntry, FrictionEntry, GearEntry, JointEntry, MethodEntry, ModelEntry,
+    ArrayEntry, BodyEntry, ForceEntry, FrictionEntry, GearEntry, JointEntry, MethodEntry, ModelEntry, PromiseEntry,
     StaticFrictionEntry, TrackEntry,
 };
 use schemars::JsonSchema;
@@ -31,6 +31,9 @@ pub struct SceneFile {
     /// How the scene is simulated; the plan chooses what is absent.
     #[serde(default)]
     pub method: MethodEntry,
+    /// How far the run may be from its scene and still end well.
+    #[serde(default)]
+    pub promise: PromiseEntry,
     /// What is written.
     #[serde(default)]
     pub output: OutputEntry,

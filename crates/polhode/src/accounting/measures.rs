@@ -4,7 +4,6 @@ use super::long_steps::LongSteps;
 use super::numerical_loss::{FixedStep, NumericalLoss};
 use super::occurrences::Occurrences;
 use crate::snapshot::{SnapshotError, content};
-use crate::solve::cone_violation::ConeViolation;
 use crate::world::World;
 use crate::{BodyId, Certificate, Ledger, PairAt};
 use polhode_spatial::CompensatedSum;
@@ -25,7 +24,26 @@ pub(crate) struct Limits {
     pub(crate) smallest_energy_j: f64,
     /// The fixed step of the method; none under error control.
     pub(crate) step: Option<FixedStep>,
+    /// What would help, in words.
+    pub(crate) remedy: &'static str,
 }
+
+impl Limits {
+    /// What would help against a length beyond its limit, in words: with fixed steps also a step that may do, since what a step leaves
+    /// falls at least with its length.
+    fn shorter_step(&self, measure: &Measure) -> String {
+        let remedy = self.remedy;
+        match self.step {
+            Some(FixedStep { step_s, .. }) => {
+                format!("{remedy}; a step of {:.0e} s may do", LEFT_BY_SHORTER_STEP * step_s / measure.ratio())
+            }
+            None => remedy.to_owned(),
+        }
+    }
+}
+
+/// What a step that is proposed should leave, as a part of the limit (no unit).
+pub(super) const LEFT_BY_SHORTER_STEP: f64 = 0.5;
 
 /// A value measured for a pair of bodies.
 #[derive(Debug, Clone, Copy)]
@@ -114,6 +132,14 @@ pub(crate) struct Measures {
     pub(crate) projection_energy: Worst,
     /// Violation of Coulomb's law, relative to the largest force of the problem.
     pub(crate) friction: Worst,
+    /// Residual of the solution of a problem (natural map, relative); its pair means nothing.
+    pub(crate) residual: Worst,
+    /// Whether a joint has been measured.
+    pub(crate) has_joints: bool,
+    /// Distance of a joint from what it keeps, m.
+    pub(crate) joint_gap: Worst,
+    /// The same of its rotations, rad.
+    pub(crate) joint_rotation: Worst,
     /// Energy removed by all projections except lifts and those of overlaps at the start, J.
     pub(crate) drift_energy: CompensatedSum,
     /// Change of energy by one lift onto a higher face, J.
@@ -137,13 +163,6 @@ pub(crate) struct Measures {
 }
 
 impl Measures {
-    /// Records a violation of Coulomb's law at `t` (s), and how large it may be.
-    pub(crate) fn note_friction(&mut self, t: f64, violation: Option<ConeViolation>, allowed: f64) {
-        if let Some(ConeViolation { value, pair }) = violation {
-            self.friction.note(Measure { t, pair, value, allowed });
-        }
-    }
-
     /// Records the penetration of a sample: it counts for the run too.
     pub(crate) fn note_sample(&mut self, measure: Measure) {
         self.sample_penetration.note(measure);
@@ -158,6 +177,10 @@ impl Measures {
             projection: self.projection.save(),
             projection_energy: self.projection_energy.save(),
             friction: self.friction.save(),
+            residual: self.residual.save(),
+            has_joints: self.has_joints,
+            joint_gap: self.joint_gap.save(),
+            joint_rotation: self.joint_rotation.save(),
             drift_energy: self.drift_energy.parts(),
             lifts: self.lifts.save(),
             lifts_sum: self.lifts_sum.parts(),
@@ -182,6 +205,10 @@ impl Measures {
             projection: Worst::restored(&saved.projection, bodies)?,
             projection_energy: Worst::restored(&saved.projection_energy, bodies)?,
             friction: Worst::restored(&saved.friction, bodies)?,
+            residual: Worst::restored(&saved.residual, bodies)?,
+            has_joints: saved.has_joints,
+            joint_gap: Worst::restored(&saved.joint_gap, bodies)?,
+            joint_rotation: Worst::restored(&saved.joint_rotation, bodies)?,
             drift_energy: CompensatedSum::from_parts(saved.drift_energy),
             lifts: Worst::restored(&saved.lifts, bodies)?,
             lifts_sum: CompensatedSum::from_parts(saved.lifts_sum),
@@ -216,43 +243,83 @@ impl Measures {
         certificate.max_ended_bounces_j = self.ended_bounces.largest;
         certificate.max_ended_bounces_at = self.ended_bounces.at();
         certificate.ended_bounces_j = self.ended_bounces_sum.value();
+        certificate.max_residual = self.residual.largest;
+        certificate.max_residual_of_limit = self.residual.of_limit();
+        certificate.max_joint_error_m = self.has_joints.then_some(self.joint_gap.largest);
+        certificate.max_joint_error_of_limit = self.joint_gap.of_limit().max(self.joint_rotation.of_limit());
+        certificate.max_joint_error_at = self.joint_gap.at();
+        certificate.max_joint_error_rad = self.has_joints.then_some(self.joint_rotation.largest);
         certificate.max_friction_violation = self.friction.largest;
         certificate.max_friction_violation_of_limit = self.friction.of_limit();
         certificate.max_friction_violation_at = self.friction.at();
     }
 
-    /// The limits that were exceeded.
+    /// The limits that were exceeded, in words.
     pub(crate) fn exceeded(&self, world: &World, ledger: &Ledger, limits: &Limits) -> Vec<String> {
-        let names = |measure: &Measure| world.pair_names(measure.pair.0, measure.pair.1);
+        let mut exceeded: Vec<String> = self.lengths_exceeded(world, limits).collect();
+        exceeded.extend(self.energies_exceeded(world, ledger, limits));
+        if let Some(worst) = self.friction.exceeded() {
+            let (t, value, allowed, names) = (worst.t, worst.value, worst.allowed, names(world, &worst));
+            exceeded.push(format!(
+                "t = {t} s: degraded: friction of {names} exceeded Coulomb's law by {value:e} of the largest force, the \
+                 promised limit is {allowed:e}: {}",
+                limits.remedy
+            ));
+        }
+        if let Some(Measure { t, value, allowed, .. }) = self.residual.exceeded() {
+            exceeded.push(format!(
+                "t = {t} s: degraded: a problem of contacts or joints was solved to a residual of {value:e}, the promised limit is \
+                 {allowed:e}: its forces are wrong by about that part of the largest: {}",
+                limits.remedy
+            ));
+        }
+        exceeded.extend(self.unsolved.list().iter().map(|unsolved| format!("{unsolved} (degraded)")));
+        exceeded
+    }
+
+    /// Overlaps, gaps of joints and displacements by projections beyond their limits.
+    fn lengths_exceeded<'a>(&'a self, world: &'a World, limits: &'a Limits) -> impl Iterator<Item = String> + 'a {
+        let measured = [
+            (&self.penetration, "overlapped by", "m"),
+            (&self.joint_gap, "are held by a joint that was open by", "m"),
+            (&self.joint_rotation, "are held by a joint that was turned off what it keeps by", "rad"),
+            (&self.projection, "were moved by a projection by", "m"),
+        ];
+        measured.into_iter().filter_map(move |(quantity, what, unit)| {
+            let worst = quantity.exceeded()?;
+            let Measure { t, pair, value, allowed } = worst;
+            let of_size = if unit == "m" {
+                format!(", {:.1e} of the size of the smaller one", value / world.pair_size(pair.0, pair.1))
+            } else {
+                String::new()
+            };
+            let (names, remedy) = (names(world, &worst), limits.shorter_step(&worst));
+            Some(format!(
+                "t = {t} s: degraded: {names} {what} {value:e} {unit}{of_size}; the promised limit is {allowed:e} {unit}: {remedy}"
+            ))
+        })
+    }
+
+    /// Energies beyond their limits.
+    fn energies_exceeded(&self, world: &World, ledger: &Ledger, limits: &Limits) -> Vec<String> {
+        let scale = ledger.scale_j.max(limits.smallest_energy_j);
+        let beyond = |sum: f64, relative: f64, worst: &Worst| {
+            let allowed = relative * scale;
+            worst.worst.filter(|_| sum.abs() > allowed).map(|worst| (worst, names(world, &worst), allowed))
+        };
         let mut exceeded = Vec::new();
-        if let Some(worst) = self.penetration.exceeded() {
-            let (t, value, allowed) = (worst.t, worst.value, worst.allowed);
-            let names = names(&worst);
+        let (sum, remedy) = (self.drift_energy.value(), limits.remedy);
+        if let Some((Measure { t, value, .. }, names, allowed)) =
+            beyond(sum, limits.projection_energy_relative, &self.projection_energy)
+        {
+            let (did, size) = if sum < 0.0 { ("gave", -sum) } else { ("took", sum) };
             exceeded.push(format!(
-                "t = {t} s: degraded: {names} overlapped by {value:e} m, the promised limit is {allowed:e} m"
-            ));
-        }
-        if let Some(worst) = self.projection.exceeded() {
-            let (t, value, allowed) = (worst.t, worst.value, worst.allowed);
-            let names = names(&worst);
-            exceeded.push(format!(
-                "t = {t} s: degraded: a projection of {names} moved a body by {value:e} m, the promised limit is \
-                 {allowed:e} m"
-            ));
-        }
-        let sum = self.drift_energy.value();
-        let allowed = limits.projection_energy_relative * ledger.scale_j.max(limits.smallest_energy_j);
-        if let Some(worst) = self.projection_energy.worst.filter(|_| sum.abs() > allowed) {
-            let (t, value, names) = (worst.t, worst.value, names(&worst));
-            exceeded.push(format!(
-                "t = {t} s: degraded: projections took {sum:e} J in all, the largest, of {names}, changed {value:e} J; \
-                 the promised limit is {allowed:e} J"
+                "t = {t} s: degraded: projections {did} {size:e} J in all, the largest, of {names}, changed {value:e} J; \
+                 the promised limit is {allowed:e} J: {remedy}"
             ));
         }
         let sum = self.lifts_sum.value();
-        let allowed = limits.replaced_relative * ledger.scale_j.max(limits.smallest_energy_j);
-        if let Some(worst) = self.lifts.worst.filter(|_| sum.abs() > allowed) {
-            let (t, value, names) = (worst.t, worst.value, names(&worst));
+        if let Some((Measure { t, value, .. }, names, allowed)) = beyond(sum, limits.replaced_relative, &self.lifts) {
             exceeded.push(format!(
                 "t = {t} s: degraded: lifting bodies onto faces that are higher by less than the touch distance gave \
                  {:e} J in all, most of it, {value:e} J, to {names}; the limit is {allowed:e} J",
@@ -260,37 +327,32 @@ impl Measures {
             ));
         }
         let sum = self.crowd_projection_sum.value();
-        let allowed = limits.crowd_projection_relative * ledger.scale_j.max(limits.smallest_energy_j);
-        if let Some(worst) = self.crowd_projection.worst.filter(|_| sum.abs() > allowed) {
-            let (t, value, names) = (worst.t, worst.value, names(&worst));
+        if let Some((Measure { t, value, .. }, names, allowed)) =
+            beyond(sum, limits.crowd_projection_relative, &self.crowd_projection)
+        {
             exceeded.push(format!(
                 "t = {t} s: degraded: projections in stretches of crowded events took {sum:e} J in all, those of one time \
                  step, the largest of {names}, {value:e} J; the promised limit is {allowed:e} J: a smaller \
                  method.crowding_tolerance may do"
             ));
         }
-        exceeded
-            .extend(self.numerical.exceeded(limits.step).or_else(|| self.numerical.broken(limits.numerical_relative)));
-        let sum = self.ended_bounces_sum.value();
-        let allowed = limits.replaced_relative * ledger.scale_j.max(limits.smallest_energy_j);
-        if let Some(worst) = self.ended_bounces.worst.filter(|_| sum > allowed) {
-            let (t, value, names) = (worst.t, worst.value, names(&worst));
+        exceeded.extend(self.numerical.exceeded(limits.numerical_relative, limits.step));
+        let sum = self.ended_bounces_sum.value().max(0.0);
+        if let Some((Measure { t, value, .. }, names, allowed)) =
+            beyond(sum, limits.replaced_relative, &self.ended_bounces)
+        {
             exceeded.push(format!(
                 "t = {t} s: degraded: ending bounces took {sum:e} J beyond the energy of the bounces, most of it from \
                  {names}, {value:e} J; the limit is {allowed:e} J"
             ));
         }
-        if let Some(worst) = self.friction.exceeded() {
-            let (t, value, allowed) = (worst.t, worst.value, worst.allowed);
-            let names = names(&worst);
-            exceeded.push(format!(
-                "t = {t} s: degraded: friction of {names} exceeded Coulomb's law by {value:e} of the largest force, the \
-                 promised limit is {allowed:e}"
-            ));
-        }
-        exceeded.extend(self.unsolved.list().iter().map(|unsolved| format!("{unsolved} (degraded)")));
         exceeded
     }
+}
+
+/// The bodies of a measure, as warnings name them.
+fn names(world: &World, measure: &Measure) -> String {
+    world.pair_names(measure.pair.0, measure.pair.1)
 }
 
 /// Energy relative to the largest of the run.

@@ -14,16 +14,17 @@ mod stretches;
 
 use crate::body_id::BodyId;
 use crate::collision::contact_id::ContactId;
+use crate::constraint::joint_error::JointError;
 use crate::event::EventKind;
 use crate::observer::Observer;
-use crate::scene::ImpactLaw;
-use crate::solve::cone_violation::CONE_LIMIT;
+use crate::scene::{ImpactLaw, Promise};
+use crate::solve::cone_violation::ConeViolation;
 use crate::solve::impact::raised_energy;
 use crate::time_stepping::{ImpulseKind, TimeStepReport};
 use crate::world::World;
 use crate::{Certificate, Energy, Event, Ledger, Outcome, RunReport, SimulationError};
 use books::Books;
-use measures::{Limits, Measures};
+use measures::{Limits, Measure, Measures};
 use occurrences::Occurrences;
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{ImpactOutcome, ImpactStatus};
@@ -35,6 +36,8 @@ use stretches::Stretches;
 pub(crate) struct Accounts {
     pub(crate) books: Books,
     pub(crate) certificate: Certificate,
+    /// What the run promises.
+    promise: Promise,
     /// Measured values that are compared with the promised limits.
     pub(crate) measures: Measures,
     warnings: Occurrences,
@@ -52,11 +55,12 @@ pub(crate) struct Accounts {
 }
 
 impl Accounts {
-    /// Opens the accounts at the states given.
-    pub(crate) fn open(world: &World, states: &[BodyState]) -> Self {
+    /// Opens the accounts of a run with this promise at the states given.
+    pub(crate) fn open(world: &World, states: &[BodyState], promise: Promise) -> Self {
         Self {
             books: Books::open(world, states),
             certificate: Certificate::default(),
+            promise,
             measures: Measures::default(),
             warnings: Occurrences::default(),
             tolerated: Occurrences::default(),
@@ -84,18 +88,41 @@ impl Accounts {
         self.measures.unsolved.add(t, what.into());
     }
 
+    /// Records the residual of the solution of a problem at `t` (s).
+    pub(crate) fn note_residual(&mut self, t: f64, residual: f64) {
+        let allowed = self.promise.residual.unwrap_or(f64::INFINITY);
+        self.measures.residual.note(Measure { t, pair: (0, 0), value: residual, allowed });
+    }
+
+    /// Records how far forces or impulses at `t` (s) are from Coulomb's law.
+    pub(crate) fn note_friction(&mut self, t: f64, violation: Option<ConeViolation>) {
+        if let Some(ConeViolation { value, pair }) = violation {
+            let allowed = self.promise.friction.unwrap_or(f64::INFINITY);
+            self.measures.friction.note(Measure { t, pair, value, allowed });
+        }
+    }
+
+    /// Records how far the joints are from what they keep in these states at `t` (s).
+    fn note_joints(&mut self, world: &World, states: &[BodyState], t: f64) {
+        let promised = self.promise.joint_gap.unwrap_or(f64::INFINITY);
+        for JointError { pair, apart_m, turned_rad } in world.joint_errors(states) {
+            self.measures.has_joints = true;
+            let (a, b) = pair;
+            let allowed = promised * world.pair_size(a, b) + world.penetration_rounding(states, a, b);
+            self.measures.joint_gap.note(Measure { t, pair, value: apart_m, allowed });
+            self.measures.joint_rotation.note(Measure { t, pair, value: turned_rad, allowed: promised });
+        }
+    }
+
     /// Records a solver's report in the certificate.
     ///
     /// # Errors
     /// When the problem was not solved to its tolerance.
     pub(crate) fn note_solve(&mut self, t: f64, report: &SolverReport) -> Result<(), SimulationError> {
+        self.note_residual(t, report.residual);
         let certificate = &mut self.certificate;
-        certificate.max_residual = certificate.max_residual.max(report.residual);
         certificate.max_acceleration_error_bound =
             Some(certificate.max_acceleration_error_bound.unwrap_or(0.0).max(report.bound));
-        if report.method.is_fallback() {
-            self.tolerate(t, "contact forces were found by a fallback, not by the first method tried");
-        }
         if report.status == SolverStatus::Solved {
             Ok(())
         } else {
@@ -106,9 +133,9 @@ impl Accounts {
     /// Records a time step: its books, its certificate, and its impacts as events.
     pub(crate) fn note_time_step(&mut self, world: &World, t: f64, states: &[BodyState], report: &TimeStepReport) {
         self.books.enter(&report.books);
-        self.certificate.max_residual = self.certificate.max_residual.max(report.residual);
+        self.note_residual(t, report.residual);
         self.certificate.factorisations += report.factorisations;
-        self.measures.note_friction(t, report.cone_violation, CONE_LIMIT);
+        self.note_friction(t, report.cone_violation);
         for _ in 0..report.fallbacks {
             self.tolerate(t, "a contact problem of a time step was solved approximately");
         }
@@ -166,7 +193,7 @@ impl Accounts {
         outcome: &ImpactOutcome,
     ) {
         let law = law.name();
-        self.certificate.max_residual = self.certificate.max_residual.max(outcome.residual);
+        self.note_residual(t, outcome.residual);
         match outcome.status {
             ImpactStatus::NoApproach | ImpactStatus::Separated => {}
             ImpactStatus::StoppedAtThreshold => self.warn_of_tolerated(
@@ -209,13 +236,8 @@ impl Accounts {
     pub(crate) fn observe(&mut self, world: &World, states: &[BodyState], t: f64) -> Result<Energy, SimulationError> {
         check_finite(world, states, t)?;
         let energy = self.books.observe(world, states);
-        self.measures.numerical.note(world, states, t, &self.books.ledger);
-        if let Some(error) = world.joint_error(states) {
-            let worst = |known: Option<f64>, own: f64| Some(known.map_or(own, |known| known.max(own)));
-            let certificate = &mut self.certificate;
-            certificate.max_joint_error_m = worst(certificate.max_joint_error_m, error.apart_m);
-            certificate.max_joint_error_rad = worst(certificate.max_joint_error_rad, error.turned_rad);
-        }
+        self.measures.numerical.note(world, (t, states), &self.books.ledger, self.promise.energy);
+        self.note_joints(world, states, t);
         if energy.final_j.is_finite() { Ok(energy) } else { Err(SimulationError::EnergyOverflow { t_s: t }) }
     }
 
@@ -298,10 +320,11 @@ impl Accounts {
     pub(crate) fn fill(&mut self, world: &World, states: &[BodyState], limits: &Limits, report: &mut RunReport) {
         report.energy = self.books.observe(world, states);
         report.ledger = self.books.ledger;
-        self.measures.numerical.note(world, states, report.simulated_s, &report.ledger);
+        self.measures.numerical.note(world, (report.simulated_s, states), &report.ledger, self.promise.energy);
         report.certificate = self.certificate_now(&report.ledger);
         report.tolerated = self.tolerated.list().to_vec();
         report.warnings = self.measures.exceeded(world, &report.ledger, limits);
+        report.warnings.extend(self.error_beyond_promise(report.certificate.estimated_error, limits));
         if self.measures.long_steps.degrade(report.certificate.estimated_error) || !report.warnings.is_empty() {
             report.outcome = Outcome::Degraded;
         }
@@ -311,6 +334,18 @@ impl Accounts {
         report.events = self.event_count;
         report.crowded.clone_from(&self.crowded.0);
         report.bodies = world.named_samples(states);
+    }
+}
+
+impl Accounts {
+    /// What is wrong, where the estimated error of the run, relative to the size of a body, exceeds what the scene asks for.
+    fn error_beyond_promise(&self, estimated: Option<f64>, limits: &Limits) -> Option<String> {
+        let allowed = self.promise.error?;
+        let error = estimated.filter(|error| *error > allowed)?;
+        let remedy = limits.remedy;
+        Some(format!(
+            "degraded: the estimated error of the run is {error:.2e} of a body's size, the promised limit is {allowed:e}: {remedy}"
+        ))
     }
 }
 

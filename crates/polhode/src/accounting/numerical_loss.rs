@@ -1,30 +1,24 @@
 //! Energy that the integrator has lost or gained between events, against the energy of the run.
 //!
 //! A method whose step is fixed may follow a force that is too fast for it: the energy then grows without bound, or
-//! drains away, and the motion is another one. The ledger has that energy as `D_numerical`. A run in which it exceeds
-//! [`LIMIT_RELATIVE`] of the largest energy is degraded, from the time on at which it first does.
-//!
-//! A method under error control promises less than that: what its tolerance allows in each step (`crate::promise`).
+//! drains away, and the motion is another one. The ledger has that energy as `D_numerical`. A run in which it exceeds the promised
+//! part of the largest energy (`crate::promise`) is degraded, from the time on at which it first does.
 //!
 //! The step that would do follows from the order p of the method: `D` grows as `h^p`. Where the energy has grown beyond
 //! what the order describes, the fastest rates of the forces give it: an oscillation of rate w over the time T loses
 //! about `w T (w h)^p`, a decay of rate c about `(c h)^p`.
 
+use super::measures::LEFT_BY_SHORTER_STEP;
 use crate::Ledger;
 use crate::snapshot::content;
 use crate::world::{Rates, World};
 use polhode_dynamics::BodyState;
 
-/// The part of the largest energy of a run that its integrator may lose or gain (no unit, 1e-3 to 1e-1). A speed is then
-/// wrong by half of that: a motion that differs by half a hundredth looks the same, and one that differs by more is told.
-/// Methods under error control stay below 1e-9.
-pub(crate) const LIMIT_RELATIVE: f64 = 1e-2;
-
 /// Beyond this part of the energy a loss no longer follows the order of the method (no unit).
 const OF_THE_ORDER: f64 = 0.5;
 
-/// What the step that is proposed should leave, as a part of the limit (no unit).
-const MARGIN: f64 = 0.5;
+/// The smallest part of an energy that is told in per cent (no unit).
+const READ_IN_PER_CENT: f64 = 1e-4;
 
 /// Rounding of a potential energy over a run, relative to it (no unit): what is lost below it is no loss.
 const POTENTIAL_ROUNDING: f64 = 1e-12;
@@ -58,8 +52,8 @@ pub(crate) struct FixedStep {
 }
 
 impl NumericalLoss {
-    /// Compares the loss in the ledger at `t` (s) with its limit.
-    pub(crate) fn note(&mut self, world: &World, states: &[BodyState], t: f64, ledger: &Ledger) {
+    /// Compares the loss in the ledger at `t` (s) with its limit, relative to the largest energy.
+    pub(crate) fn note(&mut self, world: &World, (t, states): (f64, &[BodyState]), ledger: &Ledger, limit: f64) {
         let lost = ledger.numerical.value();
         // Nearly all steps of all runs end here, without a sum over the bodies.
         if lost.abs() <= self.relative * ledger.scale_j {
@@ -70,7 +64,7 @@ impl NumericalLoss {
         if relative > self.relative {
             (self.energy_j, self.relative) = (lost, relative);
         }
-        if relative > LIMIT_RELATIVE && self.first.is_none() {
+        if relative > limit && self.first.is_none() {
             self.first = Some(First { t, rates: world.fastest_rates(states) });
         }
     }
@@ -80,43 +74,31 @@ impl NumericalLoss {
         self.relative
     }
 
-    /// What is wrong, where the limit was exceeded.
-    pub(crate) fn exceeded(&self, step: Option<FixedStep>) -> Option<String> {
-        let First { t, rates } = self.first?;
+    /// What is wrong, where the loss exceeded its limit, relative to the largest energy, in a run by fixed steps or, without them,
+    /// under error control.
+    pub(crate) fn exceeded(&self, limit: f64, step: Option<FixedStep>) -> Option<String> {
+        let First { t, rates } = self.first.filter(|_| self.relative > limit)?;
         let (done, size) = if self.energy_j < 0.0 { ("gained", -self.energy_j) } else { ("lost", self.energy_j) };
-        let percent = 100.0 * self.relative;
         let cure = match step {
             Some(step) => {
-                format!("a step of {:.1e} s instead of {:e} s would do", self.sufficient(step, rates), step.step_s)
+                let sufficient = self.sufficient(limit, step, rates);
+                format!("a step of {sufficient:.1e} s instead of {:e} s would do", step.step_s)
             }
-            None => "a smaller tolerance would do".to_owned(),
+            None => "a smaller method.tolerance, or method.crowding_tolerance where events crowd, would do".to_owned(),
         };
         Some(format!(
-            "t = {t} s: degraded: the integrator {done} {size:.3e} J in all, {percent:.3} % of the largest energy of the \
-             run; the limit is {} %: {cure}",
-            100.0 * LIMIT_RELATIVE
+            "t = {t} s: degraded: the integrator {done} {size:.3e} J in all, {} of the largest energy of the run; the promised limit \
+             is {}: {cure}",
+            part(self.relative),
+            part(limit)
         ))
     }
 
-    /// What is wrong, where the loss is larger than a method under error control promises, relative to the energy of the
-    /// run.
-    pub(crate) fn broken(&self, promised: f64) -> Option<String> {
-        (self.relative > promised).then(|| {
-            let (done, size) = if self.energy_j < 0.0 { ("gained", -self.energy_j) } else { ("lost", self.energy_j) };
-            let relative = self.relative;
-            format!(
-                "degraded: the integrator {done} {size:.3e} J in all, {relative:.3e} of the largest energy of the run; the \
-                 promised limit is {promised:.3e}: a smaller method.tolerance, or method.crowding_tolerance where events \
-                 crowd, would do"
-            )
-        })
-    }
-
     /// A step (s) whose loss stays below the limit, to the order of the method.
-    fn sufficient(&self, FixedStep { step_s, order, duration_s }: FixedStep, rates: Rates) -> f64 {
+    fn sufficient(&self, limit: f64, FixedStep { step_s, order, duration_s }: FixedStep, rates: Rates) -> f64 {
         let root = |x: f64| libm::pow(x, 1.0 / f64::from(order.max(1)));
-        let allowed = MARGIN * LIMIT_RELATIVE;
-        let by_order = step_s * root(allowed / self.relative.max(LIMIT_RELATIVE));
+        let allowed = LEFT_BY_SHORTER_STEP * limit;
+        let by_order = step_s * root(allowed / self.relative.max(limit));
         let step_s = if self.relative <= OF_THE_ORDER || rates.is_zero() {
             by_order
         } else {
@@ -146,17 +128,23 @@ impl NumericalLoss {
     }
 }
 
+/// A part of an energy in words: in per cent where it is large enough to be read so.
+fn part(relative: f64) -> String {
+    if relative > READ_IN_PER_CENT { format!("{:.3} %", 100.0 * relative) } else { format!("{relative:.3e}") }
+}
+
 #[cfg(test)]
 mod tests {
     //! A loss within the promise is not told; one beyond it is, with both.
-    use super::NumericalLoss;
+    use super::{First, NumericalLoss};
+    use crate::world::Rates;
 
     #[test]
-    fn a_loss_beyond_what_the_tolerance_promises_is_told() {
-        let loss = NumericalLoss { energy_j: -8e-5, relative: 3.5e-6, first: None };
-        assert_eq!(loss.broken(4e-6), None);
-        assert_eq!(loss.broken(f64::INFINITY), None);
-        let told = loss.broken(1e-6).unwrap_or_default();
-        assert!(told.contains("gained 8.000e-5 J") && told.contains("1.000e-6"), "{told}");
+    fn a_loss_beyond_what_is_promised_is_told() {
+        let first = Some(First { t: 0.5, rates: Rates { oscillation: 0.0, decay: 0.0 } });
+        let loss = NumericalLoss { energy_j: -8e-5, relative: 3.5e-6, first };
+        assert_eq!(loss.exceeded(4e-6, None), None);
+        let told = loss.exceeded(1e-6, None).unwrap_or_default();
+        assert!(told.contains("gained 8.000e-5 J") && told.contains("is 1.000e-6"), "{told}");
     }
 }

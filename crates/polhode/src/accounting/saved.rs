@@ -6,6 +6,7 @@ use super::measures::Measures;
 use super::occurrences::Occurrences;
 use super::stretches::Stretches;
 use crate::body_id::BodyId;
+use crate::scene::Promise;
 use crate::snapshot::numbers::{read_momentum, write_momentum};
 use crate::snapshot::{SnapshotError, content};
 use crate::{Certificate, CrowdedStretch, Event, EventKind, Ledger, MomentumLedger, MomentumSum};
@@ -29,12 +30,13 @@ impl Accounts {
         }
     }
 
-    /// The accounts of a scene with this many bodies.
+    /// The accounts of a run with this promise, of a scene with this many bodies.
     ///
     /// # Errors
     /// When an event is of a body that does not exist.
-    pub(crate) fn restored(saved: &content::Accounts, bodies: usize) -> Result<Self, SnapshotError> {
+    pub(crate) fn restored(saved: &content::Accounts, bodies: usize, promise: Promise) -> Result<Self, SnapshotError> {
         Ok(Self {
+            promise,
             books: restored_books(&saved.books),
             certificate: restored_certificate(&saved.certificate),
             warnings: Occurrences::restored(&saved.warnings),
@@ -161,12 +163,9 @@ fn restored_momentum(saved: &content::MomentumLedger) -> MomentumLedger {
 fn save_certificate(certificate: &Certificate) -> content::Certificate {
     // The other fields are computed when a report is filled, from the measures and from what was tolerated.
     content::Certificate {
-        max_residual: certificate.max_residual,
         max_penetration_m: certificate.max_penetration_m,
         max_acceleration_error_bound: certificate.max_acceleration_error_bound,
         max_step_error: certificate.max_step_error,
-        max_joint_error_m: certificate.max_joint_error_m,
-        max_joint_error_rad: certificate.max_joint_error_rad,
         estimated_error: certificate.estimated_error,
         factorisations: certificate.factorisations,
         fallbacks: certificate.fallbacks,
@@ -175,12 +174,9 @@ fn save_certificate(certificate: &Certificate) -> content::Certificate {
 
 fn restored_certificate(saved: &content::Certificate) -> Certificate {
     Certificate {
-        max_residual: saved.max_residual,
         max_penetration_m: saved.max_penetration_m,
         max_acceleration_error_bound: saved.max_acceleration_error_bound,
         max_step_error: saved.max_step_error,
-        max_joint_error_m: saved.max_joint_error_m,
-        max_joint_error_rad: saved.max_joint_error_rad,
         estimated_error: saved.estimated_error,
         factorisations: saved.factorisations,
         fallbacks: saved.fallbacks,

@@ -21,7 +21,7 @@ use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_id::ContactId;
 use crate::collision::friction_mode::Slide;
 use crate::core::Core;
-use crate::solve::cone_violation::{CONE_LIMIT, ConeViolation};
+use crate::solve::cone_violation::ConeViolation;
 use crate::solve::contradiction::refuse_contradictions;
 use crate::world::World;
 use polhode_dynamics::error_allowance::{ErrorAllowance, LargestError};
@@ -231,7 +231,7 @@ impl Motions {
         (made, error): (MadeStep, f64),
     ) -> ConstrainedStep {
         let MadeStep { method: step, dense, violation } = made;
-        core.note_friction(t, violation, CONE_LIMIT);
+        core.note_friction(t, violation);
         let worst = &mut core.accounts.certificate.max_step_error;
         // A method without error control has no error to compare.
         if step.estimates_error() {

@@ -1,21 +1,22 @@
 //! What the tier `accurate` is.
 
-use crate::scene::{ContactMethod, ImpactLaw, Integrator};
-use crate::tier::facts::{
-    ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature, TierPromise,
-};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise};
+use crate::solve::cone_violation::CONE_LIMIT;
+use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
 /// Upper bound of a step when none is given, s.
 const LONGEST_STEP_S: f64 = 0.01;
 
-/// Promised limit of penetration at the default tolerance and tighter ones, relative to the size of the smaller body.
-/// Closing contacts are located far more accurately, whatever the tolerance.
-const PENETRATION_RELATIVE: f64 = 1e-12;
-
-/// Promised limit of projections at the default tolerance, in units of that tolerance (dimensionless, 1 to 100). The
-/// error of a step is a fraction of the tolerance, and the touch distance is of its order; the projection of contacts
-/// that are close to each other turns a body by a few times more.
-const DRIFT_FACTOR: f64 = 10.0;
+/// What it promises (`crate::scene::promise`): a hundred times the error of a step at the default tolerance. What rounding adds up to in
+/// long runs stays below that, and what is wrong is far above.
+const PROMISE: Promise = Promise {
+    overlap: OverlapLimit::OfSize(1e-9),
+    joint_gap: Some(1e-9),
+    energy: 1e-9,
+    residual: Some(1e-8),
+    friction: Some(CONE_LIMIT),
+    error: None,
+};
 
 /// The facts.
 pub(crate) const FACTS: TierFacts = TierFacts {
@@ -30,7 +31,8 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     own_response: None,
     flight: FlightRecords::WhereExact,
     order: ErrorOrder::OfIntegrator,
-    promise: Some(TierPromise { penetration_relative: PENETRATION_RELATIVE, drift_factor: DRIFT_FACTOR }),
+    promise: PROMISE,
+    remedy: "from there on the motion is not to be trusted; a smaller method.tolerance may help",
     features: &[
         TierFeature::Friction,
         TierFeature::Joints,

@@ -26,7 +26,6 @@ use crate::collision::turn::Turn;
 use crate::constraint::ContactEvent;
 use crate::constraint::locator::{Side, close_in};
 use crate::core::Core;
-use crate::solve::cone_violation::CONE_LIMIT;
 use crate::solve::projection::rate_exceeds_drift;
 use crate::world::TOUCH_RELATIVE;
 use polhode_contact::ContactKinematics;
@@ -501,7 +500,7 @@ fn forces_of(
         .map_err(|source| Core::response_error(t, source))?;
     if !forces.jams {
         core.accounts.note_solve(t, &forces.solution.report)?;
-        core.note_friction(t, forces.violation, CONE_LIMIT);
+        core.note_friction(t, forces.violation);
     }
     Ok(forces)
 }

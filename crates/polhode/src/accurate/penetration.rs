@@ -14,12 +14,12 @@ use crate::collision::contact_set::Pair;
 use crate::constraint::locator::{Side, close_in};
 use std::convert::Infallible;
 
-/// Depth at which an open contact counts as penetrating, relative to size: a quarter of the promised limit of
-/// penetration (1e-12, `promise.rs`).
+/// Depth at which an open contact counts as penetrating, relative to size: a quarter of what a step aims at
+/// (`Settings::penetration_aim`, 1e-12).
 pub(super) const PENETRATING_RELATIVE: f64 = 2.5e-13;
 
 /// If two bodies overlap deeper than each of their contacts, by more than this many such depths, they penetrate at a
-/// point that no contact shows: three quarters of the promised limit.
+/// point that no contact shows: three quarters of what a step aims at.
 const UNDETECTED_DEPTHS: f64 = 3.0;
 
 /// Penetration of a pair in contact besides its held contacts.

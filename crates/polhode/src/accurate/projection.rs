@@ -23,7 +23,7 @@ use polhode_spatial::Pose;
 use std::collections::BTreeSet;
 
 /// A projection that moves bodies by less than this fraction of their size is not checked for neighbours: a tenth of
-/// the promised limit of penetration.
+/// what a step aims at (`Settings::penetration_aim`).
 const PUSH_RELATIVE: f64 = 1e-13;
 
 impl Motions {

@@ -17,7 +17,6 @@ use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::core::Core;
 use crate::event::{Event, EventKind};
 use crate::rows::groups::{Group, groups};
-use crate::solve::cone_violation::CONE_LIMIT;
 use crate::solve::frictional_impact::Restitution;
 use crate::solve::impact::{Struck, impulse_event, raised_energy, strike};
 use crate::solve::overlap::is_excess;
@@ -198,11 +197,8 @@ impl Resolution<'_> {
         let about = self.core.accounts.books.ledger.momentum.about;
         let given = struck.support(&self.core.world, about, &members);
         self.core.accounts.books.impact((outcome.energy_change, struck.friction_j), given, work);
-        self.core.note_friction(
-            self.instant.t,
-            struck.cone_violation(&self.core.world, &self.motions.states, &members),
-            CONE_LIMIT,
-        );
+        self.core
+            .note_friction(self.instant.t, struck.cone_violation(&self.core.world, &self.motions.states, &members));
         self.instant.change.breaking.extend(self.core.world.broken_by(&struck.bilaterals));
         let largest = outcome.applications.iter().fold(0.0, |most: f64, one| most.max(one.impulse.abs()));
         let is_event = |impulse: f64| impulse.abs() > NEGLIGIBLE_IMPULSE * largest;
@@ -329,7 +325,7 @@ impl Resolution<'_> {
             });
         }
         self.core.accounts.note_solve(self.instant.t, &forces.solution.report)?;
-        self.core.note_friction(self.instant.t, forces.violation, CONE_LIMIT);
+        self.core.note_friction(self.instant.t, forces.violation);
         if forces.motion_depends_on_choice {
             let names = self.core.world.names_of(&group.bodies);
             self.core.accounts.warn(self.instant.t, format!("{LEAST_NORM} {names} depends on that choice"));

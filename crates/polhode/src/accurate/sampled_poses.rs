@@ -1,7 +1,7 @@
 //! Poses of samples within the steps of islands.
 //!
 //! The dense output of an integrator is of lower order than its step: between the ends of a step, bodies in contact may
-//! overlap by more than the promised limit although they do not at its ends. Where they do, the sampled poses are
+//! overlap by more than they do at its ends. Where they do, the sampled poses are
 //! projected onto touch, by the smallest displacement in the metric of mass. The step, and the states from which the run
 //! continues, stay as they are.
 
@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 impl Motions {
     /// These states at `t` (s), with the bodies of integrated islands moved out of each other where they overlap by more
-    /// than is promised.
+    /// than a step leaves.
     ///
     /// # Errors
     /// When the overlaps cannot be measured or removed.
@@ -27,9 +27,9 @@ impl Motions {
         t: f64,
         states: Arc<Vec<BodyState>>,
     ) -> Result<Arc<Vec<BodyState>>, SimulationError> {
-        let overlaps = core.overlaps_of(t, &states)?;
-        let deep: Vec<(usize, usize)> =
-            overlaps.iter().filter(|overlap| overlap.ratio() > 1.0).map(|overlap| overlap.pair).collect();
+        let overlaps = core.overlaps_of(t, &states)?.to_vec();
+        let deep = overlaps.iter().filter(|overlap| core.overlaps_beyond_aim(overlap));
+        let deep: Vec<(usize, usize)> = deep.map(|overlap| overlap.pair).collect();
         if deep.is_empty() {
             return Ok(states);
         }

@@ -6,9 +6,11 @@ use super::row::{Action, BilateralRow, RowKind};
 use crate::world::World;
 use polhode_dynamics::BodyState;
 
-/// The largest errors of joints in given states.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+/// How far a joint is from what it keeps.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct JointError {
+    /// Its bodies; one twice where it holds a body to the world.
+    pub(crate) pair: (usize, usize),
     /// m.
     pub(crate) apart_m: f64,
     /// rad.
@@ -16,28 +18,24 @@ pub(crate) struct JointError {
 }
 
 impl World {
-    /// The largest errors of the joints, gears and prescribed motions in these states; none of a scene without joints.
-    pub(crate) fn joint_error(&self, states: &[BodyState]) -> Option<JointError> {
-        if self.joints.is_empty() {
-            return None;
-        }
-        let mut error = JointError::default();
-        for own in self.bilaterals(states, &self.movable).filter(|own| !matches!(own.id, ConstraintId::Pivot { .. })) {
-            let (mut apart, mut turned) = (0.0_f64, 0.0_f64);
+    /// The errors of all joints, gears and prescribed motions in these states.
+    pub(crate) fn joint_errors<'a>(&'a self, states: &'a [BodyState]) -> impl Iterator<Item = JointError> + 'a {
+        let all = self.bilaterals(states, &self.movable);
+        all.filter(|own| !matches!(own.id, ConstraintId::Pivot { .. })).map(|own| {
+            let (mut apart_m, mut turned_rad) = (0.0_f64, 0.0_f64);
             for BilateralRow { kind, gap, .. } in &own.rows {
                 match kind {
                     RowKind::Along(_) | RowKind::Helix { .. } | RowKind::Tied { first: Action::Force { .. }, .. } => {
-                        apart = libm::hypot(apart, *gap);
+                        apart_m = libm::hypot(apart_m, *gap);
                     }
                     RowKind::About(axis)
                     | RowKind::Turning { about: axis, .. }
                     | RowKind::Tied { first: Action::Moment(axis), .. } => {
-                        turned = libm::hypot(turned, gap / axis.length());
+                        turned_rad = libm::hypot(turned_rad, gap / axis.length());
                     }
                 }
             }
-            error = JointError { apart_m: error.apart_m.max(apart), turned_rad: error.turned_rad.max(turned) };
-        }
-        Some(error)
+            JointError { pair: own.id.bodies(), apart_m, turned_rad }
+        })
     }
 }

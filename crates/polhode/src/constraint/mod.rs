@@ -30,7 +30,7 @@ mod hinge;
 pub(crate) mod joint;
 mod joint_contacts;
 mod joint_coordinate;
-mod joint_error;
+pub(crate) mod joint_error;
 pub(crate) mod joint_forces;
 pub(crate) mod joint_friction;
 mod joint_power;

@@ -145,11 +145,12 @@ impl FastEngine {
             world.movable.iter().copied().filter(|&body| self.course.resting[body] && world.bodies[body].moves());
         let weight = core.accounts.books.weight_of(world, before, resting);
         let worst = self.course.deepest();
-        core.accounts.certificate.max_residual = core.accounts.certificate.max_residual.max(residual);
+        core.accounts.note_residual(t_next, residual);
         core.accounts.books.soft_step(balances, received, soft);
         core.accounts.books.borne(weight, t_next - core.t);
         if let Some((pair, depth)) = worst {
-            let measure = Measure { t: t_next, pair, value: depth, allowed: f64::INFINITY };
+            let allowed = core.penetration_allowed(t_next, &self.course.states, pair, 0.0);
+            let measure = Measure { t: t_next, pair, value: depth, allowed };
             core.accounts.measures.penetration.note(measure);
         }
     }

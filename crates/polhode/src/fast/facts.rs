@@ -1,6 +1,6 @@
 //! What the tier `fast` is.
 
-use crate::scene::{ContactMethod, ImpactLaw, Integrator};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise};
 use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
 /// Step when none is given, s: that of a picture.
@@ -11,6 +11,17 @@ pub(super) const SUBSTEPS: u32 = 4;
 
 /// Order in the step where bodies may collide.
 const ORDER_OF_SUBSTEPS: u32 = 1;
+
+/// What it promises (`crate::scene::promise`): what can be seen, and is not taken for a fault of the scene. Sequential impulses end with
+/// residuals that no limit fits.
+const PROMISE: Promise = Promise {
+    overlap: OverlapLimit::OfSize(0.1),
+    joint_gap: Some(1e-2),
+    energy: 5e-2,
+    residual: None,
+    friction: None,
+    error: None,
+};
 
 /// The facts.
 pub(crate) const FACTS: TierFacts = TierFacts {
@@ -28,6 +39,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     own_response: None,
     flight: FlightRecords::None,
     order: ErrorOrder::WithContact(ORDER_OF_SUBSTEPS),
-    promise: None,
+    promise: PROMISE,
+    remedy: "a shorter method.step or more method.substeps would help, or method.tier = \"stepped\"",
     features: &[TierFeature::Friction, TierFeature::Joints, TierFeature::SequentialImpulses],
 };

@@ -64,6 +64,7 @@ impl MicroCollisionEngine {
     pub(crate) fn new(core: &mut Core, states: Vec<BodyState>) -> Self {
         let envelope = envelope_of(core);
         core.world.envelope = Some(envelope);
+        core.stated_depth_m = envelope.depth_m;
         Self { bodies: SteppedBodies::new(core, states), envelope, forces: Vec::new() }
     }
 

@@ -1,6 +1,6 @@
 //! What the tier `micro-collisions` is.
 
-use crate::scene::{ContactMethod, ImpactLaw, Integrator, Response};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise, Response};
 use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
 /// Step when none is given, s: a body at rest vibrates by a micrometre.
@@ -8,6 +8,16 @@ const STEP_S: f64 = 1e-3;
 
 /// Order in the step where bodies may collide: an impact is in time to a step.
 const ORDER_WITH_CONTACT: u32 = 1;
+
+/// What it promises (`crate::scene::promise`): bodies at rest float within the envelope, and overlap by less than its depth.
+const PROMISE: Promise = Promise {
+    overlap: OverlapLimit::OfEnvelope(1.0),
+    joint_gap: None,
+    energy: 1e-2,
+    residual: Some(1e-8),
+    friction: None,
+    error: None,
+};
 
 /// The facts.
 pub(crate) const FACTS: TierFacts = TierFacts {
@@ -24,6 +34,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     own_response: Some(Response::Impulse),
     flight: FlightRecords::None,
     order: ErrorOrder::WithContact(ORDER_WITH_CONTACT),
-    promise: None,
+    promise: PROMISE,
+    remedy: "a shorter method.step would help, or method.tier = \"accurate\"",
     features: &[TierFeature::Friction],
 };

@@ -48,7 +48,7 @@ pub(crate) struct PenaltyEngine {
 
 impl PenaltyEngine {
     /// Prepares a run.
-    pub(crate) fn new(core: &Core, states: Vec<BodyState>) -> Self {
+    pub(crate) fn new(core: &mut Core, states: Vec<BodyState>) -> Self {
         let laws = Laws::new(&core.world, core.settings.penalty, &states);
         let asked = core.settings.penalty.stiffness_n_m.is_none() && core.world.may_collide_at_all();
         let is_linear = core.settings.penalty.law.unwrap_or_default() == crate::scene::SpringLaw::Linear;
@@ -57,6 +57,7 @@ impl PenaltyEngine {
             out_of_reach: core.world.scene.restitution_out_of_reach(),
             ..SpringReport::default()
         };
+        core.stated_depth_m = measured.penetration_asked_m.unwrap_or(f64::INFINITY);
         Self {
             springs: Vec::new(),
             proposed: vec![core.settings.step_s; states.len()],
@@ -88,6 +89,7 @@ impl PenaltyEngine {
             measured: restored_report(&saved.measured),
         };
         core.world.contact_energy_j = energy(core, &engine.states, &engine.springs);
+        core.stated_depth_m = engine.measured.penetration_asked_m.unwrap_or(f64::INFINITY);
         Ok(engine)
     }
 

@@ -1,10 +1,20 @@
 //! What the tier `penalty` is.
 
-use crate::scene::{ContactMethod, ImpactLaw, Integrator, Response};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise, Response};
 use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
 /// Longest step when none is given, s.
 const LONGEST_STEP_S: f64 = 0.01;
+
+/// What it promises (`crate::scene::promise`): a blow that was not expected compresses springs by more than they are made for.
+const PROMISE: Promise = Promise {
+    overlap: OverlapLimit::OfStatedPenetration(2.0),
+    joint_gap: Some(1e-6),
+    energy: 1e-2,
+    residual: None,
+    friction: None,
+    error: None,
+};
 
 /// The facts.
 pub(crate) const FACTS: TierFacts = TierFacts {
@@ -21,6 +31,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     own_response: Some(Response::Penalty),
     flight: FlightRecords::None,
     order: ErrorOrder::OfIntegrator,
-    promise: None,
+    promise: PROMISE,
+    remedy: "a smaller method.penalty.penetration_m would help, or method.tier = \"accurate\"",
     features: &[TierFeature::Friction, TierFeature::Joints, TierFeature::SurfaceEffects],
 };

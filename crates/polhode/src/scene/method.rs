@@ -9,6 +9,7 @@ use super::laws::{
     Response, RotationRate,
 };
 use super::penalty::PenaltyMethod;
+use super::promise::PromiseChanges;
 use crate::tier::facts::{IntegratorChoice, TierFacts, TierFeature};
 use crate::tier::list::Tier;
 use polhode_response::RestitutionLaw;
@@ -67,8 +68,7 @@ pub struct Method {
     /// Broad phase: how pairs that may touch are found. It affects the computing time only; results are the same bits.
     pub broad_phase: Option<BroadPhaseMethod>,
     /// Error allowed under error control, relative to size and speed of each body: of each step of constrained motion,
-    /// and of free motion by an integrator that controls its error. Above the default (1e-11) it is also the promised
-    /// limit of penetration, relative to size.
+    /// and of free motion by an integrator that controls its error. No promised limit is below it.
     pub tolerance: Option<f64>,
     /// In which coordinates bodies that joints hold are integrated.
     pub coordinates: Option<Coordinates>,
@@ -80,6 +80,8 @@ pub struct Method {
     pub crowding_tolerance: Option<f64>,
     /// The springs of the tier `penalty`.
     pub penalty: Option<PenaltyMethod>,
+    /// Limits in place of those that the tier promises.
+    pub promise: PromiseChanges,
 }
 
 impl Method {
@@ -202,6 +204,7 @@ impl Method {
             let accepted = "a whole number from 1 to 1000";
             return Err(SceneError::Number { key: "method.substeps", value: f64::from(substeps), accepted });
         }
+        self.promise.validate()?;
         if let Some(tolerance) = self.crowding_tolerance {
             super::error::positive("method.crowding_tolerance", tolerance)?;
         }

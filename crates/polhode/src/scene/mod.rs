@@ -23,6 +23,7 @@
 //! | `laws` | [`ImpactLaw`], [`ContactMethod`], [`Response`], [`Integrator`] and other choices of a method |
 //! | `restitution` | [`RestitutionSpeed`]: restitution that falls with speed |
 //! | `penalty` | [`PenaltyMethod`]: the springs of the tier `penalty`; `spring_checks` says when they are refused |
+//! | `promise` | [`Promise`]: how far a run may be from its scene and still end well |
 //! | `pairs` | how many pairs of bodies may collide |
 //! | `error` | [`SceneError`]: why a scene is refused |
 
@@ -45,15 +46,14 @@ mod method;
 pub mod motion;
 mod pairs;
 mod penalty;
+mod promise;
 mod restitution;
 pub(crate) mod spring_checks;
 mod strength;
 mod tie_checks;
 mod track;
 
-pub use crate::tier::facts::{
-    ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature, TierPromise,
-};
+pub use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 pub use crate::tier::list::Tier;
 pub use body::{Body, BodyMass};
 pub use builder::SceneBuilder;
@@ -80,6 +80,7 @@ pub use motion::{
 pub use penalty::{PenaltyMethod, SpringDamping, SpringFriction, SpringLaw};
 pub use polhode_dynamics::field::{DragLaw, Frame, Signal};
 pub use polhode_response::RestitutionLaw;
+pub use promise::{OverlapLimit, Promise, PromiseChanges};
 pub use restitution::RestitutionSpeed;
 pub use strength::Strength;
 pub use track::{Follows, OneSide, TrackEnds, TrackHold, TrackId, TrackSprings};

@@ -155,12 +155,9 @@ pub(crate) struct MomentumLedger {
 /// [`crate::Certificate`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Certificate {
-    pub(crate) max_residual: f64,
     pub(crate) max_penetration_m: f64,
     pub(crate) max_acceleration_error_bound: Option<f64>,
     pub(crate) max_step_error: Option<f64>,
-    pub(crate) max_joint_error_m: Option<f64>,
-    pub(crate) max_joint_error_rad: Option<f64>,
     pub(crate) estimated_error: Option<f64>,
     pub(crate) factorisations: u64,
     pub(crate) fallbacks: u64,
@@ -174,6 +171,10 @@ pub(crate) struct Measures {
     pub(crate) projection: Worst,
     pub(crate) projection_energy: Worst,
     pub(crate) friction: Worst,
+    pub(crate) residual: Worst,
+    pub(crate) has_joints: bool,
+    pub(crate) joint_gap: Worst,
+    pub(crate) joint_rotation: Worst,
     pub(crate) drift_energy: Sum,
     pub(crate) lifts: Worst,
     pub(crate) lifts_sum: Sum,

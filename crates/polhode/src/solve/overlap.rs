@@ -29,8 +29,8 @@ use polhode_spatial::{DVec3, Pose, Rotation};
 /// from a hundredth of the size. Limited rounds and contact points that jump take some more.
 const MOST_ROUNDS: usize = 8;
 
-/// Penetration that may remain, relative to the size of the smaller body, besides rounding: a quarter of the promised
-/// limit (1e-12).
+/// Penetration that may remain, relative to the size of the smaller body, besides rounding: a quarter of what a
+/// step aims at (`Settings::penetration_aim`, 1e-12).
 const LEFT_OVERLAP_RELATIVE: f64 = 2.5e-13;
 
 /// Fraction of the rounding of two poses (eight units in the last place) that may remain: two such units.

@@ -37,7 +37,7 @@ const JUMPED_RELATIVE: f64 = 1e-5;
 const JUMPED_SPEED: f64 = 1e-7;
 
 /// Contacts farther from zero separation than this fraction of the pair's size plus rounding after the last Newton step
-/// have not converged. It is the promised limit of penetration at the default tolerance.
+/// have not converged. It is what a step aims at (`Settings::penetration_aim`) at the default tolerance.
 const UNCONVERGED_RELATIVE: f64 = 1e-12;
 
 /// Separations below this fraction of the rounding allowance of penetration are not projected.
@@ -48,8 +48,8 @@ const ROUNDING_FRACTION: f64 = 0.25;
 /// the projection is partial (regularised).
 const PARTIAL_AMPLIFICATION: f64 = 5.0;
 
-/// The same as a fraction of the smallest size, or of the smallest speed of a pair: half of the promised limit of
-/// displacement at the default tolerance.
+/// The same as a fraction of the smallest size, or of the smallest speed of a pair: five steps' error at the
+/// default tolerance.
 const PARTIAL_RELATIVE: f64 = 5e-11;
 
 /// Separations below this fraction of the pair's size are negligible: removing them is not worth a large displacement.
@@ -73,7 +73,7 @@ pub(crate) struct Projection {
     pub(crate) farthest: Option<ConstraintId>,
     /// Whether the projection was partial, because contacts are nearly linearly dependent.
     pub(crate) is_partial: bool,
-    /// Whether separations exceeded the promised limit of penetration: the projection may have made other contacts
+    /// Whether separations exceeded what a step aims at: the projection may have made other contacts
     /// penetrate.
     pub(crate) exceeds_tolerance: bool,
     /// Contacts that were not projected because their point had jumped.

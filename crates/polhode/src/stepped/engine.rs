@@ -354,7 +354,7 @@ impl SteppedEngine {
     /// Records the forces and problems of an island's step of length `h` (s).
     fn note(&mut self, core: &mut Core, report: &TimeStepReport, h: f64) {
         core.accounts.note_time_step(&core.world, core.t, &self.states, report);
-        core.note_overlap_of_step(core.t + h, report);
+        core.note_overlap_of_step(core.t + h, &self.states, report);
         for given in &report.impulses {
             let force = self.forces.entry(given.id).or_default();
             force.normal += given.impulse / h;

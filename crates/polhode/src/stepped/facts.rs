@@ -1,6 +1,7 @@
 //! What the tier `stepped` is.
 
-use crate::scene::{ContactMethod, ImpactLaw, Integrator};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise};
+use crate::solve::cone_violation::CONE_LIMIT;
 use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
 /// Step when none is given, s. A body of some tenths of a metre that has fallen for a second moves by about a hundredth of
@@ -9,6 +10,16 @@ const TIME_STEP_S: f64 = 1e-3;
 
 /// Order in the step of time steps between changes of contact.
 const ORDER_OF_TIME_STEPS: u32 = 2;
+
+/// What it promises (`crate::scene::promise`): what no picture shows, and what steps of the default length keep.
+const PROMISE: Promise = Promise {
+    overlap: OverlapLimit::OfSize(1e-3),
+    joint_gap: Some(1e-6),
+    energy: 1e-3,
+    residual: Some(1e-8),
+    friction: Some(CONE_LIMIT),
+    error: None,
+};
 
 /// The facts.
 pub(crate) const FACTS: TierFacts = TierFacts {
@@ -26,6 +37,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     own_response: None,
     flight: FlightRecords::All,
     order: ErrorOrder::Fixed(ORDER_OF_TIME_STEPS),
-    promise: None,
+    promise: PROMISE,
+    remedy: "a shorter method.step would help, or method.tier = \"accurate\"",
     features: &[TierFeature::Friction, TierFeature::Joints, TierFeature::AllOfJoints, TierFeature::SurfaceEffects],
 };

@@ -394,16 +394,14 @@ fn group_forces(
         }
         ContactMethod::Heuristic => {
             let solution = heuristic(&delassus, &b, &SolverSettings::default())?;
-            core.accounts.certificate.max_residual =
-                core.accounts.certificate.max_residual.max(solution.report.residual);
+            core.accounts.note_residual(core.t, solution.report.residual);
             tell_stage(core, solution.stage);
             let found = solution.stage != LeastForceStage::NoForces;
             guessed_or_exact(core, &assembly, (&delassus, &b), found.then_some((solution.forces, solution.report)))?
         }
         ContactMethod::Guesses => {
             let solution = guesses(&delassus, &b, &SolverSettings::default())?;
-            core.accounts.certificate.max_residual =
-                core.accounts.certificate.max_residual.max(solution.report.residual);
+            core.accounts.note_residual(core.t, solution.report.residual);
             if !solution.vanishing.is_empty() {
                 core.accounts.warn(core.t, "guesses took contacts for vanishing: they bear no force and open");
             }

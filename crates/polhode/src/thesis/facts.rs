@@ -1,6 +1,6 @@
 //! What the tier `thesis` is.
 
-use crate::scene::{ContactMethod, ImpactLaw, Integrator};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise};
 use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
 /// Step when none is given, s.
@@ -8,6 +8,16 @@ const THESIS_STEP_S: f64 = 0.01;
 
 /// Order in the step where bodies may collide: its contact forces are constant over a step.
 const ORDER_WITH_CONTACT: u32 = 1;
+
+/// What it promises (`crate::scene::promise`): what its steps of half a millisecond leave in scenes like its videos.
+const PROMISE: Promise = Promise {
+    overlap: OverlapLimit::OfSize(1e-2),
+    joint_gap: None,
+    energy: 1e-2,
+    residual: None,
+    friction: None,
+    error: None,
+};
 
 /// The facts.
 pub(crate) const FACTS: TierFacts = TierFacts {
@@ -22,6 +32,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     own_response: None,
     flight: FlightRecords::None,
     order: ErrorOrder::WithContact(ORDER_WITH_CONTACT),
-    promise: None,
+    promise: PROMISE,
+    remedy: "a shorter method.step would help, or method.tier = \"accurate\"",
     features: &[TierFeature::LeastForce, TierFeature::Responses],
 };

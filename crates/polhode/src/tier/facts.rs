@@ -3,7 +3,7 @@
 //! Each tier has one value of [`TierFacts`] in a folder of its own, and `list.rs` lists the tiers. All other files read these
 //! facts and name no kind of tier, so that whoever adds a tier adds a folder and its line in that list.
 
-use crate::scene::{ContactMethod, ImpactLaw, Integrator, Response};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, Promise, Response};
 
 /// What a tier is. [`Tier::facts`](crate::scene::Tier::facts) gives those of a tier.
 ///
@@ -12,7 +12,7 @@ use crate::scene::{ContactMethod, ImpactLaw, Integrator, Response};
 /// for tier in Tier::ALL.into_iter().filter(|tier| tier.facts().takes(TierFeature::Joints)) {
 ///     println!("{}: {}", tier.name(), tier.facts().summary);
 /// }
-/// assert!(Tier::default().facts().promise.is_some());
+/// assert_eq!(Tier::default().facts().promise.residual, Some(1e-8));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -39,8 +39,10 @@ pub struct TierFacts {
     pub flight: FlightRecords,
     /// How its error falls with the step.
     pub order: ErrorOrder,
-    /// The limits that it promises, if any.
-    pub promise: Option<TierPromise>,
+    /// What it promises at its default tolerance.
+    pub promise: Promise,
+    /// What would help where a run does not keep it, in words.
+    pub remedy: &'static str,
     /// What it takes besides bodies, shapes and fields of force.
     pub features: &'static [TierFeature],
 }
@@ -109,17 +111,6 @@ pub enum ErrorOrder {
     Fixed(u32),
     /// This one where bodies may collide, else that of the integrator.
     WithContact(u32),
-}
-
-/// The limits that a tier promises at the default tolerance and tighter ones; above it the tolerance is the limit.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct TierPromise {
-    /// Penetration, relative to the size of the smaller body (dimensionless).
-    pub penetration_relative: f64,
-    /// Projections, in units of the default tolerance (dimensionless): of a displacement relative to the size of the pair,
-    /// of the energy relative to that of the scene.
-    pub drift_factor: f64,
 }
 
 /// What some tiers take and others do not.
