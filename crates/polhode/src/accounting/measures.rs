@@ -295,7 +295,7 @@ impl Measures {
             };
             let (names, remedy) = (names(world, &worst), limits.shorter_step(&worst));
             Some(format!(
-                "t = {t} s: degraded: {names} {what} {value:e} {unit}{of_size}; the promised limit is {allowed:e} {unit}: {remedy}"
+                "t = {t} s: degraded: {names} {what} {value:.3e} {unit}{of_size}; the promised limit is {allowed:.3e} {unit}: {remedy}"
             ))
         })
     }
