@@ -31,9 +31,9 @@ use polhode_spatial::DoubleDouble;
 /// that contacts that are 1e-5 of the lever arm apart are taken as one.
 pub(crate) const DEPENDENT_COLUMN: f64 = 1e-10;
 
-/// Forces that move bodies by less than this fraction of what they would one by one hold nothing (no unit, a square):
-/// the square of [`DEPENDENT_COLUMN`] rounding with room for that of directions.
-const MOVES: f64 = 1e-16;
+/// Forces that accelerate every row by less than this fraction of what forces would one by one move nothing (no unit, 1e-12 to 1e-6):
+/// far above the rounding of the sums, and below what directions of slip that are nearly one make.
+const MOVES: f64 = 1e-8;
 
 /// Steps of iterative refinement: the first brings the residual to rounding.
 const REFINEMENTS: usize = 1;
@@ -171,7 +171,9 @@ pub(crate) fn held_by_forces(delassus: &Delassus, held: usize, sliding: &[Slidin
 
 /// Whether the motion depends on which of the forces that hold all rows are chosen: whether some of them, `z`, hold
 /// nothing and move the bodies nevertheless, by the friction of contacts that slide in different directions. The rows
-/// are those of [`least_norm_sliding_forces`].
+/// are those of [`least_norm_sliding_forces`], and `forces` its answer; the first `pushing` of them can only push, so that a single
+/// `z` can be added only as far as none of them would pull. Where `f + s z` with `s_0 <= s <= s_1` is all that holds, the answer is
+/// no where `s_1 - s_0` is rounding, however much `z` itself would move.
 ///
 /// # Errors
 /// When a row does not exist, or a number is not finite.
@@ -179,28 +181,48 @@ pub fn motion_depends_on_choice(
     delassus: &Delassus,
     held: usize,
     sliding: &[SlidingRow],
+    (forces, pushing): (&[f64], usize),
 ) -> Result<bool, ResponseError> {
     delassus.check_finite()?;
+    check_length("forces of rows", delassus.len(), forces.len())?;
+    check_length("rows that push among those held", held, held.max(pushing))?;
     let rows = delassus.len();
     check_length("rows held and sliding", rows, held + sliding.len())?;
     check_rows(sliding, held, rows)?;
     let factor = PivotedQr::factor(held, held, held_by_forces(delassus, held, sliding), DEPENDENT_COLUMN);
     for column in factor.rank()..held {
-        let mut forces = vec![0.0; held];
-        forces[column] = 1.0;
-        factor.apply(&mut forces);
-        forces.resize(rows, 0.0);
+        let mut change = vec![0.0; held];
+        change[column] = 1.0;
+        factor.apply(&mut change);
+        let range = room(&change[..pushing], forces);
+        change.resize(rows, 0.0);
         for slide in sliding {
-            forces[slide.tangent] -= slide.coefficient * forces[slide.normal];
+            change[slide.tangent] -= slide.coefficient * change[slide.normal];
         }
-        // z.G z is the square of the accelerations in the norm of mass.
-        let moved = dot(&forces, &delassus.times(&forces)?);
-        let terms: f64 = forces.iter().enumerate().map(|(row, force)| delassus.get(row, row) * force * force).sum();
+        // Each row by itself: z.G z is zero where they all are, but its rounding is not a square.
+        let moved = delassus.times(&change)?.iter().fold(0.0, |most: f64, w| most.max(w.abs()));
+        let one_by_one = |of: &[f64]| {
+            let row = |row: usize| delassus.row(row).iter().zip(of).map(|(entry, f)| (entry * f).abs()).sum::<f64>();
+            (0..rows).map(row).fold(0.0, f64::max)
+        };
+        // Of several undetermined forces one may make room for another.
+        let is_single = factor.rank() + 1 == held && range.is_finite();
+        let (moved, terms) = if is_single { (range * moved, one_by_one(forces)) } else { (moved, one_by_one(&change)) };
         if moved > MOVES * terms {
             return Ok(true);
         }
     }
     Ok(false)
+}
+
+/// The length of the interval of `s` in which no force `f + s z` pulls.
+fn room(change: &[f64], forces: &[f64]) -> f64 {
+    let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
+    for (z, f) in change.iter().zip(forces).filter(|(z, _)| **z != 0.0) {
+        let bound = -f.max(0.0) / z;
+        if *z > 0.0 { least = least.max(bound) } else { most = most.min(bound) }
+    }
+    (most - least).max(0.0)
 }
 
 /// Subtracts from `forces` what holds nothing in them: their part in the null space of the matrix of which `factor`
@@ -249,7 +271,14 @@ mod tests {
                 problem.push_held_row(&[(0, &[dx, dy, 0.0, 0.0, 0.0, reach * (x * dy - y * dx)])]).unwrap();
             }
             let sliding = [0, 1, 2, 3].map(|k| SlidingRow { normal: k, tangent: 4 + k, coefficient: 0.3 });
-            assert_eq!(motion_depends_on_choice(&problem.delassus(), 4, &sliding).unwrap(), depends);
+            let delassus = problem.delassus();
+            let of_loads = |loads: [f64; 4]| {
+                let forces: Vec<f64> = loads.iter().copied().chain(loads.map(|load| -0.3 * load)).collect();
+                motion_depends_on_choice(&delassus, 4, &sliding, (&forces, 4)).unwrap()
+            };
+            assert_eq!(of_loads([2.0, 1.0, 2.0, 1.0]), depends);
+            // Two feet beside each other that bear nothing leave no room: what the others bear is determined.
+            assert!(!of_loads([2.0, 0.0, 0.0, 1.0]));
         }
     }
 

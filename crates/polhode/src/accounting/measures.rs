@@ -280,12 +280,12 @@ impl Measures {
     /// Overlaps, gaps of joints and displacements by projections beyond their limits.
     fn lengths_exceeded<'a>(&'a self, world: &'a World, limits: &'a Limits) -> impl Iterator<Item = String> + 'a {
         let measured = [
-            (&self.penetration, "overlapped by", "m"),
-            (&self.joint_gap, "are held by a joint that was open by", "m"),
-            (&self.joint_rotation, "are held by a joint that was turned off what it keeps by", "rad"),
-            (&self.projection, "were moved by a projection by", "m"),
+            (&self.penetration, "", "overlapped by", "m"),
+            (&self.joint_gap, "a joint of ", "was open by", "m"),
+            (&self.joint_rotation, "a joint of ", "was turned off what it keeps by", "rad"),
+            (&self.projection, "a projection of ", "moved a body by", "m"),
         ];
-        measured.into_iter().filter_map(move |(quantity, what, unit)| {
+        measured.into_iter().filter_map(move |(quantity, whose, what, unit)| {
             let worst = quantity.exceeded()?;
             let Measure { t, pair, value, allowed } = worst;
             let of_size = if unit == "m" {
@@ -295,7 +295,7 @@ impl Measures {
             };
             let (names, remedy) = (names(world, &worst), limits.shorter_step(&worst));
             Some(format!(
-                "t = {t} s: degraded: {names} {what} {value:.3e} {unit}{of_size}; the promised limit is {allowed:.3e} {unit}: {remedy}"
+                "t = {t} s: degraded: {whose}{names} {what} {value:.3e} {unit}{of_size}; the promised limit is {allowed:.3e} {unit}: {remedy}"
             ))
         })
     }

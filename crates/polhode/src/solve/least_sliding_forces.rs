@@ -241,6 +241,7 @@ pub(crate) fn least_sliding_forces(
     for ((&row, &force), &left) in order.iter().zip(&forces).zip(&accelerations) {
         (of_rows[row], left_of_rows[row]) = (force, left);
     }
-    let motion_depends_on_choice = motion_depends_on_choice(&delassus, held, &sliding)?;
+    let loads = (forces.as_slice(), contacts.len());
+    let motion_depends_on_choice = motion_depends_on_choice(&delassus, held, &sliding, loads)?;
     Ok(Some(LeastSlidingForces { forces: of_rows, accelerations: left_of_rows, motion_depends_on_choice }))
 }
