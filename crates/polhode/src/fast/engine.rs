@@ -172,10 +172,10 @@ impl FastEngine {
                 continue;
             }
             let sign = f64::from(carries[0]) - f64::from(carries[1]);
-            for (point, normal) in
-                pair.patches.iter().flat_map(|patch| patch.points().iter().map(|p| (p, patch.normal)))
+            for (point, patch) in
+                pair.patches.iter().flat_map(|patch| patch.points().iter().map(move |p| (p, patch)))
             {
-                let normal = states[pair.b].pose.rotation.rotate(normal);
+                let normal = pair.normal(states, patch);
                 let on_a = (normal * point.normal_force + point.friction_force) * h;
                 if on_a == DVec3::ZERO {
                     continue;
@@ -233,9 +233,12 @@ impl FastEngine {
     fn place_of(&self, a: usize, b: usize) -> (DVec3, DVec3) {
         let states = &self.course.states;
         let place = self.course.pairs.binary_search_by_key(&(a, b), |pair| (pair.a, pair.b));
-        let patch = place.ok().and_then(|place| self.course.pairs[place].patches.first());
-        patch.map_or((states[a].pose.translation, DVec3::ZERO), |patch| {
-            let normal = states[b].pose.rotation.rotate(patch.normal);
+        let found = place.ok().and_then(|place| {
+            let pair = &self.course.pairs[place];
+            Some((pair, pair.patches.first()?))
+        });
+        found.map_or((states[a].pose.translation, DVec3::ZERO), |(pair, patch)| {
+            let normal = pair.normal(states, patch);
             (states[a].pose.transform_point(patch.points()[0].on_a), normal)
         })
     }

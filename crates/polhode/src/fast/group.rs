@@ -238,7 +238,7 @@ impl Group {
             let pair = &given.pairs[place.pair];
             let (state_a, state_b) = (&states[pair.a], &states[pair.b]);
             let numbers = [pair.a, pair.b].map(|body| self.number(given, body));
-            let normal = state_b.pose.rotation.rotate(pair.patches[place.patch].normal);
+            let normal = pair.normal(states, &pair.patches[place.patch]);
             let tangent = tangent_basis(normal)[0];
             let second = normal.cross(tangent);
             let mut points = [ManifoldPoint::default(); MOST_POINTS];
