@@ -160,6 +160,7 @@ impl FastEngine {
         let carries: Vec<bool> = (0..states.len()).map(|body| world.carries_momentum(body)).collect();
         let mut sum = MomentumSum::default();
         for report in self.course.reports() {
+            received.external_j += report.driven_j;
             let Momentum { linear, angular } = report.support;
             sum.add(Momentum { linear, angular: angular - about.cross(linear) });
         }
@@ -185,13 +186,6 @@ impl FastEngine {
                 let place = (x + y) * 0.5;
                 let linear = on_a * sign;
                 sum.add(Momentum { linear, angular: (place - about).cross(linear) });
-                for (body, part) in [(pair.a, on_a), (pair.b, -on_a)] {
-                    if world.trajectory(body).is_some() {
-                        let velocity = world.velocity(body, &states[body]);
-                        let arm = place - states[body].pose.translation;
-                        received.external_j -= part.dot(velocity.linear + velocity.angular.cross(arm));
-                    }
-                }
             }
         }
         received.support = sum.value();
