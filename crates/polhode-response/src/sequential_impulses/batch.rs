@@ -45,6 +45,8 @@ pub(super) struct PointRows {
     /// `K_nn` (1/kg) and its inverse; zero for a lane without a point.
     pub(super) stiffness: Four,
     pub(super) mass: Four,
+    /// What a unit along the normal here does to the rates at the points before, 1/kg.
+    pub(super) with: [Four; FOUR - 1],
     /// Inverse of the largest eigenvalue of `K_tt`, kg.
     pub(super) sliding_mass: Four,
     /// Of the present substep: along normal and tangents, N s.

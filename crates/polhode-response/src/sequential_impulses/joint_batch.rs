@@ -45,6 +45,8 @@ pub(super) struct JointBatch {
     pub(super) a: [u32; FOUR],
     pub(super) b: [u32; FOUR],
     pub(super) law: JointLaw,
+    /// Whether its joints are those of trees (`joint_trees`).
+    pub(super) in_tree: bool,
     /// Where its rows begin, and how many there are.
     pub(super) first: u32,
     pub(super) count: u32,
@@ -426,6 +428,14 @@ impl JointBatch {
 }
 
 impl LaneImpulse {
+    /// Adds what a row gives in a lane with this multiplier.
+    pub(super) fn take(&mut self, lane: usize, row: &LaneRow, multiplier: f64) {
+        let from = row.force.iter().chain(row.moments.iter().flatten());
+        for (to, from) in self.force.iter_mut().chain(self.moments.iter_mut().flatten()).zip(from) {
+            to.0[lane] += from.0[lane] * multiplier;
+        }
+    }
+
     fn fours(&self) -> impl Iterator<Item = Four> {
         self.force.into_iter().chain(self.moments.into_iter().flatten())
     }

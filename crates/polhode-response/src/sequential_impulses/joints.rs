@@ -1,6 +1,7 @@
 //! Joints among sequential impulses: what holds two bodies by rows of either sign, and limits that push.
 //!
-//! The rows of a joint (up to six) are solved together, by the factors of their own matrix. With the rates `u = J v` of its rows (m/s), their gaps `g`
+//! Joints that close no loop are solved at once, as trees (`joint_trees`). Of limits, and of joints that close loops, the rows of each (up to six) are solved together,
+//! by the factors of their own matrix. With the rates `u = J v` of its rows (m/s), their gaps `g`
 //! (m), and the softness `a`, `b`, `c` of a sweep ([`SweepRule::with_fixed`]),
 //!
 //! ```text
@@ -15,14 +16,14 @@
 //! that along the mean velocities. At the start of the next substep its multipliers act again, along the present rows: the impulses of before, along
 //! rows of before, would drive a body that turns about the joint. Sources: Catto 2005, Catto 2024 (soft constraints), docs/REFERENCES.md.
 //!
-//! Failure: rows that depend on each other within one joint are left out, one of them; joints that contradict each other share the error; a load comes
-//! along a chain by as many joints as a sweep has passes over their colours.
+//! Failure: rows that depend on each other within one joint are left out, one of them; joints that contradict each other share the error; loops and limits with large ratios
+//! of masses need more rounds than there are.
 
-use super::body::ImpulseBody;
 use super::colours::{Colours, GROUPS, NO_COLOUR};
 use super::joint::{ImpulseJoint, JointLaw, JointRow, MOST_JOINT_ROWS};
 use super::joint_batch::{self, JointBatch, LaneImpulse, LaneRow};
-use super::lanes::{FOUR, Four, Lanes};
+use super::joint_trees::JointTrees;
+use super::lanes::{FOUR, Four};
 use super::sweep::SweepRule;
 use super::{LaneWidth, SequentialImpulses};
 use polhode_spatial::DVec3;
@@ -34,8 +35,8 @@ const ROUNDS: usize = 2;
 /// The same after an impact, which no other sweep follows.
 const ROUNDS_AFTER_IMPACT: usize = 4;
 
-/// Kinds of batches of one colour: limits, and joints by their number of rows.
-const KINDS: usize = 1 + MOST_JOINT_ROWS;
+/// Kinds of batches of one colour: limits, and joints by their number of rows, those that close loops and those of trees.
+const KINDS: usize = 1 + 2 * MOST_JOINT_ROWS;
 
 /// An impulse on a body: force part (N s), and moment about its centre of mass (N m s).
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -58,6 +59,7 @@ pub struct JointImpulses {
     keys: Vec<u32>,
     order: Vec<u32>,
     kept: Vec<Four>,
+    trees: JointTrees,
 }
 
 /// Where a joint has gone.
@@ -88,6 +90,7 @@ impl JointImpulses {
         self.joints.clear();
         self.batches.clear();
         self.places.clear();
+        self.trees.clear();
     }
 
     /// Adds a joint of bodies that the solver has. Returns its number.
@@ -100,6 +103,10 @@ impl JointImpulses {
     /// Puts the joints into batches, without rows and impulses.
     pub fn prepare(&mut self, solver: &SequentialImpulses) {
         let moves = |body: u32| solver.body(body).is_moved();
+        for joint in &mut self.joints {
+            joint.bodies = joint.bodies.map(|body| if (body as usize) < solver.bodies.len() { body } else { 0 });
+        }
+        self.trees.prepare(&self.joints, &solver.bodies);
         self.sort(solver.bodies.len(), moves);
         self.batches.clear();
         self.rows.clear();
@@ -114,7 +121,8 @@ impl JointImpulses {
                 let first = self.rows.len();
                 self.rows.resize(first + joint.rows, LaneRow::default());
                 let (first, count) = (first as u32, joint.rows as u32);
-                self.batches.push(JointBatch { law: joint.law, first, count, ..JointBatch::default() });
+                let in_tree = self.trees.has(number as usize);
+                self.batches.push(JointBatch { law: joint.law, in_tree, first, count, ..JointBatch::default() });
             }
             let batch = self.batches.len() - 1;
             [self.batches[batch].a[used], self.batches[batch].b[used]] = joint.bodies;
@@ -128,10 +136,10 @@ impl JointImpulses {
         self.colours.begin(bodies);
         self.keys.clear();
         let mut counts = [0_u32; GROUPS * KINDS + 1];
-        for joint in &mut self.joints {
-            joint.bodies = joint.bodies.map(|body| if (body as usize) < bodies { body } else { 0 });
+        for (number, joint) in self.joints.iter().enumerate() {
             let colour = self.colours.next(joint.bodies, joint.bodies.map(&moves));
-            let kind = if joint.law == JointLaw::Limit { 0 } else { joint.rows as u32 };
+            let of_tree = if self.trees.has(number) { MOST_JOINT_ROWS as u32 } else { 0 };
+            let kind = if joint.law == JointLaw::Limit { 0 } else { joint.rows as u32 + of_tree };
             let key = colour * KINDS as u32 + kind;
             counts[key as usize + 1] += 1;
             self.keys.push(key);
@@ -157,14 +165,16 @@ impl JointImpulses {
         for (to, row) in own.iter_mut().zip(rows.iter().chain(std::iter::repeat(&none))) {
             to.put(lane as usize, row);
         }
+        self.trees.set_rows(&self.joints[number], number, rows);
     }
 
     /// Finds the factors of the rows that have been given.
     pub fn factor(&mut self, solver: &SequentialImpulses) {
-        for batch in &mut self.batches {
+        for batch in self.batches.iter_mut().filter(|batch| !batch.in_tree) {
             let rows = &mut self.rows[batch.first as usize..(batch.first + batch.count) as usize];
             in_lanes!(solver.width, joint_batch::factor, &solver.bodies, (batch, rows));
         }
+        self.trees.factor(&solver.bodies);
     }
 
     /// Gives a joint the multipliers that are known at the start of a step, N s. [`Self::start`] follows.
@@ -184,9 +194,35 @@ impl JointImpulses {
         }
     }
 
-    /// Brings all joints to their laws, in rounds forth and back.
+    /// Brings all joints to their laws: limits and joints that close loops in rounds forth and back, each followed by the trees.
     pub fn sweep(&mut self, solver: &mut SequentialImpulses, rule: &SweepRule) {
-        in_lanes!(solver.width, sweep, &mut solver.bodies, (&mut self.batches, &mut self.rows), rule);
+        // Trees alone are exact after one round.
+        let has_others = self.batches.iter().any(|batch| !batch.in_tree);
+        for round in 0..if has_others { ROUNDS } else { 1 } {
+            for place in rounds_of(round, self.batches.len()) {
+                let batch = &mut self.batches[place];
+                if !batch.in_tree {
+                    let rows = &mut self.rows[batch.first as usize..(batch.first + batch.count) as usize];
+                    in_lanes!(solver.width, joint_batch::solve, &mut solver.bodies, (batch, rows), rule);
+                }
+            }
+            self.solve_trees(solver, rule);
+        }
+    }
+
+    /// The trees at once. Gaps close as the softness of the rule says, and no further than its push.
+    fn solve_trees(&mut self, solver: &mut SequentialImpulses, rule: &SweepRule) {
+        let (rate, push) = (rule.with_fixed.rate, rule.push.abs());
+        let closing = |gap: f64| (rate * gap).clamp(-push, push);
+        for given in self.trees.solve(&mut solver.bodies, closing) {
+            let Place { batch, lane } = self.places[given.joint];
+            let batch = &mut self.batches[batch as usize];
+            let rows = &mut self.rows[batch.first as usize..(batch.first + batch.count) as usize];
+            for (row, change) in rows.iter_mut().zip(given.change) {
+                row.multiplier.0[lane as usize] += change;
+                batch.given.take(lane as usize, row, change);
+            }
+        }
     }
 
     /// Ends a substep. Returns their work along the mean velocities of the bodies, J.
@@ -203,16 +239,22 @@ impl JointImpulses {
         self.kept.clear();
         self.kept.extend(self.rows.iter().map(|row| row.multiplier));
         self.batches.iter_mut().for_each(|batch| batch.given = LaneImpulse::default());
-        let mut work = Four::default();
-        for place in rounds(ROUNDS_AFTER_IMPACT, self.batches.len()) {
-            let batch = &mut self.batches[place];
-            let rows = &mut self.rows[batch.first as usize..(batch.first + batch.count) as usize];
-            let of = (rule, &mut work);
-            in_lanes!(solver.width, joint_batch::solve_and_book, &mut solver.bodies, (batch, rows), of);
+        let (mut work, mut of_trees) = (Four::default(), 0.0);
+        for round in 0..ROUNDS_AFTER_IMPACT {
+            for place in rounds_of(round, self.batches.len()) {
+                let batch = &mut self.batches[place];
+                if !batch.in_tree {
+                    let rows = &mut self.rows[batch.first as usize..(batch.first + batch.count) as usize];
+                    let of = (rule, &mut work);
+                    in_lanes!(solver.width, joint_batch::solve_and_book, &mut solver.bodies, (batch, rows), of);
+                }
+            }
+            self.solve_trees(solver, rule);
+            of_trees += self.trees.work(&solver.bodies);
         }
         self.rows.iter_mut().zip(&self.kept).for_each(|(row, kept)| row.multiplier = *kept);
         self.batches.iter_mut().for_each(JointBatch::add_up);
-        sum(&work)
+        sum(&work) + of_trees
     }
 
     /// The multipliers of a joint: of the last substep, N s.
@@ -251,24 +293,16 @@ fn sum(four: &Four) -> f64 {
     (four.0[0] + four.0[1]) + (four.0[2] + four.0[3])
 }
 
-/// Rounds over all batches.
-fn sweep<L: Lanes>(bodies: &mut [ImpulseBody], (batches, rows): (&mut [JointBatch], &mut [LaneRow]), rule: &SweepRule) {
-    for place in rounds(ROUNDS, batches.len()) {
-        let batch = &mut batches[place];
-        let rows = &mut rows[batch.first as usize..(batch.first + batch.count) as usize];
-        joint_batch::solve::<L>(bodies, (batch, rows), rule);
-    }
-}
-
-/// The places of so many batches in rounds forth and back.
-fn rounds(rounds: usize, batches: usize) -> impl Iterator<Item = usize> {
-    (0..rounds).flat_map(move |round| (0..batches).map(move |k| if round % 2 == 0 { k } else { batches - 1 - k }))
+/// The places of so many batches in a round: forth in one, back in the next.
+fn rounds_of(round: usize, batches: usize) -> impl Iterator<Item = usize> {
+    (0..batches).map(move |k| if round % 2 == 0 { k } else { batches - 1 - k })
 }
 
 #[cfg(test)]
 mod tests {
     //! A ball joint and a hinge stop the motion that they hold, at once; a limit pushes and does not pull; the work is the change of energy. Joints of all
     //! numbers of rows side by side obey their laws, with the same bits for two and four lanes.
+    use super::super::body::ImpulseBody;
     use super::super::sweep::Softness;
     use super::*;
     use polhode_spatial::{DMat3, SplitMix64};

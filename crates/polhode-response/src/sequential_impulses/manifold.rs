@@ -46,4 +46,6 @@ pub struct PointImpulse {
     pub total: [f64; 3],
     /// Rate of separation at the start of the step, m/s.
     pub rate: f64,
+    /// Separation after the last movement, m.
+    pub separation: f64,
 }

@@ -24,7 +24,9 @@
 //! | `joints` | [`JointImpulses`]: joints and their limits |
 //! | `joint` | [`ImpulseJoint`]: what is given of a joint |
 //! | `joint_batch` | joints in batches of four, and what the lanes do with them |
+//! | `joint_trees` | joints that close no loop, all at once |
 //! | `works` | what impulses do |
+//! | `together` | the normal impulses of a patch, all at once |
 //! | `sweep` | one sweep: the law |
 //! | `stages` | masses, known impulses, restitution, totals |
 //! | `residual` | how far the impulses are from the law |
@@ -65,6 +67,7 @@ mod colours;
 mod conjugate;
 mod joint;
 mod joint_batch;
+mod joint_trees;
 mod joints;
 mod lanes;
 mod manifold;
@@ -72,6 +75,7 @@ mod patch;
 mod residual;
 mod stages;
 mod sweep;
+mod together;
 mod works;
 
 pub use body::ImpulseBody;
@@ -262,6 +266,7 @@ impl SequentialImpulses {
             last: std::array::from_fn(|k| row.impulse[k].0[lane]),
             total: std::array::from_fn(|k| row.total[k].0[lane]),
             rate: row.rate.0[lane],
+            separation: row.present.0[lane],
         })
     }
 }

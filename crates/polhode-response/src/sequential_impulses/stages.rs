@@ -4,7 +4,8 @@
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody};
 use super::lanes::{FOUR, Lanes};
-use super::patch::{Block, Frame, Wrench, add, find_blocks, place};
+use super::patch::{Block, Frame, Relative, Wrench, find_blocks, place};
+use super::together::{Together, entries};
 use super::works::{FourWorks, LaneWorks, Works, book, numbers};
 
 /// Effective masses of all patches and points, and their rates at the start of the step.
@@ -27,8 +28,15 @@ fn prepare_part<L: Lanes>(bodies: &[ImpulseBody], (batch, part): (&mut Batch, us
     let pressing = Block::of(&batch.blocks.pressing, part);
     let slipping = Block::of(&batch.blocks.slipping, part);
     let relative = frame.relative(&a.twist(), &b.twist());
-    for row in rows {
+    for i in 0..rows.len() {
+        let (before, rest) = rows.split_at_mut(i);
+        let row = &mut rest[0];
         let at = place::<L>(&row.place, part);
+        let own = pressing.times([one, at[1], -at[0]]);
+        for (other, with) in before.iter().zip(&mut row.with) {
+            let [x, y] = place::<L>(&other.place, part);
+            (own[0] + y * own[1] - x * own[2]).store(with, part);
+        }
         let nn = pressing.of_normal(at);
         let [xx, xy, yy] = slipping.of_tangents(at);
         let half_difference = half * (xx - yy);
@@ -87,31 +95,56 @@ fn restitute<L: Lanes>(
     (mut works, faster): (LaneWorks<L>, f64),
 ) -> LaneWorks<L> {
     let restitution = L::load(&batch.restitution, part);
-    let (zero, half, faster) = (L::splat(0.0), L::splat(0.5), L::splat(-faster));
+    let faster = L::splat(-faster);
     let (numbers_a, numbers_b) = (numbers::<L>(&batch.a, part), numbers::<L>(&batch.b, part));
     let (mut a, mut b) = (Gathered::<L>::load(bodies, numbers_a), Gathered::<L>::load(bodies, numbers_b));
     let frame = Frame::<L>::load(batch, part);
-    let block = Block::of(&batch.blocks.pressing, part);
-    let mut relative = frame.relative(&a.twist(), &b.twist());
+    let relative = frame.relative(&a.twist(), &b.twist());
     let mut wrench = Wrench::none();
-    for row in rows {
-        let at = place(&row.place, part);
-        let rate = L::load(&row.rate, part);
-        let (now, total) = (relative.rate(at), L::load(&row.total[0], part));
-        let wanted = L::load(&row.mass, part) * (-(now + restitution * rate));
-        // No contact pulls: the impulse of the whole step stays positive.
-        let possible = wanted.greater(-total);
-        let bounces = L::pick_greater(total, zero, possible, zero);
-        let bounces = L::pick_greater(restitution, zero, bounces, zero);
-        let given = L::pick_greater(faster, rate, bounces, zero);
-        (total + given).store(&mut row.total[0], part);
-        works.colliding = works.colliding + given * (now + half * L::load(&row.stiffness, part) * given);
-        relative.pressing = add(relative.pressing, block.times(wrench.press(at, given)));
-    }
+    let law = (restitution, faster);
+    works.colliding = works.colliding
+        + match rows.len() {
+            1 => bounce::<L, 1>(rows, part, law, (&relative, &mut wrench)),
+            2 => bounce::<L, 2>(rows, part, law, (&relative, &mut wrench)),
+            3 => bounce::<L, 3>(rows, part, law, (&relative, &mut wrench)),
+            _ => bounce::<L, 4>(rows, part, law, (&relative, &mut wrench)),
+        };
     frame.give(&wrench, &mut a, &mut b);
     a.store_velocities(bodies, numbers_a);
     b.store_velocities(bodies, numbers_b);
     works
+}
+
+/// The points of a patch that collided part again, all at once: `u+ = -e u-` where their impulse of the whole step stays positive, since no contact pulls.
+/// Returns the change of energy.
+#[inline(always)]
+fn bounce<L: Lanes, const N: usize>(
+    rows: &mut [PointRows],
+    part: usize,
+    (restitution, faster): (L, L),
+    (relative, wrench): (&Relative<L>, &mut Wrench<L>),
+) -> L {
+    let (zero, half, one) = (L::splat(0.0), L::splat(0.5), L::splat(1.0));
+    let Some(rows) = rows.first_chunk_mut::<N>() else { return zero };
+    let known: [L; N] = std::array::from_fn(|i| L::load(&rows[i].total[0], part));
+    let rates: [L; N] = std::array::from_fn(|i| relative.rate(place(&rows[i].place, part)));
+    let before: [L; N] = std::array::from_fn(|i| L::load(&rows[i].rate, part));
+    let may = std::array::from_fn(|i| {
+        let has_pressed = L::pick_greater(known[i], zero, one, zero);
+        let bounces = L::pick_greater(restitution, zero, has_pressed, zero);
+        L::pick_greater(faster, before[i], bounces, zero)
+    });
+    let matrix: [[L; N]; N] = std::array::from_fn(|i| entries(&rows[i], i, part));
+    let wanted = std::array::from_fn(|i| rates[i] + restitution * before[i]);
+    let given = Together { matrix, known, wanted, give: [zero; N], may }.change();
+    let mut work = zero;
+    for i in 0..N {
+        let others = (0..i).fold(half * matrix[i][i] * given[i], |rate, j| rate + matrix[i][j] * given[j]);
+        work = work + given[i] * (rates[i] + others);
+        (known[i] + given[i]).store(&mut rows[i].total[0], part);
+        wrench.press(place(&rows[i].place, part), given[i]);
+    }
+    work
 }
 
 /// Ends a substep: adds its impulses to the totals. Returns what they did.

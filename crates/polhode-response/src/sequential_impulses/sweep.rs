@@ -19,7 +19,8 @@
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody, Twist};
 use super::lanes::{FOUR, Lanes};
-use super::patch::{Block, Frame, Wrench, add, coupled, place};
+use super::patch::{Block, Frame, Relative, Wrench, add, coupled, place};
+use super::together::{Together, entries};
 use super::works::{FourWorks, Works, book, numbers};
 
 /// How a contact gives way where it overlaps.
@@ -193,6 +194,35 @@ impl<L: Lanes> Law<L> {
         normal - before
     }
 
+    /// The impulses along the normal at all points of a patch whose bodies move like this; the wrench takes what they change by.
+    #[inline(always)]
+    fn press_together<const N: usize>(
+        &self,
+        rows: &mut [PointRows],
+        part: usize,
+        (relative, wrench): (&Relative<L>, &mut Wrench<L>),
+    ) {
+        let Some(rows) = rows.first_chunk_mut::<N>() else { return };
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let known: [L; N] = std::array::from_fn(|i| L::load(&rows[i].impulse[0], part));
+        let matrix: [[L; N]; N] = std::array::from_fn(|i| entries(&rows[i], i, part));
+        let separation: [L; N] = std::array::from_fn(|i| L::load(&rows[i].present, part));
+        // Of the law of a point, `u + beta / a + (c / a) K p = 0`.
+        let compliance = self.taken_back / self.mass;
+        let give: [L; N] =
+            std::array::from_fn(|i| L::pick_greater(separation[i], zero, zero, compliance * matrix[i][i]));
+        let wanted: [L; N] = std::array::from_fn(|i| {
+            let overlapping = (self.rate * separation[i]).greater(self.push) / self.mass;
+            let bias = L::pick_greater(separation[i], zero, separation[i] * self.inverse_step, overlapping);
+            relative.rate(place(&rows[i].place, part)) + bias + give[i] * known[i]
+        });
+        let change = Together { matrix, known, wanted, give, may: [one; N] }.change();
+        for i in 0..N {
+            (known[i] + change[i]).store(&mut rows[i].impulse[0], part);
+            wrench.press(place(&rows[i].place, part), change[i]);
+        }
+    }
+
     /// The impulse of friction at a point with this slip, under its last impulse along the normal; what it changes by.
     #[inline(always)]
     fn rub(&self, row: &mut PointRows, part: usize, [slip_x, slip_y]: [L; 2]) -> [L; 2] {
@@ -242,11 +272,10 @@ fn solve<L: Lanes>(
             relative.slipping = add(relative.slipping, block.times(wrench.rub(at, change)));
         }
         relative.pressing = add(relative.pressing, coupled(&batch.blocks.coupling, part, wrench.slipping));
-        let block = Block::of(&batch.blocks.pressing, part);
-        for row in rows {
-            let at = place(&row.place, part);
-            let change = law.press(row, part, relative.rate(at));
-            relative.pressing = add(relative.pressing, block.times(wrench.press(at, change)));
+        match rows.len() {
+            2 => law.press_together::<2>(rows, part, (&relative, &mut wrench)),
+            3 => law.press_together::<3>(rows, part, (&relative, &mut wrench)),
+            _ => law.press_together::<4>(rows, part, (&relative, &mut wrench)),
         }
         frame.give(&wrench, &mut a, &mut b);
     }

@@ -96,7 +96,7 @@ impl PatchPoint {
 /// Points with one normal.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Patch {
-    /// From B to A, in the frame of body B.
+    /// From B to A, in the frame of the body that has the faces of the pair ([`PairPatches::normal`]).
     pub(crate) normal: DVec3,
     points: [PatchPoint; PATCH_POINTS],
     count: usize,
@@ -110,9 +110,10 @@ impl Patch {
         Some(Self { normal, points, count: known.len() })
     }
 
-    /// Becomes that of these contacts of bodies at these poses.
-    fn set(&mut self, contacts: &[&Contact], normal: DVec3, poses: (&Pose, &Pose)) {
-        self.normal = poses.1.rotation.inverse_rotate(normal);
+    /// Becomes that of these contacts of bodies at these poses, with its normal in the frame of one of them.
+    fn set(&mut self, contacts: &[&Contact], normal: DVec3, (poses, base): ((&Pose, &Pose), Side)) {
+        let of = if base == Side::A { poses.0 } else { poses.1 };
+        self.normal = of.rotation.inverse_rotate(normal);
         self.count = contacts.len().min(PATCH_POINTS);
         for (point, contact) in self.points.iter_mut().zip(contacts) {
             *point = PatchPoint::of(contact, poses);
@@ -158,7 +159,12 @@ pub(crate) struct PairPatches {
     kept: f64,
     /// Size of the smaller body, m.
     size: f64,
+    /// Whether a body is a compound or a mesh: beyond the reach of a search their distance is not known, but that it is larger.
+    has_parts: bool,
     smaller: Side,
+    /// The body in whose frame normals are kept: the one that impulses do not move, else the larger one. A load that rocks on a floor has the normal of the
+    /// floor.
+    base: Side,
     found_at: Option<FoundAt>,
     /// Of polyhedra that are searched.
     memory: Option<Box<PairMemory>>,
@@ -178,6 +184,16 @@ impl PairPatches {
                 .is_some_and(|shape| matches!(shape, Shape::Convex(_) | Shape::HalfSpace(_)))
         };
         let size = world.pair_size(a, b);
+        let smaller = if size == world.bodies[a].size { Side::A } else { Side::B };
+        let base = match [a, b].map(|body| world.bodies[body].moves()) {
+            [false, true] => Side::A,
+            [true, false] => Side::B,
+            _ => smaller.other(),
+        };
+        let is_composite = |body: usize| {
+            let shape = world.bodies[body].shape.as_ref();
+            shape.is_some_and(|shape| matches!(shape, Shape::Compound(_) | Shape::TriangleMesh(_)))
+        };
         Self {
             a,
             b,
@@ -185,7 +201,9 @@ impl PairPatches {
             restitution: material.restitution(),
             kept: if is_flat(a) && is_flat(b) { KEPT_RELATIVE * size } else { 0.0 },
             size,
-            smaller: if size == world.bodies[a].size { Side::A } else { Side::B },
+            smaller,
+            base,
+            has_parts: is_composite(a) || is_composite(b),
             found_at: None,
             memory: None,
             patches: Vec::new(),
@@ -205,9 +223,15 @@ impl PairPatches {
         self
     }
 
+    /// The normal of a patch in these states, from B to A.
+    pub(crate) fn normal(&self, states: &[BodyState], patch: &Patch) -> DVec3 {
+        let base = if self.base == Side::A { self.a } else { self.b };
+        states[base].pose.rotation.rotate(patch.normal)
+    }
+
     /// Where a point of a patch is in these states.
     pub(crate) fn geometry(&self, states: &[BodyState], patch: &Patch, point: &PatchPoint) -> ContactGeometry {
-        let normal = states[self.b].pose.rotation.rotate(patch.normal);
+        let normal = self.normal(states, patch);
         let [a, b] =
             [(self.a, point.on_a), (self.b, point.on_b)].map(|(body, at)| states[body].pose.transform_point(at));
         ContactGeometry { point: (a + b) * 0.5, normal, separation: normal.dot(a - b), margin: f64::INFINITY }
@@ -230,19 +254,22 @@ impl PairPatches {
         };
         let far = REACH_TO_SPARE * reach;
         let (a, b) = ((shape_a, pose_a), (shape_b, pose_b));
-        if !clipped_manifold(a, b, far, &mut tools.found) {
+        if !clipped_manifold(a, b, (far, self.base), &mut tools.found) {
             let memory = match (shape_a, shape_b) {
                 (Shape::Convex(_), Shape::Convex(_)) => self.memory.get_or_insert_default(),
                 _ => &mut tools.no_memory,
             };
             near_manifold_with(&mut tools.workspace, memory, a, b, far, &mut tools.found);
         }
-        self.found_at = Some(FoundAt { pose: now, reach: far, separation: tools.found.separation });
+        let found = tools.found.separation;
+        let separation = if self.has_parts && found > far { far } else { found };
+        self.found_at = Some(FoundAt { pose: now, reach: far, separation });
         tools.before.clear();
         for patch in &self.patches {
             tools.before.extend_from_slice(patch.points());
         }
-        make_patches(&mut self.patches, &tools.found.contacts, (pose_a, pose_b), ONE_LEVEL_RELATIVE * self.size);
+        let poses = ((pose_a, pose_b), self.base);
+        make_patches(&mut self.patches, &tools.found.contacts, poses, ONE_LEVEL_RELATIVE * self.size);
         if !tools.before.is_empty() {
             self.take_impulses(&tools.before);
         }
@@ -303,7 +330,7 @@ type FewContacts<T> = SmallVec<[T; 2 * PATCH_POINTS]>;
 
 /// Brings patches to these contacts, in the order of their first ones. Those of a patch have one normal, and lie in one plane of body A or of body B, to
 /// `level` (m).
-fn make_patches(patches: &mut Vec<Patch>, contacts: &[Contact], poses: (&Pose, &Pose), level: f64) {
+fn make_patches(patches: &mut Vec<Patch>, contacts: &[Contact], poses: ((&Pose, &Pose), Side), level: f64) {
     let is_along = |first: &Contact, contact: &Contact| {
         let (normal, apart) = (first.geometry.normal, first.geometry.separation);
         let higher = normal.dot(contact.geometry.point - first.geometry.point);

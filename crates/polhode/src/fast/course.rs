@@ -52,6 +52,8 @@ pub(super) struct Course {
     pub(super) used: usize,
     /// Number of each body in its group.
     numbers: Vec<u32>,
+    /// The pair that overlaps most at the end of the last step, by its place, and how deep, m.
+    deepest_after: Option<(usize, f64)>,
     /// Bound of the speed of every point of a body relative to its origin, m/s.
     spins: Vec<f64>,
     tools: Vec<Tools>,
@@ -76,6 +78,7 @@ impl Course {
             groups: Vec::new(),
             used: 0,
             numbers: Vec::new(),
+            deepest_after: None,
             spins: Vec::new(),
             tools: Vec::new(),
         }
@@ -321,6 +324,7 @@ impl Course {
             after.sort_by_key(|limit| limit.id);
             self.limits = after;
         }
+        self.deepest_after = None;
         for group in &self.groups[..self.used] {
             for (number, (place, manifold)) in group.patches.iter().zip(group.solver.manifolds()).enumerate() {
                 let [n, x] = [manifold.normal, manifold.tangent];
@@ -332,6 +336,9 @@ impl Course {
                         point.normal_impulse = impulse.last[0];
                         point.friction_impulse = x * impulse.last[1] + y * impulse.last[2];
                     }
+                    if -impulse.separation > self.deepest_after.map_or(0.0, |(_, depth)| depth) {
+                        self.deepest_after = Some((place.pair, -impulse.separation));
+                    }
                     point.normal_force = impulse.total[0] * inverse_step;
                     point.friction_force = (x * impulse.total[1] + y * impulse.total[2]) * inverse_step;
                 }
@@ -341,9 +348,10 @@ impl Course {
         }
     }
 
-    /// The deepest overlap at the start of the last step, m, with its pair.
+    /// The deepest overlap of the last step, m, with its pair: where contacts were found at its start, and where they are at its end. The second sees what has passed through a
+    /// thin body, too.
     pub(super) fn deepest(&self) -> Option<((usize, usize), f64)> {
-        let all = self.groups().iter().filter_map(|group| group.report.deepest);
+        let all = self.groups().iter().filter_map(|group| group.report.deepest).chain(self.deepest_after);
         let deepest = all.fold(None, |worst: Option<(usize, f64)>, one| match worst {
             Some(known) if known.1 >= one.1 => Some(known),
             _ => Some(one),

@@ -161,6 +161,7 @@ impl FastEngine {
         let carries: Vec<bool> = (0..states.len()).map(|body| world.carries_momentum(body)).collect();
         let mut sum = MomentumSum::default();
         for report in self.course.reports() {
+            received.external_j += report.driven_j;
             let Momentum { linear, angular } = report.support;
             sum.add(Momentum { linear, angular: angular - about.cross(linear) });
         }
@@ -173,10 +174,10 @@ impl FastEngine {
                 continue;
             }
             let sign = f64::from(carries[0]) - f64::from(carries[1]);
-            for (point, normal) in
-                pair.patches.iter().flat_map(|patch| patch.points().iter().map(|p| (p, patch.normal)))
+            for (point, patch) in
+                pair.patches.iter().flat_map(|patch| patch.points().iter().map(move |p| (p, patch)))
             {
-                let normal = states[pair.b].pose.rotation.rotate(normal);
+                let normal = pair.normal(states, patch);
                 let on_a = (normal * point.normal_force + point.friction_force) * h;
                 if on_a == DVec3::ZERO {
                     continue;
@@ -186,13 +187,6 @@ impl FastEngine {
                 let place = (x + y) * 0.5;
                 let linear = on_a * sign;
                 sum.add(Momentum { linear, angular: (place - about).cross(linear) });
-                for (body, part) in [(pair.a, on_a), (pair.b, -on_a)] {
-                    if world.trajectory(body).is_some() {
-                        let velocity = world.velocity(body, &states[body]);
-                        let arm = place - states[body].pose.translation;
-                        received.external_j -= part.dot(velocity.linear + velocity.angular.cross(arm));
-                    }
-                }
             }
         }
         received.support = sum.value();
@@ -234,9 +228,12 @@ impl FastEngine {
     fn place_of(&self, a: usize, b: usize) -> (DVec3, DVec3) {
         let states = &self.course.states;
         let place = self.course.pairs.binary_search_by_key(&(a, b), |pair| (pair.a, pair.b));
-        let patch = place.ok().and_then(|place| self.course.pairs[place].patches.first());
-        patch.map_or((states[a].pose.translation, DVec3::ZERO), |patch| {
-            let normal = states[b].pose.rotation.rotate(patch.normal);
+        let found = place.ok().and_then(|place| {
+            let pair = &self.course.pairs[place];
+            Some((pair, pair.patches.first()?))
+        });
+        found.map_or((states[a].pose.translation, DVec3::ZERO), |(pair, patch)| {
+            let normal = pair.normal(states, patch);
             (states[a].pose.transform_point(patch.points()[0].on_a), normal)
         })
     }

@@ -7,11 +7,12 @@ use super::rules::Rules;
 use super::turning::turn;
 use crate::Momentum;
 use crate::collision::face_patches::PairPatches;
+use crate::prescribed_state::{state_at, velocity_of};
 use crate::world::{Loads, World};
 use polhode_contact::tangent_basis;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::sequential_impulses::{
-    ImpulseBody, ImpulseManifold, MOST_POINTS, ManifoldPoint, Residual, SequentialImpulses, SweepOrder, SweepStage,
+    ImpulseBody, ImpulseManifold, MOST_POINTS, ManifoldPoint, PointImpulse, Residual, SequentialImpulses, SweepOrder, SweepStage,
     Works,
 };
 use polhode_spatial::{DMat3, DVec3, Velocity};
@@ -54,6 +55,25 @@ impl Member {
     }
 }
 
+/// A kinematic body of a patch. Where the patch is on it moves with the other body: a load that a turntable carries, or that slides over it, is at another place after
+/// each substep. The velocity that the solver has is that of the surface there and then, along the rows of the start of the step.
+#[derive(Debug, Clone, Copy)]
+struct Driver {
+    number: u32,
+    body: usize,
+    /// The member that it touches, and the number of the patch.
+    member: usize,
+    patch: usize,
+    /// 1 where it is body A of the patch, -1 where it is B.
+    sign: f64,
+    /// From its centre to the patch at the start of the step, m.
+    arm: DVec3,
+    /// Velocity of its surface in the present substep, as the rows have it.
+    velocity: Velocity,
+    /// Impulses along the normal of its points that have been booked, N s.
+    booked: [f64; MOST_POINTS],
+}
+
 /// A patch of a pair, by their places.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PatchPlace {
@@ -68,8 +88,8 @@ pub(super) struct Group {
     pub(super) bodies: Vec<usize>,
     pub(super) patches: Vec<PatchPlace>,
     members: Vec<Member>,
-    /// Kinematic bodies: number in the solver, velocities.
-    drivers: Vec<(u32, Velocity)>,
+    /// Kinematic bodies, each patch with one for itself.
+    drivers: Vec<Driver>,
     /// States within the step, where forces depend on them.
     present: Vec<BodyState>,
     pub(super) solver: SequentialImpulses,
@@ -87,6 +107,8 @@ pub(super) struct GroupReport {
     pub(super) residual: Residual,
     /// Momentum from the world through joints, about its origin.
     pub(super) support: Momentum,
+    /// Energy that kinematic bodies gave through contacts, J.
+    pub(super) driven_j: f64,
     /// The pair that overlaps most at the start, by its place, and how deep, m.
     pub(super) deepest: Option<(usize, f64)>,
 }
@@ -134,17 +156,16 @@ impl Group {
             } else {
                 self.held.start_again(&mut self.solver);
             }
+            self.drive(given, substep);
             let [pushed, relaxed] = rules.orders(substep);
             let booked = self.sweep_softly(stage, pushed, rules);
             self.report.works += booked;
             self.move_bodies(given.world, rules.h);
-            for (number, velocity) in &self.drivers {
-                let time = f64::from(substep + 1) * rules.h;
-                self.solver.body_mut(*number).set_displacement(velocity.linear * time, velocity.angular * time);
-            }
+            self.move_drivers(given, substep);
             self.find_rows(given);
             self.relax(relaxed, rules);
             self.book();
+            self.book_drivers();
             self.report.works.resting_j += self.held.end_substep(&self.solver, &self.present);
         }
         self.report.works += self.solver.end_substep(&rules.soft);
@@ -152,6 +173,7 @@ impl Group {
         self.begin();
         let bounced = self.solver.restitute(&rules.soft);
         self.report.works += bounced;
+        self.book_drivers_at_end();
         if bounced != Works::default() && !self.held.is_empty() {
             let held_j = self.held.hold_after_impact(&mut self.solver, &rules.relax, &self.present);
             self.report.works.resting_j += held_j;
@@ -238,7 +260,8 @@ impl Group {
             let pair = &given.pairs[place.pair];
             let (state_a, state_b) = (&states[pair.a], &states[pair.b]);
             let numbers = [pair.a, pair.b].map(|body| self.number(given, body));
-            let normal = state_b.pose.rotation.rotate(pair.patches[place.patch].normal);
+            let is_driven = [pair.a, pair.b].iter().any(|&body| world.trajectory(body).is_some());
+            let normal = pair.normal(states, &pair.patches[place.patch]);
             let tangent = tangent_basis(normal)[0];
             let second = normal.cross(tangent);
             let mut points = [ManifoldPoint::default(); MOST_POINTS];
@@ -257,6 +280,10 @@ impl Group {
                     impulse: [point.normal_impulse * given.warm, friction.dot(tangent), friction.dot(second)],
                 };
                 count += 1;
+            }
+            if is_driven {
+                let middle = points[..count].iter().map(|point| point.arm).sum::<DVec3>() / count.max(1) as f64;
+                self.note_driver(given, (pair, number), numbers, state_a.pose.translation + middle);
             }
             self.solver.add(ImpulseManifold {
                 bodies: numbers,
@@ -278,14 +305,116 @@ impl Group {
             return given.numbers[body];
         }
         let Velocity { linear, angular } = world.velocity(body, &given.states[body]);
-        if linear == DVec3::ZERO && angular == DVec3::ZERO {
+        if world.trajectory(body).is_none() {
             return SequentialImpulses::IMMOVABLE;
         }
         let number = self.solver.add_body(ImpulseBody::immovable());
         self.solver.body_mut(number).set_velocity(linear, angular);
-        self.solver.body_mut(number).set_mean_velocity(linear, angular);
-        self.drivers.push((number, Velocity::new(linear, angular)));
         number
+    }
+
+    /// Notes the kinematic body of the last patch, if there is one. `center` is the middle of its points (m).
+    fn note_driver(&mut self, given: &Given<'_>, (pair, patch): (&PairPatches, usize), numbers: [u32; 2], center: DVec3) {
+        let sides = [(pair.a, 0, 1.0), (pair.b, 1, -1.0)];
+        for (body, side, sign) in sides {
+            if given.world.trajectory(body).is_none() || numbers[side] == SequentialImpulses::IMMOVABLE {
+                continue;
+            }
+            self.drivers.push(Driver {
+                number: numbers[side],
+                body,
+                member: (numbers[1 - side] as usize).saturating_sub(1),
+                patch,
+                sign,
+                arm: center - given.states[body].pose.translation,
+                velocity: Velocity::default(),
+                booked: [0.0; MOST_POINTS],
+            });
+        }
+    }
+
+    /// The velocities of kinematic bodies over the coming substep: those of its middle, where the patches then are.
+    fn drive(&mut self, given: &Given<'_>, substep: u32) {
+        let h = given.rules.h;
+        for place in 0..self.drivers.len() {
+            let driver = self.drivers[place];
+            let velocity = self.surface_velocity(given, &driver, ((f64::from(substep) + 0.5) * h, 0.5 * h));
+            self.drivers[place].velocity = velocity;
+            let body = self.solver.body_mut(driver.number);
+            body.set_velocity(velocity.linear, velocity.angular);
+        }
+    }
+
+    /// The velocity of the surface of a kinematic body `time` (s) after the start of the step, where the patch is when the other body has moved on for `ahead` (s).
+    fn surface_velocity(&self, given: &Given<'_>, driver: &Driver, (time, ahead): (f64, f64)) -> Velocity {
+        let Some(trajectory) = given.world.trajectory(driver.body) else { return Velocity::default() };
+        let (now, start) = (state_at(trajectory, given.t + time), &given.states[driver.body]);
+        let Velocity { linear, angular } = velocity_of(&now);
+        let of_patch = self.members.get(driver.member).map_or(DVec3::ZERO, |member| {
+            member.state.pose.translation + member.state.linear_velocity * ahead - member.start
+        });
+        let moved = of_patch - (now.pose.translation - start.pose.translation);
+        Velocity::new(linear + angular.cross(moved), angular)
+    }
+
+    /// Kinematic bodies after a movement: how far they have come, and the velocities of their surfaces then. The rows have a turn to first order: the rest of it at the patch is
+    /// a displacement.
+    fn move_drivers(&mut self, given: &Given<'_>, substep: u32) {
+        let time = f64::from(substep + 1) * given.rules.h;
+        for place in 0..self.drivers.len() {
+            let driver = self.drivers[place];
+            let Some(trajectory) = given.world.trajectory(driver.body) else { continue };
+            let (now, start) = (state_at(trajectory, given.t + time).pose, given.states[driver.body].pose);
+            let turn = now.rotation * start.rotation.inverse();
+            let vector = turn.to_rotation_vector();
+            let rest = turn.rotate(driver.arm) - driver.arm - vector.cross(driver.arm);
+            let velocity = self.surface_velocity(given, &driver, (time, 0.0));
+            let body = self.solver.body_mut(driver.number);
+            body.set_displacement(now.translation - start.translation + rest, vector);
+            body.set_velocity(velocity.linear, velocity.angular);
+        }
+    }
+
+    /// Books what kinematic bodies gave through the impulses of a substep.
+    fn book_drivers(&mut self) {
+        for place in 0..self.drivers.len() {
+            let Driver { number, patch, velocity, .. } = self.drivers[place];
+            self.solver.body_mut(number).set_mean_velocity(velocity.linear, velocity.angular);
+            let mut sums = [0.0; MOST_POINTS];
+            for (sum, point) in sums.iter_mut().zip(self.solver.impulses(patch)) {
+                *sum = point.last[0];
+            }
+            let given_j = self.driven(place, velocity, |_, point| point.last);
+            let driver = &mut self.drivers[place];
+            driver.booked.iter_mut().zip(sums).for_each(|(known, sum)| *known += sum);
+            self.report.driven_j += given_j;
+        }
+    }
+
+    /// The same of the restitution after the last substep, at the velocities of then.
+    fn book_drivers_at_end(&mut self) {
+        for place in 0..self.drivers.len() {
+            let Driver { number, booked, .. } = self.drivers[place];
+            let body = self.solver.body(number);
+            let velocity = Velocity::new(body.linear(), body.angular());
+            let given_j = self.driven(place, velocity, |k, point| [point.total[0] - booked[k], 0.0, 0.0]);
+            self.report.driven_j += given_j;
+        }
+    }
+
+    /// The energy that a kinematic body gives by these impulses at the points of its patch, with this velocity.
+    fn driven(&self, place: usize, velocity: Velocity, of: impl Fn(usize, &PointImpulse) -> [f64; 3]) -> f64 {
+        let Driver { patch, sign, .. } = self.drivers[place];
+        let Some(manifold) = self.solver.manifolds().get(patch) else { return 0.0 };
+        let second = manifold.normal.cross(manifold.tangent);
+        let points = self.solver.impulses(patch).zip(&manifold.points).enumerate();
+        let given = points.map(|(k, (point, own))| {
+            let [along, x, y] = of(k, &point);
+            let arm = if sign > 0.0 { own.arm } else { own.arm + manifold.between };
+            let impulse = manifold.normal * along + manifold.tangent * x + second * y;
+            -sign * impulse.dot(velocity.linear + velocity.angular.cross(arm))
+        });
+        given.sum()
     }
 
     fn add_member(&mut self, rigid: &RigidBody, body: usize, state: &BodyState, kick: DVec3) {

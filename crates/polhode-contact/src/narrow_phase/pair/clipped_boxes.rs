@@ -58,18 +58,19 @@ impl Placed {
 }
 
 /// Fills `found` with the contacts of two boxes, or of a box and a half-space, with a separation of at most `reach` (m). Returns whether they
-/// are such shapes, and contacts were found wherever they are within the reach.
+/// are such shapes, and contacts were found wherever they are within the reach. Of two faces that separate nearly equally, by `EDGES_BEYOND`, that of the
+/// `base` decides.
 pub fn clipped_manifold(
     (shape_a, pose_a): (&Shape, &Pose),
     (shape_b, pose_b): (&Shape, &Pose),
-    reach: f64,
+    (reach, base): (f64, Side),
     found: &mut Manifold,
 ) -> bool {
     found.contacts.clear();
     (found.separation, found.axis) = (f64::NAN, SeparatingAxis::None);
     match (shape_a, shape_b) {
         (Shape::Convex(a), Shape::Convex(b)) => match (Placed::of(a, pose_a), Placed::of(b, pose_b)) {
-            (Some(placed_a), Some(placed_b)) => of_boxes([a, b], &[placed_a, placed_b], reach, found),
+            (Some(placed_a), Some(placed_b)) => of_boxes([a, b], &[placed_a, placed_b], (reach, base), found),
             _ => false,
         },
         (Shape::Convex(a), Shape::HalfSpace(b)) => on_plane((a, pose_a, Side::A), (b, pose_b), reach, found),
@@ -113,7 +114,12 @@ struct Best {
     toward_b: DVec3,
 }
 
-fn of_boxes(polyhedra: [&ConvexPolyhedron; 2], boxes: &[Placed; 2], reach: f64, found: &mut Manifold) -> bool {
+fn of_boxes(
+    polyhedra: [&ConvexPolyhedron; 2],
+    boxes: &[Placed; 2],
+    (reach, base): (f64, Side),
+    found: &mut Manifold,
+) -> bool {
     let [a, b] = boxes;
     let between = b.center - a.center;
     let turn = a.axes.transpose() * b.axes;
@@ -121,28 +127,17 @@ fn of_boxes(polyhedra: [&ConvexPolyhedron; 2], boxes: &[Placed; 2], reach: f64, 
     let (in_a, in_b) = (a.axes.transpose() * between, b.axes.transpose() * between);
     let gaps_a = in_a.abs() - a.half - magnitudes * b.half;
     let gaps_b = in_b.abs() - b.half - magnitudes.transpose() * a.half;
-    let mut best = Best { separation: f64::NEG_INFINITY, axis: SeparatingAxis::None, toward_b: DVec3::ZERO };
-    for k in 0..3 {
-        let face = |along: f64| 2 * k as u32 + u32::from(along > 0.0);
-        if gaps_a[k] > best.separation {
-            let toward_b = a.axes.col(k) * in_a[k].signum();
-            best = Best { separation: gaps_a[k], axis: SeparatingAxis::FaceA(face(in_a[k])), toward_b };
-        }
-        if gaps_b[k] > best.separation {
-            let toward_b = b.axes.col(k) * in_b[k].signum();
-            best = Best { separation: gaps_b[k], axis: SeparatingAxis::FaceB(face(-in_b[k])), toward_b };
-        }
-    }
-    found.separation = best.separation;
-    if best.separation.is_nan() || best.separation > reach {
-        return best.separation > reach;
+    let beyond = EDGES_BEYOND * a.half.min_element().min(b.half.min_element());
+    let (best, separation) = best_face(boxes, [gaps_a, gaps_b], [in_a, in_b], (base, beyond));
+    found.separation = separation;
+    if separation.is_nan() || separation > reach {
+        return separation > reach;
     }
     let edges = best_edges(boxes, &turn, (in_a, between));
     found.separation = found.separation.max(edges.map_or(f64::NEG_INFINITY, |(best, _)| best.separation));
     if found.separation > reach {
         return true;
     }
-    let beyond = EDGES_BEYOND * a.half.min_element().min(b.half.min_element());
     match edges {
         Some((crossed, pair)) if crossed.separation > best.separation + beyond => {
             cross(polyhedra, boxes, (crossed.toward_b, pair), found);
@@ -150,6 +145,24 @@ fn of_boxes(polyhedra: [&ConvexPolyhedron; 2], boxes: &[Placed; 2], reach: f64, 
         _ => clip(polyhedra, boxes, &best, reach, found),
     }
     !found.contacts.is_empty()
+}
+
+/// The face that separates most: one of the base, unless one of the other box does by this much more. Also the largest separation by a face of either.
+fn best_face([a, b]: &[Placed; 2], gaps: [DVec3; 2], along: [DVec3; 2], (base, beyond): (Side, f64)) -> (Best, f64) {
+    let widest = |gaps: DVec3| (1..3).fold(0, |best, k| if gaps[k] > gaps[best] { k } else { best });
+    let [i, j] = gaps.map(widest);
+    let face = |k: usize, along: f64| 2 * k as u32 + u32::from(along > 0.0);
+    let (of_a, of_b) = (gaps[0][i], gaps[1][j]);
+    let most = if of_a > of_b { of_a } else { of_b };
+    let is_of_a = if base == Side::A { of_b <= of_a + beyond } else { of_a > of_b + beyond };
+    let best = if is_of_a {
+        let axis = SeparatingAxis::FaceA(face(i, along[0][i]));
+        Best { separation: of_a, axis, toward_b: a.axes.col(i) * along[0][i].signum() }
+    } else {
+        let axis = SeparatingAxis::FaceB(face(j, -along[1][j]));
+        Best { separation: of_b, axis, toward_b: b.axes.col(j) * along[1][j].signum() }
+    };
+    (best, most)
 }
 
 /// The pair of edges that separates most, as their axes.
@@ -353,7 +366,7 @@ mod tests {
 
     fn found(a: (&Shape, &Pose), b: (&Shape, &Pose), reach: f64) -> (bool, Manifold) {
         let mut found = Manifold::default();
-        (clipped_manifold(a, b, reach, &mut found), found)
+        (clipped_manifold(a, b, (reach, Side::A), &mut found), found)
     }
 
     #[test]
