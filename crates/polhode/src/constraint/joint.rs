@@ -117,6 +117,11 @@ impl WorldJoint {
         self.a.driver().or_else(|| self.b.driver())
     }
 
+    /// Whether it keeps anything: limits alone are stops.
+    pub(super) fn has_rows(&self) -> bool {
+        self.kept.rows() > 0
+    }
+
     /// Its identity among constraints.
     pub(crate) fn id(&self) -> ConstraintId {
         let mut held = self.bodies();

@@ -44,6 +44,7 @@ use crate::constraint::softness::SoftWork;
 use crate::rows::assembly::Assembly;
 use crate::rows::groups::{Group, coupled_groups};
 use crate::rows::many_contacts::{MANY_CONTACTS, furthest_out};
+use crate::solve::closed_loops::ClosedLoops;
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::impact::{apply_without_gain, support};
 use crate::solve::jointed::trees_of;
@@ -126,7 +127,8 @@ impl TimeStepper {
         Middle { t, h, stops, kick }: Middle<'_>,
         report: &mut TimeStepReport,
     ) -> Result<Vec<usize>, ResponseError> {
-        let mut rows = rows(world, Kicked { states, bodies, kick }, (near, slips), (t, h))?;
+        let loops = &ClosedLoops::of(world, states, bodies)?;
+        let mut rows = rows(world, Kicked { states, bodies, kick, loops }, (near, slips), (t, h))?;
         if let Stops::At(ids) = stops {
             for row in rows.iter_mut().filter(|row| ids.contains(&near[row.contact].id)) {
                 row.friction = row.friction.map(TangentialRow::coming_to_rest);
@@ -151,11 +153,11 @@ impl TimeStepper {
                 solved.push(if let Some(place) = known {
                     last.swap_remove(place)
                 } else {
-                    self.solve_group(world, Kicked { states, bodies, kick }, group, &rows, (near, h), report)?
+                    self.solve_group(world, Kicked { states, bodies, kick, loops }, group, &rows, (near, h), report)?
                 });
             }
             for group in &mut solved {
-                group.apply(world, states, (bodies, kick), &rows, near);
+                group.apply(world, states, (bodies, kick, loops), &rows, near);
             }
             if add_closing(world, states, near, &rows, &mut taken) {
                 set_states(states, bodies, &before);
@@ -170,7 +172,7 @@ impl TimeStepper {
                 group.found.tell(report);
             }
             report.contacts = report.contacts.max(members.len());
-            let kicked = Kicked { states, bodies, kick };
+            let kicked = Kicked { states, bodies, kick, loops };
             return Ok(note(world, kicked, near, &rows, &solved, (t, h), report));
         }
     }
@@ -217,7 +219,8 @@ impl TimeStepper {
         let states = kicked.states;
         let members: Vec<&Row> = group.contacts.iter().map(|&index| &rows[index]).collect();
         let geometries = members.iter().map(|row| (near[row.contact].id, row.kinematics.geometry));
-        let mut assembly = Assembly::new(world, states, &group.bodies, geometries)?;
+        let bilaterals = kicked.loops.bilaterals(world, states, &group.bodies).collect();
+        let mut assembly = Assembly::with_bilaterals(world, (states, &group.bodies), geometries, bilaterals)?;
         let kick_of_row = |of: &Bilateral, row: &BilateralRow| kicked.change_of_row(of, row);
         let soft = world.soft_rows((states, &group.bodies), h, &kicked.kick.of_joints, kick_of_row);
         assembly.push_soft(states, soft)?;
@@ -486,9 +489,10 @@ fn note(
         };
         let (work_j, of_integrator_j) = acting.in_symmetric_order(shared);
         report.books.impact((work_j.normal_j, work_j.friction_j), given, work);
+        report.books.stray(kicked.loops.stray_momentum(states, about, reactions()));
         report.books.ledger.numerical.add(of_integrator_j);
         // Reactions do no work but for what the solver leaves.
-        let after = world.bilaterals(states, &group.group.bodies);
+        let after = kicked.loops.bilaterals(world, states, &group.group.bodies);
         let (rigid, yielding): (Vec<_>, Vec<_>) = group.reactions.iter().partition(|(of, _)| of.softness.is_none());
         let by_reactions = rigid.iter().zip(after).map(|((of, impulse), after)| of.work(&after, *impulse));
         report.books.ledger.numerical.add(-by_reactions.sum::<f64>());
@@ -625,7 +629,7 @@ impl SolvedGroup {
         &mut self,
         world: &World,
         states: &mut [BodyState],
-        (bodies, kick): (&[usize], &Kick),
+        (bodies, kick, loops): (&[usize], &Kick, &ClosedLoops),
         rows: &[Row],
         near: &[NearContact],
     ) {
@@ -633,7 +637,7 @@ impl SolvedGroup {
         let moments: Vec<_> = self.moments.iter().map(SustainedMoment::on_a).collect();
         let soft = self.soft_work();
         let by_soft = soft.spring + soft.damper + soft.motor;
-        let kicked = Kicked { states, bodies, kick };
+        let kicked = Kicked { states, bodies, kick, loops };
         let by_reactions = self.reactions.iter().map(|(of, impulse)| kicked.shared_by_reaction_j(of, *impulse));
         let shared_j = kicked.shared_j(self.impulses_of(rows, near))
             + kicked.shared_by_moments_j(moments.iter().copied())
