@@ -53,6 +53,7 @@ pub(crate) mod stop_id;
 mod thread;
 pub(crate) mod tie;
 pub(crate) mod ties;
+mod turns;
 mod track;
 pub(crate) mod track_frame;
 pub(crate) mod track_springs;

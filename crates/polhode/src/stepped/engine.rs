@@ -218,7 +218,7 @@ impl SteppedEngine {
         }
         core.world.prescribe(t_next, &mut self.states);
         let_go_at_ends_of_tracks(core, &self.states, t_next)?;
-        core.world.count_all_turns(&self.states);
+        core.world.count_all_turns(&self.states)?;
         core.t = t_next;
         let before = std::mem::replace(&mut self.touching, touching);
         if compares {
