@@ -7,7 +7,7 @@
 use crate::collision::contact_id::ContactId;
 use crate::collision::turn::Turn;
 use crate::constraint::ConstraintId;
-use crate::constraint::bilateral::{Bilateral, apply_reactions};
+use crate::constraint::bilateral::{Bilateral, Reaction, apply_reactions};
 use crate::rows::assembly::{Assembly, TangentRow, apply_impulses, largest_change};
 use crate::rows::rotation_row::RotationRow;
 use crate::solve::jointed::trees_of;
@@ -25,6 +25,10 @@ use std::collections::BTreeMap;
 /// Newton steps on the separations. The correction is of the order of the integration error (1e-11) or of the touch
 /// distance, so that the second step already reaches rounding error.
 const MAX_NEWTON_STEPS: usize = 3;
+
+/// The same of bilateral constraints alone, which time steps leave open by up to a thousandth of a size. The steps converge quadratically;
+/// where bodies move by as much as their size in a step, there may be no closed pose.
+const MAX_CLOSING_STEPS: usize = 8;
 
 /// A separation beyond this fraction of the pair's size is not drift: the contact point has jumped (for example, a
 /// ring's nearest point on an edge), and its projection would displace the bodies far. Drift is of the order of the
@@ -210,7 +214,8 @@ pub(crate) fn project_positions(
     let mut allowance = None;
     let distance =
         |(id, geometry): &(ContactId, ContactGeometry)| (geometry.separation.abs(), ConstraintId::Contact(*id));
-    for step in 0..=MAX_NEWTON_STEPS {
+    let most = if contacts.is_empty() { MAX_CLOSING_STEPS } else { MAX_NEWTON_STEPS };
+    for step in 0..=most {
         let geometries = contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?.geometry)));
         let drifted = |(id, geometry): &(ContactId, ContactGeometry)| {
             geometry.separation.abs() <= JUMPED_RELATIVE * world.pair_size(id.a, id.b)
@@ -230,7 +235,7 @@ pub(crate) fn project_positions(
         if done.is_partial || (at_rounding && bilaterals.iter().all(is_in_place)) {
             break;
         }
-        if step == MAX_NEWTON_STEPS {
+        if step == most {
             let is_unconverged = |(id, geometry): &&(ContactId, ContactGeometry)| {
                 geometry.separation.abs()
                     > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b) + world.rounding(states, id.a, id.b)
@@ -301,7 +306,7 @@ fn farthest(distances: impl Iterator<Item = (f64, ConstraintId)>) -> Option<Cons
 }
 
 /// Result of the projection of velocities.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct RemovedVelocities {
     /// The constraint with the largest relative velocity; none when all were zero.
     pub(crate) fastest: Option<ConstraintId>,
@@ -309,6 +314,15 @@ pub(crate) struct RemovedVelocities {
     pub(crate) impulses: Vec<(ContactId, f64)>,
     /// Work of prescribed motions by the impulses, J.
     pub(crate) work_j: f64,
+    /// The rows and their multipliers, N s; none when all velocities were zero.
+    held: Option<(Assembly, Vec<f64>)>,
+}
+
+impl RemovedVelocities {
+    /// The impulses of bilateral constraints, N s.
+    pub(crate) fn reactions(&self) -> impl Iterator<Item = (&Bilateral, Reaction)> + Clone {
+        self.held.iter().flat_map(|(assembly, multipliers)| assembly.reactions(multipliers))
+    }
 }
 
 /// How relative velocities are removed.
@@ -372,7 +386,7 @@ pub(crate) fn project_velocities(
     let bilaterals = assembly.bilaterals().iter().map(|bilateral| (bilateral.speed(), bilateral.id));
     let fastest = farthest(speeds.chain(bilaterals));
     let impulses = contacts.iter().zip(&multipliers).map(|((id, _), &p)| (*id, p)).collect();
-    Ok(RemovedVelocities { fastest, impulses, work_j })
+    Ok(RemovedVelocities { fastest, impulses, work_j, held: Some((assembly, multipliers)) })
 }
 
 /// Rows along the tangents of a contact, each with the slip along it, m/s.

@@ -47,6 +47,7 @@ use crate::rows::many_contacts::{MANY_CONTACTS, furthest_out};
 use crate::solve::closed_loops::ClosedLoops;
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::impact::{apply_without_gain, support};
+use crate::solve::joint_loads::ContactForce;
 use crate::solve::jointed::trees_of;
 use crate::solve::rotational_friction::{moment_support, moment_work};
 use crate::states_of::{set_states, states_of};
@@ -153,7 +154,7 @@ impl TimeStepper {
                 solved.push(if let Some(place) = known {
                     last.swap_remove(place)
                 } else {
-                    self.solve_group(world, Kicked { states, bodies, kick, loops }, group, &rows, (near, h), report)?
+                    self.solve_group(world, Kicked { states, bodies, kick, loops }, group, &rows, (near, h, stops), report)?
                 });
             }
             for group in &mut solved {
@@ -213,7 +214,7 @@ impl TimeStepper {
         kicked: Kicked<'_>,
         group: Group,
         rows: &[Row],
-        (near, h): (&[NearContact], f64),
+        (near, h, stops): (&[NearContact], f64, Stops<'_>),
         report: &mut TimeStepReport,
     ) -> Result<SolvedGroup, ResponseError> {
         let states = kicked.states;
@@ -228,7 +229,7 @@ impl TimeStepper {
         let constants = assembly.step_constants(of_contacts, kick_of_row);
         if members.iter().any(|row| row.friction.is_some()) {
             let friction: Vec<_> = members.iter().map(|row| row.friction).collect();
-            let found = sustained_friction::solve(assembly, states, constants, &friction, (&mut self.cones, h))?;
+            let found = sustained_friction::solve(assembly, states, constants, &friction, (&mut self.cones, h, stops))?;
             report.factorisations += found.factorisations as u64;
             let sustained_friction::FrictionalImpulses { normal: impulses, tangential, moments, reactions, .. } = found;
             let found = Found {
@@ -339,6 +340,7 @@ fn rows(
     let here: Vec<(usize, ContactKinematics)> = near
         .iter()
         .enumerate()
+        .filter(|(_, near)| !near.is_awaited)
         .filter_map(|(contact, near)| Some((contact, kinematics_at_point(world, states, near.id)?)))
         .collect();
     if here.is_empty() {
@@ -472,6 +474,7 @@ fn note(
     for group in solved {
         let moments = || group.moments.iter().map(SustainedMoment::on_a);
         let reactions = || group.reactions.iter().map(|(of, impulse)| (of, *impulse));
+        report.told.take(world, states, reactions());
         let about = report.books.ledger.momentum.about;
         let given = support(world, about, group.impulses_of(rows, near))
             + moment_support(world, moments())
@@ -522,6 +525,9 @@ fn note(
                 ImpulseKind::Sustained
             };
             let geometry = row.kinematics.geometry;
+            let force = geometry.normal * impulse + friction;
+            let force = ContactForce { id: contact.id, point: geometry.point, force };
+            report.told.take_contact(world, states, (force, false));
             report.impulses.push(ContactImpulse { t, id: contact.id, geometry, impulse, friction, kind });
             carrying.push(row.contact);
         }
