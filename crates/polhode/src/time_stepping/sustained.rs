@@ -241,7 +241,9 @@ impl TimeStepper {
             return Ok(SolvedGroup { group, impulses, tangential, moments, reactions, found });
         }
         let carried = (0..members.len()).filter(|&i| self.carried.contains(near[members[i].contact].id)).collect();
-        self.solver.set_settings(SolverSettings::default());
+        // Rates of joints are differences of velocities, whatever the impulses are that follow from them.
+        let noise_floor = if assembly.bilaterals().is_empty() { 0.0 } else { world.velocity_rounding(states, &group.bodies) };
+        self.solver.set_settings(SolverSettings { noise_floor, ..SolverSettings::default() });
         let start = WarmStart::new(carried);
         let solution = if let Some(forest) = trees_of(&assembly) {
             self.solver.solve_with_forest(&assembly.problem, &forest, &constants, Some(&start))?
