@@ -112,10 +112,7 @@ impl LeastNormHold {
         Self::regularized((delassus, None), SOFT_REGULARIZATION)
     }
 
-    fn regularized(
-        (delassus, free): (&Delassus, Option<&[f64]>),
-        regularization: f64,
-    ) -> Result<Self, ResponseError> {
+    fn regularized((delassus, free): (&Delassus, Option<&[f64]>), regularization: f64) -> Result<Self, ResponseError> {
         delassus.check_finite()?;
         let scale: Vec<f64> = match free {
             Some(free) => free.iter().map(|&own| inverse_root(own)).collect(),

@@ -37,8 +37,7 @@ impl World {
         motion: impl Fn(usize) -> (Pose, Velocity) + Copy + 'a,
     ) -> impl Iterator<Item = Bilateral> + 'a {
         let bodies = if self.held_by_rows.is_empty() { &[] } else { bodies };
-        let joints =
-            self.joints_among(bodies).map(move |joint| Bilateral::new(joint.id(), joint.rows_at(motion)));
+        let joints = self.joints_among(bodies).map(move |joint| Bilateral::new(joint.id(), joint.rows_at(motion)));
         let ties = self.ties_among(bodies).filter_map(move |tie| {
             let rows = tie.row_at(motion)?;
             let (first, last) = (rows.members.first()?.body, rows.members.last()?.body);

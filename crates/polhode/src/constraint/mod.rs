@@ -53,11 +53,11 @@ pub(crate) mod stop_id;
 mod thread;
 pub(crate) mod tie;
 pub(crate) mod ties;
-mod turns;
 mod track;
 pub(crate) mod track_frame;
 pub(crate) mod track_springs;
 pub(crate) mod tree_joint;
+mod turns;
 mod universal;
 
 use crate::collision::contact_id::ContactId;

@@ -17,12 +17,13 @@
 
 use super::projection::project_positions;
 use crate::constraint::bilateral::{Bilateral, Reaction, bilateral_support};
+use crate::rows::assembly::Assembly;
 use crate::rows::groups::coupled_groups;
 use crate::states_of::{set_states, states_of};
 use crate::world::World;
 use crate::{Momentum, MomentumSum};
 use polhode_dynamics::BodyState;
-use polhode_response::ResponseError;
+use polhode_response::{LeastNormHold, ResponseError};
 use polhode_spatial::{DVec3, Pose};
 use std::collections::BTreeMap;
 
@@ -67,6 +68,36 @@ impl ClosedLoops {
             let (pose, velocity) = world.motion_of(states, body);
             (self.poses.get(&body).copied().unwrap_or(pose), velocity)
         })
+    }
+
+    /// The least reactions of these bodies that do the same as these ones, which are those of all their bilateral constraints, soft ones last.
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    pub(crate) fn least(
+        &self,
+        world: &World,
+        (states, bodies): (&[BodyState], &[usize]),
+        mut reactions: Vec<(Bilateral, Reaction)>,
+    ) -> Result<Vec<(Bilateral, Reaction)>, ResponseError> {
+        if reactions.is_empty() || !bodies.iter().any(|body| self.poses.contains_key(body)) {
+            return Ok(reactions);
+        }
+        let rigid = reactions.iter().filter(|(of, _)| of.softness.is_none());
+        let multipliers: Vec<f64> =
+            rigid.clone().flat_map(|(of, own)| of.rows.iter().map(|row| row.multiplier(*own))).collect();
+        let bilaterals = rigid.map(|(of, _)| of.clone()).collect();
+        let Assembly { problem, .. } =
+            &Assembly::with_bilaterals(world, (states, bodies), std::iter::empty(), bilaterals)?;
+        let given = problem.row_velocities(&problem.response(&multipliers)?)?;
+        let (delassus, undone) = (problem.delassus(), given.iter().map(|rate| -rate).collect::<Vec<_>>());
+        let least = LeastNormHold::factor(&delassus)?.solve(&delassus, &undone)?;
+        let mut left = &least[..];
+        for (of, reaction) in reactions.iter_mut().filter(|(of, _)| of.softness.is_none()) {
+            let (own, others) = left.split_at_checked(of.rows.len()).unwrap_or_default();
+            (*reaction, left) = (of.reaction(own), others);
+        }
+        Ok(reactions)
     }
 
     /// What reactions between bodies change their momentum by because their arms are those of the closed poses, angular about a

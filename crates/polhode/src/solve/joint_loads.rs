@@ -39,10 +39,7 @@ pub(crate) fn add_joint_loads<'a>(
     views: &mut BTreeMap<usize, JointView>,
     world: &World,
     states: &[BodyState],
-    (reactions, contacts): (
-        impl Iterator<Item = (&'a Bilateral, Reaction)>,
-        impl Iterator<Item = ContactForce>,
-    ),
+    (reactions, contacts): (impl Iterator<Item = (&'a Bilateral, Reaction)>, impl Iterator<Item = ContactForce>),
 ) {
     let none = (DVec3::ZERO, DVec3::ZERO);
     for (of, reaction) in reactions.filter(|(of, _)| of.softness.is_none()) {

@@ -565,9 +565,8 @@ impl Tier for SteppedEngine {
     fn contacts(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<ContactView> {
         // Those that the last step used, wherever it has left them, and those that touch without a force.
         let world = &core.world;
-        let touching = |&(a, b): &(usize, usize)| {
-            world.contacts_of_pair(states, a, b, world.touch_distance(states, a, b))
-        };
+        let touching =
+            |&(a, b): &(usize, usize)| world.contacts_of_pair(states, a, b, world.touch_distance(states, a, b));
         let mut found: BTreeMap<ContactId, FoundContact> =
             self.touching.iter().flat_map(touching).map(|touch| (touch.id, touch)).collect();
         let is_of_shapes = |id: &ContactId| matches!(id.feature, Feature::Shapes(_));

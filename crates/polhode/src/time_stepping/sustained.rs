@@ -22,7 +22,7 @@
 //!
 //! A row of a bilateral constraint is held at `u+ = -u-`: its impulse does no work, and the second half of the step takes back
 //! the gap that the first has opened, but for its curvature (of order `h^3`), which the projection at the end of the step
-//! removes (`projection.rs`).
+//! removes (`projection.rs`). Rows of closed loops are those of their closed poses (`crate::solve::closed_loops`).
 //!
 //! Rows of the problem: contacts that would penetrate at the end, and touching contacts; of pairs with many contacts only some of
 //! them (`rows/many_contacts.rs`). Contacts that close because of the impulses are added until there are none.
@@ -154,7 +154,14 @@ impl TimeStepper {
                 solved.push(if let Some(place) = known {
                     last.swap_remove(place)
                 } else {
-                    self.solve_group(world, Kicked { states, bodies, kick, loops }, group, &rows, (near, h, stops), report)?
+                    self.solve_group(
+                        world,
+                        Kicked { states, bodies, kick, loops },
+                        group,
+                        &rows,
+                        (near, h, stops),
+                        report,
+                    )?
                 });
             }
             for group in &mut solved {
@@ -238,11 +245,13 @@ impl TimeStepper {
                 violation: found.violation,
                 stops: found.stops,
             };
+            let reactions = kicked.loops.least(world, (states, &group.bodies), reactions)?;
             return Ok(SolvedGroup { group, impulses, tangential, moments, reactions, found });
         }
         let carried = (0..members.len()).filter(|&i| self.carried.contains(near[members[i].contact].id)).collect();
         // Rates of joints are differences of velocities, whatever the impulses are that follow from them.
-        let noise_floor = if assembly.bilaterals().is_empty() { 0.0 } else { world.velocity_rounding(states, &group.bodies) };
+        let noise_floor =
+            if assembly.bilaterals().is_empty() { 0.0 } else { world.velocity_rounding(states, &group.bodies) };
         self.solver.set_settings(SolverSettings { noise_floor, ..SolverSettings::default() });
         let start = WarmStart::new(carried);
         let solution = if let Some(forest) = trees_of(&assembly) {
@@ -271,6 +280,7 @@ impl TimeStepper {
             }
         }
         let reactions = assembly.reactions(&impulses).map(|(of, impulse)| (of.clone(), impulse)).collect();
+        let reactions = kicked.loops.least(world, (states, &group.bodies), reactions)?;
         impulses.truncate(members.len());
         Ok(SolvedGroup { group, impulses, tangential: Vec::new(), moments: Vec::new(), reactions, found })
     }

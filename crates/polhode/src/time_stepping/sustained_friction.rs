@@ -158,7 +158,9 @@ impl TangentialRow {
     /// Whether its slip may pass through zero within the step where its impulses do not show it: `r` is shortened, so that a contact
     /// which would slip back may end without slip and without an impulse.
     fn may_hide_stop(&self) -> bool {
-        !self.sticks && self.half_change != self.whole_change && self.coefficients.sliding.is_below(self.coefficients.at_rest)
+        !self.sticks
+            && self.half_change != self.whole_change
+            && self.coefficients.sliding.is_below(self.coefficients.at_rest)
     }
 
     /// The same with the whole change of its slip, which may gain energy: what would happen without contact forces.

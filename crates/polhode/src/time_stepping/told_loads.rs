@@ -77,7 +77,8 @@ impl ToldLoads {
     pub(super) fn append(&mut self, later: Self) {
         for (views, later) in [(&mut self.joints, later.joints), (&mut self.struck, later.struck)] {
             for (joint, view) in later {
-                let own = views.entry(joint).or_insert(JointView { force_n: DVec3::ZERO, moment_n_m: DVec3::ZERO, ..view });
+                let own =
+                    views.entry(joint).or_insert(JointView { force_n: DVec3::ZERO, moment_n_m: DVec3::ZERO, ..view });
                 own.force_n += view.force_n;
                 own.moment_n_m += view.moment_n_m;
                 own.point_m = view.point_m;
@@ -88,7 +89,8 @@ impl ToldLoads {
     /// The mean loads of a step of `h` (s), N and N m: without what impacts gave, and with it.
     pub(crate) fn means(&self, h: f64) -> [BTreeMap<usize, JointView>; 2] {
         let mean = |view: &JointView| JointView { force_n: view.force_n / h, moment_n_m: view.moment_n_m / h, ..*view };
-        let sustained: BTreeMap<usize, JointView> = self.joints.iter().map(|(&joint, view)| (joint, mean(view))).collect();
+        let sustained: BTreeMap<usize, JointView> =
+            self.joints.iter().map(|(&joint, view)| (joint, mean(view))).collect();
         let mut all = sustained.clone();
         for (&joint, view) in &self.struck {
             let view = mean(view);
@@ -112,7 +114,8 @@ pub(super) fn newton_residual(
     let mut sums: Vec<(DVec3, f64)> = Vec::with_capacity(bodies.len());
     for (place, (&body, start)) in bodies.iter().zip(before).enumerate() {
         let mass = world.bodies[body].rigid.as_ref().map_or(0.0, polhode_dynamics::RigidBody::mass);
-        let (weight, kicked) = (world.free_acceleration(body) * h, kick.changes.get(place).map_or(DVec3::ZERO, |own| own.linear));
+        let (weight, kicked) =
+            (world.free_acceleration(body) * h, kick.changes.get(place).map_or(DVec3::ZERO, |own| own.linear));
         let change = after[body].linear_velocity - start.linear_velocity;
         sums.push(((change - weight - kicked) * mass, (weight.length() + kicked.length()) * mass));
     }

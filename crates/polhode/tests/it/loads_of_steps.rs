@@ -20,9 +20,8 @@ fn walker() -> Scene {
     let mut scene = Scene::builder("walker").method(method).duration_s(0.6);
     scene.add_body(rough(floor()));
     let slide = Velocity::new(DVec3::new(0.5, 0.1, 0.0), DVec3::ZERO);
-    let mut part = |name: &str, size: DVec3, place: DVec3| {
-        scene.add_body(rough(brick(name, size, place)).velocity(slide))
-    };
+    let mut part =
+        |name: &str, size: DVec3, place: DVec3| scene.add_body(rough(brick(name, size, place)).velocity(slide));
     let trunk = part("trunk", DVec3::new(0.5, 0.2, 0.1), DVec3::Z * 0.5);
     let limb = DVec3::new(0.05, 0.05, 0.16);
     let legs = [-0.2, 0.2].map(|x| {
@@ -74,8 +73,7 @@ fn loads_of_every_step_obey_newtons_law() {
     let bodies = scene.bodies().len();
     let (mut touched, mut worst) = (0, 0.0_f64);
     for _ in 0..300 {
-        let before: Vec<DVec3> =
-            (0..bodies).map(|body| simulation.body(BodyId::new(body)).velocity.linear).collect();
+        let before: Vec<DVec3> = (0..bodies).map(|body| simulation.body(BodyId::new(body)).velocity.linear).collect();
         simulation.step().unwrap();
         touched += usize::from(simulation.contacts().iter().any(|contact| contact.normal_force_n > 0.0));
         worst = worst.max(defect(&scene, &simulation, &before));
