@@ -263,18 +263,27 @@ pub(crate) fn project_positions(
         let limits = Limits { allowed, negligible: NEGLIGIBLE_RELATIVE * size, opened };
         let (multipliers, is_partial) = cancel(world, &assembly, &separations, limits)?;
         done.is_partial |= is_partial;
-        for (body, linear, angular) in assembly.split(&assembly.problem.response(&multipliers)?) {
-            let pose = &mut states[body].pose;
-            pose.translation += linear;
-            pose.rotation = Rotation::from_rotation_vector(angular) * pose.rotation;
-            let sum = moved.entry(body).or_default();
-            *sum = (sum.0 + linear, sum.1 + angular);
-        }
+        move_by(states, &mut moved, assembly.split(&assembly.problem.response(&multipliers)?));
     }
     done.jumped.dedup_by_key(|contact| contact.bodies());
     done.unconverged.dedup_by_key(|constraint| constraint.bodies());
     done.moved_m = largest_change(world, moved.into_iter().map(|(body, (linear, angular))| (body, linear, angular)));
     Ok(done)
+}
+
+/// Moves bodies by a displacement and a rotation vector each, and adds these to what they have been moved by.
+fn move_by(
+    states: &mut [BodyState],
+    moved: &mut BTreeMap<usize, (DVec3, DVec3)>,
+    displacements: impl Iterator<Item = (usize, DVec3, DVec3)>,
+) {
+    for (body, linear, angular) in displacements {
+        let pose = &mut states[body].pose;
+        pose.translation += linear;
+        pose.rotation = Rotation::from_rotation_vector(angular) * pose.rotation;
+        let sum = moved.entry(body).or_default();
+        *sum = (sum.0 + linear, sum.1 + angular);
+    }
 }
 
 /// The largest gap of these constraints in relation to the size of their bodies (no unit).

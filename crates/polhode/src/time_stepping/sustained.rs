@@ -102,6 +102,17 @@ impl Row {
         rate + self.bound < -(self.rounding + ROW_ROUNDING * (rate.abs() + self.bound.abs()))
     }
 
+    /// The kind of its impulse (N s) in a step of `h` (s).
+    fn kind_of_impulse(&self, contact: &NearContact, impulse: f64, h: f64) -> ImpulseKind {
+        // The speed of approach of the contact at the start of the step.
+        let approach = -(self.rate_before - self.half_fall);
+        if approach > contact.resting_speed && contact.closing_time().is_some_and(|time| time <= h) {
+            ImpulseKind::Impact { energy_change_j: 0.5 * impulse * (self.rate_before - self.bound) }
+        } else {
+            ImpulseKind::Sustained
+        }
+    }
+
     /// Whether the row is in the problem of a step of `h` (s) from the beginning.
     fn is_first_choice(&self, world: &World, states: &[BodyState], contact: &NearContact, h: f64) -> bool {
         let touch_distance = world.touch_distance(states, contact.id.a, contact.id.b);
@@ -528,14 +539,7 @@ fn note(
             if impulse <= 0.0 {
                 continue;
             }
-            // The speed of approach of the contact at the start of the step.
-            let approach = -(row.rate_before - row.half_fall);
-            let kind = if approach > contact.resting_speed && contact.closing_time().is_some_and(|time| time <= h) {
-                let energy_change_j = 0.5 * impulse * (row.rate_before - row.bound);
-                ImpulseKind::Impact { energy_change_j }
-            } else {
-                ImpulseKind::Sustained
-            };
+            let kind = row.kind_of_impulse(contact, impulse, h);
             let geometry = row.kinematics.geometry;
             let force = geometry.normal * impulse + friction;
             let force = ContactForce { id: contact.id, point: geometry.point, force };
