@@ -32,6 +32,7 @@ use crate::dense::kernels::dot;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::precise;
 use crate::problem::ContactProblem;
+use crate::sparse::BesideForest;
 use polhode_spatial::DoubleDouble;
 
 /// The regularisation `eps`, relative to the unit diagonal. Eigenvalues are quadratic in distances: directions in
@@ -77,7 +78,29 @@ impl LeastNormHold {
     /// # Errors
     /// When the matrix is not finite.
     pub fn factor(delassus: &Delassus) -> Result<Self, ResponseError> {
-        Self::regularized(delassus, REGULARIZATION)
+        Self::regularized((delassus, None), REGULARIZATION)
+    }
+
+    /// As [`factor`](Self::factor) for rows of gaps the largest of which is this part of the size of the bodies (no unit), in
+    /// Newton steps that close them. Rows that depend on each other where the gaps are closed do not where they are open: by so
+    /// much of their size, and their gaps contradict each other by the square of it. Regularised by the gap itself, such
+    /// directions are left alone, to the order of its square, and all others are closed to that of its fourth power: the steps
+    /// converge quadratically, also where rows depend on each other (Yamashita and Fukushima 2001).
+    ///
+    /// # Errors
+    /// When the matrix is not finite.
+    pub fn factor_open(delassus: &Delassus, gap: f64) -> Result<Self, ResponseError> {
+        Self::regularized((delassus, None), gap.clamp(REGULARIZATION, SOFT_REGULARIZATION))
+    }
+
+    /// As [`factor_open`](Self::factor_open) for rows beside trees: dependence is decided against what each of them would move without the
+    /// trees. What is left of one that they hold is rounding.
+    ///
+    /// # Errors
+    /// When the matrix is not finite.
+    pub fn factor_beside(beside: &BesideForest, gap: f64) -> Result<Self, ResponseError> {
+        let regularization = gap.clamp(REGULARIZATION, SOFT_REGULARIZATION);
+        Self::regularized((&beside.delassus, Some(&beside.free)), regularization)
     }
 
     /// As [`factor`](Self::factor), for small values that need not be cancelled at any price: what only forces above some
@@ -86,14 +109,19 @@ impl LeastNormHold {
     /// # Errors
     /// When the matrix is not finite.
     pub fn factor_softly(delassus: &Delassus) -> Result<Self, ResponseError> {
-        Self::regularized(delassus, SOFT_REGULARIZATION)
+        Self::regularized((delassus, None), SOFT_REGULARIZATION)
     }
 
-    fn regularized(delassus: &Delassus, regularization: f64) -> Result<Self, ResponseError> {
+    fn regularized((delassus, free): (&Delassus, Option<&[f64]>), regularization: f64) -> Result<Self, ResponseError> {
         delassus.check_finite()?;
-        let scale = unit_diagonal(delassus);
-        let entry =
-            |i: usize, j: usize| if i == j { 1.0 + regularization } else { scale[i] * delassus.row(i)[j] * scale[j] };
+        let scale: Vec<f64> = match free {
+            Some(free) => free.iter().map(|&own| inverse_root(own)).collect(),
+            None => unit_diagonal(delassus),
+        };
+        let entry = |i: usize, j: usize| {
+            let own = if i == j && free.is_none() { 1.0 } else { scale[i] * delassus.row(i)[j] * scale[j] };
+            if i == j { own + regularization } else { own }
+        };
         let factor = cholesky(scale.len(), entry, 0.5 * regularization);
         Ok(Self { scale, factor })
     }
@@ -148,11 +176,11 @@ impl LeastNormHold {
 
 /// `1 / sqrt(G_ii)`; zero for a row that nothing can move.
 fn unit_diagonal(delassus: &Delassus) -> Vec<f64> {
-    let inverse_root = |i: usize| {
-        let diagonal = delassus.get(i, i);
-        if diagonal > 0.0 { 1.0 / diagonal.sqrt() } else { 0.0 }
-    };
-    (0..delassus.len()).map(inverse_root).collect()
+    (0..delassus.len()).map(|i| inverse_root(delassus.get(i, i))).collect()
+}
+
+fn inverse_root(diagonal: f64) -> f64 {
+    if diagonal > 0.0 { 1.0 / diagonal.sqrt() } else { 0.0 }
 }
 
 /// The packed lower triangle of the factor of a regularised matrix, row by row. Rounding can take at most a few units in

@@ -51,7 +51,7 @@ pub struct ContactView {
     /// step.
     pub normal_force_n: f64,
     /// Force of friction on A, in the tangent plane, world, N. Zero without friction and in the tier `thesis`; in the tier
-    /// `stepped` the mean of the last step, without impacts.
+    /// `stepped` the mean of the last step.
     pub friction_n: DVec3,
 }
 

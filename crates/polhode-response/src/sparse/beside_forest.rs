@@ -46,6 +46,8 @@ pub struct BesideForest {
     pub problem: ContactProblem,
     /// Its matrix.
     pub delassus: Delassus,
+    /// What each row would move without the trees under a unit force, 1/kg: the scale of what rounding leaves in the matrix.
+    pub free: Vec<f64>,
 }
 
 impl HeldForest {
@@ -66,8 +68,9 @@ impl HeldForest {
                 entries[column * size + line] = rate;
             }
         }
-        for (place, &row) in others.iter().enumerate() {
-            let free: f64 = problem.entries(row).map(|own| dot(own.jacobian, own.response)).sum();
+        let mobility = |&row: &usize| problem.entries(row).map(|own| dot(own.jacobian, own.response)).sum();
+        let mut free: Vec<f64> = others.iter().map(mobility).collect();
+        for (place, &free) in free.iter().enumerate() {
             if entries[place * size + place] <= HELD_BY_TREES * free {
                 for other in 0..size {
                     entries[place * size + other] = 0.0;
@@ -81,8 +84,9 @@ impl HeldForest {
         let own = ContactProblem::of_matrix(&entries, holds, soft.collect());
         for &(row, compliance) in own.compliances() {
             entries[row * size + row] += compliance;
+            free[row] += compliance;
         }
-        BesideForest { problem: own, delassus: Delassus::from_entries(size, entries) }
+        BesideForest { problem: own, delassus: Delassus::from_entries(size, entries), free }
     }
 
     /// The places, ascending, of these bodies and of all between them and the roots.

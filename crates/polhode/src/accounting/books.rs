@@ -249,6 +249,11 @@ impl Books {
         self.ledger.momentum.support.add(support);
     }
 
+    /// Books momentum that an integrator has given to bodies where no agent has.
+    pub(crate) fn stray(&mut self, given: Momentum) {
+        self.ledger.momentum.numerical.add(Momentum::default() - given);
+    }
+
     /// Books `dt` seconds of rest in equilibrium: the support balances the weight and the forces.
     pub(crate) fn equilibrium(&mut self, world: &World, states: &[BodyState], body: usize, dt: f64) {
         let about = self.ledger.momentum.about;

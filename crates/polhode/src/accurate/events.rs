@@ -530,7 +530,7 @@ impl Motions {
             Step::Crowd(step) => {
                 let (states, report) = self.crowd_end(core, step, &island.bodies, t)?;
                 set_states(&mut self.states, &island.bodies, &states);
-                core.world.count_turns(&self.states, &island.bodies);
+                core.world.count_turns(&self.states, &island.bodies)?;
                 core.note_crowd_step(t, &self.states, &report);
                 return Ok(None);
             }
@@ -541,7 +541,7 @@ impl Motions {
             core.world.keep_in_plane(body, &mut state);
             self.states[body] = state;
         }
-        core.world.count_turns(&self.states, &island.bodies);
+        core.world.count_turns(&self.states, &island.bodies)?;
         let integrated = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
         core.accounts.books.smooth_stage(before, integrated, received);
         Ok(Some(integrated))

@@ -278,7 +278,7 @@ fn least_norm_forces_beside(
     let of_others = if forest.others().is_empty() {
         Vec::new()
     } else {
-        let BesideForest { problem: beside, delassus } = forest.beside(problem);
+        let BesideForest { problem: beside, delassus, .. } = forest.beside(problem);
         least_norm_forces(&beside, &delassus, &forest.constants_beside(problem, constants)?)?.forces
     };
     Ok(LeastNormForces { forces: forest.with_others(problem, constants, &of_others)?.forces, loads: None })

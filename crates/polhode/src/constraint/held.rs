@@ -6,7 +6,7 @@ use super::joint::{WorldJoint, pivot_rows};
 use super::tie::Tie;
 use crate::world::World;
 use polhode_dynamics::BodyState;
-use polhode_spatial::{Pose, Velocity};
+use polhode_spatial::{DisjointSets, Pose, Velocity};
 use std::collections::BTreeSet;
 
 impl World {
@@ -27,27 +27,38 @@ impl World {
         states: &'a [BodyState],
         bodies: &'a [usize],
     ) -> impl Iterator<Item = Bilateral> + 'a {
+        self.bilaterals_by(bodies, |body| self.motion_of(states, body))
+    }
+
+    /// The same where bodies have these poses of their moving frames, and velocities.
+    pub(crate) fn bilaterals_by<'a>(
+        &'a self,
+        bodies: &'a [usize],
+        motion: impl Fn(usize) -> (Pose, Velocity) + Copy + 'a,
+    ) -> impl Iterator<Item = Bilateral> + 'a {
         let bodies = if self.held_by_rows.is_empty() { &[] } else { bodies };
-        let joints = self
-            .joints_among(bodies)
-            .map(|joint| Bilateral::new(joint.id(), joint.rows_at(|body| self.motion_of(states, body))));
-        let ties = self.ties_among(bodies).filter_map(|tie| {
-            let rows = tie.row_at(|body| self.motion_of(states, body))?;
+        let joints = self.joints_among(bodies).map(move |joint| Bilateral::new(joint.id(), joint.rows_at(motion)));
+        let ties = self.ties_among(bodies).filter_map(move |tie| {
+            let rows = tie.row_at(motion)?;
             let (first, last) = (rows.members.first()?.body, rows.members.last()?.body);
             Some(Bilateral::new(ConstraintId::Tie { tie: tie.number(), bodies: (first, last) }, rows))
         });
-        bodies.iter().filter_map(|&body| self.pivot(states, body)).chain(joints).chain(ties)
+        bodies.iter().filter_map(move |&body| self.pivot_by(body, motion)).chain(joints).chain(ties)
     }
 
     /// The pivot of a body with constraint rows; none for any other body.
     pub(crate) fn pivot(&self, states: &[BodyState], body: usize) -> Option<Bilateral> {
+        self.pivot_by(body, |body| self.motion_of(states, body))
+    }
+
+    fn pivot_by(&self, body: usize, motion: impl Fn(usize) -> (Pose, Velocity)) -> Option<Bilateral> {
         let held = self.bodies[body].held?;
-        let rows = pivot_rows((body, held.arm), held.place, |body| self.motion_of(states, body));
+        let rows = pivot_rows((body, held.arm), held.place, motion);
         Some(Bilateral::new(ConstraintId::Pivot { body }, rows))
     }
 
     /// The pose of the moving frame of a body, and its velocity.
-    fn motion_of(&self, states: &[BodyState], body: usize) -> (Pose, Velocity) {
+    pub(crate) fn motion_of(&self, states: &[BodyState], body: usize) -> (Pose, Velocity) {
         (states[body].pose, self.velocity(body, &states[body]))
     }
 
@@ -95,6 +106,25 @@ impl World {
             left.extend(tied.filter(|&other| found.insert(other)));
         }
         found.into_iter().collect()
+    }
+
+    /// Whether joints and pivots of these bodies (ascending) close loops, through the world or kinematic bodies too. Gears and
+    /// prescribed motions close none.
+    pub(crate) fn has_loops_among(&self, bodies: &[usize]) -> bool {
+        // The world is the last place.
+        let mut sets = DisjointSets::new(bodies.len() + 1);
+        let place = |body: usize| bodies.binary_search(&body).unwrap_or(bodies.len());
+        let pivoted = bodies.iter().filter(|&&body| self.bodies[body].held.is_some());
+        let pivots = pivoted.map(|&body| [place(body), bodies.len()]);
+        let joints = self.joints_among(bodies).filter(|joint| joint.has_rows()).map(|joint| {
+            let mut held = joint.bodies().map(place);
+            [held.next().unwrap_or(bodies.len()), held.next().unwrap_or(bodies.len())]
+        });
+        pivots.chain(joints).any(|[a, b]| {
+            let is_closed = sets.smallest(a) == sets.smallest(b);
+            sets.join(a, b);
+            is_closed
+        })
     }
 
     /// Those of these bodies that constraint rows hold.

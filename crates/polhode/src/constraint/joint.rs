@@ -16,7 +16,7 @@
 
 use super::coordinate::{CoordinateAt, Measured};
 use super::end::{End, EndKinematics, Order};
-use super::joint_coordinate::{JointCoordinate, coordinates};
+use super::joint_coordinate::{JointCoordinate, coordinates, quarters_near};
 use super::kept::Kept;
 use super::row::RowsAt;
 use super::stop::Stop;
@@ -115,6 +115,11 @@ impl WorldJoint {
     /// The kinematic body that it holds, if there is one.
     pub(crate) fn driver(&self) -> Option<usize> {
         self.a.driver().or_else(|| self.b.driver())
+    }
+
+    /// Whether it keeps anything: limits alone are stops.
+    pub(super) fn has_rows(&self) -> bool {
+        self.kept.rows() > 0
     }
 
     /// Its identity among constraints.
@@ -229,6 +234,31 @@ impl WorldJoint {
         let own = self.coordinates.get(self.place_of(coordinate)?)?;
         let at = self.coordinate_at((&own.measured, own.near * own.unit), motion)?;
         Some(at.moment.map_or(at.rate, |moment| moment.rate) / own.unit)
+    }
+
+    /// What its angles that turn on are near to, rad.
+    pub(super) fn turned(&self) -> impl Iterator<Item = f64> {
+        self.coordinates.iter().filter(|own| own.turns_on).map(|own| own.near)
+    }
+
+    /// The same where bodies have these poses of their moving frames, and velocities.
+    pub(super) fn turned_at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> Vec<f64> {
+        let angle = |own: &JointCoordinate| self.coordinate_at((&own.measured, own.near * own.unit), &motion);
+        let near = |own| angle(own).map_or(own.near, |at| quarters_near(at.value / own.unit));
+        self.coordinates.iter().filter(|own| own.turns_on).map(near).collect()
+    }
+
+    /// Replaces it. Returns whether forces at the joint depend on it.
+    pub(super) fn follow(&mut self, turned: &[f64]) -> bool {
+        let turning = self.coordinates.iter_mut().filter(|own| own.turns_on);
+        let mut is_sprung = false;
+        // A joint has one angle.
+        for (own, &near) in turning.zip(turned) {
+            own.near = near;
+            is_sprung |= own.is_sprung();
+            self.stops.iter_mut().for_each(|stop| stop.follow(near * own.unit));
+        }
+        is_sprung
     }
 
     /// Gives one of its coordinates another motor, or none. Returns whether it has that coordinate.

@@ -130,6 +130,12 @@ impl World {
         Some((joint, force * self.joint_numbered(joint)?.order().sign()))
     }
 
+    /// The movable bodies of a joint, with the sign of its load on them.
+    pub(crate) fn ends_of_joint(&self, joint: usize) -> impl Iterator<Item = (usize, f64)> {
+        let ends = self.joint_numbered(joint).map(WorldJoint::ends).into_iter().flatten();
+        ends.zip([1.0, -1.0]).filter_map(|(body, sign)| Some((body?, sign)))
+    }
+
     /// The joint of this number; none where there is none, or it was removed with a body.
     pub(super) fn joint_numbered(&self, joint: usize) -> Option<&WorldJoint> {
         let place = self.joints.binary_search_by_key(&joint, WorldJoint::number).ok()?;

@@ -1,9 +1,18 @@
 //! The coordinates of a joint: how each is measured, and what acts along it.
+//!
+//! An angle is measured up to whole revolutions. Where its limits are less than a revolution apart, it lies within half a
+//! revolution of their middle. Any other has turned as often as it has: it lies within half a revolution of the multiple
+//! of a quarter of one next to what it was at the end of the last step. That multiple is part of the state of a run. It is all
+//! that changes with the revolutions: the angle is `a + 2 pi k` with the same bits wherever `k` is known from.
+//! Springs, servos, limits and samples take the same angle.
+//!
+//! Assumption: an angle without such limits turns by less than three eighths of a revolution in a step.
 
 use super::coordinate::Measured;
 use super::track::Guide;
-use crate::scene::{Coordinate, Freedom, Joint};
+use crate::scene::{Coordinate, Drive, Freedom, Joint, Limits, Motor};
 use polhode_spatial::Rotation;
+use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::Arc;
 
 /// A coordinate of a joint.
@@ -15,6 +24,8 @@ pub(super) struct JointCoordinate {
     pub(super) unit: f64,
     /// The value near which an angle is known to be, rad.
     pub(super) near: f64,
+    /// Whether that follows the angle, because it turns on.
+    pub(super) turns_on: bool,
     pub(super) freedom: Freedom,
 }
 
@@ -34,8 +45,24 @@ pub(super) fn coordinates(
             (Coordinate::Distance, _) => (Measured::Distance, 1.0),
             (Coordinate::Angle, None) => return None,
         };
-        let near = freedom.limits().map_or(0.0, |limits| 0.5 * (limits.lower() + limits.upper()));
-        Some(JointCoordinate { coordinate, measured, unit, near, freedom })
+        let within = freedom.limits().filter(|limits| limits.upper() - limits.lower() < TAU);
+        let turns_on = within.is_none() && matches!(measured, Measured::Angle { .. });
+        let middle = |limits: Limits| 0.5 * (limits.lower() + limits.upper());
+        let near = if turns_on { 0.0 } else { freedom.limits().map_or(0.0, middle) };
+        Some(JointCoordinate { coordinate, measured, unit, near, turns_on, freedom })
     };
     joint.kind().coordinates().iter().filter_map(of_coordinate).collect()
+}
+
+impl JointCoordinate {
+    /// What acts along it depends on its value, within its limits.
+    pub(super) fn is_sprung(&self) -> bool {
+        let servo = |motor: Motor| matches!(motor.drive(), Drive::Position { .. });
+        self.freedom.stiffness() > 0.0 || self.freedom.motor().is_some_and(servo)
+    }
+}
+
+/// The multiple of a quarter of a revolution next to an angle, rad.
+pub(super) fn quarters_near(angle: f64) -> f64 {
+    FRAC_PI_2 * libm::round(angle / FRAC_PI_2)
 }

@@ -57,6 +57,7 @@ mod track;
 pub(crate) mod track_frame;
 pub(crate) mod track_springs;
 pub(crate) mod tree_joint;
+mod turns;
 mod universal;
 
 use crate::collision::contact_id::ContactId;

@@ -1,5 +1,4 @@
-//! The ties of the world (`tie.rs`): made from the gears and prescribed motions of the scene, found by their bodies, and the
-//! revolutions that they count.
+//! The ties of the world (`tie.rs`): made from the gears and prescribed motions of the scene, and found by their bodies.
 
 use super::ConstraintId;
 use super::bilateral::{Bilateral, Reaction};
@@ -7,7 +6,6 @@ use super::joint::WorldJoint;
 use super::row::{Action, BilateralRow, RowKind};
 use super::tie::{HeldTo, Tie, Tied};
 use crate::scene::{Gear, GearEnd};
-use crate::snapshot::SnapshotError;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose, Velocity};
@@ -106,49 +104,5 @@ impl World {
             Action::Moment(moment) => LoadOfTie { joint: joint.number(), point: of.point, force: DVec3::ZERO, moment },
         };
         tie.joints().zip([first, second]).map(load).collect()
-    }
-
-    /// Takes the angles whose revolutions ties of these bodies count from their states at the end of a step.
-    pub(crate) fn count_turns(&mut self, states: &[BodyState], bodies: &[usize]) {
-        if self.ties.is_empty() {
-            return;
-        }
-        let own: BTreeSet<usize> = bodies.iter().filter_map(|body| self.ties_of.get(body)).flatten().copied().collect();
-        self.count_turns_of(states, own.into_iter());
-    }
-
-    /// The same of all ties.
-    pub(crate) fn count_all_turns(&mut self, states: &[BodyState]) {
-        self.count_turns_of(states, 0..self.ties.len());
-    }
-
-    fn count_turns_of(&mut self, states: &[BodyState], places: impl Iterator<Item = usize>) {
-        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
-        let counted: Vec<(usize, f64)> =
-            places.filter_map(|place| Some((place, self.ties[place].counted_at(motion)?))).collect();
-        for (place, angle) in counted {
-            self.ties[place].set_counted(angle);
-        }
-    }
-
-    /// The angles whose revolutions ties count, rad, by the numbers of the ties.
-    pub(crate) fn turns(&self) -> Vec<(usize, f64)> {
-        self.ties.iter().filter_map(|tie| Some((tie.number, tie.counted()?))).collect()
-    }
-
-    /// Replaces them.
-    ///
-    /// # Errors
-    /// When they are not those of the ties that count revolutions, or not finite.
-    pub(crate) fn replace_turns(&mut self, saved: &[(usize, f64)]) -> Result<(), SnapshotError> {
-        let counting: Vec<&mut Tie> = self.ties.iter_mut().filter(|tie| tie.counted().is_some()).collect();
-        let is_own = counting.iter().map(|tie| tie.number).eq(saved.iter().map(|(number, _)| *number));
-        if !(is_own && saved.iter().all(|(_, angle)| angle.is_finite())) {
-            return Err(SnapshotError::Invalid("its revolutions are not those of the gears of the scene"));
-        }
-        for (tie, (_, angle)) in counting.into_iter().zip(saved) {
-            tie.set_counted(*angle);
-        }
-        Ok(())
     }
 }

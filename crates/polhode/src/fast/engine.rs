@@ -95,6 +95,7 @@ impl FastEngine {
         step(&mut self.course, &core.world, &*executor, (core.t, &rules))?;
         self.book(core, &before, (t_next, &rules));
         core.t = t_next;
+        core.world.count_all_turns(&self.course.states)?;
         core.accounts.count_step();
         for event in impacts(&self.course, &core.world, &before, (t_next, &rules)) {
             core.accounts.add_event(event);

@@ -167,6 +167,7 @@ impl PenaltyEngine {
         }
         self.springs.sort_by_key(|spring| spring.id);
         core.world.prescribe(t_next, &mut self.states);
+        core.world.count_all_turns(&self.states)?;
         core.t = t_next;
         core.world.contact_energy_j = energy(core, &self.states, &self.springs);
         core.accounts.observe(&core.world, &self.states, core.t)?;

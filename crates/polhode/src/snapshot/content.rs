@@ -487,6 +487,8 @@ pub(crate) struct Stepped {
     pub(crate) errors: Vec<[f64; 3]>,
     /// Friction of the contacts of `forces`, N.
     pub(crate) friction: Vec<[f64; 3]>,
+    /// What the joints bore in the last step, N and N m, by their numbers; none before the first one.
+    pub(crate) loads: Option<Vec<(usize, Vector, Vector)>>,
     /// Whether each body rests and is left out of the steps.
     pub(crate) resting: Vec<bool>,
     pub(crate) grid: u64,

@@ -29,7 +29,7 @@ use polhode_dynamics::BodyState;
 use polhode_response::friction::{ContactStatus, FrictionSettings};
 use polhode_response::{
     Blocks, BlocksSolution, ComplementaritySolver, ContactSolution, Delassus, Method, ResponseError, SolverReport,
-    WarmStart,
+    SolverSettings, WarmStart,
 };
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
@@ -159,10 +159,18 @@ impl Accelerations {
         let FreeMotion { free, constants } = FreeMotion::of(&assembly, world, (t, states), contacts, loads)?;
         let held = (0..contacts.len()).filter(|&place| contacts[place].hold == Hold::Held).collect();
         let (problem, start) = (&assembly.problem, WarmStart::new(held));
+        let usual = *solver.settings();
+        if !assembly.bilaterals().is_empty() {
+            // Accelerations of joints are differences of centripetal terms, whatever the forces are that follow from them.
+            let noise_floor = usual.noise_floor.max(world.acceleration_rounding(states, bodies));
+            solver.set_settings(SolverSettings { noise_floor, ..usual });
+        }
         let solution = match trees_of(&assembly) {
-            Some(forest) => solver.solve_with_forest(problem, &forest, &constants, Some(&start))?,
-            None => solver.solve(problem, &problem.delassus(), &constants, Some(&start))?.clone(),
+            Some(forest) => solver.solve_with_forest(problem, &forest, &constants, Some(&start)),
+            None => solver.solve(problem, &problem.delassus(), &constants, Some(&start)).cloned(),
         };
+        solver.set_settings(usual);
+        let solution = solution?;
         let of_bodies = with_free(assembly.problem.response(&solution.forces)?, &free);
         Ok(Self {
             scale: largest(&constants),

@@ -74,7 +74,7 @@ impl Struck {
     }
 
     /// The impulses of bilateral constraints.
-    fn reactions(&self) -> impl Iterator<Item = (&Bilateral, Reaction)> + Clone {
+    pub(crate) fn reactions(&self) -> impl Iterator<Item = (&Bilateral, Reaction)> + Clone {
         self.bilaterals.iter().map(|(of, impulse)| (of, *impulse))
     }
 

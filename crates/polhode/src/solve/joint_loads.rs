@@ -4,6 +4,7 @@
 use crate::JointId;
 use crate::collision::contact_id::ContactId;
 use crate::constraint::ConstraintId;
+use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::ties::LoadOfTie;
 use crate::frame::JointView;
 use crate::rows::assembly::Assembly;
@@ -27,11 +28,26 @@ pub(crate) fn joint_loads(
     (assembly, forces): (&Assembly, &[f64]),
     contacts: impl Iterator<Item = ContactForce>,
 ) -> BTreeMap<usize, JointView> {
-    let none = (DVec3::ZERO, DVec3::ZERO);
     let mut views: BTreeMap<usize, JointView> = BTreeMap::new();
-    for (of, reaction) in assembly.reactions(forces) {
+    add_joint_loads(&mut views, world, states, (assembly.reactions(forces), contacts));
+    views
+}
+
+/// Adds what the reactions of constraints and the forces of contacts do at joints (N, or impulses, N s). Soft rows are springs and motors,
+/// which are no part of what a joint bears.
+pub(crate) fn add_joint_loads<'a>(
+    views: &mut BTreeMap<usize, JointView>,
+    world: &World,
+    states: &[BodyState],
+    (reactions, contacts): (impl Iterator<Item = (&'a Bilateral, Reaction)>, impl Iterator<Item = ContactForce>),
+) {
+    let none = (DVec3::ZERO, DVec3::ZERO);
+    for (of, reaction) in reactions.filter(|(of, _)| of.softness.is_none()) {
         if let ConstraintId::Joint { joint, .. } = of.id {
-            views.insert(joint, joint_view(joint, of.point, (reaction.force, reaction.moment)));
+            let own = views.entry(joint).or_insert_with(|| joint_view(joint, of.point, none));
+            own.point_m = of.point;
+            own.force_n += reaction.force;
+            own.moment_n_m += reaction.moment;
         }
         for LoadOfTie { joint, point, force, moment } in world.joint_loads_of_tie(of, reaction) {
             let own = views.entry(joint).or_insert_with(|| joint_view(joint, point, none));
@@ -47,7 +63,6 @@ pub(crate) fn joint_loads(
         own.force_n += force;
         own.moment_n_m += (point - own.point_m).cross(force);
     }
-    views
 }
 
 /// The view of a joint with this force (N) and moment (N m) at a point (m).

@@ -38,8 +38,9 @@ impl JointReactions {
             let of_others = if forest.others().is_empty() {
                 Vec::new()
             } else {
-                let delassus = forest.beside(problem).delassus;
-                LeastNormHold::factor(&delassus)?.solve(&delassus, &forest.constants_beside(problem, &constants)?)?
+                let beside = forest.beside(problem);
+                let constants = forest.constants_beside(problem, &constants)?;
+                LeastNormHold::factor_beside(&beside, 0.0)?.solve(&beside.delassus, &constants)?
             };
             forest.with_others(problem, &constants, &of_others)?.forces
         } else {

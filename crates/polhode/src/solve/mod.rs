@@ -11,6 +11,7 @@
 //! | `jointed` | whether trees of joints are eliminated before all else |
 //! | `rotational_friction` | moments of rolling and spinning: their work and their support |
 //! | `projection`, `overlap` | projection of held contacts and joints; removal of penetration |
+//! | `closed_loops` | poses at which closed loops of joints are closed, and their rows there |
 //! | `contradiction` | whether gears and prescribed motions of joints contradict each other |
 //! | `joint_loads` | what joints bear, from the forces of all rows |
 //! | `joint_reactions` | reactions of joints alone, under loads that are given |
@@ -18,6 +19,7 @@
 
 pub(crate) mod accelerations;
 pub(crate) mod bounce_friction;
+pub(crate) mod closed_loops;
 pub(crate) mod cone_violation;
 pub(crate) mod contradiction;
 pub(crate) mod frictional_impact;

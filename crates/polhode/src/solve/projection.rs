@@ -7,7 +7,7 @@
 use crate::collision::contact_id::ContactId;
 use crate::collision::turn::Turn;
 use crate::constraint::ConstraintId;
-use crate::constraint::bilateral::{Bilateral, apply_reactions};
+use crate::constraint::bilateral::{Bilateral, Reaction, apply_reactions};
 use crate::rows::assembly::{Assembly, TangentRow, apply_impulses, largest_change};
 use crate::rows::rotation_row::RotationRow;
 use crate::solve::jointed::trees_of;
@@ -25,6 +25,10 @@ use std::collections::BTreeMap;
 /// Newton steps on the separations. The correction is of the order of the integration error (1e-11) or of the touch
 /// distance, so that the second step already reaches rounding error.
 const MAX_NEWTON_STEPS: usize = 3;
+
+/// The same of bilateral constraints alone, which time steps leave open by up to a thousandth of a size. The steps converge quadratically;
+/// where bodies move by as much as their size in a step, there may be no closed pose.
+const MAX_CLOSING_STEPS: usize = 8;
 
 /// A separation beyond this fraction of the pair's size is not drift: the contact point has jumped (for example, a
 /// ring's nearest point on an edge), and its projection would displace the bodies far. Drift is of the order of the
@@ -210,7 +214,8 @@ pub(crate) fn project_positions(
     let mut allowance = None;
     let distance =
         |(id, geometry): &(ContactId, ContactGeometry)| (geometry.separation.abs(), ConstraintId::Contact(*id));
-    for step in 0..=MAX_NEWTON_STEPS {
+    let most = if contacts.is_empty() { MAX_CLOSING_STEPS } else { MAX_NEWTON_STEPS };
+    for step in 0..=most {
         let geometries = contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?.geometry)));
         let drifted = |(id, geometry): &(ContactId, ContactGeometry)| {
             geometry.separation.abs() <= JUMPED_RELATIVE * world.pair_size(id.a, id.b)
@@ -230,7 +235,7 @@ pub(crate) fn project_positions(
         if done.is_partial || (at_rounding && bilaterals.iter().all(is_in_place)) {
             break;
         }
-        if step == MAX_NEWTON_STEPS {
+        if step == most {
             let is_unconverged = |(id, geometry): &&(ContactId, ContactGeometry)| {
                 geometry.separation.abs()
                     > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b) + world.rounding(states, id.a, id.b)
@@ -246,6 +251,7 @@ pub(crate) fn project_positions(
         done.exceeds_tolerance |= geometries
             .iter()
             .any(|(id, geometry)| geometry.separation.abs() > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b));
+        let opened = opened(world, &bilaterals);
         let assembly = Assembly::with_bilaterals(world, (states, bodies), geometries.iter().copied(), bilaterals)?;
         let separations = assembly.gaps(geometries.iter().map(|(_, g)| g.separation));
         let size = geometries.iter().map(|(id, _)| world.pair_size(id.a, id.b)).fold(f64::INFINITY, f64::min);
@@ -254,20 +260,40 @@ pub(crate) fn project_positions(
         let displacement =
             largest_change(world, moved.iter().map(|(&body, &(linear, angular))| (body, linear, angular)));
         let allowed = (allowance - displacement).max(0.0);
-        let (multipliers, is_partial) = cancel(world, &assembly, &separations, (allowed, NEGLIGIBLE_RELATIVE * size))?;
+        let limits = Limits { allowed, negligible: NEGLIGIBLE_RELATIVE * size, opened };
+        let (multipliers, is_partial) = cancel(world, &assembly, &separations, limits)?;
         done.is_partial |= is_partial;
-        for (body, linear, angular) in assembly.split(&assembly.problem.response(&multipliers)?) {
-            let pose = &mut states[body].pose;
-            pose.translation += linear;
-            pose.rotation = Rotation::from_rotation_vector(angular) * pose.rotation;
-            let sum = moved.entry(body).or_default();
-            *sum = (sum.0 + linear, sum.1 + angular);
-        }
+        move_by(states, &mut moved, assembly.split(&assembly.problem.response(&multipliers)?));
     }
     done.jumped.dedup_by_key(|contact| contact.bodies());
     done.unconverged.dedup_by_key(|constraint| constraint.bodies());
     done.moved_m = largest_change(world, moved.into_iter().map(|(body, (linear, angular))| (body, linear, angular)));
     Ok(done)
+}
+
+/// Moves bodies by a displacement and a rotation vector each, and adds these to what they have been moved by.
+fn move_by(
+    states: &mut [BodyState],
+    moved: &mut BTreeMap<usize, (DVec3, DVec3)>,
+    displacements: impl Iterator<Item = (usize, DVec3, DVec3)>,
+) {
+    for (body, linear, angular) in displacements {
+        let pose = &mut states[body].pose;
+        pose.translation += linear;
+        pose.rotation = Rotation::from_rotation_vector(angular) * pose.rotation;
+        let sum = moved.entry(body).or_default();
+        *sum = (sum.0 + linear, sum.1 + angular);
+    }
+}
+
+/// The largest gap of these constraints in relation to the size of their bodies (no unit).
+fn opened(world: &World, bilaterals: &[Bilateral]) -> f64 {
+    let of = |bilateral: &Bilateral| {
+        let (a, b) = bilateral.id.bodies();
+        let size = world.pair_size(a, b);
+        if size > 0.0 { bilateral.gap() / size } else { 0.0 }
+    };
+    bilaterals.iter().map(of).fold(0.0, f64::max)
 }
 
 /// The bilateral constraints whose gap exceeds rounding after the last Newton step.
@@ -289,7 +315,7 @@ fn farthest(distances: impl Iterator<Item = (f64, ConstraintId)>) -> Option<Cons
 }
 
 /// Result of the projection of velocities.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct RemovedVelocities {
     /// The constraint with the largest relative velocity; none when all were zero.
     pub(crate) fastest: Option<ConstraintId>,
@@ -297,6 +323,15 @@ pub(crate) struct RemovedVelocities {
     pub(crate) impulses: Vec<(ContactId, f64)>,
     /// Work of prescribed motions by the impulses, J.
     pub(crate) work_j: f64,
+    /// The rows and their multipliers, N s; none when all velocities were zero.
+    held: Option<(Assembly, Vec<f64>)>,
+}
+
+impl RemovedVelocities {
+    /// The impulses of bilateral constraints, N s.
+    pub(crate) fn reactions(&self) -> impl Iterator<Item = (&Bilateral, Reaction)> + Clone {
+        self.held.iter().flat_map(|(assembly, multipliers)| assembly.reactions(multipliers))
+    }
 }
 
 /// How relative velocities are removed.
@@ -342,7 +377,7 @@ pub(crate) fn project_velocities(
         Removal::Complete => f64::INFINITY,
         Removal::OfDrift => allowed_change(&rates, speed),
     };
-    let (multipliers, _) = cancel(world, &assembly, &rates, (allowed, 0.0))?;
+    let (multipliers, _) = cancel(world, &assembly, &rates, Limits { allowed, negligible: 0.0, opened: 0.0 })?;
     let along_tangents = slips.iter().zip(multipliers.iter().skip(assembly.first_tangent()));
     let along_tangents = along_tangents.map(|((row, _), &p)| (row.id, &row.along, p));
     let impulses = contacts.iter().zip(&multipliers).map(|((id, k), &p)| (*id, &k.geometry, p)).chain(along_tangents);
@@ -360,7 +395,7 @@ pub(crate) fn project_velocities(
     let bilaterals = assembly.bilaterals().iter().map(|bilateral| (bilateral.speed(), bilateral.id));
     let fastest = farthest(speeds.chain(bilaterals));
     let impulses = contacts.iter().zip(&multipliers).map(|((id, _), &p)| (*id, p)).collect();
-    Ok(RemovedVelocities { fastest, impulses, work_j })
+    Ok(RemovedVelocities { fastest, impulses, work_j, held: Some((assembly, multipliers)) })
 }
 
 /// Rows along the tangents of a contact, each with the slip along it, m/s.
@@ -388,25 +423,37 @@ fn turn_rows(world: &World, states: &[BodyState], (id, turn): (ContactId, Turn))
     rows.into_iter().flatten().map(row).collect()
 }
 
+/// How values may be cancelled.
+#[derive(Debug, Clone, Copy)]
+struct Limits {
+    /// The largest change of a point of a body, m or m/s.
+    allowed: f64,
+    /// Values below it are not worth a large change, m or m/s.
+    negligible: f64,
+    /// How far bilateral constraints are open in relation to the size of their bodies (no unit).
+    opened: f64,
+}
+
 /// Multipliers whose response cancels `values` on all rows. Returns whether only partially: because a point of a body
-/// would change by more than `allowed`, or by much in relation to values below `negligible` without cancelling them.
+/// would change by more than is allowed, or by much in relation to negligible values without cancelling them.
 fn cancel(
     world: &World,
     assembly: &Assembly,
     values: &[f64],
-    (allowed, negligible): (f64, f64),
+    limits: Limits,
 ) -> Result<(Vec<f64>, bool), ResponseError> {
     if let Some(forest) = trees_of(assembly)
-        && let Some(multipliers) = cancel_by_trees(world, assembly, (&forest, values), allowed)?
+        && let Some(multipliers) = cancel_by_trees(world, assembly, (&forest, values), limits)?
     {
         return Ok((multipliers, false));
     }
+    let Limits { allowed, negligible, opened } = limits;
     let delassus = assembly.problem.delassus();
     let change_by = |multipliers: &[f64]| {
         let response = assembly.problem.response(multipliers)?;
         Ok::<_, ResponseError>(largest_change(world, assembly.split(&response)))
     };
-    let multipliers = LeastNormHold::factor(&delassus)?.solve(&delassus, values)?;
+    let multipliers = LeastNormHold::factor_open(&delassus, opened)?.solve(&delassus, values)?;
     let change = change_by(&multipliers)?;
     let is_moderate = largest(values) > negligible || change <= MODERATE_AMPLIFICATION * largest(values);
     let is_effective = || {
@@ -433,19 +480,20 @@ fn cancel_by_trees(
     world: &World,
     assembly: &Assembly,
     (forest, values): (&HeldForest, &[f64]),
-    allowed: f64,
+    limits: Limits,
 ) -> Result<Option<Vec<f64>>, ResponseError> {
     let problem = &assembly.problem;
     let of_others = if forest.others().is_empty() {
         Vec::new()
     } else {
-        let delassus = forest.beside(problem).delassus;
-        LeastNormHold::factor(&delassus)?.solve(&delassus, &forest.constants_beside(problem, values)?)?
+        let beside = forest.beside(problem);
+        let of_others = forest.constants_beside(problem, values)?;
+        LeastNormHold::factor_beside(&beside, limits.opened)?.solve(&beside.delassus, &of_others)?
     };
     let found = forest.with_others(problem, values, &of_others)?;
     let change = largest_change(world, assembly.split(&problem.response(&found.forces)?));
     let is_effective = largest(&found.rates) <= EFFECTIVE_REMAINDER * largest(values);
-    Ok((change <= allowed && is_effective).then_some(found.forces))
+    Ok((change <= limits.allowed && is_effective).then_some(found.forces))
 }
 
 /// The allowed change to cancel `values`: of the order of the largest value, or negligible against `scale`.

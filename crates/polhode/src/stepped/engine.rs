@@ -3,13 +3,14 @@
 use super::instant_forces::{BodyAcceleration, PresentForces};
 use super::island_steps::advance_islands;
 use super::islands::{Island, IslandSearch, islands};
+use super::joint_breaks::{restored_loads, saved_loads};
 use super::present_forces::STICKING_RELATIVE;
 use super::rest::{Resting, may_rest, touching_groups};
 use super::track_ends::let_go_at_ends_of_tracks;
 use crate::accounting::books::Received;
 use crate::accounting::long_steps::Movement;
-use crate::collision::contact_id::ContactId;
-use crate::collision::contact_set::Touch;
+use crate::collision::contact_id::{ContactId, Feature};
+use crate::collision::contact_set::{FoundContact, Touch};
 use crate::core::Core;
 use crate::error_estimate::{EVERY, ErrorEstimate};
 use crate::event::{Event, EventKind};
@@ -31,6 +32,7 @@ use crate::{Acceleration, BodyId, Effects, SimulationError};
 use polhode_dynamics::{BodyState, Flight};
 use polhode_response::ResponseError;
 use polhode_spatial::DVec3;
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -68,6 +70,8 @@ pub(crate) struct SteppedEngine {
     pub(super) touching: BTreeSet<(usize, usize)>,
     /// Mean forces of the contacts over the last step, N.
     forces: BTreeMap<ContactId, MeanForce>,
+    /// Mean loads of the joints over the last step; none before the first one.
+    pub(super) loads: Option<BTreeMap<usize, JointView>>,
     /// Estimated errors of the bodies.
     errors: ErrorEstimate,
     /// Bodies of each island of the last step.
@@ -118,6 +122,7 @@ impl SteppedEngine {
             search: IslandSearch::new(&core.world, core.settings.broad_phase.build()),
             touching: BTreeSet::new(),
             forces: BTreeMap::new(),
+            loads: None,
             islands: Vec::new(),
             grid: 0,
             begun: false,
@@ -160,6 +165,7 @@ impl SteppedEngine {
             (id, MeanForce { normal, friction: DVec3::from_array(*friction) })
         };
         engine.forces = normal.into_iter().zip(&saved.friction).map(force).collect();
+        engine.loads = saved.loads.as_ref().map(|loads| restored_loads(loads));
         engine.errors = ErrorEstimate::restored(&saved.errors, bodies)?;
         engine.islands.clone_from(&saved.islands);
         engine.resting = Resting::restored(saved.resting.clone());
@@ -199,6 +205,7 @@ impl SteppedEngine {
         let mut touching: BTreeSet<_> =
             self.touching.iter().copied().filter(|&pair| self.resting.holds_pair(pair)).collect();
         self.forces.retain(|id, _| self.resting.holds_pair((id.a, id.b)));
+        let (mut loads, mut breaking) = (BTreeMap::new(), BTreeMap::new());
         self.resting.book(&core.world, &self.states, &mut core.accounts.books, h);
         let compares = core.accounts.steps().is_multiple_of(EVERY);
         let halves = if compares { Some(self.in_two_halves(core, &islands, interval)?) } else { None };
@@ -208,6 +215,9 @@ impl SteppedEngine {
         let reports = reports.map_err(|source| Core::response_error(core.t, source))?;
         for ((island, start), report) in islands.iter().zip(&start).zip(&reports) {
             self.note(core, report, h);
+            let [sustained, all] = report.told.means(h);
+            breaking.extend(sustained);
+            loads.extend(all);
             self.note_movement(core, island, start, h);
             self.resting.note(&core.world, island, report.at_rest);
             for (&body, halves) in island.bodies.iter().filter_map(|body| Some((body, halves.as_ref()?))) {
@@ -218,7 +228,7 @@ impl SteppedEngine {
         }
         core.world.prescribe(t_next, &mut self.states);
         let_go_at_ends_of_tracks(core, &self.states, t_next)?;
-        core.world.count_all_turns(&self.states);
+        core.world.count_all_turns(&self.states)?;
         core.t = t_next;
         let before = std::mem::replace(&mut self.touching, touching);
         if compares {
@@ -227,7 +237,8 @@ impl SteppedEngine {
                 settled.map_err(|source| Core::response_error(core.t, source))?;
             }
         }
-        self.break_overloaded(core)?;
+        self.loads = Some(loads);
+        self.break_overloaded(core, &breaking)?;
         self.errors.go_on(&core.world, &self.states, h);
         core.accounts.certificate.estimated_error = Some(self.errors.largest(&core.world));
         core.accounts.count_step();
@@ -552,13 +563,24 @@ impl Tier for SteppedEngine {
     }
 
     fn contacts(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<ContactView> {
-        let mut views = Vec::new();
-        for &(a, b) in &self.touching {
-            for touch in core.world.contacts_of_pair(states, a, b, core.world.touch_distance(states, a, b)) {
-                let id = touch.id;
-                let MeanForce { normal, friction } = self.forces.get(&id).copied().unwrap_or_default();
-                core.world.view_contact(states, &Touch::from(touch), (normal, friction), &mut views);
+        // Those that the last step used, wherever it has left them, and those that touch without a force.
+        let world = &core.world;
+        let touching =
+            |&(a, b): &(usize, usize)| world.contacts_of_pair(states, a, b, world.touch_distance(states, a, b));
+        let mut found: BTreeMap<ContactId, FoundContact> =
+            self.touching.iter().flat_map(touching).map(|touch| (touch.id, touch)).collect();
+        let is_of_shapes = |id: &ContactId| matches!(id.feature, Feature::Shapes(_));
+        for &id in self.forces.keys().filter(|id| is_of_shapes(id)) {
+            if let Entry::Vacant(place) = found.entry(id)
+                && let Some(kinematics) = world.kinematics(states, id)
+            {
+                place.insert(FoundContact { id, kinematics });
             }
+        }
+        let mut views = Vec::new();
+        for (id, touch) in found {
+            let MeanForce { normal, friction } = self.forces.get(&id).copied().unwrap_or_default();
+            world.view_contact(states, &Touch::from(touch), (normal, friction), &mut views);
         }
         views
     }
@@ -622,6 +644,7 @@ impl Tier for SteppedEngine {
             touching: self.touching.iter().copied().collect(),
             forces: self.forces.iter().map(|(&id, force)| (save_contact(id), force.normal)).collect(),
             friction: self.forces.values().map(|force| force.friction.to_array()).collect(),
+            loads: self.loads.as_ref().map(saved_loads),
             errors: self.errors.save(),
             islands: self.islands.clone(),
             resting: self.resting.save(),

@@ -1,4 +1,8 @@
-//! What joints bear in time steps, by the law of the steps at the present, and the joints that break at the end of a step.
+//! What joints bear in time steps, and the joints that break at the end of a step.
+//!
+//! They bear what the step has applied, divided by its length (`crate::time_stepping`): with the velocities of the same run that
+//! is Newton's law. Before the first step they bear what the law of the steps gives at the instant. A joint breaks by what it
+//! bears without impulses of impacts, which break by their own strength; what the others bear then shows in the next step.
 
 use super::engine::{SteppedEngine, joined};
 use super::instant_forces::PresentForces;
@@ -12,35 +16,41 @@ use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
 impl SteppedEngine {
-    /// Breaks the joints that bear as much as they can now, and those that bear it when these are gone.
+    /// Breaks the joints that have borne as much as they can in a step, by these loads.
     ///
     /// # Errors
-    /// When a number is not finite.
-    pub(super) fn break_overloaded(&mut self, core: &mut Core) -> Result<(), SimulationError> {
-        while core.world.may_break() {
-            let loads = self.loads_of_joints(core, &self.states);
-            let broken = overloaded(&core.world, &loads);
-            if broken.is_empty() {
-                break;
-            }
-            let bodies: Vec<usize> = core
-                .world
-                .joints
-                .iter()
-                .filter(|joint| broken.contains(&joint.number()))
-                .flat_map(WorldJoint::bodies)
-                .collect();
-            core.break_joints(core.t, &self.states, &broken)?;
-            self.resting.wake_all();
-            for body in bodies {
-                self.flights[body] = None;
-            }
+    /// When the forces on the bodies cannot be made.
+    pub(super) fn break_overloaded(
+        &mut self,
+        core: &mut Core,
+        loads: &BTreeMap<usize, JointView>,
+    ) -> Result<(), SimulationError> {
+        let broken = overloaded(&core.world, loads);
+        if broken.is_empty() {
+            return Ok(());
+        }
+        let of_broken = core.world.joints.iter().filter(|joint| broken.contains(&joint.number()));
+        let bodies: Vec<usize> = of_broken.flat_map(WorldJoint::bodies).collect();
+        core.break_joints(core.t, &self.states, &broken)?;
+        self.resting.wake_all();
+        for body in bodies {
+            self.flights[body] = None;
         }
         Ok(())
     }
 
-    /// What the joints bear at the present, where bodies have these states.
+    /// What the joints bear, where bodies have these states.
     pub(super) fn loads_of_joints(&self, core: &Core, states: &[BodyState]) -> BTreeMap<usize, JointView> {
+        let Some(loads) = &self.loads else { return self.loads_at_instant(core, states) };
+        let view = |joint: &WorldJoint| {
+            let view = loads.get(&joint.number())?;
+            Some((joint.number(), JointView { point_m: core.world.anchor_of(states, joint), ..*view }))
+        };
+        core.world.joints.iter().filter_map(view).collect()
+    }
+
+    /// The same by the law of the steps at the present.
+    fn loads_at_instant(&self, core: &Core, states: &[BodyState]) -> BTreeMap<usize, JointView> {
         let mut loads = BTreeMap::new();
         if core.world.joints.is_empty() {
             return loads;
@@ -59,4 +69,18 @@ impl SteppedEngine {
         }
         loads
     }
+}
+
+/// Loads as plain data: of each joint the force and the moment.
+pub(super) fn saved_loads(loads: &BTreeMap<usize, JointView>) -> Vec<(usize, [f64; 3], [f64; 3])> {
+    loads.iter().map(|(&joint, view)| (joint, view.force_n.to_array(), view.moment_n_m.to_array())).collect()
+}
+
+/// Loads from plain data; where they act is where their joints are.
+pub(super) fn restored_loads(saved: &[(usize, [f64; 3], [f64; 3])]) -> BTreeMap<usize, JointView> {
+    let load = |&(joint, force, moment): &(usize, [f64; 3], [f64; 3])| {
+        let load = (DVec3::from_array(force), DVec3::from_array(moment));
+        (joint, joint_view(joint, DVec3::ZERO, load))
+    };
+    saved.iter().map(load).collect()
 }

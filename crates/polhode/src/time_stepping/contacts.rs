@@ -3,6 +3,7 @@
 use super::drift;
 use crate::collision::contact_id::ContactId;
 use crate::rows::assembly::free_acceleration;
+use crate::solve::joint_reactions::JointReactions;
 use crate::states_of::{set_states, states_of};
 use crate::world::World;
 use polhode_contact::{ContactKinematics, Shape};
@@ -42,6 +43,9 @@ pub(super) struct NearContact {
     pub(super) acceleration: f64,
     /// Speed of approach up to which the contact counts as sustained, m/s.
     pub(super) resting_speed: f64,
+    /// Whether it closes at the end of the step, where it will bounce. Nothing presses it before; what its time is wrong by, it
+    /// penetrates.
+    pub(super) is_awaited: bool,
 }
 
 impl NearContact {
@@ -152,6 +156,7 @@ pub(super) fn near_contacts(
     let mut near = contacts_within_reach(world, states, bodies, pairs, t, span);
     let pairs: Vec<_> = pairs.iter().copied().filter(|&pair| may_change_features(world, states, pair, h)).collect();
     if pairs.is_empty() {
+        foresee_with_joints(world, states, bodies, &mut near, t);
         return near;
     }
     let start = states_of(states, bodies);
@@ -179,7 +184,56 @@ pub(super) fn near_contacts(
         }
     }
     near.sort_by_key(|contact| contact.id);
+    foresee_with_joints(world, states, bodies, &mut near, t);
     near
+}
+
+/// Takes the accelerations that joints give, too, where a contact of bodies that they hold may bounce: the time of its impact follows
+/// from it.
+pub(super) fn foresee_with_joints(
+    world: &World,
+    states: &[BodyState],
+    bodies: &[usize],
+    near: &mut [NearContact],
+    t: f64,
+) {
+    let held = world.held_among(bodies);
+    let may_bounce = |contact: &NearContact| {
+        contact.kinematics.separation_rate < -contact.resting_speed
+            && contact.id.members().any(|(body, _)| held.binary_search(&body).is_ok())
+            && world.restitution_of(contact.id) > 0.0
+    };
+    if held.is_empty() || !near.iter().any(may_bounce) {
+        return;
+    }
+    let of_bouncing = near.iter().filter(|contact| may_bounce(contact)).flat_map(|contact| contact.id.members());
+    let mut members: Vec<usize> =
+        of_bouncing.map(|(body, _)| body).filter(|body| held.binary_search(body).is_ok()).collect();
+    members.sort_unstable();
+    members.dedup();
+    let members = world.with_jointed(members);
+    let loads = world.loads_on(t, states, &members);
+    let Ok(reactions) = JointReactions::solve(world, (t, states), &members, &loads) else { return };
+    let Ok(given) = reactions.assembly.problem.response(&reactions.forces) else { return };
+    let mut free = FreeAccelerations::with_fields(world, t, states, bodies);
+    for (body, linear, angular) in reactions.assembly.split(&given) {
+        if let Ok(place) = bodies.binary_search(&body) {
+            let (own_linear, own_angular) = &mut free.values[place];
+            *own_linear += linear;
+            *own_angular += angular;
+        }
+    }
+    for contact in near.iter_mut().filter(|contact| may_bounce(contact)) {
+        contact.acceleration = free.relative(states, contact.id, &contact.kinematics);
+    }
+}
+
+/// Marks the contacts that bounce at the end of a step of `h` (s), where `left` (s) are left of the whole one.
+pub(super) fn await_impacts(world: &World, near: &mut [NearContact], (h, left): (f64, f64), instant: f64) {
+    for contact in near {
+        let closes = contact.impact_time(left).is_some_and(|time| time > instant && (time - h).abs() <= instant);
+        contact.is_awaited = closes && world.restitution_of(contact.id) > 0.0;
+    }
 }
 
 /// Whether the features at which two bodies meet may change within a step of `h` (s). They do not for two spheres, nor
@@ -243,6 +297,7 @@ fn near_contact(
         kinematics,
         acceleration: free.relative(states, id, &kinematics),
         resting_speed: (RESTING_STEPS * span.h * pressing).min(unseen),
+        is_awaited: false,
     }
 }
 

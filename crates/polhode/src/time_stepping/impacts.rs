@@ -7,19 +7,22 @@
 //! leaves a penetration. For contacts without restitution that close later in the step, the sustained impulses close
 //! the gap exactly.
 
-use super::contacts::{FreeAccelerations, NearContact, kinematics_at_point};
+use super::contacts::{FreeAccelerations, NearContact, foresee_with_joints, kinematics_at_point};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Substep, TimeStepper};
+use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::{FoundContact, Touch};
 use crate::rows::groups::{Group, groups};
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::frictional_impact::Restitution;
 use crate::solve::impact::{Struck, strike};
+use crate::solve::joint_loads::ContactForce;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
 use polhode_spatial::DVec3;
+use std::collections::BTreeMap;
 
 /// Most rounds of impacts in one step: one for each body of a chain with gaps, or for each bounce of a body between two
 /// others. Contacts that still close afterwards are stopped without restitution.
@@ -123,27 +126,38 @@ fn note(world: &World, states: &[BodyState], touches: &[Touch], struck: &Struck,
     let violation = struck.cone_violation(world, states, touches);
     report.cone_violation = ConeViolation::larger(report.cone_violation, violation);
     report.books.impact((outcome.energy_change, struck.friction_j), given, work);
+    report.told.take_struck(world, states, struck.reactions());
+    let mut tangential: BTreeMap<ContactId, DVec3> = BTreeMap::new();
+    for (id, along, impulse) in &struck.tangential {
+        *tangential.entry(*id).or_default() += along.normal * *impulse;
+    }
     // Rows of bilateral constraints follow those of the contacts: their impulses are no events.
-    report.impulses.extend(outcome.applications.iter().filter_map(|application| {
-        let touch = touches.get(application.row)?;
-        Some(ContactImpulse {
+    for application in &outcome.applications {
+        let Some(touch) = touches.get(application.row) else { continue };
+        let geometry = touch.kinematics.geometry;
+        // Friction of all applications of a contact is told with the first one.
+        let friction = tangential.remove(&touch.id).unwrap_or_default();
+        let force = geometry.normal * application.impulse + friction;
+        report.told.take_contact(world, states, (ContactForce { id: touch.id, point: geometry.point, force }, true));
+        report.impulses.push(ContactImpulse {
             t,
             id: touch.id,
-            geometry: touch.kinematics.geometry,
+            geometry,
             impulse: application.impulse,
-            friction: DVec3::ZERO,
+            friction,
             kind: ImpulseKind::Impact { energy_change_j: application.energy_change },
-        })
-    }));
+        });
+    }
 }
 
 /// The contacts with the present velocities.
 fn refresh(world: &World, states: &[BodyState], bodies: &[usize], near: &mut [NearContact], t: f64) {
     let free = FreeAccelerations::with_fields(world, t, states, bodies);
-    for contact in near {
+    for contact in near.iter_mut() {
         if let Some(kinematics) = kinematics_at_point(world, states, contact.id) {
             contact.kinematics = kinematics;
             contact.acceleration = free.relative(states, contact.id, &kinematics);
         }
     }
+    foresee_with_joints(world, states, bodies, near, t);
 }

@@ -39,6 +39,7 @@ mod shared_work;
 mod step;
 mod sustained;
 mod sustained_friction;
+mod told_loads;
 
 pub(crate) use cone_problem::LEAST_IN_BODIES;
 pub(crate) use report::{ImpulseKind, TimeStepReport};

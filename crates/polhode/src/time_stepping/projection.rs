@@ -28,6 +28,7 @@ impl TimeStepper {
             let removed = project_velocities(world, states, bodies, (&[], &[], &[]), Removal::Complete)?;
             let after = report.books.balance(world, states, bodies);
             report.books.projection(before, after, removed.work_j);
+            report.told.take(world, states, removed.reactions());
             report.max_projection_m = report.max_projection_m.max(moved.moved_m);
         }
         let overlaps = Overlaps::find(world, states, pairs);

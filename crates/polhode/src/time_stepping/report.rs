@@ -1,5 +1,6 @@
 //! Report of a time step.
 
+use super::told_loads::ToldLoads;
 use crate::accounting::books::Books;
 use crate::collision::contact_id::ContactId;
 use crate::solve::cone_violation::ConeViolation;
@@ -28,7 +29,7 @@ pub(crate) struct ContactImpulse {
     pub(crate) geometry: ContactGeometry,
     /// On A along the normal, N s.
     pub(crate) impulse: f64,
-    /// On A in the tangent plane, world, N s: of friction in a sustained contact.
+    /// On A in the tangent plane, world, N s, of friction.
     pub(crate) friction: DVec3,
     pub(crate) kind: ImpulseKind,
 }
@@ -62,6 +63,10 @@ pub(crate) struct TimeStepReport {
     pub(crate) raises_energy: bool,
     /// Number of contacts in the problems, the largest of any step.
     pub(crate) contacts: usize,
+    /// What joints have been given.
+    pub(crate) told: ToldLoads,
+    /// How far what is told of forces is from Newton's law, the largest of any body and step (no unit; `told_loads.rs`).
+    pub(crate) newton_residual: f64,
     /// Steps made.
     pub(crate) steps: u64,
     /// Whether every body is exactly at its initial pose, at zero velocity.
@@ -96,6 +101,8 @@ impl TimeStepReport {
             factorisations: 0,
             raises_energy: false,
             contacts: 0,
+            told: ToldLoads::default(),
+            newton_residual: 0.0,
             steps: 0,
             at_rest: false,
         }
@@ -118,6 +125,8 @@ impl TimeStepReport {
         self.factorisations += later.factorisations;
         self.raises_energy |= later.raises_energy;
         self.contacts = self.contacts.max(later.contacts);
+        self.told.append(later.told);
+        self.newton_residual = self.newton_residual.max(later.newton_residual);
         self.steps += later.steps;
     }
 }

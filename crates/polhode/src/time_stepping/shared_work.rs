@@ -19,6 +19,7 @@ use super::kick::Kick;
 use crate::collision::contact_id::ContactId;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::row::{BilateralRow, Member};
+use crate::solve::closed_loops::ClosedLoops;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
@@ -31,6 +32,8 @@ pub(super) struct Kicked<'a> {
     /// Movable bodies, ascending.
     pub(super) bodies: &'a [usize],
     pub(super) kick: &'a Kick,
+    /// Where the loops of their joints are closed.
+    pub(super) loops: &'a ClosedLoops,
 }
 
 impl Kicked<'_> {

@@ -2,12 +2,13 @@
 
 use super::NO_WORK_J;
 use super::cone_problem::{ConeSolvers, LEAST_IN_BODIES};
-use super::contacts::{NearContact, Span, may_change_features, near_contacts, slips_at_start};
+use super::contacts::{NearContact, Span, await_impacts, may_change_features, near_contacts, slips_at_start};
 use super::drift;
 use super::kick::kick;
 use super::last_forces::LastForces;
 use super::middle::{Middle, Stops};
 use super::report::{Stop, TimeStepReport};
+use super::told_loads::newton_residual;
 use crate::Momentum;
 use crate::MomentumSum;
 use crate::accounting::books::Received;
@@ -207,11 +208,14 @@ impl TimeStepper {
         while done < h {
             let left = h - done;
             let span = Span { h: left, unseen_bounce: self.unseen_bounce };
-            let near = near_contacts(world, states, bodies, pairs, t + done, span);
+            let mut near = near_contacts(world, states, bodies, pairs, t + done, span);
             let together = self.resolves_together(near.len());
             let (splits, instant) = if together { (0, NO_INSTANT) } else { (splits_left, instant) };
             let first = if splits > 0 { first_impact(&near, instant, left) } else { None };
             let interval = Substep { t: t + done, h: first.unwrap_or(left), instant };
+            if first.is_some() {
+                await_impacts(world, &mut near, (interval.h, left), instant);
+            }
             let made = self.step_by(world, states, bodies, (near, pairs), (interval, Stops::Sought))?;
             if made.stops.is_empty() {
                 report.append(made);
@@ -224,7 +228,10 @@ impl TimeStepper {
             }
             let (interval, ending) = up_to_stop(interval, &made.stops, stops);
             stops = stops.saturating_sub(1);
-            let near = near_contacts(world, states, bodies, pairs, t + done, span);
+            let mut near = near_contacts(world, states, bodies, pairs, t + done, span);
+            if first.is_some() {
+                await_impacts(world, &mut near, (interval.h, left), instant);
+            }
             report.append(self.step_by(world, states, bodies, (near, pairs), (interval, Stops::At(&ending)))?);
             done = if interval.h < left { done + interval.h } else { h };
         }
@@ -263,6 +270,7 @@ impl TimeStepper {
         let Substep { t, h, .. } = part;
         let mut report = TimeStepReport::new(self.about);
         report.steps = 1;
+        let struck_from = states_of(states, bodies);
         self.strike_closing(world, states, bodies, &mut near, part, &mut report)?;
         let start = states_of(states, bodies);
         let slips = slips_at_start(world, states, &near);
@@ -299,6 +307,7 @@ impl TimeStepper {
                 |pair: &&(usize, usize)| has_contact(pair) || may_change_features(world, states, **pair, h);
             let near_pairs: Vec<_> = pairs.iter().filter(may_overlap).copied().collect();
             self.project(world, states, bodies, &near_pairs, &mut report)?;
+            report.newton_residual = newton_residual(world, (&struck_from, states), bodies, (&kick, h), &report);
         }
         if let Some(index) = bodies.iter().position(|&body| !states[body].is_finite()) {
             return Err(ResponseError::NotFinite { what: "states after a time step", index });

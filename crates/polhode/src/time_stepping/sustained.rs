@@ -22,7 +22,7 @@
 //!
 //! A row of a bilateral constraint is held at `u+ = -u-`: its impulse does no work, and the second half of the step takes back
 //! the gap that the first has opened, but for its curvature (of order `h^3`), which the projection at the end of the step
-//! removes (`projection.rs`).
+//! removes (`projection.rs`). Rows of closed loops are those of their closed poses (`crate::solve::closed_loops`).
 //!
 //! Rows of the problem: contacts that would penetrate at the end, and touching contacts; of pairs with many contacts only some of
 //! them (`rows/many_contacts.rs`). Contacts that close because of the impulses are added until there are none.
@@ -44,8 +44,10 @@ use crate::constraint::softness::SoftWork;
 use crate::rows::assembly::Assembly;
 use crate::rows::groups::{Group, coupled_groups};
 use crate::rows::many_contacts::{MANY_CONTACTS, furthest_out};
+use crate::solve::closed_loops::ClosedLoops;
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::impact::{apply_without_gain, support};
+use crate::solve::joint_loads::ContactForce;
 use crate::solve::jointed::trees_of;
 use crate::solve::rotational_friction::{moment_support, moment_work};
 use crate::states_of::{set_states, states_of};
@@ -100,6 +102,17 @@ impl Row {
         rate + self.bound < -(self.rounding + ROW_ROUNDING * (rate.abs() + self.bound.abs()))
     }
 
+    /// The kind of its impulse (N s) in a step of `h` (s).
+    fn kind_of_impulse(&self, contact: &NearContact, impulse: f64, h: f64) -> ImpulseKind {
+        // The speed of approach of the contact at the start of the step.
+        let approach = -(self.rate_before - self.half_fall);
+        if approach > contact.resting_speed && contact.closing_time().is_some_and(|time| time <= h) {
+            ImpulseKind::Impact { energy_change_j: 0.5 * impulse * (self.rate_before - self.bound) }
+        } else {
+            ImpulseKind::Sustained
+        }
+    }
+
     /// Whether the row is in the problem of a step of `h` (s) from the beginning.
     fn is_first_choice(&self, world: &World, states: &[BodyState], contact: &NearContact, h: f64) -> bool {
         let touch_distance = world.touch_distance(states, contact.id.a, contact.id.b);
@@ -126,7 +139,8 @@ impl TimeStepper {
         Middle { t, h, stops, kick }: Middle<'_>,
         report: &mut TimeStepReport,
     ) -> Result<Vec<usize>, ResponseError> {
-        let mut rows = rows(world, Kicked { states, bodies, kick }, (near, slips), (t, h))?;
+        let loops = &ClosedLoops::of(world, states, bodies)?;
+        let mut rows = rows(world, Kicked { states, bodies, kick, loops }, (near, slips), (t, h))?;
         if let Stops::At(ids) = stops {
             for row in rows.iter_mut().filter(|row| ids.contains(&near[row.contact].id)) {
                 row.friction = row.friction.map(TangentialRow::coming_to_rest);
@@ -151,11 +165,18 @@ impl TimeStepper {
                 solved.push(if let Some(place) = known {
                     last.swap_remove(place)
                 } else {
-                    self.solve_group(world, Kicked { states, bodies, kick }, group, &rows, (near, h), report)?
+                    self.solve_group(
+                        world,
+                        Kicked { states, bodies, kick, loops },
+                        group,
+                        &rows,
+                        (near, h, stops),
+                        report,
+                    )?
                 });
             }
             for group in &mut solved {
-                group.apply(world, states, (bodies, kick), &rows, near);
+                group.apply(world, states, (bodies, kick, loops), &rows, near);
             }
             if add_closing(world, states, near, &rows, &mut taken) {
                 set_states(states, bodies, &before);
@@ -170,7 +191,7 @@ impl TimeStepper {
                 group.found.tell(report);
             }
             report.contacts = report.contacts.max(members.len());
-            let kicked = Kicked { states, bodies, kick };
+            let kicked = Kicked { states, bodies, kick, loops };
             return Ok(note(world, kicked, near, &rows, &solved, (t, h), report));
         }
     }
@@ -211,13 +232,14 @@ impl TimeStepper {
         kicked: Kicked<'_>,
         group: Group,
         rows: &[Row],
-        (near, h): (&[NearContact], f64),
+        (near, h, stops): (&[NearContact], f64, Stops<'_>),
         report: &mut TimeStepReport,
     ) -> Result<SolvedGroup, ResponseError> {
         let states = kicked.states;
         let members: Vec<&Row> = group.contacts.iter().map(|&index| &rows[index]).collect();
         let geometries = members.iter().map(|row| (near[row.contact].id, row.kinematics.geometry));
-        let mut assembly = Assembly::new(world, states, &group.bodies, geometries)?;
+        let bilaterals = kicked.loops.bilaterals(world, states, &group.bodies).collect();
+        let mut assembly = Assembly::with_bilaterals(world, (states, &group.bodies), geometries, bilaterals)?;
         let kick_of_row = |of: &Bilateral, row: &BilateralRow| kicked.change_of_row(of, row);
         let soft = world.soft_rows((states, &group.bodies), h, &kicked.kick.of_joints, kick_of_row);
         assembly.push_soft(states, soft)?;
@@ -225,7 +247,7 @@ impl TimeStepper {
         let constants = assembly.step_constants(of_contacts, kick_of_row);
         if members.iter().any(|row| row.friction.is_some()) {
             let friction: Vec<_> = members.iter().map(|row| row.friction).collect();
-            let found = sustained_friction::solve(assembly, states, constants, &friction, (&mut self.cones, h))?;
+            let found = sustained_friction::solve(assembly, states, constants, &friction, (&mut self.cones, h, stops))?;
             report.factorisations += found.factorisations as u64;
             let sustained_friction::FrictionalImpulses { normal: impulses, tangential, moments, reactions, .. } = found;
             let found = Found {
@@ -234,10 +256,14 @@ impl TimeStepper {
                 violation: found.violation,
                 stops: found.stops,
             };
+            let reactions = kicked.loops.least(world, (states, &group.bodies), reactions)?;
             return Ok(SolvedGroup { group, impulses, tangential, moments, reactions, found });
         }
         let carried = (0..members.len()).filter(|&i| self.carried.contains(near[members[i].contact].id)).collect();
-        self.solver.set_settings(SolverSettings::default());
+        // Rates of joints are differences of velocities, whatever the impulses are that follow from them.
+        let noise_floor =
+            if assembly.bilaterals().is_empty() { 0.0 } else { world.velocity_rounding(states, &group.bodies) };
+        self.solver.set_settings(SolverSettings { noise_floor, ..SolverSettings::default() });
         let start = WarmStart::new(carried);
         let solution = if let Some(forest) = trees_of(&assembly) {
             self.solver.solve_with_forest(&assembly.problem, &forest, &constants, Some(&start))?
@@ -265,6 +291,7 @@ impl TimeStepper {
             }
         }
         let reactions = assembly.reactions(&impulses).map(|(of, impulse)| (of.clone(), impulse)).collect();
+        let reactions = kicked.loops.least(world, (states, &group.bodies), reactions)?;
         impulses.truncate(members.len());
         Ok(SolvedGroup { group, impulses, tangential: Vec::new(), moments: Vec::new(), reactions, found })
     }
@@ -336,6 +363,7 @@ fn rows(
     let here: Vec<(usize, ContactKinematics)> = near
         .iter()
         .enumerate()
+        .filter(|(_, near)| !near.is_awaited)
         .filter_map(|(contact, near)| Some((contact, kinematics_at_point(world, states, near.id)?)))
         .collect();
     if here.is_empty() {
@@ -469,6 +497,7 @@ fn note(
     for group in solved {
         let moments = || group.moments.iter().map(SustainedMoment::on_a);
         let reactions = || group.reactions.iter().map(|(of, impulse)| (of, *impulse));
+        report.told.take(world, states, reactions());
         let about = report.books.ledger.momentum.about;
         let given = support(world, about, group.impulses_of(rows, near))
             + moment_support(world, moments())
@@ -486,9 +515,10 @@ fn note(
         };
         let (work_j, of_integrator_j) = acting.in_symmetric_order(shared);
         report.books.impact((work_j.normal_j, work_j.friction_j), given, work);
+        report.books.stray(kicked.loops.stray_momentum(states, about, reactions()));
         report.books.ledger.numerical.add(of_integrator_j);
         // Reactions do no work but for what the solver leaves.
-        let after = world.bilaterals(states, &group.group.bodies);
+        let after = kicked.loops.bilaterals(world, states, &group.group.bodies);
         let (rigid, yielding): (Vec<_>, Vec<_>) = group.reactions.iter().partition(|(of, _)| of.softness.is_none());
         let by_reactions = rigid.iter().zip(after).map(|((of, impulse), after)| of.work(&after, *impulse));
         report.books.ledger.numerical.add(-by_reactions.sum::<f64>());
@@ -509,15 +539,11 @@ fn note(
             if impulse <= 0.0 {
                 continue;
             }
-            // The speed of approach of the contact at the start of the step.
-            let approach = -(row.rate_before - row.half_fall);
-            let kind = if approach > contact.resting_speed && contact.closing_time().is_some_and(|time| time <= h) {
-                let energy_change_j = 0.5 * impulse * (row.rate_before - row.bound);
-                ImpulseKind::Impact { energy_change_j }
-            } else {
-                ImpulseKind::Sustained
-            };
+            let kind = row.kind_of_impulse(contact, impulse, h);
             let geometry = row.kinematics.geometry;
+            let force = geometry.normal * impulse + friction;
+            let force = ContactForce { id: contact.id, point: geometry.point, force };
+            report.told.take_contact(world, states, (force, false));
             report.impulses.push(ContactImpulse { t, id: contact.id, geometry, impulse, friction, kind });
             carrying.push(row.contact);
         }
@@ -625,7 +651,7 @@ impl SolvedGroup {
         &mut self,
         world: &World,
         states: &mut [BodyState],
-        (bodies, kick): (&[usize], &Kick),
+        (bodies, kick, loops): (&[usize], &Kick, &ClosedLoops),
         rows: &[Row],
         near: &[NearContact],
     ) {
@@ -633,7 +659,7 @@ impl SolvedGroup {
         let moments: Vec<_> = self.moments.iter().map(SustainedMoment::on_a).collect();
         let soft = self.soft_work();
         let by_soft = soft.spring + soft.damper + soft.motor;
-        let kicked = Kicked { states, bodies, kick };
+        let kicked = Kicked { states, bodies, kick, loops };
         let by_reactions = self.reactions.iter().map(|(of, impulse)| kicked.shared_by_reaction_j(of, *impulse));
         let shared_j = kicked.shared_j(self.impulses_of(rows, near))
             + kicked.shared_by_moments_j(moments.iter().copied())

@@ -22,6 +22,7 @@
 
 use super::cone_problem::ConeSolvers;
 use super::contacts::kinematics_at_point;
+use super::middle::Stops;
 use super::report::Stop;
 use super::shared_work::Kicked;
 use crate::collision::contact_id::ContactId;
@@ -152,6 +153,19 @@ impl TangentialRow {
     /// The same contact, which comes to rest at the end of the step.
     pub(super) fn coming_to_rest(self) -> Self {
         Self { sticks: true, ..self }
+    }
+
+    /// Whether its slip may pass through zero within the step where its impulses do not show it: `r` is shortened, so that a contact
+    /// which would slip back may end without slip and without an impulse.
+    fn may_hide_stop(&self) -> bool {
+        !self.sticks
+            && self.half_change != self.whole_change
+            && self.coefficients.sliding.is_below(self.coefficients.at_rest)
+    }
+
+    /// The same with the whole change of its slip, which may gain energy: what would happen without contact forces.
+    fn with_whole_change(self) -> Self {
+        Self { half_change: self.whole_change, ..self }
     }
 
     /// At which part of the step (0 to 1) its slip would pass through zero under kinetic friction against the slip at the
@@ -361,6 +375,22 @@ pub(super) struct FrictionalImpulses {
     pub(super) factorisations: usize,
 }
 
+impl FrictionalImpulses {
+    /// None of so many contacts.
+    fn none(contacts: usize) -> Self {
+        Self {
+            normal: vec![0.0; contacts],
+            tangential: Vec::new(),
+            moments: Vec::new(),
+            reactions: Vec::new(),
+            stops: Vec::new(),
+            violation: None,
+            report: SolverReport::default(),
+            factorisations: 0,
+        }
+    }
+}
+
 /// How far impulses are from Coulomb's law.
 fn violation_of(friction: &[Option<TangentialRow>], rows: &[Range<usize>], reactions: &[f64]) -> Option<ConeViolation> {
     let rubbing = |(contact, row): (usize, &Option<TangentialRow>)| {
@@ -383,7 +413,7 @@ pub(super) fn solve(
     states: &[BodyState],
     mut constants: Vec<f64>,
     friction: &[Option<TangentialRow>],
-    (solvers, h): (&mut ConeSolvers, f64),
+    (solvers, h, stops_are): (&mut ConeSolvers, f64, Stops<'_>),
 ) -> Result<FrictionalImpulses, ResponseError> {
     let first_tangent = assembly.first_tangent();
     let mut rows = Vec::with_capacity(friction.len());
@@ -396,29 +426,23 @@ pub(super) fn solve(
     }
     let rotations = resisted_rotations(&mut assembly, friction)?;
     constants.extend(friction.iter().flatten().flat_map(TangentialRow::rotation_constants));
-    let first = friction;
-    let (mut rounds, mut factorisations) = (0, 0);
-    let (friction, solved) = loop {
-        let mut friction: Vec<Option<TangentialRow>> = first.to_vec();
-        let mut problem = solvers.problem(&assembly, &constants, friction.len(), h);
-        let solved = loop {
-            let mut blocks = with_rotations(blocks(&friction, &rows), &rotations);
-            push_held(&mut blocks, friction.len()..first_tangent);
-            let solved = problem.solve(&blocks, |reactions| violation_of(&friction, &rows, reactions))?;
-            if !slide_under_static_friction(&mut friction, &rows, &solved, &constants) {
-                break solved;
-            }
-        };
-        factorisations += problem.factorisations();
-        if problem.is_started_from() {
-            solvers.last.note(&assembly, &solved.reactions, friction.len(), h);
-        }
-        rounds += 1;
-        if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&solved.reactions, h) {
-            break (friction, solved);
-        }
+    let rows = FrictionRows { tangents: rows, rotations, first_tangent };
+    let mut factorisations = 0;
+    if stops_are == Stops::Sought && friction.iter().flatten().any(TangentialRow::may_hide_stop) {
+        let whole: Vec<_> = friction.iter().map(|row| row.map(TangentialRow::with_whole_change)).collect();
+        let of_whole = with_tangents(&constants, &whole, &rows);
+        let found = settle(&mut assembly, of_whole, &whole, &rows, (&mut *solvers, h))?;
+        factorisations += found.factorisations;
         assembly.press(&mut constants, h);
-    };
+        let stops = stops(&found.friction, &rows.tangents, &found.solved);
+        if !stops.is_empty() {
+            return Ok(FrictionalImpulses { stops, factorisations, ..FrictionalImpulses::none(friction.len()) });
+        }
+    }
+    let Settled { friction, solved, factorisations: last } =
+        settle(&mut assembly, constants, friction, &rows, (solvers, h))?;
+    factorisations += last;
+    let rows = rows.tangents;
     let stops = stops(&friction, &rows, &solved);
     let violation = violation_of(&friction, &rows, &solved.reactions);
     let normal = solved.reactions.get(..friction.len()).unwrap_or_default();
@@ -434,6 +458,64 @@ pub(super) fn solve(
     let reactions = assembly.reactions(&solved.reactions).map(|(of, impulse)| (of.clone(), impulse)).collect();
     let (normal, report) = (normal.to_vec(), solved.report);
     Ok(FrictionalImpulses { normal, tangential, moments, reactions, stops, violation, report, factorisations })
+}
+
+/// The rows of friction in a problem.
+struct FrictionRows {
+    /// Of each contact along its tangents.
+    tangents: Vec<Range<usize>>,
+    rotations: Vec<ResistedRotation>,
+    first_tangent: usize,
+}
+
+/// Reactions, with the coefficients under which contacts bear them.
+struct Settled {
+    friction: Vec<Option<TangentialRow>>,
+    solved: BlocksSolution,
+    factorisations: usize,
+}
+
+/// Solves until no contact slides that is held by static friction, and loads of bearings stay.
+fn settle(
+    assembly: &mut Assembly,
+    mut constants: Vec<f64>,
+    first: &[Option<TangentialRow>],
+    rows: &FrictionRows,
+    (solvers, h): (&mut ConeSolvers, f64),
+) -> Result<Settled, ResponseError> {
+    let FrictionRows { tangents, rotations, first_tangent } = rows;
+    let (mut rounds, mut factorisations) = (0, 0);
+    loop {
+        let mut friction: Vec<Option<TangentialRow>> = first.to_vec();
+        let mut problem = solvers.problem(assembly, &constants, friction.len(), h);
+        let solved = loop {
+            let mut blocks = with_rotations(blocks(&friction, tangents), rotations);
+            push_held(&mut blocks, friction.len()..*first_tangent);
+            let solved = problem.solve(&blocks, |reactions| violation_of(&friction, tangents, reactions))?;
+            if !slide_under_static_friction(&mut friction, tangents, &solved, &constants) {
+                break solved;
+            }
+        };
+        factorisations += problem.factorisations();
+        if problem.is_started_from() {
+            solvers.last.note(assembly, &solved.reactions, friction.len(), h);
+        }
+        rounds += 1;
+        if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&solved.reactions, h) {
+            return Ok(Settled { friction, solved, factorisations });
+        }
+        assembly.press(&mut constants, h);
+    }
+}
+
+/// Constant terms with those of these contacts along tangents.
+fn with_tangents(constants: &[f64], friction: &[Option<TangentialRow>], rows: &FrictionRows) -> Vec<f64> {
+    let mut constants = constants.to_vec();
+    for (row, tangents) in friction.iter().zip(&rows.tangents) {
+        let own = row.iter().flat_map(TangentialRow::constants);
+        constants[tangents.clone()].iter_mut().zip(own).for_each(|(constant, own)| *constant = own);
+    }
+    constants
 }
 
 /// What values have along both tangents of a contact with these rows: zero along the one that has none.

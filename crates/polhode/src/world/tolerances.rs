@@ -81,6 +81,15 @@ impl World {
         velocity.linear.length() + velocity.angular.length() * self.bodies[body].size
     }
 
+    /// Error of the centripetal terms in accelerations of these bodies by rounding, m/s^2.
+    pub(crate) fn acceleration_rounding(&self, states: &[BodyState], bodies: &[usize]) -> f64 {
+        let term = |&body: &usize| {
+            let velocity = self.velocity(body, &states[body]);
+            velocity.angular.length() * self.fastest_point(body, &velocity)
+        };
+        VELOCITY_UNITS * f64::EPSILON * bodies.iter().map(term).fold(0.0, f64::max)
+    }
+
     /// Error of the velocities of contacts of these bodies by rounding, m/s.
     pub(crate) fn velocity_rounding(&self, states: &[BodyState], bodies: &[usize]) -> f64 {
         let speed = bodies.iter().fold(0.0, |most, &body| self.point_speed(states, body).max(most));

@@ -268,3 +268,52 @@ fn a_bounded_servo_on_a_light_hub_turns_its_wheel() {
         assert_closes(&report);
     }
 }
+
+/// A torsion spring goes on being wound beyond half a turn, whichever way, and so does the angle that samples tell; a snapshot on the
+/// way keeps the count.
+#[test]
+fn a_torsion_spring_is_wound_beyond_half_a_turn() {
+    let (stiffness, most, duration_s) = (7.0, 5.0, 1.6);
+    let frequency = (stiffness / moment()).sqrt();
+    let joint = JointId::new(0);
+    for sign in [1.0, -1.0] {
+        let rate = sign * most * frequency;
+        for (method, allowed) in [(accurate(), 1e-9), (stepped(5e-4), 2e-3)] {
+            let spring = Freedom::default().with_spring(stiffness, 0.0).unwrap();
+            let turning = Velocity::new(DVec3::Y.cross(DVec3::X * (0.5 * ROD.1)) * rate, DVec3::Y * rate);
+            let built = scene(method).duration_s(duration_s).body(level_rod().velocity(turning)).joint(hinge(spring));
+            let built = built.build().unwrap();
+            let mut simulation = Simulation::new(&built).unwrap();
+            let mut between: Option<(i32, Snapshot)> = None;
+            for tenth in 1..=16 {
+                let t = 0.1 * f64::from(tenth);
+                simulation.advance_to(t).unwrap();
+                let angle = simulation.coordinate(joint, Coordinate::Angle).unwrap().value;
+                let expected = sign * most * (frequency * t).sin();
+                assert!((angle - expected).abs() < allowed, "t = {t}: {angle} rad instead of {expected}");
+                if between.is_none() && angle.abs() > 4.0 {
+                    between = Some((tenth, simulation.snapshot()));
+                }
+            }
+            let end = simulation.body(BodyId::new(0));
+            let (tenth, snapshot) = between.expect("it turns by more than 4 rad");
+            simulation.restore(&snapshot).unwrap();
+            (tenth + 1..=16).for_each(|tenth| simulation.advance_to(0.1 * f64::from(tenth)).unwrap());
+            assert_eq!(simulation.body(BodyId::new(0)), end);
+        }
+    }
+}
+
+/// A damped servo to more than half a turn arrives there.
+#[test]
+fn a_servo_arrives_beyond_half_a_turn() {
+    for (method, target) in [(accurate(), 4.0), (stepped(2e-3), 4.0), (stepped(2e-3), -9.0)] {
+        let drive = Drive::Position { position: target, stiffness: 20.0, damping: 6.0 };
+        let servo = Freedom::default().with_motor(Motor::new(drive).unwrap());
+        let built = scene(method).duration_s(12.0).body(level_rod()).joint(hinge(servo)).build().unwrap();
+        let mut simulation = Simulation::new(&built).unwrap();
+        simulation.advance_to(12.0).unwrap();
+        let angle = simulation.coordinate(JointId::new(0), Coordinate::Angle).unwrap();
+        assert!((angle.value - target).abs() < 1e-7 && angle.rate.abs() < 1e-7, "{angle:?} instead of {target}");
+    }
+}

@@ -343,3 +343,24 @@ fn impacts_take_no_friction_of_joints() {
         assert!((t - smooth.0).abs() < 1e-12 && (impulse, change) == (smooth.1, smooth.2), "{effort} N m");
     }
 }
+
+/// A cab that comes to a stop within a step, at any part of it, stays where breakaway holds its weight, though friction in motion would
+/// not: `v^2/(2 (g + F/m))` above where it was.
+#[test]
+fn a_cab_that_stops_within_a_step_stays() {
+    let (effort, breakaway, step_s) = (2.5, 12.5, 1e-2);
+    let friction = JointFriction::new(effort).unwrap().with_breakaway(breakaway).unwrap();
+    let slowing = G + effort;
+    for part in 0..10 {
+        let speed = slowing * step_s * (20.05 + 0.1 * f64::from(part));
+        let cab = brick("cab", DVec3::splat(0.2), DVec3::ZERO).velocity(Velocity::new(DVec3::Z * speed, DVec3::ZERO));
+        let freedom = Freedom::default().with_friction(friction);
+        let slider = Joint::new(JointKind::Slider { axis: UnitVector::Z }, BodyId::new(0), DVec3::ZERO);
+        let built = scene(stepped(step_s)).gravity(DVec3::Z * -G).duration_s(0.5).body(cab);
+        let built = built.joint(slider.along(Coordinate::Displacement, freedom)).build().unwrap();
+        let (report, _) = run(&built, Effects::Planned);
+        let off = report.bodies[0].state.pose.translation.z - 0.5 * speed * speed / slowing;
+        assert!(off.abs() < 1e-9, "it stops at {part} tenths of a step: {off:e} m off");
+        assert_closes(&report);
+    }
+}

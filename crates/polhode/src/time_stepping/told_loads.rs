@@ -1,0 +1,144 @@
+//! What a step has applied, as it is told: the loads of joints, and how far all that is told is from Newton's law.
+//!
+//! Loads are impulses of the step; divided by its length they are its mean forces. A joint is told what its rows, its stops and its
+//! friction have given, the rest that was projected out of its velocities with them. Impulses of the impact law are kept apart: they
+//! grow beyond all bounds as forces of shorter and shorter steps.
+//!
+//! Newton's law over a step, for each body: `m (v_end - v_start) = m g h + K + sum p`, with the kick of fields `K` and the
+//! impulses `p` as they are told: of contacts, of joints, of springs and motors at joints. The defect is told in relation to the sum of the
+//! magnitudes of these terms, the weight among them. It sees what was applied and not told, told and not applied, or told
+//! of another body. Of moments it says nothing.
+
+use super::kick::Kick;
+use super::report::TimeStepReport;
+use crate::collision::contact_id::Feature;
+use crate::constraint::ConstraintId;
+use crate::constraint::bilateral::{Bilateral, Reaction};
+use crate::frame::JointView;
+use crate::solve::joint_loads::{ContactForce, add_joint_loads};
+use crate::world::World;
+use polhode_dynamics::BodyState;
+use polhode_spatial::DVec3;
+use std::collections::BTreeMap;
+
+/// What joints and others have been given in a step.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct ToldLoads {
+    /// Impulses of joints over the step by their numbers, N s and N m s, without those of impacts.
+    pub(crate) joints: BTreeMap<usize, JointView>,
+    /// The same of impacts.
+    pub(crate) struck: BTreeMap<usize, JointView>,
+    /// Impulses of what is no joint and no contact, N s: body and impulse.
+    others: Vec<(usize, DVec3)>,
+}
+
+impl ToldLoads {
+    /// Takes the impulses of constraints in these states.
+    pub(super) fn take<'a>(
+        &mut self,
+        world: &World,
+        states: &[BodyState],
+        reactions: impl Iterator<Item = (&'a Bilateral, Reaction)> + Clone,
+    ) {
+        add_joint_loads(&mut self.joints, world, states, (reactions.clone(), std::iter::empty()));
+        for (of, reaction) in reactions {
+            if of.softness.is_some() || matches!(of.id, ConstraintId::Pivot { .. }) {
+                self.others.extend(of.loads(reaction).map(|(body, impulse, _)| (body, impulse)));
+            }
+        }
+    }
+
+    /// Takes those of an impact.
+    pub(super) fn take_struck<'a>(
+        &mut self,
+        world: &World,
+        states: &[BodyState],
+        reactions: impl Iterator<Item = (&'a Bilateral, Reaction)> + Clone,
+    ) {
+        add_joint_loads(&mut self.struck, world, states, (reactions.clone(), std::iter::empty()));
+        let of_pivots = reactions.filter(|(of, _)| matches!(of.id, ConstraintId::Pivot { .. }));
+        self.others.extend(of_pivots.flat_map(|(of, p)| of.loads(p)).map(|(body, impulse, _)| (body, impulse)));
+    }
+
+    /// Takes the impulse of a contact on A, N s, if it is one of a joint.
+    pub(super) fn take_contact(
+        &mut self,
+        world: &World,
+        states: &[BodyState],
+        (force, is_struck): (ContactForce, bool),
+    ) {
+        if !matches!(force.id.feature, Feature::Shapes(_)) {
+            let views = if is_struck { &mut self.struck } else { &mut self.joints };
+            add_joint_loads(views, world, states, (std::iter::empty(), std::iter::once(force)));
+        }
+    }
+
+    /// Adds those of a later step.
+    pub(super) fn append(&mut self, later: Self) {
+        for (views, later) in [(&mut self.joints, later.joints), (&mut self.struck, later.struck)] {
+            for (joint, view) in later {
+                let own =
+                    views.entry(joint).or_insert(JointView { force_n: DVec3::ZERO, moment_n_m: DVec3::ZERO, ..view });
+                own.force_n += view.force_n;
+                own.moment_n_m += view.moment_n_m;
+                own.point_m = view.point_m;
+            }
+        }
+    }
+
+    /// The mean loads of a step of `h` (s), N and N m: without what impacts gave, and with it.
+    pub(crate) fn means(&self, h: f64) -> [BTreeMap<usize, JointView>; 2] {
+        let mean = |view: &JointView| JointView { force_n: view.force_n / h, moment_n_m: view.moment_n_m / h, ..*view };
+        let sustained: BTreeMap<usize, JointView> =
+            self.joints.iter().map(|(&joint, view)| (joint, mean(view))).collect();
+        let mut all = sustained.clone();
+        for (&joint, view) in &self.struck {
+            let view = mean(view);
+            let own = all.entry(joint).or_insert(JointView { force_n: DVec3::ZERO, moment_n_m: DVec3::ZERO, ..view });
+            own.force_n += view.force_n;
+            own.moment_n_m += view.moment_n_m;
+        }
+        [sustained, all]
+    }
+}
+
+/// The largest defect of Newton's law among these bodies (no unit), where they had these states before a step of `h` (s).
+pub(super) fn newton_residual(
+    world: &World,
+    (before, after): (&[BodyState], &[BodyState]),
+    bodies: &[usize],
+    (kick, h): (&Kick, f64),
+    report: &TimeStepReport,
+) -> f64 {
+    // Left over, and the sum of the magnitudes of the terms.
+    let mut sums: Vec<(DVec3, f64)> = Vec::with_capacity(bodies.len());
+    for (place, (&body, start)) in bodies.iter().zip(before).enumerate() {
+        let mass = world.bodies[body].rigid.as_ref().map_or(0.0, polhode_dynamics::RigidBody::mass);
+        let (weight, kicked) =
+            (world.free_acceleration(body) * h, kick.changes.get(place).map_or(DVec3::ZERO, |own| own.linear));
+        let change = after[body].linear_velocity - start.linear_velocity;
+        sums.push(((change - weight - kicked) * mass, (weight.length() + kicked.length()) * mass));
+    }
+    let mut give = |body: usize, impulse: DVec3| {
+        if let Ok(place) = bodies.binary_search(&body) {
+            sums[place].0 -= impulse;
+            sums[place].1 += impulse.length();
+        }
+    };
+    for given in report.impulses.iter().filter(|given| matches!(given.id.feature, Feature::Shapes(_))) {
+        let on_a = given.geometry.normal * given.impulse + given.friction;
+        given.id.members().for_each(|(body, sign)| give(body, on_a * sign));
+    }
+    for (&joint, view) in report.told.joints.iter().chain(&report.told.struck) {
+        for (body, sign) in world.ends_of_joint(joint) {
+            give(body, view.force_n * sign);
+        }
+    }
+    report.told.others.iter().for_each(|&(body, impulse)| give(body, impulse));
+    let is_held = |body: usize| world.bodies[body].rigid.as_ref().is_none_or(polhode_dynamics::RigidBody::is_pivoted);
+    let defect = |(&body, (left, all)): (&usize, &(DVec3, f64))| {
+        let defect = left.length();
+        if is_held(body) || defect == 0.0 { 0.0 } else { defect / all }
+    };
+    bodies.iter().zip(&sums).map(defect).fold(0.0, f64::max)
+}
