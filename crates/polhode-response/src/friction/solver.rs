@@ -22,6 +22,10 @@ const HOLDING_DAMPING: f64 = 0.1;
 /// Most rows for Newton's method with steps of least norm, whose factorisation is dense.
 const MOST_DENSE_ROWS: usize = 120;
 
+/// Share of its inverse mass by which a contact yields where the reactions of redundant contacts are chosen (no unit, 1e-5 to
+/// 1e-3): the choice is that of softer contacts to this share, and rounding moves it by the rounding unit over it.
+const YIELDING: f64 = 1e-4;
+
 /// Sweeps between two runs of Newton's method as the last resort.
 const SWEEPS_BETWEEN: u32 = 50;
 
@@ -132,10 +136,28 @@ impl Solver<'_> {
         let mut reactions = start.to_vec();
         self.move_into_cones(&mut reactions);
         let is_chosen = self.settings.redundancy == Redundancy::LeastNorm && start.len() <= MOST_DENSE_ROWS;
-        if is_chosen && self.newton_from(reactions.clone(), FrictionMethod::LeastNormNewton) {
-            return true;
+        if is_chosen {
+            let near = self.where_contacts_yield(reactions.clone());
+            if self.newton_from(near, FrictionMethod::LeastNormNewton) {
+                return true;
+            }
         }
         self.newton_from(reactions, FrictionMethod::WarmNewton) || self.is_accepted()
+    }
+
+    /// The reactions where all contacts yield a little, from `start`, or the start where they are not found. They are unique,
+    /// whereas those of rigid contacts of one flat patch are a curve on which slips, and with them the motion, differ: which
+    /// point of it a method comes upon would depend on its path, on ties that rounding decides, and on the start.
+    fn where_contacts_yield(&mut self, start: Vec<f64>) -> Vec<f64> {
+        let problem = self.problem.yielding(YIELDING);
+        let mut velocities = Vec::new();
+        problem.matrix().times_plus(&start, problem.constant(), &mut velocities);
+        let residual = problem.residual_of(&start, &velocities);
+        let mut iterate = Iterate { reactions: start.clone(), velocities, residual };
+        // To rounding: the rest of a residual moves reactions along the curve by as much as the contacts are stiff.
+        let limits = NewtonLimits { tolerance: 0.0, ..self.limits(FrictionMethod::LeastNormNewton) };
+        self.report.newton_steps += Newton::new(&problem).run(&mut iterate, limits);
+        if iterate.residual <= limits.acceptance { iterate.reactions } else { start }
     }
 
     /// One sweep from zero: it solves a contact on its own, and those that do not move each other.
