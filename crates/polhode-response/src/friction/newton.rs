@@ -318,8 +318,15 @@ impl<'a> Newton<'a> {
             }
             let shifted: BlockRows = filled_up(&known[matrix.range(row)]);
             for k in 0..law.unknowns {
-                dense[(at + k) * size + at + k] += law.diagonal[k];
+                let line = (at + k) * size;
+                dense[line + at + k] += law.diagonal[k];
                 right[at + k] = law.right[k] - inner(law.rows[k], shifted);
+                // The equation of a slip whose contact hardly bears would make all others count as dependent.
+                if law.diagonal[k] > law.inverse_masses[k] {
+                    let scale = law.inverse_masses[k] / law.diagonal[k];
+                    dense[line..line + size].iter_mut().for_each(|entry| *entry *= scale);
+                    right[at + k] *= scale;
+                }
             }
         }
         let unknowns = PivotedQr::factor(size, size, dense, DEPENDENT_EQUATION).solve_transpose(&right);

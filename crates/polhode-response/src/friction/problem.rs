@@ -204,15 +204,22 @@ impl FrictionProblem {
         rows.map(|row| self.matrix.diagonal_entry(block, row)).sum::<f64>() / count
     }
 
-    /// The same problem where each row yields to its reaction by this share of its inverse mass, rows of one part alike.
-    pub(crate) fn yielding(&self, share: f64) -> Self {
+    /// The same problem where each row yields, by this share of its inverse mass, to what its reaction exceeds that of `around`;
+    /// rows of one part of a block alike.
+    pub(crate) fn yielding(&self, share: f64, around: &[f64]) -> Self {
         let of_row = |block: usize, row: usize| {
             let law = self.blocks[block];
             let part = law.parts().into_iter().map(|(rows, _)| rows).find(|rows| rows.contains(&row));
             let whole = if law.friction().is_some() { 0..1 } else { 0..law.rows() };
             share * self.mean_inverse_mass(block, part.unwrap_or(whole))
         };
-        Self { matrix: self.matrix.with_diagonal(of_row), rows_behind: None, ..self.clone() }
+        let mut constant = self.constant.clone();
+        for block in 0..self.len() {
+            for (place, row) in self.range(block).enumerate() {
+                constant[row] -= of_row(block, place) * around[row];
+            }
+        }
+        Self { matrix: self.matrix.with_diagonal(of_row), constant, rows_behind: None, ..self.clone() }
     }
 
     /// `1 / rho` of a block.

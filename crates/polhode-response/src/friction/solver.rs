@@ -136,28 +136,45 @@ impl Solver<'_> {
         let mut reactions = start.to_vec();
         self.move_into_cones(&mut reactions);
         let is_chosen = self.settings.redundancy == Redundancy::LeastNorm && start.len() <= MOST_DENSE_ROWS;
-        if is_chosen {
-            let near = self.where_contacts_yield(reactions.clone());
-            if self.newton_from(near, FrictionMethod::LeastNormNewton) {
-                return true;
-            }
+        if is_chosen
+            && (self.proximal_newton(&reactions) || self.newton_from(reactions.clone(), FrictionMethod::LeastNormNewton))
+        {
+            return true;
         }
         self.newton_from(reactions, FrictionMethod::WarmNewton) || self.is_accepted()
     }
 
-    /// The reactions where all contacts yield a little, from `start`, or the start where they are not found. They are unique,
-    /// whereas those of rigid contacts of one flat patch are a curve on which slips, and with them the motion, differ: which
-    /// point of it a method comes upon would depend on its path, on ties that rounding decides, and on the start.
-    fn where_contacts_yield(&mut self, start: Vec<f64>) -> Vec<f64> {
-        let problem = self.problem.yielding(YIELDING);
-        let mut velocities = Vec::new();
-        problem.matrix().times_plus(&start, problem.constant(), &mut velocities);
-        let residual = problem.residual_of(&start, &velocities);
-        let mut iterate = Iterate { reactions: start.clone(), velocities, residual };
-        // To rounding: the rest of a residual moves reactions along the curve by as much as the contacts are stiff.
-        let limits = NewtonLimits { tolerance: 0.0, ..self.limits(FrictionMethod::LeastNormNewton) };
-        self.report.newton_steps += Newton::new(&problem).run(&mut iterate, limits);
-        if iterate.residual <= limits.acceptance { iterate.reactions } else { start }
+    /// The proximal point method from zero: contacts yield a little to what their reactions exceed those of the round before,
+    /// and Newton's method, which begins at `start`, solves each round. Reactions of contacts that yield are unique, whereas
+    /// those of rigid contacts of one flat patch are a curve along which slips, and with them the motion, differ: which point of
+    /// it another method comes upon depends on its path, on ties that rounding decides, and on the start. Each further round
+    /// leaves some [`YIELDING`] of the residual, and moves no reaction along the curve. Source: Rockafellar 1976. Whether the
+    /// tolerance is reached.
+    fn proximal_newton(&mut self, start: &[f64]) -> bool {
+        let mut around = vec![0.0; start.len()];
+        let mut reactions = start.to_vec();
+        let mut before = f64::INFINITY;
+        loop {
+            let problem = self.problem.yielding(YIELDING, &around);
+            let mut velocities = Vec::new();
+            problem.matrix().times_plus(&reactions, problem.constant(), &mut velocities);
+            let residual = problem.residual_of(&reactions, &velocities);
+            let mut round = Iterate { reactions, velocities, residual };
+            // To rounding: the rest of a residual moves reactions along the curve by as much as the contacts are stiff.
+            let limits = NewtonLimits { tolerance: 0.0, ..self.limits(FrictionMethod::LeastNormNewton) };
+            self.report.newton_steps += Newton::new(&problem).run(&mut round, limits);
+            let iterate = self.iterate(round.reactions.clone());
+            let is_nearer = iterate.residual <= 0.5 * before;
+            before = iterate.residual;
+            if self.keep(iterate, FrictionMethod::ProximalNewton) {
+                return true;
+            }
+            if round.residual > limits.acceptance || !is_nearer {
+                return false;
+            }
+            around.clone_from(&round.reactions);
+            reactions = round.reactions;
+        }
     }
 
     /// One sweep from zero: it solves a contact on its own, and those that do not move each other.
