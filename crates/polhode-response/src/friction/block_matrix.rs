@@ -192,6 +192,18 @@ impl BlockMatrix {
         self.diagonal(block)[row * self.size(block) + row]
     }
 
+    /// The same matrix with `more(block, row)` added to its diagonal.
+    pub(crate) fn with_diagonal(&self, more: impl Fn(usize, usize) -> f64) -> Self {
+        let mut matrix = self.clone();
+        for block in 0..self.len() {
+            let (start, size) = (self.starts[self.diagonal[block]], self.size(block));
+            for row in 0..size {
+                matrix.values[start + row * (size + 1)] += more(block, row);
+            }
+        }
+        matrix
+    }
+
     /// The block of a block row and column, if it is kept.
     pub(crate) fn block(&self, row: usize, column: usize) -> Option<&[f64]> {
         let neighbours = self.neighbours(row);

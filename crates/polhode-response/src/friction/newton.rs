@@ -174,23 +174,10 @@ impl<'a> Newton<'a> {
     /// For a problem.
     pub(crate) fn new(problem: &'a FrictionProblem) -> Self {
         let matrix = problem.matrix();
-        let inverse_masses = |block| {
-            let normal = problem.inverse_mass(block);
-            let of = |rows: Range<usize>| {
-                let most = rows.map(|row| matrix.diagonal_entry(block, row)).fold(0.0, f64::max);
-                if most > 0.0 { most } else { normal }
-            };
-            if !problem.blocks()[block].resists_rotation() {
-                let tangential = of(1..matrix.size(block));
-                return [normal, tangential, tangential, tangential];
-            }
-            let [slip, roll, spin] = problem.blocks()[block].parts().map(|(rows, _)| of(rows));
-            [normal, slip, roll, spin]
-        };
         Self {
             problem,
             sizes: (0..matrix.len()).map(|block| matrix.size(block)).collect(),
-            inverse_masses: (0..matrix.len()).map(inverse_masses).collect(),
+            inverse_masses: (0..matrix.len()).map(|block| inverse_masses_of(problem, block)).collect(),
             laws: Vec::new(),
             elimination: None,
             change: vec![0.0; problem.rows()],
@@ -331,8 +318,15 @@ impl<'a> Newton<'a> {
             }
             let shifted: BlockRows = filled_up(&known[matrix.range(row)]);
             for k in 0..law.unknowns {
-                dense[(at + k) * size + at + k] += law.diagonal[k];
+                let line = (at + k) * size;
+                dense[line + at + k] += law.diagonal[k];
                 right[at + k] = law.right[k] - inner(law.rows[k], shifted);
+                // The equation of a slip whose contact hardly bears would make all others count as dependent.
+                if law.diagonal[k] > law.inverse_masses[k] {
+                    let scale = law.inverse_masses[k] / law.diagonal[k];
+                    dense[line..line + size].iter_mut().for_each(|entry| *entry *= scale);
+                    right[at + k] *= scale;
+                }
             }
         }
         let unknowns = PivotedQr::factor(size, size, dense, DEPENDENT_EQUATION).solve_transpose(&right);
@@ -357,6 +351,22 @@ impl<'a> Newton<'a> {
             }
         }
     }
+}
+
+/// `1 / rho` along the normal and of the other parts of a block.
+fn inverse_masses_of(problem: &FrictionProblem, block: usize) -> InverseMasses {
+    let normal = problem.inverse_mass(block);
+    let of = |rows: Range<usize>| {
+        let mean = problem.mean_inverse_mass(block, rows);
+        if mean > 0.0 { mean } else { normal }
+    };
+    let law = problem.blocks()[block];
+    if !law.resists_rotation() {
+        let tangential = of(1..law.rows());
+        return [normal, tangential, tangential, tangential];
+    }
+    let [slip, roll, spin] = law.parts().map(|(rows, _)| of(rows));
+    [normal, slip, roll, spin]
 }
 
 fn inner(a: BlockRows, b: BlockRows) -> f64 {

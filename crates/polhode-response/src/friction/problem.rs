@@ -11,6 +11,7 @@ use crate::friction::block_matrix::BlockMatrix;
 use crate::friction::coulomb_cone::natural_map;
 use crate::friction::rows_behind::RowsBehind;
 use crate::law::{Law, MOST_ROWS};
+use std::ops::Range;
 
 /// A contact that no reaction moves is measured by this fraction of the largest inverse mass (no unit): with it a reaction
 /// there shows in the residual, however small.
@@ -122,7 +123,7 @@ impl FrictionProblem {
     }
 
     /// The rows of a block; empty when it does not exist.
-    pub fn range(&self, block: usize) -> std::ops::Range<usize> {
+    pub fn range(&self, block: usize) -> Range<usize> {
         if block < self.len() { self.matrix.range(block) } else { 0..0 }
     }
 
@@ -195,6 +196,30 @@ impl FrictionProblem {
         let range = self.matrix.range(block);
         let (r, u) = (&reactions[range.clone()], &velocities[range]);
         natural_map(self.blocks[block], self.inverse_masses[block], r, u)
+    }
+
+    /// Mean of the diagonal over rows of a block. It does not depend on where in their plane two tangents lie.
+    pub(crate) fn mean_inverse_mass(&self, block: usize, rows: Range<usize>) -> f64 {
+        let count = rows.len().max(1) as f64;
+        rows.map(|row| self.matrix.diagonal_entry(block, row)).sum::<f64>() / count
+    }
+
+    /// The same problem where each row yields, by this share of its inverse mass, to what its reaction exceeds that of `around`;
+    /// rows of one part of a block alike.
+    pub(crate) fn yielding(&self, share: f64, around: &[f64]) -> Self {
+        let of_row = |block: usize, row: usize| {
+            let law = self.blocks[block];
+            let part = law.parts().into_iter().map(|(rows, _)| rows).find(|rows| rows.contains(&row));
+            let whole = if law.friction().is_some() { 0..1 } else { 0..law.rows() };
+            share * self.mean_inverse_mass(block, part.unwrap_or(whole))
+        };
+        let mut constant = self.constant.clone();
+        for block in 0..self.len() {
+            for (place, row) in self.range(block).enumerate() {
+                constant[row] -= of_row(block, place) * around[row];
+            }
+        }
+        Self { matrix: self.matrix.with_diagonal(of_row), constant, rows_behind: None, ..self.clone() }
     }
 
     /// `1 / rho` of a block.

@@ -14,6 +14,8 @@ pub enum FrictionMethod {
     WarmNewton,
     /// Newton's method from some sweeps of block Gauss-Seidel.
     Newton,
+    /// Newton's method for contacts that yield a little around the last answer, until there is nothing left to yield to.
+    ProximalNewton,
     /// Newton's method without damping, with the least of all steps where contacts are redundant.
     LeastNormNewton,
     /// Newton's method once more, with damping that gives way: large mass ratios.
@@ -31,6 +33,7 @@ impl FrictionMethod {
             Self::GaussSeidel => "gauss-seidel",
             Self::WarmNewton => "warm-newton",
             Self::Newton => "newton",
+            Self::ProximalNewton => "proximal-newton",
             Self::LeastNormNewton => "least-norm-newton",
             Self::YieldingNewton => "yielding-newton",
             Self::ConeProgrammeNewton => "cone-programme-newton",

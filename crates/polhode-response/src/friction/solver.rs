@@ -22,6 +22,10 @@ const HOLDING_DAMPING: f64 = 0.1;
 /// Most rows for Newton's method with steps of least norm, whose factorisation is dense.
 const MOST_DENSE_ROWS: usize = 120;
 
+/// Share of its inverse mass by which a contact yields where the reactions of redundant contacts are chosen (no unit, 1e-5 to
+/// 1e-3): the choice is that of softer contacts to this share, and rounding moves it by the rounding unit over it.
+const YIELDING: f64 = 1e-4;
+
 /// Sweeps between two runs of Newton's method as the last resort.
 const SWEEPS_BETWEEN: u32 = 50;
 
@@ -132,10 +136,45 @@ impl Solver<'_> {
         let mut reactions = start.to_vec();
         self.move_into_cones(&mut reactions);
         let is_chosen = self.settings.redundancy == Redundancy::LeastNorm && start.len() <= MOST_DENSE_ROWS;
-        if is_chosen && self.newton_from(reactions.clone(), FrictionMethod::LeastNormNewton) {
+        if is_chosen
+            && (self.proximal_newton(&reactions) || self.newton_from(reactions.clone(), FrictionMethod::LeastNormNewton))
+        {
             return true;
         }
         self.newton_from(reactions, FrictionMethod::WarmNewton) || self.is_accepted()
+    }
+
+    /// The proximal point method from zero: contacts yield a little to what their reactions exceed those of the round before,
+    /// and Newton's method, which begins at `start`, solves each round. Reactions of contacts that yield are unique, whereas
+    /// those of rigid contacts of one flat patch are a curve along which slips, and with them the motion, differ: which point of
+    /// it another method comes upon depends on its path, on ties that rounding decides, and on the start. Each further round
+    /// leaves some [`YIELDING`] of the residual, and moves no reaction along the curve. Source: Rockafellar 1976. Whether the
+    /// tolerance is reached.
+    fn proximal_newton(&mut self, start: &[f64]) -> bool {
+        let mut around = vec![0.0; start.len()];
+        let mut reactions = start.to_vec();
+        let mut before = f64::INFINITY;
+        loop {
+            let problem = self.problem.yielding(YIELDING, &around);
+            let mut velocities = Vec::new();
+            problem.matrix().times_plus(&reactions, problem.constant(), &mut velocities);
+            let residual = problem.residual_of(&reactions, &velocities);
+            let mut round = Iterate { reactions, velocities, residual };
+            // To rounding: the rest of a residual moves reactions along the curve by as much as the contacts are stiff.
+            let limits = NewtonLimits { tolerance: 0.0, ..self.limits(FrictionMethod::LeastNormNewton) };
+            self.report.newton_steps += Newton::new(&problem).run(&mut round, limits);
+            let iterate = self.iterate(round.reactions.clone());
+            let is_nearer = iterate.residual <= 0.5 * before;
+            before = iterate.residual;
+            if self.keep(iterate, FrictionMethod::ProximalNewton) {
+                return true;
+            }
+            if round.residual > limits.acceptance || !is_nearer {
+                return false;
+            }
+            around.clone_from(&round.reactions);
+            reactions = round.reactions;
+        }
     }
 
     /// One sweep from zero: it solves a contact on its own, and those that do not move each other.

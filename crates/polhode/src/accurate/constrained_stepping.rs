@@ -13,6 +13,7 @@
 
 use super::constrained_step::{ConstrainedStep, StepEndStates, end_of, step_limit, unpack};
 use super::motions::Motions;
+use super::motor_bounds::corner_within;
 use super::pace::is_instant;
 use super::stage_method::{MethodStep, StageMethod};
 use super::system::ContactSystem;
@@ -142,7 +143,12 @@ impl Motions {
         for &body in bodies {
             self.tracks[body].proposed_step_s = next;
         }
-        Ok(self.accepted_step(core, bodies, active, (t, length_s), (step, error)))
+        let whole = self.accepted_step(core, bodies, active, (t, length_s), (step, error));
+        let mut scratch = std::mem::take(&mut self.scratch);
+        let corner = corner_within(core, &whole, &mut scratch);
+        self.restore_scratch(core, scratch, bodies);
+        let up_to = corner.and_then(|corner| self.repeated_step(core, bodies, active, (t, corner - t)));
+        Ok(up_to.unwrap_or(whole))
     }
 
     /// A step from `t` over `h` (s) that has been accepted before: the same bits from the same start.

@@ -16,7 +16,6 @@ use super::motions::{Mode, Motions};
 use super::pace::{NoAdvance, Pace, StepEnd};
 use super::resolve::Resolution;
 use crate::SimulationError;
-use crate::accounting::books::Balance;
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::{FoundContact, Hold, Touch};
@@ -169,8 +168,8 @@ impl Engine {
             if island.changes && island.due <= t {
                 change.include(&island.change);
             }
-            let balance = self.motions.end_motion(core, &mut island, t)?;
-            ended.push((island, balance));
+            let is_smooth = self.motions.end_motion(core, &mut island, t)?;
+            ended.push((island, is_smooth));
         }
         for &body in &bodies {
             self.motions.tracks[body].island = None;
@@ -180,8 +179,8 @@ impl Engine {
             self.motions.book_rest(core, body, t);
         }
         // All bodies are at `t` now, so the projection can detect neighbours that it would push a body into.
-        for (island, balance) in ended {
-            self.finish_step(core, &island, balance, t)?;
+        for (island, is_smooth) in ended {
+            self.finish_step(core, &island, is_smooth, t)?;
         }
         let mut pairs = BTreeSet::new();
         let concerns = |other: usize| bodies.binary_search(&other).is_ok() || !core.world.bodies[other].moves();
@@ -207,20 +206,23 @@ impl Engine {
         })
     }
 
-    /// Projects the held contacts of an island whose motion has ended at `t` (s), and checks its bodies.
+    /// Projects the held contacts of an island whose motion has ended at `t` (s) after a smooth stage, and checks its bodies.
     fn finish_step(
         &mut self,
         core: &mut Core,
         island: &Island,
-        ended: Option<Balance>,
+        is_smooth: bool,
         t: f64,
     ) -> Result<(), SimulationError> {
-        if let Some(balance) = ended {
+        if is_smooth {
             let held = island.active.held();
             // A contact that has just stopped sticks from now on, if at all.
             let sticking = island.active.sticking();
             let turns = island.active.held_turns();
             let projected = Projected { touching: held, held, sticking: &sticking, turns: &turns };
+            // Taken now, and not where the stage was booked: the energy of force fields is that of all bodies, and other islands
+            // have ended since.
+            let balance = core.accounts.books.balance(&core.world, &self.motions.states, &island.bodies);
             self.motions.project_held_contacts(core, &self.schedule, &island.bodies, projected, t, balance)?;
         }
         self.motions.check(core, &island.bodies, island.active.held(), t)
@@ -513,8 +515,8 @@ impl Motions {
     }
 
     /// Advances the bodies of an island to `t`, within its step or at its end, and books the smooth motion up to there.
-    /// Returns the balance of the bodies at `t`; none after time steps.
-    fn end_motion(&mut self, core: &mut Core, island: &mut Island, t: f64) -> Result<Option<Balance>, SimulationError> {
+    /// Returns whether it was smooth: time steps project contacts themselves.
+    fn end_motion(&mut self, core: &mut Core, island: &mut Island, t: f64) -> Result<bool, SimulationError> {
         let (states, received) = match &mut island.step {
             Step::Constrained(step) => {
                 let mut end = self.constrained_end(core, step, t)?;
@@ -532,9 +534,9 @@ impl Motions {
                 set_states(&mut self.states, &island.bodies, &states);
                 core.world.count_turns(&self.states, &island.bodies)?;
                 core.note_crowd_step(t, &self.states, &report);
-                return Ok(None);
+                return Ok(false);
             }
-            Step::Waiting(_) => return Ok(None),
+            Step::Waiting(_) => return Ok(false),
         };
         let before = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
         for (&body, mut state) in island.bodies.iter().zip(states) {
@@ -544,7 +546,7 @@ impl Motions {
         core.world.count_turns(&self.states, &island.bodies)?;
         let integrated = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
         core.accounts.books.smooth_stage(before, integrated, received);
-        Ok(Some(integrated))
+        Ok(true)
     }
 
     /// Checks that the bodies of an island are finite, and measures penetration and speed.

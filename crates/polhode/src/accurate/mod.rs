@@ -61,6 +61,7 @@ mod lifting;
 mod load_views;
 mod locate;
 mod motions;
+mod motor_bounds;
 mod near_pairs;
 mod pace;
 mod penetration;

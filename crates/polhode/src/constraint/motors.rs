@@ -7,6 +7,7 @@ use crate::snapshot::{SnapshotError, content};
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{Pose, Velocity};
+use std::cmp::Ordering;
 
 impl World {
     /// A coordinate of a joint in these states; none of one that the joint does not have.
@@ -21,6 +22,25 @@ impl World {
         let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
         let at = joint.coordinate_at((&own.measured, own.near * own.unit), motion)?;
         Some(CoordinateSample { value: at.value / own.unit, rate: at.rate / own.unit })
+    }
+
+    /// Whether a joint of these bodies has a motor whose effort has a bound and depends on its coordinate.
+    pub(crate) fn has_bounded_motors_among(&self, bodies: &[usize]) -> bool {
+        self.joints_among(bodies).any(|joint| bounded_motors(joint).next().is_some())
+    }
+
+    /// For each such motor: above, between or below its bounds.
+    pub(crate) fn phases_of_motors(&self, states: &[BodyState], bodies: &[usize]) -> Vec<Option<Ordering>> {
+        let phase = |joint: usize, coordinate: Coordinate, motor: Motor| {
+            let at = self.coordinate_of(states, joint, coordinate)?;
+            let effort = motor.effort(at.value, at.rate);
+            let is_at_bound = effort.abs() >= motor.most();
+            Some(if is_at_bound { effort.total_cmp(&0.0) } else { Ordering::Equal })
+        };
+        let motors = self.joints_among(bodies).flat_map(|joint| {
+            bounded_motors(joint).map(|(coordinate, motor)| phase(joint.number(), coordinate, motor)).collect::<Vec<_>>()
+        });
+        motors.collect()
     }
 
     /// The bodies of a joint with this coordinate between bodies that forces move; none where there is none.
@@ -79,6 +99,15 @@ impl World {
         }
         Ok(())
     }
+}
+
+/// The motors of a joint whose efforts have corners where they reach their bounds.
+fn bounded_motors(joint: &WorldJoint) -> impl Iterator<Item = (Coordinate, Motor)> {
+    let motors = joint.coordinates().iter().filter_map(|own| Some((own.coordinate, own.freedom.motor()?)));
+    motors.filter(|(_, motor)| {
+        let depends = !matches!(motor.drive(), Drive::Effort(_));
+        depends && motor.most() > 0.0 && motor.most() < f64::INFINITY
+    })
 }
 
 /// A drive as numbers: one of an effort, two of a servo of velocity, three of a servo of position.

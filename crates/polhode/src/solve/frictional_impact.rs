@@ -101,7 +101,9 @@ pub(crate) fn solve(
             Some(assembly.acceleration_constants(world, t, states, &free, kinematics)?)
         }
     };
-    let settings = settings_for(world.velocity_rounding(states, bodies), &before);
+    let rounding = world.velocity_rounding(states, bodies);
+    take_out_rounding(&mut before, rounding);
+    let settings = settings_for(rounding, &before);
     let blocks = with_rotations(blocks, &rotations);
     let mut restitution: Vec<f64> = contacts.iter().map(|touch| world.restitution_at(touch)).collect();
     // Pivots have no restitution.
@@ -169,6 +171,14 @@ pub(crate) fn rate_of_separation(world: &World, states: &[BodyState], touch: &To
 /// that way, although both together take some, what was lost is the other's.
 const fn share_of_friction(by_friction: f64, energy_change: f64) -> f64 {
     if energy_change < 0.0 { by_friction.clamp(energy_change, 0.0) } else { by_friction }
+}
+
+/// Velocities that are zero but for rounding (m/s) are zero: whether a contact that rests counts as bearing or as open at the
+/// first step of a solver must not depend on the directions of the world.
+fn take_out_rounding(velocities: &mut [f64], rounding: f64) {
+    for velocity in velocities.iter_mut().filter(|velocity| velocity.abs() <= rounding) {
+        *velocity = 0.0;
+    }
 }
 
 /// Settings of an impact with these velocities before (m/s), whose errors by rounding are known (m/s): where contacts
