@@ -100,8 +100,8 @@ pub(crate) fn run(options: &Options) -> Result<ExitCode, Box<dyn Error>> {
 
 /// The table by kind.
 fn table(verdicts: &[Verdict]) {
-    let words = ["right", "told", "wrong", "unjudged", "refused", "late"];
-    println!("{:30} {:>5} {:>7}  right/told/wrong/unjudged/refused/late", "kind", "count", "s");
+    let words = ["right", "told", "wrong", "differs", "unjudged", "refused", "late"];
+    println!("{:30} {:>5} {:>7}  right/told/wrong/differs/unjudged/refused/late", "kind", "count", "s");
     let mut kinds: BTreeMap<&str, Vec<&Verdict>> = BTreeMap::new();
     for verdict in verdicts {
         kinds.entry(verdict.kind).or_default().push(verdict);

@@ -80,8 +80,12 @@ pub(super) fn rows(context: &Context) -> CaseResult {
     for (tier, opinion) in tiers {
         let number = |word: &str| verdicts.iter().filter(|v| opinion(v).word() == word).count();
         let asked = verdicts.len() - number("-");
-        let wrong = verdicts.iter().filter(|v| opinion(v).is_wrong()).count() as f64;
-        rows.push(Row::at_most(CASE, &format!("{tier}: wrong and well, of {count} mechanisms"), 0.0, wrong));
+        for (word, what) in [("wrong", "wrong and well"), ("differs", "other motions set otherwise in the world")] {
+            if tier != "fast" || word == "wrong" {
+                let named = format!("{tier}: {what}, of {asked} mechanisms");
+                rows.push(Row::at_most(CASE, &named, 0.0, number(word) as f64));
+            }
+        }
         let told = [number("right"), number("told"), number("unjudged"), number("refused"), number("late")];
         let told = told.map(|number| number as f64);
         rows.push(Row::info(CASE, &format!("{tier}: right, told, unjudged, refused, late, of {asked}"), "", told));

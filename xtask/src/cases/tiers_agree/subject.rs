@@ -64,7 +64,10 @@ impl Subject {
     /// The mechanism of a seed, or its scene of contacts.
     pub(super) fn of(seed: u64, is_scene: bool) -> Self {
         if is_scene {
-            Self::Scene(Box::new(random_scene::generate::scene(seed)))
+            let mut model = random_scene::generate::scene(seed);
+            // What this law gives depends on the order of contacts, which tiers and copies do not share.
+            model.impact = model.impact.filter(|law| *law != "propagation");
+            Self::Scene(Box::new(model))
         } else {
             Self::Mechanism(Box::new(generate::scene(seed)))
         }

@@ -30,6 +30,8 @@ pub(super) enum Opinion {
     Told(String),
     /// It ended well and is wrong.
     Wrong(String),
+    /// It ended well, and the same scene set otherwise in the world is another motion.
+    Differs(String),
     /// Not judged: why.
     Unjudged(String),
     /// The tier does not take such a scene.
@@ -164,7 +166,7 @@ impl Verdict {
         let (step_s, original) = run;
         let copy = self.run(subject, Copy::Placed, "stepped", Some(*step_s));
         if !copy.is_well() {
-            return Opinion::Wrong(format!("set otherwise in the world it ends otherwise: {:?}", copy.ending));
+            return Opinion::Differs(format!("set otherwise in the world it ends otherwise: {:?}", copy.ending));
         }
         let disturbed = self.run(subject, Copy::Disturbed, "stepped", Some(*step_s));
         let own = Standard::new(subject.sizes(), original.poses.clone(), &disturbed.poses);
@@ -172,7 +174,7 @@ impl Verdict {
             standard.with(original.poses.clone()).departure(&copy.poses, STEPPED_COPY),
             own.departure(&copy.poses, STEPPED_COPY),
         ) {
-            (Some(_), Some((sample, far, body))) => Opinion::Wrong(format!(
+            (Some(_), Some((sample, far, body))) => Opinion::Differs(format!(
                 "set otherwise in the world {} is {far:.1e} off at sample {sample}",
                 subject.name(body)
             )),
@@ -197,7 +199,7 @@ fn of_accurate(subject: &Subject, accurate: &Trial, copy: &Trial, standard: &Sta
         return Opinion::Told(first_line(why).to_owned());
     }
     if copy.poses.rows.len() < accurate.poses.rows.len() {
-        return Opinion::Wrong(format!("set otherwise in the world it ends otherwise: {:?}", copy.ending));
+        return Opinion::Differs(format!("set otherwise in the world it ends otherwise: {:?}", copy.ending));
     }
     let floor = if accurate.is_crowded || copy.is_crowded { CROWDED } else { 0.0 };
     let Some((sample, far, body)) = standard.departure(&copy.poses, floor) else {
@@ -206,7 +208,7 @@ fn of_accurate(subject: &Subject, accurate: &Trial, copy: &Trial, standard: &Sta
     let off = format!("set otherwise in the world {} is {far:.1e} off at sample {sample}", subject.name(body));
     match accurate.warnings.iter().find(|warning| warning.contains("motion depends")) {
         Some(why) => Opinion::Told(format!("{off}; {why}")),
-        None => Opinion::Wrong(off),
+        None => Opinion::Differs(off),
     }
 }
 
@@ -226,9 +228,9 @@ fn first_line(text: &str) -> &str {
 }
 
 impl Opinion {
-    /// Whether it ended well and is wrong.
+    /// Whether it ended well and is wrong, or another motion set otherwise.
     pub(super) fn is_wrong(&self) -> bool {
-        matches!(self, Self::Wrong(_))
+        matches!(self, Self::Wrong(_) | Self::Differs(_))
     }
 
     /// One word for it.
@@ -237,6 +239,7 @@ impl Opinion {
             Self::Right(_) => "right",
             Self::Told(_) => "told",
             Self::Wrong(_) => "wrong",
+            Self::Differs(_) => "differs",
             Self::Unjudged(_) => "unjudged",
             Self::Refused(_) => "refused",
             Self::Late => "late",
@@ -250,7 +253,9 @@ impl fmt::Display for Opinion {
         write!(f, "{}", self.word())?;
         match self {
             Self::Right(order) if order.is_finite() => write!(f, " (order {order:.2})"),
-            Self::Told(why) | Self::Wrong(why) | Self::Unjudged(why) | Self::Refused(why) => write!(f, ": {why}"),
+            Self::Told(why) | Self::Wrong(why) | Self::Differs(why) | Self::Unjudged(why) | Self::Refused(why) => {
+                write!(f, ": {why}")
+            }
             _ => Ok(()),
         }
     }
