@@ -30,6 +30,7 @@
 //! | [`tier_costs`] | the command: the processor time of heaps in the tiers, which the plan estimates |
 //! | [`statics`] | static equilibrium of structures of blocks, from their geometry alone |
 //! | [`viewer`] | pages in a real browser |
+//! | [`random_mechanism`] | random mechanisms and small piles, which several tiers compute |
 //! | [`random_scene`] | the commands: random scenes, written and judged |
 //! | [`judge`] | whether the run of a random scene keeps the laws of physics |
 //! | [`known`] | rows that are known to fail, with the reason |
@@ -53,6 +54,7 @@ mod judge;
 mod known;
 mod narrow_phase;
 mod random;
+mod random_mechanism;
 mod random_scene;
 mod reference;
 mod rigid_ipc;
@@ -103,6 +105,8 @@ enum Task {
     RandomScene(random_scene::Options),
     /// Judges random scenes, and prints a line for each that is not right.
     JudgeScenes(cases::random_scenes::Options),
+    /// Judges tiers by each other on random mechanisms, and prints a line for each that is not right.
+    Judge(cases::tiers_agree::Options),
 }
 
 impl Task {
@@ -120,7 +124,8 @@ impl Task {
             | Self::ImportRigidIpc(_)
             | Self::Gallery(_)
             | Self::RandomScene(_)
-            | Self::JudgeScenes(_) => false,
+            | Self::JudgeScenes(_)
+            | Self::Judge(_) => false,
         }
     }
 }
@@ -141,6 +146,7 @@ fn main() -> ExitCode {
         Task::ChainCosts(options) => chain_costs::run(&options),
         Task::RandomScene(options) => random_scene::run(&options),
         Task::JudgeScenes(options) => cases::random_scenes::run(&options),
+        Task::Judge(options) => cases::tiers_agree::run(&options),
     };
     match outcome {
         Ok(code) => code,

@@ -10,7 +10,7 @@ use super::{
     random_solids, reductions, rest_every_way, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, seams,
     sliding, sliding_and_spinning, sliding_height, slipping_and_rolling, slopes, snapshots, speed, spinning_scenes,
     stability, stackings, stacks, stacks_on_slopes, stiffness_limit, structures, table_edge, thesis_forces,
-    thesis_tier, tunnelling, units, valleys, videos, walls,
+    thesis_tier, tiers_agree, tunnelling, units, valleys, videos, walls,
 };
 use crate::schedule::Company;
 
@@ -229,6 +229,7 @@ pub(crate) const ALL: &[Case] = &[
     Case { name: "crowds: samples", rows: crowds::samples },
     Case { name: "crowds: estimated error", rows: crowds::estimates },
     Case { name: "crowds: friction far away", rows: crowds::far_friction },
+    Case { name: "tiers agree", rows: tiers_agree::rows },
     Case { name: "random scenes", rows: random_scenes::scenes },
     Case { name: "snapshots", rows: snapshots::continued_runs },
     Case { name: "speed", rows: speed::diamond_4 },

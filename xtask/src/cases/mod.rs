@@ -98,6 +98,7 @@ mod structures;
 mod table_edge;
 mod thesis_forces;
 mod thesis_tier;
+pub(crate) mod tiers_agree;
 mod tunnelling;
 mod two_balls;
 mod units;

@@ -24,6 +24,7 @@
 //! | `mass` | centre of mass and inertia |
 //! | `energy` | energy and ledger |
 //! | `motion` | flight, momentum, Coulomb's law, prescribed motions |
+//! | `tiers` | whether runs of several tiers, steps and copies of a scene are one motion |
 
 mod distance;
 mod energy;
@@ -33,6 +34,7 @@ mod motion;
 mod pairs;
 mod piece;
 mod separation;
+pub(crate) mod tiers;
 
 use crate::random_scene::model::{Form, Model, Role};
 use judged::Judged;

@@ -13,14 +13,17 @@
 //! | s | `1/(1 - e^-z) - 1/z`, z = `h D/M` | the decay under linear drag is exact, `e^-z`, also to the speed of a fall |
 //! | s, quadratic drag | 1/2 | the decay without other forces is exact, `1/(1 + h c v/m)` |
 //!
+//! Constraints change the velocities by `c` in the same step; where `c` is known from a first solution (`step.rs`), the whole change is
+//! `dv + c + g h`, and the right-hand side has `-(h a h K + h s D) c` besides.
+//!
 //! Both parts leave the step of second order. The matrix is symmetric and positive definite; conjugate gradients with M
 //! as preconditioner solve for `dv` in as many rounds as there are independent stiff directions, or nearly.
 //!
 //! A spring that pulls outwards at an arm turns the body back; that stiffness is implicit in the same way, as a bound.
 //!
 //! Assumes that the direction of a spring does not turn by much in a step; where it does, energy may change, and the
-//! ledger shows it. The impulses of contacts come after the kick: a body that a stiff spring presses against another one
-//! bears `1/(1 + a h^2 K/M)` of the spring's force.
+//! ledger shows it. The impulses of contacts come after the kick, and `c` is that of one solution before: a body that a stiff spring
+//! presses against another one bears the spring's force less the part `(x/(1 + x))^2`, `x = a h^2 K/M`.
 
 use crate::states_of::set_states;
 use crate::world::{World, largest_eigenvalue as largest};
@@ -246,11 +249,15 @@ impl<'a> ImplicitKick<'a> {
         self.bodies.iter().zip(values).map(of).collect()
     }
 
-    /// The changes of velocity by the impulses `h F` of the fields (about the origins of the frames).
-    pub(super) fn solve(&self, forces: &[Twist]) -> Vec<Twist> {
+    /// The changes of velocity by the impulses `h F` of the fields (about the origins of the frames), beside those that constraints
+    /// are known to make.
+    pub(super) fn solve(&self, forces: &[Twist], by_constraints: &[Twist]) -> Vec<Twist> {
         let mut residual = forces.to_vec();
         for element in &self.elements {
             Self::push(element, element.given, &mut residual);
+        }
+        if !by_constraints.is_empty() {
+            self.add_resisting(by_constraints, &mut residual, -1.0);
         }
         let mut changes = vec![Twist::default(); self.bodies.len()];
         let mut preconditioned = self.velocities(&residual);
@@ -276,8 +283,11 @@ impl<'a> ImplicitKick<'a> {
         changes
     }
 
-    /// The impulses of the fields besides `h F`, with these changes of velocity.
-    pub(super) fn differences(&self, changes: &[Twist]) -> Vec<Difference> {
+    /// The impulses of the fields besides `h F`, with these changes of velocity, by the kick and by constraints.
+    pub(super) fn differences(&self, kicked: &[Twist], by_constraints: &[Twist]) -> Vec<Difference> {
+        let mut changes = kicked.to_vec();
+        add(&mut changes, by_constraints, 1.0);
+        let changes = &changes[..];
         let mut found = Vec::with_capacity(2 * self.elements.len());
         for element in &self.elements {
             let impulse = element.given - element.matrix * Self::relative(element, changes);

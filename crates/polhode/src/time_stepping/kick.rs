@@ -4,6 +4,10 @@
 //! velocities are evaluated twice, at the velocity before the kick and at that with half the kick, so that the kick is of
 //! order 2; beside motors that give their bound they are evaluated once.
 //!
+//! What constraints do in the same step belongs to the velocity in its middle: drag on a pendulum acts at the velocity that the joint
+//! leaves it. So where a field resists motion and something is held, the step solves for its constraints twice, and the second kick
+//! knows how they have changed the velocities the first time ([`Kick::is_resisting`]). Without, such a step is of order 1.
+//!
 //! Kick and impulses of constraints act together in the middle of the step. At one pose the kinetic energy is quadratic in
 //! the momenta, so that a wrench (F, T) over h does the work `h (F.v + T.w)` exactly, at the mean of the velocities before the
 //! kick and after the impulses (`shared_work.rs`).
@@ -30,51 +34,87 @@ pub(super) struct Kick {
     differences: Vec<Difference>,
     /// The forces at joints that were part of it, by number; the others are soft rows.
     pub(super) of_joints: Vec<usize>,
-}
-
-/// Kicks `bodies` by the fields at `t`, the middle of a step of `h` (s).
-pub(super) fn kick(world: &World, states: &mut [BodyState], bodies: &[usize], t: f64, h: f64) -> Kick {
-    if !bodies.iter().any(|&body| world.is_loaded(body)) {
-        return Kick::default();
-    }
-    let before = states_of(states, bodies);
-    let of_joints = world.kicks_of_joints(states, bodies);
-    let kicks = &of_joints[..];
-    let responses = world.responses_on(states, bodies, kicks);
-    if responses.are_known
-        && let Some(kick) = ImplicitKick::new(world, states, bodies, responses.of_fields, h)
-    {
-        let loads = world.kick_loads_on(t, states, bodies, kicks);
-        let accounts = wrenches(world, t, states, (bodies, kicks));
-        let forces = |&body: &usize| Twist { linear: loads.of(body).force * h, angular: loads.of(body).torque * h };
-        let changes = kick.solve(&bodies.iter().map(forces).collect::<Vec<_>>());
-        let differences = kick.differences(&changes);
-        change_velocities(world, states, bodies, &changes);
-        return Kick { before, changes, accounts, differences, of_joints };
-    }
-    let mut loads = world.kick_loads_on(t, states, bodies, kicks);
-    let mut accounts = None;
-    if world.are_motors_at_bounds(kicks) {
-        // What they give is known before. At velocities that no joint has held yet they would ask for something else.
-        accounts = Some(wrenches(world, t, states, (bodies, kicks)));
-    } else if world.free_motion().dependence() == Dependence::Velocities {
-        apply(world, states, bodies, &loads, 0.5 * h);
-        loads = world.kick_loads_on(t, states, bodies, kicks);
-        accounts = Some(wrenches(world, t, states, (bodies, kicks)));
-        set_states(states, bodies, &before);
-    }
-    apply(world, states, bodies, &loads, h);
-    let accounts = accounts.unwrap_or_else(|| wrenches(world, t, states, (bodies, kicks)));
-    let change = |&body: &usize| {
-        let Some(rigid) = &world.bodies[body].rigid else { return Twist::default() };
-        let angular = rigid.inverse_inertia_world(states[body].pose.rotation) * (loads.of(body).torque * h);
-        Twist { linear: loads.of(body).force * (h * rigid.inverse_mass()), angular }
-    };
-    let changes = bodies.iter().map(change).collect();
-    Kick { before, changes, accounts, differences: Vec::new(), of_joints }
+    /// Whether it depends on the velocities of the bodies, or resists their change.
+    is_resisting: bool,
 }
 
 impl Kick {
+    /// Kicks `bodies` by the fields at `t`, the middle of a step of `h` (s), in which constraints are known to change the velocities by
+    /// this much (none: nothing is known of them).
+    pub(super) fn of(
+        world: &World,
+        states: &mut [BodyState],
+        bodies: &[usize],
+        (t, h): (f64, f64),
+        by_constraints: &[Twist],
+    ) -> Self {
+        if !bodies.iter().any(|&body| world.is_loaded(body)) {
+            return Self::default();
+        }
+        let before = states_of(states, bodies);
+        let of_joints = world.kicks_of_joints(states, bodies);
+        let kicks = &of_joints[..];
+        let responses = world.responses_on(states, bodies, kicks);
+        if responses.are_known
+            && let Some(kick) = ImplicitKick::new(world, states, bodies, responses.of_fields, h)
+        {
+            let loads = world.kick_loads_on(t, states, bodies, kicks);
+            let accounts = wrenches(world, t, states, (bodies, kicks));
+            let forces = |&body: &usize| Twist { linear: loads.of(body).force * h, angular: loads.of(body).torque * h };
+            let changes = kick.solve(&bodies.iter().map(forces).collect::<Vec<_>>(), by_constraints);
+            let differences = kick.differences(&changes, by_constraints);
+            change_velocities(world, states, bodies, &changes);
+            return Self { before, changes, accounts, differences, of_joints, is_resisting: true };
+        }
+        let mut loads = world.kick_loads_on(t, states, bodies, kicks);
+        let (mut accounts, mut is_resisting) = (None, false);
+        if world.are_motors_at_bounds(kicks) {
+            // What they give is known before. At velocities that no joint has held yet they would ask for something else.
+            accounts = Some(wrenches(world, t, states, (bodies, kicks)));
+        } else if world.free_motion().dependence() == Dependence::Velocities {
+            is_resisting = true;
+            apply(world, states, bodies, &loads, 0.5 * h);
+            let half = |change: &Twist| Twist { linear: change.linear * 0.5, angular: change.angular * 0.5 };
+            change_velocities(world, states, bodies, &by_constraints.iter().map(half).collect::<Vec<_>>());
+            loads = world.kick_loads_on(t, states, bodies, kicks);
+            accounts = Some(wrenches(world, t, states, (bodies, kicks)));
+            set_states(states, bodies, &before);
+        }
+        apply(world, states, bodies, &loads, h);
+        let accounts = accounts.unwrap_or_else(|| wrenches(world, t, states, (bodies, kicks)));
+        let change = |&body: &usize| {
+            let Some(rigid) = &world.bodies[body].rigid else { return Twist::default() };
+            let angular = rigid.inverse_inertia_world(states[body].pose.rotation) * (loads.of(body).torque * h);
+            Twist { linear: loads.of(body).force * (h * rigid.inverse_mass()), angular }
+        };
+        let changes = bodies.iter().map(change).collect();
+        Self { before, changes, accounts, differences: Vec::new(), of_joints, is_resisting }
+    }
+
+    /// How constraints have changed the velocities since this kick.
+    pub(super) fn changes_since(&self, world: &World, states: &[BodyState], bodies: &[usize]) -> Vec<Twist> {
+        let change = |((&body, start), kicked): ((&usize, &BodyState), &Twist)| {
+            let Some(rigid) = &world.bodies[body].rigid else { return Twist::default() };
+            let (now, rotation) = (&states[body], start.pose.rotation);
+            let turned = rigid.angular_velocity_at(rotation, now.angular_momentum - start.angular_momentum);
+            Twist {
+                linear: now.linear_velocity - start.linear_velocity - kicked.linear,
+                angular: turned - kicked.angular,
+            }
+        };
+        bodies.iter().zip(&self.before).zip(&self.changes).map(change).collect()
+    }
+
+    /// Takes the kick back.
+    pub(super) fn undo(&self, states: &mut [BodyState], bodies: &[usize]) {
+        set_states(states, bodies, &self.before);
+    }
+
+    /// Whether it depends on the velocities of the bodies, or resists their change.
+    pub(super) fn is_resisting(&self) -> bool {
+        self.is_resisting
+    }
+
     /// Momentum and work of the fields over the step of `h` (s), in the states after all impulses; moments about the point of
     /// the books.
     pub(super) fn received(

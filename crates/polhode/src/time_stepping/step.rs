@@ -4,7 +4,7 @@ use super::NO_WORK_J;
 use super::cone_problem::{ConeSolvers, LEAST_IN_BODIES};
 use super::contacts::{NearContact, Span, await_impacts, may_change_features, near_contacts, slips_at_start};
 use super::drift;
-use super::kick::kick;
+use super::kick::Kick;
 use super::last_forces::LastForces;
 use super::middle::{Middle, Stops};
 use super::report::{Stop, TimeStepReport};
@@ -279,7 +279,10 @@ impl TimeStepper {
         let before = report.books.balance(world, states, bodies);
         let mut received = self.fly(world, states, bodies, 0.5 * h);
         world.prescribe_members(pairs, t + 0.5 * h, states);
-        let kick = kick(world, states, bodies, t + 0.5 * h, h);
+        let middle = (t + 0.5 * h, h, stops);
+        let Some(kick) = self.kick(world, states, bodies, (&near, &slips), middle, &mut report)? else {
+            return Ok(report);
+        };
         let kicked = report.books.balance(world, states, bodies);
 
         let middle = Middle { t: t + 0.5 * h, h, stops, kick: &kick };
@@ -315,6 +318,32 @@ impl TimeStepper {
         report.touching = carrying.iter().map(|&contact| (near[contact].id.a, near[contact].id.b)).collect();
         report.touching.dedup();
         Ok(report)
+    }
+
+    /// Kicks the bodies by the fields. Where these resist motion, they do that at the velocity that constraints leave the bodies: a
+    /// first solution shows it, and is taken back. Nothing when slips end within the step, which the report then names.
+    fn kick(
+        &mut self,
+        world: &World,
+        states: &mut [BodyState],
+        bodies: &[usize],
+        contacts: (&[NearContact], &[f64]),
+        (t, h, stops): (f64, f64, Stops<'_>),
+        report: &mut TimeStepReport,
+    ) -> Result<Option<Kick>, ResponseError> {
+        let first = Kick::of(world, states, bodies, (t, h), &[]);
+        if !first.is_resisting() {
+            return Ok(Some(first));
+        }
+        let mut aside = TimeStepReport::new(self.about);
+        self.sustain(world, states, bodies, contacts, Middle { t, h, stops, kick: &first }, &mut aside)?;
+        if !aside.stops.is_empty() {
+            report.stops = aside.stops;
+            return Ok(None);
+        }
+        let by_constraints = first.changes_since(world, states, bodies);
+        first.undo(states, bodies);
+        Ok(Some(Kick::of(world, states, bodies, (t, h), &by_constraints)))
     }
 
     /// Free flight of all bodies for `h`. Returns the momentum from gravity.

@@ -5,7 +5,9 @@ use crate::checks::{assert_closes, heavy_brick};
 use crate::friction::rough;
 use crate::joints::rod;
 use crate::support::{brick, floor, run};
-use polhode::scene::{Attachment, Coordinate, Drive, Force, Frame, Freedom, Joint, Method, Motor, Signal, Tier};
+use polhode::scene::{
+    Attachment, Coordinate, DragLaw, Drive, Force, Frame, Freedom, Joint, Method, Motor, Signal, Tier,
+};
 use polhode::spatial::{DVec3, UnitVector};
 use polhode::{BodyId, Effects, RunReport, Scene, SceneBuilder};
 
@@ -127,4 +129,39 @@ fn a_force_does_no_work_on_a_body_that_a_wall_stops() {
     let work = report.ledger.external.value();
     assert!((work / report.energy.kinetic_j - 1.0).abs() < 1e-12, "{:?}", report.ledger);
     assert!(report.ledger.impact.value().abs() < 1e-13, "{:?}", report.ledger);
+}
+
+/// A force that depends on velocities acts on what joints hold at the velocity that they leave it: a rod on a hinge in air, and on a
+/// spring with a damper, goes to its accurate motion with the square of the step. (It was the first power: drag acted at the velocity
+/// of a free fall over half of the step.)
+#[test]
+fn drag_and_dampers_on_what_a_joint_holds_are_of_second_order() {
+    let [linear, quadratic] = [DragLaw::Linear, DragLaw::Quadratic].map(|law| Force::Drag {
+        body: BodyId::new(0),
+        law,
+        translational: 1.5,
+        rotational: 0.02,
+        wind: DVec3::new(0.3, 0.0, -0.2),
+    });
+    let damped = Force::Spring {
+        a: Attachment::World(DVec3::new(1.0, 0.4, 1.0)),
+        b: Attachment::Body { body: BodyId::new(0), point: DVec3::ZERO },
+        stiffness: 50.0,
+        rest_length: 1.0,
+        damping: 2.0,
+    };
+    for (name, force) in [("linear", linear), ("quadratic", quadratic), ("damper", damped)] {
+        let end = |method: Method| {
+            let body = rod("rod", (1.0, 1.0), DVec3::X * 0.5, std::f64::consts::FRAC_PI_2);
+            let joint = Joint::hinge(BodyId::new(0), DVec3::ZERO, UnitVector::Y);
+            let scene = Scene::builder(name).method(method).gravity(DVec3::Z * -G).duration_s(0.4);
+            let scene = scene.body(body).joint(joint).force(force.clone()).build().unwrap();
+            let (report, _) = run(&scene, Effects::Planned);
+            assert_closes(&report);
+            report.bodies[0].state.pose.translation
+        };
+        let accurate = end(Method { tier: Some(Tier::Accurate), ..Method::default() });
+        let [coarse, fine] = [0.01, 0.005].map(|step_s| (end(stepped(step_s)) - accurate).length());
+        assert!(fine < 1e-4 && (3.5..4.6).contains(&(coarse / fine)), "{name}: {coarse:e} m, {fine:e} m");
+    }
 }
