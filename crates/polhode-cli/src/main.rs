@@ -127,7 +127,7 @@ fn called(command: &Command, interrupt: &Interrupt) -> Result<(), Failure> {
 
 /// Prints the JSON Schema of the scene format.
 fn schema() -> Result<(), Failure> {
-    stdout::json(&polhode_scene::schema())
+    stdout::text(&format!("{:#}\n", polhode_scene::schema()))
 }
 
 /// Prints the script that completes commands and options in a shell.

@@ -128,8 +128,11 @@ fn show(mut pictures: Pictures, outcome: &str, report: &Value, interrupt: &Inter
     pictures.finish(report, interrupt)
 }
 
-/// That stdout is asked for by one thing at the most.
+/// That stdout is asked for by one thing at the most, and is there where a report is to go.
 fn check_stdout(asked: &RunOutputArgs) -> Result<(), Failure> {
+    if asked.json {
+        crate::stdout::expect_open()?;
+    }
     let count = asked.output.iter().filter(|path| is_stdout(path)).count();
     let refused = if asked.joints.as_deref().is_some_and(is_stdout) {
         "error: --joints -: only trajectories go to stdout, by -o -; give a file"

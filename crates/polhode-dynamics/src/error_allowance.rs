@@ -36,6 +36,11 @@ impl ErrorAllowance {
         QUATERNION_PER_ANGLE * angle
     }
 
+    /// Whether all of it can be compared with.
+    pub fn is_finite(&self) -> bool {
+        [self.position, self.quaternion, self.velocity, self.angular_momentum].into_iter().all(f64::is_finite)
+    }
+
     /// At least what `other` allows of each.
     pub fn at_least(self, other: Self) -> Self {
         Self {

@@ -50,6 +50,29 @@ fn closed_stdout() {
     assert_eq!(place.read("a.csv").lines().count(), 6);
 }
 
+/// A JSON value that cannot be written, because stdout is closed from the start or at the end, is a fault of output: half a value is none.
+#[cfg(target_os = "linux")]
+#[test]
+fn json_to_a_closed_stdout() {
+    let place = Place::with_scene(FLIGHT);
+    for args in [&["run", "scene.toml", "--json"][..], &["plan", "scene.toml", "--json"]] {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let output = place.command(args).stdout(writer).stderr(Stdio::piped()).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(3), "{args:?}: {said}");
+        assert!(said.contains("stdout is closed"), "{said}");
+        let program = place.command(args);
+        let words: Vec<_> = std::iter::once(program.get_program()).chain(program.get_args()).collect();
+        let mut shell = std::process::Command::new("sh");
+        shell.args(["-c", "exec \"$@\" >&-", "sh"]).args(words).current_dir(program.get_current_dir().unwrap());
+        let output = shell.stderr(Stdio::piped()).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(3), "{args:?}: {said}");
+        assert!(said.contains("stdout is closed"), "{said}");
+    }
+}
+
 /// A full disk under stdout is a fault of output.
 #[cfg(target_os = "linux")]
 #[test]

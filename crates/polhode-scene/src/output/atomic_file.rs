@@ -63,6 +63,8 @@ impl Unfinished {
 struct Open {
     writer: BufWriter<File>,
     path: TempPath,
+    /// Whether a part of what was written since the last flush has reached the disk.
+    has_spilled: bool,
 }
 
 impl AtomicFile {
@@ -104,7 +106,7 @@ impl AtomicFile {
         let (file, path) = builder.tempfile_in(folder)?.into_parts();
         // Where a file system has no locks nothing is lost but the mark.
         let _ = file.try_lock();
-        Ok(Self { target, open: Some(Open { writer: BufWriter::new(file), path }), left_behind })
+        Ok(Self { target, open: Some(Open { writer: BufWriter::new(file), path, has_spilled: false }), left_behind })
     }
 
     /// What programs that were killed while they wrote the same file had left behind.
@@ -120,6 +122,11 @@ impl AtomicFile {
     /// The temporary name under which it grows; none when it is complete.
     pub fn temporary(&self) -> Option<&Path> {
         self.open.as_ref().map(|open| &*open.path)
+    }
+
+    /// Whether a part of what was written since the last flush has reached the disk: the buffer was full.
+    pub fn has_spilled(&self) -> bool {
+        self.open.as_ref().is_some_and(|open| open.has_spilled)
     }
 
     /// Moves the complete file to its name, replacing what stood there.
@@ -153,7 +160,9 @@ impl AtomicFile {
     /// # Errors
     /// Those of `mend` and of renaming.
     pub fn salvage(&mut self, mend: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<PathBuf> {
-        let Some(Open { writer, path }) = self.open.take() else { return Err(io::Error::other("the file is closed")) };
+        let Some(Open { writer, path, .. }) = self.open.take() else {
+            return Err(io::Error::other("the file is closed"));
+        };
         // What is still in memory finds no room.
         let (mut file, _lost) = writer.into_parts();
         mend(&mut file)?;
@@ -172,34 +181,39 @@ impl AtomicFile {
         open.writer.flush()?;
         // The data must be on the disk before the name is, or a crash could leave an empty file under it.
         open.writer.get_ref().sync_all()?;
-        if let Some(Open { writer, path }) = self.open.take()
+        if let Some(Open { writer, path, has_spilled }) = self.open.take()
             && let Err(refused) = path.persist(name)
         {
-            self.open = Some(Open { writer, path: refused.path });
+            self.open = Some(Open { writer, path: refused.path, has_spilled });
             return Err(refused.error);
         }
         Ok(())
     }
 
-    fn writer(&mut self) -> io::Result<&mut BufWriter<File>> {
-        let open = self.open.as_mut().ok_or_else(|| io::Error::other("the file is closed"))?;
-        Ok(&mut open.writer)
+    fn open(&mut self) -> io::Result<&mut Open> {
+        self.open.as_mut().ok_or_else(|| io::Error::other("the file is closed"))
     }
 }
 
 impl Write for AtomicFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.writer()?.write(bytes)
+        let open = self.open()?;
+        let held = open.writer.buffer().len();
+        let written = open.writer.write(bytes)?;
+        open.has_spilled |= open.writer.buffer().len() != held + written;
+        Ok(written)
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.writer()?.flush()
+        let open = self.open()?;
+        open.has_spilled = false;
+        open.writer.flush()
     }
 }
 
 impl Seek for AtomicFile {
     fn seek(&mut self, position: SeekFrom) -> io::Result<u64> {
-        self.writer()?.seek(position)
+        self.open()?.writer.seek(position)
     }
 }
 

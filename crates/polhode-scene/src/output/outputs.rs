@@ -7,7 +7,7 @@ use super::npy::Npy;
 use super::{TrajectoryFormat, cut_to_line, events, joints};
 use polhode::{BodySample, Event, Flow, JointSample, Observer, Scene};
 use std::fs::File;
-use std::io::{self, Cursor};
+use std::io::{self, Cursor, Write as _};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -86,7 +86,7 @@ impl OutputError {
 
 /// Writes the samples and events of a run to files while it goes on.
 ///
-/// The first fault stops the run at the end of the step; [`Outputs::finish`] returns it.
+/// The first fault stops the run at the end of the step; [`Outputs::finish`] returns it. All files reach the disk together, at the ends of steps.
 #[derive(Debug)]
 pub struct Outputs {
     bodies: Vec<String>,
@@ -230,6 +230,18 @@ impl Outputs {
         self.files().map(|file| file.keep_partial().map_err(|source| fault(file.target(), source))).collect()
     }
 
+    /// Brings all files to the disk as soon as a part of one has come there: what a program that is killed leaves of samples, events and joints
+    /// ends at the same time.
+    fn flush_together(&mut self) -> Result<(), OutputError> {
+        if !self.files().any(|file| file.has_spilled()) {
+            return Ok(());
+        }
+        for file in self.files() {
+            file.flush().map_err(|source| fault(file.target(), source))?;
+        }
+        Ok(())
+    }
+
     fn end(&mut self) -> Result<(), OutputError> {
         for (file, format) in &mut self.trajectories {
             format.end(file).map_err(|source| fault(file.target(), source))?;
@@ -283,6 +295,10 @@ impl Observer for Outputs {
     }
 
     fn progress(&mut self, _t: f64) -> Flow {
+        // The events of a step are told after its samples: here both are.
+        if self.fault.is_none() {
+            self.fault = self.flush_together().err();
+        }
         if self.fault.is_some() { Flow::Stop } else { Flow::Continue }
     }
 }

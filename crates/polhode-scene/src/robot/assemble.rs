@@ -57,6 +57,21 @@ pub struct Placement {
     pub material: Material,
 }
 
+impl Placement {
+    /// Of a robot that stands in the world as its file says.
+    pub(super) fn of_file(unphysical: Unphysical) -> Self {
+        Self {
+            prefix: String::new(),
+            pose: Pose::IDENTITY,
+            base: None,
+            configuration: BTreeMap::new(),
+            self_collision: SelfCollision::Off,
+            unphysical,
+            material: Material::default(),
+        }
+    }
+}
+
 /// A robot as bodies and joints.
 #[derive(Debug, Default)]
 pub(crate) struct Assembly {
@@ -94,6 +109,8 @@ struct Making<'a> {
     placement: &'a Placement,
     /// `X_ML` of the links.
     poses: Vec<Pose>,
+    /// The same at the values at which the file gives its poses.
+    reference: Vec<Pose>,
     values: Vec<f64>,
     groups: Vec<Group>,
     group_of: Vec<usize>,
@@ -120,6 +137,8 @@ pub(crate) fn assembled(
 ) -> Result<(Assembly, Vec<Finding>), Vec<Finding>> {
     let mut findings = Findings::default();
     let values = posture::start(robot, &placement.configuration, &mut findings);
+    let reference = posture::poses(robot, &posture::references(robot));
+    let robot = &posture::held(robot, &values);
     let poses = posture::poses(robot, &values);
     let (groups, group_of) = weld::groups(robot, &poses, placement.unphysical, &mut findings);
     let mut above = vec![None; groups.len()];
@@ -134,6 +153,7 @@ pub(crate) fn assembled(
         robot,
         placement,
         poses,
+        reference,
         values,
         groups,
         group_of,
@@ -328,10 +348,14 @@ impl Making<'_> {
                 let found = self.made.joint_names.iter().find(|(known, ..)| *known == name);
                 found.map(|(_, joint, coordinate)| (*joint, *coordinate))
             };
+            let is_known = self.robot.joints.iter().any(|joint| joint.name == own.leader);
+            if own.is_held() && is_known {
+                continue;
+            }
             if let (Some((joint, first)), Some((leader, second))) = (find(&own.name), find(&own.leader)) {
                 let (coordinates, ratio) = ([first, second], own.multiplier);
                 self.made.gears.push(RobotGear { joint, leader, coordinates, ratio });
-            } else if !self.robot.joints.iter().any(|joint| joint.name == own.leader) {
+            } else if !is_known {
                 let unknown = RobotDefect::UnknownName { kind: "joint", name: own.leader.clone() };
                 self.findings.add(&own.place, format!("joint `{}`", own.name), unknown);
             } else {
@@ -390,11 +414,10 @@ impl Making<'_> {
     fn loops(&mut self) {
         let robot = self.robot;
         let size = self.poses.iter().map(|pose| pose.translation.abs().max_element()).fold(1.0, f64::max);
-        let reference = posture::poses(robot, &posture::references(robot));
         for own in &robot.loops {
             let [a, b] = own.links;
             let in_a = own.frames[0].unwrap_or_default();
-            let in_b = own.frames[1].unwrap_or_else(|| reference[b].relative(&(reference[a] * in_a)));
+            let in_b = own.frames[1].unwrap_or_else(|| self.reference[b].relative(&(self.reference[a] * in_a)));
             let (end_a, end_b) = (self.poses[a] * in_a, self.poses[b] * in_b);
             let gap = (end_a.translation - end_b.translation).length();
             let turn = end_a.rotation.angle_to(end_b.rotation);

@@ -13,13 +13,17 @@ pub(super) const DEEPEST: usize = 256;
 /// Most elements and texts of a file: a robot has some thousands.
 const MOST_NODES: u32 = 4_000_000;
 
+/// The usual prefix of the language of macros in which robots are written for ROS.
+const XACRO: &str = "xacro";
+const XACRO_PREFIX: &str = "xacro:";
+
 /// An element.
 #[derive(Debug, Clone)]
 pub(super) struct Element {
     /// Its name, without a prefix.
     pub(super) name: String,
-    /// Whether its name has a prefix.
-    pub(super) has_prefix: bool,
+    /// Whether it is one of xacro.
+    is_macro: bool,
     attributes: Vec<(String, String)>,
     /// Where it begins.
     pub(super) place: RobotPlace,
@@ -46,6 +50,9 @@ impl Element {
                 line: (at.row as usize).max(1),
                 column: (at.col as usize).max(1),
             };
+            if matches!(&error, roxmltree::Error::UnknownNamespace(prefix, _) if prefix == XACRO) {
+                return Box::new((place, RobotDefect::Xacro(format!("<{XACRO}:..>"))));
+            }
             let message = error.to_string();
             let what = message.rsplit_once(" at ").map_or(message.as_str(), |(what, _)| what);
             Box::new((place, RobotDefect::Xml(what.to_owned())))
@@ -73,6 +80,17 @@ impl Element {
     /// The elements of this name in it.
     pub(super) fn all<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a Self> {
         self.children.iter().filter(move |child| child.name == name)
+    }
+
+    /// What is written in xacro, the first of it with its element: an element of that language, or an attribute with an expression.
+    pub(super) fn xacro(&self) -> Option<(&Self, String)> {
+        let is_expression = |value: &str| value.contains("${") || value.contains("$(");
+        let expression = || self.attributes.iter().find(|(_, value)| is_expression(value));
+        if self.is_macro {
+            return Some((self, format!("<{XACRO}:{}>", self.name)));
+        }
+        let own = expression().map(|(name, value)| (self, format!("{name}=\"{value}\"")));
+        own.or_else(|| self.children.iter().find_map(Self::xacro))
     }
 
     /// The first element of this name in it.
@@ -111,7 +129,7 @@ impl<'a> Lines<'a> {
         let children = node.children().filter(Node::is_element).map(|child| self.element(child, depth + 1));
         Ok(Element {
             name: node.tag_name().name().to_owned(),
-            has_prefix: node.tag_name().namespace().is_some(),
+            is_macro: self.text.get(node.range().start + 1..).is_some_and(|own| own.starts_with(XACRO_PREFIX)),
             attributes: node.attributes().map(attribute).collect(),
             children: children.collect::<Result<_, _>>()?,
             place,

@@ -92,7 +92,7 @@ pub enum RobotDefect {
     #[error("the root element is <{0}>")]
     Root(String),
     /// The file is a template that still has to be expanded.
-    #[error("<{0}> is an element of xacro, a language of macros")]
+    #[error("{0} is written in xacro, a language of macros, and not in URDF")]
     Xacro(String),
     /// An element is missing.
     #[error("<{0}> is missing")]
@@ -510,6 +510,11 @@ impl Findings {
     /// All of another list too.
     pub(super) fn extend(&mut self, other: Self) {
         self.0.extend(other.0);
+    }
+
+    /// More of them.
+    pub(super) fn add_all(&mut self, more: Vec<Finding>) {
+        self.0.extend(more);
     }
 
     /// All of them: what refuses the file first, then by place.

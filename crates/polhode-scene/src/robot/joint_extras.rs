@@ -2,11 +2,7 @@
 
 use super::element::Element;
 use super::finding::RobotDefect;
-use super::model::Follower;
 use super::reading::Reading;
-
-/// Why a joint that follows another one with a multiplier of zero has no effect.
-const STAYS: &str = "with a multiplier of 0 it would not move: a fixed joint says that";
 
 /// Why bounds of motors have no effect.
 pub(super) const OF_MOTORS: &str =
@@ -14,15 +10,6 @@ pub(super) const OF_MOTORS: &str =
 
 /// Why inertia of a rotor has no effect.
 pub(super) const ARMATURE: &str = "inertia of rotors is not simulated: joints accelerate more than with it";
-
-/// A joint that follows another one, unless it would not move.
-pub(super) fn follower(follower: Follower, element: &Element, reading: &mut Reading) -> Option<Follower> {
-    if follower.multiplier == 0.0 {
-        reading.ignore(element, "a joint that follows another one", STAYS);
-        return None;
-    }
-    Some(follower)
-}
 
 /// A number, when it is not negative.
 pub(super) fn not_negative(

@@ -233,6 +233,13 @@ pub struct Follower {
     pub offset: f64,
 }
 
+impl Follower {
+    /// Whether it is held at its offset: what it follows does not move it.
+    pub fn is_held(&self) -> bool {
+        self.multiplier == 0.0
+    }
+}
+
 /// What closes a loop between two links.
 #[derive(Debug, Clone)]
 pub struct Closure {

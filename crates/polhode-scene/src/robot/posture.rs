@@ -3,7 +3,7 @@
 //! `X_ML = X_MP X_PL X(q - q0)`, with M the frame of the model, P the parent, q0 the reference value at which the file gives `X_PL`.
 
 use super::finding::{Findings, RobotDefect};
-use super::model::{Robot, RobotCoordinate, RobotJointKind};
+use super::model::{Robot, RobotCoordinate, RobotJoint, RobotJointKind};
 use super::reading::turned;
 use glam::DVec3;
 use polhode::spatial::Pose;
@@ -45,7 +45,10 @@ fn follow(robot: &Robot, values: &mut [f64], given: &BTreeMap<String, f64>, find
     // One may follow another that follows in turn: a chain of all of them is done after so many rounds.
     for _ in 0..robot.followers.len() {
         for own in &robot.followers {
-            if let (Some(joint), Some(leader)) = (place(&own.name), place(&own.leader)) {
+            let Some(joint) = place(&own.name) else { continue };
+            if own.is_held() {
+                values[joint] = own.offset;
+            } else if let Some(leader) = place(&own.leader) {
                 values[joint] = own.multiplier * values[leader] + own.offset;
             }
         }
@@ -90,15 +93,33 @@ fn start_of(coordinate: &RobotCoordinate, given: &BTreeMap<String, f64>, finding
 pub(super) fn poses(robot: &Robot, values: &[f64]) -> Vec<Pose> {
     let mut poses = vec![Pose::IDENTITY; robot.links.len()];
     for (joint, &value) in robot.joints.iter().zip(values) {
-        let reference = joint.coordinates.first().map_or(0.0, |coordinate| coordinate.reference);
-        let moved = match joint.kind {
-            RobotJointKind::Hinge { axis } => about(joint.anchor, axis.get(), value - reference),
-            RobotJointKind::Slider { axis } => Pose::from_translation(axis.get() * (value - reference)),
-            _ => Pose::IDENTITY,
-        };
-        poses[joint.child] = poses[joint.parent] * joint.origin * moved;
+        poses[joint.child] = poses[joint.parent] * joint.origin * moved(joint, value);
     }
     poses
+}
+
+/// `X(q - q0)` of a joint at a value.
+fn moved(joint: &RobotJoint, value: f64) -> Pose {
+    let reference = joint.coordinates.first().map_or(0.0, |coordinate| coordinate.reference);
+    match joint.kind {
+        RobotJointKind::Hinge { axis } => about(joint.anchor, axis.get(), value - reference),
+        RobotJointKind::Slider { axis } => Pose::from_translation(axis.get() * (value - reference)),
+        _ => Pose::IDENTITY,
+    }
+}
+
+/// The robot with joints fixed, at these values, that follow others by nothing.
+pub(super) fn held(robot: &Robot, values: &[f64]) -> Robot {
+    let mut held = robot.clone();
+    for follower in robot.followers.iter().filter(|own| own.is_held()) {
+        for (joint, &value) in held.joints.iter_mut().zip(values) {
+            if joint.coordinates.first().is_some_and(|own| own.name == follower.name) {
+                joint.origin = joint.origin * moved(joint, value);
+                (joint.kind, joint.coordinates) = (RobotJointKind::Fixed, Vec::new());
+            }
+        }
+    }
+    held
 }
 
 /// A rotation about an axis through a point.

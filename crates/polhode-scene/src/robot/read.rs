@@ -1,12 +1,14 @@
 //! From a robot file to a robot.
 
+use super::assemble::{Placement, assembled};
 use super::element::Element;
 use super::finding::{Finding, Findings, RobotDefect};
 use super::mesh_path::MeshPaths;
 use super::model::Robot;
 use super::reading::Reading;
 use super::text::{RobotFileError, text_of};
-use super::{mjcf, tree, urdf};
+use super::weld::Unphysical;
+use super::{mjcf, tree, urdf, weld};
 use std::path::{Path, PathBuf};
 
 /// A robot, and what was found in its file.
@@ -51,16 +53,28 @@ pub fn read_text(path: &Path, text: &str, packages: &[PathBuf]) -> Result<RobotF
             None
         }
     };
+    let (has_lost, has_guess) = (reading.has_lost, reading.has_guess);
     findings.extend(reading.finish());
     let is_urdf = robot.as_ref().is_some_and(|robot| robot.files.is_empty());
+    let Some(robot) = robot else { return refused(findings) };
+    let links = robot.links.clone();
     // A joint that is refused leaves links that hang at nothing: no fault of their own.
-    let robot = robot.filter(|_| !findings.refuse()).and_then(|robot| tree::in_order(robot, &mut findings));
+    let robot = if has_lost { None } else { tree::in_order(robot, &mut findings) };
     let robot = robot.map(|robot| if is_urdf { urdf::with_root(robot) } else { robot });
     match robot {
         Some(mut robot) if !findings.refuse() => {
             robot.files.insert(0, path.to_owned());
             Ok(RobotFile { robot, findings: findings.into_sorted() })
         }
-        _ => refused(findings),
+        // What would refuse it later is told too, as far as it does not follow from what is refused already.
+        Some(robot) if !has_guess => {
+            let found = assembled(&robot, &Placement::of_file(Unphysical::Refuse), 0);
+            findings.add_all(found.map_or_else(|refusing| refusing, |(_, others)| others));
+            refused(findings)
+        }
+        _ => {
+            weld::examine(&links, &mut findings);
+            refused(findings)
+        }
     }
 }

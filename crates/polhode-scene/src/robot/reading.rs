@@ -17,6 +17,10 @@ pub(super) struct Reading {
     pub(super) findings: Findings,
     /// What has no effect, by its words: where first, how often, and why.
     ignored: BTreeMap<String, Ignored>,
+    /// Whether a joint is refused, so that its links hang at nothing.
+    pub(super) has_lost: bool,
+    /// Whether an axis or a mass is refused, and what was put in its place says nothing of the robot.
+    pub(super) has_guess: bool,
 }
 
 #[derive(Debug)]
@@ -123,6 +127,14 @@ impl Reading {
             self.refuse(element, subject, RobotDefect::Axis(vector));
         }
         direction
+    }
+
+    /// The direction of an axis; some direction of one that has none, which is noted, so that what else is wrong with its joint is found.
+    pub(super) fn axis(&mut self, element: &Element, vector: DVec3, subject: &str) -> UnitVector {
+        self.direction(element, vector, subject).unwrap_or_else(|| {
+            self.has_guess = true;
+            UnitVector::X
+        })
     }
 }
 

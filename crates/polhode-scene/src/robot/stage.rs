@@ -1,19 +1,17 @@
 //! The scene that a robot file stands for: the robot for two seconds, above a floor unless the world holds all of it.
 
-use super::assemble::{Placement, SelfCollision, assembled};
+use super::assemble::{Placement, assembled};
 use super::read::{RobotFile, read_robot};
 use super::text::RobotFileError;
 use super::weld::Unphysical;
 use polhode::contact::{Shape, aabb_of};
-use polhode::scene::Material;
-use polhode::spatial::Pose;
 use polhode::{Body, BodyId, Geometry};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::path::Path;
 
 /// Endings of the names of robot files.
-const ENDINGS: [&str; 3] = ["urdf", "xml", "mjcf"];
+const ENDINGS: [&str; 4] = ["urdf", "xml", "mjcf", "xacro"];
 
 /// Whether the name of a file is that of a robot file.
 pub(crate) fn is_robot_file(path: &Path) -> bool {
@@ -27,17 +25,12 @@ pub(crate) fn is_robot_file(path: &Path) -> bool {
 /// When the robot file is refused.
 pub(crate) fn scene_of(path: &Path) -> Result<String, RobotFileError> {
     let RobotFile { robot, .. } = read_robot(path, &[])?;
-    let placement = Placement {
-        prefix: String::new(),
-        pose: Pose::IDENTITY,
-        base: None,
-        configuration: BTreeMap::new(),
-        self_collision: SelfCollision::Off,
-        // What is refused is told when the scene is built, which may repair it.
-        unphysical: Unphysical::Repair,
-        material: Material::default(),
-    };
-    let (assembly, _) = assembled(&robot, &placement, 0).map_err(RobotFileError::Refused)?;
+    // An inertia that is refused is told when the scene is built, which may repair it; where others refuse the file it is told with them.
+    let repaired = assembled(&robot, &Placement::of_file(Unphysical::Repair), 0);
+    let (assembly, _) = repaired.or_else(|found| {
+        let told = assembled(&robot, &Placement::of_file(Unphysical::Refuse), 0).err();
+        Err(RobotFileError::Refused(told.unwrap_or(found)))
+    })?;
     let file = path.file_name().unwrap_or_default().to_string_lossy();
     // A text of TOML: Rust's escapes of strings are those of TOML for what names of files hold.
     let mut text = format!(

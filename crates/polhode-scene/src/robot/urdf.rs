@@ -27,8 +27,9 @@ const OF_OTHERS: &str = "it is for other programs";
 /// The robot that a document describes; `None` when its root or a joint cannot be used, which is noted.
 pub(super) fn read(root: &Element, paths: &MeshPaths, reading: &mut Reading) -> Option<Robot> {
     let name = root.attribute("name").unwrap_or("robot").to_owned();
-    if let Some(macro_element) = root.children.iter().find(|child| child.has_prefix && child.name != "reference") {
-        reading.refuse(macro_element, "robot", RobotDefect::Xacro(macro_element.name.clone()));
+    if let Some((element, text)) = root.xacro() {
+        // What else is found depends on what its macros make.
+        reading.refuse(element, "robot", RobotDefect::Xacro(text));
         return None;
     }
     reading.ignore_others(root, &["link", "joint", "material"], OF_OTHERS);
@@ -55,6 +56,8 @@ pub(super) fn read(root: &Element, paths: &MeshPaths, reading: &mut Reading) -> 
                 reading.refuse(element, format!("joint `{}`", joint.name), RobotDefect::DuplicateName("joint"));
             }
             joints.push(joint);
+        } else {
+            reading.has_lost = true;
         }
     }
     let (place, files) = (root.place.clone(), Vec::new());
@@ -81,7 +84,9 @@ fn link(element: &Element, paths: &MeshPaths, reading: &mut Reading) -> Link {
     let name = name_of(element, reading);
     let subject = format!("link `{name}`");
     reading.ignore_others(element, &["inertial", "visual", "collision", "material"], OF_OTHERS);
-    let inertial = element.first("inertial").and_then(|own| inertial(own, &subject, reading));
+    let given = element.first("inertial");
+    let inertial = given.and_then(|own| inertial(own, &subject, reading));
+    reading.has_guess |= given.is_some() && inertial.is_none();
     let collisions = element.all("collision").filter_map(|own| geom(own, paths, &subject, reading)).collect();
     // What is seen has no effect on the motion: its faults are not told.
     let mut of_visuals = Reading::default();
@@ -194,9 +199,9 @@ fn joint(element: &Element, numbers: &BTreeMap<String, usize>, reading: &mut Rea
     };
     let (parent, child) = (link("parent"), link("child"));
     let origin = origin(element, &subject, reading);
-    let kind = kind(element, &subject, reading);
-    let (parent, child, kind) = (parent?, child?, kind?);
-    let (kind, coordinates) = coordinates(element, kind, &name, reading);
+    // What is wrong with its limits is told whatever else is wrong with the joint.
+    let made = kind(element, &subject, reading).map(|kind| coordinates(element, kind, &name, reading));
+    let (parent, child, (kind, coordinates)) = (parent?, child?, made?);
     let place = element.place.clone();
     Some(RobotJoint { name, place, parent, child, origin, anchor: DVec3::ZERO, kind, coordinates })
 }
@@ -212,7 +217,7 @@ fn follower(element: &Element, own: &Element, reading: &mut Reading) -> Option<F
     let multiplier = reading.number(own, "multiplier", &subject).unwrap_or(1.0);
     let offset = reading.number(own, "offset", &subject).unwrap_or(0.0);
     let (place, leader) = (own.place.clone(), leader.trim().to_owned());
-    joint_extras::follower(Follower { place, name, leader, multiplier, offset }, own, reading)
+    Some(Follower { place, name, leader, multiplier, offset })
 }
 
 /// What the joint leaves free.
@@ -221,20 +226,21 @@ fn kind(element: &Element, subject: &str, reading: &mut Reading) -> Option<Robot
         reading.refuse(element, subject, RobotDefect::MissingAttribute("type"));
         return None;
     };
-    let axis = |reading: &mut Reading| -> Option<UnitVector> {
-        let Some(own) = element.first("axis") else { return Some(UnitVector::X) };
+    let axis = |reading: &mut Reading| -> UnitVector {
+        let Some(own) = element.first("axis") else { return UnitVector::X };
         if own.attribute("xyz").is_none() {
             reading.refuse(own, subject, RobotDefect::MissingAttribute("xyz"));
         }
-        let vector = reading.vector(own, "xyz", subject)?;
-        reading.direction(own, vector, subject)
+        let vector = reading.vector(own, "xyz", subject);
+        // One that is no vector is refused as such.
+        vector.map_or(UnitVector::X, |vector| reading.axis(own, vector, subject))
     };
     Some(match word {
         "fixed" => RobotJointKind::Fixed,
         "floating" => RobotJointKind::Free,
-        "revolute" | "continuous" => RobotJointKind::Hinge { axis: axis(reading)? },
-        "prismatic" => RobotJointKind::Slider { axis: axis(reading)? },
-        "planar" => RobotJointKind::Planar { normal: axis(reading)? },
+        "revolute" | "continuous" => RobotJointKind::Hinge { axis: axis(reading) },
+        "prismatic" => RobotJointKind::Slider { axis: axis(reading) },
+        "planar" => RobotJointKind::Planar { normal: axis(reading) },
         other => {
             let (value, accepted) = (other.to_owned(), KINDS);
             reading.refuse(element, subject, RobotDefect::Word { attribute: "type", value, accepted });

@@ -117,6 +117,13 @@ pub(super) fn groups(
     (groups, group_of)
 }
 
+/// Notes the mass properties of links that no body can have.
+pub(super) fn examine(links: &[Link], findings: &mut Findings) {
+    for link in links {
+        checked(link, Unphysical::Refuse, findings);
+    }
+}
+
 /// The mass properties of a link, if it has any and a body can have them; what is refused is noted.
 fn checked<'a>(link: &'a Link, unphysical: Unphysical, findings: &mut Findings) -> Option<Cow<'a, Inertial>> {
     let own = link.inertial.as_ref()?;

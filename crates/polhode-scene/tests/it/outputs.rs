@@ -148,6 +148,35 @@ fn events() {
     assert_eq!(read(&path), expected);
 }
 
+/// What has reached the disk of samples and events at the end of a step ends at the same time: a program that is killed leaves both, one as
+/// far as the other.
+#[test]
+fn events_reach_the_disk_with_the_samples() {
+    let folder = tempfile::tempdir().unwrap();
+    let (positions, events) = (folder.path().join("a.csv"), folder.path().join("events.csv"));
+    let mut outputs = Outputs::create(&scene(BASE), &[positions], Some(&events)).unwrap();
+    let body = self::samples()[0].1[0];
+    // Far more than any buffer holds, and too few events to fill one.
+    for k in 0..2000 {
+        let t = f64::from(k);
+        outputs.sample(t, &[body, body]);
+        if k % 100 == 0 {
+            outputs.event(&Event::new(t, EventKind::Impact, BodyId::new(1)));
+        }
+        outputs.progress(t);
+    }
+    let temporary = |begin: &str| {
+        let name = list(&folder).into_iter().find(|name| name.starts_with(begin)).unwrap();
+        read(&folder.path().join(name))
+    };
+    let time = |text: &str| text.lines().next_back().unwrap().split(',').next().unwrap().parse::<f64>().unwrap();
+    let (of_samples, of_events) = (temporary(".a.csv."), temporary(".events.csv."));
+    assert!(of_samples.ends_with('\n') && of_events.ends_with('\n'));
+    assert!(time(&of_samples) > 1900.0, "{}", time(&of_samples));
+    assert_eq!(time(&of_events), (time(&of_samples) / 100.0).floor() * 100.0);
+    outputs.finish().unwrap();
+}
+
 /// Joints: one row for each sample, with the coordinates that they have, their loads and their powers. A motor of 0.5 N m turns a wheel of
 /// 1 kg m^2: after a second it gives 0.25 W; the bearing bears the weight of 2 kg.
 #[test]

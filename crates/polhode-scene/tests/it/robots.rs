@@ -203,7 +203,7 @@ fn limits_move_with_the_start() {
 /// What is not simulated is listed with the place where it stands first and how often.
 #[test]
 fn what_is_ignored_is_listed() {
-    let follows = "<mimic joint=\"lead\" multiplier=\"0\"/><dynamics friction=\"0.5\"/>";
+    let follows = "<mimic joint=\"lead\" multiplier=\"2\"/><dynamics friction=\"0.5\"/><calibration/>";
     let text = urdf(&[
         link("a", 1.0, [0.0; 3], UNIT),
         link("b", 1.0, [0.0; 3], UNIT),
@@ -219,10 +219,57 @@ fn what_is_ignored_is_listed() {
         assert_eq!(finding.severity(), Severity::Ignored);
         let _ = writeln!(told, "{finding}");
     }
-    for expected in ["<gazebo> of <robot>", "<transmission> of <robot>", "a joint that follows another one"] {
+    for expected in ["<gazebo> of <robot>", "<transmission> of <robot>", "<calibration> of joints"] {
         assert!(told.contains(expected), "{told}");
     }
     assert!(told.contains("robot.urdf:6:"), "{told}");
+}
+
+/// A joint that follows another one by nothing is held where its offset says: by the joint it follows or, in MJCF, by none. Its link is one body
+/// with the one that it hangs at.
+#[test]
+fn a_joint_that_follows_by_nothing_is_held() {
+    let text = urdf(&[
+        link("a", 1.0, [0.0; 3], UNIT),
+        link("b", 1.0, [0.0; 3], UNIT),
+        link("c", 1.0, [1.0, 0.0, 0.0], UNIT),
+        joint("lead", "continuous", ["a", "b"], "<axis xyz=\"0 0 1\"/>"),
+        joint(
+            "follow",
+            "continuous",
+            ["b", "c"],
+            "<axis xyz=\"0 0 1\"/><mimic joint=\"lead\" multiplier=\"0\" offset=\"1.5707963267948966\"/>",
+        ),
+    ]);
+    let folder = Folder::new().with("robot.urdf", &text);
+    let loaded = folder.scene("robot.urdf", "name = \"r\"\nbase = \"fixed\"\n").unwrap();
+    assert!(loaded.scene.gears().is_empty() && loaded.scene.joints().len() == 1);
+    // A quarter of a turn puts the centre of c at (0, 1, 0), and that of both at half of it.
+    let center = body(&loaded.scene, "r/b").mass_properties().unwrap().center_of_mass();
+    assert!((center - DVec3::new(0.0, 0.5, 0.0)).length() < 1e-12, "{center}");
+    let beyond = text.replace("\"follow\" type=\"continuous\"", "\"follow\" type=\"revolute\"");
+    let beyond = beyond.replace("<mimic", "<limit lower=\"-1\" upper=\"1\"/><mimic");
+    let refused = Folder::new().with("robot.urdf", &beyond).scene("robot.urdf", "").unwrap_err();
+    assert!(refused.contains("outside its limits from -1 to 1"), "{refused}");
+    let unknown = text.replace("mimic joint=\"lead\"", "mimic joint=\"nobody\"");
+    let refused = Folder::new().with("robot.urdf", &unknown).scene("robot.urdf", "").unwrap_err();
+    assert!(refused.contains("nobody"), "{refused}");
+    let arm = |equality: &str| {
+        format!(
+            "<mujoco><compiler angle=\"radian\"/><worldbody><body name=\"b\"><joint name=\"lead\" axis=\"0 0 1\"/><inertial pos=\"0 0 0\" mass=\"1\" \
+             diaginertia=\"1 1 1\"/><body name=\"c\"><joint name=\"own\" axis=\"0 0 1\"/><inertial pos=\"1 0 0\" mass=\"1\" diaginertia=\"1 1 1\"/>\
+             </body></body></worldbody><equality><joint {equality}/></equality></mujoco>"
+        )
+    };
+    for equality in [
+        "joint1=\"own\" joint2=\"lead\" polycoef=\"1.5707963267948966 0 0 0 0\"",
+        "joint1=\"own\" polycoef=\"1.5707963267948966\"",
+    ] {
+        let folder = Folder::new().with("robot.xml", &arm(equality));
+        let scene = folder.scene("robot.xml", "").unwrap().scene;
+        let center = body(&scene, "b").mass_properties().unwrap().center_of_mass();
+        assert!((center - DVec3::new(0.0, 0.5, 0.0)).length() < 1e-12, "{equality}: {center}");
+    }
 }
 
 /// A joint that follows another one is a gear of the scene: it starts where the other one says, and moves with it. Joints of robots have

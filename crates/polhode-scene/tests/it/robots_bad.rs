@@ -46,7 +46,7 @@ fn values() {
         ("xyz=\"0.0 0.0 0.0\"", "xyz=\"0 0\"", "accepted: 3 finite numbers"),
         ("ixy=\"0\"", "", "attribute `ixy` is missing"),
         ("name=\"a\"", "", "attribute `name` is missing"),
-        ("<link", "<xacro:link", "not XML"),
+        ("<link", "<xacro:link", "is written in xacro"),
         ("</link>", "", "not XML"),
     ] {
         let text = urdf(&[link("a", 1.0, [0.0; 3], UNIT)]);
@@ -64,6 +64,85 @@ fn values() {
     // Two faults, both told.
     let both = urdf(&[link("a", 1.0, [0.0; 3], UNIT).replace("ixy=\"0\"", "").replace("value=\"1.0\"", "value=\"x\"")]);
     assert!(refused(&both).ends_with("2 errors"), "{}", refused(&both));
+}
+
+/// What is wrong with a file is told at once, though each of it alone refuses the file: an axis without length, an inertia that no body has,
+/// limits that contradict each other, a link that moves without mass, and links that make no tree.
+#[test]
+fn all_that_is_wrong_is_told_at_once() {
+    let bad_axis = "<axis xyz=\"0 0 0\"/><limit lower=\"1\" upper=\"-1\"/>";
+    let bad_limits = "<limit lower=\"2\" upper=\"1\"/>";
+    let parts = |moments: [f64; 3]| {
+        vec![
+            link("a", 1.0, [0.0; 3], UNIT),
+            link("b", 1.0, [0.0; 3], moments),
+            link("c", -2.0, [0.0; 3], UNIT),
+            joint("ab", "revolute", ["a", "b"], bad_axis),
+            joint("bc", "prismatic", ["b", "c"], bad_limits),
+        ]
+    };
+    let told = refused(&urdf(&parts([1.0, 1.0, 9.0])));
+    for expected in [
+        "joint `ab`: its axis [0, 0, 0] has no length",
+        "joint `ab`: its limits contradict each other: the lower one is 1, the upper one -1",
+        "joint `bc`: its limits contradict each other: the lower one is 2, the upper one 1",
+        "link `b`: no body can have this inertia",
+        "link `c`: mass -2 kg is no mass",
+        "5 errors",
+    ] {
+        assert!(told.contains(expected), "{expected}: {told}");
+    }
+    // A joint of no kind takes its links apart, which is no fault of theirs; what else is wrong is told.
+    let mut others = parts([1.0, 1.0, 9.0]);
+    others.push(link("d", 0.0, [0.0; 3], [0.0; 3]));
+    others.push(joint("cd", "elbow", ["c", "d"], bad_limits));
+    let told = refused(&urdf(&others));
+    assert!(told.contains("type=\"elbow\" is not known") && told.contains("no body can have this inertia"), "{told}");
+    assert!(!told.contains("hangs at no joint"), "{told}");
+    // What only the assembly finds is told beside what the reading finds.
+    let massless = urdf(&[
+        link("a", 1.0, [0.0; 3], UNIT),
+        "<link name=\"b\"/>".to_owned(),
+        link("c", 1.0, [0.0; 3], UNIT),
+        link("d", 1.0, [0.0; 3], [1.0, 1.0, 9.0]),
+        joint("ab", "floating", ["a", "b"], ""),
+        joint("bc", "continuous", ["b", "c"], ""),
+        joint("cd", "revolute", ["c", "d"], bad_limits),
+    ]);
+    let told = refused(&massless);
+    assert!(told.contains("joint `cd`: its limits") && told.contains("link `d`: no body can have"), "{told}");
+    assert!(told.contains("no joint of this engine together"), "{told}");
+}
+
+/// Files in xacro are told as such, with what to do: whether the prefix is declared or not, the element is deep in the file, or an attribute is
+/// an expression.
+#[test]
+fn xacro_is_told_as_such() {
+    let whole = |inside: &str, root: &str| format!("<robot name=\"r\"{root}><link name=\"a\">{inside}</link></robot>");
+    let declared = " xmlns:xacro=\"http://www.ros.org/wiki/xacro\"";
+    for (inside, root, named) in [
+        ("<xacro:inertia mass=\"1\"/>", declared, "<xacro:inertia>"),
+        ("<xacro:inertia mass=\"1\"/>", "", "<xacro:..>"),
+        ("<visual><geometry><sphere radius=\"${r}\"/></geometry></visual>", "", "radius=\"${r}\""),
+        (
+            "<visual><geometry><mesh filename=\"$(find p)/a.stl\"/></geometry></visual>",
+            "",
+            "filename=\"$(find p)/a.stl\"",
+        ),
+    ] {
+        let told = refused(&whole(inside, root));
+        assert!(told.contains(named) && told.contains("is written in xacro"), "{told}");
+        assert!(told.contains("`xacro FILE.xacro > FILE.urdf`") && !told.contains("errors"), "{told}");
+    }
+    // The name of such a file says nothing of a scene.
+    let folder = Folder::new().with("r.urdf.xacro", &whole("<xacro:inertia/>", declared));
+    let told = load_with(&folder.path("r.urdf.xacro"), &[]).unwrap_err().to_string();
+    assert!(told.contains("is written in xacro"), "{told}");
+    // A default namespace, or a prefix of another program, is none of xacro.
+    for root in [" xmlns=\"http://www.ros.org\"", " xmlns:tool=\"http://tool\""] {
+        let inertial = "<inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial>";
+        assert!(read_text(Path::new("r.urdf"), &whole(inertial, root), &[]).is_ok(), "{root}");
+    }
 }
 
 #[test]

@@ -306,6 +306,11 @@ impl Motions {
         let before = system.loads_at(t, first);
         let ends: Vec<BodyState> = unpack(integrator.end_state()).collect();
         let loads = system.loads_at(t + h, ends.iter().copied());
+        // What velocities change of a load, as of drag, no rounding of poses does; in an attempt that overflows it is beyond all bounds.
+        let by_poses = core.world.has_loads_of_velocities().then(|| {
+            let of = |(&body, end): (&usize, &BodyState)| BodyState { pose: end.pose, ..self.states[body] };
+            system.loads_at(t + h, bodies.iter().zip(&ends).map(of).collect::<Vec<_>>().into_iter())
+        });
         for (index, &body) in bodies.iter().enumerate() {
             let offset = index * WIDTH;
             let own = offset..offset + WIDTH;
@@ -313,9 +318,15 @@ impl Motions {
             let (Some(rates), Some(end)) = (rates, end) else { continue };
             let allowance = allowance(core, body, &self.states[body], rates, end, loads.of(body));
             let cancelling = system.cancelling()[index];
-            let ends = [(&self.states[body], before.of(body)), (&ends[index], loads.of(body))];
+            let by_pose = by_poses.as_ref().unwrap_or(&loads).of(body);
+            let ends = [(&self.states[body], before.of(body)), (&ends[index], by_pose)];
             let rounding = rounding(core, body, (cancelling, field_rounding(ends)), h);
-            largest.include_body(integrator, offset, allowance.at_least(rounding));
+            let allowance = allowance.at_least(rounding);
+            // Nothing is known of an attempt whose end is too large to be compared.
+            if !allowance.is_finite() {
+                return f64::NAN;
+            }
+            largest.include_body(integrator, offset, allowance);
         }
         largest.get()
     }

@@ -4,8 +4,8 @@
 //!
 //! ```text
 //! F_n = normal spring (d, d')                                  never pulls
-//! stick:  T' = k_t u + T min(k_t'/k_t, 0) + n x n' x T         |T| <= mu_s F_n
-//! slide:  T = mu F_n e,  e' = k_t/(mu F_n) (u - (u.e) e)       u.e > (mu F_n' - mu F_n min(k_t'/k_t, 0))/k_t
+//! stick:  T' = k_t u + T min(k_t'/k_t, 0) + n x n' x T         |T| <= mu_s F_n,  force T + c u
+//! yield, slide:  T = mu_s F_n e, then T = mu F_n e,  e' = k_t/(mu F_n) (u - (u.e) e)       u.e > (mu F_n' - mu F_n min(k_t'/k_t, 0))/k_t
 //! regularised:  T = mu F_n u/sqrt(u^2 + u_s^2)                 along a grain: T = F_n (mu^2 u/|mu u|) |u|/sqrt(u^2 + u_s^2), mu a matrix
 //! rolling, spinning:  M = -c F_n w/sqrt(w^2 + w_s^2)           w the part of the relative rotation across, along the normal
 //! ```
@@ -15,12 +15,19 @@
 //! is friction in the annulus of micro-slip. (The common `T = k_t s` creates energy when it is loaded at small and unloaded at
 //! large normal force.) e is the direction of T; the tangent vectors are carried along with the normal.
 //!
+//! **At rest.** A load that comes at once, or a body that stops, swings a spring without damping to twice
+//! what statics asks and more. A spring that holds has a damper c there, critical for the mass that the contact bears (`laws`), and gives way where
+//! the spring alone, whose stretch then creeps to that of statics from one side, reaches mu_s F_n: the damper is gone with the motion, as in
+//! models of bristles. Points of one body slip a little before all of them hold as much as they can: static friction mu_s acts on (`Yield`)
+//! until a point has slipped as far as its spring stretches, and kinetic friction mu (`Slide`) until the slip ends.
+//!
 //! The tangential force acts at the middle of the overlap of two bodies that move, so that momentum is kept; against a body
 //! that forces do not move it acts on the undeformed surface of the other one, whose lever is that of the rigid body.
 //! Source: docs/REFERENCES.md, Mindlin and Deresiewicz; Johnson. How it fails: features that no longer define a contact
 //! give no force.
 
-use super::laws::{ContactLaw, Coulomb, Resistance};
+use super::laws::{ContactLaw, Coulomb, Holding, Resistance};
+use super::system::SPRING;
 use crate::collision::contact_id::ContactId;
 use crate::world::World;
 use polhode_contact::ContactKinematics;
@@ -46,10 +53,14 @@ pub(super) enum Grip {
     Free,
     /// The tangential spring holds; `vector` is T.
     Stick,
+    /// It gives way under static friction: it has not slipped far; `vector` is the direction e.
+    Yield,
     /// It gives way; `vector` is the direction e.
     Slide,
-    /// A fixed step does not know: `vector` is T of a spring that holds, and the force is cut to Coulomb's limit.
+    /// A fixed step does not know: `vector` is T of a spring that holds, and the force is cut to Coulomb's limit at rest.
     Cut,
+    /// The same of one that gave way in the step before: to Coulomb's limit of sliding.
+    CutSliding,
 }
 
 /// What is measured of a contact from its begin to its end.
@@ -72,6 +83,7 @@ pub(super) struct ContactSpring {
     pub(super) id: ContactId,
     pub(super) normal: NormalSpring,
     pub(super) tangential: TangentialSpring,
+    pub(super) holding: Holding,
     pub(super) friction: Option<Coulomb>,
     pub(super) resistance: Option<Resistance>,
     pub(super) restitution: f64,
@@ -83,6 +95,8 @@ pub(super) struct ContactSpring {
     pub(super) grip: Grip,
     /// T or e, by `grip`.
     pub(super) vector: DVec3,
+    /// How far a spring has slipped since it gave way, m, until its friction is kinetic.
+    pub(super) slipped: f64,
     pub(super) passage: Passage,
 }
 
@@ -123,6 +137,20 @@ pub(super) struct Force {
     pub(super) vector_rate: DVec3,
 }
 
+impl Force {
+    /// With the force on B in the tangent plane (N), the power that friction takes of it (W) and the rate of the vector, and the power of a damper (W).
+    fn with_tangential(self, (on_b, power, vector_rate): (DVec3, f64, DVec3), damping: f64) -> Self {
+        Self {
+            on_a: self.on_a - on_b,
+            tangential: -on_b,
+            friction: self.friction + power,
+            damping: self.damping + damping,
+            vector_rate,
+            ..self
+        }
+    }
+}
+
 impl ContactSpring {
     /// A contact that begins at `t` (s) in this state.
     pub(super) fn begun(id: ContactId, law: ContactLaw, at: &Evaluated, t: f64) -> Self {
@@ -131,6 +159,7 @@ impl ContactSpring {
             id,
             normal: law.normal,
             tangential: law.tangential,
+            holding: law.holding,
             friction: law.friction,
             resistance: law.resistance,
             restitution: law.restitution,
@@ -139,16 +168,44 @@ impl ContactSpring {
             loading: at.rate >= 0.0,
             grip: Grip::Free,
             vector: DVec3::ZERO,
+            slipped: 0.0,
             passage,
         };
         if law.friction.is_some_and(|friction| friction.slip_speed.is_none()) {
             spring.grip = Grip::Stick;
             if spring.slides_from_the_begin(at) {
-                spring.grip = Grip::Slide;
+                spring.grip = spring.giving_way();
                 spring.vector = at.slip.normalize_or_zero();
             }
         }
         spring
+    }
+
+    /// What it does when it gives way.
+    pub(super) fn giving_way(&self) -> Grip {
+        if self.holding.weakening > 0.0 { Grip::Yield } else { Grip::Slide }
+    }
+
+    /// Whether it slides in a direction of its own.
+    pub(super) fn slides(&self) -> bool {
+        matches!(self.grip, Grip::Yield | Grip::Slide)
+    }
+
+    /// Rate of the slip that is followed (m/s).
+    pub(super) fn slipping(&self, at: &Evaluated) -> f64 {
+        if self.grip == Grip::Yield { at.slip.dot(self.vector.normalize_or_zero()) } else { 0.0 }
+    }
+
+    /// Its numbers in a flat state.
+    pub(super) fn numbers(&self) -> [f64; SPRING] {
+        let [x, y, z] = self.vector.to_array();
+        [x, y, z, self.slipped]
+    }
+
+    /// The same contact with its numbers of a flat state.
+    pub(super) fn with_numbers(&self, numbers: &[f64]) -> Self {
+        let Some(&[x, y, z, slipped]) = numbers.first_chunk::<SPRING>() else { return *self };
+        Self { vector: DVec3::new(x, y, z), slipped, ..*self }
     }
 
     /// Whether the tangential force would grow faster than Coulomb's limit from the instant at which both are zero.
@@ -170,7 +227,7 @@ impl ContactSpring {
     /// Coulomb's limit at a normal force (N), N: of the mode.
     pub(super) fn limit(&self, normal: f64) -> f64 {
         let coefficient = |friction: Coulomb| match self.grip {
-            Grip::Stick => friction.at_rest,
+            Grip::Stick | Grip::Yield | Grip::Cut => friction.at_rest,
             _ => friction.sliding,
         };
         self.friction.map_or(0.0, |friction| coefficient(friction) * normal)
@@ -195,8 +252,8 @@ impl ContactSpring {
         let force = match self.grip {
             Grip::Free => return 0.0,
             Grip::Stick => self.vector.length(),
-            Grip::Slide => self.limit(self.normal_force(at)),
-            Grip::Cut => self.vector.length().min(self.limit(self.normal_force(at))),
+            Grip::Yield | Grip::Slide => self.limit(self.normal_force(at)),
+            Grip::Cut | Grip::CutSliding => self.vector.length().min(self.limit(self.normal_force(at))),
         };
         self.tangential.energy(at.depth, force)
     }
@@ -211,6 +268,7 @@ impl ContactSpring {
         let along = Force { on_a: n * normal, normal, moment, damping, friction: resisted, ..Force::default() };
         let Some(friction) = self.friction else { return along };
         let slip = at.slip;
+        let damper = slip * self.holding.damper;
         let (spring, power, vector_rate) = match self.grip {
             Grip::Free => {
                 let speed = friction.slip_speed.unwrap_or(0.0);
@@ -224,21 +282,22 @@ impl ContactSpring {
             }
             Grip::Stick => {
                 let spring = in_plane(self.vector, n);
-                (spring, self.micro_slip(at), self.sticking_rate(at, spring))
+                let held = (spring + damper, self.micro_slip(at), self.sticking_rate(at, spring));
+                return along.with_tangential(held, damper.dot(slip));
             }
-            Grip::Cut => {
+            Grip::Cut | Grip::CutSliding => {
                 let held = in_plane(self.vector, n);
-                let spring = held.clamp_length_max(self.limit(normal));
+                let spring = (held + damper).clamp_length_max(self.limit(normal));
                 (spring, spring.dot(slip), self.sticking_rate(at, held))
             }
-            Grip::Slide => {
+            Grip::Yield | Grip::Slide => {
                 let direction = in_plane(self.vector, n).normalize_or_zero();
                 let limit = self.limit(normal);
                 let spring = direction * limit;
                 (spring, spring.dot(slip), self.turning_rate(at, direction, limit))
             }
         };
-        Force { on_a: along.on_a - spring, tangential: -spring, friction: power + resisted, vector_rate, ..along }
+        along.with_tangential((spring, power, vector_rate), 0.0)
     }
 
     /// T' of a spring that holds.

@@ -273,12 +273,8 @@ impl Segment {
     /// The springs with their vectors at a time (s), of a group of so many bodies.
     fn springs_at(&self, bodies: usize, t: f64) -> Vec<ContactSpring> {
         let flat = self.flat(t);
-        let vector = |index: usize| {
-            let first = bodies * WIDTH + index * super::system::SPRING;
-            flat.get(first..first + super::system::SPRING).map_or(DVec3::ZERO, DVec3::from_slice)
-        };
-        let springs = self.springs.iter().enumerate();
-        springs.map(|(index, spring)| ContactSpring { vector: vector(index), ..*spring }).collect()
+        let numbers = flat.get(bodies * WIDTH..).unwrap_or_default().chunks(super::system::SPRING);
+        self.springs.iter().zip(numbers).map(|(spring, own)| spring.with_numbers(own)).collect()
     }
 }
 

@@ -12,14 +12,18 @@
 //! | rate of the overlap, or minus it | the overlap is greatest, or least | `int T k_t'/k_t dt` of a spring that holds, else none |
 //! | mu_s F_n - T | the tangential spring gives way | `T - mu F_n` |
 //! | speed of giving way | it holds | `int k_t (speed) dt` |
-//! | margin of the point within its features, beyond rounding | it leaves them | what the next features give is not known: it counts |
+//! | slip that is left before friction is kinetic | it becomes so | `(mu_s - mu) F_n` |
+//! | margin of the point within its features, beyond rounding | it leaves them | that of its spring, and of overlaps of the pair that have no spring |
+//!
+//! A missed force counts beyond what the rounding of positions makes of the spring's force anyway.
 //!
 //! **Which changes end a step.** The impulse of the missed force over the rest of the step is the error of a step that goes on:
 //! `dv = (sum over looks) F dt tr(1/M)`, `dx = dv h`, with the trace of the inverse mass at the point of contact, which bounds it in
 //! every direction. A change ends the step where that is at least its share of what the step may err by anyway, one
 //! part for each signal's contact. It is located by bisection on the dense output, and the step is repeated with that length. Every other
 //! change is made at the end of the step, where it is as good as on time: contacts without load open and close by roundings and
-//! end no step, and neither does a greatest overlap.
+//! end no step, and neither does a greatest overlap. So do points without load that leave their features and come back (sides
+//! of boxes that slide past each other, unloaded): nothing is missed until other features of the pair overlap.
 //! Such changes cannot crowd: the force after a change grows at most at the rate `k v`, so that a missed impulse worth the
 //! tolerance e of the speed takes a time of `sqrt(2 e)/w`; where a plain damper makes the force jump by `c v`, a time of `e m/c`. The border of
 //! overlap holds no sliding mode: forces jump there in the second derivative of the overlap, and it is crossed at a rate.
@@ -33,6 +37,7 @@ use crate::collision::contact_id::ContactId;
 use polhode_dynamics::DenseStep;
 use polhode_response::penalty::{Damping, NormalSpring};
 use polhode_spatial::DVec3;
+use std::collections::BTreeMap;
 
 /// Parts of a step at whose ends signals are looked at (4 to 32).
 const LOOKS: u32 = 8;
@@ -44,7 +49,7 @@ const HALVINGS: u32 = 52;
 const TIME_DIFFERENCE: f64 = 1e-4;
 
 /// Signals of a spring.
-const SIGNALS: usize = 5;
+const SIGNALS: usize = 6;
 
 /// What happens.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,6 +64,8 @@ pub(super) enum Happening {
     Turn(ContactId),
     /// Its tangential spring gives way, or holds.
     Grip(ContactId),
+    /// Its friction becomes kinetic.
+    Weaken(ContactId),
     /// The point leaves its features: others may take their place.
     Leave(ContactId),
 }
@@ -66,7 +73,8 @@ pub(super) enum Happening {
 impl Happening {
     fn id(self) -> ContactId {
         match self {
-            Self::Begin(id) | Self::End(id) | Self::Press(id) | Self::Turn(id) | Self::Grip(id) | Self::Leave(id) => id,
+            Self::Begin(id) | Self::End(id) | Self::Press(id) | Self::Turn(id) => id,
+            Self::Grip(id) | Self::Weaken(id) | Self::Leave(id) => id,
         }
     }
 }
@@ -120,14 +128,16 @@ struct Signal {
     value: f64,
     missed: f64,
     missed_rate: f64,
+    /// What the rounding of positions makes of the force (N).
+    rounding: f64,
 }
 
 impl Signal {
     fn of(value: f64, missed: f64) -> Self {
-        Self { value, missed, missed_rate: 0.0 }
+        Self { value, missed, missed_rate: 0.0, rounding: 0.0 }
     }
 
-    const NONE: Self = Self { value: f64::INFINITY, missed: 0.0, missed_rate: 0.0 };
+    const NONE: Self = Self { value: f64::INFINITY, missed: 0.0, missed_rate: 0.0, rounding: 0.0 };
 }
 
 /// A look at a step.
@@ -149,7 +159,12 @@ pub(super) struct Looking<'a, 'b> {
     pub(super) allowed: Allowed,
     /// What has happened at the start of the step already, without time passing.
     pub(super) done: &'a [Happening],
+    /// What does not advance time, s.
+    pub(super) shortest: f64,
 }
+
+/// Springs of features that have met in the step; none of those that have no law.
+type Begun = BTreeMap<ContactId, Option<NormalSpring>>;
 
 impl Looking<'_, '_> {
     /// What is seen along the step.
@@ -169,19 +184,19 @@ impl Looking<'_, '_> {
 
     fn looks(&mut self) -> Vec<Look> {
         let (t0, h) = (self.dense.t0(), self.dense.h());
-        let mut begun = vec![None; self.candidates.len()];
+        let mut begun = BTreeMap::new();
         let time = |look: u32| if look == LOOKS { t0 + h } else { t0 + h * (f64::from(look) / f64::from(LOOKS)) };
         (0..=LOOKS).map(|look| self.look(time(look), &mut begun)).collect()
     }
 
-    /// All signals at a time (s), in the order of [`Looking::watched`]; `begun` holds the springs of features that have met in the
-    /// step.
-    fn look(&mut self, t: f64, begun: &mut [Option<NormalSpring>]) -> Look {
+    /// All signals at a time (s), in the order of [`Looking::watched`].
+    fn look(&mut self, t: f64, begun: &mut Begun) -> Look {
         let flat = self.at(t);
         let springs = self.system.springs;
         let mut signals = Vec::with_capacity(SIGNALS * springs.len() + self.candidates.len());
         let mut motions = Vec::with_capacity(springs.len());
         let mut sliding = Vec::new();
+        let mut left = Vec::new();
         for index in 0..springs.len() {
             let spring = self.system.spring(&flat, index);
             let Some(at) = self.system.evaluated(&spring) else {
@@ -190,20 +205,32 @@ impl Looking<'_, '_> {
                 continue;
             };
             motions.push(Motion { depth: at.depth, rate: at.rate, force: spring.normal_force(&at) });
+            let rounding = self.rounding_of(spring.id, &spring.normal, &at) * with_friction(&spring);
             for what in of_spring(spring.id) {
-                if matches!(what, Happening::Grip(_)) && spring.grip == Grip::Slide {
+                if matches!(what, Happening::Grip(_)) && spring.slides() {
                     sliding.push((signals.len(), spring, at));
                 }
-                signals.push(self.at_look(what, &spring, &at));
+                let signal = self.at_look(what, &spring, &at);
+                if matches!(what, Happening::Leave(_)) && signal.value < 0.0 {
+                    left.push((signals.len(), spring.id));
+                }
+                signals.push(Signal { rounding, ..signal });
             }
         }
-        for (&id, begun) in self.candidates.iter().zip(begun) {
-            signals.extend(self.beginning(id, begun));
+        for &id in self.candidates {
+            let [beginning, leaving] = self.beginning(id, begun);
+            if leaving.value < 0.0 {
+                left.push((signals.len() + 1, id));
+            }
+            signals.extend([beginning, leaving]);
+        }
+        for (place, id) in left {
+            signals[place].missed += self.unseen(id, begun);
         }
         for (place, spring, at) in sliding {
             let speed = self.gripping(t, &spring, &at);
             let missed_rate = spring.tangential.stiffness(at.depth) * (-speed).max(0.0);
-            signals[place] = Signal { value: speed, missed: 0.0, missed_rate };
+            signals[place] = Signal { value: speed, missed: 0.0, missed_rate, ..signals[place] };
         }
         Look { t, signals, motions }
     }
@@ -215,32 +242,60 @@ impl Looking<'_, '_> {
             Happening::End(_) => ending(spring, at),
             Happening::Press(_) => pressing(spring, at),
             Happening::Turn(_) => turning(spring, at),
-            Happening::Leave(id) => self.leaving(id, at),
+            Happening::Leave(id) => self.leaving(id, at, spring.normal_force(at).abs() * with_friction(spring)),
             Happening::Grip(_) => holding(spring, at),
+            Happening::Weaken(_) => weakening(spring, at),
         }
     }
 
-    /// The margin of a point within its features.
-    fn leaving(&self, id: ContactId, at: &Evaluated) -> Signal {
+    /// The margin of a point within its features, and the force of its spring (N), which it loses there.
+    fn leaving(&self, id: ContactId, at: &Evaluated, force: f64) -> Signal {
         let rounding = self.system.world.rounding(self.system.states, id.a, id.b);
-        Signal::of(at.kinematics.geometry.margin + rounding, f64::INFINITY)
+        let value = at.kinematics.geometry.margin + rounding;
+        Signal::of(value, if value < 0.0 { force } else { 0.0 })
     }
 
     /// Of features that do not touch: their separation and margin.
-    fn beginning(&self, id: ContactId, begun: &mut Option<NormalSpring>) -> [Signal; 2] {
+    fn beginning(&self, id: ContactId, begun: &mut Begun) -> [Signal; 2] {
         let (world, states) = (self.system.world, &*self.system.states);
         let Some(at) = Evaluated::new(world, states, id, false) else { return [Signal::NONE; 2] };
-        let leaving = self.leaving(id, &at);
+        let leaving = self.leaving(id, &at, 0.0);
+        let beginning = Signal::of(-at.depth, self.force_of_begun(id, &at, begun));
+        let spring = begun.get(&id).copied().flatten();
+        let rounding = spring.map_or(0.0, |spring| self.rounding_of(id, &spring, &at));
+        [Signal { rounding, ..beginning }, leaving]
+    }
+
+    /// What the rounding of positions makes of the force of a normal spring (N).
+    fn rounding_of(&self, id: ContactId, spring: &NormalSpring, at: &Evaluated) -> f64 {
+        let rounding = self.system.world.rounding(self.system.states, id.a, id.b);
+        spring.slope(at.depth.max(rounding)) * rounding
+    }
+
+    /// Force of a contact that has no spring yet (N), none where it does not overlap.
+    fn force_of_begun(&self, id: ContactId, at: &Evaluated, begun: &mut Begun) -> f64 {
         if at.depth <= 0.0 {
-            return [Signal::of(-at.depth, 0.0), leaving];
+            return 0.0;
         }
-        if begun.is_none() {
+        let (world, states) = (self.system.world, &*self.system.states);
+        let spring = *begun.entry(id).or_insert_with(|| {
             let law = self.laws.of_contact(world, states, (id, &at.kinematics.geometry), at.rate);
-            *begun = law.ok().map(|law| law.normal);
-        }
+            law.ok().map(|law| law.normal)
+        });
         // A contact without a law is refused where it begins.
-        let missed = begun.map_or(f64::INFINITY, |spring| spring.force(at.depth, at.rate));
-        [Signal::of(-at.depth, missed), leaving]
+        spring.map_or(f64::INFINITY, |spring| spring.force(at.depth, at.rate))
+    }
+
+    /// Force of the contacts of a pair that overlap and are neither springs nor watched (N): features that a point has come to which
+    /// has left its own.
+    fn unseen(&self, id: ContactId, begun: &mut Begun) -> f64 {
+        let (world, states) = (self.system.world, &*self.system.states);
+        let is_known = |found: &ContactId| {
+            self.candidates.contains(found) || self.system.springs.iter().any(|spring| spring.id == *found)
+        };
+        let contacts = world.contacts_of_pair(states, id.a, id.b, 0.0).into_iter();
+        let unknown = contacts.filter(|found| !is_known(&found.id));
+        unknown.map(|found| self.force_of_begun(found.id, &Evaluated::of(found.kinematics), begun)).sum()
     }
 
     /// The first change that ends the step, and when (s).
@@ -252,6 +307,10 @@ impl Looking<'_, '_> {
                 continue;
             }
             let t = if from == to { from } else { self.locate(what, from, to) };
+            // A signal that is zero but for rounding crosses again as soon as time has advanced by its rounding.
+            if t - self.dense.t0() <= self.shortest && self.is_decided(what) {
+                continue;
+            }
             if first.is_none_or(|(earlier, _)| t < earlier) {
                 first = Some((t, what));
             }
@@ -281,7 +340,7 @@ impl Looking<'_, '_> {
     fn is_decided(&self, what: Happening) -> bool {
         let spring = || self.system.springs.iter().find(|spring| spring.id == what.id());
         let would_be_last = match what {
-            Happening::Grip(_) => spring().is_some_and(|spring| spring.grip == Grip::Slide),
+            Happening::Grip(_) => spring().is_some_and(ContactSpring::slides),
             Happening::Press(_) => spring().is_some_and(|spring| spring.push == Push::On),
             _ => true,
         };
@@ -296,7 +355,7 @@ impl Looking<'_, '_> {
             let Some(signal) = after.signals.get(place) else { continue };
             let dt = after.t - before.t;
             grown += signal.missed_rate * dt;
-            impulse += (signal.missed + grown) * dt;
+            impulse += (signal.missed + grown - signal.rounding).max(0.0) * dt;
         }
         if impulse == 0.0 {
             return false;
@@ -406,7 +465,7 @@ impl Looking<'_, '_> {
         let id = what.id();
         match (what, Evaluated::new(self.system.world, self.system.states, id, false)) {
             (Happening::Begin(_), at) => return at.map_or(f64::INFINITY, |at| -at.depth),
-            (Happening::Leave(_), at) => return at.map_or(f64::INFINITY, |at| self.leaving(id, &at).value),
+            (Happening::Leave(_), at) => return at.map_or(f64::INFINITY, |at| self.leaving(id, &at, 0.0).value),
             _ => {}
         }
         let place = self.system.springs.iter().position(|spring| spring.id == id);
@@ -417,8 +476,9 @@ impl Looking<'_, '_> {
             Happening::Begin(_) | Happening::Leave(_) | Happening::End(_) => at.depth,
             Happening::Press(_) => pressing(&spring, &at).value,
             Happening::Turn(_) => turning(&spring, &at).value,
-            Happening::Grip(_) if spring.grip == Grip::Slide => self.gripping(t, &spring, &at),
+            Happening::Grip(_) if spring.slides() => self.gripping(t, &spring, &at),
             Happening::Grip(_) => holding(&spring, &at).value,
+            Happening::Weaken(_) => weakening(&spring, &at).value,
         }
     }
 
@@ -469,7 +529,9 @@ fn bisected(from: f64, to: f64, mut signal: impl FnMut(f64) -> f64) -> f64 {
 
 /// What is watched of a spring, in the order of its signals.
 fn of_spring(id: ContactId) -> [Happening; SIGNALS] {
-    [Happening::End(id), Happening::Press(id), Happening::Turn(id), Happening::Leave(id), Happening::Grip(id)]
+    let of_normal = [Happening::End(id), Happening::Press(id), Happening::Turn(id), Happening::Leave(id)];
+    let [end, press, turn, leave] = of_normal;
+    [end, press, turn, leave, Happening::Grip(id), Happening::Weaken(id)]
 }
 
 /// The overlap.
@@ -496,7 +558,7 @@ fn turning(spring: &ContactSpring, at: &Evaluated) -> Signal {
     let value = if spring.loading { at.rate } else { -at.rate };
     let is_wrong = value < 0.0 && spring.grip == Grip::Stick;
     let rate = if is_wrong { spring.tangential.relative_rate(at.depth, at.rate).abs() } else { 0.0 };
-    Signal { value, missed: 0.0, missed_rate: spring.vector.length() * rate }
+    Signal { missed_rate: spring.vector.length() * rate, ..Signal::of(value, 0.0) }
 }
 
 /// Coulomb's limit less the force of a tangential spring that holds, N; infinite where none holds.
@@ -505,6 +567,14 @@ fn holding(spring: &ContactSpring, at: &Evaluated) -> Signal {
     let (normal, held) = (spring.normal_force(at), spring.vector.length());
     let value = spring.limit(normal) - held;
     Signal::of(value, if value < 0.0 { (held - friction.sliding * normal).max(0.0) } else { 0.0 })
+}
+
+/// What is left of the slip after which static friction is kinetic, m; infinite where none is followed.
+fn weakening(spring: &ContactSpring, at: &Evaluated) -> Signal {
+    let (Grip::Yield, Some(friction)) = (spring.grip, spring.friction) else { return Signal::NONE };
+    let value = spring.holding.weakening - spring.slipped;
+    let more = (friction.at_rest - friction.sliding) * spring.normal_force(at).max(0.0);
+    Signal::of(value, if value < 0.0 { more } else { 0.0 })
 }
 
 /// The force of a contact in units of its normal force, at most.

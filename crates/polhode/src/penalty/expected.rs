@@ -56,7 +56,7 @@ pub(super) fn burden(
 }
 
 /// Weight of the bodies that may rest on a contact, N.
-fn load_on(world: &World, states: &[BodyState], id: ContactId) -> f64 {
+pub(super) fn load_on(world: &World, states: &[BodyState], id: ContactId) -> f64 {
     let gravity = world.gravity();
     let depth = |body: usize| states[body].pose.translation.dot(gravity);
     let moves = |body: &usize| world.bodies[*body].moves();

@@ -16,10 +16,14 @@
 //! weight that it is made for (at d/2), or under that of m where its stiffness is given. For a restitution of 0.01 and a body alone it would be 35 times as strong,
 //! and in a stack more: a rate of decay by which explicit steps are that much shorter while nothing moves.
 //!
+//! **Holding.** A tangential spring that holds a contact at rest, or one whose static friction is above kinetic, is damped critically,
+//! `c = 2 sqrt(k_t m)`: m is the mass that the contact bears, its share of W/g, or its effective mass where that is more. Static friction becomes
+//! kinetic after a slip of `mu_s F/k_t`, the stretch at which the spring gives way under the load F of the normal damping at rest.
+//!
 //! Source: docs/REFERENCES.md, Hunt and Crossley. How it fails: a stiffness that is not finite is refused when the
 //! contact begins.
 
-use super::expected::{blows, burden, reduced_mass};
+use super::expected::{blows, burden, load_on, reduced_mass};
 use crate::collision::contact_id::ContactId;
 use crate::collision::turn::Turn;
 use crate::scene::spring_checks::elastic_pair;
@@ -84,11 +88,21 @@ impl Resistance {
     }
 }
 
+/// What a tangential spring has while it holds.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Holding {
+    /// c of its damper, N s/m.
+    pub(super) damper: f64,
+    /// How far it slips before static friction becomes kinetic, m: zero where both are one.
+    pub(super) weakening: f64,
+}
+
 /// The springs of a contact that begins.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ContactLaw {
     pub(super) normal: NormalSpring,
     pub(super) tangential: TangentialSpring,
+    pub(super) holding: Holding,
     pub(super) friction: Option<Coulomb>,
     pub(super) resistance: Option<Resistance>,
     pub(super) restitution: f64,
@@ -175,14 +189,38 @@ impl Laws {
             slip_speed: self.method.is_regularised(&material).then(|| self.slip_speed(world)),
         });
         let resistance = self.resistance(world, id);
-        Ok(ContactLaw { normal, tangential, friction, resistance, restitution: material.restitution(), mass })
+        let own = friction.filter(|own| own.slip_speed.is_none() && (rests || own.at_rest > own.sliding));
+        let holding = own.map_or_else(Holding::default, |own| {
+            let depth = self.depth_at_rest(world, &normal, mass);
+            let stiffness = tangential.stiffness(depth);
+            let borne = self.borne_mass(world, states, (id, geometry)).max(mass);
+            let is_weaker = stiffness > 0.0 && own.at_rest > own.sliding;
+            let weakening = if is_weaker { own.at_rest * normal.elastic_force(depth) / stiffness } else { 0.0 };
+            Holding { damper: 2.0 * (stiffness * borne).sqrt(), weakening }
+        });
+        let restitution = material.restitution();
+        Ok(ContactLaw { normal, tangential, holding, friction, resistance, restitution, mass })
+    }
+
+    /// The mass that may rest on one of the points of a pair, kg; zero without gravity.
+    fn borne_mass(&self, world: &World, states: &[BodyState], (id, geometry): (ContactId, &ContactGeometry)) -> f64 {
+        let gravity = world.gravity().length();
+        if gravity <= 0.0 {
+            return 0.0;
+        }
+        load_on(world, states, id) / (gravity * self.sharing(world, states, (id, geometry)))
+    }
+
+    /// Overlap (m) of a contact that carries what its spring is made for, or its own weight.
+    fn depth_at_rest(&self, world: &World, spring: &NormalSpring, mass: f64) -> f64 {
+        let is_made_for_load = spring.growth() == Growth::Linear && self.method.stiffness_n_m.is_none();
+        let own_weight = || spring.static_depth(mass * world.gravity().length());
+        if is_made_for_load { 0.5 * self.depth_m } else { own_weight() }
     }
 
     /// The factor `a` (s/m) of Hunt and Crossley's damper with which a contact that carries what its spring is made for is critically damped.
     fn critical_at_rest(&self, world: &World, spring: &NormalSpring, mass: f64) -> f64 {
-        let is_made_for_load = spring.growth() == Growth::Linear && self.method.stiffness_n_m.is_none();
-        let own_weight = || spring.static_depth(mass * world.gravity().length());
-        let depth = if is_made_for_load { 0.5 * self.depth_m } else { own_weight() };
+        let depth = self.depth_at_rest(world, spring, mass);
         2.0 * (spring.slope(depth) * mass).sqrt() / spring.elastic_force(depth)
     }
 
@@ -198,10 +236,15 @@ impl Laws {
         let needed = NormalSpring::stiffness_for(Growth::Linear, self.depth_m, load, energy);
         // Without weight and speed anything keeps bodies apart: a spring that a mass swings on once a second.
         let needed = if needed > 0.0 { needed } else { reduced_mass(world, id) };
+        needed / self.sharing(world, states, (id, geometry))
+    }
+
+    /// The number of points of a pair within the stated penetration of touching.
+    fn sharing(&self, world: &World, states: &[BodyState], (id, geometry): (ContactId, &ContactGeometry)) -> f64 {
         let reach = geometry.separation.max(0.0) + self.depth_m;
         let points = world.contacts_of_pair(states, id.a, id.b, reach).into_iter();
         let sharing = points.filter(|point| point.kinematics.geometry.separation <= reach).count();
-        needed / sharing.max(1) as f64
+        sharing.max(1) as f64
     }
 
     /// Springs without damping.

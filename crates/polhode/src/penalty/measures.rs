@@ -60,6 +60,11 @@ pub struct SpringReport {
 }
 
 impl SpringReport {
+    /// Greatest penetration in units of the one asked, of all steps and within them; none of springs with a stiffness of their own.
+    pub fn penetration_relative(&self) -> Option<f64> {
+        self.penetration_asked_m.map(|asked| self.penetration_m / asked)
+    }
+
     /// Records a contact that has ended.
     pub(super) fn note_impact(&mut self, impact: SpringImpact) {
         self.impacts += 1;

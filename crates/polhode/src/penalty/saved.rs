@@ -1,7 +1,7 @@
 //! Springs and what is measured of them as plain data, for snapshots.
 
 use super::contact::{ContactSpring, Grip, Passage, Push};
-use super::laws::{Coulomb, Laws, Resistance};
+use super::laws::{Coulomb, Holding, Laws, Resistance};
 use super::measures::{SpringImpact, SpringReport};
 use crate::BodyId;
 use crate::scene::PenaltyMethod;
@@ -31,6 +31,8 @@ pub(super) fn save_spring(spring: &ContactSpring) -> springs::ContactSpring {
         is_plain,
         damping,
         tangential: spring.tangential.coefficient(),
+        holding: [spring.holding.damper, spring.holding.weakening],
+        slipped: spring.slipped,
         friction: spring.friction.map(|of| [of.at_rest, of.sliding]),
         resistance: spring.resistance.map(|of| [of.rolling, of.spinning, of.rate]),
         slip_speed: spring.friction.and_then(|of| of.slip_speed),
@@ -45,8 +47,10 @@ pub(super) fn save_spring(spring: &ContactSpring) -> springs::ContactSpring {
         grip: match spring.grip {
             Grip::Free => springs::Grip::Free,
             Grip::Stick => springs::Grip::Stick,
+            Grip::Yield => springs::Grip::Yield,
             Grip::Slide => springs::Grip::Slide,
             Grip::Cut => springs::Grip::Cut,
+            Grip::CutSliding => springs::Grip::CutSliding,
         },
         vector: spring.vector.to_array(),
         passage: [spring.passage.begun_s, spring.passage.approach, spring.passage.deepest, spring.passage.hardest],
@@ -69,6 +73,7 @@ pub(super) fn restored_spring(world: &World, saved: &springs::ContactSpring) -> 
         id: restored_id(world, &saved.id)?,
         normal: spring.with_damping(damping),
         tangential: TangentialSpring::of_coefficient(growth, saved.tangential),
+        holding: Holding { damper: saved.holding[0], weakening: saved.holding[1] },
         friction: saved.friction.map(|[at_rest, sliding]| Coulomb { at_rest, sliding, slip_speed: saved.slip_speed }),
         resistance: saved.resistance.map(|[rolling, spinning, rate]| Resistance { rolling, spinning, rate }),
         restitution: saved.restitution,
@@ -82,10 +87,13 @@ pub(super) fn restored_spring(world: &World, saved: &springs::ContactSpring) -> 
         grip: match saved.grip {
             springs::Grip::Free => Grip::Free,
             springs::Grip::Stick => Grip::Stick,
+            springs::Grip::Yield => Grip::Yield,
             springs::Grip::Slide => Grip::Slide,
             springs::Grip::Cut => Grip::Cut,
+            springs::Grip::CutSliding => Grip::CutSliding,
         },
         vector: DVec3::from_array(saved.vector),
+        slipped: saved.slipped,
         passage: Passage { begun_s, approach, deepest, hardest, alone: saved.alone },
     })
 }

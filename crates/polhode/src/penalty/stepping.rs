@@ -144,9 +144,12 @@ fn step(
     let mut method = Dop853::new(system.dimension());
     let smallest = TIME_ULPS * f64::EPSILON * t.abs().max(core.settings.step_s * f64::EPSILON);
     let mut h = h;
+    let sliding_at_start = sliding_forces(&mut system, t, &flat);
     let error = loop {
         let Ok(()) = method.attempt_unscaled(&mut system, t, &flat, h);
-        let error = largest_error(run, &method, (&springs, candidates));
+        let mut sliding = sliding_forces(&mut system, t + h, method.end_state());
+        sliding.iter_mut().zip(&sliding_at_start).for_each(|(end, start)| *end = end.max(*start));
+        let error = largest_error(run, &method, (&springs, candidates), &sliding);
         if error <= 1.0 {
             break error;
         }
@@ -162,7 +165,8 @@ fn step(
     let Ok(mut dense) = method.dense(&mut system);
     let allowed = allowances(run, &method, (&springs, candidates)).least();
     let (laws, done) = (run.laws, control.done.as_slice());
-    let seen = Looking { system: &mut system, dense: &dense, laws, candidates, allowed, done }.seen();
+    let shortest = smallest;
+    let seen = Looking { system: &mut system, dense: &dense, laws, candidates, allowed, done, shortest }.seen();
     let Some((t_event, what)) = seen.first else {
         let end = if h >= t_end - t { t_end } else { t + h };
         run.done.segments.push(Segment { dense, springs });
@@ -246,8 +250,27 @@ fn allowances(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[ContactS
     Allowances { bodies: bodies.iter().enumerate().filter_map(of_body).collect(), speed }
 }
 
-/// The largest error of an attempt in units of what is allowed.
-fn largest_error(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[ContactSpring], &[ContactId])) -> f64 {
+/// The forces of the tangential springs that give way (N), zero for others; none where there are no such springs.
+fn sliding_forces(system: &mut SpringSystem<'_>, t: f64, flat: &[f64]) -> Vec<f64> {
+    let springs = system.springs;
+    if !springs.iter().any(ContactSpring::slides) {
+        return Vec::new();
+    }
+    system.set_states(t, flat);
+    let of = |spring: &ContactSpring| {
+        let at = if spring.slides() { system.evaluated(spring) } else { None };
+        at.map_or(0.0, |at| spring.limit(spring.normal_force(&at)).max(0.0))
+    };
+    springs.iter().map(of).collect()
+}
+
+/// The largest error of an attempt in units of what is allowed; `sliding` are the forces of springs that give way, the greater ones of both ends.
+fn largest_error(
+    run: &Run<'_>,
+    method: &Dop853,
+    (springs, candidates): (&[ContactSpring], &[ContactId]),
+    sliding: &[f64],
+) -> f64 {
     let world = &run.core.world;
     let tolerance = STEP_SHARE * run.core.settings.tolerance;
     let bodies = &run.done.group.bodies;
@@ -259,11 +282,16 @@ fn largest_error(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[Conta
     }
     for (index, spring) in springs.iter().enumerate() {
         let first = bodies.len() * WIDTH + index * SPRING;
-        let scale = match spring.grip {
-            Grip::Slide => 1.0,
-            _ => spring.normal.elastic_force(run.laws.depth_m),
+        let force = spring.normal.elastic_force(run.laws.depth_m);
+        // Of a direction of sliding its force counts: that of a point without load directs none.
+        let scale = match sliding.get(index) {
+            Some(own) if spring.slides() => force / own,
+            _ => force,
         };
-        largest.include(method.error_of(first..first + SPRING), tolerance * scale);
+        largest.include(method.error_of(first..first + VECTOR), tolerance * scale);
+        if spring.grip == Grip::Yield {
+            largest.include(method.error_of(first + VECTOR..first + SPRING), tolerance * spring.holding.weakening);
+        }
     }
     // What dampers and friction take is booked as exactly as the motion.
     let mass: f64 = bodies.iter().filter_map(|&body| world.bodies[body].rigid.as_ref()).map(RigidBody::mass).sum();
@@ -273,6 +301,9 @@ fn largest_error(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[Conta
     }
     largest.get()
 }
+
+/// Numbers of a spring that are those of its vector.
+const VECTOR: usize = 3;
 
 /// Part of the tolerance that one step may err by: an impact takes some ten to a hundred of them (0.01 to 1).
 const STEP_SHARE: f64 = 0.1;

@@ -2,11 +2,11 @@
 //!
 //! `p' = v`, `q' = w q / 2`, `v' = g + sum F/m`, `L' = sum r x F + M`, with the forces of `contact` at the state of the stage, and the
 //! reactions of joints that leave their rows no acceleration under all of these (`crate::solve::joint_reactions`). Which
-//! springs there are and their modes are frozen. The state is flat: the bodies, three numbers for each spring (its tangential
-//! vector), and [`TAIL`] numbers for the ledgers: impulses of fixed bodies, weights and fields, each with its moment, energy
+//! springs there are and their modes are frozen. The state is flat: the bodies, four numbers for each spring (its tangential
+//! vector and its slip), and [`TAIL`] numbers for the ledgers: impulses of fixed bodies, weights and fields, each with its moment, energy
 //! lost to dampers and drag, external work, and energy lost to friction.
 
-use super::contact::{ContactSpring, Evaluated, Force};
+use super::contact::{ContactSpring, Evaluated, Force, Grip};
 use crate::Momentum;
 use crate::accounting::books::Received;
 use crate::collision::contact_id::ContactId;
@@ -26,8 +26,8 @@ pub(super) const TAIL: usize = 21;
 pub(super) const DISSIPATION: usize = 18;
 pub(super) const DISSIPATIONS: usize = 3;
 
-/// Numbers of a spring.
-pub(super) const SPRING: usize = 3;
+/// Numbers of a spring: its vector, and how far it has slipped.
+pub(super) const SPRING: usize = 4;
 
 /// A group with its springs.
 #[derive(Debug)]
@@ -45,7 +45,7 @@ impl SpringSystem<'_> {
     /// Flat state of the group, with empty ledgers.
     pub(super) fn pack(&self) -> Vec<f64> {
         let bodies = self.bodies.iter().flat_map(|&body| self.states[body].to_array());
-        let springs = self.springs.iter().flat_map(|spring| spring.vector.to_array());
+        let springs = self.springs.iter().flat_map(ContactSpring::numbers);
         bodies.chain(springs).chain(std::iter::repeat_n(0.0, TAIL)).collect()
     }
 
@@ -60,8 +60,7 @@ impl SpringSystem<'_> {
     /// A spring with its vector of a flat state.
     pub(super) fn spring(&self, flat: &[f64], index: usize) -> ContactSpring {
         let first = self.bodies.len() * WIDTH + index * SPRING;
-        let vector = flat.get(first..first + SPRING).map_or(DVec3::ZERO, DVec3::from_slice);
-        ContactSpring { vector, ..self.springs[index] }
+        self.springs[index].with_numbers(flat.get(first..).unwrap_or_default())
     }
 
     /// A spring in the states that were set last; none where its features define no contact.
@@ -172,7 +171,7 @@ impl SpringSystem<'_> {
 impl ContactSpring {
     /// Whether friction takes up more than slip, so that the elastic energy of its spring is part of what it takes.
     pub(super) fn gives_way(&self) -> bool {
-        matches!(self.grip, super::contact::Grip::Slide | super::contact::Grip::Cut)
+        self.slides() || matches!(self.grip, Grip::Cut | Grip::CutSliding)
     }
 }
 
@@ -203,7 +202,8 @@ impl System for SpringSystem<'_> {
                 sums[index].1 += moment;
             }
             let place = first + index * SPRING;
-            rates[place..place + SPRING].copy_from_slice(&force.vector_rate.to_array());
+            let [x, y, z] = force.vector_rate.to_array();
+            rates[place..place + SPRING].copy_from_slice(&[x, y, z, spring.slipping(&at)]);
             self.contact_rates(spring.id, &at, &force, &mut rates[end..]);
         }
         if self.world.has_rows() {

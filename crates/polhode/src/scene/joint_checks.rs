@@ -8,8 +8,9 @@ use crate::constraint::joint::{HeldBody, WorldJoint};
 use crate::constraint::row::RowKind;
 use polhode_spatial::{Motion, Pose, Velocity};
 
-/// Relative velocity at a joint at the start, relative to the parts of the speeds of its bodies there: more than a file's digits
-/// is a contradiction (no unit, 1e-12 to 1e-6).
+/// Relative velocity at a joint at the start, relative to the parts of the speeds of its bodies there, and of prescribed motions to their greatest
+/// speed in the run, of which that at the start is a part to the digits of a phase: more than a file's digits is a contradiction (no unit,
+/// 1e-12 to 1e-6).
 pub(super) const JOINT_VELOCITY_RELATIVE: f64 = 1e-9;
 
 /// Cosine of the angle of two axes below which they are at right angles (no unit, 1e-12 to 1e-6): the digits of a file.
@@ -153,6 +154,18 @@ impl Scene {
         (pose, Velocity::new(linear, angular))
     }
 
+    /// The speed (m/s) and rate of turning (rad/s) that the digits of a velocity at the start are relative to: its own, or the greatest of a
+    /// prescribed motion in the run.
+    pub(super) fn speeds_for_rounding(&self, body: usize) -> [f64; 2] {
+        let own = &self.bodies[body];
+        if let Some(motion) = own.motion() {
+            let bounds = motion.from_pose(&motion.initial_pose(own.initial_pose())).bounds(0.0, self.duration_s);
+            return [bounds.speed, bounds.angular_speed];
+        }
+        let (_, velocity) = self.motion_at_start(body);
+        [velocity.linear.length(), velocity.angular.length()]
+    }
+
     /// A joint as it is at the start, whose rows of rotation have the length 1 m.
     pub(super) fn joint_at_start(&self, number: usize, joint: &Joint) -> WorldJoint {
         let held = |body: usize| match &self.bodies[body] {
@@ -177,11 +190,11 @@ impl Scene {
             }
         }
         let (mut speed, mut turning) = (0.0, 0.0);
-        for (pose, velocity) in world_joint.bodies().chain(world_joint.driver()).map(motion) {
-            let rate = velocity.angular.length();
+        for body in world_joint.bodies().chain(world_joint.driver()) {
             // The parts of the velocity at the anchor may cancel.
-            speed += velocity.linear.length() + rate * (joint.anchor() - pose.translation).length();
-            turning += rate;
+            let [linear, angular] = self.speeds_for_rounding(body);
+            speed += linear + angular * (joint.anchor() - motion(body).0.translation).length();
+            turning += angular;
         }
         if apart > JOINT_VELOCITY_RELATIVE * speed {
             return Err(SceneError::JointMoves { number, apart_m_s: apart });

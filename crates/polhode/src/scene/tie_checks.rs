@@ -83,9 +83,10 @@ impl Scene {
             ));
         }
         let pose = motion.along_x().initial_pose(&polhode_spatial::Pose::IDENTITY);
-        let needed = motion.along_x().from_pose(&pose).velocity(0.0).linear.x;
+        let trajectory = motion.along_x().from_pose(&pose);
+        let (needed, greatest) = (trajectory.velocity(0.0).linear.x, trajectory.bounds(0.0, self.duration_s).speed);
         let Some(StartRate { rate: found, speeds }) = self.rate_at_start(*end, coordinate) else { return Ok(()) };
-        if (found - needed).abs() > JOINT_VELOCITY_RELATIVE * (speeds + needed.abs()) {
+        if (found - needed).abs() > JOINT_VELOCITY_RELATIVE * (speeds + greatest) {
             return Err(SceneError::CoordinateRate { joint, found, needed });
         }
         Ok(())
@@ -96,11 +97,10 @@ impl Scene {
         let at_start = self.joint_at_start(end.joint.index(), joint);
         let rate = at_start.rate_of(Some(coordinate), |body| self.motion_at_start(body))?;
         let speed = |body: usize| {
-            let (pose, velocity) = self.motion_at_start(body);
-            let turning = velocity.angular.length();
+            let [linear, turning] = self.speeds_for_rounding(body);
             match coordinate {
                 Coordinate::Angle => turning,
-                _ => velocity.linear.length() + turning * (joint.anchor() - pose.translation).length(),
+                _ => linear + turning * (joint.anchor() - self.motion_at_start(body).0.translation).length(),
             }
         };
         let speeds = joint.bodies().filter(|&body| !self.bodies[body].is_fixed()).map(speed).sum();

@@ -34,6 +34,9 @@ pub(crate) struct ContactSpring {
     pub(crate) is_plain: bool,
     pub(crate) damping: f64,
     pub(crate) tangential: f64,
+    /// Damper of a tangential spring that holds (N s/m), and the slip (m) that makes its friction kinetic; and what of that is done.
+    pub(crate) holding: [f64; 2],
+    pub(crate) slipped: f64,
     /// At rest, sliding.
     pub(crate) friction: Option<[f64; 2]>,
     pub(crate) slip_speed: Option<f64>,
@@ -63,8 +66,10 @@ pub(crate) enum Push {
 pub(crate) enum Grip {
     Free,
     Stick,
+    Yield,
     Slide,
     Cut,
+    CutSliding,
 }
 
 /// What springs were asked for and reached.

@@ -318,6 +318,11 @@ impl World {
         !self.fields.is_empty()
     }
 
+    /// Whether any force field depends on velocities.
+    pub(crate) fn has_loads_of_velocities(&self) -> bool {
+        self.fields.iter().any(|field| field.dependence() == Dependence::Velocities)
+    }
+
     /// Whether any force field's work belongs to this account.
     pub(crate) fn has_fields_of(&self, account: Account) -> bool {
         self.fields.iter().any(|field| field.account() == account)

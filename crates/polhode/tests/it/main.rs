@@ -53,6 +53,7 @@ mod moving_surfaces;
 mod outcomes;
 mod penalty;
 mod penalty_effects;
+mod penalty_rest;
 mod piles;
 mod pivot_rows;
 mod pivots;

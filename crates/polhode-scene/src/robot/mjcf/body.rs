@@ -202,7 +202,9 @@ impl<'a> Bodies<'a> {
                     let is_free = child.name == "freejoint";
                     let full = if is_free { child.clone() } else { self.defaults.applied(child, around.class) };
                     let name = format!("{}_joint_{}", self.links[around.link].name, own.joints.len() + 1);
-                    own.joints.extend(joint::read(&full, self.compiler, name, reading));
+                    let joint = joint::read(&full, self.compiler, name, reading);
+                    reading.has_guess |= joint.is_none();
+                    own.joints.extend(joint);
                 }
                 "site" => {
                     let full = self.defaults.applied(child, around.class);

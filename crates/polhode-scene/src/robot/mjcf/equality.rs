@@ -2,7 +2,6 @@
 
 use super::super::element::Element;
 use super::super::finding::RobotDefect;
-use super::super::joint_extras;
 use super::super::model::{Closure, ClosureKind, Follower};
 use super::super::reading::Reading;
 use super::body::Bodies;
@@ -11,8 +10,7 @@ use super::frame;
 use polhode::spatial::Pose;
 
 /// Why a joint that a polynomial holds has no effect.
-const NO_GEAR: &str =
-    "joints follow others in proportion alone: two joints and no powers of `polycoef` above the first are needed";
+const NO_GEAR: &str = "joints follow others in proportion alone: no powers of `polycoef` above the first are simulated";
 
 /// What couples links besides joints.
 pub(super) struct Couplings {
@@ -60,10 +58,13 @@ fn follower(element: &Element, bodies: &Bodies<'_>, reading: &mut Reading) -> Op
     };
     let subject = format!("joint `{name}`");
     let powers = reading.numbers(element, "polycoef", 1..=5, &subject).unwrap_or_else(|| vec![0.0, 1.0]);
-    let Some(leader) = element.attribute("joint2").filter(|_| powers.iter().skip(2).all(|&power| power == 0.0)) else {
+    let second = element.attribute("joint2");
+    if second.is_some() && powers.iter().skip(2).any(|&power| power != 0.0) {
         reading.ignore(element, "<joint> of <equality>", NO_GEAR);
         return None;
-    };
+    }
+    // One joint alone is held where the polynomial begins.
+    let leader = second.unwrap_or(name);
     let mut reference = |name: &str| {
         let found = bodies.coordinate(name).map(|own| own.reference);
         if found.is_none() {
@@ -72,10 +73,10 @@ fn follower(element: &Element, bodies: &Bodies<'_>, reading: &mut Reading) -> Op
         found
     };
     let (own, other) = (reference(name)?, reference(leader)?);
-    let multiplier = powers.get(1).copied().unwrap_or(1.0);
+    let multiplier = if second.is_none() { 0.0 } else { powers.get(1).copied().unwrap_or(1.0) };
     let offset = own + powers[0] - multiplier * other;
     let (place, name, leader) = (element.place.clone(), name.to_owned(), leader.to_owned());
-    joint_extras::follower(Follower { place, name, leader, multiplier, offset }, element, reading)
+    Some(Follower { place, name, leader, multiplier, offset })
 }
 
 /// The link of the body that an attribute names.

@@ -26,7 +26,9 @@ pub(super) fn read(
 ) -> Option<Inertial> {
     let given = element.first("inertial").filter(|_| compiler.inertia_from_geom != InertiaFromGeom::Always);
     if let Some(own) = given {
-        return self::given(own, compiler, subject, reading);
+        let given = self::given(own, compiler, subject, reading);
+        reading.has_guess |= given.is_none();
+        return given;
     }
     if compiler.inertia_from_geom == InertiaFromGeom::Never {
         return None;
@@ -37,7 +39,10 @@ pub(super) fn read(
         match of_geom(own, meshes) {
             Ok(Some(part)) => sum = Some(sum.map_or(part, |sum| sum.plus(part))),
             Ok(None) => {}
-            Err(defect) => reading.findings.add(&own.geom.place, subject, defect),
+            Err(defect) => {
+                reading.findings.add(&own.geom.place, subject, defect);
+                reading.has_guess = true;
+            }
         }
     }
     sum.map(|Matter { mass, center, inertia }| Inertial {

@@ -46,7 +46,7 @@ pub(super) fn read(element: &Element, compiler: &Compiler, name: String, reading
         }
         (_, kind @ ("hinge" | "slide")) => {
             let axis = reading.vector(element, "axis", &subject).unwrap_or(DVec3::Z);
-            let axis = reading.direction(element, axis, &subject)?;
+            let axis = reading.axis(element, axis, &subject);
             if kind == "hinge" { RobotJointKind::Hinge { axis } } else { RobotJointKind::Slider { axis } }
         }
         (_, other) => {
