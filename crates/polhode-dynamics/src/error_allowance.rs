@@ -17,6 +17,11 @@ use std::ops::Range;
 /// The error of the quaternion that an error of the attitude of 1 rad is: its angle is twice the quaternion's.
 const QUATERNION_PER_ANGLE: f64 = 0.5;
 
+/// A quaternion whose length at the end of a step differs from one by more than this (no unit, 1e-4 to 1e-1) is no attitude: motion
+/// keeps the length, so that the step errs by as much, and what its errors are compared with (speeds and loads at its end) is of
+/// no use. Steps that converge change it by 1e-9 at most.
+const NO_ATTITUDE: f64 = 1e-3;
+
 /// The error allowed in each quantity of one body over one step; none by default.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ErrorAllowance {
@@ -76,8 +81,15 @@ impl LargestError {
         }
     }
 
-    /// Takes in the errors that a method estimates for the body whose state begins at `offset`.
+    /// Takes in the errors that a method estimates for the body whose state begins at `offset`: NaN where its attitude at the end
+    /// is none.
     pub fn include_body(&mut self, method: &Dop853, offset: usize, allowance: ErrorAllowance) {
+        let quaternion = method.end_state().get(offset + QUATERNION..offset + LINEAR_VELOCITY).unwrap_or_default();
+        let drift = quaternion.iter().map(|part| part * part).sum::<f64>().sqrt() - 1.0;
+        let is_attitude = drift.abs() <= NO_ATTITUDE;
+        if !is_attitude {
+            self.0 = f64::NAN;
+        }
         for (quantity, allowed) in allowance.by_quantity() {
             self.include(method.error_of(offset + quantity.start..offset + quantity.end), allowed);
         }
@@ -91,7 +103,46 @@ impl LargestError {
 
 #[cfg(test)]
 mod tests {
-    use super::LargestError;
+    use super::{ErrorAllowance, LargestError};
+    use crate::state::{QUATERNION, WIDTH};
+    use crate::{Dop853, System};
+    use std::convert::Infallible;
+
+    /// A spin that a stiff torque of drag overshoots within a step leaves a quaternion that is no rotation: the step is refused,
+    /// whatever its errors are compared with.
+    #[test]
+    fn a_step_whose_attitude_is_none_is_refused() {
+        let mut flat = vec![0.0; WIDTH];
+        flat[QUATERNION] = 1.0;
+        let spun = |rate: f64| {
+            let mut method = Dop853::new(WIDTH);
+            let mut system = Growing(rate);
+            let Ok(()) = method.attempt_unscaled(&mut system, 0.0, &flat, 1.0);
+            let mut largest = LargestError::default();
+            let allowed = ErrorAllowance { quaternion: f64::MAX, position: 1.0, velocity: 1.0, angular_momentum: 1.0 };
+            largest.include_body(&method, 0, allowed);
+            largest.get()
+        };
+        assert_eq!(spun(0.0), 0.0);
+        assert!(spun(3.0).is_nan());
+    }
+
+    /// A quaternion that grows at a rate (1/s).
+    struct Growing(f64);
+
+    impl System for Growing {
+        type Error = Infallible;
+
+        fn dimension(&self) -> usize {
+            WIDTH
+        }
+
+        fn derivative(&mut self, _t: f64, state: &[f64], rates: &mut [f64]) -> Result<(), Infallible> {
+            rates.fill(0.0);
+            rates[QUATERNION] = self.0 * state[QUATERNION];
+            Ok(())
+        }
+    }
 
     #[test]
     fn the_largest_error_is_nan_once_one_is() {
