@@ -1,7 +1,7 @@
 //! The command that judges tiers by each other: a line for each scene that is not right, and a table by kind.
 
 use super::subject::{Copy, Subject};
-use super::verdict::{Opinion, Verdict};
+use super::verdict::{FAST_STEPS, Opinion, Verdict};
 use super::{ALL, Choice, FAST_OF_ALL, FEW, verdicts};
 use crate::random_mechanism::generate::KINDS;
 use clap::Args;
@@ -61,7 +61,11 @@ pub(crate) struct Options {
 pub(crate) fn run(options: &Options) -> Result<ExitCode, Box<dyn Error>> {
     if let [seed, file] = options.write.as_slice() {
         let subject = Subject::of(seed.parse()?, options.scenes);
-        let step_s = (options.tier != "accurate").then(|| subject.step_s());
+        let step_s = match options.tier.as_str() {
+            "accurate" => None,
+            "fast" => Some(FAST_STEPS * subject.step_s()),
+            _ => Some(subject.step_s()),
+        };
         let copy = if options.placed { Copy::Placed } else { Copy::None };
         subject.text(copy, &options.tier, step_s).write(&PathBuf::from(file))?;
         return Ok(ExitCode::SUCCESS);

@@ -18,6 +18,8 @@ const PIECE_S: f64 = 0.3;
 const STEP_S: f64 = 0.002;
 /// Time between samples in longest steps of tiers of fixed steps: the same instants for every step.
 const STEPS_A_SAMPLE: f64 = 10.0;
+/// The same between events, where steps are longer.
+const SMOOTH_STEPS_A_SAMPLE: f64 = 5.0;
 
 /// How a scene is run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -144,7 +146,8 @@ impl Subject {
     /// The scene file for a tier and a step, s (none: as the plan has it).
     pub(super) fn text(&self, copy: Copy, tier: &str, step_s: Option<f64>) -> Text {
         let set = |key: &str, value: String| Override::new("the judge of tiers", key, value);
-        let interval = set("output.interval", format!("{:?}", STEPS_A_SAMPLE * self.step_s()));
+        let steps = if self.is_smooth() { SMOOTH_STEPS_A_SAMPLE } else { STEPS_A_SAMPLE };
+        let interval = set("output.interval", format!("{:?}", steps * self.step_s()));
         match self {
             Self::Mechanism(scene) => {
                 let text = match copy {

@@ -13,7 +13,7 @@ const STEPPED_COPY: f64 = 1e-8;
 /// Copies as near as this are one motion to rounding, in bodies: warnings of accuracy are then needless.
 const ROUNDING: f64 = 1e-12;
 /// The longest step of the tier `fast`, in those of `stepped`.
-const FAST_STEPS: f64 = 5.0;
+pub(super) const FAST_STEPS: f64 = 5.0;
 /// What the tier `fast` promises: overlap and gap of joints in parts of the smallest body.
 const FAST_OVERLAP: f64 = 0.1;
 const FAST_GAP: f64 = 1e-2;
