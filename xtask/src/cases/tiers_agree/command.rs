@@ -1,7 +1,7 @@
 //! The command that judges tiers by each other: a line for each scene that is not right, and a table by kind.
 
 use super::subject::{Copy, Subject};
-use super::verdict::{FAST_STEPS, Opinion, Verdict};
+use super::verdict::{FAST_STEPS, Opinion, TIERS, Verdict};
 use super::{ALL, Choice, FAST_OF_ALL, FEW, verdicts};
 use crate::random_mechanism::generate::KINDS;
 use clap::Args;
@@ -12,6 +12,7 @@ use std::process::ExitCode;
 
 /// What the command takes.
 #[derive(Debug, Args)]
+#[allow(clippy::struct_excessive_bools, reason = "each is a switch of the command line")]
 pub(crate) struct Options {
     /// Tiers are judged by each other; the only kind of judgement so far.
     #[arg(long)]
@@ -112,10 +113,8 @@ fn table(verdicts: &[Verdict]) {
         kinds.entry("~ all").or_default().push(verdict);
     }
     for (kind, all) in kinds {
-        let tiers: [(&str, fn(&Verdict) -> &Opinion); 3] =
-            [("accurate", |v| &v.accurate), ("stepped", |v| &v.stepped), ("fast", |v| &v.fast)];
         let seconds: f64 = all.iter().map(|v| v.seconds).sum();
-        let counts = tiers.map(|(tier, opinion)| {
+        let counts = TIERS.map(|(tier, opinion)| {
             let counts = words.map(|word| all.iter().filter(|v| opinion(v).word() == word).count().to_string());
             let mut orders: Vec<f64> = all
                 .iter()

@@ -17,7 +17,7 @@ pub(crate) use command::{Options, run};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use subject::Subject;
-use verdict::{Opinion, Verdict};
+use verdict::{Opinion, TIERS, Verdict};
 
 const CASE: &str = "tiers agree";
 /// Mechanisms of a plain run, and of a full one.
@@ -62,6 +62,7 @@ fn verdicts(choice: &Choice, threads: usize, each: impl Fn(&Verdict) + Sync) -> 
 }
 
 /// Tiers are held against each other.
+#[allow(clippy::unnecessary_wraps, reason = "cases give a result")]
 pub(super) fn rows(context: &Context) -> CaseResult {
     let (count, fast_of) = match context.amount {
         Amount::Full => (ALL, FAST_OF_ALL),
@@ -75,9 +76,7 @@ pub(super) fn rows(context: &Context) -> CaseResult {
         }
     });
     let mut rows = Vec::new();
-    let tiers: [(&str, fn(&Verdict) -> &Opinion); 3] =
-        [("accurate", |v| &v.accurate), ("stepped", |v| &v.stepped), ("fast", |v| &v.fast)];
-    for (tier, opinion) in tiers {
+    for (tier, opinion) in TIERS {
         let number = |word: &str| verdicts.iter().filter(|v| opinion(v).word() == word).count();
         let asked = verdicts.len() - number("-");
         for (word, what) in [("wrong", "wrong and well"), ("differs", "other motions set otherwise in the world")] {

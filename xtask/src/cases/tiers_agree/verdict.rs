@@ -42,6 +42,13 @@ pub(super) enum Opinion {
     None,
 }
 
+/// Takes the opinion on one tier.
+pub(super) type OfTier = fn(&Verdict) -> &Opinion;
+
+/// The tiers that are judged.
+pub(super) const TIERS: [(&str, OfTier); 3] =
+    [("accurate", |v| &v.accurate), ("stepped", |v| &v.stepped), ("fast", |v| &v.fast)];
+
 /// What is found of a scene.
 #[derive(Debug)]
 pub(super) struct Verdict {
@@ -264,7 +271,8 @@ impl fmt::Display for Opinion {
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} {} ({:.2} s)", self.seed, self.kind, self.seconds)?;
-        for (tier, opinion) in [("accurate", &self.accurate), ("stepped", &self.stepped), ("fast", &self.fast)] {
+        for (tier, of_tier) in TIERS {
+            let opinion = of_tier(self);
             if !matches!(opinion, Opinion::Right(_) | Opinion::None) {
                 write!(f, "\n    {tier} {opinion}")?;
             }
