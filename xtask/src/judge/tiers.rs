@@ -141,7 +141,10 @@ impl Standard {
         far.iter()
             .zip(&self.growth)
             .take_while(|(_, growth)| **growth < MOST_GROWTH)
-            .position(|((far, _), growth)| !(*far <= floor.max(COPY) + COPY_GROWN * (growth - 1.0) * DISTURBED))
+            .position(|((far, _), growth)| {
+                let most = floor.max(COPY) + COPY_GROWN * (growth - 1.0) * DISTURBED;
+                far.is_nan() || *far > most
+            })
             .map(|sample| (sample, far[sample].0, far[sample].1))
     }
 

@@ -108,18 +108,21 @@ impl Mechanism {
             rows.push(self.row(&relative(joint, linear, angular), right));
         };
         let (linear, angular): (&[DVec3], &[DVec3]) = match joint.kind {
-            JointKind::Ball => (&all, &[]),
             JointKind::Hinge => (&all, &all[1..]),
             JointKind::Fixed => (&all, &all),
             JointKind::Slider => (&all[1..], &all),
             JointKind::Cylindrical | JointKind::Screw => (&all[1..], &all[1..]),
             JointKind::Planar => (&all[..1], &all[1..]),
-            JointKind::Universal => (&all, &[]),
+            JointKind::Ball | JointKind::Universal => (&all, &[]),
             JointKind::Track => (&all[1..], if joint.is_at_rest() { &all } else { &[] }),
             JointKind::Rod | JointKind::Rope => (&[], &[]),
         };
-        linear.iter().for_each(|&direction| hold(direction, DVec3::ZERO, 0.0));
-        angular.iter().for_each(|&direction| hold(DVec3::ZERO, direction, 0.0));
+        for &direction in linear {
+            hold(direction, DVec3::ZERO, 0.0);
+        }
+        for &direction in angular {
+            hold(DVec3::ZERO, direction, 0.0);
+        }
         match joint.kind {
             JointKind::Universal => hold(DVec3::ZERO, joint.axes[0].cross(joint.axes[1]), 0.0),
             JointKind::Screw => hold(axis, axis * (-joint.length / std::f64::consts::TAU), 0.0),

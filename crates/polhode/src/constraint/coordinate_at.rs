@@ -49,6 +49,12 @@ impl CoordinateAt {
         Self { value, rate, bias, point, direction, moment: None, at_second: None }
     }
 
+    /// The rate of the coordinate itself, m/s: of an angle not that of its lever, which contains how fast the anchors part where the
+    /// joint does not hold them yet, and depends on which way across the axis the lever points.
+    pub(super) fn own_rate(&self) -> f64 {
+        self.moment.map_or(self.rate, |moment| moment.rate)
+    }
+
     /// The same with the force of an angle at the lever of B, which turns with that body.
     pub(super) fn at_lever_of_second(self) -> Self {
         let at = |AtLever { point, direction, rate, bias }| Self { rate, bias, point, direction, ..self };

@@ -102,7 +102,7 @@ impl JointForce {
     /// Its effort times the rate of its coordinate, W.
     pub(super) fn power(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> f64 {
         self.coordinate_at(motion).map_or(0.0, |at| {
-            let rate = at.moment.map_or(at.rate, |moment| moment.rate) / self.unit;
+            let rate = at.own_rate() / self.unit;
             self.source.effort(at.value / self.unit, rate) * rate
         })
     }
@@ -144,7 +144,7 @@ impl Field for JointForce {
 
     fn add_wrenches(&self, _t: f64, bodies: &[RigidBody], states: &[BodyState], wrenches: &mut [Wrench]) {
         let Some(at) = self.at(bodies, states) else { return };
-        let along = self.source.effort(at.value / self.unit, at.rate / self.unit) / self.unit;
+        let along = self.source.effort(at.value / self.unit, at.own_rate() / self.unit) / self.unit;
         for (end, sign) in self.ends.iter().zip([1.0, -1.0]) {
             let Some((_, slot)) = end else { continue };
             let (Some(state), Some(wrench)) = (states.get(*slot), wrenches.get_mut(*slot)) else { continue };
@@ -165,7 +165,7 @@ impl Field for JointForce {
             let (_, body) = end?;
             Some(ResponseEnd { body, arm: at.point - states.get(body)?.pose.translation })
         };
-        let Gains { stiffness, damping } = self.source.gains(at.value / self.unit, at.rate / self.unit);
+        let Gains { stiffness, damping } = self.source.gains(at.value / self.unit, at.own_rate() / self.unit);
         let direction = at.direction;
         let along = DMat3::from_cols(direction * direction.x, direction * direction.y, direction * direction.z);
         let per_unit = along * (self.unit * self.unit).recip();

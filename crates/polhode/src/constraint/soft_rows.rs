@@ -66,7 +66,7 @@ impl JointForce {
     /// Whether its effort does not change with small motions.
     fn is_constant(&self, world: &World, states: &[BodyState]) -> bool {
         let Some(at) = self.in_world(world, states) else { return true };
-        let Gains { stiffness, damping } = self.source.gains(at.value / self.unit, at.rate / self.unit);
+        let Gains { stiffness, damping } = self.source.gains(at.value / self.unit, at.own_rate() / self.unit);
         stiffness == 0.0 && damping == 0.0
     }
 

@@ -1,7 +1,7 @@
 //! The command that judges tiers by each other: a line for each scene that is not right, and a table by kind.
 
 use super::subject::{Copy, Subject};
-use super::verdict::{Opinion, Verdict};
+use super::verdict::{FAST_STEPS, Opinion, TIERS, Verdict};
 use super::{ALL, Choice, FAST_OF_ALL, FEW, verdicts};
 use crate::random_mechanism::generate::KINDS;
 use clap::Args;
@@ -12,6 +12,7 @@ use std::process::ExitCode;
 
 /// What the command takes.
 #[derive(Debug, Args)]
+#[allow(clippy::struct_excessive_bools, reason = "each is a switch of the command line")]
 pub(crate) struct Options {
     /// Tiers are judged by each other; the only kind of judgement so far.
     #[arg(long)]
@@ -61,7 +62,11 @@ pub(crate) struct Options {
 pub(crate) fn run(options: &Options) -> Result<ExitCode, Box<dyn Error>> {
     if let [seed, file] = options.write.as_slice() {
         let subject = Subject::of(seed.parse()?, options.scenes);
-        let step_s = (options.tier != "accurate").then(|| subject.step_s());
+        let step_s = match options.tier.as_str() {
+            "accurate" => None,
+            "fast" => Some(FAST_STEPS * subject.step_s()),
+            _ => Some(subject.step_s()),
+        };
         let copy = if options.placed { Copy::Placed } else { Copy::None };
         subject.text(copy, &options.tier, step_s).write(&PathBuf::from(file))?;
         return Ok(ExitCode::SUCCESS);
@@ -108,10 +113,8 @@ fn table(verdicts: &[Verdict]) {
         kinds.entry("~ all").or_default().push(verdict);
     }
     for (kind, all) in kinds {
-        let tiers: [(&str, fn(&Verdict) -> &Opinion); 3] =
-            [("accurate", |v| &v.accurate), ("stepped", |v| &v.stepped), ("fast", |v| &v.fast)];
         let seconds: f64 = all.iter().map(|v| v.seconds).sum();
-        let counts = tiers.map(|(tier, opinion)| {
+        let counts = TIERS.map(|(tier, opinion)| {
             let counts = words.map(|word| all.iter().filter(|v| opinion(v).word() == word).count().to_string());
             let mut orders: Vec<f64> = all
                 .iter()

@@ -17,15 +17,16 @@ pub(crate) use command::{Options, run};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use subject::Subject;
-use verdict::{Opinion, Verdict};
+use verdict::{Opinion, TIERS, Verdict};
 
 const CASE: &str = "tiers agree";
 /// Mechanisms of a plain run, and of a full one.
 const FEW: u64 = 200;
 const ALL: u64 = 5000;
-/// Of so many the tier `fast` is looked at as well: one in this number of a plain run, and of a full one.
-const FAST_OF_FEW: u64 = 4;
-const FAST_OF_ALL: u64 = 10;
+/// Of so many the tier `fast` is looked at as well: one in this number of a plain run, and of a full one. No divisor of the number of
+/// kinds, so that all of them come.
+const FAST_OF_FEW: u64 = 3;
+const FAST_OF_ALL: u64 = 9;
 
 /// What is judged.
 #[derive(Debug, Clone)]
@@ -62,6 +63,7 @@ fn verdicts(choice: &Choice, threads: usize, each: impl Fn(&Verdict) + Sync) -> 
 }
 
 /// Tiers are held against each other.
+#[allow(clippy::unnecessary_wraps, reason = "cases give a result")]
 pub(super) fn rows(context: &Context) -> CaseResult {
     let (count, fast_of) = match context.amount {
         Amount::Full => (ALL, FAST_OF_ALL),
@@ -75,9 +77,7 @@ pub(super) fn rows(context: &Context) -> CaseResult {
         }
     });
     let mut rows = Vec::new();
-    let tiers: [(&str, fn(&Verdict) -> &Opinion); 3] =
-        [("accurate", |v| &v.accurate), ("stepped", |v| &v.stepped), ("fast", |v| &v.fast)];
-    for (tier, opinion) in tiers {
+    for (tier, opinion) in TIERS {
         let number = |word: &str| verdicts.iter().filter(|v| opinion(v).word() == word).count();
         let asked = verdicts.len() - number("-");
         for (word, what) in [("wrong", "wrong and well"), ("differs", "other motions set otherwise in the world")] {
@@ -94,6 +94,11 @@ pub(super) fn rows(context: &Context) -> CaseResult {
     rows.push(Row::at_most(CASE, &format!("refused by accurate, of {count} mechanisms"), 0.0, refused));
     let needless = verdicts.iter().filter(|v| v.is_needless).count() as f64;
     rows.push(Row::info(CASE, "accurate: warns or is degraded, and copies agree to 1e-12", "", needless));
-    rows.push(Row::info(CASE, "time, s", "", verdicts.iter().map(|v| v.seconds).sum::<f64>()));
+    rows.push(Row::info(
+        CASE,
+        "time that the runs take, one after the other, s",
+        "",
+        verdicts.iter().map(|v| v.seconds).sum::<f64>(),
+    ));
     Ok(rows)
 }

@@ -18,6 +18,8 @@ const PIECE_S: f64 = 0.3;
 const STEP_S: f64 = 0.002;
 /// Time between samples in longest steps of tiers of fixed steps: the same instants for every step.
 const STEPS_A_SAMPLE: f64 = 10.0;
+/// The same between events, where steps are longer.
+const SMOOTH_STEPS_A_SAMPLE: f64 = 5.0;
 
 /// How a scene is run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,7 +42,7 @@ pub(super) enum Subject {
 /// A scene file with its meshes, and what is set besides.
 #[derive(Debug)]
 pub(super) struct Text {
-    pub(super) text: String,
+    pub(super) toml: String,
     pub(super) meshes: Vec<(String, String)>,
     pub(super) overrides: Vec<Override>,
 }
@@ -52,7 +54,7 @@ impl Text {
     /// When a file cannot be written.
     pub(super) fn write(&self, path: &Path) -> Result<(), Box<dyn Error>> {
         let sets = self.overrides.iter().map(|set| format!("# --set {}={}\n", set.key, set.value));
-        std::fs::write(path, sets.collect::<String>() + &self.text)?;
+        std::fs::write(path, sets.collect::<String>() + &self.toml)?;
         for (name, mesh) in &self.meshes {
             std::fs::write(path.with_file_name(name), mesh)?;
         }
@@ -144,7 +146,8 @@ impl Subject {
     /// The scene file for a tier and a step, s (none: as the plan has it).
     pub(super) fn text(&self, copy: Copy, tier: &str, step_s: Option<f64>) -> Text {
         let set = |key: &str, value: String| Override::new("the judge of tiers", key, value);
-        let interval = set("output.interval", format!("{:?}", STEPS_A_SAMPLE * self.step_s()));
+        let steps = if self.is_smooth() { SMOOTH_STEPS_A_SAMPLE } else { STEPS_A_SAMPLE };
+        let interval = set("output.interval", format!("{:?}", steps * self.step_s()));
         match self {
             Self::Mechanism(scene) => {
                 let text = match copy {
@@ -152,14 +155,14 @@ impl Subject {
                     Copy::Placed => scene.written(&self.placement(), tier, step_s),
                     Copy::Disturbed => scene.disturbed(DISTURBED).written(&Placement::AS_IS, tier, step_s),
                 };
-                Text { text, meshes: Vec::new(), overrides: vec![interval] }
+                Text { toml: text, meshes: Vec::new(), overrides: vec![interval] }
             }
             Self::Scene(model) => {
                 let written = self.scene_copy(copy).of(model).written("random");
                 let mut overrides = vec![interval, set("method.tier", format!("\"{tier}\""))];
                 overrides.push(set("duration", format!("{:?}", self.duration_s())));
                 overrides.extend(step_s.map(|step_s| set("method.step", format!("{step_s:?}"))));
-                Text { text: written.text, meshes: written.meshes, overrides }
+                Text { toml: written.text, meshes: written.meshes, overrides }
             }
         }
     }

@@ -121,7 +121,7 @@ impl Trial {
             is_stopped: false,
         };
         let ran = catch_unwind(AssertUnwindSafe(|| {
-            let loaded = polhode_scene::load_text(&origin.display().to_string(), &text.text, &text.overrides)
+            let loaded = polhode_scene::load_text(&origin.display().to_string(), &text.toml, &text.overrides)
                 .map_err(|error| Ending::Refused(error.to_string()))?;
             let told = |error: SimulationError| match error {
                 SimulationError::Scene(error) => Ending::Refused(error.to_string()),

@@ -13,7 +13,7 @@ const STEPPED_COPY: f64 = 1e-8;
 /// Copies as near as this are one motion to rounding, in bodies: warnings of accuracy are then needless.
 const ROUNDING: f64 = 1e-12;
 /// The longest step of the tier `fast`, in those of `stepped`.
-const FAST_STEPS: f64 = 5.0;
+pub(super) const FAST_STEPS: f64 = 5.0;
 /// What the tier `fast` promises: overlap and gap of joints in parts of the smallest body.
 const FAST_OVERLAP: f64 = 0.1;
 const FAST_GAP: f64 = 1e-2;
@@ -41,6 +41,13 @@ pub(super) enum Opinion {
     /// Not asked for.
     None,
 }
+
+/// Takes the opinion on one tier.
+pub(super) type OfTier = fn(&Verdict) -> &Opinion;
+
+/// The tiers that are judged.
+pub(super) const TIERS: [(&str, OfTier); 3] =
+    [("accurate", |v| &v.accurate), ("stepped", |v| &v.stepped), ("fast", |v| &v.fast)];
 
 /// What is found of a scene.
 #[derive(Debug)]
@@ -264,7 +271,8 @@ impl fmt::Display for Opinion {
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} {} ({:.2} s)", self.seed, self.kind, self.seconds)?;
-        for (tier, opinion) in [("accurate", &self.accurate), ("stepped", &self.stepped), ("fast", &self.fast)] {
+        for (tier, of_tier) in TIERS {
+            let opinion = of_tier(self);
             if !matches!(opinion, Opinion::Right(_) | Opinion::None) {
                 write!(f, "\n    {tier} {opinion}")?;
             }

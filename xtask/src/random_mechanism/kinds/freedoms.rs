@@ -127,7 +127,7 @@ pub(in crate::random_mechanism) fn bounded_motor(build: &mut Build) {
 
 /// Dry friction in joints: what moves stops, what rests is held or breaks away.
 pub(in crate::random_mechanism) fn friction(build: &mut Build) {
-    build.scene.duration = 0.4;
+    build.scene.duration = 0.2;
     for joint in build.any_tree(3, KINDS) {
         for &coordinate in build.coordinates(joint) {
             let bearing = build.random.below(3) == 0;

@@ -111,7 +111,7 @@ pub(in crate::random_mechanism) fn line_symmetric(build: &mut Build) {
     let line = half_turn.xyz().normalize();
     let [u, v] = across(line);
     for k in 0..3 {
-        let angle = TAU * (k as f64 + build.random.between(-0.2, 0.2)) / 6.0;
+        let angle = TAU * (f64::from(k) + build.random.between(-0.2, 0.2)) / 6.0;
         let radius = build.random.between(0.3, 0.7);
         points.push((u * libm::cos(angle) + v * libm::sin(angle)) * radius + line * build.random.between(-0.4, 0.4));
         axes.push(build.random.direction());

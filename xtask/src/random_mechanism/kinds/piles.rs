@@ -37,6 +37,7 @@ pub(in crate::random_mechanism) fn rest(build: &mut Build) {
 
 /// A stack of which a force pushes one body.
 pub(in crate::random_mechanism) fn pushed(build: &mut Build) {
+    build.scene.duration = 0.16;
     let friction = build.random.between(0.2, 0.8);
     let material = build.floor(friction, 0.0);
     let count = 1 + build.random.below(3);
@@ -50,7 +51,7 @@ pub(in crate::random_mechanism) fn pushed(build: &mut Build) {
 
 /// A ball that hits a block or a stack at rest.
 pub(in crate::random_mechanism) fn struck(build: &mut Build) {
-    (build.scene.duration, build.scene.step) = (0.16, 0.0004);
+    (build.scene.duration, build.scene.step) = (0.14, 0.0004);
     let (friction, restitution) = (build.random.between(0.0, 0.8), build.random.one_of(&[0.0, 0.3, 0.6]));
     let material = build.floor(friction, restitution);
     let count = 1 + build.random.below(2);
@@ -67,6 +68,7 @@ pub(in crate::random_mechanism) fn struck(build: &mut Build) {
 
 /// A few boxes and balls that are dropped together.
 pub(in crate::random_mechanism) fn dropped(build: &mut Build) {
+    build.scene.duration = 0.24;
     let (friction, restitution) = (build.random.one_of(&[0.0, 0.4, 0.8]), build.random.one_of(&[0.0, 0.0, 0.3]));
     let material = build.floor(friction, restitution);
     for k in 0..3 + build.random.below(3) {

@@ -157,6 +157,7 @@ pub(in crate::random_mechanism) fn belt(build: &mut Build) {
 
 /// Bodies on a turntable or a plate that shakes.
 pub(in crate::random_mechanism) fn moving_floor(build: &mut Build) {
+    build.scene.duration = 0.2;
     let friction = build.random.between(0.2, 1.0);
     let material = build.material(friction, friction, 0.0);
     let floor = build.driven(Some("box = { size = [4, 4, 0.2] }".to_owned()), DQuat::IDENTITY, 0.4);
@@ -184,6 +185,7 @@ pub(in crate::random_mechanism) fn moving_floor(build: &mut Build) {
 
 /// A body that slides over flush tiles.
 pub(in crate::random_mechanism) fn seams(build: &mut Build) {
+    build.scene.duration = 0.2;
     let is_rough = build.random.below(2) == 0;
     let friction = if is_rough { build.random.between(0.05, 0.4) } else { 0.0 };
     let material = build.material(friction, friction, 0.0);

@@ -113,7 +113,6 @@ pub(in crate::random_mechanism) fn follower(build: &mut Build) {
 
 /// A bead with dry friction, or stops that it reaches.
 pub(in crate::random_mechanism) fn rough(build: &mut Build) {
-    build.scene.duration = 0.4;
     let (point, tangent) = build.any_track(4);
     let joint = build.on_track(point, tangent);
     match build.random.below(3) {
