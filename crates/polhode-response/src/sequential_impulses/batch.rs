@@ -32,6 +32,9 @@ pub(super) struct Blocks {
     pub(super) pressing: [Four; 6],
     pub(super) slipping: [Four; 6],
     pub(super) coupling: [[Four; 3]; 3],
+    /// The inverse of `K_TT`, and that of the sum of the squares of the distances of the points from the centre, 1/m^2.
+    pub(super) sticking: [Four; 6],
+    pub(super) spread: Four,
 }
 
 /// One point of each of the four manifolds.

@@ -1,6 +1,6 @@
 //! A body as sequential impulses know it: what an impulse does to it, its velocity, and how far it has come in this step.
 
-use super::lanes::{Lanes, Symmetric, Vectors};
+use super::lanes::{Lanes, Symmetric, Vectors, by_place};
 use polhode_spatial::{DMat3, DVec3};
 
 /// A body: its velocity is changed by impulses, its displacement by whoever integrates it.
@@ -150,7 +150,7 @@ impl<L: Lanes> Gathered<L> {
             angular: gathered(bodies, numbers, |body| &body.angular),
             inverse_mass: L::from_lanes(|lane| of(lane).inverse_mass),
             inverse_inertia: Symmetric {
-                entries: std::array::from_fn(|k| L::from_lanes(|lane| of(lane).inverse_inertia[k])),
+                entries: by_place(L::splat(0.0), |k| L::from_lanes(|lane| of(lane).inverse_inertia[k])),
             },
         }
     }

@@ -221,13 +221,34 @@ pub(super) fn find_blocks<L: Lanes>(
     let along = |i: usize, j: usize| of_a.of_moments[i].dot(of_a.moments[j]) + of_b.of_moments[i].dot(of_b.moments[j]);
     let mixed = |i: usize, j: usize| (of_a.of_moments[i] + of_b.of_moments[i]).dot(axes[j]);
     let about = |i: usize, j: usize| (of_a.of_axes[i] + of_b.of_axes[i]).dot(axes[j]);
-    let Blocks { pressing, slipping, coupling } = blocks;
+    let Blocks { pressing, slipping, coupling, sticking, .. } = blocks;
     store([masses + along(0, 0), mixed(0, 1), mixed(0, 2), about(1, 1), about(1, 2), about(2, 2)], pressing, part);
     let of_slip = [masses + along(1, 1), along(1, 2), mixed(1, 0), masses + along(2, 2), mixed(2, 0), about(0, 0)];
     store(of_slip, slipping, part);
+    store(inverse(of_slip), sticking, part);
     store([along(1, 0), mixed(1, 1), mixed(1, 2)], &mut coupling[0], part);
     store([along(2, 0), mixed(2, 1), mixed(2, 2)], &mut coupling[1], part);
     store([mixed(0, 0), about(0, 1), about(0, 2)], &mut coupling[2], part);
+}
+
+/// The inverse of a symmetric matrix; where it has none, that of its first two diagonal entries.
+#[inline(always)]
+fn inverse<L: Lanes>([xx, xy, xz, yy, yz, zz]: [L; 6]) -> [L; 6] {
+    let zero = L::splat(0.0);
+    let [a, b, c] = [yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy];
+    let determinant = xx * a + xy * b + xz * c;
+    let of = |cofactor: L, diagonal: L| {
+        let alone = L::pick_greater(diagonal, zero, L::splat(1.0) / diagonal, zero);
+        L::pick_greater(determinant, zero, cofactor / determinant, alone)
+    };
+    [
+        of(a, xx),
+        of(b, zero),
+        of(c, zero),
+        of(xx * zz - xz * xz, yy),
+        of(xy * xz - xx * yz, zero),
+        of(xx * yy - xy * xy, zero),
+    ]
 }
 
 #[inline(always)]

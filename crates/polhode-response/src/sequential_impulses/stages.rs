@@ -3,7 +3,7 @@
 
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody};
-use super::lanes::{FOUR, Lanes};
+use super::lanes::{FOUR, Lanes, by_place};
 use super::patch::{Block, Frame, Relative, Wrench, find_blocks, place};
 use super::together::{Together, entries};
 use super::works::{FourWorks, LaneWorks, Works, book, numbers};
@@ -25,6 +25,11 @@ fn prepare_part<L: Lanes>(bodies: &[ImpulseBody], (batch, part): (&mut Batch, us
     let frame = Frame::<L>::load(batch, part);
     let (zero, half, one) = (L::splat(0.0), L::splat(0.5), L::splat(1.0));
     find_blocks(&frame, (&a, &b), (&mut batch.blocks, part));
+    let squares = rows.iter().fold(zero, |sum, row| {
+        let [x, y] = place::<L>(&row.place, part);
+        sum + x * x + y * y
+    });
+    L::pick_greater(squares, zero, one / squares, zero).store(&mut batch.blocks.spread, part);
     let pressing = Block::of(&batch.blocks.pressing, part);
     let slipping = Block::of(&batch.blocks.slipping, part);
     let relative = frame.relative(&a.twist(), &b.twist());
@@ -126,16 +131,16 @@ fn bounce<L: Lanes, const N: usize>(
 ) -> L {
     let (zero, half, one) = (L::splat(0.0), L::splat(0.5), L::splat(1.0));
     let Some(rows) = rows.first_chunk_mut::<N>() else { return zero };
-    let known: [L; N] = std::array::from_fn(|i| L::load(&rows[i].total[0], part));
-    let rates: [L; N] = std::array::from_fn(|i| relative.rate(place(&rows[i].place, part)));
-    let before: [L; N] = std::array::from_fn(|i| L::load(&rows[i].rate, part));
-    let may = std::array::from_fn(|i| {
+    let known: [L; N] = by_place(zero, |i| L::load(&rows[i].total[0], part));
+    let rates: [L; N] = by_place(zero, |i| relative.rate(place(&rows[i].place, part)));
+    let before: [L; N] = by_place(zero, |i| L::load(&rows[i].rate, part));
+    let may = by_place(zero, |i| {
         let has_pressed = L::pick_greater(known[i], zero, one, zero);
         let bounces = L::pick_greater(restitution, zero, has_pressed, zero);
         L::pick_greater(faster, before[i], bounces, zero)
     });
-    let matrix: [[L; N]; N] = std::array::from_fn(|i| entries(&rows[i], i, part));
-    let wanted = std::array::from_fn(|i| rates[i] + restitution * before[i]);
+    let matrix: [[L; N]; N] = by_place([zero; N], |i| entries(&rows[i], i, part));
+    let wanted = by_place(zero, |i| rates[i] + restitution * before[i]);
     let given = Together { matrix, known, wanted, give: [zero; N], may }.change();
     let mut work = zero;
     for i in 0..N {

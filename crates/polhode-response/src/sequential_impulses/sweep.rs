@@ -9,7 +9,9 @@
 //! p_t <- P(p_t - rho u_t)             onto the disc |p_t| <= mu p_n; rho one number, so that friction acts against the slip
 //! ```
 //!
-//! The points of a patch are solved in its coordinates (`patch`), first all along the tangents, then all along the normal. `m = 1 / K_nn`, `rho` the
+//! The points of a patch are solved in its coordinates (`patch`), first all along the tangents, then all along the normal (`together`). The formulas are those of a patch of
+//! one point; of several no point comes before another. Friction first tries the change of least norm under which none of them slips; where that is beyond a disc, each point
+//! takes the step `rho / N` against its own slip. `m = 1 / K_nn`, `rho` the
 //! inverse of the largest eigenvalue of `K_tt`; `a`, `b`, `c` are [`Softness`]. Separations are those at the start of the step plus the
 //! displacements of the bodies along the rows of then.
 //!
@@ -18,7 +20,7 @@
 
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody, Twist};
-use super::lanes::{FOUR, Lanes};
+use super::lanes::{FOUR, Lanes, by_place};
 use super::patch::{Block, Frame, Relative, Wrench, add, coupled, place};
 use super::together::{Together, entries};
 use super::works::{FourWorks, Works, book, numbers};
@@ -204,14 +206,13 @@ impl<L: Lanes> Law<L> {
     ) {
         let Some(rows) = rows.first_chunk_mut::<N>() else { return };
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
-        let known: [L; N] = std::array::from_fn(|i| L::load(&rows[i].impulse[0], part));
-        let matrix: [[L; N]; N] = std::array::from_fn(|i| entries(&rows[i], i, part));
-        let separation: [L; N] = std::array::from_fn(|i| L::load(&rows[i].present, part));
+        let known: [L; N] = by_place(zero, |i| L::load(&rows[i].impulse[0], part));
+        let matrix: [[L; N]; N] = by_place([zero; N], |i| entries(&rows[i], i, part));
+        let separation: [L; N] = by_place(zero, |i| L::load(&rows[i].present, part));
         // Of the law of a point, `u + beta / a + (c / a) K p = 0`.
         let compliance = self.taken_back / self.mass;
-        let give: [L; N] =
-            std::array::from_fn(|i| L::pick_greater(separation[i], zero, zero, compliance * matrix[i][i]));
-        let wanted: [L; N] = std::array::from_fn(|i| {
+        let give: [L; N] = by_place(zero, |i| L::pick_greater(separation[i], zero, zero, compliance * matrix[i][i]));
+        let wanted: [L; N] = by_place(zero, |i| {
             let overlapping = (self.rate * separation[i]).greater(self.push) / self.mass;
             let bias = L::pick_greater(separation[i], zero, separation[i] * self.inverse_step, overlapping);
             relative.rate(place(&rows[i].place, part)) + bias + give[i] * known[i]
@@ -223,11 +224,50 @@ impl<L: Lanes> Law<L> {
         }
     }
 
-    /// The impulse of friction at a point with this slip, under its last impulse along the normal; what it changes by.
+    /// The impulses of friction at all points of a patch whose bodies move like this; the wrench takes what they change by. First those of least norm under which no point
+    /// slips; of a patch where one of them is beyond its disc, a step of each point against its own slip, by its share.
     #[inline(always)]
-    fn rub(&self, row: &mut PointRows, part: usize, [slip_x, slip_y]: [L; 2]) -> [L; 2] {
+    fn rub_together<const N: usize>(
+        &self,
+        rows: &mut [PointRows],
+        (batch, part): (&Batch, usize),
+        (relative, wrench): (&Relative<L>, &mut Wrench<L>),
+    ) {
+        let Some(rows) = rows.first_chunk_mut::<N>() else { return };
+        let (zero, one, share) = (L::splat(0.0), L::splat(1.0), L::splat(1.0 / N as f64));
+        let places: [[L; 2]; N] = by_place([zero; 2], |i| place(&rows[i].place, part));
+        let [x, y, about] = Block::of(&batch.blocks.sticking, part).times(relative.slipping);
+        let (along_x, along_y, about) = (x * share, y * share, about * L::load(&batch.blocks.spread, part));
+        let mut changes: [[L; 2]; N] =
+            by_place([zero; 2], |i| [places[i][1] * about - along_x, -(places[i][0] * about) - along_y]);
+        let mut slides = zero;
+        for i in 0..N {
+            let [x, y] = [1, 2].map(|k| L::load(&rows[i].impulse[k], part) + changes[i][k - 1]);
+            let limit = self.friction * L::load(&rows[i].impulse[0], part);
+            slides = L::pick_greater(x * x + y * y, limit * limit, one, slides);
+        }
+        if L::any_greater(slides, zero) {
+            for i in 0..N {
+                let sliding = self.rubbed(&rows[i], part, relative.slip(places[i]), share);
+                for k in 0..2 {
+                    changes[i][k] = L::pick_greater(slides, zero, sliding[k], changes[i][k]);
+                }
+            }
+        }
+        for i in 0..N {
+            for k in 0..2 {
+                let impulse = L::load(&rows[i].impulse[k + 1], part) + changes[i][k];
+                impulse.store(&mut rows[i].impulse[k + 1], part);
+            }
+            wrench.rub(places[i], changes[i]);
+        }
+    }
+
+    /// By what the impulse of friction at a point with this slip changes, under its last impulse along the normal and by a share of its own mass.
+    #[inline(always)]
+    fn rubbed(&self, row: &PointRows, part: usize, [slip_x, slip_y]: [L; 2], share: L) -> [L; 2] {
         let (before_x, before_y) = (L::load(&row.impulse[1], part), L::load(&row.impulse[2], part));
-        let rho = L::load(&row.sliding_mass, part);
+        let rho = L::load(&row.sliding_mass, part) * share;
         let (mut x, mut y) = (before_x - rho * slip_x, before_y - rho * slip_y);
         let limit = self.friction * L::load(&row.impulse[0], part);
         let square = x * x + y * y;
@@ -237,9 +277,17 @@ impl<L: Lanes> Law<L> {
             let scale = L::pick_greater(square, largest, limit / square.root(), L::splat(1.0));
             (x, y) = (x * scale, y * scale);
         }
-        x.store(&mut row.impulse[1], part);
-        y.store(&mut row.impulse[2], part);
         [x - before_x, y - before_y]
+    }
+
+    /// The impulse of friction at a point with this slip, under its last impulse along the normal; what it changes by.
+    #[inline(always)]
+    fn rub(&self, row: &mut PointRows, part: usize, slip: [L; 2]) -> [L; 2] {
+        let change = self.rubbed(row, part, slip, L::splat(1.0));
+        for k in 0..2 {
+            (L::load(&row.impulse[k + 1], part) + change[k]).store(&mut row.impulse[k + 1], part);
+        }
+        change
     }
 }
 
@@ -265,11 +313,10 @@ fn solve<L: Lanes>(
         frame.give_at_point([normal, x, y], &mut a, &mut b);
     } else {
         let mut wrench = Wrench::none();
-        let block = Block::of(&batch.blocks.slipping, part);
-        for row in rows.iter_mut() {
-            let at = place(&row.place, part);
-            let change = law.rub(row, part, relative.slip(at));
-            relative.slipping = add(relative.slipping, block.times(wrench.rub(at, change)));
+        match rows.len() {
+            2 => law.rub_together::<2>(rows, (batch, part), (&relative, &mut wrench)),
+            3 => law.rub_together::<3>(rows, (batch, part), (&relative, &mut wrench)),
+            _ => law.rub_together::<4>(rows, (batch, part), (&relative, &mut wrench)),
         }
         relative.pressing = add(relative.pressing, coupled(&batch.blocks.coupling, part, wrench.slipping));
         match rows.len() {

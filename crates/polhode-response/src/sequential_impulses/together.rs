@@ -10,12 +10,12 @@
 //! The matrix of four points has rank three, since a rigid face has three ways to approach another: the term with `e` ([`PROXIMAL`]) chooses the change of
 //! least norm. So the solution is unique, and as symmetric as the patch is. It is found by principal pivoting: the set of points that press is guessed, the equations of the set are solved by
 //! `L D L^T`, and all points that contradict the guess change sides. Where this does not end, the first of them alone changes, which ends for every matrix with positive
-//! principal minors. Sources: Júdice and Pires 1994 (block pivoting), Murty 1974, Golub and Van Loan 4.1, docs/REFERENCES.md.
+//! principal minors. Sources: Judice and Pires 1994 (block pivoting), Murty 1974, Golub and Van Loan 4.1, docs/REFERENCES.md.
 //!
 //! Failure: after [`MOST_ROUNDS`] rounds the last guess stands, without the negative impulses.
 
 use super::batch::PointRows;
-use super::lanes::Lanes;
+use super::lanes::{Lanes, by_place};
 
 /// What holds the change of impulses small, relative to the diagonal (no unit, 1e-8 to 1e-4): the square root of rounding at most, so that what no motion tells apart is
 /// known to half of the digits.
@@ -45,7 +45,7 @@ pub(super) struct Together<L, const N: usize> {
 /// The line of the matrix of point `i`, up to the diagonal.
 #[inline(always)]
 pub(super) fn entries<L: Lanes, const N: usize>(row: &PointRows, i: usize, part: usize) -> [L; N] {
-    std::array::from_fn(|j| match j {
+    by_place(L::splat(0.0), |j| match j {
         _ if j == i => L::load(&row.stiffness, part),
         _ if j < i => L::load(&row.with[j], part),
         _ => L::splat(0.0),
@@ -62,7 +62,7 @@ impl<L: Lanes, const N: usize> Together<L, N> {
     #[inline(always)]
     pub(super) fn change(&self) -> [L; N] {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
-        let mut presses: [L; N] = std::array::from_fn(|i| {
+        let mut presses: [L; N] = by_place(zero, |i| {
             let stiffness = self.matrix[i][i] + self.give[i];
             L::pick_greater(self.wanted[i], stiffness * self.known[i], zero, self.may[i])
         });
@@ -92,7 +92,7 @@ impl<L: Lanes, const N: usize> Together<L, N> {
                 break;
             }
         }
-        std::array::from_fn(|i| {
+        by_place(zero, |i| {
             let least = change[i].greater(-self.known[i]);
             L::pick_greater(self.may[i], zero, least, zero)
         })
@@ -104,8 +104,8 @@ impl<L: Lanes, const N: usize> Together<L, N> {
     fn of_set<const ALL: bool>(&self, presses: &[L; N]) -> [L; N] {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         let lost: [L; N] =
-            std::array::from_fn(|i| if ALL { zero } else { (one - presses[i]) * self.may[i] * self.known[i] });
-        let mut x: [L; N] = std::array::from_fn(|i| {
+            by_place(zero, |i| if ALL { zero } else { (one - presses[i]) * self.may[i] * self.known[i] });
+        let mut x: [L; N] = by_place(zero, |i| {
             if ALL {
                 return -self.wanted[i];
             }
@@ -144,6 +144,6 @@ impl<L: Lanes, const N: usize> Together<L, N> {
                 x[i] = x[i] - factor[j][i] * x[j];
             }
         }
-        if ALL { x } else { std::array::from_fn(|i| x[i] - lost[i]) }
+        if ALL { x } else { by_place(zero, |i| x[i] - lost[i]) }
     }
 }

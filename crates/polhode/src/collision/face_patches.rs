@@ -483,6 +483,18 @@ impl LastingBoxes {
         Ok(true)
     }
 
+    /// Whether one of these bodies is no more within its box: pairs may be missing.
+    pub(crate) fn has_left(&self, world: &World, states: &[BodyState], of: impl Fn(usize) -> bool) -> bool {
+        let has_left = |(body, fat): (usize, &Option<Aabb>)| {
+            let (Some(fat), Some(shape)) = (fat, &world.bodies[body].shape) else { return false };
+            if !of(body) {
+                return false;
+            }
+            polhode_contact::aabb_of(shape, &states[body].pose).is_ok_and(|now| !fat.encloses(&now))
+        };
+        self.fat.iter().enumerate().any(has_left)
+    }
+
     /// Drops the box of a body.
     pub(crate) fn forget(&mut self, body: usize) {
         if let Some(fat) = self.fat.get_mut(body) {

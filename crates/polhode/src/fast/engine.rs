@@ -7,6 +7,7 @@ use super::impacts::impacts;
 use super::rest::settle;
 use super::rules::Rules;
 use super::step::step;
+use crate::accounting::Accounts;
 use crate::accounting::books::{Received, SoftStep};
 use crate::accounting::measures::Measure;
 use crate::collision::contact_id::{ContactId, Feature};
@@ -24,6 +25,7 @@ use crate::snapshot::numbers::{Contact, read_states, write_states};
 use crate::snapshot::parts::{restored_id, save_contact};
 use crate::snapshot::{SnapshotError, content};
 use crate::tier::{Reached, Tier};
+use crate::world::World;
 use crate::{Acceleration, BodyId, JointId, Momentum, MomentumSum, SimulationError};
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
@@ -89,17 +91,24 @@ impl FastEngine {
     fn step(&mut self, core: &mut Core, t_next: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
         let h = t_next - core.t;
         emit_samples_before(t_next, self, core, observer, |engine, core, t| engine.states_within(core, t).map(Some))?;
-        let before = self.course.states.clone();
         let rules = Self::rules(core, h);
         let executor = Arc::clone(&core.executor);
-        step(&mut self.course, &core.world, &*executor, (core.t, &rules))?;
-        self.book(core, &before, (t_next, &rules));
+        let Core { world, accounts, .. } = core;
+        let mut overlaps = Vec::new();
+        step(&mut self.course, world, &*executor, (core.t, &rules), |course, times, before, rules| {
+            book(course, (world, accounts), before, times, rules.h);
+            overlaps.extend(course.deepest().map(|(pair, depth)| (times[1], pair, depth)));
+            for event in impacts(course, world, before, (times[1], rules)) {
+                accounts.add_event(event);
+            }
+        })?;
+        for (t, pair, value) in overlaps {
+            let allowed = core.penetration_allowed(t, &self.course.states, pair, 0.0);
+            core.accounts.measures.penetration.note(Measure { t, pair, value, allowed });
+        }
         core.t = t_next;
         core.world.count_all_turns(&self.course.states)?;
         core.accounts.count_step();
-        for event in impacts(&self.course, &core.world, &before, (t_next, &rules)) {
-            core.accounts.add_event(event);
-        }
         settle(&mut self.course, core, &rules)?;
         self.report_pairs(core);
         core.accounts.emit_events(core.t, observer);
@@ -113,84 +122,8 @@ impl FastEngine {
             return Ok(Arc::new(self.course.states.clone()));
         }
         let mut course = self.course.copy(&core.settings);
-        step(&mut course, &core.world, &*core.executor, (core.t, &Self::rules(core, t - core.t)))?;
+        step(&mut course, &core.world, &*core.executor, (core.t, &Self::rules(core, t - core.t)), |_, _, _, _| {})?;
         Ok(course.into())
-    }
-
-    /// Books a step that began with these states.
-    fn book(&self, core: &mut Core, before: &[BodyState], (t_next, rules): (f64, &Rules)) {
-        let world = &core.world;
-        let about = core.accounts.books.ledger.momentum.about;
-        let moving: Vec<usize> = world.movable.iter().copied().filter(|&body| !self.course.resting[body]).collect();
-        let balances = [before, &self.course.states].map(|states| core.accounts.books.balance(world, states, &moving));
-        let ends = Ends { t: [core.t, t_next], states: [before, &self.course.states] };
-        let mut received = free_stage::received(world, ends, &moving, about);
-        let mut soft = SoftStep::default();
-        let mut residual = 0.0_f64;
-        let smallest = world.gravity().length() * rules.h;
-        for report in self.course.reports() {
-            let works = report.works;
-            soft.impact_j -= works.colliding_j;
-            soft.projection_j -= works.resting_j;
-            soft.friction_j -= works.friction_j;
-            soft.given_j += report.given_j;
-            let speed = report.residual.speed.max(smallest);
-            if report.residual.map > 0.0 {
-                residual = residual.max(report.residual.map / speed);
-            }
-        }
-        let of_fields = received.external_j;
-        self.support(core, before, about, (&mut received, t_next - core.t));
-        soft.driven_j = received.external_j - of_fields;
-        let resting =
-            world.movable.iter().copied().filter(|&body| self.course.resting[body] && world.bodies[body].moves());
-        let weight = core.accounts.books.weight_of(world, before, resting);
-        let worst = self.course.deepest();
-        core.accounts.note_residual(t_next, residual);
-        core.accounts.books.soft_step(balances, received, soft);
-        core.accounts.books.borne(weight, t_next - core.t);
-        if let Some((pair, depth)) = worst {
-            let allowed = core.penetration_allowed(t_next, &self.course.states, pair, 0.0);
-            let measure = Measure { t: t_next, pair, value: depth, allowed };
-            core.accounts.measures.penetration.note(measure);
-        }
-    }
-
-    /// Momentum from fixed and kinematic bodies over a step of `h` (s), and the work of the latter.
-    fn support(&self, core: &Core, states: &[BodyState], about: DVec3, (received, h): (&mut Received, f64)) {
-        let world = &core.world;
-        let carries: Vec<bool> = (0..states.len()).map(|body| world.carries_momentum(body)).collect();
-        let mut sum = MomentumSum::default();
-        for report in self.course.reports() {
-            received.external_j += report.driven_j;
-            let Momentum { linear, angular } = report.support;
-            sum.add(Momentum { linear, angular: angular - about.cross(linear) });
-        }
-        for pair in &self.course.pairs {
-            let carries = [carries[pair.a], carries[pair.b]];
-            if pair.patches.is_empty()
-                || carries == [true, true]
-                || [pair.a, pair.b].iter().any(|&body| self.course.resting[body])
-            {
-                continue;
-            }
-            let sign = f64::from(carries[0]) - f64::from(carries[1]);
-            for (point, patch) in
-                pair.patches.iter().flat_map(|patch| patch.points().iter().map(move |p| (p, patch)))
-            {
-                let normal = pair.normal(states, patch);
-                let on_a = (normal * point.normal_force + point.friction_force) * h;
-                if on_a == DVec3::ZERO {
-                    continue;
-                }
-                let [x, y] = [(pair.a, point.on_a), (pair.b, point.on_b)]
-                    .map(|(body, at)| states[body].pose.transform_point(at));
-                let place = (x + y) * 0.5;
-                let linear = on_a * sign;
-                sum.add(Momentum { linear, angular: (place - about).cross(linear) });
-            }
-        }
-        received.support = sum.value();
     }
 
     /// Adds an event for every pair that has begun or ceased to press on each other.
@@ -238,6 +171,82 @@ impl FastEngine {
             (states[a].pose.transform_point(patch.points()[0].on_a), normal)
         })
     }
+}
+
+/// Books a step that began with these states.
+fn book(
+    course: &Course,
+    (world, accounts): (&World, &mut Accounts),
+    before: &[BodyState],
+    times: [f64; 2],
+    substep_s: f64,
+) {
+    let about = accounts.books.ledger.momentum.about;
+    let moving: Vec<usize> = world.movable.iter().copied().filter(|&body| !course.resting[body]).collect();
+    let balances = [before, &course.states].map(|states| accounts.books.balance(world, states, &moving));
+    let ends = Ends { t: times, states: [before, &course.states] };
+    let mut received = free_stage::received(world, ends, &moving, about);
+    let mut soft = SoftStep::default();
+    let mut residual = 0.0_f64;
+    let smallest = world.gravity().length() * substep_s;
+    for report in course.reports() {
+        let works = report.works;
+        soft.impact_j -= works.colliding_j;
+        soft.projection_j -= works.resting_j;
+        soft.friction_j -= works.friction_j;
+        soft.given_j += report.given_j;
+        let speed = report.residual.speed.max(smallest);
+        if report.residual.map > 0.0 {
+            residual = residual.max(report.residual.map / speed);
+        }
+    }
+    let of_fields = received.external_j;
+    support((course, world), before, about, (&mut received, times[1] - times[0]));
+    soft.driven_j = received.external_j - of_fields;
+    let resting = world.movable.iter().copied().filter(|&body| course.resting[body] && world.bodies[body].moves());
+    let weight = accounts.books.weight_of(world, before, resting);
+    accounts.note_residual(times[1], residual);
+    accounts.books.soft_step(balances, received, soft);
+    accounts.books.borne(weight, times[1] - times[0]);
+}
+
+/// Momentum from fixed and kinematic bodies over a step of `h` (s), and the work of the latter.
+fn support(
+    (course, world): (&Course, &World),
+    states: &[BodyState],
+    about: DVec3,
+    (received, h): (&mut Received, f64),
+) {
+    let carries: Vec<bool> = (0..states.len()).map(|body| world.carries_momentum(body)).collect();
+    let mut sum = MomentumSum::default();
+    for report in course.reports() {
+        received.external_j += report.driven_j;
+        let Momentum { linear, angular } = report.support;
+        sum.add(Momentum { linear, angular: angular - about.cross(linear) });
+    }
+    for pair in &course.pairs {
+        let carries = [carries[pair.a], carries[pair.b]];
+        if pair.patches.is_empty()
+            || carries == [true, true]
+            || [pair.a, pair.b].iter().any(|&body| course.resting[body])
+        {
+            continue;
+        }
+        let sign = f64::from(carries[0]) - f64::from(carries[1]);
+        for (point, patch) in pair.patches.iter().flat_map(|patch| patch.points().iter().map(move |p| (p, patch))) {
+            let normal = pair.normal(states, patch);
+            let on_a = (normal * point.normal_force + point.friction_force) * h;
+            if on_a == DVec3::ZERO {
+                continue;
+            }
+            let [x, y] =
+                [(pair.a, point.on_a), (pair.b, point.on_b)].map(|(body, at)| states[body].pose.transform_point(at));
+            let place = (x + y) * 0.5;
+            let linear = on_a * sign;
+            sum.add(Momentum { linear, angular: (place - about).cross(linear) });
+        }
+    }
+    received.support = sum.value();
 }
 
 impl Tier for FastEngine {

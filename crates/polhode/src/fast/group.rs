@@ -12,8 +12,8 @@ use crate::world::{Loads, World};
 use polhode_contact::tangent_basis;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::sequential_impulses::{
-    ImpulseBody, ImpulseManifold, MOST_POINTS, ManifoldPoint, PointImpulse, Residual, SequentialImpulses, SweepOrder, SweepStage,
-    Works,
+    ImpulseBody, ImpulseManifold, MOST_POINTS, ManifoldPoint, PointImpulse, Residual, SequentialImpulses, SweepOrder,
+    SweepStage, Works,
 };
 use polhode_spatial::{DMat3, DVec3, Velocity};
 
@@ -314,7 +314,13 @@ impl Group {
     }
 
     /// Notes the kinematic body of the last patch, if there is one. `center` is the middle of its points (m).
-    fn note_driver(&mut self, given: &Given<'_>, (pair, patch): (&PairPatches, usize), numbers: [u32; 2], center: DVec3) {
+    fn note_driver(
+        &mut self,
+        given: &Given<'_>,
+        (pair, patch): (&PairPatches, usize),
+        numbers: [u32; 2],
+        center: DVec3,
+    ) {
         let sides = [(pair.a, 0, 1.0), (pair.b, 1, -1.0)];
         for (body, side, sign) in sides {
             if given.world.trajectory(body).is_none() || numbers[side] == SequentialImpulses::IMMOVABLE {

@@ -98,6 +98,11 @@ impl Rules {
         Self { substeps_before: steps.wrapping_mul(u64::from(self.substeps)), ..self }
     }
 
+    /// Those of one of its substeps alone.
+    pub(super) fn of_substep(&self, number: u32) -> Self {
+        Self { substeps: 1, substeps_before: self.substeps_before.wrapping_add(u64::from(number)), ..*self }
+    }
+
     /// The orders of both sweeps of a substep: onward and back, in the next one back and onward, and so on from step to step.
     ///
     /// What a sweep leaves of an error is no symmetric matrix times it: errors turn as they fade, and the impulses that are carried over make a stack
