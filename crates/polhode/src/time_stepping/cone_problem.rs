@@ -81,6 +81,11 @@ impl ConeSolvers {
         Self { rounds_of_sweeps, ..Self::default() }
     }
 
+    /// Forgets the answers that problems would start from.
+    pub(super) fn forget(&mut self) {
+        self.last = LastForces::default();
+    }
+
     /// The problem of the rows of an assembly, the first of which are these contacts, in a step of `h` (s).
     pub(super) fn problem<'a>(
         &'a mut self,

@@ -42,12 +42,28 @@ pub(super) struct NearContact {
     pub(super) acceleration: f64,
     /// Speed of approach up to which the contact counts as sustained, m/s.
     pub(super) resting_speed: f64,
+    /// By how much less than its gap it may approach within the step, m (`repeated.rs`).
+    pub(super) kept_off: f64,
 }
 
 impl NearContact {
     /// Whether the contact touches, or is so close that a step of `h` (s) cannot distinguish it from a touching one.
     pub(super) fn touches(&self, h: f64, touch_distance: f64) -> bool {
         self.kinematics.geometry.separation <= touch_distance.max(self.resting_speed * h)
+    }
+
+    /// Lets the contact approach by so much less (m) within the step. Returns whether that changes anything.
+    pub(super) fn keep_off(&mut self, less: f64) -> bool {
+        let changes = self.kept_off < self.kinematics.geometry.separation;
+        self.kept_off += less;
+        changes
+    }
+
+    /// Whether the contact would be stopped within a step of `h` (s) by the problem in its middle, and leave an overlap of more than
+    /// this (m).
+    pub(super) fn overlaps_in_middle(&self, h: f64, allowed: f64) -> bool {
+        let rate = self.kinematics.separation_rate;
+        rate < 0.0 && self.kinematics.geometry.separation.max(0.0) + 0.5 * h * rate < -allowed
     }
 
     /// The time to an impact within a step of `h` (s), s: if the contact closes before its end, faster than a sustained
@@ -225,7 +241,7 @@ fn contacts_within_reach(
     near
 }
 
-fn near_contact(
+pub(super) fn near_contact(
     world: &World,
     states: &[BodyState],
     free: &FreeAccelerations<'_>,
@@ -243,6 +259,7 @@ fn near_contact(
         kinematics,
         acceleration: free.relative(states, id, &kinematics),
         resting_speed: (RESTING_STEPS * span.h * pressing).min(unseen),
+        kept_off: 0.0,
     }
 }
 

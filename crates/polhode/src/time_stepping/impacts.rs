@@ -138,7 +138,7 @@ fn note(world: &World, states: &[BodyState], touches: &[Touch], struck: &Struck,
 }
 
 /// The contacts with the present velocities.
-fn refresh(world: &World, states: &[BodyState], bodies: &[usize], near: &mut [NearContact], t: f64) {
+pub(super) fn refresh(world: &World, states: &[BodyState], bodies: &[usize], near: &mut [NearContact], t: f64) {
     let free = FreeAccelerations::with_fields(world, t, states, bodies);
     for contact in near {
         if let Some(kinematics) = kinematics_at_point(world, states, contact.id) {

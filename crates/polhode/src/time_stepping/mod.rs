@@ -24,6 +24,7 @@
 //! Assumes that no body is thinner than the motion within a step. Limit: a contact that was not detected at the start
 //! is found one step late, as a penetration that is removed and reported.
 
+mod closing;
 mod cone_problem;
 mod contacts;
 mod halving;
@@ -33,6 +34,7 @@ mod kick;
 mod last_forces;
 mod middle;
 mod projection;
+mod repeated;
 mod report;
 mod rigid_terms;
 mod shared_work;

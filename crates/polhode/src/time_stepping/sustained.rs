@@ -30,7 +30,7 @@
 use super::cone_problem::LEAST_IN_BODIES;
 use super::contacts::{NearContact, kinematics_at_point, with_rate_at_point};
 use super::kick::Kick;
-use super::middle::{Middle, Stops};
+use super::middle::{Middle, Problem, Stops};
 use super::report::{ContactImpulse, ImpulseKind, Stop, TimeStepReport};
 use super::rigid_terms::{Term, make_rigid, make_tangential_terms_rigid};
 use super::shared_work::{ContactWork, Kicked};
@@ -86,6 +86,8 @@ struct Row {
     rate_before: f64,
     /// r, m/s.
     bound: f64,
+    /// The least r with which no energy is gained, m/s.
+    least_bound: f64,
     /// `h/2 a`, m/s.
     half_fall: f64,
     /// Error of r by the rounding of the separation, m/s.
@@ -123,10 +125,11 @@ impl TimeStepper {
         states: &mut [BodyState],
         bodies: &[usize],
         (near, slips): (&[NearContact], &[f64]),
-        Middle { t, h, stops, kick }: Middle<'_>,
+        middle: Middle<'_>,
         report: &mut TimeStepReport,
     ) -> Result<Vec<usize>, ResponseError> {
-        let mut rows = rows(world, Kicked { states, bodies, kick }, (near, slips), (t, h))?;
+        let Middle { problem, t, h, stops, kick } = middle;
+        let mut rows = rows(world, Kicked { states, bodies, kick }, (near, slips), (problem, t, h))?;
         if let Stops::At(ids) = stops {
             for row in rows.iter_mut().filter(|row| ids.contains(&near[row.contact].id)) {
                 row.friction = row.friction.map(TangentialRow::coming_to_rest);
@@ -151,7 +154,7 @@ impl TimeStepper {
                 solved.push(if let Some(place) = known {
                     last.swap_remove(place)
                 } else {
-                    self.solve_group(world, Kicked { states, bodies, kick }, group, &rows, (near, h), report)?
+                    self.solve_group(world, Kicked { states, bodies, kick }, group, &rows, (near, problem, h), report)?
                 });
             }
             for group in &mut solved {
@@ -171,7 +174,7 @@ impl TimeStepper {
             }
             report.contacts = report.contacts.max(members.len());
             let kicked = Kicked { states, bodies, kick };
-            return Ok(note(world, kicked, near, &rows, &solved, (t, h), report));
+            return Ok(note(world, kicked, near, &rows, &solved, (problem, t, h), report));
         }
     }
 
@@ -211,7 +214,7 @@ impl TimeStepper {
         kicked: Kicked<'_>,
         group: Group,
         rows: &[Row],
-        (near, h): (&[NearContact], f64),
+        (near, of_step, h): (&[NearContact], Problem, f64),
         report: &mut TimeStepReport,
     ) -> Result<SolvedGroup, ResponseError> {
         let states = kicked.states;
@@ -219,13 +222,19 @@ impl TimeStepper {
         let geometries = members.iter().map(|row| (near[row.contact].id, row.kinematics.geometry));
         let mut assembly = Assembly::new(world, states, &group.bodies, geometries)?;
         let kick_of_row = |of: &Bilateral, row: &BilateralRow| kicked.change_of_row(of, row);
-        let soft = world.soft_rows((states, &group.bodies), h, &kicked.kick.of_joints, kick_of_row);
-        assembly.push_soft(states, soft)?;
+        if of_step == Problem::Sustained {
+            let soft = world.soft_rows((states, &group.bodies), h, &kicked.kick.of_joints, kick_of_row);
+            assembly.push_soft(states, soft)?;
+        }
         let of_contacts = members.iter().map(|row| row.kinematics.separation_rate + row.bound);
         let constants = assembly.step_constants(of_contacts, kick_of_row);
         if members.iter().any(|row| row.friction.is_some()) {
             let friction: Vec<_> = members.iter().map(|row| row.friction).collect();
-            let found = sustained_friction::solve(assembly, states, constants, &friction, (&mut self.cones, h))?;
+            let cones = match of_step {
+                Problem::Closing => &mut self.cones_at_start,
+                Problem::Sustained => &mut self.cones,
+            };
+            let found = sustained_friction::solve(assembly, states, constants, &friction, (cones, h))?;
             report.factorisations += found.factorisations as u64;
             let sustained_friction::FrictionalImpulses { normal: impulses, tangential, moments, reactions, .. } = found;
             let found = Found {
@@ -330,12 +339,13 @@ fn rows(
     world: &World,
     kicked: Kicked<'_>,
     (near, slips): (&[NearContact], &[f64]),
-    (t, h): (f64, f64),
+    (problem, t, h): (Problem, f64, f64),
 ) -> Result<Vec<Row>, ResponseError> {
     let Kicked { states, bodies, .. } = kicked;
     let here: Vec<(usize, ContactKinematics)> = near
         .iter()
         .enumerate()
+        .filter(|(_, near)| problem == Problem::Sustained || world.pressed(states, near.id).is_none())
         .filter_map(|(contact, near)| Some((contact, kinematics_at_point(world, states, near.id)?)))
         .collect();
     if here.is_empty() {
@@ -356,14 +366,20 @@ fn rows(
     let mut with_rates = |row: TangentialRow, contact: usize, acceleration: f64| {
         let mut rates = [0.0; 2];
         rates.iter_mut().take(row.tangents()).zip(slip_rates.by_ref()).for_each(|(rate, found)| *rate = found);
+        if problem == Problem::Closing {
+            return Some(row);
+        }
         Some(row.with_rates((slips[contact], rates), h, 0.5 * h * acceleration))
     };
     let friction = friction.into_iter().zip(&here).zip(&accelerations);
     let friction: Vec<_> =
         friction.map(|((row, (contact, _)), &acceleration)| with_rates(row?, *contact, acceleration)).collect();
     let row = |(((contact, kinematics), acceleration), friction): (((usize, ContactKinematics), f64), _)| {
-        let half_fall = 0.5 * h * acceleration;
         let id = near[contact].id;
+        let half_fall = match problem {
+            Problem::Closing => return row_at_start(world, states, near, (contact, kinematics, friction), h),
+            Problem::Sustained => 0.5 * h * acceleration,
+        };
         let rounding = 2.0 * SEPARATION_ROUNDING * world.rounding(states, id.a, id.b) / h;
         let gap_bound = 2.0 * kinematics.geometry.separation / h + 0.5 * half_fall;
         // A gap within rounding counts as zero.
@@ -375,7 +391,7 @@ fn rows(
             Some(Pressed { force, compliance, .. }) => -compliance * force * h,
             None => gap_bound.max(rate_before),
         };
-        Row { contact, kinematics, rate_before, bound, half_fall, rounding, friction }
+        Row { contact, kinematics, rate_before, bound, least_bound: rate_before, half_fall, rounding, friction }
     };
     let mut rows: Vec<Row> = here.into_iter().zip(accelerations).zip(friction).map(row).collect();
     let pair = |row: &Row| (near[row.contact].id.a, near[row.contact].id.b);
@@ -388,6 +404,23 @@ fn rows(
         }
     }
     Ok(rows)
+}
+
+/// The row of a contact in the problem at the start of a step of `h` (s): it may approach as fast as closes its gap. All such bounds
+/// are at least zero, so that the impulses `p` with `p.(u+ + r) = 0` give no energy: `p.(u- + u+)/2 = -r.p - p.G p/2`.
+fn row_at_start(
+    world: &World,
+    states: &[BodyState],
+    near: &[NearContact],
+    (contact, kinematics, friction): (usize, ContactKinematics, Option<TangentialRow>),
+    h: f64,
+) -> Row {
+    let id = near[contact].id;
+    let rounding = SEPARATION_ROUNDING * world.rounding(states, id.a, id.b) / h;
+    let bound = ((kinematics.geometry.separation - near[contact].kept_off) / h).max(0.0);
+    let bound = if bound <= rounding { 0.0 } else { bound };
+    let rate_before = kinematics.separation_rate;
+    Row { contact, kinematics, rate_before, bound, least_bound: 0.0, half_fall: 0.0, rounding, friction }
 }
 
 /// The normals of the contacts of a pair whose terms are to be those of a rigid motion, at most so far from the first one
@@ -445,7 +478,7 @@ fn with_terms(of_pair: &mut [Row], change: impl FnOnce(&mut [Term])) {
     let mut terms: Vec<Term> = of_pair.iter().map(term).collect();
     change(&mut terms);
     for (row, term) in of_pair.iter_mut().zip(&terms) {
-        row.bound = term.normal.max(row.rate_before);
+        row.bound = term.normal.max(row.least_bound);
         row.friction = row.friction.map(|friction| friction.with_half_change(term.tangential));
     }
     let share = of_pair.iter().filter_map(|row| Some(row.friction?.share())).fold(1.0, f64::min);
@@ -461,7 +494,7 @@ fn note(
     near: &[NearContact],
     rows: &[Row],
     solved: &[SolvedGroup],
-    (t, h): (f64, f64),
+    (problem, t, h): (Problem, f64, f64),
     report: &mut TimeStepReport,
 ) -> Vec<usize> {
     let states = kicked.states;
@@ -511,7 +544,8 @@ fn note(
             }
             // The speed of approach of the contact at the start of the step.
             let approach = -(row.rate_before - row.half_fall);
-            let kind = if approach > contact.resting_speed && contact.closing_time().is_some_and(|time| time <= h) {
+            let is_impact = approach > contact.resting_speed && contact.closing_time().is_some_and(|time| time <= h);
+            let kind = if is_impact || problem == Problem::Closing {
                 let energy_change_j = 0.5 * impulse * (row.rate_before - row.bound);
                 ImpulseKind::Impact { energy_change_j }
             } else {
