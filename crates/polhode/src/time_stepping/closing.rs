@@ -8,7 +8,7 @@
 //! also those that close only because others deflect their bodies; friction obeys Coulomb's law with the velocities after the impulses.
 //! Without this problem the bodies would overlap in the middle of the step by half of the way by which they approach within it.
 //! Impulses give no energy (`row_at_start` in `sustained.rs`). A contact whose gap is closed is stopped by the next step; so a blow
-//! arrives in two parts. Source: docs/REFERENCES.md, Moreau 1988; the gaps after Stewart and Trinkle 1996 and Anitescu 2006.
+//! arrives in two parts. Source: docs/REFERENCES.md, Moreau 1988; the gaps after Stewart and Trinkle 1996.
 //!
 //! Assumption: normals hardly turn within a step. What their turning leaves is removed at its end.
 
@@ -44,7 +44,6 @@ impl TimeStepper {
         if !near.iter().any(acts) {
             return Ok(());
         }
-        self.cones_at_start.forget();
         let slips = slips_at_start(world, states, near);
         let none = Kick::default();
         let start = Middle { problem: Problem::Closing, t, h, stops: Stops::At(&[]), kick: &none };

@@ -4,13 +4,13 @@
 //! ([`super::contacts::RESTING_STEPS`]) and closes at once, or within the step if it has restitution. It includes all
 //! touching contacts connected to it, as at an impact of the accurate tier. This is repeated with the new velocities
 //! until no contact closes. Bodies bounce before they meet, by at most the travel of one step, so an impact never
-//! leaves a penetration. For contacts without restitution that close later in the step, the sustained impulses close
-//! the gap exactly.
+//! leaves a penetration. Contacts without restitution that close later in the step are slowed down so that their gaps close
+//! at its end (`closing.rs`).
 
-use super::contacts::{FreeAccelerations, NearContact, kinematics_at_point};
+use super::contacts::{FreeAccelerations, NearContact, kinematics_at_point, touch};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Substep, TimeStepper};
-use crate::collision::contact_set::{FoundContact, Touch};
+use crate::collision::contact_set::Touch;
 use crate::rows::groups::{Group, groups};
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::frictional_impact::Restitution;
@@ -77,8 +77,6 @@ impl TimeStepper {
         t: f64,
         report: &mut TimeStepReport,
     ) -> Result<bool, ResponseError> {
-        let touch =
-            |contact: &NearContact| Touch::from(FoundContact { id: contact.id, kinematics: contact.kinematics });
         let touches: Vec<Touch> = group.contacts.iter().map(|&index| touch(&near[index])).collect();
         let all = Group { bodies: group.bodies.clone(), contacts: (0..touches.len()).collect() };
         let settings = settings_for(group, near);

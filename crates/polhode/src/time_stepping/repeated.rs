@@ -24,8 +24,8 @@ use polhode_response::ResponseError;
 use std::collections::BTreeMap;
 
 /// The overlap at the end of a step, as a part of the size of the smaller body, that is removed by moving the bodies (no unit, 1e-5
-/// to 5e-4): well within what the tier promises (1e-3).
-pub(super) const SHARE_OF_SIZE: f64 = 2e-4;
+/// to 5e-4): half of what the tier promises (1e-3).
+pub(crate) const SHARE_OF_SIZE: f64 = 5e-4;
 
 /// How often a step is made again (2 to 8).
 const MOST_TIMES: usize = 4;
@@ -48,6 +48,7 @@ impl TimeStepper {
         (interval, stops): (Substep, Stops<'_>),
     ) -> Result<TimeStepReport, ResponseError> {
         let start = states_of(states, bodies);
+        self.cones_at_start.forget();
         for time in 0..=MOST_TIMES {
             let made = self.make_step(world, states, bodies, (near.clone(), pairs), (interval, stops));
             let made = made.inspect_err(|_| set_states(states, bodies, &start))?;
