@@ -274,8 +274,8 @@ fn report_of(report: &BodyReport) -> SolverReport {
         status: report.status,
         method,
         iterations: report.factorisations,
-        // In units of velocity, as that of the other solver is: the larger of both is told.
-        residual: report.residual.max(report.balanced_residual),
+        // What is told is what decides whether the problem is solved.
+        residual: report.rank,
         ..SolverReport::default()
     }
 }

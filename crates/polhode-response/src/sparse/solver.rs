@@ -352,6 +352,7 @@ impl Chain<'_> {
     fn finish(mut self) -> BodySolution {
         self.report.balanced_residual = self.measure.balanced(self.problem, &self.best);
         self.report.residual = self.best.residual;
+        self.report.rank = self.best.rank;
         self.report.factorisations = self.system.factorisations;
         let is_solved = self.best.rank <= self.settings.tolerance.max(self.settings.acceptance);
         self.report.status = if is_solved { SolverStatus::Solved } else { SolverStatus::Inaccurate };

@@ -23,6 +23,7 @@ mod robots_mjcf;
 mod robots_real;
 mod robustness;
 mod schema;
+mod steps_of_heaps;
 mod trajectories;
 
 use polhode::Scene;

@@ -139,6 +139,9 @@ impl Accounts {
         for _ in 0..report.fallbacks {
             self.tolerate(t, "a contact problem of a time step was solved approximately");
         }
+        for _ in 0..report.unsolved {
+            self.note_unsolved(t, "a contact problem of a time step");
+        }
         if report.raises_energy {
             let law = world.scene.method().restitution_law.unwrap_or_default().name();
             self.warn(t, raised_energy(law));

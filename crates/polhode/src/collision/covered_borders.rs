@@ -71,6 +71,15 @@ impl World {
         }
     }
 
+    /// Whether a contact is one that [`Self::remove_covered_borders`] may remove.
+    pub(crate) fn may_be_at_border(&self, id: ContactId) -> bool {
+        let Feature::Shapes(feature) = id.feature else { return false };
+        let lies = |side: Side, body: usize, on: usize| {
+            self.bodies[body].moves() && !self.bodies[on].moves() && !is_extreme(id.feature, side)
+        };
+        is_crossing(feature) || lies(Side::A, id.a, id.b) || lies(Side::B, id.b, id.a)
+    }
+
     /// Whether an edge, a line or a face of a body that may move touches a second immovable body at the place of its
     /// contact with an immovable one.
     fn is_on_seam(&self, &Lying { touch, side, body, on }: &Lying<'_>, touches: &[Touch]) -> bool {
@@ -123,6 +132,16 @@ fn crossed_edge(touch: &Touch) -> Option<Lying<'_>> {
         ContactFeature::Elements { a: Edge(_), b: RimExit(_) | RimEntry(_) } => Some(lying_on(touch, Side::B)),
         _ => None,
     }
+}
+
+/// Whether a rim crosses an edge at a contact.
+const fn is_crossing(feature: ContactFeature) -> bool {
+    use SurfaceFeature::{Edge, RimEntry, RimExit};
+    matches!(
+        feature,
+        ContactFeature::Elements { a: RimExit(_) | RimEntry(_), b: Edge(_) }
+            | ContactFeature::Elements { a: Edge(_), b: RimExit(_) | RimEntry(_) }
+    )
 }
 
 /// Whether a body touches by a point that moves with it: a vertex, a sphere or a point of a rim. The load that it takes is

@@ -145,9 +145,25 @@ const GAIN_ROUNDING: f64 = 1e-6;
 /// residual of its problem.
 const LEFT_APPROACHING: f64 = 1e-10;
 
-/// Applies impulses of contacts, of pivots and of moments (N m s, world, on A) to some bodies. Returns whether the
-/// energy increased by no more than the work of prescribed motions and of surfaces that move (`by_surfaces`, J). Otherwise the states are unchanged.
-pub(crate) fn apply_without_gain<'a>(
+/// What energy impulses have added to bodies, beyond the work of prescribed motions and of surfaces that move.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Gain {
+    /// J; negative where they have taken some.
+    pub(crate) gain_j: f64,
+    /// What rounding may add, J.
+    rounding_j: f64,
+}
+
+impl Gain {
+    /// Whether it is more than rounding.
+    pub(crate) fn is_excess(self) -> bool {
+        self.gain_j.is_nan() || self.gain_j > self.rounding_j
+    }
+}
+
+/// Applies impulses of contacts, of pivots and of moments (N m s, world, on A) to some bodies. Returns by how much the
+/// energy increased beyond the work of prescribed motions and of surfaces that move (`by_surfaces`, J).
+pub(crate) fn apply_with_gain<'a>(
     world: &World,
     states: &mut [BodyState],
     bodies: &[usize],
@@ -156,8 +172,7 @@ pub(crate) fn apply_without_gain<'a>(
         impl Iterator<Item = (&'a Bilateral, Reaction)> + Clone,
     ),
     (moments, by_surfaces): (&[(ContactId, DVec3)], f64),
-) -> bool {
-    let start = states_of(states, bodies);
+) -> Gain {
     let kinetic = |states: &[BodyState]| bodies.iter().map(|&body| world.energies(body, &states[body]).0).sum::<f64>();
     let before = kinetic(states);
     let by_moments = moment_work(world, states, moments.iter().copied());
@@ -166,8 +181,22 @@ pub(crate) fn apply_without_gain<'a>(
     apply_impulses(world, states, impulses);
     apply_reactions(world, states, reactions);
     apply_moments(world, states, moments.iter().copied());
-    let gain = kinetic(states) - before - work;
-    let is_sound = gain <= GAIN_ROUNDING * (before + work.abs());
+    Gain { gain_j: kinetic(states) - before - work, rounding_j: GAIN_ROUNDING * (before + work.abs()) }
+}
+
+/// As [`apply_with_gain`]. Returns whether no energy was added; otherwise the states are unchanged.
+pub(crate) fn apply_without_gain<'a>(
+    world: &World,
+    states: &mut [BodyState],
+    bodies: &[usize],
+    impulses: (
+        impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone,
+        impl Iterator<Item = (&'a Bilateral, Reaction)> + Clone,
+    ),
+    given: (&[(ContactId, DVec3)], f64),
+) -> bool {
+    let start = states_of(states, bodies);
+    let is_sound = !apply_with_gain(world, states, bodies, impulses, given).is_excess();
     if !is_sound {
         set_states(states, bodies, &start);
     }

@@ -127,6 +127,15 @@ impl Overlaps {
         found
     }
 
+    /// The contacts whose bodies overlap by more than this part of the smaller body's size, and by how much, m.
+    pub(crate) fn deeper_than(&self, world: &World, states: &[BodyState], part: f64) -> Vec<(ContactId, f64)> {
+        let deep = |overlap: &&Overlap| {
+            let Overlap { id, geometry } = overlap;
+            -geometry.separation > part * world.pair_size(id.a, id.b) && lies_on_features(world, states, *id, geometry)
+        };
+        self.contacts.iter().filter(deep).map(|overlap| (overlap.id, -overlap.geometry.separation)).collect()
+    }
+
     /// Removes the penetration of `bodies` (movable, ascending) into each other and into immovable ones, at the
     /// contacts of `pairs`.
     ///

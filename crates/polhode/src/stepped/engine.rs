@@ -7,6 +7,7 @@ use super::joint_breaks::{restored_loads, saved_loads};
 use super::present_forces::STICKING_RELATIVE;
 use super::rest::{Resting, may_rest, touching_groups};
 use super::track_ends::let_go_at_ends_of_tracks;
+use super::unexpected::Unexpected;
 use crate::accounting::books::Received;
 use crate::accounting::long_steps::Movement;
 use crate::collision::contact_id::{ContactId, Feature};
@@ -43,6 +44,9 @@ const MOST_SPLITS: u32 = 4;
 /// When accelerations are asked for, a contact counts as resting if its rate of separation is at most the speed that
 /// gravity gives a body in this many steps.
 const RESTING_STEPS: f64 = 2.0;
+
+/// How often a step is made again for pairs that were not expected to meet (1 to 4): each time may deflect others.
+const MOST_SEARCHES: u32 = 3;
 
 /// Penetration that may remain after the projection of a step, relative to the size of a body: as much as counts as
 /// touch. More gives a warning.
@@ -188,16 +192,12 @@ impl SteppedEngine {
         }
         let pairs = self.search.pairs(&core.world, &self.states, interval).map_err(SimulationError::BroadPhase)?;
         let pairs = self.resting.without_idle_pairs(&core.world, &self.states, pairs, (&self.touching, h));
-        let all = islands(&core.world, &pairs);
-        self.islands = all.iter().map(|island| island.bodies.clone()).collect();
-        for island in &all {
-            self.come_to_rest(core, island).map_err(|source| Core::response_error(core.t, source))?;
-        }
-        let (resting, islands): (Vec<_>, Vec<_>) = all.into_iter().partition(|own| self.resting.contains_all(own));
-        for island in &islands {
-            refuse_contradictions(core, core.t, &self.states, &island.bodies)?;
-        }
+        let (_, islands) = self.divide(core, &pairs)?;
         self.emit_samples_within(core, &islands, t_next, observer)?;
+        let compares = core.accounts.steps().is_multiple_of(EVERY);
+        let halves = if compares { Some(self.in_two_halves(core, &islands, interval)?) } else { None };
+        let begin = self.states.clone();
+        let (resting, islands, reports) = self.advance_all(core, pairs, interval)?;
         self.fly(core, t_next);
         if core.effects == Effects::All {
             self.repeat_rest(core, &resting, interval)?;
@@ -207,12 +207,7 @@ impl SteppedEngine {
         self.forces.retain(|id, _| self.resting.holds_pair((id.a, id.b)));
         let (mut loads, mut breaking) = (BTreeMap::new(), BTreeMap::new());
         self.resting.book(&core.world, &self.states, &mut core.accounts.books, h);
-        let compares = core.accounts.steps().is_multiple_of(EVERY);
-        let halves = if compares { Some(self.in_two_halves(core, &islands, interval)?) } else { None };
-        let start: Vec<Vec<BodyState>> = islands.iter().map(|own| states_of(&self.states, &own.bodies)).collect();
-        let of = (&mut self.stepper, &mut self.states[..]);
-        let reports = advance_islands(&core.world, &*core.executor, of, &islands, interval);
-        let reports = reports.map_err(|source| Core::response_error(core.t, source))?;
+        let start: Vec<Vec<BodyState>> = islands.iter().map(|own| states_of(&begin, &own.bodies)).collect();
         for ((island, start), report) in islands.iter().zip(&start).zip(&reports) {
             self.note(core, report, h);
             let [sustained, all] = report.told.means(h);
@@ -246,6 +241,53 @@ impl SteppedEngine {
         core.accounts.emit_events(core.t, observer);
         core.accounts.observe(&core.world, &self.states, core.t)?;
         Ok(())
+    }
+
+    /// The islands of these pairs: those that rest, and the others.
+    ///
+    /// # Errors
+    /// When a number is not finite, or joints contradict each other.
+    fn divide(&mut self, core: &Core, pairs: &[(usize, usize)]) -> Result<(Vec<Island>, Vec<Island>), SimulationError> {
+        let all = islands(&core.world, pairs);
+        self.islands = all.iter().map(|island| island.bodies.clone()).collect();
+        for island in &all {
+            self.come_to_rest(core, island).map_err(|source| Core::response_error(core.t, source))?;
+        }
+        let (resting, islands): (Vec<_>, Vec<_>) = all.into_iter().partition(|own| self.resting.contains_all(own));
+        for island in &islands {
+            refuse_contradictions(core, core.t, &self.states, &island.bodies)?;
+        }
+        Ok((resting, islands))
+    }
+
+    /// Advances the islands of these pairs over a step, again where a body has met one that was not expected in its way. Returns
+    /// those that rest, the others, and what these did.
+    ///
+    /// # Errors
+    /// When a number is not finite, or joints contradict each other.
+    fn advance_all(
+        &mut self,
+        core: &Core,
+        mut pairs: Vec<(usize, usize)>,
+        interval: (f64, f64),
+    ) -> Result<(Vec<Island>, Vec<Island>, Vec<TimeStepReport>), SimulationError> {
+        let begin = self.states.clone();
+        let mut times = MOST_SEARCHES;
+        loop {
+            let (resting, islands) = self.divide(core, &pairs)?;
+            let of = (&mut self.stepper, &mut self.states[..]);
+            let reports = advance_islands(&core.world, &*core.executor, of, &islands, interval);
+            let reports = reports.map_err(|source| Core::response_error(core.t, source))?;
+            let met = Unexpected { begin: &begin, end: &self.states, islands: &islands, pairs: &pairs, interval };
+            let met = met.find(&core.world, &mut self.search).map_err(SimulationError::BroadPhase)?;
+            if met.is_empty() || times == 0 {
+                return Ok((resting, islands, reports));
+            }
+            times -= 1;
+            self.states.clone_from(&begin);
+            pairs.extend(met);
+            pairs.sort_unstable();
+        }
     }
 
     /// Notes an island as resting whose bodies are at rest where forces of their contacts hold them so.

@@ -50,17 +50,27 @@ impl IslandSearch {
         if !world.may_collide_at_all() {
             return Ok(world.joint_contact_pairs().collect());
         }
-        self.boxes.clear();
-        for &body in &self.colliders {
-            self.boxes.push(swept_box(world, states, body, interval));
-        }
-        self.broad_phase.pairs(&self.boxes, &mut self.box_pairs)?;
-        let pairs = self.box_pairs.iter().map(|&(i, j)| (self.colliders[i as usize], self.colliders[j as usize]));
-        let pairs = pairs.map(|(a, b)| (a.min(b), a.max(b)));
-        let mut pairs: Vec<_> = pairs.filter(|&(a, b)| world.scene.may_collide(a, b)).collect();
+        let mut pairs = self.pairs_of_boxes(world, |body| swept_box(world, states, body, interval))?;
         pairs.extend(world.joint_contact_pairs());
         pairs.sort_unstable();
         Ok(pairs)
+    }
+
+    /// Pairs that may collide and whose boxes overlap, A < B.
+    ///
+    /// # Errors
+    /// When there are more bodies than the broad phase can number.
+    pub(super) fn pairs_of_boxes(
+        &mut self,
+        world: &World,
+        of: impl Fn(usize) -> Aabb,
+    ) -> Result<Vec<(usize, usize)>, BroadPhaseError> {
+        self.boxes.clear();
+        self.boxes.extend(self.colliders.iter().map(|&body| of(body)));
+        self.broad_phase.pairs(&self.boxes, &mut self.box_pairs)?;
+        let pairs = self.box_pairs.iter().map(|&(i, j)| (self.colliders[i as usize], self.colliders[j as usize]));
+        let pairs = pairs.map(|(a, b)| (a.min(b), a.max(b)));
+        Ok(pairs.filter(|&(a, b)| world.scene.may_collide(a, b)).collect())
     }
 }
 

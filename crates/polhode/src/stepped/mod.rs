@@ -29,6 +29,7 @@ mod joint_breaks;
 mod present_forces;
 mod rest;
 mod track_ends;
+mod unexpected;
 
 pub(crate) use engine::SteppedEngine;
 pub(crate) use facts::FACTS;

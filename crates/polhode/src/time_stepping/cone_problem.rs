@@ -1,4 +1,5 @@
-//! The cone problem of a group of contacts with friction in a time step, and who solves it.
+//! The cone problem of a group of contacts in a time step, and who solves it: with friction always, without from
+//! [`LEAST_IN_BODIES`] contacts on.
 //!
 //! | contacts | unknowns | start |
 //! |---|---|---|
@@ -33,11 +34,6 @@ const MOST_ROWS_IN_PLACE: usize = 400;
 /// The same in the steps of heaps, which have many such groups (60 to 150).
 const MOST_ROWS_IN_HEAPS: usize = 100;
 
-/// The largest residual with which the matrix of few rows is not solved again in another way because of Coulomb's law, but only
-/// because of the residual (no unit, 1e-9 to 1e-5). The rows of contacts that depend on each other, as the four corners of a
-/// box, contradict each other by about this fraction when the body turns or the gaps differ.
-const ACCEPTED_RESIDUAL: f64 = 1e-6;
-
 /// Reactions whose violation of Coulomb's law is beyond this part of its limit are solved for to rounding (no unit, 0.01 to 1).
 const SHARE_OF_CONE_LIMIT: f64 = 0.1;
 
@@ -47,7 +43,7 @@ const LAST_SWEEPS: u32 = 100;
 
 /// The largest residual of a step's problem with which no other way is tried (no unit, 1e-9 to 1e-7): velocities are then wrong
 /// by at most about this fraction of the speed that gravity gives in a step.
-const EXACT_ENOUGH: f64 = 1e-8;
+pub(super) const EXACT_ENOUGH: f64 = 1e-8;
 
 /// As exactly as rounding allows where that is found soon, else as exactly as is accepted.
 const SETTINGS_IN_BODIES: BodySettings = BodySettings {
@@ -81,6 +77,11 @@ impl ConeSolvers {
         Self { rounds_of_sweeps, ..Self::default() }
     }
 
+    /// Forgets the answers that problems would start from.
+    pub(super) fn forget(&mut self) {
+        self.last = LastForces::default();
+    }
+
     /// The problem of the rows of an assembly, the first of which are these contacts, in a step of `h` (s).
     pub(super) fn problem<'a>(
         &'a mut self,
@@ -89,10 +90,7 @@ impl ConeSolvers {
         contacts: usize,
         h: f64,
     ) -> ConeProblem<'a> {
-        // Soft rows have no place among the velocities of bodies yet.
-        // Nor have rows of gears between more than two bodies.
-        let is_plain = assembly.problem.compliances().is_empty() && assembly.problem.is_of_pairs();
-        let first = assembly.bodies().first().filter(|_| is_plain && contacts >= LEAST_IN_BODIES);
+        let first = assembly.bodies().first().filter(|_| is_for_bodies(assembly, contacts));
         let system = if let Some(&first) = first {
             System::Bodies {
                 solver: self.solvers.entry(first).or_default(),
@@ -110,6 +108,12 @@ impl ConeSolvers {
         let most_rows_in_place = if self.rounds_of_sweeps > 0 { MOST_ROWS_IN_HEAPS } else { MOST_ROWS_IN_PLACE };
         ConeProblem { assembly, constants, system, settings, most_rows_in_place, factorisations: 0 }
     }
+}
+
+/// Whether a problem of so many contacts is solved in the velocities of bodies. Soft rows have no place there yet, nor have rows of
+/// gears between more than two bodies.
+pub(super) fn is_for_bodies(assembly: &Assembly, contacts: usize) -> bool {
+    contacts >= LEAST_IN_BODIES && assembly.problem.compliances().is_empty() && assembly.problem.is_of_pairs()
 }
 
 /// The problem of one group.
@@ -230,7 +234,7 @@ fn solve_for_rows(
     violation: impl Fn(&[f64]) -> Option<ConeViolation>,
 ) -> Result<BlocksSolution, ResponseError> {
     let exact = exact();
-    let settings = FrictionSettings { acceptance: ACCEPTED_RESIDUAL, ..exact };
+    let settings = FrictionSettings { acceptance: EXACT_ENOUGH, ..exact };
     // A slip or a rate of turning that is much faster than contacts approach hides what is left of their reactions in the
     // residual.
     let has_rotations = blocks.laws().iter().any(|law| law.resists_rotation());

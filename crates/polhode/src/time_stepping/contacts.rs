@@ -2,6 +2,7 @@
 
 use super::drift;
 use crate::collision::contact_id::ContactId;
+use crate::collision::contact_set::{FoundContact, Touch};
 use crate::rows::assembly::free_acceleration;
 use crate::solve::joint_reactions::JointReactions;
 use crate::states_of::{set_states, states_of};
@@ -22,6 +23,10 @@ const STANDING_RELATIVE: f64 = 1e-11;
 
 /// Safety factor on the distance within which contacts are detected: impulses of other contacts may double a speed.
 const REACH_FACTOR: f64 = 2.0;
+
+/// Cosine of the angle by which the normal of a contact turns at most within a step (no unit, 0.2 to 0.8): what turns by a radian in
+/// a step is warned of.
+const SAME_NORMAL: f64 = 0.5;
 
 /// The length of a step, and the height of bounces that it need not resolve.
 #[derive(Debug, Clone, Copy)]
@@ -46,12 +51,35 @@ pub(super) struct NearContact {
     /// Whether it closes at the end of the step, where it will bounce. Nothing presses it before; what its time is wrong by, it
     /// penetrates.
     pub(super) is_awaited: bool,
+    /// By how much less than its gap it may approach within the step, m (`repeated.rs`).
+    pub(super) kept_off: f64,
 }
 
 impl NearContact {
     /// Whether the contact touches, or is so close that a step of `h` (s) cannot distinguish it from a touching one.
     pub(super) fn touches(&self, h: f64, touch_distance: f64) -> bool {
         self.kinematics.geometry.separation <= touch_distance.max(self.resting_speed * h)
+    }
+
+    /// Lets the contact approach by so much less (m) within the step. Returns whether that changes anything.
+    pub(super) fn keep_off(&mut self, less: f64) -> bool {
+        let changes = self.kept_off < self.kinematics.geometry.separation;
+        self.kept_off += less;
+        changes
+    }
+
+    /// Whether these kinematics later in the step are those of the same contact: its normal has hardly turned. Where a rim or a vertex
+    /// has passed an edge, the direction from one to the other is no normal of the surfaces.
+    pub(super) fn is_same(&self, later: &ContactKinematics) -> bool {
+        let (before, after) = (self.kinematics.geometry.normal, later.geometry.normal);
+        before.dot(after) >= SAME_NORMAL * before.length() * after.length()
+    }
+
+    /// Whether the contact would be stopped within a step of `h` (s) by the problem in its middle, and leave an overlap of more than
+    /// this (m).
+    pub(super) fn overlaps_in_middle(&self, h: f64, allowed: f64) -> bool {
+        let rate = self.kinematics.separation_rate;
+        rate < 0.0 && self.kinematics.geometry.separation.max(0.0) + 0.5 * h * rate < -allowed
     }
 
     /// The time to an impact within a step of `h` (s), s: if the contact closes before its end, faster than a sustained
@@ -154,6 +182,7 @@ pub(super) fn near_contacts(
     let h = span.h;
     world.prescribe_members(pairs, t, states);
     let mut near = contacts_within_reach(world, states, bodies, pairs, t, span);
+    remove_covered_borders(world, states, &mut near);
     let pairs: Vec<_> = pairs.iter().copied().filter(|&pair| may_change_features(world, states, pair, h)).collect();
     if pairs.is_empty() {
         foresee_with_joints(world, states, bodies, &mut near, t);
@@ -236,6 +265,29 @@ pub(super) fn await_impacts(world: &World, near: &mut [NearContact], (h, left): 
     }
 }
 
+/// Removes the touching contacts at borders that other touching bodies cover: whether a surface is of one body or of several that
+/// are flush makes no difference.
+fn remove_covered_borders(world: &World, states: &[BodyState], near: &mut Vec<NearContact>) {
+    if !near.iter().any(|contact| world.may_be_at_border(contact.id)) {
+        return;
+    }
+    let is_touching = |contact: &&NearContact| {
+        contact.kinematics.geometry.separation <= world.touch_distance(states, contact.id.a, contact.id.b)
+    };
+    let all: Vec<Touch> = near.iter().filter(is_touching).map(touch).collect();
+    let mut left = all.clone();
+    world.remove_covered_borders(states, &mut left);
+    if left.len() < all.len() {
+        let is_in = |touches: &[Touch], id: ContactId| touches.binary_search_by(|touch| touch.id.cmp(&id)).is_ok();
+        near.retain(|contact| !is_in(&all, contact.id) || is_in(&left, contact.id));
+    }
+}
+
+/// A contact as the other tiers know it.
+pub(super) fn touch(contact: &NearContact) -> Touch {
+    Touch::from(FoundContact { id: contact.id, kinematics: contact.kinematics })
+}
+
 /// Whether the features at which two bodies meet may change within a step of `h` (s). They do not for two spheres, nor
 /// for a polyhedron and a half-space, whose vertices are all within reach, nor for bodies that hardly move.
 pub(super) fn may_change_features(world: &World, states: &[BodyState], (a, b): (usize, usize), h: f64) -> bool {
@@ -279,7 +331,7 @@ fn contacts_within_reach(
     near
 }
 
-fn near_contact(
+pub(super) fn near_contact(
     world: &World,
     states: &[BodyState],
     free: &FreeAccelerations<'_>,
@@ -298,6 +350,7 @@ fn near_contact(
         acceleration: free.relative(states, id, &kinematics),
         resting_speed: (RESTING_STEPS * span.h * pressing).min(unseen),
         is_awaited: false,
+        kept_off: 0.0,
     }
 }
 

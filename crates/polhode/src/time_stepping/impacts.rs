@@ -4,14 +4,14 @@
 //! ([`super::contacts::RESTING_STEPS`]) and closes at once, or within the step if it has restitution. It includes all
 //! touching contacts connected to it, as at an impact of the accurate tier. This is repeated with the new velocities
 //! until no contact closes. Bodies bounce before they meet, by at most the travel of one step, so an impact never
-//! leaves a penetration. For contacts without restitution that close later in the step, the sustained impulses close
-//! the gap exactly.
+//! leaves a penetration. Contacts without restitution that close later in the step are slowed down so that their gaps close
+//! at its end (`closing.rs`).
 
-use super::contacts::{FreeAccelerations, NearContact, foresee_with_joints, kinematics_at_point};
+use super::contacts::{FreeAccelerations, NearContact, foresee_with_joints, kinematics_at_point, touch};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Substep, TimeStepper};
 use crate::collision::contact_id::ContactId;
-use crate::collision::contact_set::{FoundContact, Touch};
+use crate::collision::contact_set::Touch;
 use crate::rows::groups::{Group, groups};
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::frictional_impact::Restitution;
@@ -80,8 +80,6 @@ impl TimeStepper {
         t: f64,
         report: &mut TimeStepReport,
     ) -> Result<bool, ResponseError> {
-        let touch =
-            |contact: &NearContact| Touch::from(FoundContact { id: contact.id, kinematics: contact.kinematics });
         let touches: Vec<Touch> = group.contacts.iter().map(|&index| touch(&near[index])).collect();
         let all = Group { bodies: group.bodies.clone(), contacts: (0..touches.len()).collect() };
         let settings = settings_for(group, near);
@@ -151,7 +149,7 @@ fn note(world: &World, states: &[BodyState], touches: &[Touch], struck: &Struck,
 }
 
 /// The contacts with the present velocities.
-fn refresh(world: &World, states: &[BodyState], bodies: &[usize], near: &mut [NearContact], t: f64) {
+pub(super) fn refresh(world: &World, states: &[BodyState], bodies: &[usize], near: &mut [NearContact], t: f64) {
     let free = FreeAccelerations::with_fields(world, t, states, bodies);
     for contact in near.iter_mut() {
         if let Some(kinematics) = kinematics_at_point(world, states, contact.id) {

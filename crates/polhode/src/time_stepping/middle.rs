@@ -12,9 +12,19 @@ pub(super) enum Stops<'a> {
     At(&'a [ContactId]),
 }
 
-/// The middle of a step, where impulses act.
+/// Which problem of a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Problem {
+    /// That at its start, of contacts that close within it without a bounce (`closing.rs`).
+    Closing,
+    /// That in its middle.
+    Sustained,
+}
+
+/// The middle of a step, where impulses act, or its start.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Middle<'a> {
+    pub(super) problem: Problem,
     /// When, s.
     pub(super) t: f64,
     /// Length of the step, s.

@@ -4,14 +4,16 @@
 //! One step of length h advances bodies that may touch, with all their touching and nearly touching contacts:
 //!
 //! 1. At its start, the contacts that may close within the step are detected (`contacts.rs`).
-//! 2. Contacts that approach fast enough to count as impacts and close within the step are resolved at the present
-//!    positions by the scene's impact law, together with all contacts connected to them (`impacts.rs`).
+//! 2. Contacts that approach fast enough to count as impacts, close within the step and bounce are resolved at the present
+//!    positions by the scene's impact law, together with all contacts connected to them (`impacts.rs`). Others that close within
+//!    the step are slowed down so that their gaps close at its end (`closing.rs`).
 //! 3. The bodies move in free flight for h/2 ([`drift`], exact). Force fields act as one kick of length h (`kick.rs`), stiff ones and
 //!    drag implicitly (`implicit_kick.rs`).
 //!    One complementarity problem over all contacts that press or would close gives the contact impulses `p` over the
 //!    whole step (`sustained.rs`): `0 <= p _|_ u+ + r >= 0`.
 //! 4. The bodies move in free flight for the other h/2.
-//! 5. Remaining penetration is removed (`projection.rs`).
+//! 5. While bodies overlap by more than a part of what is promised, the step is made again with better rows (`repeated.rs`). Remaining
+//!    penetration is removed (`projection.rs`).
 //!
 //! Accuracy: flight has no error from the step; between changes of contact the composition is symmetric, of order 2 in
 //! h; an impact occurs early by at most h, an error of order 1, unless the step is split there
@@ -21,10 +23,12 @@
 //! `sum p.(u- + u+)/2` (`shared_work.rs`), and r is chosen so that no term of it is positive; in stage 2 the impact laws ensure it.
 //! Source: docs/REFERENCES.md, Moreau 1988, Jean 1999; the energy of Moreau's midpoint rule after Acary 2016.
 //!
-//! Assumes that no body is thinner than the motion within a step. Limit: a contact that was not detected at the start
-//! is found one step late, as a penetration that is removed and reported.
+//! Assumes that no body is thinner than the motion within a step. Limit: what repeated steps leave of overlaps is removed and
+//! reported.
 
+mod closing;
 mod cone_problem;
+mod consistent_rows;
 mod contacts;
 mod halving;
 mod impacts;
@@ -33,6 +37,7 @@ mod kick;
 mod last_forces;
 mod middle;
 mod projection;
+mod repeated;
 mod report;
 mod rigid_terms;
 mod shared_work;
@@ -42,6 +47,7 @@ mod sustained_friction;
 mod told_loads;
 
 pub(crate) use cone_problem::LEAST_IN_BODIES;
+pub(crate) use repeated::SHARE_OF_SIZE;
 pub(crate) use report::{ImpulseKind, TimeStepReport};
 pub(crate) use step::{TimeStepper, given_by_gravity};
 

@@ -2,36 +2,47 @@
 
 use super::NO_WORK_J;
 use super::report::TimeStepReport;
-use super::step::TimeStepper;
-use crate::solve::overlap::Overlaps;
+use super::step::{Made, TimeStepper};
 use crate::solve::projection::{Removal, project_positions, project_velocities};
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 
+/// Removes the gaps and rates of bilateral constraints.
+///
+/// # Errors
+/// When a number is not finite.
+pub(super) fn close_joints(
+    world: &World,
+    states: &mut [BodyState],
+    bodies: &[usize],
+    report: &mut TimeStepReport,
+) -> Result<(), ResponseError> {
+    if world.held_among(bodies).is_empty() {
+        return Ok(());
+    }
+    let before = report.books.balance(world, states, bodies);
+    let moved = project_positions(world, states, bodies, &[])?;
+    let removed = project_velocities(world, states, bodies, (&[], &[], &[]), Removal::Complete)?;
+    let after = report.books.balance(world, states, bodies);
+    report.books.projection(before, after, removed.work_j);
+    report.told.take(world, states, removed.reactions());
+    report.max_projection_m = report.max_projection_m.max(moved.moved_m);
+    Ok(())
+}
+
 impl TimeStepper {
-    /// Removes the gaps and rates of bilateral constraints, then the penetration at the contacts of `pairs`.
+    /// Removes the overlaps that a step has left, and gives its report.
     ///
     /// # Errors
     /// When a number is not finite.
-    pub(super) fn project(
+    pub(super) fn remove_overlaps(
         &mut self,
         world: &World,
         states: &mut [BodyState],
         bodies: &[usize],
-        pairs: &[(usize, usize)],
-        report: &mut TimeStepReport,
-    ) -> Result<(), ResponseError> {
-        if !world.held_among(bodies).is_empty() {
-            let before = report.books.balance(world, states, bodies);
-            let moved = project_positions(world, states, bodies, &[])?;
-            let removed = project_velocities(world, states, bodies, (&[], &[], &[]), Removal::Complete)?;
-            let after = report.books.balance(world, states, bodies);
-            report.books.projection(before, after, removed.work_j);
-            report.told.take(world, states, removed.reactions());
-            report.max_projection_m = report.max_projection_m.max(moved.moved_m);
-        }
-        let overlaps = Overlaps::find(world, states, pairs);
+        Made { mut report, pairs, overlaps, .. }: Made,
+    ) -> Result<TimeStepReport, ResponseError> {
         if overlaps.deepest_m > report.max_penetration_m {
             (report.max_penetration_m, report.deepest) = (overlaps.deepest_m, overlaps.deepest);
         }
@@ -39,13 +50,13 @@ impl TimeStepper {
         if overlaps.is_excess {
             let before = report.books.balance(world, states, bodies);
             let problem = (&mut self.solver, &mut self.delassus);
-            let removed = overlaps.remove(world, states, (bodies, pairs), problem)?;
+            let removed = overlaps.remove(world, states, (bodies, &pairs), problem)?;
             let after = report.books.balance(world, states, bodies);
             report.books.projection(before, after, NO_WORK_J);
             report.fallbacks += removed.fallbacks;
             report.max_projection_m = report.max_projection_m.max(removed.moved_m);
             report.left_penetration_m = removed.left_m;
         }
-        Ok(())
+        Ok(report)
     }
 }

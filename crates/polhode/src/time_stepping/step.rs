@@ -6,7 +6,8 @@ use super::contacts::{NearContact, Span, await_impacts, may_change_features, nea
 use super::drift;
 use super::kick::Kick;
 use super::last_forces::LastForces;
-use super::middle::{Middle, Stops};
+use super::middle::{Middle, Problem, Stops};
+use super::projection::close_joints;
 use super::report::{Stop, TimeStepReport};
 use super::told_loads::newton_residual;
 use crate::Momentum;
@@ -15,7 +16,8 @@ use crate::accounting::books::Received;
 use crate::collision::contact_id::{ContactId, Feature};
 use crate::scene::ImpactLaw;
 use crate::snapshot::{SnapshotError, content};
-use crate::states_of::{set_states, states_of};
+use crate::solve::overlap::Overlaps;
+use crate::states_of::states_of;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::{ComplementaritySolver, Delassus, ResponseError};
@@ -97,13 +99,15 @@ pub(crate) struct TimeStepper {
     pub(super) delassus: Delassus,
     pub(super) carried: Carried,
     pub(super) cones: ConeSolvers,
+    /// Those of the problems at the start of steps.
+    pub(super) cones_at_start: ConeSolvers,
 }
 
 impl TimeStepper {
     /// Steps by this impact law, with moments booked about a point (m), split at no more than `splits` impacts each.
     pub(crate) fn new(law: ImpactLaw, about: DVec3, splits: u32) -> Self {
         let (solver, delassus) = (ComplementaritySolver::default(), Delassus::default());
-        let (carried, cones) = (Carried::default(), ConeSolvers::default());
+        let carried = Carried::default();
         Self {
             law,
             about,
@@ -113,7 +117,8 @@ impl TimeStepper {
             solver,
             delassus,
             carried,
-            cones,
+            cones: ConeSolvers::default(),
+            cones_at_start: ConeSolvers::default(),
         }
     }
 
@@ -123,6 +128,7 @@ impl TimeStepper {
     pub(crate) fn for_heaps(mut self) -> Self {
         self.heaps = Heaps::Together;
         self.cones = ConeSolvers::with_sweeps(ROUNDS_OF_SWEEPS);
+        self.cones_at_start = ConeSolvers::with_sweeps(ROUNDS_OF_SWEEPS);
         self
     }
 
@@ -238,40 +244,24 @@ impl TimeStepper {
         Ok(report)
     }
 
-    fn step_by(
-        &mut self,
-        world: &World,
-        states: &mut [BodyState],
-        bodies: &[usize],
-        contacts: (Vec<NearContact>, &[(usize, usize)]),
-        (interval, stops): (Substep, Stops<'_>),
-    ) -> Result<TimeStepReport, ResponseError> {
-        let start = states_of(states, bodies);
-        let pairs = contacts.1;
-        let made = self.make_step(world, states, bodies, contacts, (interval, stops));
-        if made.as_ref().is_ok_and(|report| !report.stops.is_empty()) {
-            set_states(states, bodies, &start);
-            world.prescribe_members(pairs, interval.t, states);
-        }
-        if made.is_err() {
-            set_states(states, bodies, &start);
-        }
-        made
-    }
-
-    fn make_step(
+    /// Makes a step of some bodies with these contacts and pairs, but for the removal of what overlaps at its end.
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    pub(super) fn make_step(
         &mut self,
         world: &World,
         states: &mut [BodyState],
         bodies: &[usize],
         (mut near, pairs): (Vec<NearContact>, &[(usize, usize)]),
         (part, stops): (Substep, Stops<'_>),
-    ) -> Result<TimeStepReport, ResponseError> {
+    ) -> Result<Made, ResponseError> {
         let Substep { t, h, .. } = part;
         let mut report = TimeStepReport::new(self.about);
         report.steps = 1;
         let struck_from = states_of(states, bodies);
         self.strike_closing(world, states, bodies, &mut near, part, &mut report)?;
+        self.stop_closing(world, states, bodies, &mut near, part, &mut report)?;
         let start = states_of(states, bodies);
         let slips = slips_at_start(world, states, &near);
         let speeds: Vec<f64> = bodies.iter().map(|&body| world.point_speed(states, body)).collect();
@@ -281,14 +271,14 @@ impl TimeStepper {
         world.prescribe_members(pairs, t + 0.5 * h, states);
         let middle = (t + 0.5 * h, h, stops);
         let Some(kick) = self.kick(world, states, bodies, (&near, &slips), middle, &mut report)? else {
-            return Ok(report);
+            return Ok(Made { report, struck: start, pairs: Vec::new(), overlaps: Overlaps::default() });
         };
         let kicked = report.books.balance(world, states, bodies);
 
-        let middle = Middle { t: t + 0.5 * h, h, stops, kick: &kick };
+        let middle = Middle { problem: Problem::Sustained, t: t + 0.5 * h, h, stops, kick: &kick };
         let carrying = self.sustain(world, states, bodies, (&near, &slips), middle, &mut report)?;
         if !report.stops.is_empty() {
-            return Ok(report);
+            return Ok(Made { report, struck: start, pairs: Vec::new(), overlaps: Overlaps::default() });
         }
         received += kick.received(world, states, bodies, h, &report.books);
         report.books.smooth_stage(before, kicked, received);
@@ -304,12 +294,14 @@ impl TimeStepper {
         if world.members_stand_still(bodies, pairs, (t, t + h)) {
             rest_exactly(world, states, bodies, (&start, &speeds), h, &mut report);
         }
+        let (mut overlaps, mut near_pairs) = (Overlaps::default(), Vec::new());
         if !report.at_rest {
             let has_contact = |pair: &(usize, usize)| near.binary_search_by(|n| (n.id.a, n.id.b).cmp(pair)).is_ok();
             let may_overlap =
                 |pair: &&(usize, usize)| has_contact(pair) || may_change_features(world, states, **pair, h);
-            let near_pairs: Vec<_> = pairs.iter().filter(may_overlap).copied().collect();
-            self.project(world, states, bodies, &near_pairs, &mut report)?;
+            near_pairs.extend(pairs.iter().filter(may_overlap).copied());
+            close_joints(world, states, bodies, &mut report)?;
+            overlaps = Overlaps::find(world, states, &near_pairs);
             report.newton_residual = newton_residual(world, (&struck_from, states), bodies, (&kick, h), &report);
         }
         if let Some(index) = bodies.iter().position(|&body| !states[body].is_finite()) {
@@ -317,7 +309,7 @@ impl TimeStepper {
         }
         report.touching = carrying.iter().map(|&contact| (near[contact].id.a, near[contact].id.b)).collect();
         report.touching.dedup();
-        Ok(report)
+        Ok(Made { report, struck: start, pairs: near_pairs, overlaps })
     }
 
     /// Kicks the bodies by the fields. Where these resist motion, they do that at the velocity that constraints leave the bodies: a
@@ -336,7 +328,14 @@ impl TimeStepper {
             return Ok(Some(first));
         }
         let mut aside = TimeStepReport::new(self.about);
-        self.sustain(world, states, bodies, contacts, Middle { t, h, stops, kick: &first }, &mut aside)?;
+        self.sustain(
+            world,
+            states,
+            bodies,
+            contacts,
+            Middle { problem: Problem::Sustained, t, h, stops, kick: &first },
+            &mut aside,
+        )?;
         if !aside.stops.is_empty() {
             report.stops = aside.stops;
             return Ok(None);
@@ -358,6 +357,17 @@ impl TimeStepper {
         }
         Received { gravity: sum.value(), ..Received::default() }
     }
+}
+
+/// A step that has been made, but for the removal of what overlaps at its end.
+#[derive(Debug)]
+pub(super) struct Made {
+    pub(super) report: TimeStepReport,
+    /// The states of the bodies at its start, after its impacts.
+    pub(super) struck: Vec<BodyState>,
+    /// The pairs that may overlap.
+    pub(super) pairs: Vec<(usize, usize)>,
+    pub(super) overlaps: Overlaps,
 }
 
 /// Sets bodies that are at rest at the start and at the end of the step back to their initial poses.

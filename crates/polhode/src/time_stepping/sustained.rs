@@ -27,12 +27,12 @@
 //! Rows of the problem: contacts that would penetrate at the end, and touching contacts; of pairs with many contacts only some of
 //! them (`rows/many_contacts.rs`). Contacts that close because of the impulses are added until there are none.
 
-use super::cone_problem::LEAST_IN_BODIES;
+use super::cone_problem::{EXACT_ENOUGH, LEAST_IN_BODIES, is_for_bodies};
+use super::consistent_rows::{make_consistent, remove_contradictions};
 use super::contacts::{NearContact, kinematics_at_point, with_rate_at_point};
 use super::kick::Kick;
-use super::middle::{Middle, Stops};
+use super::middle::{Middle, Problem, Stops};
 use super::report::{ContactImpulse, ImpulseKind, Stop, TimeStepReport};
-use super::rigid_terms::{Term, make_rigid, make_tangential_terms_rigid};
 use super::shared_work::{ContactWork, Kicked};
 use super::step::TimeStepper;
 use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
@@ -46,7 +46,7 @@ use crate::rows::groups::{Group, coupled_groups};
 use crate::rows::many_contacts::{MANY_CONTACTS, furthest_out};
 use crate::solve::closed_loops::ClosedLoops;
 use crate::solve::cone_violation::ConeViolation;
-use crate::solve::impact::{apply_without_gain, support};
+use crate::solve::impact::{Gain, apply_with_gain, support};
 use crate::solve::joint_loads::ContactForce;
 use crate::solve::jointed::trees_of;
 use crate::solve::rotational_friction::{moment_support, moment_work};
@@ -64,12 +64,8 @@ const ROW_ROUNDING: f64 = 1e-14;
 /// the projection. In a short step it corresponds to a considerable velocity.
 const SEPARATION_ROUNDING: f64 = 0.25;
 
-/// Normals whose components differ by less count as equal (no unit, 1e-14 to 1e-9): the rounding of attitudes.
-const FLUSH_NORMAL: f64 = 1e-12;
-
-/// Contacts of a pair whose normals differ by less are one patch where many bodies lie on each other (no unit, 1e-3 to
-/// 3e-2): faces that lean a little on each other press at several points, whose rows would contradict each other.
-const NEARLY_FLUSH_NORMAL: f64 = 1e-2;
+/// The relative residual of a problem whose impulses are zero in place of its solution.
+const NOTHING_SOLVED: f64 = 1.0;
 
 /// Whether bilateral constraints hold bodies of an island.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -80,20 +76,23 @@ enum Held {
 
 /// A contact in the middle of the step.
 #[derive(Debug, Clone, Copy)]
-struct Row {
+pub(super) struct Row {
     contact: usize,
+    problem: Problem,
     /// After the kick of fields.
-    kinematics: ContactKinematics,
+    pub(super) kinematics: ContactKinematics,
     /// `u-`, m/s.
-    rate_before: f64,
+    pub(super) rate_before: f64,
     /// r, m/s.
-    bound: f64,
+    pub(super) bound: f64,
+    /// The least r with which no energy is gained, m/s.
+    pub(super) least_bound: f64,
     /// `h/2 a`, m/s.
     half_fall: f64,
     /// Error of r by the rounding of the separation, m/s.
     rounding: f64,
     /// None without friction.
-    friction: Option<TangentialRow>,
+    pub(super) friction: Option<TangentialRow>,
 }
 
 impl Row {
@@ -106,18 +105,24 @@ impl Row {
     fn kind_of_impulse(&self, contact: &NearContact, impulse: f64, h: f64) -> ImpulseKind {
         // The speed of approach of the contact at the start of the step.
         let approach = -(self.rate_before - self.half_fall);
-        if approach > contact.resting_speed && contact.closing_time().is_some_and(|time| time <= h) {
+        let is_impact = approach > contact.resting_speed && contact.closing_time().is_some_and(|time| time <= h);
+        if is_impact || !self.is_sustained() {
             ImpulseKind::Impact { energy_change_j: 0.5 * impulse * (self.rate_before - self.bound) }
         } else {
             ImpulseKind::Sustained
         }
     }
 
+    /// Whether it is of the problem in the middle of a step: in that at its start only what closes is a row.
+    fn is_sustained(&self) -> bool {
+        self.problem == Problem::Sustained
+    }
+
     /// Whether the row is in the problem of a step of `h` (s) from the beginning.
     fn is_first_choice(&self, world: &World, states: &[BodyState], contact: &NearContact, h: f64) -> bool {
         let touch_distance = world.touch_distance(states, contact.id.a, contact.id.b);
         let lasts = contact.kinematics.separation_rate >= -contact.resting_speed;
-        let presses = lasts && self.half_fall <= 0.0 && contact.touches(h, touch_distance);
+        let presses = self.is_sustained() && lasts && self.half_fall <= 0.0 && contact.touches(h, touch_distance);
         presses || self.closes(self.kinematics.separation_rate)
     }
 }
@@ -136,11 +141,12 @@ impl TimeStepper {
         states: &mut [BodyState],
         bodies: &[usize],
         (near, slips): (&[NearContact], &[f64]),
-        Middle { t, h, stops, kick }: Middle<'_>,
+        middle: Middle<'_>,
         report: &mut TimeStepReport,
     ) -> Result<Vec<usize>, ResponseError> {
+        let Middle { problem, t, h, stops, kick } = middle;
         let loops = &ClosedLoops::of(world, states, bodies)?;
-        let mut rows = rows(world, Kicked { states, bodies, kick, loops }, (near, slips), (t, h))?;
+        let mut rows = rows(world, Kicked { states, bodies, kick, loops }, (near, slips), (problem, t, h))?;
         if let Stops::At(ids) = stops {
             for row in rows.iter_mut().filter(|row| ids.contains(&near[row.contact].id)) {
                 row.friction = row.friction.map(TangentialRow::coming_to_rest);
@@ -160,6 +166,11 @@ impl TimeStepper {
             }
             let mut last = std::mem::take(&mut solved);
             for group in coupled_groups(world, members.iter().copied(), &held) {
+                let closes = |&index: &usize| rows[index].closes(rows[index].kinematics.separation_rate);
+                if problem == Problem::Closing && !group.contacts.iter().any(closes) {
+                    // Nothing strikes it.
+                    continue;
+                }
                 // One that no contact has been added to has the answer that it had.
                 let known = last.iter().position(|solved| solved.group == group);
                 solved.push(if let Some(place) = known {
@@ -170,7 +181,7 @@ impl TimeStepper {
                         Kicked { states, bodies, kick, loops },
                         group,
                         &rows,
-                        (near, h, stops),
+                        (near, middle),
                         report,
                     )?
                 });
@@ -207,8 +218,10 @@ impl TimeStepper {
         rows: &[Row],
         (h, holds): (f64, Held),
     ) -> Vec<bool> {
-        let is_heap = self.resolves_together(near.len());
-        let goes_on = is_heap || holds == Held::ByJoints;
+        // A blow reaches few of the contacts of a heap.
+        let is_sustained = rows.iter().all(Row::is_sustained);
+        let is_heap = is_sustained && self.resolves_together(near.len());
+        let goes_on = is_heap || (is_sustained && holds == Held::ByJoints);
         let choose = |row: &Row| {
             let contact = &near[row.contact];
             (goes_on && self.carried.contains(contact.id)) || row.is_first_choice(world, states, contact, h)
@@ -232,27 +245,34 @@ impl TimeStepper {
         kicked: Kicked<'_>,
         group: Group,
         rows: &[Row],
-        (near, h, stops): (&[NearContact], f64, Stops<'_>),
+        (near, middle): (&[NearContact], Middle<'_>),
         report: &mut TimeStepReport,
     ) -> Result<SolvedGroup, ResponseError> {
         let states = kicked.states;
+        let Middle { problem: of_step, h, stops, .. } = middle;
         let members: Vec<&Row> = group.contacts.iter().map(|&index| &rows[index]).collect();
         let geometries = members.iter().map(|row| (near[row.contact].id, row.kinematics.geometry));
         let bilaterals = kicked.loops.bilaterals(world, states, &group.bodies).collect();
         let mut assembly = Assembly::with_bilaterals(world, (states, &group.bodies), geometries, bilaterals)?;
         let kick_of_row = |of: &Bilateral, row: &BilateralRow| kicked.change_of_row(of, row);
-        let soft = world.soft_rows((states, &group.bodies), h, &kicked.kick.of_joints, kick_of_row);
-        assembly.push_soft(states, soft)?;
+        if of_step == Problem::Sustained {
+            let soft = world.soft_rows((states, &group.bodies), h, &kicked.kick.of_joints, kick_of_row);
+            assembly.push_soft(states, soft)?;
+        }
         let of_contacts = members.iter().map(|row| row.kinematics.separation_rate + row.bound);
         let constants = assembly.step_constants(of_contacts, kick_of_row);
-        if members.iter().any(|row| row.friction.is_some()) {
+        if members.iter().any(|row| row.friction.is_some()) || is_for_bodies(&assembly, members.len()) {
             let friction: Vec<_> = members.iter().map(|row| row.friction).collect();
-            let found = sustained_friction::solve(assembly, states, constants, &friction, (&mut self.cones, h, stops))?;
+            let cones = match of_step {
+                Problem::Closing => &mut self.cones_at_start,
+                Problem::Sustained => &mut self.cones,
+            };
+            let found = sustained_friction::solve(assembly, states, constants, &friction, (cones, h, stops))?;
             report.factorisations += found.factorisations as u64;
             let sustained_friction::FrictionalImpulses { normal: impulses, tangential, moments, reactions, .. } = found;
             let found = Found {
                 residual: found.report.residual,
-                is_approximate: found.report.status != SolverStatus::Solved,
+                is_discarded: false,
                 violation: found.violation,
                 stops: found.stops,
             };
@@ -273,7 +293,7 @@ impl TimeStepper {
         };
         let solved = solution.report.status == SolverStatus::Solved;
         let residual = solution.report.residual;
-        let found = Found { residual, is_approximate: !solved, violation: None, stops: Vec::new() };
+        let found = Found { residual, is_discarded: false, violation: None, stops: Vec::new() };
         let mut impulses = solution.forces;
         if !solved {
             // An inexact solution must not add energy. Scaled by s with p.u + s p.G p/2 <= 0 it does not, where u is the mean of the
@@ -346,7 +366,8 @@ fn add_closing(world: &World, states: &[BodyState], near: &[NearContact], rows: 
         }
         added |= closing.count() > 0;
         for index in of_pair {
-            taken[index] |= taken[index] || closes(index) || speed(index) < margin;
+            let is_reached = rows[index].is_sustained() || rates[index] < rows[index].rate_before;
+            taken[index] |= taken[index] || closes(index) || (is_reached && speed(index) < margin);
         }
     }
     added
@@ -357,14 +378,16 @@ fn rows(
     world: &World,
     kicked: Kicked<'_>,
     (near, slips): (&[NearContact], &[f64]),
-    (t, h): (f64, f64),
+    (problem, t, h): (Problem, f64, f64),
 ) -> Result<Vec<Row>, ResponseError> {
     let Kicked { states, bodies, .. } = kicked;
     let here: Vec<(usize, ContactKinematics)> = near
         .iter()
         .enumerate()
         .filter(|(_, near)| !near.is_awaited)
+        .filter(|(_, near)| problem == Problem::Sustained || world.pressed(states, near.id).is_none())
         .filter_map(|(contact, near)| Some((contact, kinematics_at_point(world, states, near.id)?)))
+        .filter(|(contact, kinematics)| near[*contact].is_same(kinematics))
         .collect();
     if here.is_empty() {
         return Ok(Vec::new());
@@ -384,14 +407,20 @@ fn rows(
     let mut with_rates = |row: TangentialRow, contact: usize, acceleration: f64| {
         let mut rates = [0.0; 2];
         rates.iter_mut().take(row.tangents()).zip(slip_rates.by_ref()).for_each(|(rate, found)| *rate = found);
+        if problem == Problem::Closing {
+            return Some(row);
+        }
         Some(row.with_rates((slips[contact], rates), h, 0.5 * h * acceleration))
     };
     let friction = friction.into_iter().zip(&here).zip(&accelerations);
     let friction: Vec<_> =
         friction.map(|((row, (contact, _)), &acceleration)| with_rates(row?, *contact, acceleration)).collect();
     let row = |(((contact, kinematics), acceleration), friction): (((usize, ContactKinematics), f64), _)| {
-        let half_fall = 0.5 * h * acceleration;
         let id = near[contact].id;
+        let half_fall = match problem {
+            Problem::Closing => return row_at_start(world, states, near, (contact, kinematics, friction), h),
+            Problem::Sustained => 0.5 * h * acceleration,
+        };
         let rounding = 2.0 * SEPARATION_ROUNDING * world.rounding(states, id.a, id.b) / h;
         let gap_bound = 2.0 * kinematics.geometry.separation / h + 0.5 * half_fall;
         // A gap within rounding counts as zero.
@@ -403,7 +432,17 @@ fn rows(
             Some(Pressed { force, compliance, .. }) => -compliance * force * h,
             None => gap_bound.max(rate_before),
         };
-        Row { contact, kinematics, rate_before, bound, half_fall, rounding, friction }
+        Row {
+            contact,
+            problem,
+            kinematics,
+            rate_before,
+            bound,
+            least_bound: rate_before,
+            half_fall,
+            rounding,
+            friction,
+        }
     };
     let mut rows: Vec<Row> = here.into_iter().zip(accelerations).zip(friction).map(row).collect();
     let pair = |row: &Row| (near[row.contact].id.a, near[row.contact].id.b);
@@ -418,67 +457,30 @@ fn rows(
     Ok(rows)
 }
 
-/// The normals of the contacts of a pair whose terms are to be those of a rigid motion, at most so far from the first one
-/// (no unit); none where there is nothing to contradict, or a contact without friction.
-fn flush_normals(of_pair: &[Row], most: f64) -> Option<Vec<DVec3>> {
-    let normals: Vec<DVec3> = of_pair.iter().map(|row| row.kinematics.geometry.normal).collect();
-    let first = *normals.first()?;
-    let apart = normals.iter().map(|n| (*n - first).abs().max_element()).fold(0.0, f64::max);
-    let is_plane = first != DVec3::ZERO && of_pair.iter().all(|row| row.friction.is_some());
-    let is_flush = apart <= most && normals.len() > 1 && is_plane;
-    is_flush.then_some(normals)
-}
-
-/// Makes the terms of the contacts with friction of a pair, one of many, consistent: contacts whose normals are nearly the same
-/// become those of one patch, with one pair of tangents, and their rows along these act in one plane.
-fn make_consistent(of_pair: &mut [Row]) {
-    let is_isotropic = |row: &Row| row.friction.is_none_or(|friction| friction.is_isotropic());
-    if flush_normals(of_pair, FLUSH_NORMAL).is_some() && !of_pair.iter().all(is_isotropic) {
-        return remove_contradictions(of_pair);
-    }
-    let normals = flush_normals(of_pair, NEARLY_FLUSH_NORMAL).filter(|_| of_pair.iter().all(is_isotropic));
-    let Some(normals) = normals else {
-        let Some(normals) = flush_normals(of_pair, f64::INFINITY) else { return };
-        let presses = |row: &Row| row.kinematics.separation_rate + row.bound <= 0.0;
-        let contacts: Vec<(DVec3, bool)> = normals.into_iter().zip(of_pair.iter().map(presses)).collect();
-        return with_terms(of_pair, |terms| make_tangential_terms_rigid(&contacts, terms));
-    };
-    let n = normals.iter().sum::<DVec3>().normalize();
-    let points = of_pair.iter().map(|row| row.kinematics.geometry.point);
-    let centre = points.sum::<DVec3>() / normals.len() as f64;
-    let Some(tangents) = of_pair.iter().find_map(|row| Some(row.friction?.tangents_of_patch(n))) else { return };
-    for row in of_pair.iter_mut() {
-        let ContactKinematics { geometry, separation_rate, .. } = row.kinematics;
-        let point = geometry.point - n * n.dot(geometry.point - centre);
-        let approach = geometry.normal * separation_rate;
-        row.friction = row.friction.map(|friction| friction.on_patch(tangents, point, approach));
-    }
-    with_terms(of_pair, |terms| make_rigid(n, terms));
-}
-
-/// Makes the terms of the contacts with friction of a pair those of a rigid motion, where their normals are the same.
-fn remove_contradictions(of_pair: &mut [Row]) {
-    if let Some(normals) = flush_normals(of_pair, FLUSH_NORMAL) {
-        with_terms(of_pair, |terms| make_rigid(normals[0], terms));
-    }
-}
-
-/// Changes the terms of the contacts of a pair, as far as that gains no energy.
-fn with_terms(of_pair: &mut [Row], change: impl FnOnce(&mut [Term])) {
-    let term = |row: &Row| Term {
-        point: row.kinematics.geometry.point,
-        normal: row.bound,
-        tangential: row.friction.map_or(DVec3::ZERO, |friction| friction.half_change()),
-    };
-    let mut terms: Vec<Term> = of_pair.iter().map(term).collect();
-    change(&mut terms);
-    for (row, term) in of_pair.iter_mut().zip(&terms) {
-        row.bound = term.normal.max(row.rate_before);
-        row.friction = row.friction.map(|friction| friction.with_half_change(term.tangential));
-    }
-    let share = of_pair.iter().filter_map(|row| Some(row.friction?.share())).fold(1.0, f64::min);
-    for (row, term) in of_pair.iter_mut().zip(&terms) {
-        row.friction = row.friction.map(|friction| friction.with_half_change(term.tangential * share));
+/// The row of a contact in the problem at the start of a step of `h` (s): it may approach as fast as closes its gap. All such bounds
+/// are at least zero, so that the impulses `p` with `p.(u+ + r) = 0` give no energy: `p.(u- + u+)/2 = -r.p - p.G p/2`.
+fn row_at_start(
+    world: &World,
+    states: &[BodyState],
+    near: &[NearContact],
+    (contact, kinematics, friction): (usize, ContactKinematics, Option<TangentialRow>),
+    h: f64,
+) -> Row {
+    let id = near[contact].id;
+    let rounding = SEPARATION_ROUNDING * world.rounding(states, id.a, id.b) / h;
+    let bound = ((kinematics.geometry.separation - near[contact].kept_off) / h).max(0.0);
+    let bound = if bound <= rounding { 0.0 } else { bound };
+    let rate_before = kinematics.separation_rate;
+    Row {
+        contact,
+        problem: Problem::Closing,
+        kinematics,
+        rate_before,
+        bound,
+        least_bound: 0.0,
+        half_fall: 0.0,
+        rounding,
+        friction,
     }
 }
 
@@ -570,8 +572,8 @@ struct SolvedGroup {
 struct Found {
     /// Natural map, relative.
     residual: f64,
-    /// Whether they are no solution, or were discarded.
-    is_approximate: bool,
+    /// Whether they were not applied.
+    is_discarded: bool,
     /// How far they are from Coulomb's law.
     violation: Option<ConeViolation>,
     /// Slips that end within the step.
@@ -582,7 +584,11 @@ impl Found {
     /// Tells it in the report of the step.
     fn tell(&self, report: &mut TimeStepReport) {
         report.residual = report.residual.max(self.residual);
-        report.fallbacks += u64::from(self.is_approximate);
+        if self.is_discarded || self.residual > EXACT_ENOUGH {
+            let residual = if self.is_discarded { NOTHING_SOLVED } else { self.residual };
+            report.unsolved += 1;
+            report.unsolved_residual = report.unsolved_residual.max(residual);
+        }
         report.cone_violation = ConeViolation::larger(report.cone_violation, self.violation);
     }
 }
@@ -646,15 +652,51 @@ impl SolvedGroup {
         self.reactions.iter().filter_map(works).fold(SoftWork::default(), |sum, one| sum + one)
     }
 
-    /// Applies the impulses. Impulses that add energy are discarded.
+    /// Applies the impulses. Those that would add energy are shortened, all by one factor, until they add none: the terms r of their
+    /// rows are then shorter. Where no part of them takes energy, none is applied.
     fn apply(
         &mut self,
+        world: &World,
+        states: &mut [BodyState],
+        of: (&[usize], &Kick, &ClosedLoops),
+        rows: &[Row],
+        near: &[NearContact],
+    ) {
+        let start = states_of(states, &self.group.bodies);
+        let whole = self.try_out(world, states, of, rows, near);
+        if whole.is_excess() {
+            set_states(states, &self.group.bodies, &start);
+            self.shorten(0.5);
+            let half = self.try_out(world, states, of, rows, near);
+            set_states(states, &self.group.bodies, &start);
+            // With a part s of them the energy grows by s l + s^2 q.
+            let linear = 4.0 * half.gain_j - whole.gain_j;
+            let share = -linear / (whole.gain_j - linear);
+            self.shorten(if share.is_finite() { 2.0 * share.clamp(0.0, 1.0) } else { 0.0 });
+            let is_sound = share > 0.0 && !self.try_out(world, states, of, rows, near).is_excess();
+            if !is_sound {
+                set_states(states, &self.group.bodies, &start);
+                self.impulses.fill(0.0);
+                self.tangential.clear();
+                self.moments.clear();
+                self.reactions.clear();
+                self.found.is_discarded = true;
+            }
+        }
+        for &body in &self.group.bodies {
+            world.keep_in_plane(body, &mut states[body]);
+        }
+    }
+
+    /// Applies the impulses, and says what energy they add.
+    fn try_out(
+        &self,
         world: &World,
         states: &mut [BodyState],
         (bodies, kick, loops): (&[usize], &Kick, &ClosedLoops),
         rows: &[Row],
         near: &[NearContact],
-    ) {
+    ) -> Gain {
         let impulses = (self.impulses_of(rows, near), self.reactions.iter().map(|(of, impulse)| (of, *impulse)));
         let moments: Vec<_> = self.moments.iter().map(SustainedMoment::on_a).collect();
         let soft = self.soft_work();
@@ -665,16 +707,16 @@ impl SolvedGroup {
             + kicked.shared_by_moments_j(moments.iter().copied())
             + by_reactions.sum::<f64>();
         let given = (&moments[..], self.work_of_surfaces(world, states) + by_soft + shared_j);
-        let is_sound = apply_without_gain(world, states, &self.group.bodies, impulses, given);
-        if !is_sound {
-            self.impulses.fill(0.0);
-            self.tangential.clear();
-            self.moments.clear();
-            self.reactions.clear();
-            self.found.is_approximate = true;
-        }
-        for &body in &self.group.bodies {
-            world.keep_in_plane(body, &mut states[body]);
+        apply_with_gain(world, states, &self.group.bodies, impulses, given)
+    }
+
+    /// Leaves this part of the impulses.
+    fn shorten(&mut self, part: f64) {
+        self.impulses.iter_mut().for_each(|impulse| *impulse *= part);
+        self.tangential.iter_mut().for_each(|impulse| impulse.shorten(part));
+        self.moments.iter_mut().for_each(|moment| moment.shorten(part));
+        for (_, reaction) in &mut self.reactions {
+            *reaction = Reaction { force: reaction.force * part, moment: reaction.moment * part };
         }
     }
 }

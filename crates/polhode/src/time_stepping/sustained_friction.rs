@@ -305,6 +305,11 @@ impl TangentialImpulse {
         self.row.along.iter().zip(self.impulse).map(|(row, impulse)| (row.id, &row.along, impulse))
     }
 
+    /// Leaves this part of it.
+    pub(super) fn shorten(&mut self, part: f64) {
+        self.impulse = self.impulse.map(|impulse| part * impulse);
+    }
+
     /// The impulse on A, N s, world.
     pub(super) fn on_a(&self) -> DVec3 {
         self.row.along.iter().zip(self.impulse).map(|(row, impulse)| row.along.normal * impulse).sum()
@@ -345,6 +350,11 @@ pub(super) struct SustainedMoment {
 }
 
 impl SustainedMoment {
+    /// Leaves this part of it.
+    pub(super) fn shorten(&mut self, part: f64) {
+        self.moment *= part;
+    }
+
     /// The contact, and the impulse on A.
     pub(super) fn on_a(&self) -> (ContactId, DVec3) {
         (self.id, self.moment)
