@@ -41,6 +41,7 @@ mod repeated;
 mod report;
 mod rigid_terms;
 mod shared_work;
+mod solved_group;
 mod step;
 mod sustained;
 mod sustained_friction;

@@ -27,35 +27,32 @@
 //! Rows of the problem: contacts that would penetrate at the end, and touching contacts; of pairs with many contacts only some of
 //! them (`rows/many_contacts.rs`). Contacts that close because of the impulses are added until there are none.
 
-use super::cone_problem::{EXACT_ENOUGH, LEAST_IN_BODIES, is_for_bodies};
+use super::cone_problem::{LEAST_IN_BODIES, is_for_bodies};
 use super::consistent_rows::{make_consistent, remove_contradictions};
 use super::contacts::{NearContact, kinematics_at_point, with_rate_at_point};
-use super::kick::Kick;
 use super::middle::{Middle, Problem, Stops};
 use super::report::{ContactImpulse, ImpulseKind, Stop, TimeStepReport};
 use super::shared_work::{ContactWork, Kicked};
+use super::solved_group::{Found, SolvedGroup};
 use super::step::TimeStepper;
 use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
-use crate::collision::contact_id::ContactId;
-use crate::constraint::bilateral::{Bilateral, Reaction, bilateral_support};
+use crate::constraint::bilateral::{Bilateral, bilateral_support};
 use crate::constraint::joint_friction::Pressed;
 use crate::constraint::row::BilateralRow;
-use crate::constraint::softness::SoftWork;
 use crate::rows::assembly::Assembly;
 use crate::rows::groups::{Group, coupled_groups};
 use crate::rows::many_contacts::{MANY_CONTACTS, furthest_out};
 use crate::solve::closed_loops::ClosedLoops;
-use crate::solve::cone_violation::ConeViolation;
-use crate::solve::impact::{Gain, apply_with_gain, support};
+use crate::solve::impact::support;
 use crate::solve::joint_loads::ContactForce;
 use crate::solve::jointed::trees_of;
 use crate::solve::rotational_friction::{moment_support, moment_work};
 use crate::states_of::{set_states, states_of};
 use crate::world::{Loads, World};
-use polhode_contact::{ContactGeometry, ContactKinematics};
+use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 use polhode_response::{ResponseError, SolverSettings, SolverStatus, WarmStart};
-use polhode_spatial::{CompensatedSum, DVec3};
+use polhode_spatial::DVec3;
 
 /// A row that approaches at the end by less than this fraction of its rates is left out: some dozen rounding units.
 const ROW_ROUNDING: f64 = 1e-14;
@@ -63,9 +60,6 @@ const ROW_ROUNDING: f64 = 1e-14;
 /// Error of a separation as a fraction of the rounding of two poses (eight units in the last place): the remainder of
 /// the projection. In a short step it corresponds to a considerable velocity.
 const SEPARATION_ROUNDING: f64 = 0.25;
-
-/// The relative residual of a problem whose impulses are zero in place of its solution.
-const NOTHING_SOLVED: f64 = 1.0;
 
 /// Whether bilateral constraints hold bodies of an island.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -77,7 +71,7 @@ enum Held {
 /// A contact in the middle of the step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Row {
-    contact: usize,
+    pub(super) contact: usize,
     problem: Problem,
     /// After the kick of fields.
     pub(super) kinematics: ContactKinematics,
@@ -552,171 +546,4 @@ fn note(
     }
     carrying.sort_unstable();
     carrying
-}
-
-/// The impulses of one group.
-struct SolvedGroup {
-    group: Group,
-    /// Along the normals, N s.
-    impulses: Vec<f64>,
-    /// Of the contacts with friction.
-    tangential: Vec<TangentialImpulse>,
-    /// Of friction of rolling and spinning, N m s, world, on A.
-    moments: Vec<SustainedMoment>,
-    /// Of bilateral constraints.
-    reactions: Vec<(Bilateral, Reaction)>,
-    found: Found,
-}
-
-/// How the impulses of one group were found.
-struct Found {
-    /// Natural map, relative.
-    residual: f64,
-    /// Whether they were not applied.
-    is_discarded: bool,
-    /// How far they are from Coulomb's law.
-    violation: Option<ConeViolation>,
-    /// Slips that end within the step.
-    stops: Vec<Stop>,
-}
-
-impl Found {
-    /// Tells it in the report of the step.
-    fn tell(&self, report: &mut TimeStepReport) {
-        report.residual = report.residual.max(self.residual);
-        if self.is_discarded || self.residual > EXACT_ENOUGH {
-            let residual = if self.is_discarded { NOTHING_SOLVED } else { self.residual };
-            report.unsolved += 1;
-            report.unsolved_residual = report.unsolved_residual.max(residual);
-        }
-        report.cone_violation = ConeViolation::larger(report.cone_violation, self.violation);
-    }
-}
-
-impl SolvedGroup {
-    /// Change of kinetic energy in the order of action, J, `sum p.(u + u+)/2` with the rates `u` after the kick and the present
-    /// ones of the bodies: where large impulses cancel, these differ by rounding from the solution of the problem.
-    fn energy_change(&self, world: &World, states: &[BodyState], rows: &[Row], near: &[NearContact]) -> f64 {
-        let parts = self.group.contacts.iter().zip(&self.impulses).filter(|(_, p)| **p > 0.0);
-        let change = |(&index, &p): (&usize, &f64)| {
-            let row = &rows[index];
-            let after =
-                kinematics_at_point(world, states, near[row.contact].id).map_or(-row.bound, |now| now.separation_rate);
-            0.5 * p * (row.kinematics.separation_rate + after)
-        };
-        parts.map(change).collect::<CompensatedSum>().value()
-    }
-
-    fn impulses_of<'a>(
-        &'a self,
-        rows: &'a [Row],
-        near: &'a [NearContact],
-    ) -> impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone {
-        self.normal_impulses(rows, near).chain(self.tangential.iter().flat_map(TangentialImpulse::parts))
-    }
-
-    fn normal_impulses<'a>(
-        &'a self,
-        rows: &'a [Row],
-        near: &'a [NearContact],
-    ) -> impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone {
-        self.group.contacts.iter().zip(&self.impulses).map(move |(&index, &p)| {
-            let row = &rows[index];
-            (near[row.contact].id, &row.kinematics.geometry, p)
-        })
-    }
-
-    /// Energy lost to friction, J, with the present slips of the bodies.
-    fn lost_to_friction_j(&self, world: &World, states: &[BodyState]) -> f64 {
-        let lost = |impulse: &TangentialImpulse| impulse.lost_j(world, states);
-        self.tangential.iter().filter_map(lost).collect::<CompensatedSum>().value()
-    }
-
-    /// Work of surfaces that move, J.
-    fn work_of_surfaces(&self, world: &World, states: &[BodyState]) -> f64 {
-        world.surface_work(states, self.tangential.iter().flat_map(TangentialImpulse::parts))
-    }
-
-    /// Energy lost to friction of rolling and spinning, J: `-p.(w- + w+)/2`, where `w+` are the present rotations.
-    fn lost_to_moments_j(&self, world: &World, states: &[BodyState]) -> f64 {
-        let lost = |moment: &SustainedMoment| moment.lost_j(world, states);
-        self.moments.iter().map(lost).collect::<CompensatedSum>().value()
-    }
-
-    /// Works of springs, dampers and motors at joints, J.
-    fn soft_work(&self) -> SoftWork {
-        let works = |(of, reaction): &(Bilateral, Reaction)| {
-            let softness = of.softness.as_ref()?;
-            Some(softness.works(of.multiplier(*reaction)))
-        };
-        self.reactions.iter().filter_map(works).fold(SoftWork::default(), |sum, one| sum + one)
-    }
-
-    /// Applies the impulses. Those that would add energy are shortened, all by one factor, until they add none: the terms r of their
-    /// rows are then shorter. Where no part of them takes energy, none is applied.
-    fn apply(
-        &mut self,
-        world: &World,
-        states: &mut [BodyState],
-        of: (&[usize], &Kick, &ClosedLoops),
-        rows: &[Row],
-        near: &[NearContact],
-    ) {
-        let start = states_of(states, &self.group.bodies);
-        let whole = self.try_out(world, states, of, rows, near);
-        if whole.is_excess() {
-            set_states(states, &self.group.bodies, &start);
-            self.shorten(0.5);
-            let half = self.try_out(world, states, of, rows, near);
-            set_states(states, &self.group.bodies, &start);
-            // With a part s of them the energy grows by s l + s^2 q.
-            let linear = 4.0 * half.gain_j - whole.gain_j;
-            let share = -linear / (whole.gain_j - linear);
-            self.shorten(if share.is_finite() { 2.0 * share.clamp(0.0, 1.0) } else { 0.0 });
-            let is_sound = share > 0.0 && !self.try_out(world, states, of, rows, near).is_excess();
-            if !is_sound {
-                set_states(states, &self.group.bodies, &start);
-                self.impulses.fill(0.0);
-                self.tangential.clear();
-                self.moments.clear();
-                self.reactions.clear();
-                self.found.is_discarded = true;
-            }
-        }
-        for &body in &self.group.bodies {
-            world.keep_in_plane(body, &mut states[body]);
-        }
-    }
-
-    /// Applies the impulses, and says what energy they add.
-    fn try_out(
-        &self,
-        world: &World,
-        states: &mut [BodyState],
-        (bodies, kick, loops): (&[usize], &Kick, &ClosedLoops),
-        rows: &[Row],
-        near: &[NearContact],
-    ) -> Gain {
-        let impulses = (self.impulses_of(rows, near), self.reactions.iter().map(|(of, impulse)| (of, *impulse)));
-        let moments: Vec<_> = self.moments.iter().map(SustainedMoment::on_a).collect();
-        let soft = self.soft_work();
-        let by_soft = soft.spring + soft.damper + soft.motor;
-        let kicked = Kicked { states, bodies, kick, loops };
-        let by_reactions = self.reactions.iter().map(|(of, impulse)| kicked.shared_by_reaction_j(of, *impulse));
-        let shared_j = kicked.shared_j(self.impulses_of(rows, near))
-            + kicked.shared_by_moments_j(moments.iter().copied())
-            + by_reactions.sum::<f64>();
-        let given = (&moments[..], self.work_of_surfaces(world, states) + by_soft + shared_j);
-        apply_with_gain(world, states, &self.group.bodies, impulses, given)
-    }
-
-    /// Leaves this part of the impulses.
-    fn shorten(&mut self, part: f64) {
-        self.impulses.iter_mut().for_each(|impulse| *impulse *= part);
-        self.tangential.iter_mut().for_each(|impulse| impulse.shorten(part));
-        self.moments.iter_mut().for_each(|moment| moment.shorten(part));
-        for (_, reaction) in &mut self.reactions {
-            *reaction = Reaction { force: reaction.force * part, moment: reaction.moment * part };
-        }
-    }
 }

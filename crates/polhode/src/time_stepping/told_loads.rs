@@ -137,8 +137,10 @@ pub(super) fn newton_residual(
     report.told.others.iter().for_each(|&(body, impulse)| give(body, impulse));
     let is_held = |body: usize| world.bodies[body].rigid.as_ref().is_none_or(polhode_dynamics::RigidBody::is_pivoted);
     let defect = |(&body, (left, all)): (&usize, &(DVec3, f64))| {
-        let defect = left.length();
-        if is_held(body) || defect == 0.0 { 0.0 } else { defect / all }
+        let mass = world.bodies[body].rigid.as_ref().map_or(0.0, polhode_dynamics::RigidBody::mass);
+        let rounding = mass * world.velocity_rounding(after, &[body]);
+        let defect = left.length() - rounding;
+        if is_held(body) || defect <= 0.0 { 0.0 } else { defect / all }
     };
     bodies.iter().zip(&sums).map(defect).fold(0.0, f64::max)
 }

@@ -1,0 +1,195 @@
+//! The impulses of one group of bodies over a step: what they give and take, and how they are applied.
+//!
+//! Energy in the order of action is `sum p.(u + u+)/2`, with the rates `u` after the kick and `u+` after all impulses
+//! (`shared_work.rs`). Where it grows with the impulses, because a slip turns within the step, they are shortened together:
+//! a part `s` of them changes it by `s l + s^2 q`. How it fails: where no part takes energy, none is applied, and the step says that its
+//! problem was not solved.
+
+use super::cone_problem::EXACT_ENOUGH;
+use super::contacts::{NearContact, kinematics_at_point};
+use super::kick::Kick;
+use super::report::{Stop, TimeStepReport};
+use super::shared_work::Kicked;
+use super::sustained::Row;
+use super::sustained_friction::{SustainedMoment, TangentialImpulse};
+use crate::collision::contact_id::ContactId;
+use crate::constraint::bilateral::{Bilateral, Reaction};
+use crate::constraint::softness::SoftWork;
+use crate::rows::groups::Group;
+use crate::solve::closed_loops::ClosedLoops;
+use crate::solve::cone_violation::ConeViolation;
+use crate::solve::impact::{Gain, apply_with_gain};
+use crate::states_of::{set_states, states_of};
+use crate::world::World;
+use polhode_contact::ContactGeometry;
+use polhode_dynamics::BodyState;
+use polhode_spatial::CompensatedSum;
+
+/// The relative residual of a problem whose impulses are zero in place of its solution.
+const NOTHING_SOLVED: f64 = 1.0;
+/// The impulses of one group.
+pub(super) struct SolvedGroup {
+    pub(super) group: Group,
+    /// Along the normals, N s.
+    pub(super) impulses: Vec<f64>,
+    /// Of the contacts with friction.
+    pub(super) tangential: Vec<TangentialImpulse>,
+    /// Of friction of rolling and spinning, N m s, world, on A.
+    pub(super) moments: Vec<SustainedMoment>,
+    /// Of bilateral constraints.
+    pub(super) reactions: Vec<(Bilateral, Reaction)>,
+    pub(super) found: Found,
+}
+
+/// How the impulses of one group were found.
+pub(super) struct Found {
+    /// Natural map, relative.
+    pub(super) residual: f64,
+    /// Whether they were not applied.
+    pub(super) is_discarded: bool,
+    /// How far they are from Coulomb's law.
+    pub(super) violation: Option<ConeViolation>,
+    /// Slips that end within the step.
+    pub(super) stops: Vec<Stop>,
+}
+
+impl Found {
+    /// Tells it in the report of the step.
+    pub(super) fn tell(&self, report: &mut TimeStepReport) {
+        report.residual = report.residual.max(self.residual);
+        if self.is_discarded || self.residual > EXACT_ENOUGH {
+            let residual = if self.is_discarded { NOTHING_SOLVED } else { self.residual };
+            report.unsolved += 1;
+            report.unsolved_residual = report.unsolved_residual.max(residual);
+        }
+        report.cone_violation = ConeViolation::larger(report.cone_violation, self.violation);
+    }
+}
+
+impl SolvedGroup {
+    /// Change of kinetic energy in the order of action, J, `sum p.(u + u+)/2` with the rates `u` after the kick and the present
+    /// ones of the bodies: where large impulses cancel, these differ by rounding from the solution of the problem.
+    pub(super) fn energy_change(&self, world: &World, states: &[BodyState], rows: &[Row], near: &[NearContact]) -> f64 {
+        let parts = self.group.contacts.iter().zip(&self.impulses).filter(|(_, p)| **p > 0.0);
+        let change = |(&index, &p): (&usize, &f64)| {
+            let row = &rows[index];
+            let after =
+                kinematics_at_point(world, states, near[row.contact].id).map_or(-row.bound, |now| now.separation_rate);
+            0.5 * p * (row.kinematics.separation_rate + after)
+        };
+        parts.map(change).collect::<CompensatedSum>().value()
+    }
+
+    pub(super) fn impulses_of<'a>(
+        &'a self,
+        rows: &'a [Row],
+        near: &'a [NearContact],
+    ) -> impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone {
+        self.normal_impulses(rows, near).chain(self.tangential.iter().flat_map(TangentialImpulse::parts))
+    }
+
+    pub(super) fn normal_impulses<'a>(
+        &'a self,
+        rows: &'a [Row],
+        near: &'a [NearContact],
+    ) -> impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone {
+        self.group.contacts.iter().zip(&self.impulses).map(move |(&index, &p)| {
+            let row = &rows[index];
+            (near[row.contact].id, &row.kinematics.geometry, p)
+        })
+    }
+
+    /// Energy lost to friction, J, with the present slips of the bodies.
+    pub(super) fn lost_to_friction_j(&self, world: &World, states: &[BodyState]) -> f64 {
+        let lost = |impulse: &TangentialImpulse| impulse.lost_j(world, states);
+        self.tangential.iter().filter_map(lost).collect::<CompensatedSum>().value()
+    }
+
+    /// Work of surfaces that move, J.
+    pub(super) fn work_of_surfaces(&self, world: &World, states: &[BodyState]) -> f64 {
+        world.surface_work(states, self.tangential.iter().flat_map(TangentialImpulse::parts))
+    }
+
+    /// Energy lost to friction of rolling and spinning, J: `-p.(w- + w+)/2`, where `w+` are the present rotations.
+    pub(super) fn lost_to_moments_j(&self, world: &World, states: &[BodyState]) -> f64 {
+        let lost = |moment: &SustainedMoment| moment.lost_j(world, states);
+        self.moments.iter().map(lost).collect::<CompensatedSum>().value()
+    }
+
+    /// Works of springs, dampers and motors at joints, J.
+    pub(super) fn soft_work(&self) -> SoftWork {
+        let works = |(of, reaction): &(Bilateral, Reaction)| {
+            let softness = of.softness.as_ref()?;
+            Some(softness.works(of.multiplier(*reaction)))
+        };
+        self.reactions.iter().filter_map(works).fold(SoftWork::default(), |sum, one| sum + one)
+    }
+
+    /// Applies the impulses. Those that would add energy are shortened, all by one factor, until they add none: the terms r of their
+    /// rows are then shorter. Where no part of them takes energy, none is applied.
+    pub(super) fn apply(
+        &mut self,
+        world: &World,
+        states: &mut [BodyState],
+        of: (&[usize], &Kick, &ClosedLoops),
+        rows: &[Row],
+        near: &[NearContact],
+    ) {
+        let start = states_of(states, &self.group.bodies);
+        let whole = self.try_out(world, states, of, rows, near);
+        if whole.is_excess() {
+            set_states(states, &self.group.bodies, &start);
+            self.shorten(0.5);
+            let half = self.try_out(world, states, of, rows, near);
+            set_states(states, &self.group.bodies, &start);
+            // With a part s of them the energy grows by s l + s^2 q.
+            let linear = 4.0 * half.gain_j - whole.gain_j;
+            let share = -linear / (whole.gain_j - linear);
+            self.shorten(if share.is_finite() { 2.0 * share.clamp(0.0, 1.0) } else { 0.0 });
+            let is_sound = share > 0.0 && !self.try_out(world, states, of, rows, near).is_excess();
+            if !is_sound {
+                set_states(states, &self.group.bodies, &start);
+                self.impulses.fill(0.0);
+                self.tangential.clear();
+                self.moments.clear();
+                self.reactions.clear();
+                self.found.is_discarded = true;
+            }
+        }
+        for &body in &self.group.bodies {
+            world.keep_in_plane(body, &mut states[body]);
+        }
+    }
+
+    /// Applies the impulses, and says what energy they add.
+    fn try_out(
+        &self,
+        world: &World,
+        states: &mut [BodyState],
+        (bodies, kick, loops): (&[usize], &Kick, &ClosedLoops),
+        rows: &[Row],
+        near: &[NearContact],
+    ) -> Gain {
+        let impulses = (self.impulses_of(rows, near), self.reactions.iter().map(|(of, impulse)| (of, *impulse)));
+        let moments: Vec<_> = self.moments.iter().map(SustainedMoment::on_a).collect();
+        let soft = self.soft_work();
+        let by_soft = soft.spring + soft.damper + soft.motor;
+        let kicked = Kicked { states, bodies, kick, loops };
+        let by_reactions = self.reactions.iter().map(|(of, impulse)| kicked.shared_by_reaction_j(of, *impulse));
+        let shared_j = kicked.shared_j(self.impulses_of(rows, near))
+            + kicked.shared_by_moments_j(moments.iter().copied())
+            + by_reactions.sum::<f64>();
+        let given = (&moments[..], self.work_of_surfaces(world, states) + by_soft + shared_j);
+        apply_with_gain(world, states, &self.group.bodies, impulses, given)
+    }
+
+    /// Leaves this part of the impulses.
+    fn shorten(&mut self, part: f64) {
+        self.impulses.iter_mut().for_each(|impulse| *impulse *= part);
+        self.tangential.iter_mut().for_each(|impulse| impulse.shorten(part));
+        self.moments.iter_mut().for_each(|moment| moment.shorten(part));
+        for (_, reaction) in &mut self.reactions {
+            *reaction = Reaction { force: reaction.force * part, moment: reaction.moment * part };
+        }
+    }
+}
