@@ -49,13 +49,13 @@ fn balls(edge: u32) -> String {
         let [x, y, z] = [column, row, layer].map(f64::from);
         let shift = |k: f64| 0.01 * (1.7 * x + 2.9 * y + 4.3 * z + k).sin();
         let middle = 0.5 * f64::from(edge - 1);
-        text.push_str(&format!(
+        text.extend([format!(
             "[[bodies]]\nname = \"{layer} {row} {column}\"\nshape.sphere.radius = 0.195\nmass = 1.0\n\
              position = [{}, {}, {}]\nvelocity = [0, 0, -2.0]\nmaterial = \"m\"\n",
             (x - middle) * 0.42 + shift(0.0),
             (y - middle) * 0.42 + shift(1.0),
             0.2 + 0.42 * z
-        ));
+        )]);
     }
     text
 }
@@ -70,7 +70,7 @@ fn balls_that_fall_into_a_bin_overlap_in_no_step() {
 #[test]
 fn boxes_that_tumble_into_a_bin_overlap_in_no_step() {
     let boxes = "[[arrays]]\nname = \"box\"\nshape.box.size = [0.3, 0.25, 0.2]\ndensity = 1000\nmaterial = \"m\"\n\
-                 position = [-0.6, -0.6, 0.05]\nlayout.drop = { count = 24, size = [1.2, 1.2, 2.6], seed = 3 }\n";
+                 position = [-0.6, -0.6, 0.05]\nlayout.drop = { count = 24, size = [1.2, 1.2, 4.0], seed = 3 }\n";
     check(&bin(0.62, 0.5, 0.01, boxes), 0.5, 0.2);
 }
 
@@ -96,16 +96,16 @@ fn over_tiles(shape: &str, half_height: f64, (speed, turn): (f64, f64)) -> [f64;
     let mut text = String::from("format = 1\nname = \"seam\"\n[method]\ntier = \"stepped\"\n");
     for tile in 0..tiles {
         let [x, y] = along(0.3 * f64::from(tile));
-        text.push_str(&format!(
+        text.extend([format!(
             "[[bodies]]\nname = \"t{tile}\"\nfixed = true\nshape.box.size = [0.3, 1.0, 0.1]\n\
              rotation_vector = [0, 0, {turn}]\nposition = [{x}, {y}, -0.05]\n"
-        ));
+        )]);
     }
     let ([x, y], [vx, vy]) = (along(-0.075), along(speed));
-    text.push_str(&format!(
+    text.extend([format!(
         "[[bodies]]\nname = \"puck\"\n{shape}\nmass = 0.7\nrotation_vector = [0, 0, {turn}]\n\
          position = [{x}, {y}, {half_height}]\nvelocity = [{vx}, {vy}, 0]\n"
-    ));
+    )]);
     let mut simulation = Simulation::new(&scene(&text)).unwrap();
     simulation.advance_to((0.3 * f64::from(tiles) - 0.25) / speed).unwrap();
     let frame = simulation.frame();

@@ -61,6 +61,15 @@ struct MeanForce {
     friction: DVec3,
 }
 
+/// The islands of a step that has been made.
+struct Advanced {
+    /// Those that rest.
+    resting: Vec<Island>,
+    /// The others, and what they did.
+    islands: Vec<Island>,
+    reports: Vec<TimeStepReport>,
+}
+
 /// A run in progress.
 #[derive(Debug)]
 pub(crate) struct SteppedEngine {
@@ -197,7 +206,7 @@ impl SteppedEngine {
         let compares = core.accounts.steps().is_multiple_of(EVERY);
         let halves = if compares { Some(self.in_two_halves(core, &islands, interval)?) } else { None };
         let begin = self.states.clone();
-        let (resting, islands, reports) = self.advance_all(core, pairs, interval)?;
+        let Advanced { resting, islands, reports } = self.advance_all(core, pairs, interval)?;
         self.fly(core, t_next);
         if core.effects == Effects::All {
             self.repeat_rest(core, &resting, interval)?;
@@ -260,8 +269,7 @@ impl SteppedEngine {
         Ok((resting, islands))
     }
 
-    /// Advances the islands of these pairs over a step, again where a body has met one that was not expected in its way. Returns
-    /// those that rest, the others, and what these did.
+    /// Advances the islands of these pairs over a step, again where a body has met one that was not expected in its way.
     ///
     /// # Errors
     /// When a number is not finite, or joints contradict each other.
@@ -270,7 +278,7 @@ impl SteppedEngine {
         core: &Core,
         mut pairs: Vec<(usize, usize)>,
         interval: (f64, f64),
-    ) -> Result<(Vec<Island>, Vec<Island>, Vec<TimeStepReport>), SimulationError> {
+    ) -> Result<Advanced, SimulationError> {
         let begin = self.states.clone();
         let mut times = MOST_SEARCHES;
         loop {
@@ -281,7 +289,7 @@ impl SteppedEngine {
             let met = Unexpected { begin: &begin, end: &self.states, islands: &islands, pairs: &pairs, interval };
             let met = met.find(&core.world, &mut self.search).map_err(SimulationError::BroadPhase)?;
             if met.is_empty() || times == 0 {
-                return Ok((resting, islands, reports));
+                return Ok(Advanced { resting, islands, reports });
             }
             times -= 1;
             self.states.clone_from(&begin);
