@@ -22,7 +22,7 @@ impl JointId {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct CoordinateSample {
-    /// Its value, rad or m; an angle with all its revolutions, if its limits allow a whole one.
+    /// Its value, rad or m; an angle with all its revolutions, if it has no limits.
     pub value: f64,
     /// Its rate, rad/s or m/s.
     pub rate: f64,

@@ -256,7 +256,6 @@ impl WorldJoint {
         for (own, &near) in turning.zip(turned) {
             own.near = near;
             is_sprung |= own.is_sprung();
-            self.stops.iter_mut().for_each(|stop| stop.follow(near * own.unit));
         }
         is_sprung
     }

@@ -1,18 +1,17 @@
 //! The coordinates of a joint: how each is measured, and what acts along it.
 //!
-//! An angle is measured up to whole revolutions. Where its limits are less than a revolution apart, it lies within half a
-//! revolution of their middle. Any other has turned as often as it has: it lies within half a revolution of the multiple
-//! of a quarter of one next to what it was at the end of the last step. That multiple is part of the state of a run. It is all
-//! that changes with the revolutions: the angle is `a + 2 pi k` with the same bits wherever `k` is known from.
-//! Springs, servos, limits and samples take the same angle.
+//! An angle is measured up to whole revolutions. One with limits, which are less than a revolution apart, lies within half a
+//! revolution of their middle. Any other turns on: it lies within half a revolution of the multiple of a quarter of one next
+//! to what it was at the end of the last step. That multiple is part of the state of a run, and all that changes with the revolutions: the
+//! angle is `a + 2 pi k` with the same bits wherever `k` is known from. Springs, servos and samples take the same angle.
 //!
-//! Assumption: an angle without such limits turns by less than three eighths of a revolution in a step.
+//! Assumption: an angle without limits turns by less than three eighths of a revolution in a step.
 
 use super::coordinate::Measured;
 use super::track::Guide;
-use crate::scene::{Coordinate, Drive, Freedom, Joint, Limits, Motor};
+use crate::scene::{Coordinate, Drive, Freedom, Joint, Motor};
 use polhode_spatial::Rotation;
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 /// A coordinate of a joint.
@@ -45,10 +44,8 @@ pub(super) fn coordinates(
             (Coordinate::Distance, _) => (Measured::Distance, 1.0),
             (Coordinate::Angle, None) => return None,
         };
-        let within = freedom.limits().filter(|limits| limits.upper() - limits.lower() < TAU);
-        let turns_on = within.is_none() && matches!(measured, Measured::Angle { .. });
-        let middle = |limits: Limits| 0.5 * (limits.lower() + limits.upper());
-        let near = if turns_on { 0.0 } else { freedom.limits().map_or(0.0, middle) };
+        let turns_on = freedom.limits().is_none() && matches!(measured, Measured::Angle { .. });
+        let near = freedom.limits().map_or(0.0, |limits| 0.5 * (limits.lower() + limits.upper()));
         Some(JointCoordinate { coordinate, measured, unit, near, turns_on, freedom })
     };
     joint.kind().coordinates().iter().filter_map(of_coordinate).collect()

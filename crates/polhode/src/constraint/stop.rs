@@ -41,22 +41,20 @@ pub(super) struct Stop {
     /// m; of an angle the length of its arc.
     limit: f64,
     side: FreeSide,
-    /// Within half a revolution of which angles are, m.
-    near: f64,
-    /// Whether that follows the angle.
-    turns_on: bool,
+    /// Middle of the range, within half a revolution of which angles are, m.
+    middle: f64,
     pub(super) restitution: f64,
 }
 
 impl Stop {
     /// The stops of a coordinate.
     pub(super) fn of(coordinate: &JointCoordinate) -> impl Iterator<Item = Self> + use<> {
-        let JointCoordinate { measured, unit, near, turns_on, freedom, .. } = coordinate.clone();
+        let JointCoordinate { measured, unit, near, freedom, .. } = coordinate.clone();
         let stop = move |limits: Limits, limit: f64, side| {
             let restitution = limits.restitution();
-            let (limit, near) = (limit * unit, near * unit);
+            let (limit, middle) = (limit * unit, near * unit);
             let measured = measured.clone();
-            limit.is_finite().then_some(Self { measured, limit, side, near, turns_on, restitution })
+            limit.is_finite().then_some(Self { measured, limit, side, middle, restitution })
         };
         let both = move |limits: Limits| {
             [stop(limits, limits.lower(), FreeSide::Above), stop(limits, limits.upper(), FreeSide::Below)]
@@ -67,7 +65,7 @@ impl Stop {
     /// The side of a track that pushes, with this coefficient of restitution.
     pub(super) fn one_side(guide: &Arc<Guide>, restitution: f64) -> Self {
         let measured = Measured::Height(Arc::clone(guide));
-        Self { measured, limit: 0.0, side: FreeSide::Above, near: 0.0, turns_on: false, restitution }
+        Self { measured, limit: 0.0, side: FreeSide::Above, middle: 0.0, restitution }
     }
 
     /// Whether it is the side of a track that pushes.
@@ -79,15 +77,8 @@ impl Stop {
     pub(super) fn at_ends(guide: &Arc<Guide>, [first, last]: [f64; 2], restitution: f64) -> [Self; 2] {
         [(first, FreeSide::Above), (last, FreeSide::Below)].map(|(limit, side)| {
             let measured = Measured::Along(Arc::clone(guide));
-            Self { measured, limit, side, near: limit, turns_on: false, restitution }
+            Self { measured, limit, side, middle: limit, restitution }
         })
-    }
-
-    /// Takes what its angle is near to now, m, if that follows the angle.
-    pub(super) fn follow(&mut self, near: f64) {
-        if self.turns_on {
-            self.near = near;
-        }
     }
 
     /// Where the stop acts in given states; none where the coordinate has no direction.
@@ -96,7 +87,7 @@ impl Stop {
         coordinate: impl FnOnce(&Measured, f64) -> Option<CoordinateAt>,
         order: Order,
     ) -> Option<ContactKinematics> {
-        let CoordinateAt { value, rate, bias, point, direction, .. } = coordinate(&self.measured, self.near)?;
+        let CoordinateAt { value, rate, bias, point, direction, .. } = coordinate(&self.measured, self.middle)?;
         let sign = self.side.sign();
         let normal = direction * (sign * order.sign());
         Some(ContactKinematics {

@@ -70,7 +70,7 @@ impl ClosedLoops {
         })
     }
 
-    /// The least reactions of these bodies that do the same as these ones, which are those of all their bilateral constraints, soft ones last.
+    /// The least reactions of these bodies that do the same as these ones, which are those of all their bilateral constraints.
     ///
     /// # Errors
     /// When a number is not finite.

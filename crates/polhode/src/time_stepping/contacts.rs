@@ -257,11 +257,13 @@ pub(super) fn foresee_with_joints(
     }
 }
 
-/// Marks the contacts that bounce at the end of a step of `h` (s), where `left` (s) are left of the whole one.
+/// Marks the contacts of bodies that joints hold which bounce at the end of a step of `h` (s), where `left` (s) are left of the
+/// whole one. Those of bodies in flight close there to rounding, or are closed by what presses them.
 pub(super) fn await_impacts(world: &World, near: &mut [NearContact], (h, left): (f64, f64), instant: f64) {
     for contact in near {
         let closes = contact.impact_time(left).is_some_and(|time| time > instant && (time - h).abs() <= instant);
-        contact.is_awaited = closes && world.restitution_of(contact.id) > 0.0;
+        let is_held = contact.id.members().any(|(body, _)| world.is_held_by_rows(body));
+        contact.is_awaited = closes && is_held && world.restitution_of(contact.id) > 0.0;
     }
 }
 
