@@ -18,8 +18,9 @@
 //! **At rest.** A load that comes at once, or a body that stops, swings a spring without damping to twice
 //! what statics asks and more. A spring that holds has a damper c there, critical for the mass that the contact bears (`laws`), and gives way where
 //! the spring alone, whose stretch then creeps to that of statics from one side, reaches mu_s F_n: the damper is gone with the motion, as in
-//! models of bristles. Points of one body slip a little before all of them hold as much as they can: static friction mu_s acts on (`Yield`)
-//! until a point has slipped as far as its spring stretches, and kinetic friction mu (`Slide`) until the slip ends.
+//! models of bristles. Points of one body slip a little before all of them hold as much as they can: static friction mu_s acts on (`Yield`), with
+//! the damper, until a point has slipped as far as its spring stretches, and kinetic friction mu (`Slide`) until the slip ends. By the damper a
+//! load that exceeds static friction by a part e breaks a contact away after some `(2/w)/e`, w the frequency of its spring.
 //!
 //! The tangential force acts at the middle of the overlap of two bodies that move, so that momentum is kept; against a body
 //! that forces do not move it acts on the undeformed surface of the other one, whose lever is that of the rigid body.
@@ -294,7 +295,11 @@ impl ContactSpring {
                 let direction = in_plane(self.vector, n).normalize_or_zero();
                 let limit = self.limit(normal);
                 let spring = direction * limit;
-                (spring, spring.dot(slip), self.turning_rate(at, direction, limit))
+                let rate = self.turning_rate(at, direction, limit);
+                if self.grip == Grip::Yield {
+                    return along.with_tangential((spring + damper, spring.dot(slip), rate), damper.dot(slip));
+                }
+                (spring, spring.dot(slip), rate)
             }
         };
         along.with_tangential((spring, power, vector_rate), 0.0)

@@ -12,7 +12,7 @@
 //! | rate of the overlap, or minus it | the overlap is greatest, or least | `int T k_t'/k_t dt` of a spring that holds, else none |
 //! | mu_s F_n - T | the tangential spring gives way | `T - mu F_n` |
 //! | speed of giving way | it holds | `int k_t (speed) dt` |
-//! | slip that is left before friction is kinetic | it becomes so | `(mu_s - mu) F_n` |
+//! | slip that is left before friction is kinetic | it becomes so | `(mu_s - mu) F_n`, and its damper |
 //! | margin of the point within its features, beyond rounding | it leaves them | that of its spring, and of overlaps of the pair that have no spring |
 //!
 //! A missed force counts beyond what the rounding of positions makes of the spring's force anyway.
@@ -574,6 +574,7 @@ fn weakening(spring: &ContactSpring, at: &Evaluated) -> Signal {
     let (Grip::Yield, Some(friction)) = (spring.grip, spring.friction) else { return Signal::NONE };
     let value = spring.holding.weakening - spring.slipped;
     let more = (friction.at_rest - friction.sliding) * spring.normal_force(at).max(0.0);
+    let more = more + spring.holding.damper * at.slip.length();
     Signal::of(value, if value < 0.0 { more } else { 0.0 })
 }
 
