@@ -137,7 +137,8 @@ impl Solver<'_> {
         self.move_into_cones(&mut reactions);
         let is_chosen = self.settings.redundancy == Redundancy::LeastNorm && start.len() <= MOST_DENSE_ROWS;
         if is_chosen
-            && (self.proximal_newton(&reactions) || self.newton_from(reactions.clone(), FrictionMethod::LeastNormNewton))
+            && (self.proximal_newton(&reactions)
+                || self.newton_from(reactions.clone(), FrictionMethod::LeastNormNewton))
         {
             return true;
         }

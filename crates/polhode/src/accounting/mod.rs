@@ -209,7 +209,12 @@ impl Accounts {
     pub(crate) fn observe(&mut self, world: &World, states: &[BodyState], t: f64) -> Result<Energy, SimulationError> {
         check_finite(world, states, t)?;
         let energy = self.books.observe(world, states);
-        self.measures.numerical.note(world, states, t, &self.books.ledger);
+        let ledger = &mut self.books.ledger;
+        // Where hardly anything has moved yet, energies are compared with what forces would do: nearly no run asks for it.
+        if ledger.numerical.value().abs() > self.measures.numerical.relative() * ledger.scale_j {
+            ledger.scale_j = ledger.scale_j.max(world.pressing_energy_j(t, states));
+        }
+        self.measures.numerical.note(world, states, t, ledger);
         if let Some(error) = world.joint_error(states) {
             let worst = |known: Option<f64>, own: f64| Some(known.map_or(own, |known| known.max(own)));
             let certificate = &mut self.certificate;

@@ -38,7 +38,9 @@ impl World {
             Some(if is_at_bound { effort.total_cmp(&0.0) } else { Ordering::Equal })
         };
         let motors = self.joints_among(bodies).flat_map(|joint| {
-            bounded_motors(joint).map(|(coordinate, motor)| phase(joint.number(), coordinate, motor)).collect::<Vec<_>>()
+            bounded_motors(joint)
+                .map(|(coordinate, motor)| phase(joint.number(), coordinate, motor))
+                .collect::<Vec<_>>()
         });
         motors.collect()
     }
