@@ -32,8 +32,9 @@ pub enum Redundancy {
     /// Those found first.
     #[default]
     Any,
-    /// Those that steps of least norm lead to from the start. They depend neither on the order of the contacts nor on
-    /// rounding. For problems of up to 120 rows; where the steps lead nowhere, those found first.
+    /// Those of contacts that yield alike, by less and less: none of a patch bears more than its share. They depend neither on
+    /// the order of the contacts, nor on where in their planes the tangents lie, nor on the start. For problems of up to 120
+    /// rows; where they are not found, those to which steps of least norm lead from the start, and then those found first.
     LeastNorm,
 }
 

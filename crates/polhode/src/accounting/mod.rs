@@ -239,7 +239,12 @@ impl Accounts {
     pub(crate) fn observe(&mut self, world: &World, states: &[BodyState], t: f64) -> Result<Energy, SimulationError> {
         check_finite(world, states, t)?;
         let energy = self.books.observe(world, states);
-        self.measures.numerical.note(world, (t, states), &self.books.ledger, self.promise.energy);
+        let ledger = &mut self.books.ledger;
+        // Where hardly anything has moved yet, energies are compared with what forces would do: nearly no run asks for it.
+        if ledger.numerical.value().abs() > self.measures.numerical.relative() * ledger.scale_j {
+            ledger.scale_j = ledger.scale_j.max(world.pressing_energy_j(t, states));
+        }
+        self.measures.numerical.note(world, (t, states), ledger, self.promise.energy);
         self.note_joints(world, states, t);
         if energy.final_j.is_finite() { Ok(energy) } else { Err(SimulationError::EnergyOverflow { t_s: t }) }
     }

@@ -69,6 +69,22 @@ impl World {
     }
 }
 
+impl World {
+    /// The energy that the fields at `t` (s) would give the bodies, each along its size and over one radian, J: the scale for
+    /// bodies that forces press against others, and that hold still.
+    pub(crate) fn pressing_energy_j(&self, t: f64, states: &[BodyState]) -> f64 {
+        if self.fields.is_empty() {
+            return 0.0;
+        }
+        let loads = self.loads_on(t, states, &self.movable);
+        let of_body = |&body: &usize| {
+            let load = loads.of(body);
+            load.force.length() * self.bodies[body].size + load.torque.length()
+        };
+        self.movable.iter().map(of_body).sum()
+    }
+}
+
 /// The largest eigenvalue of a symmetric matrix without negative ones, bounded by its trace; that of a multiple of the
 /// unit matrix exactly.
 pub(crate) fn largest_eigenvalue(matrix: &DMat3) -> f64 {
