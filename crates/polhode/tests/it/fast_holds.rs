@@ -1,8 +1,11 @@
-//! The tier `fast` keeps what holds a scene together: what has parts lies on what is below it, whatever the gap that it falls through; symmetric blows turn
-//! nothing; a smooth level floor gives no horizontal momentum; a load stays on a turntable to the order of the substeps; joints hold whatever hangs on them;
+//! The tier `fast` keeps what holds a scene together: what has parts lies on what is below it, whatever the gap that it
+//! falls through; symmetric blows turn
+//! nothing; a smooth level floor gives no horizontal momentum; a load stays on a turntable to the order of the substeps;
+//! joints hold whatever hangs on them;
 //! and what is hit within a step passes through nothing.
 //!
-//! Oracles: statics, symmetry, and the circle of a body that is carried. The last substep of a fall is not followed exactly, so that heights have the order of a step.
+//! Oracles: statics, symmetry, and the circle of a body that is carried. The last substep of a fall is not followed
+//! exactly, so that heights have the order of a step.
 
 use crate::fast_joints::{fast, run};
 use crate::support::{ball, brick, floor};
