@@ -123,7 +123,9 @@ impl<L: Lanes, const N: usize> Together<L, N> {
         for i in 0..N {
             let mut scaled = [zero; N];
             let own = self.matrix[i][i];
-            let mut pivot = own + own * L::splat(PROXIMAL) + self.give[i];
+            // One point or two are independent.
+            let proximal = if N > 2 { PROXIMAL } else { 0.0 };
+            let mut pivot = own + own * L::splat(proximal) + self.give[i];
             for j in 0..i {
                 let mut value = self.matrix[i][j];
                 if !ALL {
