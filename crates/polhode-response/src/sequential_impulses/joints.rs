@@ -1,6 +1,7 @@
 //! Joints among sequential impulses: what holds two bodies by rows of either sign, and limits that push.
 //!
-//! Joints that close no loop are solved at once, as trees (`joint_trees`). Of limits, and of joints that close loops, the rows of each (up to six) are solved together,
+//! Joints that close no loop are solved at once, as trees (`joint_trees`). Of limits, and of joints that close loops, the
+//! rows of each (up to six) are solved together,
 //! by the factors of their own matrix. With the rates `u = J v` of its rows (m/s), their gaps `g`
 //! (m), and the softness `a`, `b`, `c` of a sweep ([`SweepRule::with_fixed`]),
 //!
@@ -16,7 +17,8 @@
 //! that along the mean velocities. At the start of the next substep its multipliers act again, along the present rows: the impulses of before, along
 //! rows of before, would drive a body that turns about the joint. Sources: Catto 2005, Catto 2024 (soft constraints), docs/REFERENCES.md.
 //!
-//! Failure: rows that depend on each other within one joint are left out, one of them; joints that contradict each other share the error; loops and limits with large ratios
+//! Failure: rows that depend on each other within one joint are left out, one of them; joints that contradict each other
+//! share the error; loops and limits with large ratios
 //! of masses need more rounds than there are.
 
 use super::colours::{Colours, GROUPS, NO_COLOUR};

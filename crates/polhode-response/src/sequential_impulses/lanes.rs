@@ -15,7 +15,8 @@ pub(super) const FOUR: usize = 4;
 #[repr(C, align(32))]
 pub(super) struct Four(pub(super) [f64; FOUR]);
 
-/// An array whose entries are found by their places, in registers: the standard one makes a call for each entry of a large kernel. `none` fills it before.
+/// An array whose entries are found by their places, in registers: the standard one makes a call for each entry of a large
+/// kernel. `none` fills it before.
 #[inline(always)]
 pub(super) fn by_place<T: Copy, const N: usize>(none: T, mut of: impl FnMut(usize) -> T) -> [T; N] {
     let mut all = [none; N];

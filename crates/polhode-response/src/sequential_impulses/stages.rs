@@ -120,7 +120,8 @@ fn restitute<L: Lanes>(
     works
 }
 
-/// The points of a patch that collided part again, all at once: `u+ = -e u-` where their impulse of the whole step stays positive, since no contact pulls.
+/// The points of a patch that collided part again, all at once: `u+ = -e u-` where their impulse of the whole step stays
+/// positive, since no contact pulls.
 /// Returns the change of energy.
 #[inline(always)]
 fn bounce<L: Lanes, const N: usize>(

@@ -9,8 +9,10 @@
 //! p_t <- P(p_t - rho u_t)             onto the disc |p_t| <= mu p_n; rho one number, so that friction acts against the slip
 //! ```
 //!
-//! The points of a patch are solved in its coordinates (`patch`), first all along the tangents, then all along the normal (`together`). The formulas are those of a patch of
-//! one point; of several no point comes before another. Friction first tries the change of least norm under which none of them slips; where that is beyond a disc, each point
+//! The points of a patch are solved in its coordinates (`patch`), first all along the tangents, then all along the normal
+//! (`together`). The formulas are those of a patch of
+//! one point; of several no point comes before another. Friction first tries the change of least norm under which none of
+//! them slips; where that is beyond a disc, each point
 //! takes the step `rho / N` against its own slip. `m = 1 / K_nn`, `rho` the
 //! inverse of the largest eigenvalue of `K_tt`; `a`, `b`, `c` are [`Softness`]. Separations are those at the start of the step plus the
 //! displacements of the bodies along the rows of then.
@@ -224,7 +226,8 @@ impl<L: Lanes> Law<L> {
         }
     }
 
-    /// The impulses of friction at all points of a patch whose bodies move like this; the wrench takes what they change by. First those of least norm under which no point
+    /// The impulses of friction at all points of a patch whose bodies move like this; the wrench takes what they change by.
+    /// First those of least norm under which no point
     /// slips; of a patch where one of them is beyond its disc, a step of each point against its own slip, by its share.
     #[inline(always)]
     fn rub_together<const N: usize>(
@@ -263,7 +266,8 @@ impl<L: Lanes> Law<L> {
         }
     }
 
-    /// By what the impulse of friction at a point with this slip changes, under its last impulse along the normal and by a share of its own mass.
+    /// By what the impulse of friction at a point with this slip changes, under its last impulse along the normal and by a
+    /// share of its own mass.
     #[inline(always)]
     fn rubbed(&self, row: &PointRows, part: usize, [slip_x, slip_y]: [L; 2], share: L) -> [L; 2] {
         let (before_x, before_y) = (L::load(&row.impulse[1], part), L::load(&row.impulse[2], part));

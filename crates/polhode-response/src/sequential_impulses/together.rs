@@ -1,15 +1,19 @@
 //! The impulses along the normal at all points of a patch at once, exactly: no point comes first, so that a symmetric blow turns nothing.
 //!
-//! With the impulses `p` (N s) of up to four points, the rates of separation `u = u_0 + K (p - p_0)` (m/s), biases `b` (m/s) and compliances `g` (1/kg),
+//! With the impulses `p` (N s) of up to four points, the rates of separation `u = u_0 + K (p - p_0)` (m/s), biases `b`
+//! (m/s) and compliances `g` (1/kg),
 //!
 //! ```text
 //! p_i > 0:   u_i + b_i + g_i p_i + e K_ii (p_i - p_0i) = 0
 //! p_i = 0:   u_i + b_i >= 0
 //! ```
 //!
-//! The matrix of four points has rank three, since a rigid face has three ways to approach another: the term with `e` ([`PROXIMAL`]) chooses the change of
-//! least norm. So the solution is unique, and as symmetric as the patch is. It is found by principal pivoting: the set of points that press is guessed, the equations of the set are solved by
-//! `L D L^T`, and all points that contradict the guess change sides. Where this does not end, the first of them alone changes, which ends for every matrix with positive
+//! The matrix of four points has rank three, since a rigid face has three ways to approach another: the term with `e`
+//! ([`PROXIMAL`]) chooses the change of
+//! least norm. So the solution is unique, and as symmetric as the patch is. It is found by principal pivoting: the set of
+//! points that press is guessed, the equations of the set are solved by
+//! `L D L^T`, and all points that contradict the guess change sides. Where this does not end, the first of them alone
+//! changes, which ends for every matrix with positive
 //! principal minors. Sources: Judice and Pires 1994 (block pivoting), Murty 1974, Golub and Van Loan 4.1, docs/REFERENCES.md.
 //!
 //! Failure: after [`MOST_ROUNDS`] rounds the last guess stands, without the negative impulses.
@@ -17,7 +21,8 @@
 use super::batch::PointRows;
 use super::lanes::{Lanes, by_place};
 
-/// What holds the change of impulses small, relative to the diagonal (no unit, 1e-8 to 1e-4): the square root of rounding at most, so that what no motion tells apart is
+/// What holds the change of impulses small, relative to the diagonal (no unit, 1e-8 to 1e-4): the square root of rounding
+/// at most, so that what no motion tells apart is
 /// known to half of the digits.
 const PROXIMAL: f64 = 1e-6;
 
@@ -98,7 +103,8 @@ impl<L: Lanes, const N: usize> Together<L, N> {
         })
     }
 
-    /// The change of the impulses where the points of a set press: the others lose what they had. `ALL` says that all press: the same numbers, without the terms that
+    /// The change of the impulses where the points of a set press: the others lose what they had. `ALL` says that all
+    /// press: the same numbers, without the terms that
     /// are zero.
     #[inline(always)]
     fn of_set<const ALL: bool>(&self, presses: &[L; N]) -> [L; N] {
@@ -117,7 +123,9 @@ impl<L: Lanes, const N: usize> Together<L, N> {
         for i in 0..N {
             let mut scaled = [zero; N];
             let own = self.matrix[i][i];
-            let mut pivot = own + own * L::splat(PROXIMAL) + self.give[i];
+            // One point or two are independent.
+            let proximal = if N > 2 { PROXIMAL } else { 0.0 };
+            let mut pivot = own + own * L::splat(proximal) + self.give[i];
             for j in 0..i {
                 let mut value = self.matrix[i][j];
                 if !ALL {

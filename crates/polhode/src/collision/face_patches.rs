@@ -162,7 +162,8 @@ pub(crate) struct PairPatches {
     /// Whether a body is a compound or a mesh: beyond the reach of a search their distance is not known, but that it is larger.
     has_parts: bool,
     smaller: Side,
-    /// The body in whose frame normals are kept: the one that impulses do not move, else the larger one. A load that rocks on a floor has the normal of the
+    /// The body in whose frame normals are kept: the one that impulses do not move, else the larger one. A load that rocks
+    /// on a floor has the normal of the
     /// floor.
     base: Side,
     found_at: Option<FoundAt>,

@@ -299,7 +299,8 @@ impl Course {
         }
     }
 
-    /// Whether overlaps of two bodies have grown by more than a part of the smaller one in a step from these states on. Only bodies are looked at that came elsewhere than at their
+    /// Whether overlaps of two bodies have grown by more than a part of the smaller one in a step from these states on.
+    /// Only bodies are looked at that came elsewhere than at their
     /// velocities and under gravity.
     pub(super) fn has_sunk(&self, world: &World, before: &[BodyState], rules: &Rules) -> bool {
         let step = rules.h * f64::from(rules.substeps);
@@ -379,7 +380,8 @@ impl Course {
         }
     }
 
-    /// The deepest overlap of the last step, m, with its pair: where contacts were found at its start, and where they are at its end. The second sees what has passed through a
+    /// The deepest overlap of the last step, m, with its pair: where contacts were found at its start, and where they are
+    /// at its end. The second sees what has passed through a
     /// thin body, too.
     pub(super) fn deepest(&self) -> Option<((usize, usize), f64)> {
         let all = self.groups().iter().filter_map(|group| group.report.deepest).chain(self.deepest_after);

@@ -55,7 +55,8 @@ impl Member {
     }
 }
 
-/// A kinematic body of a patch. Where the patch is on it moves with the other body: a load that a turntable carries, or that slides over it, is at another place after
+/// A kinematic body of a patch. Where the patch is on it moves with the other body: a load that a turntable carries, or
+/// that slides over it, is at another place after
 /// each substep. The velocity that the solver has is that of the surface there and then, along the rows of the start of the step.
 #[derive(Debug, Clone, Copy)]
 struct Driver {
@@ -351,7 +352,8 @@ impl Group {
         }
     }
 
-    /// The velocity of the surface of a kinematic body `time` (s) after the start of the step, where the patch is when the other body has moved on for `ahead` (s).
+    /// The velocity of the surface of a kinematic body `time` (s) after the start of the step, where the patch is when the
+    /// other body has moved on for `ahead` (s).
     fn surface_velocity(&self, given: &Given<'_>, driver: &Driver, (time, ahead): (f64, f64)) -> Velocity {
         let Some(trajectory) = given.world.trajectory(driver.body) else { return Velocity::default() };
         let (now, start) = (state_at(trajectory, given.t + time), &given.states[driver.body]);
@@ -363,7 +365,8 @@ impl Group {
         Velocity::new(linear + angular.cross(moved), angular)
     }
 
-    /// Kinematic bodies after a movement: how far they have come, and the velocities of their surfaces then. The rows have a turn to first order: the rest of it at the patch is
+    /// Kinematic bodies after a movement: how far they have come, and the velocities of their surfaces then. The rows have
+    /// a turn to first order: the rest of it at the patch is
     /// a displacement.
     fn move_drivers(&mut self, given: &Given<'_>, substep: u32) {
         let time = f64::from(substep + 1) * given.rules.h;

@@ -58,7 +58,8 @@ impl Placed {
 }
 
 /// Fills `found` with the contacts of two boxes, or of a box and a half-space, with a separation of at most `reach` (m). Returns whether they
-/// are such shapes, and contacts were found wherever they are within the reach. Of two faces that separate nearly equally, by `EDGES_BEYOND`, that of the
+/// are such shapes, and contacts were found wherever they are within the reach. Of two faces that separate nearly equally,
+/// by `EDGES_BEYOND`, that of the
 /// `base` decides.
 pub fn clipped_manifold(
     (shape_a, pose_a): (&Shape, &Pose),
@@ -147,7 +148,8 @@ fn of_boxes(
     !found.contacts.is_empty()
 }
 
-/// The face that separates most: one of the base, unless one of the other box does by this much more. Also the largest separation by a face of either.
+/// The face that separates most: one of the base, unless one of the other box does by this much more. Also the largest
+/// separation by a face of either.
 fn best_face([a, b]: &[Placed; 2], gaps: [DVec3; 2], along: [DVec3; 2], (base, beyond): (Side, f64)) -> (Best, f64) {
     let widest = |gaps: DVec3| (1..3).fold(0, |best, k| if gaps[k] > gaps[best] { k } else { best });
     let [i, j] = gaps.map(widest);
