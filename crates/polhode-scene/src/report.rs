@@ -72,6 +72,8 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
         "tolerated": report.tolerated.iter().map(tolerated_json).collect::<Vec<_>>(),
         "bodies": report.bodies.iter().map(|body| body_json(&body.name, &body.state)).collect::<Vec<_>>(),
     });
+    value["max_load_defect"] = json!(certificate.max_load_defect);
+    value["max_load_defect_of_limit"] = json!(certificate.max_load_defect_of_limit);
     value["max_joint_error_m"] = json!(certificate.max_joint_error_m);
     value["max_joint_error_rad"] = json!(certificate.max_joint_error_rad);
     value["max_joint_error_of_limit"] = json!(certificate.max_joint_error_of_limit);
@@ -214,6 +216,7 @@ fn promise_json(promise: &Promise) -> Value {
         "energy": promise.energy,
         "residual": promise.residual,
         "friction": promise.friction,
+        "loads": promise.loads,
         "error": promise.error,
     })
 }

@@ -14,6 +14,11 @@ pub struct Certificate {
     pub max_residual: f64,
     /// The same relative to its limit: above 1 the run is degraded. Zero for a tier without a promise.
     pub max_residual_of_limit: f64,
+    /// By how much the loads that a step tells of contacts, joints and fields are off Newton's law of a body, relative to the sum of
+    /// their magnitudes, at most. Measured in time steps; zero elsewhere.
+    pub max_load_defect: f64,
+    /// The same relative to its limit: above 1 the run is degraded.
+    pub max_load_defect_of_limit: f64,
     /// Largest penetration, m; zero when no bodies overlapped.
     pub max_penetration_m: f64,
     /// Largest penetration relative to the limit that the tier promises for the pair: above 1 the run is degraded. Zero

@@ -76,6 +76,7 @@ fn promise(promise: &Promise) -> String {
         ("energy from projections and from the method", Some(promise.energy)),
         ("residuals", promise.residual),
         ("Coulomb's law", promise.friction),
+        ("loads by Newton's law", promise.loads),
         ("estimated error", promise.error),
     ];
     let others = others.into_iter().filter_map(|(what, limit)| Some(format!(", {what} {}", number(limit?))));
@@ -228,6 +229,10 @@ fn certificate(report: &RunReport) -> String {
     table.row(["largest violation of friction's law", &format!("{violation} of the largest force{of_limit}{at}")]);
     let of_limit = of_its_limit(certificate.max_residual_of_limit);
     table.row(["largest residual of a contact problem", &format!("{}{of_limit}", number(certificate.max_residual))]);
+    if certificate.max_load_defect > 0.0 {
+        let of_limit = of_its_limit(certificate.max_load_defect_of_limit);
+        table.row(["loads off Newton's law, of their sum", &format!("{}{of_limit}", number(certificate.max_load_defect))]);
+    }
     table.row(["bound on the error of an acceleration", &measured(certificate.max_acceleration_error_bound)]);
     table.row(["largest error of a step, of its tolerance", &measured(certificate.max_step_error)]);
     if let (Some(apart), Some(turned)) = (certificate.max_joint_error_m, certificate.max_joint_error_rad) {

@@ -54,8 +54,8 @@ pub(super) fn build(entry: &MethodEntry, promise: &PromiseEntry) -> Result<Metho
 
 /// The limits that the file sets.
 const fn limits(entry: &PromiseEntry) -> PromiseChanges {
-    let &PromiseEntry { overlap, joint_gap, energy, residual, friction, error } = entry;
-    PromiseChanges { overlap, joint_gap, energy, residual, friction, error }
+    let &PromiseEntry { overlap, joint_gap, energy, residual, friction, loads, error } = entry;
+    PromiseChanges { overlap, joint_gap, energy, residual, friction, loads, error }
 }
 
 /// The key that an error of the method is about.

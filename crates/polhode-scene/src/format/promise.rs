@@ -26,6 +26,10 @@ pub struct PromiseEntry {
     /// others).
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub friction: Option<f64>,
+    /// How far the loads that a step tells may be off Newton's law of a body, relative to their sum. When absent 1e-9 (accurate, stepped), none
+    /// (the others).
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub loads: Option<f64>,
     /// Estimated error of the run, relative to the size of a body. When absent it is told, and not held against the run.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub error: Option<f64>,

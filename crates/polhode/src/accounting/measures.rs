@@ -134,6 +134,8 @@ pub(crate) struct Measures {
     pub(crate) friction: Worst,
     /// Residual of the solution of a problem (natural map, relative); its pair means nothing.
     pub(crate) residual: Worst,
+    /// Defect of Newton's law by the loads that are told of a step, relative to the sum of its terms; its pair means nothing.
+    pub(crate) loads: Worst,
     /// Whether a joint has been measured.
     pub(crate) has_joints: bool,
     /// Distance of a joint from what it keeps, m.
@@ -178,6 +180,7 @@ impl Measures {
             projection_energy: self.projection_energy.save(),
             friction: self.friction.save(),
             residual: self.residual.save(),
+            loads: self.loads.save(),
             has_joints: self.has_joints,
             joint_gap: self.joint_gap.save(),
             joint_rotation: self.joint_rotation.save(),
@@ -206,6 +209,7 @@ impl Measures {
             projection_energy: Worst::restored(&saved.projection_energy, bodies)?,
             friction: Worst::restored(&saved.friction, bodies)?,
             residual: Worst::restored(&saved.residual, bodies)?,
+            loads: Worst::restored(&saved.loads, bodies)?,
             has_joints: saved.has_joints,
             joint_gap: Worst::restored(&saved.joint_gap, bodies)?,
             joint_rotation: Worst::restored(&saved.joint_rotation, bodies)?,
@@ -245,6 +249,8 @@ impl Measures {
         certificate.ended_bounces_j = self.ended_bounces_sum.value();
         certificate.max_residual = self.residual.largest;
         certificate.max_residual_of_limit = self.residual.of_limit();
+        certificate.max_load_defect = self.loads.largest;
+        certificate.max_load_defect_of_limit = self.loads.of_limit();
         certificate.max_joint_error_m = self.has_joints.then_some(self.joint_gap.largest);
         certificate.max_joint_error_of_limit = self.joint_gap.of_limit().max(self.joint_rotation.of_limit());
         certificate.max_joint_error_at = self.joint_gap.at();
@@ -271,6 +277,12 @@ impl Measures {
                 "t = {t} s: degraded: a problem of contacts or joints was solved to a residual of {value:e}, the promised limit is \
                  {allowed:e}: its forces are wrong by about that part of the largest: {}",
                 limits.remedy
+            ));
+        }
+        if let Some(Measure { t, value, allowed, .. }) = self.loads.exceeded() {
+            exceeded.push(format!(
+                "t = {t} s: degraded: the forces of contacts, joints and fields that a step tells are off Newton's law of a body by \
+                 {value:e} of them; the promised limit is {allowed:e}: what it tells of loads is wrong by that"
             ));
         }
         exceeded.extend(self.unsolved.list().iter().map(|unsolved| format!("{unsolved} (degraded)")));

@@ -102,6 +102,12 @@ impl Accounts {
         }
     }
 
+    /// Records how far the loads that are told of a step which ends at `t` (s) are from Newton's law of a body.
+    fn note_loads(&mut self, t: f64, defect: f64) {
+        let allowed = self.promise.loads.unwrap_or(f64::INFINITY);
+        self.measures.loads.note(Measure { t, pair: (0, 0), value: defect, allowed });
+    }
+
     /// Records how far the joints are from what they keep in these states at `t` (s).
     fn note_joints(&mut self, world: &World, states: &[BodyState], t: f64) {
         let promised = self.promise.joint_gap.unwrap_or(f64::INFINITY);
@@ -139,9 +145,7 @@ impl Accounts {
         for _ in 0..report.fallbacks {
             self.tolerate(t, "a contact problem of a time step was solved approximately");
         }
-        for _ in 0..report.unsolved {
-            self.note_unsolved(t, "a contact problem of a time step");
-        }
+        self.note_loads(t, report.newton_residual);
         if report.raises_energy {
             let law = world.scene.method().restitution_law.unwrap_or_default().name();
             self.warn(t, raised_energy(law));

@@ -20,6 +20,7 @@ const PROMISE: Promise = Promise {
     energy: 5e-2,
     residual: None,
     friction: None,
+    loads: None,
     error: None,
 };
 

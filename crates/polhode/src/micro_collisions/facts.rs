@@ -16,6 +16,7 @@ const PROMISE: Promise = Promise {
     energy: 1e-2,
     residual: Some(1e-8),
     friction: None,
+    loads: None,
     error: None,
 };
 

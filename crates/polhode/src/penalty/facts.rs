@@ -13,6 +13,7 @@ const PROMISE: Promise = Promise {
     energy: 1e-2,
     residual: None,
     friction: None,
+    loads: None,
     error: None,
 };
 

@@ -7,6 +7,7 @@
 //! | energy from projections, and from the method | the largest energy | 1e-9 | 1e-3 | 5e-2 | 1e-2 | 1e-2 | 1e-2 |
 //! | residual of each solve | its problem | 1e-8 | 1e-8 | - | - | 1e-8 | - |
 //! | violation of Coulomb's law | the largest force | 1e-5 | 1e-5 | - | - | - | - |
+//! | loads off Newton's law over a step | their sum | 1e-9 | 1e-9 | - | - | - | - |
 //!
 //! A scene may set others ([`PromiseChanges`]). Where a tolerance of the method is above a limit it is the limit. What the
 //! rounding of coordinates makes of a distance is added to its limit: it is told, and is no failure. `crate::promise` holds a run to
@@ -41,6 +42,9 @@ pub struct Promise {
     /// By how much forces of friction may violate Coulomb's law, relative to the largest force of their problem. None: the tier
     /// does not measure it.
     pub friction: Option<f64>,
+    /// By how much the loads that a step tells may be off Newton's law of a body, relative to the sum of their magnitudes. None: the tier
+    /// makes no such steps.
+    pub loads: Option<f64>,
     /// Estimated error of the run, relative to the size of a body. None: it is told, and not held against the run.
     pub error: Option<f64>,
 }
@@ -66,6 +70,7 @@ impl Promise {
             energy: changes.energy.unwrap_or(self.energy),
             residual: changes.residual.or(self.residual),
             friction: changes.friction.or(self.friction),
+            loads: changes.loads.or(self.loads),
             error: changes.error.or(self.error),
         }
     }
@@ -98,6 +103,8 @@ pub struct PromiseChanges {
     pub residual: Option<f64>,
     /// [`Promise::friction`].
     pub friction: Option<f64>,
+    /// [`Promise::loads`].
+    pub loads: Option<f64>,
     /// [`Promise::error`].
     pub error: Option<f64>,
 }
@@ -114,6 +121,7 @@ impl PromiseChanges {
             ("promise.energy", self.energy),
             ("promise.residual", self.residual),
             ("promise.friction", self.friction),
+            ("promise.loads", self.loads),
             ("promise.error", self.error),
         ];
         for (key, limit) in given {

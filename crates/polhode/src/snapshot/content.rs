@@ -172,6 +172,7 @@ pub(crate) struct Measures {
     pub(crate) projection_energy: Worst,
     pub(crate) friction: Worst,
     pub(crate) residual: Worst,
+    pub(crate) loads: Worst,
     pub(crate) has_joints: bool,
     pub(crate) joint_gap: Worst,
     pub(crate) joint_rotation: Worst,

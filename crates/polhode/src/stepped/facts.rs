@@ -18,6 +18,7 @@ const PROMISE: Promise = Promise {
     energy: 1e-3,
     residual: Some(1e-8),
     friction: Some(CONE_LIMIT),
+    loads: Some(1e-9),
     error: None,
 };
 

@@ -57,11 +57,6 @@ pub(crate) struct TimeStepReport {
     pub(crate) cone_violation: Option<ConeViolation>,
     /// Number of approximations: removals of overlaps that a fallback solved, impact laws that did not finish.
     pub(crate) fallbacks: u64,
-    /// Problems whose residual no method has brought to what is promised, and those whose impulses were not applied because they
-    /// would have given energy.
-    pub(crate) unsolved: u64,
-    /// The largest residual of these; 1 where no impulses were applied.
-    pub(crate) unsolved_residual: f64,
     /// Factorisations in the velocities of bodies (`cone_problem.rs`).
     pub(crate) factorisations: u64,
     /// Whether a law of restitution has raised the energy of an impact.
@@ -103,8 +98,6 @@ impl TimeStepReport {
             residual: 0.0,
             cone_violation: None,
             fallbacks: 0,
-            unsolved: 0,
-            unsolved_residual: 0.0,
             factorisations: 0,
             raises_energy: false,
             contacts: 0,
@@ -129,8 +122,6 @@ impl TimeStepReport {
         self.residual = self.residual.max(later.residual);
         self.cone_violation = ConeViolation::larger(self.cone_violation, later.cone_violation);
         self.fallbacks += later.fallbacks;
-        self.unsolved += later.unsolved;
-        self.unsolved_residual = self.unsolved_residual.max(later.unsolved_residual);
         self.factorisations += later.factorisations;
         self.raises_energy |= later.raises_energy;
         self.contacts = self.contacts.max(later.contacts);

@@ -5,7 +5,6 @@
 //! a part `s` of them changes it by `s l + s^2 q`. How it fails: where no part takes energy, none is applied, and the step says that its
 //! problem was not solved.
 
-use super::cone_problem::EXACT_ENOUGH;
 use super::contacts::{NearContact, kinematics_at_point};
 use super::kick::Kick;
 use super::report::{Stop, TimeStepReport};
@@ -56,12 +55,8 @@ pub(super) struct Found {
 impl Found {
     /// Tells it in the report of the step.
     pub(super) fn tell(&self, report: &mut TimeStepReport) {
-        report.residual = report.residual.max(self.residual);
-        if self.is_discarded || self.residual > EXACT_ENOUGH {
-            let residual = if self.is_discarded { NOTHING_SOLVED } else { self.residual };
-            report.unsolved += 1;
-            report.unsolved_residual = report.unsolved_residual.max(residual);
-        }
+        let residual = if self.is_discarded { NOTHING_SOLVED } else { self.residual };
+        report.residual = report.residual.max(residual);
         report.cone_violation = ConeViolation::larger(report.cone_violation, self.violation);
     }
 }
