@@ -342,3 +342,49 @@ fn a_servo_arrives_beyond_half_a_turn() {
         assert!((angle.value - target).abs() < 1e-7 && angle.rate.abs() < 1e-7, "{angle:?} instead of {target}");
     }
 }
+
+/// A servo of position without damping, at its bound most of the time: arcs of constant acceleration and of a harmonic motion, where
+/// the effort has corners. After twenty and a half swings the body passes the target as these say.
+#[test]
+fn a_servo_leaves_its_bound_where_its_effort_has_a_corner() {
+    let (mass, target, stiffness, most) = (1.0, 0.436, 1710.0, 345.0);
+    let motor =
+        Motor::new(Drive::Position { position: target, stiffness, damping: 0.0 }).unwrap().at_most(most).unwrap();
+    let (reach, frequency) = (most / stiffness, f64::sqrt(stiffness / mass));
+    let speed = (2.0 * most / mass * (target - reach)).sqrt();
+    let amplitude = reach.hypot(speed / frequency);
+    let swing = 2.0 * speed * mass / most + 2.0 * (reach / amplitude).asin() / frequency;
+    let along = Freedom::default().with_motor(motor);
+    let slider = Joint::new(JointKind::Slider { axis: UnitVector::X }, BodyId::new(0), DVec3::ZERO)
+        .along(Coordinate::Displacement, along);
+    let body = brick("b", DVec3::splat(0.1), DVec3::ZERO);
+    let built = scene(accurate()).duration_s(20.5 * swing).body(body).joint(slider).build().unwrap();
+    let (report, _) = run(&built, Effects::Planned);
+    let state = report.bodies[0].state;
+    let off = state.pose.translation.x - target;
+    assert!(off.abs() < 2e-10, "{off:e} m off");
+    assert!((state.velocity.linear.x - amplitude * frequency).abs() < 1e-9, "{:?}", state.velocity);
+}
+
+/// A rod on a hinge strikes a body on a slider with a spring. Until then each moved on its own: what the spring has done by then is
+/// its potential energy, and no projection of the rod takes it.
+#[test]
+fn a_blow_on_a_body_with_a_spring_leaves_the_ledger_closed() {
+    let spring = Freedom::default().with_spring(2000.0, -0.02).unwrap();
+    let rod = brick("rod", DVec3::new(0.4, 0.05, 0.05), DVec3::X * 0.2);
+    let falling = Velocity::new(DVec3::Z * 0.6, DVec3::Y * -3.0);
+    let plate = brick("plate", DVec3::new(0.1, 0.1, 0.02), DVec3::new(0.38, 0.0, 0.05));
+    let guide = Joint::new(JointKind::Slider { axis: UnitVector::Z }, BodyId::new(1), DVec3::new(0.38, 0.0, 0.05));
+    let built = scene(accurate())
+        .duration_s(0.2)
+        .body(rod.velocity(falling))
+        .body(plate)
+        .joint(hinge(Freedom::default()))
+        .joint(guide.along(Coordinate::Displacement, spring))
+        .build()
+        .unwrap();
+    let (report, recorder) = run(&built, Effects::Planned);
+    assert!(recorder.events.iter().any(|event| event.kind == polhode::EventKind::Impact));
+    assert!(report.ledger.projection.value().abs() < 1e-10 * report.energy.initial_j, "{:?}", report.ledger);
+    assert_closes(&report);
+}

@@ -32,6 +32,7 @@ mod friction_effects;
 mod friction_on_moving_ground;
 mod gears;
 mod grain;
+mod impact_choices;
 mod impacts;
 mod impulse_models;
 mod integrators;

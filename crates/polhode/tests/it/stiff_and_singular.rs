@@ -1,9 +1,9 @@
 //! Forces so stiff that the rounding of a position changes them, and forces that grow without bound.
 
 use crate::checks::{heavy_brick, particle};
-use crate::support::{accurate, floor, run};
-use polhode::scene::{Attachment, Force, Method, Tier};
-use polhode::spatial::DVec3;
+use crate::support::{accurate, ball, floor, run};
+use polhode::scene::{Attachment, DragLaw, Force, Frame, Method, Signal, Tier};
+use polhode::spatial::{DVec3, Velocity};
 use polhode::{BodyId, Effects, Scene, SceneBuilder, Simulation, SimulationError};
 
 const CENTER: DVec3 = DVec3::new(0.0, 0.0, 2.0);
@@ -83,4 +83,45 @@ fn radial_fall_ends_where_the_force_is_singular() {
             );
         }
     }
+}
+
+/// A spin in a medium so viscous that it falls by half within microseconds. A longer step overflows: it is refused, and a shorter
+/// one made. The spin is that of `I w' = -c w^2`.
+#[test]
+fn a_step_that_overflows_under_stiff_drag_is_refused() {
+    let (drag, spin, duration) = (1.5, 25.0, 2e-3);
+    let drag_on = |rotational: f64| Force::Drag {
+        body: BodyId::new(1),
+        law: DragLaw::Quadratic,
+        translational: 0.0,
+        rotational,
+        wind: DVec3::ZERO,
+    };
+    let ball = ball("ball", 0.05, 0.22, DVec3::Z, DVec3::ZERO).velocity(Velocity::new(DVec3::ZERO, DVec3::X * spin));
+    let moment = 0.4 * 0.05 * 0.22 * 0.22;
+    let scene = Scene::builder("viscous").method(accurate()).duration_s(duration);
+    let scene = scene.body(floor()).body(ball).force(drag_on(drag)).build().unwrap();
+    let (report, _) = run(&scene, Effects::Planned);
+    let expected = spin / (1.0 + drag * spin * duration / moment);
+    let off = report.bodies[1].state.velocity.angular.x / expected - 1.0;
+    assert!(off.abs() < 1e-9, "{off:e}");
+}
+
+/// A force that grows from nothing presses a box on a floor, without gravity: there is no energy at all, and what rounding leaves is
+/// compared with what the force would do.
+#[test]
+fn energies_are_those_of_forces_where_nothing_moves() {
+    let signal = Signal::polynomial(vec![0.0, 1.0]).unwrap();
+    let push = Force::Applied {
+        body: BodyId::new(1),
+        force: DVec3::Z * -1.0,
+        torque: DVec3::ZERO,
+        frame: Frame::World,
+        point: None,
+        signal,
+    };
+    let scene = Scene::builder("pressed").method(accurate()).gravity(DVec3::ZERO).duration_s(0.1);
+    let scene = scene.body(floor()).body(heavy_brick("box", 1.0, DVec3::splat(0.2), DVec3::Z * 0.1)).force(push);
+    let (report, _) = run(&scene.build().unwrap(), Effects::Planned);
+    assert!((report.bodies[1].state.pose.translation.z - 0.1).abs() < 1e-11, "{:?}", report.bodies[1]);
 }
