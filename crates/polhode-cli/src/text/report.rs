@@ -231,7 +231,10 @@ fn certificate(report: &RunReport) -> String {
     table.row(["largest residual of a contact problem", &format!("{}{of_limit}", number(certificate.max_residual))]);
     if certificate.max_load_defect > 0.0 {
         let of_limit = of_its_limit(certificate.max_load_defect_of_limit);
-        table.row(["loads off Newton's law, of their sum", &format!("{}{of_limit}", number(certificate.max_load_defect))]);
+        table.row([
+            "loads off Newton's law, of their sum",
+            &format!("{}{of_limit}", number(certificate.max_load_defect)),
+        ]);
     }
     table.row(["bound on the error of an acceleration", &measured(certificate.max_acceleration_error_bound)]);
     table.row(["largest error of a step, of its tolerance", &measured(certificate.max_step_error)]);

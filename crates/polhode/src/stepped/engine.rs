@@ -48,10 +48,6 @@ const RESTING_STEPS: f64 = 2.0;
 /// How often a step is made again for pairs that were not expected to meet (1 to 4): each time may deflect others.
 const MOST_SEARCHES: u32 = 3;
 
-/// Penetration that may remain after the projection of a step, relative to the size of a body: as much as counts as
-/// touch. More gives a warning.
-const LEFT_BY_STEP_RELATIVE: f64 = 1e-11;
-
 /// The mean force of a contact over a step, on body A.
 #[derive(Debug, Clone, Copy, Default)]
 struct MeanForce {
@@ -227,7 +223,6 @@ impl SteppedEngine {
             for (&body, halves) in island.bodies.iter().filter_map(|body| Some((body, halves.as_ref()?))) {
                 self.errors.compare(&core.world, body, &self.states[body], &halves[body]);
             }
-            warn_of_overlap(core, island, report);
             touching.extend(report.touching.iter().copied());
         }
         core.world.prescribe(t_next, &mut self.states);
@@ -526,17 +521,6 @@ impl SteppedEngine {
         };
         let touches = pairs.iter().flat_map(of_pair);
         touches.filter(|touch| touch.kinematics.separation_rate.abs() <= slow).map(Touch::from).collect()
-    }
-}
-
-/// Warns of penetration that the projection of a step has left.
-fn warn_of_overlap(core: &mut Core, island: &Island, report: &TimeStepReport) {
-    if let Some(&first) = island.bodies.first()
-        && report.left_penetration_m > LEFT_BY_STEP_RELATIVE * core.world.bodies[first].size
-    {
-        let name = &core.world.bodies[first].name;
-        let what = format!("the projection of the bodies around {name} left a penetration above 1e-11 of their size");
-        core.accounts.warn(core.t, what);
     }
 }
 
