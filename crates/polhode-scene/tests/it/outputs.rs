@@ -155,7 +155,7 @@ fn events_reach_the_disk_with_the_samples() {
     let folder = tempfile::tempdir().unwrap();
     let (positions, events) = (folder.path().join("a.csv"), folder.path().join("events.csv"));
     let mut outputs = Outputs::create(&scene(BASE), &[positions], Some(&events)).unwrap();
-    let body = self::samples()[0].1[0];
+    let body = samples()[0].1[0];
     // Far more than any buffer holds, and too few events to fill one.
     for k in 0..2000 {
         let t = f64::from(k);

@@ -174,8 +174,9 @@ impl ContactSpring {
         };
         if law.friction.is_some_and(|friction| friction.slip_speed.is_none()) {
             spring.grip = Grip::Stick;
-            if spring.slides_from_the_begin(at) {
-                spring.grip = spring.giving_way();
+            // A slip that the damper of a spring that holds would stop at once is none.
+            if at.slip.length() > spring.holding.stopped && spring.slides_from_the_begin(at) {
+                spring.grip = Grip::Slide;
                 spring.vector = at.slip.normalize_or_zero();
             }
         }

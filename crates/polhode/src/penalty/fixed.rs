@@ -148,6 +148,7 @@ fn step(run: &mut Run<'_>, h: f64, end: f64) -> Result<(), SimulationError> {
     let begins: Vec<ContactId> =
         springs.iter().filter(|spring| spring.passage.deepest == 0.0).map(|spring| spring.id).collect();
     run.commit(&flat, after, end);
+    let held = run.energy();
     for index in 0..run.done.springs.len() {
         let spring = run.done.springs[index];
         if let (Grip::Cut | Grip::CutSliding, Some(at)) = (spring.grip, run.evaluated(&spring)) {
@@ -157,6 +158,9 @@ fn step(run: &mut Run<'_>, h: f64, end: f64) -> Result<(), SimulationError> {
             run.note_event(EventKind::ContactBegin, &spring);
         }
     }
+    // What springs give up where static friction becomes kinetic.
+    let given_up = held - run.energy();
+    run.done.books.ledger.friction.add(given_up);
     Ok(())
 }
 

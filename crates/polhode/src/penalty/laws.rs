@@ -95,6 +95,8 @@ pub(super) struct Holding {
     pub(super) damper: f64,
     /// How far it slips before static friction becomes kinetic, m: zero where both are one.
     pub(super) weakening: f64,
+    /// The slip that its damper stops by a force of less than static friction of the load at rest, m/s; zero where both coefficients are one.
+    pub(super) stopped: f64,
 }
 
 /// The springs of a contact that begins.
@@ -196,7 +198,9 @@ impl Laws {
             let borne = self.borne_mass(world, states, (id, geometry)).max(mass);
             let is_weaker = stiffness > 0.0 && own.at_rest > own.sliding;
             let weakening = if is_weaker { own.at_rest * normal.elastic_force(depth) / stiffness } else { 0.0 };
-            Holding { damper: 2.0 * (stiffness * borne).sqrt(), weakening }
+            let damper = 2.0 * (stiffness * borne).sqrt();
+            let stopped = if weakening > 0.0 { weakening * stiffness / damper } else { 0.0 };
+            Holding { damper, weakening, stopped }
         });
         let restitution = material.restitution();
         Ok(ContactLaw { normal, tangential, holding, friction, resistance, restitution, mass })

@@ -34,8 +34,9 @@ pub(crate) struct ContactSpring {
     pub(crate) is_plain: bool,
     pub(crate) damping: f64,
     pub(crate) tangential: f64,
-    /// Damper of a tangential spring that holds (N s/m), and the slip (m) that makes its friction kinetic; and what of that is done.
-    pub(crate) holding: [f64; 2],
+    /// Damper of a tangential spring that holds (N s/m), the slip (m) that makes its friction kinetic, the slip (m/s) that it stops; and what of
+    /// the second is done.
+    pub(crate) holding: [f64; 3],
     pub(crate) slipped: f64,
     /// At rest, sliding.
     pub(crate) friction: Option<[f64; 2]>,

