@@ -65,7 +65,7 @@ fn static_friction_holds_up_to_its_angle() {
         let holds = rough(kinetic, 1.05 * slope.tan());
         let stands = on_slope(slope, &holds, size, (0.0, 0.5), springs());
         let moved = stands.pose.translation.x.abs();
-        assert!(moved < 2.0 * thousandth(size) && stands.velocity.linear.x.abs() < 1e-3, "{slope}: {moved} m");
+        assert!(moved < 10.0 * thousandth(size) && stands.velocity.linear.x.abs() < 1e-5, "{slope}: {moved} m");
         let gives = rough(kinetic.min(0.6 * slope.tan()), 0.8 * slope.tan());
         let slides = on_slope(slope, &gives, size, (0.0, 0.5), springs()).velocity.linear.x;
         let expected = (slope.sin() - kinetic.min(0.6 * slope.tan()) * slope.cos()) * GRAVITY * 0.5;
