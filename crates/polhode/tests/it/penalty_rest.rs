@@ -3,7 +3,7 @@
 
 use polhode::contact::Shape;
 use polhode::mesh::{solid_box, solid_sphere};
-use polhode::scene::{Integrator, Material, Method, PenaltyMethod, Response};
+use polhode::scene::{Integrator, Material, Method, Response};
 use polhode::spatial::{DVec3, Mass, Pose, Rotation, UnitVector, Velocity};
 use polhode::{Body, BodySample, RunReport, Scene, SceneBuilder, Simulation};
 
@@ -59,13 +59,13 @@ fn static_friction_holds_up_to_its_angle() {
     for (slope, kinetic, size) in [
         (0.5236_f64, 0.4, DVec3::new(0.3, 0.2, 0.1)),
         (0.5236, 0.1, DVec3::new(0.2, 0.2, 0.2)),
-        (0.2, 0.05, DVec3::new(0.1, 0.1, 0.3)),
+        (0.2, 0.05, DVec3::new(0.3, 0.3, 0.1)),
         (0.9, 0.6, DVec3::new(0.5, 0.1, 0.05)),
     ] {
         let holds = rough(kinetic, 1.05 * slope.tan());
         let stands = on_slope(slope, &holds, size, (0.0, 0.5), springs());
         let moved = stands.pose.translation.x.abs();
-        assert!(moved < 2.0 * thousandth(size) && stands.velocity.linear.x.abs() < 1e-3, "{slope}: {moved} m");
+        assert!(moved < 10.0 * thousandth(size) && stands.velocity.linear.x.abs() < 1e-5, "{slope}: {moved} m");
         let gives = rough(kinetic.min(0.6 * slope.tan()), 0.8 * slope.tan());
         let slides = on_slope(slope, &gives, size, (0.0, 0.5), springs()).velocity.linear.x;
         let expected = (slope.sin() - kinetic.min(0.6 * slope.tan()) * slope.cos()) * GRAVITY * 0.5;
@@ -141,8 +141,8 @@ fn what_touches_without_load_ends_no_steps() {
             assert!(away.length() < 1e-4, "{friction}: {away}");
         }
         let springs = report.springs.unwrap();
-        // Three bodies with steps of no less than 4 times the reciprocal frequency, of which error control makes fewer or shorter ones.
-        assert!(report.steps as f64 <= 2.0 * springs.fastest_rad_s, "{friction}: {} steps", report.steps);
+        // Three bodies with steps of no less than 4 times the reciprocal frequency, of which dampers at rest make shorter ones.
+        assert!(report.steps as f64 <= 4.0 * springs.fastest_rad_s, "{friction}: {} steps", report.steps);
     }
 }
 
