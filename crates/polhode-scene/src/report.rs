@@ -72,16 +72,22 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
         "tolerated": report.tolerated.iter().map(tolerated_json).collect::<Vec<_>>(),
         "bodies": report.bodies.iter().map(|body| body_json(&body.name, &body.state)).collect::<Vec<_>>(),
     });
+    add_joints(&mut value, report);
+    if let Some(springs) = &report.springs {
+        value["springs"] = springs_json(report, springs);
+    }
+    value
+}
+
+/// Adds what was measured of joints and of the loads that steps tell.
+fn add_joints(value: &mut Value, report: &RunReport) {
+    let certificate = &report.certificate;
     value["max_load_defect"] = json!(certificate.max_load_defect);
     value["max_load_defect_of_limit"] = json!(certificate.max_load_defect_of_limit);
     value["max_joint_error_m"] = json!(certificate.max_joint_error_m);
     value["max_joint_error_rad"] = json!(certificate.max_joint_error_rad);
     value["max_joint_error_of_limit"] = json!(certificate.max_joint_error_of_limit);
     value["max_joint_error_at"] = pair_json(report, certificate.max_joint_error_at);
-    if let Some(springs) = &report.springs {
-        value["springs"] = springs_json(report, springs);
-    }
-    value
 }
 
 /// What springs at contacts were asked for and reached: m, m/s, N, rad/s.

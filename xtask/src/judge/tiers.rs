@@ -216,7 +216,7 @@ mod tests {
     #[test]
     fn a_copy_departs_where_it_is_farther_than_what_grows() {
         let standard = Standard::new(vec![1.0], track(0.0), &track(5.0 * DISTURBED));
-        assert_eq!(standard.departure(&track(8e-9), 0.0), None);
+        assert_eq!(standard.departure(&track(4e-9), 0.0), None);
         assert!(standard.departure(&track(1e-7), 0.0).is_some());
     }
 }

@@ -12,7 +12,7 @@
 //! and back from the roots:     l = -S^-1 (C v_c + P v_p + b g),    v_c <- v_c + F_c C^T l
 //! ```
 //!
-//! `D` is the diagonal of `J M^-1 J^T` of the joint alone; `e D` ([`PROXIMAL`]) holds the change of multipliers small where
+//! `D` is the diagonal of `J M^-1 J^T` of the joint alone; `e D` ([`PROXIMAL_OF_JOINTS`]) holds the change of multipliers small where
 //! rows depend on each other. The bodies
 //! take the impulses `J^T l` of all joints, so that momentum is kept to rounding. Joints that close loops, and limits, are
 //! solved in turns with the trees, in lanes.
@@ -28,10 +28,10 @@ use polhode_spatial::{DVec3, DisjointSets};
 
 /// What holds the change of multipliers small, relative to the diagonal (no unit, 1e-10 to 1e-6): half of the digits, and
 /// less than the inverse of a ratio of masses of 1e6.
-const PROXIMAL: f64 = 1e-8;
+const PROXIMAL_OF_JOINTS: f64 = 1e-8;
 
 /// A pivot below this part of the diagonal is rounding (no unit, 1e-14 to 1e-10).
-const DEPENDENT: f64 = 1e-13;
+const DEPENDENT_PIVOT: f64 = 1e-13;
 
 /// Coordinates of a body: along, and about its centre of mass.
 const WIDTH: usize = 6;
@@ -175,7 +175,7 @@ impl JointTrees {
                     branch.of_child[k][j] = dot(&own[j], &branch.of_own[k]);
                     branch.of_both[k][j] = dot(&above[j], &branch.of_above[k]);
                 }
-                branch.of_child[k][k] += PROXIMAL * diagonal(k);
+                branch.of_child[k][k] += PROXIMAL_OF_JOINTS * diagonal(k);
                 for j in 0..=k {
                     branch.of_both[k][j] += branch.of_child[k][j];
                 }
@@ -318,7 +318,7 @@ fn factor(matrix: &mut Lines, size: usize) {
             matrix[i][j] = value * matrix[j][j];
             pivot -= value * matrix[i][j];
         }
-        matrix[i][i] = if pivot > DEPENDENT * diagonal { 1.0 / pivot } else { 0.0 };
+        matrix[i][i] = if pivot > DEPENDENT_PIVOT * diagonal { 1.0 / pivot } else { 0.0 };
     }
 }
 

@@ -297,7 +297,7 @@ fn sum(four: &Four) -> f64 {
 
 /// The places of so many batches in a round: forth in one, back in the next.
 fn rounds_of(round: usize, batches: usize) -> impl Iterator<Item = usize> {
-    (0..batches).map(move |k| if round % 2 == 0 { k } else { batches - 1 - k })
+    (0..batches).map(move |k| if round.is_multiple_of(2) { k } else { batches - 1 - k })
 }
 
 #[cfg(test)]
@@ -367,7 +367,8 @@ mod tests {
         joints.sweep(&mut solver, &RIGID);
         let body = solver.body(1);
         let at_point = body.linear() + body.angular().cross(DVec3::X);
-        assert!(at_point.y.abs() < 1e-14 && at_point.z.abs() < 1e-14 && at_point.x == 1.0, "{at_point}");
+        // One elimination of rows that yield by 1e-8 of their inverse mass: the next sweep takes what is left.
+        assert!(at_point.y.abs() < 1e-7 && at_point.z.abs() < 1e-7 && at_point.x == 1.0, "{at_point}");
     }
     type Given = (ImpulseJoint, Vec<JointRow>);
 

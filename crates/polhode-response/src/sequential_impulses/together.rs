@@ -9,7 +9,7 @@
 //! ```
 //!
 //! The matrix of four points has rank three, since a rigid face has three ways to approach another: the term with `e`
-//! ([`PROXIMAL`]) chooses the change of
+//! ([`PROXIMAL_OF_POINTS`]) chooses the change of
 //! least norm. So the solution is unique, and as symmetric as the patch is. It is found by principal pivoting: the set of
 //! points that press is guessed, the equations of the set are solved by
 //! `L D L^T`, and all points that contradict the guess change sides. Where this does not end, the first of them alone
@@ -24,7 +24,7 @@ use super::lanes::{Lanes, by_place};
 /// What holds the change of impulses small, relative to the diagonal (no unit, 1e-8 to 1e-4): the square root of rounding
 /// at most, so that what no motion tells apart is
 /// known to half of the digits.
-const PROXIMAL: f64 = 1e-6;
+const PROXIMAL_OF_POINTS: f64 = 1e-6;
 
 /// Rounds in which all points change sides that contradict their guess: nearly all end in two.
 const BLOCK_ROUNDS: usize = 4;
@@ -124,7 +124,7 @@ impl<L: Lanes, const N: usize> Together<L, N> {
             let mut scaled = [zero; N];
             let own = self.matrix[i][i];
             // One point or two are independent.
-            let proximal = if N > 2 { PROXIMAL } else { 0.0 };
+            let proximal = if N > 2 { PROXIMAL_OF_POINTS } else { 0.0 };
             let mut pivot = own + own * L::splat(proximal) + self.give[i];
             for j in 0..i {
                 let mut value = self.matrix[i][j];

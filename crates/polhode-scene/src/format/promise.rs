@@ -26,7 +26,7 @@ pub struct PromiseEntry {
     /// others).
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub friction: Option<f64>,
-    /// How far the loads that a step tells may be off Newton's law of a body, relative to their sum. When absent 1e-9 (accurate, stepped), none
+    /// How far the loads that a step tells may be off Newton's law of a body, relative to their sum. When absent 1e-9 (stepped), none
     /// (the others).
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub loads: Option<f64>,

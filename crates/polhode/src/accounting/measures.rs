@@ -1,7 +1,7 @@
 //! Measured values that are compared with the promised limits: the worst over the run, with bodies and time.
 
 use super::long_steps::LongSteps;
-use super::numerical_loss::{FixedStep, NumericalLoss};
+use super::numerical_loss::{FixedStep, LEFT_BY_SHORTER_STEP, NumericalLoss};
 use super::occurrences::Occurrences;
 use crate::snapshot::{SnapshotError, content};
 use crate::world::World;
@@ -41,9 +41,6 @@ impl Limits {
         }
     }
 }
-
-/// What a step that is proposed should leave, as a part of the limit (no unit).
-pub(super) const LEFT_BY_SHORTER_STEP: f64 = 0.5;
 
 /// A value measured for a pair of bodies.
 #[derive(Debug, Clone, Copy)]

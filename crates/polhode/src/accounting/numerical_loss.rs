@@ -8,7 +8,6 @@
 //! what the order describes, the fastest rates of the forces give it: an oscillation of rate w over the time T loses
 //! about `w T (w h)^p`, a decay of rate c about `(c h)^p`.
 
-use super::measures::LEFT_BY_SHORTER_STEP;
 use crate::Ledger;
 use crate::snapshot::content;
 use crate::world::{Rates, World};
@@ -16,6 +15,9 @@ use polhode_dynamics::BodyState;
 
 /// Beyond this part of the energy a loss no longer follows the order of the method (no unit).
 const OF_THE_ORDER: f64 = 0.5;
+
+/// What a step that is proposed should leave, as a part of the limit (no unit).
+pub(super) const LEFT_BY_SHORTER_STEP: f64 = 0.5;
 
 /// The smallest part of an energy that is told in per cent (no unit).
 const READ_IN_PER_CENT: f64 = 1e-4;

@@ -15,7 +15,7 @@ const PROMISE: Promise = Promise {
     energy: 1e-9,
     residual: Some(1e-8),
     friction: Some(CONE_LIMIT),
-    loads: Some(1e-9),
+    loads: None,
     error: None,
 };
 

@@ -11,8 +11,7 @@
 
 use super::group::{FULL, Given, Group, GroupReport, PatchPlace};
 use super::held::{HeldJoint, HeldLimit};
-use super::rules::Rules;
-use super::step::GROWTH;
+use super::rules::{OVERLAP_GROWTH, Rules};
 use super::turning::turn;
 use crate::SimulationError;
 use crate::collision::face_patches::{LastingBoxes, PairPatches, Tools, follow_pairs};
@@ -310,24 +309,25 @@ impl Course {
         for &body in world.movable.iter().filter(|&&body| self.group_of[body].is_some()) {
             let (start, end, size) = (&before[body], &self.states[body], world.bodies[body].size);
             let [q, r] = [start, end].map(|state| state.pose.rotation.quaternion());
-            let turned = 2.0 * (1.0 - q.dot(r).powi(2)).max(0.0).sqrt() * size;
+            let cosine = q.dot(r);
+            let turned = 2.0 * (1.0 - cosine * cosine).max(0.0).sqrt() * size;
             let changed = (end.linear_velocity - start.linear_velocity).length() * step - fall;
             // A hit makes it turn, or turned it has; or it flies on.
             aside[body] = changed.max(0.0) + turned;
-            is_any |= aside[body] > GROWTH * size;
+            is_any |= aside[body] > OVERLAP_GROWTH * size;
         }
         if !is_any {
             return false;
         }
         let has_sunk = |a: usize, b: usize| {
-            let least = GROWTH * world.pair_size(a, b);
+            let least = OVERLAP_GROWTH * world.pair_size(a, b);
             let apart = |states: &[BodyState]| world.separation_without_memory(states, a, b);
             aside[a] + aside[b] > least
                 && apart(&self.states)
                     .is_some_and(|now| now < -least && apart(before).is_none_or(|then| now < then.min(0.0) - least))
         };
         self.pairs.iter().any(|pair| has_sunk(pair.a, pair.b))
-            || self.boxes.has_left(world, &self.states, |body| aside[body] > GROWTH * world.bodies[body].size)
+            || self.boxes.has_left(world, &self.states, |body| aside[body] > OVERLAP_GROWTH * world.bodies[body].size)
     }
 
     /// The impulses of the step go to the points of the patches. Those of a step that a program has cut short do not: they are those of overlaps

@@ -3,7 +3,7 @@
 //! Contacts are those at the start of a step, as far as its velocities can close them. What a hit within the step gives a
 //! body, and where the contact of a round body wanders as it
 //! turns, is not among these. So the overlaps at the end are compared with those at the start: where they have grown by
-//! more than a part of the smaller body ([`GROWTH`]), the step
+//! more than a part of the smaller body ([`OVERLAP_GROWTH`](super::rules::OVERLAP_GROWTH)), the step
 //! is not taken, and the engine makes it in pieces of one substep, with contacts found anew before each.
 
 use super::course::Course;
@@ -13,10 +13,6 @@ use crate::SimulationError;
 use crate::executor::Executor;
 use crate::world::World;
 use polhode_dynamics::BodyState;
-
-/// By how much overlaps of a pair may grow in a step that finds contacts only once, relative to the smaller body (no unit,
-/// 2e-2 to 1e-1): half of what the tier promises.
-pub(super) const GROWTH: f64 = 5e-2;
 
 /// The step of all bodies from `t` (s) by these rules, in pieces where it has to be. `after` is called after each piece
 /// with its rules, and the times and states from which it

@@ -28,13 +28,15 @@
 //! give no force.
 
 use super::laws::{ContactLaw, Coulomb, Holding, Resistance};
-use super::system::SPRING;
 use crate::collision::contact_id::ContactId;
 use crate::world::World;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 use polhode_response::penalty::{Growth, NormalSpring, TangentialSpring};
 use polhode_spatial::DVec3;
+
+/// Numbers of a spring: its vector, and how far it has slipped.
+pub(super) const SPRING: usize = 4;
 
 /// What the normal spring does at present.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

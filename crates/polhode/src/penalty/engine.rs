@@ -273,7 +273,7 @@ impl Segment {
     /// The springs with their vectors at a time (s), of a group of so many bodies.
     fn springs_at(&self, bodies: usize, t: f64) -> Vec<ContactSpring> {
         let flat = self.flat(t);
-        let numbers = flat.get(bodies * WIDTH..).unwrap_or_default().chunks(super::system::SPRING);
+        let numbers = flat.get(bodies * WIDTH..).unwrap_or_default().chunks(super::contact::SPRING);
         self.springs.iter().zip(numbers).map(|(spring, own)| spring.with_numbers(own)).collect()
     }
 }

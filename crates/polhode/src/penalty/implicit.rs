@@ -8,9 +8,9 @@
 //! How it fails: a force that no midpoint satisfies leaves no step above [`SMALLEST_PART`] of that asked:
 //! [`SimulationError::StepTooSmall`].
 
-use super::contact::Grip;
+use super::contact::{Grip, SPRING};
 use super::laws::Laws;
-use super::system::{SPRING, SpringSystem};
+use super::system::SpringSystem;
 use crate::SimulationError;
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH};
 use polhode_dynamics::{RigidBody, System};

@@ -9,10 +9,10 @@
 //! [`SimulationError::TooManyEvents`].
 
 use super::change_modes;
-use super::contact::{ContactSpring, Grip};
+use super::contact::{ContactSpring, Grip, SPRING};
 use super::events::{Allowed, Happening, Looking, Passed};
 use super::run::{GroupRun, Run, Segment};
-use super::system::{DISSIPATION, DISSIPATIONS, SPRING, SpringSystem};
+use super::system::{DISSIPATION, DISSIPATIONS, SpringSystem};
 use crate::SimulationError;
 use crate::collision::contact_id::ContactId;
 use polhode_dynamics::error_allowance::{ErrorAllowance, LargestError};

@@ -6,7 +6,7 @@
 //! vector and its slip), and [`TAIL`] numbers for the ledgers: impulses of fixed bodies, weights and fields, each with its moment, energy
 //! lost to dampers and drag, external work, and energy lost to friction.
 
-use super::contact::{ContactSpring, Evaluated, Force, Grip};
+use super::contact::{ContactSpring, Evaluated, Force, Grip, SPRING};
 use crate::Momentum;
 use crate::accounting::books::Received;
 use crate::collision::contact_id::ContactId;
@@ -25,9 +25,6 @@ pub(super) const TAIL: usize = 21;
 /// Place in the ledgers of what dampers, external agents and friction do, and how many numbers that is.
 pub(super) const DISSIPATION: usize = 18;
 pub(super) const DISSIPATIONS: usize = 3;
-
-/// Numbers of a spring: its vector, and how far it has slipped.
-pub(super) const SPRING: usize = 4;
 
 /// A group with its springs.
 #[derive(Debug)]

@@ -7,7 +7,7 @@
 //! | energy from projections, and from the method | the largest energy | 1e-9 | 1e-3 | 5e-2 | 1e-2 | 1e-2 | 1e-2 |
 //! | residual of each solve | its problem | 1e-8 | 1e-8 | - | - | 1e-8 | - |
 //! | violation of Coulomb's law | the largest force | 1e-5 | 1e-5 | - | - | - | - |
-//! | loads off Newton's law over a step | their sum | 1e-9 | 1e-9 | - | - | - | - |
+//! | loads off Newton's law over a step | their sum | - | 1e-9 | - | - | - | - |
 //!
 //! A scene may set others ([`PromiseChanges`]). Where a tolerance of the method is above a limit it is the limit. What the
 //! rounding of coordinates makes of a distance is added to its limit: it is told, and is no failure. `crate::promise` holds a run to

@@ -3,9 +3,9 @@
 use super::instant_forces::{BodyAcceleration, PresentForces};
 use super::island_steps::advance_islands;
 use super::islands::{Island, IslandSearch, islands};
-use super::joint_breaks::{restored_loads, saved_loads};
 use super::present_forces::STICKING_RELATIVE;
 use super::rest::{Resting, may_rest, touching_groups};
+use super::saved_loads::{restored_loads, saved_loads};
 use super::track_ends::let_go_at_ends_of_tracks;
 use super::unexpected::Unexpected;
 use crate::accounting::books::Received;

@@ -15,6 +15,7 @@
 //! | `island_steps` | their time steps, on the threads that the program gives |
 //! | `joint_breaks` | what joints bear at the present, and those that break at the end of a step |
 //! | `rest` | islands that rest and are left out |
+//! | `saved_loads` | the loads of joints over the last step as plain data |
 //! | `instant_forces` | what forces and accelerations at one instant are |
 //! | `present_forces` | forces and accelerations at one instant, for queries |
 //! | `forces_of_many` | the same of many contacts with friction |
@@ -28,6 +29,7 @@ mod islands;
 mod joint_breaks;
 mod present_forces;
 mod rest;
+mod saved_loads;
 mod track_ends;
 mod unexpected;
 

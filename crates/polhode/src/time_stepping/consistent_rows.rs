@@ -1,7 +1,7 @@
 //! Rows of the contacts of one pair of bodies that are made consistent with each other, by the terms of `rigid_terms.rs`.
 
 use super::rigid_terms::{Term, make_rigid, make_tangential_terms_rigid};
-use super::sustained::Row;
+use super::row::Row;
 use polhode_contact::ContactKinematics;
 use polhode_spatial::DVec3;
 

@@ -26,7 +26,7 @@ const REACH_FACTOR: f64 = 2.0;
 
 /// Cosine of the angle by which the normal of a contact turns at most within a step (no unit, 0.2 to 0.8): what turns by a radian in
 /// a step is warned of.
-const SAME_NORMAL: f64 = 0.5;
+const NORMAL_OF_ONE_CONTACT: f64 = 0.5;
 
 /// The length of a step, and the height of bounces that it need not resolve.
 #[derive(Debug, Clone, Copy)]
@@ -72,7 +72,7 @@ impl NearContact {
     /// has passed an edge, the direction from one to the other is no normal of the surfaces.
     pub(super) fn is_same(&self, later: &ContactKinematics) -> bool {
         let (before, after) = (self.kinematics.geometry.normal, later.geometry.normal);
-        before.dot(after) >= SAME_NORMAL * before.length() * after.length()
+        before.dot(after) >= NORMAL_OF_ONE_CONTACT * before.length() * after.length()
     }
 
     /// Whether the contact would be stopped within a step of `h` (s) by the problem in its middle, and leave an overlap of more than

@@ -26,6 +26,7 @@
 //! Assumes that no body is thinner than the motion within a step. Limit: what repeated steps leave of overlaps is removed and
 //! reported.
 
+mod closed_joints;
 mod closing;
 mod cone_problem;
 mod consistent_rows;
@@ -35,14 +36,18 @@ mod impacts;
 mod implicit_kick;
 mod kick;
 mod last_forces;
+mod made;
 mod middle;
+mod newton_law;
 mod projection;
 mod repeated;
 mod report;
 mod rigid_terms;
+mod row;
 mod shared_work;
 mod solved_group;
 mod step;
+mod step_rows;
 mod sustained;
 mod sustained_friction;
 mod told_loads;

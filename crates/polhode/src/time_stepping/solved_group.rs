@@ -8,8 +8,8 @@
 use super::contacts::{NearContact, kinematics_at_point};
 use super::kick::Kick;
 use super::report::{Stop, TimeStepReport};
+use super::row::Row;
 use super::shared_work::Kicked;
-use super::sustained::Row;
 use super::sustained_friction::{SustainedMoment, TangentialImpulse};
 use crate::collision::contact_id::ContactId;
 use crate::constraint::bilateral::{Bilateral, Reaction};
@@ -24,8 +24,6 @@ use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_spatial::CompensatedSum;
 
-/// The relative residual of a problem whose impulses are zero in place of its solution.
-const NOTHING_SOLVED: f64 = 1.0;
 /// The impulses of one group.
 pub(super) struct SolvedGroup {
     pub(super) group: Group,
@@ -44,8 +42,6 @@ pub(super) struct SolvedGroup {
 pub(super) struct Found {
     /// Natural map, relative.
     pub(super) residual: f64,
-    /// Whether they were not applied.
-    pub(super) is_discarded: bool,
     /// How far they are from Coulomb's law.
     pub(super) violation: Option<ConeViolation>,
     /// Slips that end within the step.
@@ -55,8 +51,7 @@ pub(super) struct Found {
 impl Found {
     /// Tells it in the report of the step.
     pub(super) fn tell(&self, report: &mut TimeStepReport) {
-        let residual = if self.is_discarded { NOTHING_SOLVED } else { self.residual };
-        report.residual = report.residual.max(residual);
+        report.residual = report.residual.max(self.residual);
         report.cone_violation = ConeViolation::larger(report.cone_violation, self.violation);
     }
 }
@@ -148,12 +143,21 @@ impl SolvedGroup {
                 self.tangential.clear();
                 self.moments.clear();
                 self.reactions.clear();
-                self.found.is_discarded = true;
+                self.found.residual = self.residual_of_none(rows);
             }
         }
         for &body in &self.group.bodies {
             world.keep_in_plane(body, &mut states[body]);
         }
+    }
+
+    /// The residual of no impulses: the largest rate by which a row is not kept, relative to the largest rate, term and fall of the rows. What rounding leaves of rows that press on each other between walls is none.
+    fn residual_of_none(&self, rows: &[Row]) -> f64 {
+        let members = || self.group.contacts.iter().map(|&index| &rows[index]);
+        let missing = members().map(|row| -(row.kinematics.separation_rate + row.bound)).fold(0.0, f64::max);
+        let scale = |row: &Row| row.kinematics.separation_rate.abs().max(row.bound.abs()).max(row.half_fall.abs());
+        let scale = members().map(scale).fold(0.0, f64::max);
+        if scale > 0.0 { missing / scale } else { 0.0 }
     }
 
     /// Applies the impulses, and says what energy they add.

@@ -1,15 +1,16 @@
 //! One time step, and steps that are split at impacts.
 
 use super::NO_WORK_J;
+use super::closed_joints::close_joints;
 use super::cone_problem::{ConeSolvers, LEAST_IN_BODIES};
 use super::contacts::{NearContact, Span, await_impacts, may_change_features, near_contacts, slips_at_start};
 use super::drift;
 use super::kick::Kick;
 use super::last_forces::LastForces;
+use super::made::Made;
 use super::middle::{Middle, Problem, Stops};
-use super::projection::close_joints;
+use super::newton_law::newton_residual;
 use super::report::{Stop, TimeStepReport};
-use super::told_loads::newton_residual;
 use crate::Momentum;
 use crate::MomentumSum;
 use crate::accounting::books::Received;
@@ -357,17 +358,6 @@ impl TimeStepper {
         }
         Received { gravity: sum.value(), ..Received::default() }
     }
-}
-
-/// A step that has been made, but for the removal of what overlaps at its end.
-#[derive(Debug)]
-pub(super) struct Made {
-    pub(super) report: TimeStepReport,
-    /// The states of the bodies at its start, after its impacts.
-    pub(super) struck: Vec<BodyState>,
-    /// The pairs that may overlap.
-    pub(super) pairs: Vec<(usize, usize)>,
-    pub(super) overlaps: Overlaps,
 }
 
 /// Sets bodies that are at rest at the start and at the end of the step back to their initial poses.

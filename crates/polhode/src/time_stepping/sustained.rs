@@ -28,16 +28,16 @@
 //! them (`rows/many_contacts.rs`). Contacts that close because of the impulses are added until there are none.
 
 use super::cone_problem::{LEAST_IN_BODIES, is_for_bodies};
-use super::consistent_rows::{make_consistent, remove_contradictions};
-use super::contacts::{NearContact, kinematics_at_point, with_rate_at_point};
+use super::contacts::{NearContact, with_rate_at_point};
 use super::middle::{Middle, Problem, Stops};
-use super::report::{ContactImpulse, ImpulseKind, Stop, TimeStepReport};
+use super::report::{ContactImpulse, Stop, TimeStepReport};
+use super::row::Row;
 use super::shared_work::{ContactWork, Kicked};
 use super::solved_group::{Found, SolvedGroup};
 use super::step::TimeStepper;
+use super::step_rows::rows;
 use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
 use crate::constraint::bilateral::{Bilateral, bilateral_support};
-use crate::constraint::joint_friction::Pressed;
 use crate::constraint::row::BilateralRow;
 use crate::rows::assembly::Assembly;
 use crate::rows::groups::{Group, coupled_groups};
@@ -48,77 +48,16 @@ use crate::solve::joint_loads::ContactForce;
 use crate::solve::jointed::trees_of;
 use crate::solve::rotational_friction::{moment_support, moment_work};
 use crate::states_of::{set_states, states_of};
-use crate::world::{Loads, World};
-use polhode_contact::ContactKinematics;
+use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::{ResponseError, SolverSettings, SolverStatus, WarmStart};
 use polhode_spatial::DVec3;
-
-/// A row that approaches at the end by less than this fraction of its rates is left out: some dozen rounding units.
-const ROW_ROUNDING: f64 = 1e-14;
-
-/// Error of a separation as a fraction of the rounding of two poses (eight units in the last place): the remainder of
-/// the projection. In a short step it corresponds to a considerable velocity.
-const SEPARATION_ROUNDING: f64 = 0.25;
 
 /// Whether bilateral constraints hold bodies of an island.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Held {
     Nothing,
     ByJoints,
-}
-
-/// A contact in the middle of the step.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Row {
-    pub(super) contact: usize,
-    problem: Problem,
-    /// After the kick of fields.
-    pub(super) kinematics: ContactKinematics,
-    /// `u-`, m/s.
-    pub(super) rate_before: f64,
-    /// r, m/s.
-    pub(super) bound: f64,
-    /// The least r with which no energy is gained, m/s.
-    pub(super) least_bound: f64,
-    /// `h/2 a`, m/s.
-    half_fall: f64,
-    /// Error of r by the rounding of the separation, m/s.
-    rounding: f64,
-    /// None without friction.
-    pub(super) friction: Option<TangentialRow>,
-}
-
-impl Row {
-    /// Whether the contact would penetrate with this rate of separation after the impulses.
-    fn closes(&self, rate: f64) -> bool {
-        rate + self.bound < -(self.rounding + ROW_ROUNDING * (rate.abs() + self.bound.abs()))
-    }
-
-    /// The kind of its impulse (N s) in a step of `h` (s).
-    fn kind_of_impulse(&self, contact: &NearContact, impulse: f64, h: f64) -> ImpulseKind {
-        // The speed of approach of the contact at the start of the step.
-        let approach = -(self.rate_before - self.half_fall);
-        let is_impact = approach > contact.resting_speed && contact.closing_time().is_some_and(|time| time <= h);
-        if is_impact || !self.is_sustained() {
-            ImpulseKind::Impact { energy_change_j: 0.5 * impulse * (self.rate_before - self.bound) }
-        } else {
-            ImpulseKind::Sustained
-        }
-    }
-
-    /// Whether it is of the problem in the middle of a step: in that at its start only what closes is a row.
-    fn is_sustained(&self) -> bool {
-        self.problem == Problem::Sustained
-    }
-
-    /// Whether the row is in the problem of a step of `h` (s) from the beginning.
-    fn is_first_choice(&self, world: &World, states: &[BodyState], contact: &NearContact, h: f64) -> bool {
-        let touch_distance = world.touch_distance(states, contact.id.a, contact.id.b);
-        let lasts = contact.kinematics.separation_rate >= -contact.resting_speed;
-        let presses = self.is_sustained() && lasts && self.half_fall <= 0.0 && contact.touches(h, touch_distance);
-        presses || self.closes(self.kinematics.separation_rate)
-    }
 }
 
 impl TimeStepper {
@@ -170,14 +109,8 @@ impl TimeStepper {
                 solved.push(if let Some(place) = known {
                     last.swap_remove(place)
                 } else {
-                    self.solve_group(
-                        world,
-                        Kicked { states, bodies, kick, loops },
-                        group,
-                        &rows,
-                        (near, middle),
-                        report,
-                    )?
+                    let kicked = Kicked { states, bodies, kick, loops };
+                    self.solve_group(world, kicked, group, &rows, (near, middle), report)?
                 });
             }
             for group in &mut solved {
@@ -264,12 +197,7 @@ impl TimeStepper {
             let found = sustained_friction::solve(assembly, states, constants, &friction, (cones, h, stops))?;
             report.factorisations += found.factorisations as u64;
             let sustained_friction::FrictionalImpulses { normal: impulses, tangential, moments, reactions, .. } = found;
-            let found = Found {
-                residual: found.report.residual,
-                is_discarded: false,
-                violation: found.violation,
-                stops: found.stops,
-            };
+            let found = Found { residual: found.report.residual, violation: found.violation, stops: found.stops };
             let reactions = kicked.loops.least(world, (states, &group.bodies), reactions)?;
             return Ok(SolvedGroup { group, impulses, tangential, moments, reactions, found });
         }
@@ -285,21 +213,14 @@ impl TimeStepper {
             assembly.problem.delassus_into(&mut self.delassus);
             self.solver.solve(&assembly.problem, &self.delassus, &constants, Some(&start))?.clone()
         };
+        // The other problems of a step, of this island or the next one, have their own.
+        self.solver.set_settings(SolverSettings::default());
         let solved = solution.report.status == SolverStatus::Solved;
         let residual = solution.report.residual;
-        let found = Found { residual, is_discarded: false, violation: None, stops: Vec::new() };
+        let found = Found { residual, violation: None, stops: Vec::new() };
         let mut impulses = solution.forces;
         if !solved {
-            // An inexact solution must not add energy. Scaled by s with p.u + s p.G p/2 <= 0 it does not, where u is the mean of the
-            // rates before and after the kick.
-            let product = |a: &[f64]| impulses.iter().zip(a).map(|(p, a)| p * a).sum::<f64>();
-            let mean = |row: &&Row| 0.5 * (row.rate_before + row.kinematics.separation_rate);
-            let rates = assembly.rates(members.iter().map(mean));
-            let (work, stored) = (
-                product(&rates),
-                0.5 * product(&assembly.problem.row_velocities(&assembly.problem.response(&impulses)?)?),
-            );
-            let share = if stored > 0.0 { (-work / stored).clamp(0.0, 1.0) } else { 1.0 };
+            let share = share_without_gain(&assembly, &members, &impulses)?;
             for impulse in &mut impulses {
                 *impulse *= share;
             }
@@ -309,6 +230,16 @@ impl TimeStepper {
         impulses.truncate(members.len());
         Ok(SolvedGroup { group, impulses, tangential: Vec::new(), moments: Vec::new(), reactions, found })
     }
+}
+
+/// The part of the impulses of an inexact solution that adds no energy: scaled by s with `p.u + s p.G p/2 <= 0` they do not, where u
+/// is the mean of the rates before and after the kick.
+fn share_without_gain(assembly: &Assembly, members: &[&Row], impulses: &[f64]) -> Result<f64, ResponseError> {
+    let product = |a: &[f64]| impulses.iter().zip(a).map(|(p, a)| p * a).sum::<f64>();
+    let mean = |row: &&Row| 0.5 * (row.rate_before + row.kinematics.separation_rate);
+    let work = product(&assembly.rates(members.iter().map(mean)));
+    let stored = 0.5 * product(&assembly.problem.row_velocities(&assembly.problem.response(impulses)?)?);
+    Ok(if stored > 0.0 { (-work / stored).clamp(0.0, 1.0) } else { 1.0 })
 }
 
 /// Rows of the same two bodies, which stand beside each other.
@@ -365,117 +296,6 @@ fn add_closing(world: &World, states: &[BodyState], near: &[NearContact], rows: 
         }
     }
     added
-}
-
-/// The contacts in the middle of the step; those whose features no longer define a contact are left out.
-fn rows(
-    world: &World,
-    kicked: Kicked<'_>,
-    (near, slips): (&[NearContact], &[f64]),
-    (problem, t, h): (Problem, f64, f64),
-) -> Result<Vec<Row>, ResponseError> {
-    let Kicked { states, bodies, .. } = kicked;
-    let here: Vec<(usize, ContactKinematics)> = near
-        .iter()
-        .enumerate()
-        .filter(|(_, near)| !near.is_awaited)
-        .filter(|(_, near)| problem == Problem::Sustained || world.pressed(states, near.id).is_none())
-        .filter_map(|(contact, near)| Some((contact, kinematics_at_point(world, states, near.id)?)))
-        .filter(|(contact, kinematics)| near[*contact].is_same(kinematics))
-        .collect();
-    if here.is_empty() {
-        return Ok(Vec::new());
-    }
-    let geometries = here.iter().map(|&(contact, kinematics)| (near[contact].id, kinematics.geometry));
-    // Accelerations without the forces of joints: their rows are not asked for.
-    let mut assembly = Assembly::with_bilaterals(world, (states, bodies), geometries, Vec::new())?;
-    let of = |(contact, kinematics): &(usize, ContactKinematics)| {
-        TangentialRow::of(world, states, near[*contact].id, (kinematics, kicked))
-    };
-    let friction: Vec<_> = here.iter().map(of).collect();
-    assembly.push_tangents(states, friction.iter().flatten().flat_map(TangentialRow::along))?;
-    let free = assembly.free_accelerations(world, states, &Loads::default());
-    let contacts = here.iter().map(|(contact, kinematics)| (near[*contact].id, kinematics));
-    let accelerations = assembly.acceleration_constants(world, t, states, &free, contacts)?;
-    let mut slip_rates = accelerations[assembly.first_tangent()..].iter().copied();
-    let mut with_rates = |row: TangentialRow, contact: usize, acceleration: f64| {
-        let mut rates = [0.0; 2];
-        rates.iter_mut().take(row.tangents()).zip(slip_rates.by_ref()).for_each(|(rate, found)| *rate = found);
-        if problem == Problem::Closing {
-            return Some(row);
-        }
-        Some(row.with_rates((slips[contact], rates), h, 0.5 * h * acceleration))
-    };
-    let friction = friction.into_iter().zip(&here).zip(&accelerations);
-    let friction: Vec<_> =
-        friction.map(|((row, (contact, _)), &acceleration)| with_rates(row?, *contact, acceleration)).collect();
-    let row = |(((contact, kinematics), acceleration), friction): (((usize, ContactKinematics), f64), _)| {
-        let id = near[contact].id;
-        let half_fall = match problem {
-            Problem::Closing => return row_at_start(world, states, near, (contact, kinematics, friction), h),
-            Problem::Sustained => 0.5 * h * acceleration,
-        };
-        let rounding = 2.0 * SEPARATION_ROUNDING * world.rounding(states, id.a, id.b) / h;
-        let gap_bound = 2.0 * kinematics.geometry.separation / h + 0.5 * half_fall;
-        // A gap within rounding counts as zero.
-        let gap_bound = if gap_bound <= half_fall + rounding { half_fall } else { gap_bound };
-        let geometry = &kinematics.geometry;
-        let rate_before = kinematics.separation_rate - geometry.normal.dot(kicked.change_at(id, geometry.point));
-        // What presses a joint with friction gives the impulse of its force.
-        let bound = match world.pressed(states, id) {
-            Some(Pressed { force, compliance, .. }) => -compliance * force * h,
-            None => gap_bound.max(rate_before),
-        };
-        Row {
-            contact,
-            problem,
-            kinematics,
-            rate_before,
-            bound,
-            least_bound: rate_before,
-            half_fall,
-            rounding,
-            friction,
-        }
-    };
-    let mut rows: Vec<Row> = here.into_iter().zip(accelerations).zip(friction).map(row).collect();
-    let pair = |row: &Row| (near[row.contact].id.a, near[row.contact].id.b);
-    let is_of_many = rows.len() >= LEAST_IN_BODIES;
-    for of_pair in rows.chunk_by_mut(|x, y| pair(x) == pair(y)) {
-        if is_of_many {
-            make_consistent(of_pair);
-        } else {
-            remove_contradictions(of_pair);
-        }
-    }
-    Ok(rows)
-}
-
-/// The row of a contact in the problem at the start of a step of `h` (s): it may approach as fast as closes its gap. All such bounds
-/// are at least zero, so that the impulses `p` with `p.(u+ + r) = 0` give no energy: `p.(u- + u+)/2 = -r.p - p.G p/2`.
-fn row_at_start(
-    world: &World,
-    states: &[BodyState],
-    near: &[NearContact],
-    (contact, kinematics, friction): (usize, ContactKinematics, Option<TangentialRow>),
-    h: f64,
-) -> Row {
-    let id = near[contact].id;
-    let rounding = SEPARATION_ROUNDING * world.rounding(states, id.a, id.b) / h;
-    let bound = ((kinematics.geometry.separation - near[contact].kept_off) / h).max(0.0);
-    let bound = if bound <= rounding { 0.0 } else { bound };
-    let rate_before = kinematics.separation_rate;
-    Row {
-        contact,
-        problem: Problem::Closing,
-        kinematics,
-        rate_before,
-        bound,
-        least_bound: 0.0,
-        half_fall: 0.0,
-        rounding,
-        friction,
-    }
 }
 
 /// Books and records the impulses. Returns the contacts that carry one.

@@ -325,8 +325,8 @@ fn friction_that_no_joint_can_have_is_refused() {
     assert!(error.to_string().contains("neither an effort nor a bearing"), "{error}");
 }
 
-/// Friction is a finite force: an impact lasts for no time, so that a rough hinge takes the same impulse as a smooth one, to the last
-/// bit, however large its friction is.
+/// Friction is a finite force: an impact lasts for no time, so that a rough hinge takes the same impulse as a smooth one, to the
+/// rounding of the solution, however large its friction is.
 #[test]
 fn impacts_take_no_friction_of_joints() {
     let struck = |freedom: Freedom| {
@@ -335,12 +335,13 @@ fn impacts_take_no_friction_of_joints() {
         let built = scene(accurate()).duration_s(0.2).body(rod).body(ball).joint(hinge(freedom)).build().unwrap();
         let (_, recorder) = run(&built, Effects::Planned);
         let impact = *first(&recorder, EventKind::Impact).unwrap();
-        (impact.t_s, impact.impulse.to_bits(), impact.energy_change_j.to_bits())
+        (impact.t_s, impact.impulse, impact.energy_change_j)
     };
     let smooth = struck(Freedom::default());
     for effort in [1e-3, 1.0, 1e3] {
         let (t, impulse, change) = struck(rough(effort));
-        assert!((t - smooth.0).abs() < 1e-12 && (impulse, change) == (smooth.1, smooth.2), "{effort} N m");
+        let differs = (impulse - smooth.1).abs().max((change - smooth.2).abs());
+        assert!((t - smooth.0).abs() < 1e-12 && differs < 1e-12, "{effort} N m: {differs:e}");
     }
 }
 
