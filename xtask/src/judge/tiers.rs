@@ -191,7 +191,7 @@ mod tests {
         let standard = Standard::new(vec![1.0], track(0.0), &track(growth * DISTURBED));
         let runs: Vec<Poses> = errors.into_iter().map(track).collect();
         let runs: Vec<(f64, &Poses)> = STEPS.into_iter().zip(&runs).collect();
-        standard.convergence(&runs).unwrap()
+        standard.convergence(&runs).expect("a distance at some sample")
     }
 
     #[test]

@@ -27,9 +27,9 @@ pub(crate) fn scene_of(path: &Path) -> Result<String, RobotFileError> {
     let RobotFile { robot, .. } = read_robot(path, &[])?;
     // An inertia that is refused is told when the scene is built, which may repair it; where others refuse the file it is told with them.
     let repaired = assembled(&robot, &Placement::of_file(Unphysical::Repair), 0);
-    let (assembly, _) = repaired.or_else(|found| {
+    let (assembly, _) = repaired.map_err(|found| {
         let told = assembled(&robot, &Placement::of_file(Unphysical::Refuse), 0).err();
-        Err(RobotFileError::Refused(told.unwrap_or(found)))
+        RobotFileError::Refused(told.unwrap_or(found))
     })?;
     let file = path.file_name().unwrap_or_default().to_string_lossy();
     // A text of TOML: Rust's escapes of strings are those of TOML for what names of files hold.

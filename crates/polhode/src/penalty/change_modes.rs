@@ -48,7 +48,7 @@ fn apply(run: &mut Run<'_>, change: &Passed) -> Result<(), SimulationError> {
         Happening::Begin(id) => {
             if let Some(kinematics) = run.core.world.kinematics(&run.states, id) {
                 let spring = run.begun(id, &kinematics)?;
-                run.insert(spring);
+                run.insert(&spring);
             }
         }
         Happening::End(id) => run.remove(id, change.t_s, -change.rate),

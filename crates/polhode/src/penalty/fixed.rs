@@ -152,7 +152,7 @@ fn step(run: &mut Run<'_>, h: f64, end: f64) -> Result<(), SimulationError> {
     for index in 0..run.done.springs.len() {
         let spring = run.done.springs[index];
         if let (Grip::Cut | Grip::CutSliding, Some(at)) = (spring.grip, run.evaluated(&spring)) {
-            run.done.springs[index] = returned(spring, &at);
+            run.done.springs[index] = returned(&spring, &at);
         }
         if spring.passage.deepest > 0.0 && begins.contains(&spring.id) {
             run.note_event(EventKind::ContactBegin, &spring);
@@ -165,16 +165,16 @@ fn step(run: &mut Run<'_>, h: f64, end: f64) -> Result<(), SimulationError> {
 }
 
 /// A tangential spring that is cut, as a step ends in this state.
-fn returned(spring: ContactSpring, at: &Evaluated) -> ContactSpring {
+fn returned(spring: &ContactSpring, at: &Evaluated) -> ContactSpring {
     let normal = spring.normal_force(at);
     let beyond = spring.vector.length() - spring.limit(normal);
     if beyond <= 0.0 {
-        return ContactSpring { grip: Grip::Cut, slipped: 0.0, ..spring };
+        return ContactSpring { grip: Grip::Cut, slipped: 0.0, ..*spring };
     }
     let stiffness = spring.tangential.stiffness(at.depth);
     let slipped = spring.slipped + if stiffness > 0.0 { beyond / stiffness } else { 0.0 };
     let grip = if slipped > spring.holding.weakening { Grip::CutSliding } else { Grip::Cut };
-    let spring = ContactSpring { grip, slipped, ..spring };
+    let spring = ContactSpring { grip, slipped, ..*spring };
     ContactSpring { vector: spring.vector.clamp_length_max(spring.limit(normal)), ..spring }
 }
 

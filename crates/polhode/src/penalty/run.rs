@@ -248,10 +248,10 @@ impl<'a> Run<'a> {
     }
 
     /// Adds a spring, and its event.
-    pub(super) fn insert(&mut self, spring: ContactSpring) {
+    pub(super) fn insert(&mut self, spring: &ContactSpring) {
         if let Err(place) = self.done.springs.binary_search_by_key(&spring.id, |known| known.id) {
-            self.done.springs.insert(place, spring);
-            self.note_event(EventKind::ContactBegin, &spring);
+            self.done.springs.insert(place, *spring);
+            self.note_event(EventKind::ContactBegin, spring);
             // Features that come into the place of others may overlap deeply at once.
             let (pair, distance) = ((spring.id.a, spring.id.b), -spring.passage.deepest);
             self.done.separations.push(Separation { pair, t_s: self.t, distance, rate: -spring.passage.approach });

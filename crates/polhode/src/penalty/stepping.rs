@@ -119,7 +119,7 @@ fn settle(run: &mut Run<'_>, done: &[Happening], h: f64) -> Result<Vec<ContactId
             run.remove_now(id);
         }
         for spring in begun {
-            run.insert(spring);
+            run.insert(&spring);
         }
         let lost = before - run.energy();
         run.done.books.ledger.numerical.add(lost);
