@@ -53,10 +53,6 @@ const LEAST_FORCE_ERRS: &str = "the heuristic of the thesis: least force sits at
 const COLLISIONS_IN_TURN: &str = "forces are means of impulses over the last step, and what rests collides every second step or third: twice the \
                                   weight in the one, none in the other";
 
-/// Why the tier `stepped` ends well where it is wrong.
-const LOOPS_JAM: &str = "36 of 200: loops of joints whose rows depend on each other stand still (29 of 30 in planes, on spheres, line-symmetric, \
-                         slider-cranks, parallel cranks; all with a limit), and springs that are wound past half a turn act at the wrapped angle";
-
 /// Why scenes that are turned are other motions in the tier `accurate`.
 const CORNERS_SHARE: &str = "6 of 200: impacts with friction at several corners of flat faces, whose impulses are not unique (1e-8 to 1e-4 of a body \
                              later): their choice follows the axes of the world";
@@ -68,6 +64,14 @@ const STEPS_SHARE: &str = "7 of 200: limits and impacts are struck a little earl
 /// Why the tier `fast` is off.
 const FAST_BOUNCES: &str = "bounces have no friction in the tier fast, so that balls keep their spin, and bodies that meet fast overlap by more than \
                             a tenth of the smaller one within a step";
+
+/// Why the ledgers of some scenes of jointed bodies that are struck do not close to rounding.
+const STRUCK_JOINTS: &str = "blows of jointed bodies are stopped at the start of a step by a problem of its own: a part of 1e-6 of the energy there has no \
+                             source in the books; which reaction is not traced";
+
+/// Why friction of springs under fixed steps has lost its order.
+const FIXED_STEPS_OF_SPRINGS: &str = "runs of fixed steps and those under error control end in motions that differ by a constant since springs that hold have dampers \
+                                      and give way in two stages: which of both is wrong is not traced";
 
 /// All of them.
 const KNOWN_FAILURES: &[KnownFailure] = &[
@@ -83,15 +87,30 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
         reason: "both motions are integrated to 1e-11 a step, and the fall of the pile amplifies what they differ by: after \
                  0.70 s it is 2.2e-11 of angular velocities of some 2 rad/s; every other scene agrees to 2e-13",
     },
+    KnownFailure { case: "ledger", quantity: "car: closure", reason: STRUCK_JOINTS },
+    KnownFailure { case: "ledger", quantity: "ragdoll-on-stairs: closure", reason: STRUCK_JOINTS },
+    KnownFailure {
+        case: "orders in contact",
+        quantity: "fast, box slides to a stop: order",
+        reason: "0.90: normal and frictional impulses of a patch are found one after the other, and the step in which the box stops is part of the error",
+    },
+    KnownFailure {
+        case: "orders in contact",
+        quantity: "penalty with rk4, ball down a slope: order",
+        reason: FIXED_STEPS_OF_SPRINGS,
+    },
+    KnownFailure {
+        case: "orders in contact",
+        quantity: "penalty with implicit-midpoint, ball down a slope: order",
+        reason: FIXED_STEPS_OF_SPRINGS,
+    },
     KnownFailure { case: "heaps", quantity: "60 balls: part of steps", reason: MANY_FACTORISATIONS },
     KnownFailure { case: "heaps", quantity: "60 balls: overlap", reason: OVERLAPS_WITHIN },
-    KnownFailure { case: "heaps", quantity: "60 balls: factorisations", reason: MANY_FACTORISATIONS },
     KnownFailure { case: "heaps", quantity: "40 boxes: part of steps", reason: MANY_FACTORISATIONS },
     KnownFailure { case: "heaps", quantity: "40 boxes: overlap", reason: OVERLAPS_WITHIN },
     KnownFailure { case: "heaps", quantity: "40 boxes: factorisations", reason: MANY_FACTORISATIONS },
     KnownFailure { case: "heaps", quantity: "pyramid of 55, pushed: part of steps", reason: MANY_FACTORISATIONS },
     KnownFailure { case: "heaps", quantity: "pyramid of 55, pushed: overlap", reason: OVERLAPS_WITHIN },
-    KnownFailure { case: "heaps", quantity: "pyramid of 55, pushed: largest residual", reason: LIGHT_UNDER_LOAD },
     KnownFailure { case: "heaps", quantity: "1e6 kg on nine: part of steps", reason: MANY_FACTORISATIONS },
     KnownFailure { case: "heaps", quantity: "1e6 kg on nine: overlap", reason: OVERLAPS_WITHIN },
     KnownFailure { case: "heaps", quantity: "1e6 kg on nine: factorisations", reason: MANY_FACTORISATIONS },
@@ -188,7 +207,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
                  their laws there, and which one is found depends on the axes: flat contacts are points, not patches",
     },
     KnownFailure { case: "tiers agree", quantity: "accurate: other motions", reason: CORNERS_SHARE },
-    KnownFailure { case: "tiers agree", quantity: "stepped: wrong and well", reason: LOOPS_JAM },
     KnownFailure { case: "tiers agree", quantity: "stepped: other motions", reason: STEPS_SHARE },
     KnownFailure { case: "tiers agree", quantity: "fast: wrong and well", reason: FAST_BOUNCES },
     KnownFailure {
