@@ -94,6 +94,14 @@ impl Accounts {
         self.measures.residual.note(Measure { t, pair: (0, 0), value: residual, allowed });
     }
 
+    /// Records the residual of the problems of a time step at `t` (s). Stretches of crowded events keep a promise of their own, and the
+    /// report has their residual.
+    fn note_residual_of_steps(&mut self, t: f64, residual: f64) {
+        let promised = self.promise.residual.filter(|_| !self.has_crowded());
+        let allowed = promised.unwrap_or(f64::INFINITY);
+        self.measures.residual.note(Measure { t, pair: (0, 0), value: residual, allowed });
+    }
+
     /// Records how far forces or impulses at `t` (s) are from Coulomb's law.
     pub(crate) fn note_friction(&mut self, t: f64, violation: Option<ConeViolation>) {
         if let Some(ConeViolation { value, pair }) = violation {
@@ -139,7 +147,7 @@ impl Accounts {
     /// Records a time step: its books, its certificate, and its impacts as events.
     pub(crate) fn note_time_step(&mut self, world: &World, t: f64, states: &[BodyState], report: &TimeStepReport) {
         self.books.enter(&report.books);
-        self.note_residual(t, report.residual);
+        self.note_residual_of_steps(t, report.residual);
         self.certificate.factorisations += report.factorisations;
         self.note_friction(t, report.cone_violation);
         for _ in 0..report.fallbacks {

@@ -80,6 +80,7 @@ impl ConeSolvers {
     /// Forgets the answers that problems would start from.
     pub(super) fn forget(&mut self) {
         self.last = LastForces::default();
+        self.solvers.clear();
     }
 
     /// The problem of the rows of an assembly, the first of which are these contacts, in a step of `h` (s).

@@ -154,7 +154,8 @@ impl SolvedGroup {
     /// The residual of no impulses: the largest rate by which a row is not kept, relative to the largest rate, term and fall of the rows. What rounding leaves of rows that press on each other between walls is none.
     fn residual_of_none(&self, rows: &[Row]) -> f64 {
         let members = || self.group.contacts.iter().map(|&index| &rows[index]);
-        let missing = members().map(|row| -(row.kinematics.separation_rate + row.bound)).fold(0.0, f64::max);
+        let closing = members().filter(|row| row.closes(row.kinematics.separation_rate));
+        let missing = closing.map(|row| -(row.kinematics.separation_rate + row.bound)).fold(0.0, f64::max);
         let scale = |row: &Row| row.kinematics.separation_rate.abs().max(row.bound.abs()).max(row.half_fall.abs());
         let scale = members().map(scale).fold(0.0, f64::max);
         if scale > 0.0 { missing / scale } else { 0.0 }
