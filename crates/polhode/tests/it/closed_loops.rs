@@ -33,7 +33,7 @@ fn four_bar(method: Method, attitude: Rotation, flies: bool) -> Scene {
     let spring = Freedom::default().with_spring(8.0, 0.6).unwrap();
     let hinge = |body: BodyId, other: Option<BodyId>, anchor: DVec3| {
         let joint = Joint::hinge(body, anchor, axis);
-        other.map_or(joint.clone(), |other| joint.with(other))
+        other.map_or(joint, |other| joint.with(other))
     };
     scene
         .joint(hinge(crank, frame, at(0.0, 0.0)))

@@ -36,7 +36,7 @@ fn walker() -> Scene {
         let hip = Joint::hinge(thigh, DVec3::new(x, 0.0, 0.44), UnitVector::Y).with(trunk);
         scene = scene.joint(hip.along(Coordinate::Angle, soft));
         let knee = Joint::hinge(shank, DVec3::new(x, 0.0, 0.26), UnitVector::Y).with(thigh);
-        let stiff = knee.clone().along(Coordinate::Angle, soft);
+        let stiff = knee.along(Coordinate::Angle, soft);
         scene = scene.joint(if x < 0.0 { knee.with_limits(Coordinate::Angle, limits) } else { stiff });
     }
     let ball = |body: BodyId, x: f64| Joint::new(JointKind::Ball, rod, DVec3::new(x, 0.2, 0.17)).with(body);
