@@ -76,8 +76,8 @@ pub(crate) fn check_restored_runs(scene: &Scene, effects: Effects) {
         let mut simulation = Simulation::with_effects(scene, effects).unwrap();
         simulation.advance_to(t).unwrap();
         let bytes = simulation.snapshot().to_bytes();
-        let mut runs = [(simulation, Recorder::default()), (restored(scene, effects, &bytes), Recorder::default())];
-        let [one, other] = &mut runs;
+        let mut one = (Box::new(simulation), Recorder::default());
+        let mut other = (Box::new(restored(scene, effects, &bytes)), Recorder::default());
         finish(&mut one.0, &mut one.1, duration);
         finish(&mut other.0, &mut other.1, duration);
         assert!(
