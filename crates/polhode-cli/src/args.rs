@@ -144,7 +144,7 @@ pub(crate) struct RunOutputArgs {
     /// Prints the report of the whole run as JSON
     #[arg(long)]
     pub(crate) json: bool,
-    /// Threads that compute the islands of a step (tier fast; tier stepped uses one); the bits are the same for any number
+    /// Threads that compute the islands of a step (tiers stepped and fast); the bits are the same for any number
     #[arg(long, value_name = "N", default_value_t = NonZeroUsize::MIN)]
     pub(crate) threads: NonZeroUsize,
 }

@@ -203,6 +203,8 @@ impl SteppedEngine {
         let halves = if compares { Some(self.in_two_halves(core, &islands, interval)?) } else { None };
         let begin = self.states.clone();
         let Advanced { resting, islands, reports } = self.advance_all(core, pairs, interval)?;
+        // Islands that were advanced in copies have left them where they were.
+        core.world.prescribe(t_next, &mut self.states);
         self.fly(core, t_next);
         if core.effects == Effects::All {
             self.repeat_rest(core, &resting, interval)?;
@@ -225,7 +227,6 @@ impl SteppedEngine {
             }
             touching.extend(report.touching.iter().copied());
         }
-        core.world.prescribe(t_next, &mut self.states);
         let_go_at_ends_of_tracks(core, &self.states, t_next)?;
         core.world.count_all_turns(&self.states)?;
         core.t = t_next;

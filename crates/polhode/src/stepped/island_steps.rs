@@ -2,7 +2,8 @@
 //!
 //! Islands are divided into as many parts, in their order, as the executor runs at once. Each part has copies of the states
 //! and of the stepper; what it did is put together in the order of the islands. An island reads no state of another one, so
-//! that the result has the same bits for any number of parts.
+//! that the result has the same bits for any number of parts. States of bodies that no island moves (kinematic ones) are left
+//! anywhere within the step: the caller prescribes them.
 
 use super::islands::Island;
 use crate::executor::{Executor, Task};
@@ -14,10 +15,6 @@ use polhode_response::ResponseError;
 
 /// Reports of the steps of some islands, in their order, up to the first that failed.
 type Reports = Result<Vec<TimeStepReport>, ResponseError>;
-
-/// Parts that are advanced at once. One: heaps in copies of the stepper end with other bits than one after the other, for a reason that
-/// is not traced yet, and equal bits come before speed.
-const MOST_PARTS: usize = 1;
 
 /// What the islands of one part did.
 struct Part<'a> {
@@ -38,7 +35,7 @@ pub(super) fn advance_islands(
     islands: &[Island],
     interval: (f64, f64),
 ) -> Reports {
-    let parts = executor.width().get().min(islands.len()).min(MOST_PARTS);
+    let parts = executor.width().get().min(islands.len());
     if parts <= 1 {
         return advance_each(world, (stepper, states), islands, interval);
     }
