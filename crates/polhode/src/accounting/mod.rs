@@ -128,20 +128,20 @@ impl Accounts {
         }
     }
 
-    /// Records a solver's report in the certificate.
+    /// Records a solver's report in the certificate. That of a problem that was not solved is in the error: nothing moves by its
+    /// answer.
     ///
     /// # Errors
     /// When the problem was not solved to its tolerance.
     pub(crate) fn note_solve(&mut self, t: f64, report: &SolverReport) -> Result<(), SimulationError> {
+        if report.status != SolverStatus::Solved {
+            return Err(SimulationError::ContactSolve { t_s: t, residual: report.residual });
+        }
         self.note_residual(t, report.residual);
         let certificate = &mut self.certificate;
         certificate.max_acceleration_error_bound =
             Some(certificate.max_acceleration_error_bound.unwrap_or(0.0).max(report.bound));
-        if report.status == SolverStatus::Solved {
-            Ok(())
-        } else {
-            Err(SimulationError::ContactSolve { t_s: t, residual: report.residual })
-        }
+        Ok(())
     }
 
     /// Records a time step: its books, its certificate, and its impacts as events.
