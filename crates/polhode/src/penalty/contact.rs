@@ -4,8 +4,9 @@
 //!
 //! ```text
 //! F_n = normal spring (d, d')                                  never pulls
-//! stick:  T' = k_t u + T min(k_t'/k_t, 0) + n x n' x T         |T| <= mu_s F_n,  force T + c u
-//! yield, slide:  T = mu_s F_n e, then T = mu F_n e,  e' = k_t/(mu F_n) (u - (u.e) e)       u.e > (mu F_n' - mu F_n min(k_t'/k_t, 0))/k_t
+//! stick:  T' = k_t u + T min(k_t'/k_t, 0) + n x n' x T         force T + c u,  |T + c u| <= mu_s F_n
+//! yield:  T' = k_t s' + ..,  force T + c s' = mu F_n e           e along T + c u,  |T + c u| > mu_s F_n
+//! slide:  T = mu F_n e,  e' = k_t/(mu F_n) (u - (u.e) e)         where c = 0, as long as u.e > (mu F_n' - mu F_n min(k_t'/k_t, 0))/k_t
 //! regularised:  T = mu F_n u/sqrt(u^2 + u_s^2)                 along a grain: T = F_n (mu^2 u/|mu u|) |u|/sqrt(u^2 + u_s^2), mu a matrix
 //! rolling, spinning:  M = -c F_n w/sqrt(w^2 + w_s^2)           w the part of the relative rotation across, along the normal
 //! ```
@@ -16,11 +17,14 @@
 //! large normal force.) e is the direction of T; the tangent vectors are carried along with the normal.
 //!
 //! **At rest.** A load that comes at once, or a body that stops, swings a spring without damping to twice
-//! what statics asks and more. A spring that holds has a damper c there, critical for the mass that the contact bears (`laws`), and gives way where
-//! the spring alone, whose stretch then creeps to that of statics from one side, reaches mu_s F_n: the damper is gone with the motion, as in
-//! models of bristles. Points of one body slip a little before all of them hold as much as they can: static friction mu_s acts on (`Yield`), with
-//! the damper, until a point has slipped as far as its spring stretches, and kinetic friction mu (`Slide`) until the slip ends. By the damper a
-//! load that exceeds static friction by a part e breaks a contact away after some `(2/w)/e`, w the frequency of its spring.
+//! what statics asks and more. A spring that holds has a damper c there, critical for the mass that the contact bears (`laws`). Spring and damper in
+//! parallel, and a slider in series with both: what passes through the slider is their sum, which Coulomb's law bounds. Where
+//! spring and damper would bear more, the slider takes the rest of the slip, u - s', along the force, and the damper has the rate of the spring
+//! `s' = (mu F_n e - T)/c` alone. Force and rates are continuous where a contact begins to yield and where it holds again, so that
+//! neither needs a mode, and fixed steps and error-controlled ones follow one law.
+//!
+//! Static friction becomes kinetic with the speed of the slider: `mu = mu_k + (mu_s - mu_k) exp(-(l/v_0)^2)` with `l = (|T + c u| - mu_s F_n)/c` (the curve of Stribeck),
+//! `v_0 = sqrt(g d)`, at which weight alone compresses springs. What does not slide has mu_s, however its points share their load.
 //!
 //! The tangential force acts at the middle of the overlap of two bodies that move, so that momentum is kept; against a body
 //! that forces do not move it acts on the undeformed surface of the other one, whose lever is that of the rigid body.
@@ -35,8 +39,8 @@ use polhode_dynamics::BodyState;
 use polhode_response::penalty::{Growth, NormalSpring, TangentialSpring};
 use polhode_spatial::DVec3;
 
-/// Numbers of a spring: its vector, and how far it has slipped.
-pub(super) const SPRING: usize = 4;
+/// Numbers of a spring: its vector.
+pub(super) const SPRING: usize = 3;
 
 /// What the normal spring does at present.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,14 +60,12 @@ pub(super) enum Grip {
     Free,
     /// The tangential spring holds; `vector` is T.
     Stick,
-    /// It gives way under static friction: it has not slipped far; `vector` is the direction e.
+    /// It gives way against its damper; `vector` is T.
     Yield,
-    /// It gives way; `vector` is the direction e.
+    /// It gives way and has no damper; `vector` is the direction e.
     Slide,
-    /// A fixed step does not know: `vector` is T of a spring that holds, and the force is cut to Coulomb's limit at rest.
+    /// A fixed step does not know: `vector` is T of a spring that holds or yields; without a damper the force is cut to Coulomb's limit.
     Cut,
-    /// The same of one that gave way in the step before: to Coulomb's limit of sliding.
-    CutSliding,
 }
 
 /// What is measured of a contact from its begin to its end.
@@ -98,8 +100,6 @@ pub(super) struct ContactSpring {
     pub(super) grip: Grip,
     /// T or e, by `grip`.
     pub(super) vector: DVec3,
-    /// How far a spring has slipped since it gave way, m, until its friction is kinetic.
-    pub(super) slipped: f64,
     pub(super) passage: Passage,
 }
 
@@ -171,13 +171,15 @@ impl ContactSpring {
             loading: at.rate >= 0.0,
             grip: Grip::Free,
             vector: DVec3::ZERO,
-            slipped: 0.0,
             passage,
         };
         if law.friction.is_some_and(|friction| friction.slip_speed.is_none()) {
             spring.grip = Grip::Stick;
-            // A slip that the damper of a spring that holds would stop at once is none.
-            if at.slip.length() > spring.holding.stopped && spring.slides_from_the_begin(at) {
+            if spring.is_damped() {
+                if spring.beyond_static(at) > 0.0 {
+                    spring.grip = Grip::Yield;
+                }
+            } else if spring.slides_from_the_begin(at) {
                 spring.grip = Grip::Slide;
                 spring.vector = at.slip.normalize_or_zero();
             }
@@ -185,31 +187,60 @@ impl ContactSpring {
         spring
     }
 
-    /// What it does when it gives way.
-    pub(super) fn giving_way(&self) -> Grip {
-        if self.holding.weakening > 0.0 { Grip::Yield } else { Grip::Slide }
+    /// Whether its tangential spring has a damper.
+    pub(super) fn is_damped(&self) -> bool {
+        self.holding.damper > 0.0
     }
 
-    /// Whether it slides in a direction of its own.
-    pub(super) fn slides(&self) -> bool {
+    /// Whether it slips.
+    pub(super) fn slips(&self) -> bool {
         matches!(self.grip, Grip::Yield | Grip::Slide)
     }
 
-    /// Rate of the slip that is followed (m/s).
-    pub(super) fn slipping(&self, at: &Evaluated) -> f64 {
-        if self.grip == Grip::Yield { at.slip.dot(self.vector.normalize_or_zero()) } else { 0.0 }
+    /// Whether friction takes up more than slip, so that the elastic energy of its spring is part of what it takes.
+    pub(super) fn gives_way(&self) -> bool {
+        self.slips() || self.grip == Grip::Cut
     }
 
     /// Its numbers in a flat state.
     pub(super) fn numbers(&self) -> [f64; SPRING] {
-        let [x, y, z] = self.vector.to_array();
-        [x, y, z, self.slipped]
+        self.vector.to_array()
     }
 
     /// The same contact with its numbers of a flat state.
     pub(super) fn with_numbers(&self, numbers: &[f64]) -> Self {
-        let Some(&[x, y, z, slipped]) = numbers.first_chunk::<SPRING>() else { return *self };
-        Self { vector: DVec3::new(x, y, z), slipped, ..*self }
+        let Some(&vector) = numbers.first_chunk::<SPRING>() else { return *self };
+        Self { vector: DVec3::from_array(vector), ..*self }
+    }
+
+    /// The force of spring and damper on B if the contact held, N.
+    fn trial(&self, at: &Evaluated) -> DVec3 {
+        in_plane(self.vector, at.kinematics.geometry.normal) + at.slip * self.holding.damper
+    }
+
+    /// What that is beyond static friction, N.
+    pub(super) fn beyond_static(&self, at: &Evaluated) -> f64 {
+        let at_rest = self.friction.map_or(0.0, |friction| friction.at_rest);
+        self.trial(at).length() - at_rest * self.normal_force(at)
+    }
+
+    /// Coulomb's limit where a damped spring is beyond static friction by a force (N), under a normal force (N): N.
+    pub(super) fn yielding_limit(&self, beyond: f64, normal: f64) -> f64 {
+        self.friction.map_or(0.0, |friction| {
+            let ratio = beyond / (self.holding.damper * self.holding.kinetic_from);
+            let left = if ratio == 0.0 { 1.0 } else { libm::exp(-ratio * ratio) };
+            (friction.sliding + (friction.at_rest - friction.sliding) * left) * normal
+        })
+    }
+
+    /// The tangential force on B of a spring with a damper, N: of the mode.
+    fn damped(&self, at: &Evaluated, normal: f64) -> DVec3 {
+        let trial = self.trial(at);
+        let beyond = self.beyond_static(at);
+        if self.grip == Grip::Stick || (self.grip == Grip::Cut && beyond <= 0.0) {
+            return trial;
+        }
+        trial.normalize_or_zero() * self.yielding_limit(beyond, normal)
     }
 
     /// Whether the tangential force would grow faster than Coulomb's limit from the instant at which both are zero.
@@ -231,8 +262,8 @@ impl ContactSpring {
     /// Coulomb's limit at a normal force (N), N: of the mode.
     pub(super) fn limit(&self, normal: f64) -> f64 {
         let coefficient = |friction: Coulomb| match self.grip {
-            Grip::Stick | Grip::Yield | Grip::Cut => friction.at_rest,
-            _ => friction.sliding,
+            Grip::Stick | Grip::Cut => friction.at_rest,
+            Grip::Free | Grip::Yield | Grip::Slide => friction.sliding,
         };
         self.friction.map_or(0.0, |friction| coefficient(friction) * normal)
     }
@@ -255,9 +286,10 @@ impl ContactSpring {
     pub(super) fn tangential_energy(&self, at: &Evaluated) -> f64 {
         let force = match self.grip {
             Grip::Free => return 0.0,
-            Grip::Stick => self.vector.length(),
-            Grip::Yield | Grip::Slide => self.limit(self.normal_force(at)),
-            Grip::Cut | Grip::CutSliding => self.vector.length().min(self.limit(self.normal_force(at))),
+            Grip::Stick | Grip::Yield => self.vector.length(),
+            Grip::Cut if self.is_damped() => self.vector.length(),
+            Grip::Slide => self.limit(self.normal_force(at)),
+            Grip::Cut => self.vector.length().min(self.limit(self.normal_force(at))),
         };
         self.tangential.energy(at.depth, force)
     }
@@ -272,7 +304,13 @@ impl ContactSpring {
         let along = Force { on_a: n * normal, normal, moment, damping, friction: resisted, ..Force::default() };
         let Some(friction) = self.friction else { return along };
         let slip = at.slip;
-        let damper = slip * self.holding.damper;
+        if self.is_damped() && self.grip != Grip::Free {
+            let (force, spring) = (self.damped(at, normal), in_plane(self.vector, n));
+            let stretching = (force - spring) / self.holding.damper;
+            let damping = self.holding.damper * stretching.length_squared();
+            let power = if self.gives_way() { force.dot(slip) - damping } else { self.micro_slip(at) };
+            return along.with_tangential((force, power, self.held_rate(at, stretching, spring)), damping);
+        }
         let (spring, power, vector_rate) = match self.grip {
             Grip::Free => {
                 let speed = friction.slip_speed.unwrap_or(0.0);
@@ -286,31 +324,26 @@ impl ContactSpring {
             }
             Grip::Stick => {
                 let spring = in_plane(self.vector, n);
-                let held = (spring + damper, self.micro_slip(at), self.sticking_rate(at, spring));
-                return along.with_tangential(held, damper.dot(slip));
+                (spring, self.micro_slip(at), self.held_rate(at, slip, spring))
             }
-            Grip::Cut | Grip::CutSliding => {
+            Grip::Cut => {
                 let held = in_plane(self.vector, n);
-                let spring = (held + damper).clamp_length_max(self.limit(normal));
-                (spring, spring.dot(slip), self.sticking_rate(at, held))
+                let spring = held.clamp_length_max(self.limit(normal));
+                (spring, spring.dot(slip), self.held_rate(at, slip, held))
             }
             Grip::Yield | Grip::Slide => {
                 let direction = in_plane(self.vector, n).normalize_or_zero();
                 let limit = self.limit(normal);
                 let spring = direction * limit;
-                let rate = self.turning_rate(at, direction, limit);
-                if self.grip == Grip::Yield {
-                    return along.with_tangential((spring + damper, spring.dot(slip), rate), damper.dot(slip));
-                }
-                (spring, spring.dot(slip), rate)
+                (spring, spring.dot(slip), self.turning_rate(at, direction, limit))
             }
         };
         along.with_tangential((spring, power, vector_rate), 0.0)
     }
 
-    /// T' of a spring that holds.
-    fn sticking_rate(&self, at: &Evaluated, spring: DVec3) -> DVec3 {
-        at.slip * self.tangential.stiffness(at.depth) + spring * self.falling(at) + transport(at, spring)
+    /// T' of a spring that is stretched at a rate (m/s).
+    fn held_rate(&self, at: &Evaluated, stretching: DVec3, spring: DVec3) -> DVec3 {
+        stretching * self.tangential.stiffness(at.depth) + spring * self.falling(at) + transport(at, spring)
     }
 
     /// `k_t'/k_t` while the overlap falls, and zero while it grows, 1/s: of the mode.
