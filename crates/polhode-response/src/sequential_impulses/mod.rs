@@ -20,6 +20,7 @@
 //! | `colours` | which manifolds are solved side by side |
 //! | `batch` | manifolds in batches of four |
 //! | `patch` | a patch in coordinates of its own |
+//! | `friction` | Coulomb's law, of sweeps and of bounces |
 //! | `conjugate` | steps of conjugate gradients between sweeps |
 //! | `joints` | [`JointImpulses`]: joints and their limits |
 //! | `joint` | [`ImpulseJoint`]: what is given of a joint |
@@ -65,6 +66,7 @@ mod batch;
 mod body;
 mod colours;
 mod conjugate;
+mod friction;
 mod joint;
 mod joint_batch;
 mod joint_trees;

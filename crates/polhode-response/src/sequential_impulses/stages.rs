@@ -3,8 +3,9 @@
 
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody};
+use super::friction;
 use super::lanes::{FOUR, Lanes, by_place};
-use super::patch::{Block, Frame, Relative, Wrench, find_blocks, place};
+use super::patch::{Block, Frame, Relative, Wrench, add, coupled, find_blocks, place};
 use super::together::{Together, entries};
 use super::works::{FourWorks, LaneWorks, Works, book, numbers};
 
@@ -74,7 +75,11 @@ pub(super) fn warm_start<L: Lanes>(bodies: &mut [ImpulseBody], batches: &[Batch]
     }
 }
 
-/// A pass over all batches in which contacts that collided, faster than this (m/s), part again. Returns the change of energy.
+/// Passes over contacts that collided (4 to 16): friction of a bounce changes the speed at which it parts, and the other way, by less than half each time
+/// for bodies whose mass is not at their rim.
+const BOUNCES: usize = 8;
+
+/// Contacts that collided, faster than this (m/s), part again. Returns the changes of energy.
 pub(super) fn part_again<L: Lanes>(
     bodies: &mut [ImpulseBody],
     batches: &[Batch],
@@ -82,7 +87,7 @@ pub(super) fn part_again<L: Lanes>(
     colliding: f64,
 ) -> Works {
     let mut works = FourWorks::default();
-    for batch in batches {
+    for batch in std::iter::repeat_n(batches, BOUNCES).flatten() {
         let rows = &mut points[batch.first as usize..(batch.first + batch.count) as usize];
         for part in 0..FOUR / L::WIDTH {
             let own = works.load::<L>(part);
@@ -99,21 +104,20 @@ fn restitute<L: Lanes>(
     rows: &mut [PointRows],
     (mut works, faster): (LaneWorks<L>, f64),
 ) -> LaneWorks<L> {
-    let restitution = L::load(&batch.restitution, part);
-    let faster = L::splat(-faster);
     let (numbers_a, numbers_b) = (numbers::<L>(&batch.a, part), numbers::<L>(&batch.b, part));
     let (mut a, mut b) = (Gathered::<L>::load(bodies, numbers_a), Gathered::<L>::load(bodies, numbers_b));
     let frame = Frame::<L>::load(batch, part);
     let relative = frame.relative(&a.twist(), &b.twist());
     let mut wrench = Wrench::none();
-    let law = (restitution, faster);
-    works.colliding = works.colliding
-        + match rows.len() {
-            1 => bounce::<L, 1>(rows, part, law, (&relative, &mut wrench)),
-            2 => bounce::<L, 2>(rows, part, law, (&relative, &mut wrench)),
-            3 => bounce::<L, 3>(rows, part, law, (&relative, &mut wrench)),
-            _ => bounce::<L, 4>(rows, part, law, (&relative, &mut wrench)),
-        };
+    let of = (batch, part, L::splat(-faster));
+    let [colliding, friction] = match rows.len() {
+        1 => bounce::<L, 1>(rows, of, relative, &mut wrench),
+        2 => bounce::<L, 2>(rows, of, relative, &mut wrench),
+        3 => bounce::<L, 3>(rows, of, relative, &mut wrench),
+        _ => bounce::<L, 4>(rows, of, relative, &mut wrench),
+    };
+    works.colliding = works.colliding + colliding;
+    works.friction = works.friction + friction;
     frame.give(&wrench, &mut a, &mut b);
     a.store_velocities(bodies, numbers_a);
     b.store_velocities(bodies, numbers_b);
@@ -121,25 +125,32 @@ fn restitute<L: Lanes>(
 }
 
 /// The points of a patch that collided part again, all at once: `u+ = -e u-` where their impulse of the whole step stays
-/// positive, since no contact pulls.
-/// Returns the change of energy.
+/// positive, since no contact pulls. Before that their friction in the whole step is brought to its law, under the normal impulses of the
+/// whole step: a bounce has friction as the impact before it.
+/// Returns the changes of energy, by normal impulses and by friction.
 #[inline(always)]
 fn bounce<L: Lanes, const N: usize>(
     rows: &mut [PointRows],
-    part: usize,
-    (restitution, faster): (L, L),
-    (relative, wrench): (&Relative<L>, &mut Wrench<L>),
-) -> L {
+    (batch, part, faster): (&Batch, usize, L),
+    mut relative: Relative<L>,
+    wrench: &mut Wrench<L>,
+) -> [L; 2] {
     let (zero, half, one) = (L::splat(0.0), L::splat(0.5), L::splat(1.0));
-    let Some(rows) = rows.first_chunk_mut::<N>() else { return zero };
+    let Some(rows) = rows.first_chunk_mut::<N>() else { return [zero; 2] };
+    let restitution = L::load(&batch.restitution, part);
     let known: [L; N] = by_place(zero, |i| L::load(&rows[i].total[0], part));
-    let rates: [L; N] = by_place(zero, |i| relative.rate(place(&rows[i].place, part)));
     let before: [L; N] = by_place(zero, |i| L::load(&rows[i].rate, part));
     let may = by_place(zero, |i| {
         let has_pressed = L::pick_greater(known[i], zero, one, zero);
         let bounces = L::pick_greater(restitution, zero, has_pressed, zero);
         L::pick_greater(faster, before[i], bounces, zero)
     });
+    let any = may.iter().fold(zero, |any, may| any.greater(*may));
+    if !L::any_greater(any, zero) {
+        return [zero; 2];
+    }
+    let rubbed = rub::<L, N>(rows, (batch, part, any), &mut relative, wrench);
+    let rates: [L; N] = by_place(zero, |i| relative.rate(place(&rows[i].place, part)));
     let matrix: [[L; N]; N] = by_place([zero; N], |i| entries(&rows[i], i, part));
     let wanted = by_place(zero, |i| rates[i] + restitution * before[i]);
     let given = Together { matrix, known, wanted, give: [zero; N], may }.change();
@@ -150,7 +161,37 @@ fn bounce<L: Lanes, const N: usize>(
         (known[i] + given[i]).store(&mut rows[i].total[0], part);
         wrench.press(place(&rows[i].place, part), given[i]);
     }
-    work
+    [work, rubbed]
+}
+
+/// Brings the friction of the whole step at a patch to its law, in the lanes of `any`. Returns its work.
+#[inline(always)]
+fn rub<L: Lanes, const N: usize>(
+    rows: &mut [PointRows; N],
+    (batch, part, any): (&Batch, usize, L),
+    relative: &mut Relative<L>,
+    wrench: &mut Wrench<L>,
+) -> L {
+    let (zero, half) = (L::splat(0.0), L::splat(0.5));
+    let coefficient = L::load(&batch.friction, part);
+    let changes: [[L; 2]; N] = if N == 1 {
+        let slip = [relative.slipping[0], relative.slipping[1]];
+        [friction::of_point(&rows[0], part, (coefficient, L::splat(1.0)), slip, |row| &row.total); N]
+    } else {
+        friction::of_patch(rows, (batch, part), coefficient, relative, |row| &row.total)
+    };
+    for (row, change) in rows.iter_mut().zip(changes) {
+        let change = change.map(|own| L::pick_greater(any, zero, own, zero));
+        for k in 0..2 {
+            (L::load(&row.total[k + 1], part) + change[k]).store(&mut row.total[k + 1], part);
+        }
+        wrench.rub(place(&row.place, part), change);
+    }
+    let given = wrench.slipping;
+    let before = relative.slipping;
+    relative.slipping = add(before, Block::of(&batch.blocks.slipping, part).times(given));
+    relative.pressing = add(relative.pressing, coupled(&batch.blocks.coupling, part, given));
+    (0..3).fold(zero, |work, k| work + given[k] * half * (before[k] + relative.slipping[k]))
 }
 
 /// Ends a substep: adds its impulses to the totals. Returns what they did.

@@ -22,8 +22,9 @@
 
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody, Twist};
+use super::friction;
 use super::lanes::{FOUR, Lanes, by_place};
-use super::patch::{Block, Frame, Relative, Wrench, add, coupled, place};
+use super::patch::{Frame, Relative, Wrench, add, coupled, place};
 use super::together::{Together, entries};
 use super::works::{FourWorks, Works, book, numbers};
 
@@ -225,74 +226,35 @@ impl<L: Lanes> Law<L> {
             wrench.press(place(&rows[i].place, part), change[i]);
         }
     }
+}
 
-    /// The impulses of friction at all points of a patch whose bodies move like this; the wrench takes what they change by.
-    /// First those of least norm under which no point
-    /// slips; of a patch where one of them is beyond its disc, a step of each point against its own slip, by its share.
-    #[inline(always)]
-    fn rub_together<const N: usize>(
-        &self,
-        rows: &mut [PointRows],
-        (batch, part): (&Batch, usize),
-        (relative, wrench): (&Relative<L>, &mut Wrench<L>),
-    ) {
-        let Some(rows) = rows.first_chunk_mut::<N>() else { return };
-        let (zero, one, share) = (L::splat(0.0), L::splat(1.0), L::splat(1.0 / N as f64));
-        let places: [[L; 2]; N] = by_place([zero; 2], |i| place(&rows[i].place, part));
-        let [x, y, about] = Block::of(&batch.blocks.sticking, part).times(relative.slipping);
-        let (along_x, along_y, about) = (x * share, y * share, about * L::load(&batch.blocks.spread, part));
-        let mut changes: [[L; 2]; N] =
-            by_place([zero; 2], |i| [places[i][1] * about - along_x, -(places[i][0] * about) - along_y]);
-        let mut slides = zero;
-        for i in 0..N {
-            let [x, y] = [1, 2].map(|k| L::load(&rows[i].impulse[k], part) + changes[i][k - 1]);
-            let limit = self.friction * L::load(&rows[i].impulse[0], part);
-            slides = L::pick_greater(x * x + y * y, limit * limit, one, slides);
-        }
-        if L::any_greater(slides, zero) {
-            for i in 0..N {
-                let sliding = self.rubbed(&rows[i], part, relative.slip(places[i]), share);
-                for k in 0..2 {
-                    changes[i][k] = L::pick_greater(slides, zero, sliding[k], changes[i][k]);
-                }
-            }
-        }
-        for i in 0..N {
-            for k in 0..2 {
-                let impulse = L::load(&rows[i].impulse[k + 1], part) + changes[i][k];
-                impulse.store(&mut rows[i].impulse[k + 1], part);
-            }
-            wrench.rub(places[i], changes[i]);
-        }
-    }
-
-    /// By what the impulse of friction at a point with this slip changes, under its last impulse along the normal and by a
-    /// share of its own mass.
-    #[inline(always)]
-    fn rubbed(&self, row: &PointRows, part: usize, [slip_x, slip_y]: [L; 2], share: L) -> [L; 2] {
-        let (before_x, before_y) = (L::load(&row.impulse[1], part), L::load(&row.impulse[2], part));
-        let rho = L::load(&row.sliding_mass, part) * share;
-        let (mut x, mut y) = (before_x - rho * slip_x, before_y - rho * slip_y);
-        let limit = self.friction * L::load(&row.impulse[0], part);
-        let square = x * x + y * y;
-        let largest = limit * limit;
-        // Most points stick: the root is taken where one of them does not.
-        if L::any_greater(square, largest) {
-            let scale = L::pick_greater(square, largest, limit / square.root(), L::splat(1.0));
-            (x, y) = (x * scale, y * scale);
-        }
-        [x - before_x, y - before_y]
-    }
-
-    /// The impulse of friction at a point with this slip, under its last impulse along the normal; what it changes by.
-    #[inline(always)]
-    fn rub(&self, row: &mut PointRows, part: usize, slip: [L; 2]) -> [L; 2] {
-        let change = self.rubbed(row, part, slip, L::splat(1.0));
+/// The impulses of friction of the substep at all points of a patch whose bodies move like this; the wrench takes what they change by.
+#[inline(always)]
+fn rub_together<L: Lanes, const N: usize>(
+    rows: &mut [PointRows],
+    (batch, part): (&Batch, usize),
+    coefficient: L,
+    (relative, wrench): (&Relative<L>, &mut Wrench<L>),
+) {
+    let Some(rows) = rows.first_chunk_mut::<N>() else { return };
+    let changes = friction::of_patch(rows, (batch, part), coefficient, relative, |row| &row.impulse);
+    for i in 0..N {
         for k in 0..2 {
-            (L::load(&row.impulse[k + 1], part) + change[k]).store(&mut row.impulse[k + 1], part);
+            let impulse = L::load(&rows[i].impulse[k + 1], part) + changes[i][k];
+            impulse.store(&mut rows[i].impulse[k + 1], part);
         }
-        change
+        wrench.rub(place(&rows[i].place, part), changes[i]);
     }
+}
+
+/// The impulse of friction of the substep at the point of a patch of one, with this slip; what it changes by.
+#[inline(always)]
+fn rub_alone<L: Lanes>(row: &mut PointRows, part: usize, coefficient: L, slip: [L; 2]) -> [L; 2] {
+    let change = friction::of_point(row, part, (coefficient, L::splat(1.0)), slip, |row| &row.impulse);
+    for k in 0..2 {
+        (L::load(&row.impulse[k + 1], part) + change[k]).store(&mut row.impulse[k + 1], part);
+    }
+    change
 }
 
 /// Brings the points of a patch to the law: all along the tangents, under the impulses along the normal of before, then all along the normal, which
@@ -310,7 +272,7 @@ fn solve<L: Lanes>(
     let law = Law::of(rule, batch, part);
     let mut relative = frame.relative(&a.twist(), &b.twist());
     if let [row] = rows {
-        let [x, y] = law.rub(row, part, [relative.slipping[0], relative.slipping[1]]);
+        let [x, y] = rub_alone(row, part, law.friction, [relative.slipping[0], relative.slipping[1]]);
         let [first, second, _] = &batch.blocks.coupling;
         let rate = relative.pressing[0] + L::load(&first[0], part) * x + L::load(&second[0], part) * y;
         let normal = law.press(row, part, rate);
@@ -318,9 +280,9 @@ fn solve<L: Lanes>(
     } else {
         let mut wrench = Wrench::none();
         match rows.len() {
-            2 => law.rub_together::<2>(rows, (batch, part), (&relative, &mut wrench)),
-            3 => law.rub_together::<3>(rows, (batch, part), (&relative, &mut wrench)),
-            _ => law.rub_together::<4>(rows, (batch, part), (&relative, &mut wrench)),
+            2 => rub_together::<L, 2>(rows, (batch, part), law.friction, (&relative, &mut wrench)),
+            3 => rub_together::<L, 3>(rows, (batch, part), law.friction, (&relative, &mut wrench)),
+            _ => rub_together::<L, 4>(rows, (batch, part), law.friction, (&relative, &mut wrench)),
         }
         relative.pressing = add(relative.pressing, coupled(&batch.blocks.coupling, part, wrench.slipping));
         match rows.len() {

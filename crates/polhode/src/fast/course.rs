@@ -11,6 +11,7 @@
 
 use super::group::{FULL, Given, Group, GroupReport, PatchPlace};
 use super::held::{HeldJoint, HeldLimit};
+use super::passage::Middles;
 use super::rules::{OVERLAP_GROWTH, Rules};
 use super::turning::turn;
 use crate::SimulationError;
@@ -29,6 +30,14 @@ const LEAST_PAIRS: usize = 64;
 
 /// A step shorter than this part of the last one leaves the impulses that the next one starts from as they are (no unit).
 const LEAST_OF_LAST: f64 = 0.5;
+
+/// What a step may not do to a pair: one body comes through the other, or their overlap grows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Fault {
+    pub(super) pair: (usize, usize),
+    /// m.
+    pub(super) depth: f64,
+}
 
 /// States and contacts.
 #[derive(Debug)]
@@ -54,6 +63,10 @@ pub(super) struct Course {
     numbers: Vec<u32>,
     /// The pair that overlaps most at the end of the last step, by its place, and how deep, m.
     deepest_after: Option<(usize, f64)>,
+    /// What the last step has done to a pair although no piece of it could be divided further.
+    pub(super) fault: Option<Fault>,
+    /// Of each body.
+    middles: Vec<Middles>,
     /// Bound of the speed of every point of a body relative to its origin, m/s.
     spins: Vec<f64>,
     tools: Vec<Tools>,
@@ -79,6 +92,8 @@ impl Course {
             used: 0,
             numbers: Vec::new(),
             deepest_after: None,
+            fault: None,
+            middles: Vec::new(),
             spins: Vec::new(),
             tools: Vec::new(),
         }
@@ -94,6 +109,7 @@ impl Course {
             resting: self.resting.clone(),
             quiet: self.quiet.clone(),
             group_of: self.group_of.clone(),
+            middles: self.middles.clone(),
             ..Self::new(settings, self.states.clone())
         }
     }
@@ -109,6 +125,7 @@ impl Course {
         self.resting.push(false);
         self.quiet.push(0);
         self.group_of.push(None);
+        self.middles.clear();
     }
 
     /// Drops a body.
@@ -298,36 +315,76 @@ impl Course {
         }
     }
 
-    /// Whether overlaps of two bodies have grown by more than a part of the smaller one in a step from these states on.
-    /// Only bodies are looked at that came elsewhere than at their
-    /// velocities and under gravity.
-    pub(super) fn has_sunk(&self, world: &World, before: &[BodyState], rules: &Rules) -> bool {
+    /// What a step from these states on has done that it may not: the pair that has come through each other, or whose overlap has grown by more than a part of the smaller one,
+    /// deepest. Bodies are looked at that came elsewhere than at their velocities and under gravity, and those that have come farther than a middle is deep.
+    pub(super) fn fault_since(&mut self, world: &World, before: &[BodyState], rules: &Rules) -> Option<Fault> {
+        if self.middles.len() != world.bodies.len() {
+            self.middles = world.bodies.iter().map(|body| Middles::of(body.shape.as_ref())).collect();
+        }
+        let passed = self.passage_since(world, before);
+        passed.or_else(|| self.growth_since(world, before, rules))
+    }
+
+    /// The pair of which one has come farthest through the surface of the other since these states.
+    fn passage_since(&self, world: &World, before: &[BodyState]) -> Option<Fault> {
+        let moved: Vec<f64> = before
+            .iter()
+            .zip(&self.states)
+            .zip(&world.bodies)
+            .map(|((start, end), body)| {
+                (end.pose.translation - start.pose.translation).length() + turned(start, end) * body.size
+            })
+            .collect();
+        let mut worst: Option<Fault> = None;
+        for pair in &self.pairs {
+            for (body, other) in [(pair.a, pair.b), (pair.b, pair.a)] {
+                let middles = &self.middles[body];
+                if moved[body] + moved[other] <= middles.least_way() {
+                    continue;
+                }
+                let states = [before, &self.states[..]];
+                let depth = middles.passage(world, states, (body, other)).unwrap_or(0.0);
+                if depth > worst.map_or(0.0, |known| known.depth) {
+                    worst = Some(Fault { pair: (pair.a, pair.b), depth });
+                }
+            }
+        }
+        worst
+    }
+
+    /// A pair whose overlap has grown by more than a part of the smaller body since these states, or a body that has left its box, with which pairs may be missing.
+    fn growth_since(&self, world: &World, before: &[BodyState], rules: &Rules) -> Option<Fault> {
         let step = rules.h * f64::from(rules.substeps);
         let fall = world.gravity().length() * step * step;
         let mut aside = vec![0.0; before.len()];
         let mut is_any = false;
         for &body in world.movable.iter().filter(|&&body| self.group_of[body].is_some()) {
             let (start, end, size) = (&before[body], &self.states[body], world.bodies[body].size);
-            let [q, r] = [start, end].map(|state| state.pose.rotation.quaternion());
-            let cosine = q.dot(r);
-            let turned = 2.0 * (1.0 - cosine * cosine).max(0.0).sqrt() * size;
             let changed = (end.linear_velocity - start.linear_velocity).length() * step - fall;
             // A hit makes it turn, or turned it has; or it flies on.
-            aside[body] = changed.max(0.0) + turned;
+            aside[body] = changed.max(0.0) + turned(start, end) * size;
             is_any |= aside[body] > OVERLAP_GROWTH * size;
         }
         if !is_any {
-            return false;
+            return None;
         }
-        let has_sunk = |a: usize, b: usize| {
+        let has_sunk = |pair: &PairPatches| {
+            let (a, b) = (pair.a, pair.b);
             let least = OVERLAP_GROWTH * world.pair_size(a, b);
-            let apart = |states: &[BodyState]| world.separation_without_memory(states, a, b);
-            aside[a] + aside[b] > least
-                && apart(&self.states)
-                    .is_some_and(|now| now < -least && apart(before).is_none_or(|then| now < then.min(0.0) - least))
+            if aside[a] + aside[b] <= least {
+                return None;
+            }
+            let now = world.separation_without_memory(&self.states, a, b).filter(|now| *now < -least)?;
+            let then = world.separation_without_memory(before, a, b);
+            then.is_none_or(|then| now < then.min(0.0) - least).then_some(Fault { pair: (a, b), depth: -now })
         };
-        self.pairs.iter().any(|pair| has_sunk(pair.a, pair.b))
-            || self.boxes.has_left(world, &self.states, |body| aside[body] > OVERLAP_GROWTH * world.bodies[body].size)
+        let deepest = self.pairs.iter().filter_map(has_sunk).max_by(|x, y| x.depth.total_cmp(&y.depth));
+        let left = || {
+            let far = |body: usize| aside[body] > OVERLAP_GROWTH * world.bodies[body].size;
+            let has_left = self.boxes.has_left(world, &self.states, far);
+            has_left.then(|| Fault { pair: self.pairs.first().map_or((0, 0), |pair| (pair.a, pair.b)), depth: 0.0 })
+        };
+        deepest.or_else(left)
     }
 
     /// The impulses of the step go to the points of the patches. Those of a step that a program has cut short do not: they are those of overlaps
@@ -389,13 +446,25 @@ impl Course {
             Some(known) if known.1 >= one.1 => Some(known),
             _ => Some(one),
         });
-        deepest.map(|(pair, depth)| ((self.pairs[pair].a, self.pairs[pair].b), depth))
+        let of_patches = deepest.map(|(pair, depth)| ((self.pairs[pair].a, self.pairs[pair].b), depth));
+        match (of_patches, self.fault.filter(|fault| fault.depth > 0.0)) {
+            (Some(known), Some(fault)) if known.1 >= fault.depth => Some(known),
+            (known, None) => known,
+            (_, Some(fault)) => Some((fault.pair, fault.depth)),
+        }
     }
 
     /// What the groups did.
     pub(super) fn reports(&self) -> impl Iterator<Item = &GroupReport> {
         self.groups().iter().map(|group| &group.report)
     }
+}
+
+/// How far a point at unit distance has turned between two states, at most.
+fn turned(start: &BodyState, end: &BodyState) -> f64 {
+    let [q, r] = [start, end].map(|state| state.pose.rotation.quaternion());
+    let cosine = q.dot(r);
+    2.0 * (1.0 - cosine * cosine).max(0.0).sqrt()
 }
 
 /// For the states of a copy that nobody else has.

@@ -71,8 +71,8 @@ struct Driver {
     arm: DVec3,
     /// Velocity of its surface in the present substep, as the rows have it.
     velocity: Velocity,
-    /// Impulses along the normal of its points that have been booked, N s.
-    booked: [f64; MOST_POINTS],
+    /// Impulses of its points that have been booked, N s.
+    booked: [[f64; 3]; MOST_POINTS],
 }
 
 /// A patch of a pair, by their places.
@@ -335,7 +335,7 @@ impl Group {
                 sign,
                 arm: center - given.states[body].pose.translation,
                 velocity: Velocity::default(),
-                booked: [0.0; MOST_POINTS],
+                booked: [[0.0; 3]; MOST_POINTS],
             });
         }
     }
@@ -389,13 +389,13 @@ impl Group {
         for place in 0..self.drivers.len() {
             let Driver { number, patch, velocity, .. } = self.drivers[place];
             self.solver.body_mut(number).set_mean_velocity(velocity.linear, velocity.angular);
-            let mut sums = [0.0; MOST_POINTS];
+            let mut sums = [[0.0; 3]; MOST_POINTS];
             for (sum, point) in sums.iter_mut().zip(self.solver.impulses(patch)) {
-                *sum = point.last[0];
+                *sum = point.last;
             }
             let given_j = self.driven(place, velocity, |_, point| point.last);
             let driver = &mut self.drivers[place];
-            driver.booked.iter_mut().zip(sums).for_each(|(known, sum)| *known += sum);
+            driver.booked.as_flattened_mut().iter_mut().zip(sums.as_flattened()).for_each(|(known, sum)| *known += sum);
             self.report.driven_j += given_j;
         }
     }
@@ -406,7 +406,8 @@ impl Group {
             let Driver { number, booked, .. } = self.drivers[place];
             let body = self.solver.body(number);
             let velocity = Velocity::new(body.linear(), body.angular());
-            let given_j = self.driven(place, velocity, |k, point| [point.total[0] - booked[k], 0.0, 0.0]);
+            let given_j =
+                self.driven(place, velocity, |k, point| std::array::from_fn(|i| point.total[i] - booked[k][i]));
             self.report.driven_j += given_j;
         }
     }

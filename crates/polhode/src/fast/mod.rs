@@ -8,7 +8,7 @@
 //! 3. the bodies move;
 //! 4. another sweep the other way, without the push, takes out the velocity that it gave.
 //!
-//! Joints are swept before contacts, their rows found anew after every movement. At the end contacts that collided part again with their restitution. Friction is Coulomb's at each point, in a disc. Sources and formulas:
+//! Joints are swept before contacts, their rows found anew after every movement. At the end contacts that collided part again with their restitution, and friction. Friction is Coulomb's at each point, in a disc. Sources and formulas:
 //! `polhode_response::sequential_impulses`, docs/contact-methods/fast.md. Failure: none that stops a run; with few substeps tall stacks and large mass
 //! ratios sag, and the residual of the certificate says how much.
 //!
@@ -21,6 +21,7 @@
 //! | `turning` | free rotation over a substep |
 //! | `group` | the step of some islands: what one task computes |
 //! | `held` | joints: their rows, and what they give |
+//! | `passage` | whether a body has come through another |
 //! | `impacts` | collisions as events |
 //! | `course` | states and contacts of all bodies, and a step of them |
 //! | `engine` | a run: steps, what is booked, queries at the present |
@@ -31,6 +32,7 @@ mod facts;
 mod group;
 mod held;
 mod impacts;
+mod passage;
 mod rest;
 mod rules;
 mod step;

@@ -38,12 +38,17 @@ const RESTING_STEPS: f64 = 2.0;
 /// Sweeps of the relax stage with conjugate gradients between them (no unit, 2 to 30): fewer are hardly better than one.
 const CONJUGATE_SWEEPS: u32 = 8;
 
+/// Pieces of a substep that is divided.
+const QUARTERS: u32 = 4;
+
 /// The numbers of a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rules {
     pub(super) substeps: u32,
     /// Length of a substep, s.
     pub(super) h: f64,
+    /// Frequency of the spring of a contact, Hz.
+    frequency: f64,
     /// Whether other forces act than gravity on centres of mass.
     pub(super) has_loads: bool,
     /// Whether force fields are among them: they may couple any bodies.
@@ -68,27 +73,39 @@ impl Rules {
         let frequency = OF_THE_RATE * f64::from(substeps) / whole_s;
         let moving = world.bodies.iter().filter(|body| body.moves() && body.size > 0.0);
         let smallest = moving.map(|body| body.size).fold(f64::INFINITY, f64::min);
-        let soft = SweepRule {
-            between: Softness::of_spring(frequency, DAMPING, h),
-            with_fixed: Softness::of_spring(WITH_FIXED * frequency, DAMPING_WITH_FIXED, h),
+        let relax = SweepRule {
+            between: Softness::RIGID,
+            with_fixed: Softness::RIGID,
             push: PUSH_OF_SIZE * smallest / whole_s,
             inverse_step: 1.0 / h,
             colliding: RESTING_STEPS * gravity.length() * whole_s,
         };
-        let joint = Softness::of_spring(WITH_FIXED * frequency, JOINT_DAMPING, h);
-        let soft_joints = SweepRule { between: joint, with_fixed: joint, ..soft };
-        let relax = SweepRule { between: Softness::RIGID, with_fixed: Softness::RIGID, ..soft };
-        Self {
+        let rules = Self {
             substeps,
             h,
+            frequency,
             has_loads: world.has_loads(),
             has_fields: world.has_fields(),
-            soft,
-            soft_joints,
+            soft: relax,
+            soft_joints: relax,
             relax,
             relax_sweeps: 1,
             substeps_before: 0,
-        }
+        };
+        rules.with_substep(h)
+    }
+
+    /// The same with substeps of this length (s).
+    fn with_substep(self, h: f64) -> Self {
+        let relax = SweepRule { inverse_step: 1.0 / h, ..self.relax };
+        let soft = SweepRule {
+            between: Softness::of_spring(self.frequency, DAMPING, h),
+            with_fixed: Softness::of_spring(WITH_FIXED * self.frequency, DAMPING_WITH_FIXED, h),
+            ..relax
+        };
+        let joint = Softness::of_spring(WITH_FIXED * self.frequency, JOINT_DAMPING, h);
+        let soft_joints = SweepRule { between: joint, with_fixed: joint, ..soft };
+        Self { h, soft, soft_joints, relax, ..self }
     }
 
     /// The same by a method of contact forces.
@@ -102,9 +119,16 @@ impl Rules {
         Self { substeps_before: steps.wrapping_mul(u64::from(self.substeps)), ..self }
     }
 
-    /// Those of one of its substeps alone.
-    pub(super) fn of_substep(&self, number: u32) -> Self {
-        Self { substeps: 1, substeps_before: self.substeps_before.wrapping_add(u64::from(number)), ..*self }
+    /// Into how many pieces a step is divided: its substeps, and one of these into quarters.
+    pub(super) fn pieces(&self) -> u32 {
+        if self.substeps > 1 { self.substeps } else { QUARTERS }
+    }
+
+    /// Those of one of its pieces.
+    pub(super) fn of_piece(&self, number: u32) -> Self {
+        let substeps_before = self.substeps_before.wrapping_add(u64::from(number));
+        let own = Self { substeps: 1, substeps_before, ..*self };
+        if self.substeps > 1 { own } else { own.with_substep(self.h / f64::from(QUARTERS)) }
     }
 
     /// The orders of both sweeps of a substep: onward and back, in the next one back and onward, and so on from step to step.

@@ -70,12 +70,7 @@ pub(super) enum Happening {
 impl Happening {
     fn id(self) -> ContactId {
         match self {
-            Self::Begin(id)
-            | Self::End(id)
-            | Self::Press(id)
-            | Self::Turn(id)
-            | Self::Grip(id)
-            | Self::Leave(id) => id,
+            Self::Begin(id) | Self::End(id) | Self::Press(id) | Self::Turn(id) | Self::Grip(id) | Self::Leave(id) => id,
         }
     }
 }

@@ -11,7 +11,7 @@
 //! numerical error shows in the ledger. Source: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.6 (the cubic polynomial
 //! that gives samples within a step). How it fails: [`SimulationError::StepTooLong`].
 
-use super::contact::{ContactSpring, Evaluated, Grip, Push};
+use super::contact::{ContactSpring, Grip, Push};
 use super::implicit;
 use super::run::{GroupRun, Run, Segment};
 use super::system::SpringSystem;
