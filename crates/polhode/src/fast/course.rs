@@ -39,6 +39,13 @@ pub(super) struct Fault {
     pub(super) depth: f64,
 }
 
+impl Fault {
+    /// That of a pair of which one has come through the other.
+    fn passage(world: &World, pair: &PairPatches) -> Self {
+        Self { pair: (pair.a, pair.b), depth: world.pair_size(pair.a, pair.b) }
+    }
+}
+
 /// States and contacts.
 #[derive(Debug)]
 pub(super) struct Course {
@@ -65,8 +72,11 @@ pub(super) struct Course {
     deepest_after: Option<(usize, f64)>,
     /// What the last step has done to a pair although no piece of it could be divided further.
     pub(super) fault: Option<Fault>,
-    /// Of each body.
+    /// Of each body, and the least depth of all (m).
     middles: Vec<Middles>,
+    least_middle: f64,
+    /// Pairs that overlap by more than that at the end of the last step, by their places.
+    deep: Vec<usize>,
     /// Bound of the speed of every point of a body relative to its origin, m/s.
     spins: Vec<f64>,
     tools: Vec<Tools>,
@@ -94,6 +104,8 @@ impl Course {
             deepest_after: None,
             fault: None,
             middles: Vec::new(),
+            least_middle: 0.0,
+            deep: Vec::new(),
             spins: Vec::new(),
             tools: Vec::new(),
         }
@@ -110,6 +122,7 @@ impl Course {
             quiet: self.quiet.clone(),
             group_of: self.group_of.clone(),
             middles: self.middles.clone(),
+            least_middle: self.least_middle,
             ..Self::new(settings, self.states.clone())
         }
     }
@@ -320,12 +333,13 @@ impl Course {
     pub(super) fn fault_since(&mut self, world: &World, before: &[BodyState], rules: &Rules) -> Option<Fault> {
         if self.middles.len() != world.bodies.len() {
             self.middles = world.bodies.iter().map(|body| Middles::of(body.shape.as_ref())).collect();
+            self.least_middle = self.middles.iter().map(Middles::least_depth).fold(f64::INFINITY, f64::min);
         }
         let passed = self.passage_since(world, before);
         passed.or_else(|| self.growth_since(world, before, rules))
     }
 
-    /// The pair of which one has come farthest through the surface of the other since these states.
+    /// A pair of which one has come through the surface of the other since these states.
     fn passage_since(&self, world: &World, before: &[BodyState]) -> Option<Fault> {
         let moved: Vec<f64> = before
             .iter()
@@ -335,21 +349,21 @@ impl Course {
                 (end.pose.translation - start.pose.translation).length() + turned(start, end) * body.size
             })
             .collect();
-        let mut worst: Option<Fault> = None;
-        for pair in &self.pairs {
-            for (body, other) in [(pair.a, pair.b), (pair.b, pair.a)] {
-                let middles = &self.middles[body];
-                if moved[body] + moved[other] <= middles.least_way() {
-                    continue;
-                }
-                let states = [before, &self.states[..]];
-                let depth = middles.passage(world, states, (body, other)).unwrap_or(0.0);
-                if depth > worst.map_or(0.0, |known| known.depth) {
-                    worst = Some(Fault { pair: (pair.a, pair.b), depth });
-                }
-            }
-        }
-        worst
+        let has_passed = |body: usize, other: usize| {
+            let middles = &self.middles[body];
+            moved[body] + moved[other] > middles.least_way()
+                && middles.have_passed(world, [before, &self.states], (body, other))
+        };
+        let found = self.pairs.iter().find(|pair| has_passed(pair.a, pair.b) || has_passed(pair.b, pair.a))?;
+        Some(Fault::passage(world, found))
+    }
+
+    /// A pair of which one is behind the surface of the other at the end of the last step.
+    pub(super) fn inside_now(&self, world: &World) -> Option<Fault> {
+        let is_inside = |body: usize, other: usize| self.middles[body].are_inside(world, &self.states, (body, other));
+        let mut deep = self.deep.iter().map(|&place| &self.pairs[place]);
+        let found = deep.find(|pair| is_inside(pair.a, pair.b) || is_inside(pair.b, pair.a))?;
+        Some(Fault::passage(world, found))
     }
 
     /// A pair whose overlap has grown by more than a part of the smaller body since these states, or a body that has left its box, with which pairs may be missing.
@@ -414,6 +428,7 @@ impl Course {
             self.limits = after;
         }
         self.deepest_after = None;
+        self.deep.clear();
         for group in &self.groups[..self.used] {
             for (number, (place, manifold)) in group.patches.iter().zip(group.solver.manifolds()).enumerate() {
                 let [n, x] = [manifold.normal, manifold.tangent];
@@ -427,6 +442,9 @@ impl Course {
                     }
                     if -impulse.separation > self.deepest_after.map_or(0.0, |(_, depth)| depth) {
                         self.deepest_after = Some((place.pair, -impulse.separation));
+                    }
+                    if -impulse.separation > self.least_middle && self.deep.last() != Some(&place.pair) {
+                        self.deep.push(place.pair);
                     }
                     point.normal_force = impulse.total[0] * inverse_step;
                     point.friction_force = (x * impulse.total[1] + y * impulse.total[2]) * inverse_step;

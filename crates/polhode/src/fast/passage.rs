@@ -2,10 +2,10 @@
 //!
 //! Looked at are the middles of the convex parts of a body, which lie inside it: where one has crossed the surface of another body on its way
 //! relative to it, or was behind it already, at least its own part has gone through. The way is taken as straight in the frame of the other body. A ring has no such
-//! middle: what is threaded on it is not inside. Failure: what passes with an end alone is an overlap at the end of the step, or unseen.
+//! middle: what is threaded on it is not inside. A body that has come through overlaps by its whole size. Failure: what passes with an end alone is an overlap at the end of the step, or unseen.
 
 use crate::world::World;
-use polhode_contact::{Ray, Shape, aabb_of, closest_point, ray_cast};
+use polhode_contact::{Ray, Shape, aabb_of, closest_point, contains, ray_cast};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose, UnitVector};
 
@@ -49,26 +49,35 @@ impl Middles {
         self.all.iter().map(|middle| LEAST_WAY * middle.depth).fold(f64::INFINITY, f64::min)
     }
 
-    /// How deep (m) `body`, of which these are, has come behind the surface of `other` between two states; none where it has not.
-    pub(super) fn passage(
+    /// The least depth (m) of one of them below the surface of its part; infinite without any.
+    pub(super) fn least_depth(&self) -> f64 {
+        self.all.iter().map(|middle| middle.depth).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether one of them is behind the surface of `other`.
+    pub(super) fn are_inside(&self, world: &World, states: &[BodyState], (body, other): (usize, usize)) -> bool {
+        let Some(shape) = &world.bodies[other].shape else { return false };
+        let is_inside =
+            |middle: &Middle| contains(shape, &states[other].pose, states[body].pose.transform_point(middle.at));
+        self.all.iter().any(is_inside)
+    }
+
+    /// Whether `body`, of which these are, has come behind the surface of `other` between two states.
+    pub(super) fn have_passed(
         &self,
         world: &World,
         [before, after]: [&[BodyState]; 2],
         (body, other): (usize, usize),
-    ) -> Option<f64> {
-        let shape = world.bodies[other].shape.as_ref()?;
+    ) -> bool {
+        let Some(shape) = &world.bodies[other].shape else { return false };
         let pose = &after[other].pose;
-        let of = |middle: &Middle| {
+        let passes = |middle: &Middle| {
             let start = before[other].pose.inverse_transform_point(before[body].pose.transform_point(middle.at));
             let (from, to) = (pose.transform_point(start), after[body].pose.transform_point(middle.at));
             let length = (to - from).length();
-            if length <= LEAST_WAY * middle.depth {
-                return None;
-            }
-            let ray = Ray::new(from, UnitVector::new(to - from).ok()?).ok()?;
-            let hit = ray_cast(shape, pose, &ray, length)?;
-            Some(length - hit.distance + middle.depth)
+            let ray = UnitVector::new(to - from).ok().and_then(|along| Ray::new(from, along).ok());
+            length > LEAST_WAY * middle.depth && ray.is_some_and(|ray| ray_cast(shape, pose, &ray, length).is_some())
         };
-        self.all.iter().filter_map(of).max_by(f64::total_cmp)
+        self.all.iter().any(passes)
     }
 }

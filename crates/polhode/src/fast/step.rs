@@ -98,5 +98,8 @@ fn piece(
         return Ok(false);
     }
     course.write_back(rules);
+    if course.fault.is_none() {
+        course.fault = course.inside_now(world);
+    }
     Ok(true)
 }

@@ -17,7 +17,7 @@
 //! large normal force.) e is the direction of T; the tangent vectors are carried along with the normal.
 //!
 //! **At rest.** A load that comes at once, or a body that stops, swings a spring without damping to twice
-//! what statics asks and more. A spring that holds has a damper c there, critical for the mass that the contact bears (`laws`). Spring and damper in
+//! what statics asks and more. A spring that holds has a damper c there, critical for the mass that the contact bears (`laws`) and in proportion to the normal force: what bears nothing damps nothing. Spring and damper in
 //! parallel, and a slider in series with both: what passes through the slider is their sum, which Coulomb's law bounds. Where
 //! spring and damper would bear more, the slider takes the rest of the slip, u - s', along the force, and the damper has the rate of the spring
 //! `s' = (mu F_n e - T)/c` alone. Force and rates are continuous where a contact begins to yield and where it holds again, so that
@@ -189,7 +189,50 @@ impl ContactSpring {
 
     /// Whether its tangential spring has a damper.
     pub(super) fn is_damped(&self) -> bool {
-        self.holding.damper > 0.0
+        self.holding.damper > 0.0 && self.holding.load > 0.0
+    }
+
+    /// c under a normal force (N), N s/m.
+    fn damper(&self, normal: f64) -> f64 {
+        self.holding.damper * (normal / self.holding.load).max(0.0)
+    }
+
+    /// That of a spring that yields: its force tends to that of the slider no faster than it would swing.
+    fn yielding_damper(&self, normal: f64) -> f64 {
+        self.damper(normal).max(SLOWEST_YIELD * self.holding.damper)
+    }
+
+    /// The force of spring and damper on B if the contact held, N.
+    fn trial(&self, at: &Evaluated, normal: f64) -> DVec3 {
+        in_plane(self.vector, at.kinematics.geometry.normal) + at.slip * self.damper(normal)
+    }
+
+    /// What that is beyond static friction, N.
+    pub(super) fn beyond_static(&self, at: &Evaluated) -> f64 {
+        let normal = self.normal_force(at);
+        let at_rest = self.friction.map_or(0.0, |friction| friction.at_rest);
+        self.trial(at, normal).length() - at_rest * normal
+    }
+
+    /// Coulomb's limit where a damped spring is beyond static friction by a force (N), under a normal force (N): N.
+    pub(super) fn yielding_limit(&self, beyond: f64, normal: f64) -> f64 {
+        self.friction.map_or(0.0, |friction| {
+            let ratio = beyond / (self.yielding_damper(normal) * self.holding.kinetic_from);
+            let left = if ratio == 0.0 { 1.0 } else { libm::exp(-ratio * ratio) };
+            (friction.sliding + (friction.at_rest - friction.sliding) * left) * normal
+        })
+    }
+
+    /// The tangential force on B of a spring with a damper (N), and the rate at which it is stretched (m/s): of the mode.
+    fn damped(&self, at: &Evaluated, normal: f64) -> (DVec3, DVec3) {
+        let trial = self.trial(at, normal);
+        let beyond = self.beyond_static(at);
+        if self.grip == Grip::Stick || (self.grip == Grip::Cut && beyond <= 0.0) {
+            return (trial, at.slip);
+        }
+        let force = trial.normalize_or_zero() * self.yielding_limit(beyond, normal);
+        let spring = in_plane(self.vector, at.kinematics.geometry.normal);
+        (force, (force - spring) / self.yielding_damper(normal))
     }
 
     /// Whether it slips.
@@ -211,36 +254,6 @@ impl ContactSpring {
     pub(super) fn with_numbers(&self, numbers: &[f64]) -> Self {
         let Some(&vector) = numbers.first_chunk::<SPRING>() else { return *self };
         Self { vector: DVec3::from_array(vector), ..*self }
-    }
-
-    /// The force of spring and damper on B if the contact held, N.
-    fn trial(&self, at: &Evaluated) -> DVec3 {
-        in_plane(self.vector, at.kinematics.geometry.normal) + at.slip * self.holding.damper
-    }
-
-    /// What that is beyond static friction, N.
-    pub(super) fn beyond_static(&self, at: &Evaluated) -> f64 {
-        let at_rest = self.friction.map_or(0.0, |friction| friction.at_rest);
-        self.trial(at).length() - at_rest * self.normal_force(at)
-    }
-
-    /// Coulomb's limit where a damped spring is beyond static friction by a force (N), under a normal force (N): N.
-    pub(super) fn yielding_limit(&self, beyond: f64, normal: f64) -> f64 {
-        self.friction.map_or(0.0, |friction| {
-            let ratio = beyond / (self.holding.damper * self.holding.kinetic_from);
-            let left = if ratio == 0.0 { 1.0 } else { libm::exp(-ratio * ratio) };
-            (friction.sliding + (friction.at_rest - friction.sliding) * left) * normal
-        })
-    }
-
-    /// The tangential force on B of a spring with a damper, N: of the mode.
-    fn damped(&self, at: &Evaluated, normal: f64) -> DVec3 {
-        let trial = self.trial(at);
-        let beyond = self.beyond_static(at);
-        if self.grip == Grip::Stick || (self.grip == Grip::Cut && beyond <= 0.0) {
-            return trial;
-        }
-        trial.normalize_or_zero() * self.yielding_limit(beyond, normal)
     }
 
     /// Whether the tangential force would grow faster than Coulomb's limit from the instant at which both are zero.
@@ -305,9 +318,9 @@ impl ContactSpring {
         let Some(friction) = self.friction else { return along };
         let slip = at.slip;
         if self.is_damped() && self.grip != Grip::Free {
-            let (force, spring) = (self.damped(at, normal), in_plane(self.vector, n));
-            let stretching = (force - spring) / self.holding.damper;
-            let damping = self.holding.damper * stretching.length_squared();
+            let spring = in_plane(self.vector, n);
+            let (force, stretching) = self.damped(at, normal);
+            let damping = (force - spring).dot(stretching);
             let power = if self.gives_way() { force.dot(slip) - damping } else { self.micro_slip(at) };
             return along.with_tangential((force, power, self.held_rate(at, stretching, spring)), damping);
         }
@@ -382,6 +395,9 @@ impl ContactSpring {
 
 /// Part of the expected depth at which the begin of a contact is judged (1e-9 to 1e-3).
 const SMALL_DEPTH: f64 = 1e-6;
+
+/// Part of the critical damper that a yielding spring relaxes by at least (0.2 to 1): with a half it does so at its frequency at most, which every step follows.
+const SLOWEST_YIELD: f64 = 0.5;
 
 /// The direction of sliding turns towards the slip at most at this multiple of the frequency of the normal spring (1 to 20): a spring
 /// that is all but empty would turn at once, which no step could follow.

@@ -17,7 +17,7 @@
 //! and in a stack more: a rate of decay by which explicit steps are that much shorter while nothing moves.
 //!
 //! **Holding.** A tangential spring that holds a contact at rest, or one whose static friction is above kinetic, is damped critically,
-//! `c = 2 sqrt(k_t m)`: m is the mass that the contact bears, its share of W/g, or its effective mass where that is more. Static friction becomes
+//! `c = 2 sqrt(k_t m)` under the load at rest, and in proportion to the normal force: m is the mass that the contact bears, its share of W/g, or its effective mass where that is more. Static friction becomes
 //! kinetic at the speed `sqrt(g d)` of slip, without gravity at that of regularised friction.
 //!
 //! Source: docs/REFERENCES.md, Hunt and Crossley. How it fails: a stiffness that is not finite is refused when the
@@ -91,8 +91,10 @@ impl Resistance {
 /// What a tangential spring has while it holds.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Holding {
-    /// c of its damper, N s/m.
+    /// c of its damper under the load at rest, N s/m; it is in proportion to the normal force.
     pub(super) damper: f64,
+    /// That load, N.
+    pub(super) load: f64,
     /// v_0, m/s: the speed of slip at which static friction becomes kinetic.
     pub(super) kinetic_from: f64,
 }
@@ -195,7 +197,8 @@ impl Laws {
             let depth = if depth > 0.0 { depth } else { normal.impact_depth(mass, approach.max(self.speed)) };
             let borne = self.borne_mass(world, states, (id, geometry)).max(mass);
             let kinetic_from = if resting_speed > 0.0 { resting_speed } else { self.slip_speed(world) };
-            Holding { damper: 2.0 * (tangential.stiffness(depth) * borne).sqrt(), kinetic_from }
+            let damper = 2.0 * (tangential.stiffness(depth) * borne).sqrt();
+            Holding { damper, load: normal.elastic_force(depth), kinetic_from }
         });
         let restitution = material.restitution();
         Ok(ContactLaw { normal, tangential, holding, friction, resistance, restitution, mass })

@@ -34,8 +34,8 @@ pub(crate) struct ContactSpring {
     pub(crate) is_plain: bool,
     pub(crate) damping: f64,
     pub(crate) tangential: f64,
-    /// Damper of a tangential spring that holds (N s/m), and the speed of slip (m/s) at which its friction is kinetic.
-    pub(crate) holding: [f64; 2],
+    /// Damper of a tangential spring that holds (N s/m) under a load (N), and the speed of slip (m/s) at which its friction is kinetic.
+    pub(crate) holding: [f64; 3],
     /// At rest, sliding.
     pub(crate) friction: Option<[f64; 2]>,
     pub(crate) slip_speed: Option<f64>,
