@@ -69,10 +69,6 @@ const FAST_BOUNCES: &str = "bounces have no friction in the tier fast, so that b
 const STRUCK_JOINTS: &str = "blows of jointed bodies are stopped at the start of a step by a problem of its own: a part of 1e-6 of the energy there has no \
                              source in the books; which reaction is not traced";
 
-/// Why friction of springs under fixed steps has lost its order.
-const FIXED_STEPS_OF_SPRINGS: &str = "runs of fixed steps and those under error control end in motions that differ by a constant since springs that hold have dampers \
-                                      and give way in two stages: which of both is wrong is not traced";
-
 /// All of them.
 const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure {
@@ -93,16 +89,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
         case: "orders in contact",
         quantity: "fast, box slides to a stop: order",
         reason: "0.90: normal and frictional impulses of a patch are found one after the other, and the step in which the box stops is part of the error",
-    },
-    KnownFailure {
-        case: "orders in contact",
-        quantity: "penalty with rk4, ball down a slope: order",
-        reason: FIXED_STEPS_OF_SPRINGS,
-    },
-    KnownFailure {
-        case: "orders in contact",
-        quantity: "penalty with implicit-midpoint, ball down a slope: order",
-        reason: FIXED_STEPS_OF_SPRINGS,
     },
     KnownFailure { case: "heaps", quantity: "60 balls: part of steps", reason: MANY_FACTORISATIONS },
     KnownFailure { case: "heaps", quantity: "60 balls: overlap", reason: OVERLAPS_WITHIN },

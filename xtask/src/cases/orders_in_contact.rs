@@ -39,8 +39,8 @@ const TIGHT: f64 = 1e-13;
 const SLOPE: f64 = 0.3;
 /// Radius of the balls, m.
 const RADIUS: f64 = 0.1;
-/// Stiffness of springs, N/m: some 60 ms for one swing of 1 kg.
-const STIFFNESS: f64 = 1e4;
+/// Stiffness of springs, N/m: some 200 ms for one swing of 1 kg, so that errors are above rounding.
+const STIFFNESS: f64 = 1e3;
 /// Moment of the ladder about its axis, about which it does not turn, kg m^2.
 const AXIAL: f64 = 1e-3;
 /// Restitution of springs, whose dampers reach none of zero.

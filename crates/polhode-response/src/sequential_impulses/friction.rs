@@ -65,25 +65,3 @@ pub(super) fn of_point<L: Lanes>(
     }
     [x - before_x, y - before_y]
 }
-
-/// The same at the point of a patch of one, by its whole mass: exactly what stops it where that is within its disc.
-#[inline(always)]
-pub(super) fn of_lone_point<L: Lanes>(
-    row: &PointRows,
-    (batch, part): (&Batch, usize),
-    coefficient: L,
-    slip: [L; 2],
-    known: impl Fn(&PointRows) -> &[Four; 3],
-) -> [L; 2] {
-    let (zero, one) = (L::splat(0.0), L::splat(1.0));
-    let at: [L; 2] = place(&row.place, part);
-    let [xx, xy, yy] = Block::of(&batch.blocks.slipping, part).of_tangents(at);
-    let determinant = xx * yy - xy * xy;
-    let inverse = L::pick_greater(determinant, zero, one / determinant, zero);
-    let stopping = [(xy * slip[1] - yy * slip[0]) * inverse, (xy * slip[0] - xx * slip[1]) * inverse];
-    let [normal, first, second] = known(row);
-    let limit = coefficient * L::load(normal, part);
-    let [x, y] = [L::load(first, part) + stopping[0], L::load(second, part) + stopping[1]];
-    let sliding = of_point(row, part, (coefficient, one), slip, &known);
-    [0, 1].map(|k| L::pick_greater(x * x + y * y, limit * limit, sliding[k], stopping[k]))
-}

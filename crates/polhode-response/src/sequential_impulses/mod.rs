@@ -16,6 +16,7 @@
 //! |---|---|
 //! | `lanes` | numbers, vectors and matrices side by side |
 //! | `body` | [`ImpulseBody`]: velocity, inverse masses and displacement |
+//! | `lone_bounce` | the bounce of one point, by the law of a single impact |
 //! | `manifold` | [`ImpulseManifold`]: what is given; [`PointImpulse`]: what comes back |
 //! | `colours` | which manifolds are solved side by side |
 //! | `batch` | manifolds in batches of four |
@@ -72,6 +73,7 @@ mod joint_batch;
 mod joint_trees;
 mod joints;
 mod lanes;
+mod lone_bounce;
 mod manifold;
 mod patch;
 mod residual;

@@ -4,7 +4,8 @@
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody};
 use super::friction;
-use super::lanes::{FOUR, Lanes, by_place};
+use super::lanes::{FOUR, Four, Lanes, by_place};
+use super::lone_bounce;
 use super::patch::{Block, Frame, Relative, Wrench, add, coupled, find_blocks, place};
 use super::together::{Together, entries};
 use super::works::{FourWorks, LaneWorks, Works, book, numbers};
@@ -161,6 +162,9 @@ fn bounce<L: Lanes, const N: usize>(
     if !L::any_greater(any, zero) {
         return [zero; 2];
     }
+    if N == 1 {
+        return bounce_alone(&mut rows[0], (batch, part, any), &relative, wrench);
+    }
     let rubbed = rub::<L, N>(rows, (batch, part, any), &mut relative, wrench);
     let rates: [L; N] = by_place(zero, |i| relative.rate(place(&rows[i].place, part)));
     let matrix: [[L; N]; N] = by_place([zero; N], |i| entries(&rows[i], i, part));
@@ -176,6 +180,35 @@ fn bounce<L: Lanes, const N: usize>(
     [work, rubbed]
 }
 
+/// The same at a patch of one point.
+#[inline(always)]
+fn bounce_alone<L: Lanes>(
+    row: &mut PointRows,
+    (batch, part, any): (&Batch, usize, L),
+    relative: &Relative<L>,
+    wrench: &mut Wrench<L>,
+) -> [L; 2] {
+    let (zero, half) = (L::splat(0.0), L::splat(0.5));
+    let now = [relative.pressing[0], relative.slipping[0], relative.slipping[1]];
+    let mut changes = [Four::default(); 3];
+    for lane in (0..L::WIDTH).filter(|&lane| any.lane(lane) > 0.0) {
+        let place = part * L::WIDTH + lane;
+        let change = lone_bounce::change(batch, row, place, now.map(|rate| rate.lane(lane))).unwrap_or_default();
+        changes.iter_mut().zip(change).for_each(|(four, own)| four.0[place] = own);
+    }
+    let [normal, first, second] = [0, 1, 2].map(|k| L::load(&changes[k], part));
+    wrench.pressing[0] = normal;
+    (wrench.slipping[0], wrench.slipping[1]) = (first, second);
+    let of_slip = Block::of(&batch.blocks.slipping, part).times([first, second, zero]);
+    let [k1, k2] = [0, 1].map(|k| L::load(&batch.blocks.coupling[k][0], part));
+    let rate = now[0] + half * (L::load(&row.stiffness, part) * normal + k1 * first + k2 * second);
+    let slip = [now[1] + half * (of_slip[0] + k1 * normal), now[2] + half * (of_slip[1] + k2 * normal)];
+    for k in 0..3 {
+        (L::load(&row.total[k], part) + L::load(&changes[k], part)).store(&mut row.total[k], part);
+    }
+    [normal * rate, first * slip[0] + second * slip[1]]
+}
+
 /// Brings the friction of the whole step at a patch to its law, in the lanes of `any`. Returns its work.
 #[inline(always)]
 fn rub<L: Lanes, const N: usize>(
@@ -186,12 +219,7 @@ fn rub<L: Lanes, const N: usize>(
 ) -> L {
     let (zero, half) = (L::splat(0.0), L::splat(0.5));
     let coefficient = L::load(&batch.friction, part);
-    let changes: [[L; 2]; N] = if N == 1 {
-        let slip = [relative.slipping[0], relative.slipping[1]];
-        [friction::of_lone_point(&rows[0], (batch, part), coefficient, slip, |row| &row.total); N]
-    } else {
-        friction::of_patch(rows, (batch, part), coefficient, relative, |row| &row.total)
-    };
+    let changes = friction::of_patch(rows, (batch, part), coefficient, relative, |row| &row.total);
     for (row, change) in rows.iter_mut().zip(changes) {
         let change = change.map(|own| L::pick_greater(any, zero, own, zero));
         for k in 0..2 {
