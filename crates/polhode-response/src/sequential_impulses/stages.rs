@@ -5,7 +5,7 @@ use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody};
 use super::friction;
 use super::lanes::{FOUR, Four, Lanes, by_place};
-use super::lone_bounce;
+use super::lone_bounce::{self, Bounce};
 use super::patch::{Block, Frame, Relative, Wrench, add, coupled, find_blocks, place};
 use super::together::{Together, entries};
 use super::works::{FourWorks, LaneWorks, Works, book, numbers};
@@ -77,10 +77,10 @@ pub(super) fn warm_start<L: Lanes>(bodies: &mut [ImpulseBody], batches: &[Batch]
 }
 
 /// Most passes over contacts that collided (8 to 64): friction of a bounce changes the speed at which it parts, and that of its neighbours.
-const MOST_BOUNCES: usize = 32;
+const MOST_BOUNCES: usize = 16;
 
-/// Passes end with one that does less than this part of what the largest has done (no unit, 1e-10 to 1e-4).
-const LAST_BOUNCE: f64 = 1e-8;
+/// Passes end with one that does less than this part of what the largest has done (no unit, 1e-6 to 1e-2): a part of the energy of a blow.
+const LAST_BOUNCE: f64 = 1e-4;
 
 /// Contacts that collided, faster than this (m/s), part again. Returns the changes of energy.
 pub(super) fn part_again<L: Lanes>(
@@ -90,9 +90,10 @@ pub(super) fn part_again<L: Lanes>(
     colliding: f64,
 ) -> Works {
     let (mut all, mut largest) = (Works::default(), 0.0_f64);
+    let collided: Vec<&Batch> = batches.iter().filter(|batch| may_bounce(batch, points, colliding)).collect();
     for _ in 0..MOST_BOUNCES {
         let mut works = FourWorks::default();
-        for batch in batches {
+        for batch in &collided {
             let rows = &mut points[batch.first as usize..(batch.first + batch.count) as usize];
             for part in 0..FOUR / L::WIDTH {
                 let own = works.load::<L>(part);
@@ -108,6 +109,13 @@ pub(super) fn part_again<L: Lanes>(
         }
     }
     all
+}
+
+/// Whether a point of a batch has collided, faster than this (m/s), and bounces.
+fn may_bounce(batch: &Batch, points: &[PointRows], colliding: f64) -> bool {
+    let rows = &points[batch.first as usize..(batch.first + batch.count) as usize];
+    let has_collided = |lane: usize| rows.iter().any(|row| row.rate.0[lane] < -colliding && row.total[0].0[lane] > 0.0);
+    (0..FOUR).any(|lane| batch.restitution.0[lane] > 0.0 && has_collided(lane))
 }
 
 #[inline(always)]
@@ -151,21 +159,23 @@ fn bounce<L: Lanes, const N: usize>(
     let (zero, half, one) = (L::splat(0.0), L::splat(0.5), L::splat(1.0));
     let Some(rows) = rows.first_chunk_mut::<N>() else { return [zero; 2] };
     let restitution = L::load(&batch.restitution, part);
-    let known: [L; N] = by_place(zero, |i| L::load(&rows[i].total[0], part));
     let before: [L; N] = by_place(zero, |i| L::load(&rows[i].rate, part));
-    let may = by_place(zero, |i| {
-        let has_pressed = L::pick_greater(known[i], zero, one, zero);
+    let mut may = by_place(zero, |i| {
+        let has_pressed = L::pick_greater(L::load(&rows[i].total[0], part), zero, one, zero);
         let bounces = L::pick_greater(restitution, zero, has_pressed, zero);
         L::pick_greater(faster, before[i], bounces, zero)
     });
-    let any = may.iter().fold(zero, |any, may| any.greater(*may));
-    if !L::any_greater(any, zero) {
+    let any = |may: &[L; N]| may.iter().fold(zero, |any, may| any.greater(*may));
+    if !L::any_greater(any(&may), zero) {
         return [zero; 2];
     }
-    if N == 1 {
-        return bounce_alone(&mut rows[0], (batch, part, any), &relative, wrench);
+    let alone = bounce_alone(rows, (batch, part, &mut may), &relative, wrench);
+    let any = any(&may);
+    if !L::any_greater(any, zero) {
+        return alone;
     }
     let rubbed = rub::<L, N>(rows, (batch, part, any), &mut relative, wrench);
+    let known: [L; N] = by_place(zero, |i| L::load(&rows[i].total[0], part));
     let rates: [L; N] = by_place(zero, |i| relative.rate(place(&rows[i].place, part)));
     let matrix: [[L; N]; N] = by_place([zero; N], |i| entries(&rows[i], i, part));
     let wanted = by_place(zero, |i| rates[i] + restitution * before[i]);
@@ -177,36 +187,45 @@ fn bounce<L: Lanes, const N: usize>(
         (known[i] + given[i]).store(&mut rows[i].total[0], part);
         wrench.press(place(&rows[i].place, part), given[i]);
     }
-    [work, rubbed]
+    [alone[0] + work, alone[1] + rubbed]
 }
 
-/// The same at a patch of one point.
+/// The same of patches that were struck at one point alone, which then may not bounce any more.
 #[inline(always)]
-fn bounce_alone<L: Lanes>(
-    row: &mut PointRows,
-    (batch, part, any): (&Batch, usize, L),
+fn bounce_alone<L: Lanes, const N: usize>(
+    rows: &mut [PointRows; N],
+    (batch, part, may): (&Batch, usize, &mut [L; N]),
     relative: &Relative<L>,
     wrench: &mut Wrench<L>,
 ) -> [L; 2] {
-    let (zero, half) = (L::splat(0.0), L::splat(0.5));
-    let now = [relative.pressing[0], relative.slipping[0], relative.slipping[1]];
-    let mut changes = [Four::default(); 3];
-    for lane in (0..L::WIDTH).filter(|&lane| any.lane(lane) > 0.0) {
-        let place = part * L::WIDTH + lane;
-        let change = lone_bounce::change(batch, row, place, now.map(|rate| rate.lane(lane))).unwrap_or_default();
-        changes.iter_mut().zip(change).for_each(|(four, own)| four.0[place] = own);
+    let zero = L::splat(0.0);
+    let mut works = [Four::default(); 2];
+    for i in 0..N {
+        let place = place(&rows[i].place, part);
+        let slip = relative.slip(place);
+        let now = [relative.rate(place), slip[0], slip[1]];
+        let mut changes = [Four::default(); 3];
+        let mut is_alone = Four::default();
+        for lane in (0..L::WIDTH).filter(|&lane| may[i].lane(lane) > 0.0) {
+            let own = part * L::WIDTH + lane;
+            if (0..N).any(|j| j != i && rows[j].total[0].0[own] > 0.0) {
+                continue;
+            }
+            is_alone.0[own] = 1.0;
+            let Bounce { change, works: done } =
+                lone_bounce::bounce(batch, &rows[i], own, now.map(|rate| rate.lane(lane))).unwrap_or_default();
+            changes.iter_mut().zip(change).for_each(|(four, value)| four.0[own] = value);
+            works.iter_mut().zip(done).for_each(|(four, value)| four.0[own] = value);
+        }
+        let [normal, first, second] = [0, 1, 2].map(|k| L::load(&changes[k], part));
+        wrench.press(place, normal);
+        wrench.rub(place, [first, second]);
+        for (total, change) in rows[i].total.iter_mut().zip(&changes) {
+            (L::load(total, part) + L::load(change, part)).store(total, part);
+        }
+        may[i] = L::pick_greater(L::load(&is_alone, part), zero, zero, may[i]);
     }
-    let [normal, first, second] = [0, 1, 2].map(|k| L::load(&changes[k], part));
-    wrench.pressing[0] = normal;
-    (wrench.slipping[0], wrench.slipping[1]) = (first, second);
-    let of_slip = Block::of(&batch.blocks.slipping, part).times([first, second, zero]);
-    let [k1, k2] = [0, 1].map(|k| L::load(&batch.blocks.coupling[k][0], part));
-    let rate = now[0] + half * (L::load(&row.stiffness, part) * normal + k1 * first + k2 * second);
-    let slip = [now[1] + half * (of_slip[0] + k1 * normal), now[2] + half * (of_slip[1] + k2 * normal)];
-    for k in 0..3 {
-        (L::load(&row.total[k], part) + L::load(&changes[k], part)).store(&mut row.total[k], part);
-    }
-    [normal * rate, first * slip[0] + second * slip[1]]
+    works.map(|work| L::load(&work, part))
 }
 
 /// Brings the friction of the whole step at a patch to its law, in the lanes of `any`. Returns its work.
@@ -219,15 +238,12 @@ fn rub<L: Lanes, const N: usize>(
 ) -> L {
     let (zero, half) = (L::splat(0.0), L::splat(0.5));
     let coefficient = L::load(&batch.friction, part);
-    let changes = friction::of_patch(rows, (batch, part), coefficient, relative, |row| &row.total);
-    for (row, change) in rows.iter_mut().zip(changes) {
-        let change = change.map(|own| L::pick_greater(any, zero, own, zero));
-        for k in 0..2 {
-            (L::load(&row.total[k + 1], part) + change[k]).store(&mut row.total[k + 1], part);
-        }
-        wrench.rub(place(&row.place, part), change);
-    }
-    let given = wrench.slipping;
+    let mut own = Wrench::none();
+    let moved = (&*relative, &mut own);
+    let of_lanes = |change| L::pick_greater(any, zero, change, zero);
+    friction::rub_together(rows, (batch, part), coefficient, moved, |row| &mut row.total, of_lanes);
+    let given = own.slipping;
+    wrench.slipping = add(wrench.slipping, given);
     let before = relative.slipping;
     relative.slipping = add(before, Block::of(&batch.blocks.slipping, part).times(given));
     relative.pressing = add(relative.pressing, coupled(&batch.blocks.coupling, part, given));

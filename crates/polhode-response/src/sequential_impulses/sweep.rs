@@ -228,33 +228,16 @@ impl<L: Lanes> Law<L> {
     }
 }
 
-/// The impulses of friction of the substep at all points of a patch whose bodies move like this; the wrench takes what they change by.
+/// Friction at all points of a patch, under the impulses of the substep.
 #[inline(always)]
 fn rub_together<L: Lanes, const N: usize>(
     rows: &mut [PointRows],
-    (batch, part): (&Batch, usize),
+    of: (&Batch, usize),
     coefficient: L,
-    (relative, wrench): (&Relative<L>, &mut Wrench<L>),
+    moved: (&Relative<L>, &mut Wrench<L>),
 ) {
     let Some(rows) = rows.first_chunk_mut::<N>() else { return };
-    let changes = friction::of_patch(rows, (batch, part), coefficient, relative, |row| &row.impulse);
-    for i in 0..N {
-        for k in 0..2 {
-            let impulse = L::load(&rows[i].impulse[k + 1], part) + changes[i][k];
-            impulse.store(&mut rows[i].impulse[k + 1], part);
-        }
-        wrench.rub(place(&rows[i].place, part), changes[i]);
-    }
-}
-
-/// The impulse of friction of the substep at the point of a patch of one, with this slip; what it changes by.
-#[inline(always)]
-fn rub_alone<L: Lanes>(row: &mut PointRows, part: usize, coefficient: L, slip: [L; 2]) -> [L; 2] {
-    let change = friction::of_point(row, part, (coefficient, L::splat(1.0)), slip, |row| &row.impulse);
-    for k in 0..2 {
-        (L::load(&row.impulse[k + 1], part) + change[k]).store(&mut row.impulse[k + 1], part);
-    }
-    change
+    friction::rub_together(rows, of, coefficient, moved, |row| &mut row.impulse, |change| change);
 }
 
 /// Brings the points of a patch to the law: all along the tangents, under the impulses along the normal of before, then all along the normal, which
@@ -272,7 +255,7 @@ fn solve<L: Lanes>(
     let law = Law::of(rule, batch, part);
     let mut relative = frame.relative(&a.twist(), &b.twist());
     if let [row] = rows {
-        let [x, y] = rub_alone(row, part, law.friction, [relative.slipping[0], relative.slipping[1]]);
+        let [x, y] = friction::rub(row, part, law.friction, [relative.slipping[0], relative.slipping[1]]);
         let [first, second, _] = &batch.blocks.coupling;
         let rate = relative.pressing[0] + L::load(&first[0], part) * x + L::load(&second[0], part) * y;
         let normal = law.press(row, part, rate);

@@ -11,7 +11,7 @@
 
 use super::group::{FULL, Given, Group, GroupReport, PatchPlace};
 use super::held::{HeldJoint, HeldLimit};
-use super::passage::Middles;
+use super::passage::{LEAST_WAY, Middles};
 use super::rules::{OVERLAP_GROWTH, Rules};
 use super::turning::turn;
 use crate::SimulationError;
@@ -335,23 +335,23 @@ impl Course {
             self.middles = world.bodies.iter().map(|body| Middles::of(body.shape.as_ref())).collect();
             self.least_middle = self.middles.iter().map(Middles::least_depth).fold(f64::INFINITY, f64::min);
         }
-        let passed = self.passage_since(world, before);
-        passed.or_else(|| self.growth_since(world, before, rules))
+        let changes: Vec<Moved> =
+            before.iter().zip(&self.states).map(|(start, end)| Moved::between(start, end)).collect();
+        let passed = self.passage_since(world, before, &changes);
+        passed.or_else(|| self.growth_since(world, before, (rules, &changes)))
     }
 
     /// A pair of which one has come through the surface of the other since these states.
-    fn passage_since(&self, world: &World, before: &[BodyState]) -> Option<Fault> {
-        let moved: Vec<f64> = before
-            .iter()
-            .zip(&self.states)
-            .zip(&world.bodies)
-            .map(|((start, end), body)| {
-                (end.pose.translation - start.pose.translation).length() + turned(start, end) * body.size
-            })
-            .collect();
+    fn passage_since(&self, world: &World, before: &[BodyState], changes: &[Moved]) -> Option<Fault> {
+        let moved = |body: usize| changes[body].way + changes[body].turned * world.bodies[body].size;
+        let farthest = (0..changes.len()).map(moved).fold(0.0, f64::max);
+        // Two bodies that move towards each other.
+        if farthest + farthest <= LEAST_WAY * self.least_middle {
+            return None;
+        }
         let has_passed = |body: usize, other: usize| {
             let middles = &self.middles[body];
-            moved[body] + moved[other] > middles.least_way()
+            moved(body) + moved(other) > LEAST_WAY * middles.least_depth()
                 && middles.have_passed(world, [before, &self.states], (body, other))
         };
         let found = self.pairs.iter().find(|pair| has_passed(pair.a, pair.b) || has_passed(pair.b, pair.a))?;
@@ -367,7 +367,7 @@ impl Course {
     }
 
     /// A pair whose overlap has grown by more than a part of the smaller body since these states, or a body that has left its box, with which pairs may be missing.
-    fn growth_since(&self, world: &World, before: &[BodyState], rules: &Rules) -> Option<Fault> {
+    fn growth_since(&self, world: &World, before: &[BodyState], (rules, changes): (&Rules, &[Moved])) -> Option<Fault> {
         let step = rules.h * f64::from(rules.substeps);
         let fall = world.gravity().length() * step * step;
         let mut aside = vec![0.0; before.len()];
@@ -376,7 +376,7 @@ impl Course {
             let (start, end, size) = (&before[body], &self.states[body], world.bodies[body].size);
             let changed = (end.linear_velocity - start.linear_velocity).length() * step - fall;
             // A hit makes it turn, or turned it has; or it flies on.
-            aside[body] = changed.max(0.0) + turned(start, end) * size;
+            aside[body] = changed.max(0.0) + changes[body].turned * size;
             is_any |= aside[body] > OVERLAP_GROWTH * size;
         }
         if !is_any {
@@ -478,11 +478,24 @@ impl Course {
     }
 }
 
-/// How far a point at unit distance has turned between two states, at most.
-fn turned(start: &BodyState, end: &BodyState) -> f64 {
-    let [q, r] = [start, end].map(|state| state.pose.rotation.quaternion());
-    let cosine = q.dot(r);
-    2.0 * (1.0 - cosine * cosine).max(0.0).sqrt()
+/// How a body has moved between two states.
+#[derive(Debug, Clone, Copy)]
+struct Moved {
+    /// m.
+    way: f64,
+    /// How far a point at unit distance has come by turning, at most.
+    turned: f64,
+}
+
+impl Moved {
+    fn between(start: &BodyState, end: &BodyState) -> Self {
+        let [q, r] = [start, end].map(|state| state.pose.rotation.quaternion());
+        let cosine = q.dot(r);
+        Self {
+            way: (end.pose.translation - start.pose.translation).length(),
+            turned: 2.0 * (1.0 - cosine * cosine).max(0.0).sqrt(),
+        }
+    }
 }
 
 /// For the states of a copy that nobody else has.

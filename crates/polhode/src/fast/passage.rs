@@ -10,7 +10,7 @@ use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose, UnitVector};
 
 /// A middle that has moved by less than this part of its depth below its own surface has not come through another in this piece (no unit, 0.1 to 0.9).
-const LEAST_WAY: f64 = 0.5;
+pub(super) const LEAST_WAY: f64 = 0.5;
 
 /// The middle of a convex part.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,11 +42,6 @@ impl Middles {
             (depth > 0.0).then_some(Middle { at, depth })
         };
         Self { all: parts.iter().filter_map(middle).collect() }
-    }
-
-    /// The least movement (m) by which one of them may have come through a surface; infinite without any.
-    pub(super) fn least_way(&self) -> f64 {
-        self.all.iter().map(|middle| LEAST_WAY * middle.depth).fold(f64::INFINITY, f64::min)
     }
 
     /// The least depth (m) of one of them below the surface of its part; infinite without any.
