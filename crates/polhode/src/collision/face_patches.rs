@@ -238,6 +238,16 @@ impl PairPatches {
         ContactGeometry { point: (a + b) * 0.5, normal, separation: normal.dot(a - b), margin: f64::INFINITY }
     }
 
+    /// Where impulses act on the way from the point on A to that on B (no unit): on the surface of the one body that forces move, where it will meet the
+    /// other, else in the middle, as where bodies overlap. A lever of half a gap more would give a ball that is still apart too much spin.
+    pub(crate) fn acting_part(&self, world: &World, separation: f64) -> f64 {
+        match [self.a, self.b].map(|body| world.bodies[body].moves()) {
+            [true, false] if separation > 0.0 => 0.0,
+            [false, true] if separation > 0.0 => 1.0,
+            _ => 0.5,
+        }
+    }
+
     /// Brings the patches to these states, for bodies that may approach each other by `travel` (m) in the coming step.
     pub(crate) fn renew(&mut self, world: &World, states: &[BodyState], travel: f64, tools: &mut Tools) {
         let (pose_a, pose_b) = (&states[self.a].pose, &states[self.b].pose);

@@ -241,7 +241,7 @@ fn support(
             }
             let [x, y] =
                 [(pair.a, point.on_a), (pair.b, point.on_b)].map(|(body, at)| states[body].pose.transform_point(at));
-            let place = (x + y) * 0.5;
+            let place = x + (y - x) * pair.acting_part(world, normal.dot(x - y));
             let linear = on_a * sign;
             sum.add(Momentum { linear, angular: (place - about).cross(linear) });
         }

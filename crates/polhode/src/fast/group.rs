@@ -276,7 +276,7 @@ impl Group {
                 }
                 let friction = point.friction_impulse * given.warm;
                 *row = ManifoldPoint {
-                    arm: on_a - apart * 0.5,
+                    arm: on_a - apart * pair.acting_part(world, -depth),
                     separation: normal.dot(apart),
                     impulse: [point.normal_impulse * given.warm, friction.dot(tangent), friction.dot(second)],
                 };

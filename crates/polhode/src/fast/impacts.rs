@@ -28,10 +28,12 @@ pub(super) fn impacts(course: &Course, world: &World, before: &[BodyState], (t_s
                 let (normal, tangent) = (manifold.normal, manifold.tangent);
                 let whole = normal * along + tangent * first + normal.cross(tangent) * second;
                 let geometry = pair.geometry(before, patch, point);
+                let towards_b = 0.5 - pair.acting_part(world, geometry.separation);
+                let place = geometry.point + geometry.normal * (geometry.separation * towards_b);
                 let velocity = |states: &[BodyState]| {
                     let [a, b] = [pair.a, pair.b].map(|body| {
                         let own = world.velocity(body, &states[body]);
-                        own.linear + own.angular.cross(geometry.point - before[body].pose.translation)
+                        own.linear + own.angular.cross(place - before[body].pose.translation)
                     });
                     a - b
                 };
@@ -39,7 +41,7 @@ pub(super) fn impacts(course: &Course, world: &World, before: &[BodyState], (t_s
                 let event = Event::new(t_s, EventKind::Impact, BodyId::new(pair.a));
                 events.push(Event {
                     body_b: Some(BodyId::new(pair.b)),
-                    point: geometry.point,
+                    point: place,
                     normal,
                     impulse: along,
                     energy_change_j,

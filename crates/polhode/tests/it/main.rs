@@ -16,6 +16,7 @@ mod diamonds;
 mod driven_joints;
 mod energy_after_actions;
 mod fast;
+mod fast_bounces;
 mod fast_holds;
 mod fast_joint_kinds;
 mod fast_joint_rest;
