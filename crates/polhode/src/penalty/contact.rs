@@ -230,9 +230,9 @@ impl ContactSpring {
         if self.grip == Grip::Stick || (self.grip == Grip::Cut && beyond <= 0.0) {
             return (trial, at.slip);
         }
-        let force = trial.normalize_or_zero() * self.yielding_limit(beyond, normal);
-        let spring = in_plane(self.vector, at.kinematics.geometry.normal);
-        (force, (force - spring) / self.yielding_damper(normal))
+        let (along, limit) = (trial.normalize_or_zero(), self.yielding_limit(beyond, normal));
+        let slider = (trial.length() - limit) / self.yielding_damper(normal);
+        (along * limit, at.slip - along * slider)
     }
 
     /// Whether it slips.
