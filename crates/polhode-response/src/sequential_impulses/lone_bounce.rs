@@ -3,8 +3,8 @@
 //!
 //! What the sweeps of the step have done at the point is what stops it, inelastically and all at once. So the velocity without it is
 //! `u_0 = u - K p` with the impulse `p` of the whole step, along the normal that at the start of the step; the impact from `u_0` is resolved
-//! (`crate::impact::friction`), and the impulses become those which leave its velocity. Other contacts of the bodies are as they are: several that bounce at once are
-//! passed through again. Failure: an impact that is not resolved leaves the impulses as they are.
+//! (`crate::impact::friction`), and the impulses become those which leave its velocity. Other contacts of the bodies are as they are: of several that are struck
+//! at once each bounces in its turn. Failure: an impact that is not resolved leaves the impulses as they are.
 
 use super::batch::{Batch, PointRows};
 use crate::impact::friction::{CollisionMatrix, RestitutionLaw, SingleFrictionalImpact};

@@ -82,6 +82,13 @@ const MOST_BOUNCES: usize = 16;
 /// Passes end with one that does less than this part of what the largest has done (no unit, 1e-6 to 1e-2): a part of the energy of a blow.
 const LAST_BOUNCE: f64 = 1e-4;
 
+/// What patches do in a pass that were struck at one point alone: each bounces once, as an impact of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Alone {
+    Bounces,
+    HasBounced,
+}
+
 /// Contacts that collided, faster than this (m/s), part again. Returns the changes of energy.
 pub(super) fn part_again<L: Lanes>(
     bodies: &mut [ImpulseBody],
@@ -91,13 +98,14 @@ pub(super) fn part_again<L: Lanes>(
 ) -> Works {
     let (mut all, mut largest) = (Works::default(), 0.0_f64);
     let collided: Vec<&Batch> = batches.iter().filter(|batch| may_bounce(batch, points, colliding)).collect();
-    for _ in 0..MOST_BOUNCES {
+    for pass in 0..MOST_BOUNCES {
+        let alone = if pass == 0 { Alone::Bounces } else { Alone::HasBounced };
         let mut works = FourWorks::default();
         for batch in &collided {
             let rows = &mut points[batch.first as usize..(batch.first + batch.count) as usize];
             for part in 0..FOUR / L::WIDTH {
                 let own = works.load::<L>(part);
-                works.store(restitute::<L>(bodies, (batch, part), rows, (own, colliding)), part);
+                works.store(restitute::<L>(bodies, (batch, part), rows, (own, colliding, alone)), part);
             }
         }
         let works = works.sums();
@@ -123,14 +131,14 @@ fn restitute<L: Lanes>(
     bodies: &mut [ImpulseBody],
     (batch, part): (&Batch, usize),
     rows: &mut [PointRows],
-    (mut works, faster): (LaneWorks<L>, f64),
+    (mut works, faster, alone): (LaneWorks<L>, f64, Alone),
 ) -> LaneWorks<L> {
     let (numbers_a, numbers_b) = (numbers::<L>(&batch.a, part), numbers::<L>(&batch.b, part));
     let (mut a, mut b) = (Gathered::<L>::load(bodies, numbers_a), Gathered::<L>::load(bodies, numbers_b));
     let frame = Frame::<L>::load(batch, part);
     let relative = frame.relative(&a.twist(), &b.twist());
     let mut wrench = Wrench::none();
-    let of = (batch, part, L::splat(-faster));
+    let of = (batch, part, L::splat(-faster), alone);
     let [colliding, friction] = match rows.len() {
         1 => bounce::<L, 1>(rows, of, relative, &mut wrench),
         2 => bounce::<L, 2>(rows, of, relative, &mut wrench),
@@ -152,7 +160,7 @@ fn restitute<L: Lanes>(
 #[inline(always)]
 fn bounce<L: Lanes, const N: usize>(
     rows: &mut [PointRows],
-    (batch, part, faster): (&Batch, usize, L),
+    (batch, part, faster, alone): (&Batch, usize, L, Alone),
     mut relative: Relative<L>,
     wrench: &mut Wrench<L>,
 ) -> [L; 2] {
@@ -169,7 +177,7 @@ fn bounce<L: Lanes, const N: usize>(
     if !L::any_greater(any(&may), zero) {
         return [zero; 2];
     }
-    let alone = bounce_alone(rows, (batch, part, &mut may), &relative, wrench);
+    let alone = bounce_alone(rows, (batch, part, &mut may), (&relative, alone), wrench);
     let any = any(&may);
     if !L::any_greater(any, zero) {
         return alone;
@@ -195,7 +203,7 @@ fn bounce<L: Lanes, const N: usize>(
 fn bounce_alone<L: Lanes, const N: usize>(
     rows: &mut [PointRows; N],
     (batch, part, may): (&Batch, usize, &mut [L; N]),
-    relative: &Relative<L>,
+    (relative, alone): (&Relative<L>, Alone),
     wrench: &mut Wrench<L>,
 ) -> [L; 2] {
     let zero = L::splat(0.0);
@@ -212,6 +220,9 @@ fn bounce_alone<L: Lanes, const N: usize>(
                 continue;
             }
             is_alone.0[own] = 1.0;
+            if alone == Alone::HasBounced {
+                continue;
+            }
             let Bounce { change, works: done } =
                 lone_bounce::bounce(batch, &rows[i], own, now.map(|rate| rate.lane(lane))).unwrap_or_default();
             changes.iter_mut().zip(change).for_each(|(four, value)| four.0[own] = value);

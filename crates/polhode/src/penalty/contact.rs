@@ -19,8 +19,8 @@
 //! **At rest.** A load that comes at once, or a body that stops, swings a spring without damping to twice
 //! what statics asks and more. A spring that holds has a damper c there, critical for the mass that the contact bears (`laws`) and in proportion to the normal force: what bears nothing damps nothing. Spring and damper in
 //! parallel, and a slider in series with both: what passes through the slider is their sum, which Coulomb's law bounds. Where
-//! spring and damper would bear more, the slider takes the rest of the slip, u - s', along the force, and the damper has the rate of the spring
-//! `s' = (mu F_n e - T)/c` alone. Force and rates are continuous where a contact begins to yield and where it holds again, so that
+//! spring and damper would bear more, the slider takes the rest of the slip, `u - s' = (abs(T + c u) - mu F_n)/c`, along the force, and the damper has the rate of the spring
+//! s' alone. Force and rates are continuous where a contact begins to yield and where it holds again, so that
 //! neither needs a mode, and fixed steps and error-controlled ones follow one law.
 //!
 //! Static friction becomes kinetic with the speed of the slider: `mu = mu_k + (mu_s - mu_k) exp(-(l/v_0)^2)` with `l = (|T + c u| - mu_s F_n)/c` (the curve of Stribeck),
@@ -226,6 +226,10 @@ impl ContactSpring {
     /// The tangential force on B of a spring with a damper (N), and the rate at which it is stretched (m/s): of the mode.
     fn damped(&self, at: &Evaluated, normal: f64) -> (DVec3, DVec3) {
         let trial = self.trial(at, normal);
+        // What does not press is not stretched.
+        if normal <= 0.0 {
+            return (DVec3::ZERO, trial / -self.yielding_damper(normal));
+        }
         let beyond = self.beyond_static(at);
         if self.grip == Grip::Stick || (self.grip == Grip::Cut && beyond <= 0.0) {
             return (trial, at.slip);
