@@ -226,8 +226,8 @@ impl ContactSpring {
     /// The tangential force on B of a spring with a damper (N), and the rate at which it is stretched (m/s): of the mode.
     fn damped(&self, at: &Evaluated, normal: f64) -> (DVec3, DVec3) {
         let trial = self.trial(at, normal);
-        // What does not press is not stretched.
-        if normal <= 0.0 {
+        // A fixed step knows contacts that do not press: they are not stretched.
+        if self.grip == Grip::Cut && normal <= 0.0 {
             return (DVec3::ZERO, trial / -self.yielding_damper(normal));
         }
         let beyond = self.beyond_static(at);
