@@ -65,10 +65,6 @@ const STEPS_SHARE: &str = "7 of 200: limits and impacts are struck a little earl
 const FAST_BOUNCES: &str = "bounces have no friction in the tier fast, so that balls keep their spin, and bodies that meet fast overlap by more than \
                             a tenth of the smaller one within a step";
 
-/// Why the ledgers of some scenes of jointed bodies that are struck do not close to rounding.
-const STRUCK_JOINTS: &str = "blows of jointed bodies are stopped at the start of a step by a problem of its own: a part of 1e-6 of the energy there has no \
-                             source in the books; which reaction is not traced";
-
 /// Why friction of springs under fixed steps has lost its order.
 const FIXED_STEPS_OF_SPRINGS: &str = "runs of fixed steps and those under error control end in motions that differ by a constant since springs that hold have dampers \
                                       and give way in two stages: which of both is wrong is not traced";
@@ -87,8 +83,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
         reason: "both motions are integrated to 1e-11 a step, and the fall of the pile amplifies what they differ by: after \
                  0.70 s it is 2.2e-11 of angular velocities of some 2 rad/s; every other scene agrees to 2e-13",
     },
-    KnownFailure { case: "ledger", quantity: "car: closure", reason: STRUCK_JOINTS },
-    KnownFailure { case: "ledger", quantity: "ragdoll-on-stairs: closure", reason: STRUCK_JOINTS },
     KnownFailure {
         case: "orders in contact",
         quantity: "fast, box slides to a stop: order",
