@@ -49,7 +49,7 @@ const GATHERED_SLIP: f64 = 1e-12;
 /// What is counted where friction lowers the restitution of an impact.
 const LOWERED: &str = "restitution of impacts with friction was lowered: the full one would give back too much work";
 
-/// The warning of contacts that slide in different directions with forces that are not unique, before the names.
+/// What is said of contacts that slide in different directions with forces that are not unique, before the names.
 const LEAST_NORM: &str =
     "normal forces of contacts that slide are not unique, and those of least norm are taken: the motion of";
 
@@ -328,7 +328,7 @@ impl Resolution<'_> {
         self.core.note_friction(self.instant.t, forces.violation);
         if forces.motion_depends_on_choice {
             let names = self.core.world.names_of(&group.bodies);
-            self.core.accounts.warn(self.instant.t, format!("{LEAST_NORM} {names} depends on that choice"));
+            self.core.accounts.choose(self.instant.t, format!("{LEAST_NORM} {names} depends on that choice"));
         }
         Ok(forces)
     }

@@ -213,7 +213,7 @@ fn of_accurate(subject: &Subject, accurate: &Trial, copy: &Trial, standard: &Sta
         return Opinion::Right(f64::INFINITY);
     };
     let off = format!("set otherwise in the world {} is {far:.1e} off at sample {sample}", subject.name(body));
-    match accurate.warnings.iter().find(|warning| warning.contains("motion depends")) {
+    match accurate.choices.first() {
         Some(why) => Opinion::Told(format!("{off}; {why}")),
         None => Opinion::Differs(off),
     }
