@@ -42,7 +42,7 @@ fn dominoes_that_bounce_make_the_steps_of_their_crowd_ever_shorter() {
     assert_eq!(report.outcome, Outcome::Completed, "{:?}", report.warnings);
     assert!(steps < MOST_STEPS, "{steps} time steps");
     for body in report.bodies.iter().skip(1) {
-        let (height, speed) = (body.state.pose.translation.z, body.state.linear_velocity.length());
+        let (height, speed) = (body.state.pose.translation.z, body.state.velocity.linear.length());
         assert!(height < HEIGHT_OF_FALLEN_M && speed == 0.0, "{} at {height} m, {speed} m/s", body.name);
     }
 }
