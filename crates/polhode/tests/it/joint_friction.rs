@@ -396,7 +396,7 @@ fn friction_of_a_bearing_whose_load_is_not_unique_turns_with_the_world_unsaid() 
     for turn in [0.0, 1.0, 2.0] {
         for (count, is_open) in [(2, false), (3, true)] {
             let (report, _) = run(&cranks(count, turn), Effects::Planned);
-            let told = report.warnings.iter().any(|warning| warning.to_string().contains("loads of bearings"));
+            let told = report.warnings.iter().any(|warning| warning.contains("loads of bearings"));
             assert_eq!(told, is_open, "{count} cranks, turned by {turn}: {:?}", report.warnings);
         }
     }
