@@ -46,4 +46,3 @@ fn dominoes_that_bounce_make_the_steps_of_their_crowd_ever_shorter() {
         assert!(height < HEIGHT_OF_FALLEN_M && speed == 0.0, "{} at {height} m, {speed} m/s", body.name);
     }
 }
-
