@@ -65,10 +65,6 @@ const STEPS_SHARE: &str = "7 of 200: limits and impacts are struck a little earl
 const FAST_PILES: &str = "4 of 67: bodies that strike several others at once part by other impulses than in the tier accurate, which reflects them together (2); a gap \
                           of a joint and an overlap that are within the promise by the smaller body of their pair, and beyond it by the smallest body of the scene (2)";
 
-/// Why the ledgers of some scenes of jointed bodies that are struck do not close to rounding.
-const STRUCK_JOINTS: &str = "blows of jointed bodies are stopped at the start of a step by a problem of its own: a part of 1e-6 of the energy there has no \
-                             source in the books; which reaction is not traced";
-
 /// All of them.
 const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure {
@@ -83,8 +79,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
         reason: "both motions are integrated to 1e-11 a step, and the fall of the pile amplifies what they differ by: after \
                  0.70 s it is 2.2e-11 of angular velocities of some 2 rad/s; every other scene agrees to 2e-13",
     },
-    KnownFailure { case: "ledger", quantity: "car: closure", reason: STRUCK_JOINTS },
-    KnownFailure { case: "ledger", quantity: "ragdoll-on-stairs: closure", reason: STRUCK_JOINTS },
     KnownFailure {
         case: "orders in contact",
         quantity: "fast, box slides to a stop: order",

@@ -6,8 +6,8 @@ use glam::DVec3;
 use polhode::scene::{OverlapLimit, Promise};
 use polhode::stability::{Beginning, MovingBody, PushMargin, Stability};
 use polhode::{
-    Acceleration, BodyId, BodySample, Momentum, MomentumLedger, PairAt, Plan, RunReport, Scene, SpringImpact,
-    SpringReport, Tolerated,
+    Acceleration, BodyId, BodySample, Momentum, MomentumLedger, Occurrence, PairAt, Plan, RunReport, Scene,
+    SpringImpact, SpringReport,
 };
 use serde_json::{Value, json};
 
@@ -69,9 +69,10 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
         "fallbacks": certificate.fallbacks,
         "events": report.events,
         "warnings": report.warnings,
-        "tolerated": report.tolerated.iter().map(tolerated_json).collect::<Vec<_>>(),
+        "tolerated": occurrences_json(&report.tolerated),
         "bodies": report.bodies.iter().map(|body| body_json(&body.name, &body.state)).collect::<Vec<_>>(),
     });
+    value["choices"] = occurrences_json(&report.choices);
     add_joints(&mut value, report);
     if let Some(springs) = &report.springs {
         value["springs"] = springs_json(report, springs);
@@ -155,10 +156,10 @@ fn crowded_json(report: &RunReport) -> Value {
     })
 }
 
-/// What was tolerated; times in s.
-fn tolerated_json(tolerated: &Tolerated) -> Value {
-    let Tolerated { what, count, first_s, last_s, .. } = tolerated;
-    json!({ "what": what, "count": count, "first_s": first_s, "last_s": last_s })
+/// What was tolerated or chosen; times in s.
+fn occurrences_json(occurrences: &[Occurrence]) -> Value {
+    let one = |Occurrence { what, count, first_s, last_s, .. }: &Occurrence| json!({ "what": what, "count": count, "first_s": first_s, "last_s": last_s });
+    occurrences.iter().map(one).collect()
 }
 
 /// The ledger of momentum: N s, N m s.

@@ -2,7 +2,8 @@
 //!
 //! Every [`EVERY`]-th step, the first among them, is compared with two steps of half its length from the same states. The
 //! differences of position and velocity estimate the error of the step, and each stands for the steps up to the next
-//! comparison. Errors of velocity go on: in a step of h an error `dv` moves a body by `h dv`, until the body rests. The
+//! comparison. A step that is divided, because impacts or ends of slip are in it, is compared as well: its difference is its
+//! own, and stands for itself. Errors of velocity go on: in a step of h an error `dv` moves a body by `h dv`, until the body rests. The
 //! sums of all magnitudes, without cancellation, are the estimate
 //!
 //! `e_x += |dx| + h e_v`, `e_v += |dv|`
@@ -10,7 +11,7 @@
 //! of each body, with its rotation times its size added to both. In the tier `thesis`, where bodies overlap by what they
 //! move until a contact is found, the deepest overlap of a body is added to its sum.
 //!
-//! How it fails: an error that falls between two comparisons (one impact in a run) is not seen, and a motion that
+//! How it fails: an error that falls between two comparisons (one impact of a heap) is not seen, and a motion that
 //! amplifies errors (a die that is about to fall on one face or another) makes them larger than their sum. A motion that
 //! damps errors makes them smaller.
 
@@ -60,14 +61,20 @@ impl ErrorEstimate {
         }
     }
 
-    /// Adds the difference of one step of a body and the same in two halves.
-    pub(crate) fn compare(&mut self, world: &World, body: usize, whole: &BodyState, halves: &BodyState) {
+    /// Adds the difference of one step of a body and the same in two halves, which stands for so many steps.
+    pub(crate) fn compare(
+        &mut self,
+        world: &World,
+        body: usize,
+        (whole, halves): (&BodyState, &BodyState),
+        stands_for: u64,
+    ) {
         let [one, two] = [whole, halves].map(|state| world.velocity(body, state));
         let size = world.bodies[body].size;
         let faster = (one.linear - two.linear).length() + (one.angular - two.angular).length() * size;
         let error = &mut self.of_bodies[body];
-        error.position += EVERY as f64 * displacement(world, body, whole, halves);
-        error.velocity += EVERY as f64 * faster;
+        error.position += stands_for as f64 * displacement(world, body, whole, halves);
+        error.velocity += stands_for as f64 * faster;
     }
 
     /// Records that two bodies overlap by this much (m).

@@ -228,8 +228,8 @@ pub use momentum_ledger::{Momentum, MomentumLedger, MomentumSum};
 pub use observer::{Flow, Observer, Recorder, Unobserved};
 pub use plan::{Decision, Effect, EffectDecision, Plan};
 pub use report::{
-    Certificate, CrowdedStretch, CrowdingError, Outcome, PairAt, PlanChange, ReportedBody, RunReport, SpringImpact,
-    SpringReport, Tolerated,
+    Certificate, CrowdedStretch, CrowdingError, Occurrence, Outcome, PairAt, PlanChange, ReportedBody, RunReport,
+    SpringImpact, SpringReport,
 };
 pub use scene::{ApproximateParts, Body, Geometry, Scene, SceneBuilder, SceneError};
 pub use simulation::{Simulation, StepEnd, StepOutcome};

@@ -105,10 +105,10 @@ pub struct PairAt {
     pub body_b: BodyId,
 }
 
-/// A tolerated violation or a fallback: something that the run tolerated, skipped or approximated, once or more often.
+/// Something that happened in a run once or more often: a tolerated violation, a fallback, or a choice.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub struct Tolerated {
+pub struct Occurrence {
     /// What it was, with the names of the bodies.
     pub what: String,
     /// How often it occurred.
@@ -119,7 +119,7 @@ pub struct Tolerated {
     pub last_s: f64,
 }
 
-impl fmt::Display for Tolerated {
+impl fmt::Display for Occurrence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { what, count, first_s, last_s } = self;
         if *count == 1 {
@@ -237,9 +237,12 @@ pub struct RunReport {
     pub crowding_error: Option<CrowdingError>,
     /// Changes of the plan by actions of the program.
     pub plan_changes: Vec<PlanChange>,
-    /// Tolerated violations and fallbacks, in the order of their first occurrence. Their counts add up to
+    /// Occurrence violations and fallbacks, in the order of their first occurrence. Their counts add up to
     /// [`Certificate::fallbacks`].
-    pub tolerated: Vec<Tolerated>,
+    pub tolerated: Vec<Occurrence>,
+    /// Where the laws of contact allow several motions, and the method has chosen one, in the order of first occurrence. The
+    /// choices are those of the bodies, whatever the axes of the world: they are no defect of the run.
+    pub choices: Vec<Occurrence>,
     /// What springs were asked for and reached; none but in the tier `penalty`.
     pub springs: Option<SpringReport>,
     /// The bodies at the end, by [`BodyId::index`].

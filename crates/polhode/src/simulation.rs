@@ -568,6 +568,7 @@ impl Simulation {
             crowding_error,
             plan_changes: self.plan_changes.clone(),
             tolerated: Vec::new(),
+            choices: Vec::new(),
             springs: None,
             bodies: Vec::new(),
         };

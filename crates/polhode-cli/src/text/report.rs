@@ -185,7 +185,8 @@ fn of_springs(springs: &SpringReport) -> [String; 3] {
 fn warnings(report: &RunReport) -> String {
     let warnings = report.warnings.iter().map(|warning| format!("warning: {warning}\n"));
     let tolerated = report.tolerated.iter().map(|tolerated| format!("tolerated: {tolerated}\n"));
-    let all: String = warnings.chain(tolerated).collect();
+    let choices = report.choices.iter().map(|choice| format!("chosen: {choice}\n"));
+    let all: String = warnings.chain(tolerated).chain(choices).collect();
     if all.is_empty() { all } else { format!("\n{all}") }
 }
 

@@ -42,6 +42,7 @@ pub(crate) struct Accounts {
     pub(crate) measures: Measures,
     warnings: Occurrences,
     tolerated: Occurrences,
+    choices: Occurrences,
     /// Events not yet sent to the observer.
     events: Vec<Event>,
     event_count: u64,
@@ -64,6 +65,7 @@ impl Accounts {
             measures: Measures::default(),
             warnings: Occurrences::default(),
             tolerated: Occurrences::default(),
+            choices: Occurrences::default(),
             events: Vec::new(),
             event_count: 0,
             steps: 0,
@@ -76,6 +78,11 @@ impl Accounts {
     /// Gives a warning at time `t` (s); one that has been given before is counted.
     pub(crate) fn warn(&mut self, t: f64, what: impl Into<String>) {
         self.warnings.add(t, what.into());
+    }
+
+    /// Notes a motion that the method has chosen at time `t` (s) among several that the laws allow.
+    pub(crate) fn choose(&mut self, t: f64, what: impl Into<String>) {
+        self.choices.add(t, what.into());
     }
 
     /// Counts something that is tolerated, skipped or approximated at time `t` (s), under its name.
@@ -345,6 +352,7 @@ impl Accounts {
         self.measures.numerical.note(world, (report.simulated_s, states), &report.ledger, self.promise.energy);
         report.certificate = self.certificate_now(&report.ledger);
         report.tolerated = self.tolerated.list().to_vec();
+        report.choices = self.choices.list().to_vec();
         report.warnings = self.measures.exceeded(world, &report.ledger, limits);
         report.warnings.extend(self.error_beyond_promise(report.certificate.estimated_error, limits));
         if self.measures.long_steps.degrade(report.certificate.estimated_error) || !report.warnings.is_empty() {

@@ -1,13 +1,13 @@
 //! Repeated messages of a run: each text once, with the times of its first and last occurrence and their number.
 
-use crate::report::Tolerated;
+use crate::report::Occurrence;
 use crate::snapshot::content;
 use std::collections::BTreeMap;
 
 /// Occurrences in the order of the first of each.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Occurrences {
-    list: Vec<Tolerated>,
+    list: Vec<Occurrence>,
     /// Index of each text in the list.
     places: BTreeMap<String, usize>,
 }
@@ -21,12 +21,12 @@ impl Occurrences {
             return;
         }
         self.places.insert(what.clone(), self.list.len());
-        self.list.push(Tolerated { what, count: 1, first_s: t, last_s: t });
+        self.list.push(Occurrence { what, count: 1, first_s: t, last_s: t });
     }
 
     /// The occurrences as plain data.
     pub(super) fn save(&self) -> Vec<content::Warning> {
-        let save = |Tolerated { what, count, first_s, last_s }: &Tolerated| content::Warning {
+        let save = |Occurrence { what, count, first_s, last_s }: &Occurrence| content::Warning {
             what: what.clone(),
             first_s: *first_s,
             last_s: *last_s,
@@ -37,13 +37,13 @@ impl Occurrences {
 
     /// The occurrences of such data.
     pub(super) fn restored(saved: &[content::Warning]) -> Self {
-        let restored = |content::Warning { what, first_s, last_s, count }: &content::Warning| Tolerated {
+        let restored = |content::Warning { what, first_s, last_s, count }: &content::Warning| Occurrence {
             what: what.clone(),
             count: *count,
             first_s: *first_s,
             last_s: *last_s,
         };
-        let list: Vec<Tolerated> = saved.iter().map(restored).collect();
+        let list: Vec<Occurrence> = saved.iter().map(restored).collect();
         let places = list.iter().enumerate().map(|(place, known)| (known.what.clone(), place)).collect();
         Self { list, places }
     }
@@ -54,7 +54,7 @@ impl Occurrences {
     }
 
     /// The occurrences, in the order of the first of each.
-    pub(crate) fn list(&self) -> &[Tolerated] {
+    pub(crate) fn list(&self) -> &[Occurrence] {
         &self.list
     }
 

@@ -19,6 +19,7 @@ use crate::event::{Event, EventKind};
 use crate::rows::groups::{Group, groups};
 use crate::solve::frictional_impact::Restitution;
 use crate::solve::impact::{Struck, impulse_event, raised_energy, strike};
+use crate::solve::open_loads;
 use crate::solve::overlap::is_excess;
 use crate::solve::projection::{self, Projected};
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
@@ -49,9 +50,12 @@ const GATHERED_SLIP: f64 = 1e-12;
 /// What is counted where friction lowers the restitution of an impact.
 const LOWERED: &str = "restitution of impacts with friction was lowered: the full one would give back too much work";
 
-/// The warning of contacts that slide in different directions with forces that are not unique, before the names.
+/// What is said of contacts that slide in different directions with forces that are not unique, before the names.
 const LEAST_NORM: &str =
     "normal forces of contacts that slide are not unique, and those of least norm are taken: the motion of";
+
+/// The warning of bearings with friction in a mechanism that has more supports than it needs, before the names.
+const OPEN_LOADS: &str = "loads of bearings with friction are not unique, and the choice of one follows the axes of the world: the motion of";
 
 /// An impulse below this fraction of the largest impulse of an impact is rounding error. It is not reported as an
 /// event.
@@ -328,9 +332,21 @@ impl Resolution<'_> {
         self.core.note_friction(self.instant.t, forces.violation);
         if forces.motion_depends_on_choice {
             let names = self.core.world.names_of(&group.bodies);
-            self.core.accounts.warn(self.instant.t, format!("{LEAST_NORM} {names} depends on that choice"));
+            self.core.accounts.choose(self.instant.t, format!("{LEAST_NORM} {names} depends on that choice"));
         }
+        self.tell_open_loads(group)?;
         Ok(forces)
+    }
+
+    /// Warns of bearings with friction whose load is not determined.
+    fn tell_open_loads(&mut self, group: &Group) -> Result<(), SimulationError> {
+        let is_open = open_loads::leave_open(&self.core.world, &self.motions.states, &group.bodies)
+            .map_err(|source| Core::response_error(self.instant.t, source))?;
+        if is_open {
+            let names = self.core.world.names_of(&group.bodies);
+            self.core.accounts.warn(self.instant.t, format!("{OPEN_LOADS} {names} depends on that choice"));
+        }
+        Ok(())
     }
 
     /// A contact with its friction at this instant: it slides if it has a slip, or can stick no longer. Otherwise its

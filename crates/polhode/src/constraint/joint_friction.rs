@@ -19,6 +19,7 @@
 //! Sources: thesis 3.4 (contacts with friction); Featherstone 2008, chapter 9 (forces at joints). Assumption: what the joint keeps
 //! holds. Finite forces give no impulse: in impacts joints have no friction.
 
+use super::ConstraintId;
 use super::coordinate_id::CoordinateId;
 use super::joint::WorldJoint;
 use super::joint_coordinate::JointCoordinate;
@@ -130,6 +131,21 @@ impl World {
         let (friction, _) = self.joint_numbered(of.joint)?.friction(of.place)?;
         let at_rest = FrictionEllipse::circle(friction.static_ratio());
         Some(FrictionCoefficients { at_rest, sliding: FrictionEllipse::circle(1.0) })
+    }
+
+    /// The bearings whose load presses their friction among the joints of these bodies: the joint, and its axis in these states.
+    pub(crate) fn bearings_among(&self, states: &[BodyState], bodies: &[usize]) -> Vec<(ConstraintId, DVec3)> {
+        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
+        let mut bearings = Vec::new();
+        if !self.joints_have_friction() {
+            return bearings;
+        }
+        for joint in self.joints_among(bodies) {
+            let is_bearing = |place: &usize| joint.friction(*place).is_some_and(|(friction, _)| friction.arm() > 0.0);
+            let places = joint.coordinates_with_friction().filter(is_bearing);
+            bearings.extend(places.map(|place| (joint.id(), joint.axis_of(place, motion))));
+        }
+        bearings
     }
 
     /// What friction of joints takes over a radian, and over the sizes of their bodies, J: the scale of energies where it holds all

@@ -110,11 +110,13 @@ impl Softness {
         Mean { value: self.value + 0.25 * self.h * (after - before), rate: 0.5 * (before + after) }
     }
 
-    /// The works of its parts, of which this impulse (N s) is the sum.
-    pub(crate) fn works(&self, impulse: f64) -> SoftWork {
+    /// The works of its parts, of which `impulse` (N s) is the sum, where this `share` of all impulses of the group is applied:
+    /// the rate then changes by that share of what the whole would change it by.
+    pub(crate) fn works(&self, impulse: f64, share: f64) -> SoftWork {
         let after = (self.impulse(0.0) - impulse) / self.resistance();
         let mean = self.mean(after);
-        let work = |own: &LinearForce| own.impulse(&mean, self.h) * mean.rate;
+        let rate = 0.5 * (self.rate_before + self.rate + share * (after - self.rate));
+        let work = |own: &LinearForce| share * own.impulse(&mean, self.h) * rate;
         SoftWork { spring: work(&self.spring), damper: work(&self.damper), motor: work(&self.motor) }
     }
 }
@@ -138,11 +140,25 @@ mod tests {
                 let soft = Softness { spring, damper: none, motor: none, value: middle, rate_before: u, rate: u, h };
                 let impulse = -soft.constant() / (1.0 / mass + soft.compliance());
                 let after = u + impulse / mass;
-                let works = soft.works(impulse);
+                let works = soft.works(impulse, 1.0);
                 assert!((works.spring - 0.5 * impulse * (u + after)).abs() < 1e-12 * start);
                 (q, u) = (middle + 0.5 * h * after, after);
             }
             assert!((energy(q, u) / start - 1.0).abs() < 1e-12, "{h}: {}", energy(q, u) / start);
         }
+    }
+    /// Of an impulse that is shortened the parts do the work that the mass receives.
+    #[test]
+    fn a_share_of_an_impulse_does_the_work_of_that_share() {
+        let (mass, h, u, share) = (2.0, 0.1, 1.3, 0.4);
+        let spring = LinearForce { stiffness: 7.0, ..LinearForce::default() };
+        let damper = LinearForce { damping: 3.0, ..LinearForce::default() };
+        let motor = LinearForce { at_zero: 5.0, ..LinearForce::default() };
+        let soft = Softness { spring, damper, motor, value: 0.3, rate_before: u, rate: u, h };
+        let impulse = -soft.constant() / (1.0 / mass + soft.compliance());
+        let after = u + share * impulse / mass;
+        let works = soft.works(impulse, share);
+        let given = 0.5 * mass * (after * after - u * u);
+        assert!((works.spring + works.damper + works.motor - given).abs() < 1e-14 * given.abs());
     }
 }

@@ -338,7 +338,8 @@ impl Course {
         let changes: Vec<Moved> =
             before.iter().zip(&self.states).map(|(start, end)| Moved::between(start, end)).collect();
         let passed = self.passage_since(world, before, &changes);
-        passed.or_else(|| self.growth_since(world, before, (rules, &changes)))
+        // Pieces of a substep are for what passes: overlaps that grow in a pile are those of the substeps.
+        passed.or_else(|| (rules.substeps > 1).then(|| self.growth_since(world, before, (rules, &changes))).flatten())
     }
 
     /// A pair of which one has come through the surface of the other since these states.

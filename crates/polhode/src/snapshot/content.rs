@@ -106,6 +106,7 @@ pub(crate) struct Accounts {
     pub(crate) certificate: Certificate,
     pub(crate) warnings: Vec<Warning>,
     pub(crate) tolerated: Vec<Warning>,
+    pub(crate) choices: Vec<Warning>,
     pub(crate) measures: Measures,
     pub(crate) crowded: Vec<CrowdedStretch>,
     pub(crate) events: Vec<Event>,

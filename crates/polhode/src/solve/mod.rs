@@ -15,6 +15,7 @@
 //! | `contradiction` | whether gears and prescribed motions of joints contradict each other |
 //! | `joint_loads` | what joints bear, from the forces of all rows |
 //! | `joint_reactions` | reactions of joints alone, under loads that are given |
+//! | `open_loads` | bearings whose load statics leaves open |
 //! | `cone_violation` | how far forces are from Coulomb's law |
 
 pub(crate) mod accelerations;
@@ -29,6 +30,7 @@ pub(crate) mod joint_loads;
 pub(crate) mod joint_reactions;
 pub(crate) mod jointed;
 mod least_sliding_forces;
+pub(crate) mod open_loads;
 pub(crate) mod overlap;
 pub(crate) mod projection;
 pub(crate) mod reversal;

@@ -39,7 +39,7 @@ use std::sync::Arc;
 
 /// Largest number of impacts at which the step of an island is split. The first few impacts of a step are applied at
 /// their times, further ones at the start of the last part of the step.
-const MOST_SPLITS: u32 = 4;
+const MOST_IMPACTS_OF_STEP: u32 = 32;
 
 /// When accelerations are asked for, a contact counts as resting if its rate of separation is at most the speed that
 /// gravity gives a body in this many steps.
@@ -73,7 +73,7 @@ pub(crate) struct SteppedEngine {
     pub(super) states: Vec<BodyState>,
     /// Flight records of the bodies in free flight; none for bodies that were in an island in the last step.
     pub(super) flights: Vec<Option<Box<Flight>>>,
-    stepper: TimeStepper,
+    pub(super) stepper: TimeStepper,
     search: IslandSearch,
     /// Pairs in contact after the last step.
     pub(super) touching: BTreeSet<(usize, usize)>,
@@ -82,7 +82,7 @@ pub(crate) struct SteppedEngine {
     /// Mean loads of the joints over the last step; none before the first one.
     pub(super) loads: Option<BTreeMap<usize, JointView>>,
     /// Estimated errors of the bodies.
-    errors: ErrorEstimate,
+    pub(super) errors: ErrorEstimate,
     /// Bodies of each island of the last step.
     islands: Vec<Vec<usize>>,
     pub(super) resting: Resting,
@@ -127,7 +127,7 @@ impl SteppedEngine {
             resting: Resting::none(states.len()),
             flights: vec![None; states.len()],
             states,
-            stepper: TimeStepper::new(core.settings.impact, about, MOST_SPLITS).for_heaps(),
+            stepper: TimeStepper::new(core.settings.impact, about, MOST_IMPACTS_OF_STEP).for_heaps(),
             search: IslandSearch::new(&core.world, core.settings.broad_phase.build()),
             touching: BTreeSet::new(),
             forces: BTreeMap::new(),
@@ -199,10 +199,9 @@ impl SteppedEngine {
         let pairs = self.resting.without_idle_pairs(&core.world, &self.states, pairs, (&self.touching, h));
         let (_, islands) = self.divide(core, &pairs)?;
         self.emit_samples_within(core, &islands, t_next, observer)?;
-        let compares = core.accounts.steps().is_multiple_of(EVERY);
-        let halves = if compares { Some(self.in_two_halves(core, &islands, interval)?) } else { None };
         let begin = self.states.clone();
         let Advanced { resting, islands, reports } = self.advance_all(core, pairs, interval)?;
+        self.compare_with_halves(core, &begin, (&islands, &reports), interval)?;
         // Islands that were advanced in copies have left them where they were.
         core.world.prescribe(t_next, &mut self.states);
         self.fly(core, t_next);
@@ -222,16 +221,13 @@ impl SteppedEngine {
             loads.extend(all);
             self.note_movement(core, island, start, h);
             self.resting.note(&core.world, island, report.at_rest);
-            for (&body, halves) in island.bodies.iter().filter_map(|body| Some((body, halves.as_ref()?))) {
-                self.errors.compare(&core.world, body, &self.states[body], &halves[body]);
-            }
             touching.extend(report.touching.iter().copied());
         }
         let_go_at_ends_of_tracks(core, &self.states, t_next)?;
         core.world.count_all_turns(&self.states)?;
         core.t = t_next;
         let before = std::mem::replace(&mut self.touching, touching);
-        if compares {
+        if core.accounts.steps().is_multiple_of(EVERY) {
             for (island, report) in islands.iter().zip(&reports).filter(|(_, report)| !report.at_rest) {
                 let settled = self.settle(core, island, &report.touching, h);
                 settled.map_err(|source| Core::response_error(core.t, source))?;
@@ -417,21 +413,6 @@ impl SteppedEngine {
             force.normal += given.impulse / h;
             force.friction += given.friction / h;
         }
-    }
-
-    /// States of all bodies, those of these islands after two steps of half the length.
-    fn in_two_halves(
-        &self,
-        core: &Core,
-        islands: &[Island],
-        (t, h): (f64, f64),
-    ) -> Result<Vec<BodyState>, SimulationError> {
-        let (mut states, mut stepper) = (self.states.clone(), self.stepper.clone());
-        for part in [(t, 0.5 * h), (t + 0.5 * h, 0.5 * h)] {
-            advance_islands(&core.world, &*core.executor, (&mut stepper, &mut states), islands, part)
-                .map_err(|source| Core::response_error(core.t, source))?;
-        }
-        Ok(states)
     }
 
     /// Records how far the bodies of an island moved in a step of `h` (s), if they may touch another one.

@@ -13,6 +13,7 @@
 //! | `engine` | a run, one step of it, and queries at the present |
 //! | `islands` | the islands of a step |
 //! | `island_steps` | their time steps, on the threads that the program gives |
+//! | `comparison` | the steps that are compared with two of half their length |
 //! | `joint_breaks` | what joints bear at the present, and those that break at the end of a step |
 //! | `rest` | islands that rest and are left out |
 //! | `saved_loads` | the loads of joints over the last step as plain data |
@@ -20,6 +21,7 @@
 //! | `present_forces` | forces and accelerations at one instant, for queries |
 //! | `forces_of_many` | the same of many contacts with friction |
 
+mod comparison;
 mod engine;
 mod facts;
 mod forces_of_many;

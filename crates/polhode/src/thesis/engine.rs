@@ -146,7 +146,7 @@ impl ThesisEngine {
         let world = &core.world;
         for &body in world.movable.iter().filter(|&&body| world.bodies[body].moves()) {
             if let Some(halves) = halves {
-                self.errors.compare(world, body, &ends[body], &halves[body]);
+                self.errors.compare(world, body, (&ends[body], &halves[body]), EVERY);
             }
             if world.bodies[body].shape.is_some() {
                 let movement = Movement::between(world, body, (&self.bodies.states[body], &ends[body]), (core.t, h));

@@ -2,7 +2,7 @@
 
 use super::drift;
 use crate::collision::contact_id::ContactId;
-use crate::collision::contact_set::{FoundContact, Touch};
+use crate::collision::contact_set::{Bounces, FoundContact, Touch};
 use crate::rows::assembly::free_acceleration;
 use crate::solve::joint_reactions::JointReactions;
 use crate::states_of::{set_states, states_of};
@@ -48,6 +48,9 @@ pub(super) struct NearContact {
     pub(super) acceleration: f64,
     /// Speed of approach up to which the contact counts as sustained, m/s.
     pub(super) resting_speed: f64,
+    /// Speed of approach up to which its bounces are lower than those that need be resolved, m/s; zero where only the step length
+    /// decides.
+    pub(super) unseen_speed: f64,
     /// Whether it closes at the end of the step, where it will bounce. Nothing presses it before; what its time is wrong by, it
     /// penetrates.
     pub(super) is_awaited: bool,
@@ -92,8 +95,13 @@ impl NearContact {
     /// Whether the impact law acts on the contact at the start of a step of `h`: it closes within `instant` (s), or it
     /// closes later in the step and has restitution. Without restitution it would be stopped before it touches.
     pub(super) fn is_struck(&self, world: &World, h: f64, instant: f64) -> bool {
-        let bounces = || world.restitution_of(self.id) > 0.0;
+        let bounces = || world.restitution_of(self.id) > 0.0 && self.bounces() == Bounces::Followed;
         self.impact_time(h).is_some_and(|time| time <= instant || bounces())
+    }
+
+    /// Whether its bounces are followed, if it bounces at its present speed.
+    fn bounces(&self) -> Bounces {
+        if -self.kinematics.separation_rate <= self.unseen_speed { Bounces::Ended } else { Bounces::Followed }
     }
 
     /// The time from now at which the gap closes in flight, s, `gap + u s + a s^2/2 = 0`; none when it does not.
@@ -287,7 +295,8 @@ fn remove_covered_borders(world: &World, states: &[BodyState], near: &mut Vec<Ne
 
 /// A contact as the other tiers know it.
 pub(super) fn touch(contact: &NearContact) -> Touch {
-    Touch::from(FoundContact { id: contact.id, kinematics: contact.kinematics })
+    let touch = Touch::from(FoundContact { id: contact.id, kinematics: contact.kinematics });
+    Touch { bounces: contact.bounces(), ..touch }
 }
 
 /// Whether the features at which two bodies meet may change within a step of `h` (s). They do not for two spheres, nor
@@ -351,6 +360,7 @@ pub(super) fn near_contact(
         kinematics,
         acceleration: free.relative(states, id, &kinematics),
         resting_speed: (RESTING_STEPS * span.h * pressing).min(unseen),
+        unseen_speed: if unseen.is_finite() { unseen } else { 0.0 },
         is_awaited: false,
         kept_off: 0.0,
     }

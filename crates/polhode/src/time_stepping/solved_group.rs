@@ -36,6 +36,8 @@ pub(super) struct SolvedGroup {
     /// Of bilateral constraints.
     pub(super) reactions: Vec<(Bilateral, Reaction)>,
     pub(super) found: Found,
+    /// The part of what was solved for that the impulses are: 1, where they were not shortened.
+    pub(super) share: f64,
 }
 
 /// How the impulses of one group were found.
@@ -110,7 +112,7 @@ impl SolvedGroup {
     pub(super) fn soft_work(&self) -> SoftWork {
         let works = |(of, reaction): &(Bilateral, Reaction)| {
             let softness = of.softness.as_ref()?;
-            Some(softness.works(of.multiplier(*reaction)))
+            Some(softness.works(of.multiplier(*reaction) / self.share, self.share))
         };
         self.reactions.iter().filter_map(works).fold(SoftWork::default(), |sum, one| sum + one)
     }
@@ -185,6 +187,7 @@ impl SolvedGroup {
 
     /// Leaves this part of the impulses.
     fn shorten(&mut self, part: f64) {
+        self.share *= part;
         self.impulses.iter_mut().for_each(|impulse| *impulse *= part);
         self.tangential.iter_mut().for_each(|impulse| impulse.shorten(part));
         self.moments.iter_mut().for_each(|moment| moment.shorten(part));

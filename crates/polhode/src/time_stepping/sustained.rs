@@ -199,7 +199,7 @@ impl TimeStepper {
             let sustained_friction::FrictionalImpulses { normal: impulses, tangential, moments, reactions, .. } = found;
             let found = Found { residual: found.report.residual, violation: found.violation, stops: found.stops };
             let reactions = kicked.loops.least(world, (states, &group.bodies), reactions)?;
-            return Ok(SolvedGroup { group, impulses, tangential, moments, reactions, found });
+            return Ok(SolvedGroup { group, impulses, tangential, moments, reactions, found, share: 1.0 });
         }
         let carried = (0..members.len()).filter(|&i| self.carried.contains(near[members[i].contact].id)).collect();
         // Rates of joints are differences of velocities, whatever the impulses are that follow from them.
@@ -228,7 +228,7 @@ impl TimeStepper {
         let reactions = assembly.reactions(&impulses).map(|(of, impulse)| (of.clone(), impulse)).collect();
         let reactions = kicked.loops.least(world, (states, &group.bodies), reactions)?;
         impulses.truncate(members.len());
-        Ok(SolvedGroup { group, impulses, tangential: Vec::new(), moments: Vec::new(), reactions, found })
+        Ok(SolvedGroup { group, impulses, tangential: Vec::new(), moments: Vec::new(), reactions, found, share: 1.0 })
     }
 }
 

@@ -7,8 +7,8 @@ use crate::support::{accurate, ball, brick, run};
 use polhode::scene::{
     Coordinate, Force, Frame, Freedom, Joint, JointFriction, JointKind, Limits, Method, Signal, Tier,
 };
-use polhode::spatial::{DVec3, UnitVector, Velocity};
-use polhode::{BodyId, Effects, Event, EventKind, Recorder, Scene, SceneBuilder, Simulation, Snapshot};
+use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
+use polhode::{Body, BodyId, Effects, Event, EventKind, Recorder, Scene, SceneBuilder, Simulation, Snapshot};
 
 const G: f64 = 9.81;
 
@@ -363,5 +363,41 @@ fn a_cab_that_stops_within_a_step_stays() {
         let off = report.bodies[0].state.pose.translation.z - 0.5 * speed * speed / slowing;
         assert!(off.abs() < 1e-9, "it stops at {part} tenths of a step: {off:e} m off");
         assert_closes(&report);
+    }
+}
+
+/// A parallelogram of so many parallel cranks, of which the first one rubs in its bearing, turned about the vertical by this angle.
+fn cranks(count: usize, turn: f64) -> Scene {
+    let attitude = Rotation::from_rotation_vector(DVec3::Z * turn);
+    let at = |x: f64, z: f64| attitude.rotate(DVec3::new(x, 0.0, z));
+    let axis = UnitVector::new(attitude.rotate(DVec3::Y)).unwrap();
+    let inertia = Inertia::from_diagonal(DVec3::splat(0.01)).unwrap();
+    let bar = |name: String, place: DVec3| {
+        let properties = MassProperties::new(Mass::new(1.0).unwrap(), DVec3::ZERO, inertia);
+        Body::movable(name, properties).pose(Pose::from_translation(place))
+    };
+    let mut scene = Scene::builder("cranks").method(accurate()).duration_s(0.01);
+    let coupler = scene.add_body(bar("coupler".to_owned(), at(0.55, 0.1)));
+    let bearing = JointFriction::default().with_bearing(0.15, 0.08).unwrap();
+    for (k, x) in [0.0, 0.5, 0.25].into_iter().enumerate().take(count) {
+        let crank = scene.add_body(bar(format!("crank {k}"), at(x + 0.15, 0.05)));
+        let hinge = Joint::hinge(crank, at(x, 0.0), axis);
+        let rough = Freedom::default().with_friction(bearing);
+        let hinge = if k == 0 { hinge.along(Coordinate::Angle, rough) } else { hinge };
+        scene = scene.joint(hinge).joint(Joint::hinge(crank, at(x + 0.3, 0.1), axis).with(coupler));
+    }
+    scene.build().unwrap()
+}
+
+/// With a third crank the load of the first one's bearing is one of many, and so is the motion, without a word: turned about the
+/// vertical the scene moved differently. With two cranks there is one load, and nothing to say.
+#[test]
+fn friction_of_a_bearing_whose_load_is_not_unique_turns_with_the_world_unsaid() {
+    for turn in [0.0, 1.0, 2.0] {
+        for (count, is_open) in [(2, false), (3, true)] {
+            let (report, _) = run(&cranks(count, turn), Effects::Planned);
+            let told = report.warnings.iter().any(|warning| warning.contains("loads of bearings"));
+            assert_eq!(told, is_open, "{count} cranks, turned by {turn}: {:?}", report.warnings);
+        }
     }
 }

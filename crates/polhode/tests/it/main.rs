@@ -11,6 +11,7 @@ mod checks;
 mod closed_loops;
 mod constrained_methods;
 mod crowd_energy;
+mod crowded_bounces;
 mod dependence;
 mod diamonds;
 mod driven_joints;

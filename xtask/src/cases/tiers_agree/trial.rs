@@ -3,7 +3,7 @@
 use super::subject::{Copy, Subject, Text};
 use crate::judge::tiers::Poses;
 use glam::DQuat;
-use polhode::{BodySample, Certificate, Event, Flow, Observer, Outcome, Simulation, SimulationError};
+use polhode::{BodySample, Certificate, Event, Flow, Observer, Occurrence, Outcome, Simulation, SimulationError};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -36,6 +36,8 @@ pub(super) struct Trial {
     pub(super) ending: Ending,
     pub(super) poses: Poses,
     pub(super) warnings: Vec<String>,
+    /// Motions that it has chosen where the laws allow several.
+    pub(super) choices: Vec<Occurrence>,
     pub(super) certificate: Certificate,
     /// Whether time steps have passed a stretch of crowded events.
     pub(super) is_crowded: bool,
@@ -104,6 +106,7 @@ impl Trial {
             ending,
             poses: Poses::default(),
             warnings: Vec::new(),
+            choices: Vec::new(),
             certificate: Certificate::default(),
             is_crowded: false,
             seconds: 0.0,
@@ -143,6 +146,7 @@ impl Trial {
             ending,
             poses: watch.poses,
             warnings: report.warnings,
+            choices: report.choices,
             certificate: report.certificate,
             is_crowded: !report.crowded.is_empty(),
             seconds: watch.start.elapsed().as_secs_f64(),

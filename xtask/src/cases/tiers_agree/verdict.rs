@@ -213,7 +213,8 @@ fn of_accurate(subject: &Subject, accurate: &Trial, copy: &Trial, standard: &Sta
         return Opinion::Right(f64::INFINITY);
     };
     let off = format!("set otherwise in the world {} is {far:.1e} off at sample {sample}", subject.name(body));
-    match accurate.warnings.iter().find(|warning| warning.contains("motion depends")) {
+    let warned = accurate.warnings.iter().find(|warning| warning.contains("depends on that choice")).cloned();
+    match accurate.choices.first().map(ToString::to_string).or(warned) {
         Some(why) => Opinion::Told(format!("{off}; {why}")),
         None => Opinion::Differs(off),
     }

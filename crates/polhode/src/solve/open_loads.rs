@@ -1,0 +1,59 @@
+//! Bearings whose load statics leaves open.
+//!
+//! A mechanism with more supports than it needs (three cranks of a parallelogram) moves in the same way with many loads of its joints.
+//! Where a bearing rubs, its friction follows from its load, and the motion from the choice among them: that has to be told. The
+//! choice itself is of least norm in the rows, whose scales follow the directions of the world.
+//!
+//! Method: `x` is a force across the axis of the bearing, and `y` the least reactions of all joints that do what `x` does. If the
+//! load is determined, all reactions that do the same have the same force there, so that `x.y = x.x`. Source: the row space
+//! projection of Golub and Van Loan 2013, 5.5 (docs/REFERENCES.md). Assumption: contacts beside the joints bear nothing of it.
+
+use crate::constraint::ConstraintId;
+use crate::constraint::bilateral::Reaction;
+use crate::rows::assembly::Assembly;
+use crate::world::World;
+use polhode_dynamics::BodyState;
+use polhode_response::{LeastNormHold, ResponseError};
+use polhode_spatial::DVec3;
+
+/// The part of a force that other joints may bear as well from which on the load counts as open (no unit, 1e-5 to 1e-2): rounding
+/// gives some 1e-6.
+const OPEN_PART: f64 = 1e-4;
+
+/// Whether the load of a bearing with friction among the joints of these bodies (movable, ascending) is not determined.
+///
+/// # Errors
+/// When a number is not finite.
+pub(crate) fn leave_open(world: &World, states: &[BodyState], bodies: &[usize]) -> Result<bool, ResponseError> {
+    let bearings = world.bearings_among(states, bodies);
+    if bearings.is_empty() || !world.has_loops_among(bodies) {
+        return Ok(false);
+    }
+    let assembly = Assembly::new(world, states, bodies, std::iter::empty())?;
+    let delassus = assembly.problem.delassus();
+    let hold = LeastNormHold::factor(&delassus)?;
+    let multipliers = |bearing: ConstraintId, force: DVec3| -> Vec<f64> {
+        let across = Reaction { force, moment: DVec3::ZERO };
+        let of = |own: ConstraintId| if own == bearing { across } else { Reaction::default() };
+        let rows = assembly.bilaterals().iter();
+        rows.flat_map(|own| own.rows.iter().map(move |row| row.multiplier(of(own.id)))).collect()
+    };
+    for (bearing, axis) in bearings {
+        let (first, second) = axis.any_orthonormal_pair();
+        for force in [first, second] {
+            let mut x = multipliers(bearing, force);
+            for (row, multiplier) in x.iter_mut().enumerate() {
+                // Rows that nothing can move, as those across the plane of a planar motion, bear no load.
+                *multiplier *= f64::from(u8::from(delassus.get(row, row) > 0.0));
+            }
+            let undone: Vec<f64> = delassus.times(&x)?.iter().map(|rate| -rate).collect();
+            let y = hold.solve(&delassus, &undone)?;
+            let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+            let whole = product(&x, &x);
+            if (whole - product(&x, &y)).abs() > OPEN_PART * whole {
+                return Ok(true);
+            }
+        }
+    }
+    Ok(false)
+}
