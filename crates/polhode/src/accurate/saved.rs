@@ -18,7 +18,7 @@ use crate::SimulationError;
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_id::ContactId;
 use crate::collision::contact_modes::ContactModes;
-use crate::collision::contact_set::{Bounces, Hold, Touch};
+use crate::collision::contact_set::{Hold, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::{RotationModes, Turn};
 use crate::core::Core;
@@ -182,8 +182,7 @@ fn restored_contacts(world: &World, saved: &[content::Touch]) -> Result<Contacts
         let (id, kinematics) = (restored_id(world, &touch.id)?, read_kinematics(touch.kinematics));
         let friction = touch.friction.map(restored_friction);
         let modes = ContactModes { friction, rotation: restored_rotation(touch.rotation) };
-        let bounces = Bounces::Followed;
-        Ok(Touch { id, kinematics, hold, known: touch.known, is_defined: true, modes, bounces })
+        Ok(Touch { id, kinematics, hold, known: touch.known, is_defined: true, modes })
     };
     let touches = saved.iter().map(touch).collect::<Result<Vec<_>, SnapshotError>>()?;
     if !touches.is_sorted_by(|x, y| x.id < y.id) {

@@ -69,32 +69,19 @@ pub(crate) struct Touch {
     /// Whether its features define a contact in the present states; where they do not, `kinematics` are of states before.
     pub(crate) is_defined: bool,
     pub(crate) modes: ContactModes,
-    pub(crate) bounces: Bounces,
-}
-
-/// Whether the bounces of a contact are followed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) enum Bounces {
-    /// Each of them.
-    #[default]
-    Followed,
-    /// They are too low to be seen: the contact is at once where they would converge to, and stays closed.
-    Ended,
 }
 
 impl Touch {
     /// An active contact.
     pub(crate) fn held(id: ContactId, kinematics: ContactKinematics, modes: ContactModes) -> Self {
-        let bounces = Bounces::Followed;
-        Self { id, kinematics, hold: Hold::Held, known: true, is_defined: true, modes, bounces }
+        Self { id, kinematics, hold: Hold::Held, known: true, is_defined: true, modes }
     }
 }
 
 /// A contact that has just been found is open until its status is decided.
 impl From<FoundContact> for Touch {
     fn from(FoundContact { id, kinematics }: FoundContact) -> Self {
-        let (modes, bounces) = (ContactModes::default(), Bounces::Followed);
-        Self { id, kinematics, hold: Hold::Open, known: false, is_defined: true, modes, bounces }
+        Self { id, kinematics, hold: Hold::Open, known: false, is_defined: true, modes: ContactModes::default() }
     }
 }
 

@@ -3,7 +3,7 @@
 use super::joint::WorldJoint;
 use super::stop::Stop;
 use crate::collision::contact_id::{ContactId, Feature};
-use crate::collision::contact_set::{Bounces, FoundContact, Touch};
+use crate::collision::contact_set::{FoundContact, Touch};
 use crate::world::World;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
@@ -74,9 +74,6 @@ impl World {
 
     /// Coefficient of restitution of a contact at its speed of approach.
     pub(crate) fn restitution_at(&self, touch: &Touch) -> f64 {
-        if touch.bounces == Bounces::Ended {
-            return 0.0;
-        }
         match touch.id.feature {
             Feature::Shapes(_) => {
                 let speed = -touch.kinematics.separation_rate;

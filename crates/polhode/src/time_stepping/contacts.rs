@@ -2,7 +2,7 @@
 
 use super::drift;
 use crate::collision::contact_id::ContactId;
-use crate::collision::contact_set::{Bounces, FoundContact, Touch};
+use crate::collision::contact_set::{FoundContact, Touch};
 use crate::rows::assembly::free_acceleration;
 use crate::solve::joint_reactions::JointReactions;
 use crate::states_of::{set_states, states_of};
@@ -93,15 +93,12 @@ impl NearContact {
     }
 
     /// Whether the impact law acts on the contact at the start of a step of `h`: it closes within `instant` (s), or it
-    /// closes later in the step and has restitution. Without restitution it would be stopped before it touches.
+    /// closes later in the step and has restitution. Without restitution it would be stopped before it touches, and so is one whose
+    /// bounce would be too low to be seen: of bodies that lean on each other each such bounce makes the next step shorter.
     pub(super) fn is_struck(&self, world: &World, h: f64, instant: f64) -> bool {
-        let bounces = || world.restitution_of(self.id) > 0.0 && self.bounces() == Bounces::Followed;
-        self.impact_time(h).is_some_and(|time| time <= instant || bounces())
-    }
-
-    /// Whether its bounces are followed, if it bounces at its present speed.
-    fn bounces(&self) -> Bounces {
-        if -self.kinematics.separation_rate <= self.unseen_speed { Bounces::Ended } else { Bounces::Followed }
+        let bounces = || world.restitution_of(self.id) > 0.0;
+        let is_seen = self.kinematics.separation_rate < -self.unseen_speed;
+        self.impact_time(h).is_some_and(|time| is_seen && (time <= instant || bounces()))
     }
 
     /// The time from now at which the gap closes in flight, s, `gap + u s + a s^2/2 = 0`; none when it does not.
@@ -295,8 +292,7 @@ fn remove_covered_borders(world: &World, states: &[BodyState], near: &mut Vec<Ne
 
 /// A contact as the other tiers know it.
 pub(super) fn touch(contact: &NearContact) -> Touch {
-    let touch = Touch::from(FoundContact { id: contact.id, kinematics: contact.kinematics });
-    Touch { bounces: contact.bounces(), ..touch }
+    Touch::from(FoundContact { id: contact.id, kinematics: contact.kinematics })
 }
 
 /// Whether the features at which two bodies meet may change within a step of `h` (s). They do not for two spheres, nor

@@ -103,7 +103,7 @@ fn settings_for(group: &Group, near: &[NearContact]) -> ImpactSettings {
         group.contacts.iter().filter_map(|&index| near.get(index)).map(value).fold(0.0, f64::max)
     };
     let approach = largest(|contact| -contact.kinematics.separation_rate);
-    let resting = largest(|contact| contact.resting_speed);
+    let resting = largest(|contact| contact.resting_speed.max(contact.unseen_speed));
     let usual = ImpactSettings { limit: MOST_IMPULSES, ..ImpactSettings::default() };
     if resting < approach {
         ImpactSettings { threshold: usual.threshold.max(resting / approach), ..usual }
