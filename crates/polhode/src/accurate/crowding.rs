@@ -73,8 +73,7 @@ const SHORTENED_AGAIN: f64 = 0.2;
 /// are few of them.
 const EVEN_SHARE: f64 = 0.5;
 
-/// The share of the spare error that is left which one step may use (no unit): what is left never ends. Steps that need less than
-/// their even share add to it, so that contacts that change later in a stretch have as much as the first ones.
+/// The share of the spare error that is left which one step may use (no unit): what is left never ends.
 const SHARE_OF_SPARE: f64 = 0.125;
 
 /// The length after one of `h` (s) that was refused with this ratio of the optimal length to it, `refused` times now.
@@ -507,8 +506,7 @@ fn attempt(
             return Ok(Attempted::Made(Box::new(Made { end, report, error, next })));
         }
         if error <= allowed || h <= shortest {
-            // What a step leaves of its even share is spare for the steps after it.
-            let spare_error = (crowd.spare_error + even - error).max(0.0);
+            let spare_error = (crowd.spare_error - (error - even).max(0.0)).max(0.0);
             let step_s = next_length(h, ratio).max(shortest);
             let next = Crowd { step_s, spare_error, ..*crowd };
             return Ok(Attempted::Made(Box::new(Made { end, report, error, next })));
