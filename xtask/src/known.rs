@@ -53,12 +53,8 @@ const LEAST_FORCE_ERRS: &str = "the heuristic of the thesis: least force sits at
 const COLLISIONS_IN_TURN: &str = "forces are means of impulses over the last step, and what rests collides every second step or third: twice the \
                                   weight in the one, none in the other";
 
-/// Why scenes that are turned are other motions in the tier `accurate`.
-const CORNERS_SHARE: &str = "6 of 200: impacts with friction at several corners of flat faces, whose impulses are not unique (1e-8 to 1e-4 of a body \
-                             later): their choice follows the axes of the world";
-
-/// The same in the tier `stepped`.
-const STEPS_SHARE: &str = "7 of 200: limits and impacts are struck a little early and again in the step, static friction above kinetic is seen or \
+/// Why scenes that are turned are other motions in the tier `stepped`.
+const STEPS_SHARE: &str = "16 of 200: limits and impacts are struck a little early and again in the step, static friction above kinetic is seen or \
                            not by where in a step a body stops, and cone problems are solved to 1e-8: 1e-8 to 1e-4 of a body";
 
 /// Why the tier `fast` is off.
@@ -83,6 +79,11 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
         case: "orders in contact",
         quantity: "fast, box slides to a stop: order",
         reason: "0.90: normal and frictional impulses of a patch are found one after the other, and the step in which the box stops is part of the error",
+    },
+    KnownFailure {
+        case: "orders in contact",
+        quantity: "penalty with rk4, ball down a slope: order",
+        reason: "2.0: the spring of a contact that yields is stretched once a step, by the slip of the whole step",
     },
     KnownFailure { case: "heaps", quantity: "60 balls: part of steps", reason: MANY_FACTORISATIONS },
     KnownFailure { case: "heaps", quantity: "60 balls: overlap", reason: OVERLAPS_WITHIN },
@@ -186,7 +187,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
         reason: "of 50 seeds from 300 on three: impacts of boxes that stand on others and resist rolling or spinning. Several motions obey \
                  their laws there, and which one is found depends on the axes: flat contacts are points, not patches",
     },
-    KnownFailure { case: "tiers agree", quantity: "accurate: other motions", reason: CORNERS_SHARE },
     KnownFailure { case: "tiers agree", quantity: "stepped: other motions", reason: STEPS_SHARE },
     KnownFailure { case: "tiers agree", quantity: "fast: wrong and well", reason: FAST_PILES },
     KnownFailure {
