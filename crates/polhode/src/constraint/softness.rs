@@ -147,6 +147,7 @@ mod tests {
             assert!((energy(q, u) / start - 1.0).abs() < 1e-12, "{h}: {}", energy(q, u) / start);
         }
     }
+
     /// Of an impulse that is shortened the parts do the work that the mass receives.
     #[test]
     fn a_share_of_an_impulse_does_the_work_of_that_share() {

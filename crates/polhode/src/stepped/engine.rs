@@ -37,7 +37,7 @@ use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-/// Largest number of impacts at which the step of an island is split. The first few impacts of a step are applied at
+/// Largest number of impacts at which the step of an island is split. The first impacts of a step are applied at
 /// their times, further ones at the start of the last part of the step.
 const MOST_IMPACTS_OF_STEP: u32 = 32;
 

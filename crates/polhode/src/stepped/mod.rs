@@ -2,7 +2,7 @@
 //! step.
 //!
 //! Every step finds the pairs whose swept boxes overlap, joins their bodies to islands, and advances each island by the
-//! time step of Moreau and Jean (`crate::time_stepping`), split at a few impacts. Bodies in no island are in free
+//! time step of Moreau and Jean (`crate::time_stepping`), split at the first 32 of its impacts. Bodies in no island are in free
 //! flight; kinematic bodies follow their prescribed motions. Events are not located to rounding and no step is
 //! repeated, so that every step succeeds. The error decreases with the step. Penetration that a step leaves is removed
 //! by a projection and booked.

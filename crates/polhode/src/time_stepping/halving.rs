@@ -15,7 +15,7 @@ use polhode_response::ResponseError;
 
 impl TimeStepper {
     /// The same stepper, which resolves bounces higher than this fraction of a body's size: if both step lengths lost a
-    /// bounce, the estimate would not show it. Lower ones are ended, however short the steps are: the shorter the steps of bodies
+    /// bounce, the estimate would not show it. Lower ones strike nothing, however short the steps are: the shorter the steps of bodies
     /// that lean on each other, the lower the bounces that could be followed, and each of them makes the next step shorter.
     pub(crate) fn following_bounces(mut self, height_relative: f64) -> Self {
         self.unseen_bounce = height_relative;

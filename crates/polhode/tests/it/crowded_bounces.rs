@@ -1,4 +1,4 @@
-//! Stretches of crowded events with restitution: what bounces by less than may be seen is where its bounces converge to.
+//! Stretches of crowded events with restitution: bounces that are too low to be seen are not followed.
 
 use crate::support::{accurate, floor};
 use polhode::scene::Material;
