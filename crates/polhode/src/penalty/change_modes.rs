@@ -19,12 +19,7 @@ pub(super) fn make(run: &mut Run<'_>, changes: &[Passed]) -> Result<(), Simulati
     if changes.is_empty() {
         return Ok(());
     }
-    let is_grip = |change: &&Passed| matches!(change.what, Happening::Grip(_));
-    let ended = changes.iter().filter_map(|change| match change.what {
-        Happening::End(id) => Some(id),
-        _ => None,
-    });
-    run.slacken(&ended.collect::<Vec<_>>());
+    let is_grip = |change: &&Passed| matches!(change.what, Happening::Grip(_) | Happening::Weaken(_));
     let mut energy = run.energy();
     for change in changes.iter().filter(|change| !is_grip(change)) {
         apply(run, change)?;
@@ -63,6 +58,11 @@ fn apply(run: &mut Run<'_>, change: &Passed) -> Result<(), SimulationError> {
         }
         Happening::Turn(id) => run.with_spring(id, |spring| spring.loading = !spring.loading),
         Happening::Grip(id) => change_grip(run, id),
+        Happening::Weaken(id) => run.with_spring(id, |spring| {
+            if spring.grip == Grip::Yield {
+                spring.grip = Grip::Slide;
+            }
+        }),
         // The contacts of the next step are those of the features that the point is at.
         Happening::Leave(_) => {}
     }
@@ -75,15 +75,15 @@ fn change_grip(run: &mut Run<'_>, id: ContactId) {
     let Some(at) = run.evaluated(&spring) else { return };
     let direction = spring.vector.normalize_or_zero();
     let (grip, vector, kind) = match spring.grip {
-        Grip::Stick if spring.is_damped() => (Grip::Yield, spring.vector, EventKind::Slide),
-        Grip::Yield => (Grip::Stick, spring.vector, EventKind::Stick),
         Grip::Stick => {
             let along = if direction == DVec3::ZERO { at.slip.normalize_or_zero() } else { direction };
-            (Grip::Slide, along, EventKind::Slide)
+            (spring.giving_way(), along, EventKind::Slide)
         }
-        Grip::Slide => (Grip::Stick, direction * spring.limit(spring.normal_force(&at)), EventKind::Stick),
+        Grip::Yield | Grip::Slide => {
+            (Grip::Stick, direction * spring.limit(spring.normal_force(&at)), EventKind::Stick)
+        }
         other => (other, spring.vector, EventKind::Slide),
     };
-    run.with_spring(id, |spring| (spring.grip, spring.vector) = (grip, vector));
+    run.with_spring(id, |spring| (spring.grip, spring.vector, spring.slipped) = (grip, vector, 0.0));
     run.note_event(kind, &spring);
 }

@@ -4,9 +4,8 @@
 //!
 //! ```text
 //! F_n = normal spring (d, d')                                  never pulls
-//! stick:  T' = k_t u + T min(k_t'/k_t, 0) + n x n' x T         force T + c u,  |T + c u| <= mu_s F_n
-//! yield:  T' = k_t s' + ..,  force T + c s' = mu F_n e           e along T + c u,  |T + c u| > mu_s F_n
-//! slide:  T = mu F_n e,  e' = k_t/(mu F_n) (u - (u.e) e)         where c = 0, as long as u.e > (mu F_n' - mu F_n min(k_t'/k_t, 0))/k_t
+//! stick:  T' = k_t u + T min(k_t'/k_t, 0) + n x n' x T         |T| <= mu_s F_n,  force T + c u
+//! yield, slide:  T = mu_s F_n e, then T = mu F_n e,  e' = k_t/(mu F_n) (u - (u.e) e)       u.e > (mu F_n' - mu F_n min(k_t'/k_t, 0))/k_t
 //! regularised:  T = mu F_n u/sqrt(u^2 + u_s^2)                 along a grain: T = F_n (mu^2 u/|mu u|) |u|/sqrt(u^2 + u_s^2), mu a matrix
 //! rolling, spinning:  M = -c F_n w/sqrt(w^2 + w_s^2)           w the part of the relative rotation across, along the normal
 //! ```
@@ -17,14 +16,11 @@
 //! large normal force.) e is the direction of T; the tangent vectors are carried along with the normal.
 //!
 //! **At rest.** A load that comes at once, or a body that stops, swings a spring without damping to twice
-//! what statics asks and more. A spring that holds has a damper c there, critical for the mass that the contact bears (`laws`) and in proportion to the normal force: what bears nothing damps nothing. Spring and damper in
-//! parallel, and a slider in series with both: what passes through the slider is their sum, which Coulomb's law bounds. Where
-//! spring and damper would bear more, the slider takes the rest of the slip, `u - s' = (abs(T + c u) - mu F_n)/c`, along the force, and the damper has the rate of the spring
-//! s' alone. Force and rates are continuous where a contact begins to yield and where it holds again, so that
-//! neither needs a mode, and fixed steps and error-controlled ones follow one law.
-//!
-//! Static friction becomes kinetic with the speed of the slider: `mu = mu_k + (mu_s - mu_k) exp(-(l/v_0)^2)` with `l = (|T + c u| - mu_s F_n)/c` (the curve of Stribeck),
-//! `v_0 = sqrt(g d)`, at which weight alone compresses springs. What does not slide has mu_s, however its points share their load.
+//! what statics asks and more. A spring that holds has a damper c there, critical for the mass that the contact bears (`laws`), and gives way where
+//! the spring alone, whose stretch then creeps to that of statics from one side, reaches mu_s F_n: the damper is gone with the motion, as in
+//! models of bristles. Points of one body slip a little before all of them hold as much as they can: static friction mu_s acts on (`Yield`), with
+//! the damper, until a point has slipped as far as its spring stretches, and kinetic friction mu (`Slide`) until the slip ends. By the damper a
+//! load that exceeds static friction by a part e breaks a contact away after some `(2/w)/e`, w the frequency of its spring.
 //!
 //! The tangential force acts at the middle of the overlap of two bodies that move, so that momentum is kept; against a body
 //! that forces do not move it acts on the undeformed surface of the other one, whose lever is that of the rigid body.
@@ -39,8 +35,8 @@ use polhode_dynamics::BodyState;
 use polhode_response::penalty::{Growth, NormalSpring, TangentialSpring};
 use polhode_spatial::DVec3;
 
-/// Numbers of a spring: its vector.
-pub(super) const SPRING: usize = 3;
+/// Numbers of a spring: its vector, and how far it has slipped.
+pub(super) const SPRING: usize = 4;
 
 /// What the normal spring does at present.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,12 +56,14 @@ pub(super) enum Grip {
     Free,
     /// The tangential spring holds; `vector` is T.
     Stick,
-    /// It gives way against its damper; `vector` is T.
+    /// It gives way under static friction: it has not slipped far; `vector` is the direction e.
     Yield,
-    /// It gives way and has no damper; `vector` is the direction e.
+    /// It gives way; `vector` is the direction e.
     Slide,
-    /// A fixed step does not know: `vector` is T of a spring that holds or yields; without a damper the force is cut to Coulomb's limit.
+    /// A fixed step does not know: `vector` is T of a spring that holds, and the force is cut to Coulomb's limit at rest.
     Cut,
+    /// The same of one that gave way in the step before: to Coulomb's limit of sliding.
+    CutSliding,
 }
 
 /// What is measured of a contact from its begin to its end.
@@ -100,6 +98,8 @@ pub(super) struct ContactSpring {
     pub(super) grip: Grip,
     /// T or e, by `grip`.
     pub(super) vector: DVec3,
+    /// How far a spring has slipped since it gave way, m, until its friction is kinetic.
+    pub(super) slipped: f64,
     pub(super) passage: Passage,
 }
 
@@ -171,15 +171,13 @@ impl ContactSpring {
             loading: at.rate >= 0.0,
             grip: Grip::Free,
             vector: DVec3::ZERO,
+            slipped: 0.0,
             passage,
         };
         if law.friction.is_some_and(|friction| friction.slip_speed.is_none()) {
             spring.grip = Grip::Stick;
-            if spring.is_damped() {
-                if spring.beyond_static(at) > 0.0 {
-                    spring.grip = Grip::Yield;
-                }
-            } else if spring.slides_from_the_begin(at) {
+            // A slip that the damper of a spring that holds would stop at once is none.
+            if at.slip.length() > spring.holding.stopped && spring.slides_from_the_begin(at) {
                 spring.grip = Grip::Slide;
                 spring.vector = at.slip.normalize_or_zero();
             }
@@ -187,77 +185,31 @@ impl ContactSpring {
         spring
     }
 
-    /// Whether its tangential spring has a damper.
-    pub(super) fn is_damped(&self) -> bool {
-        self.holding.damper > 0.0 && self.holding.load > 0.0
+    /// What it does when it gives way.
+    pub(super) fn giving_way(&self) -> Grip {
+        if self.holding.weakening > 0.0 { Grip::Yield } else { Grip::Slide }
     }
 
-    /// c under a normal force (N), N s/m.
-    fn damper(&self, normal: f64) -> f64 {
-        self.holding.damper * (normal / self.holding.load).max(0.0)
-    }
-
-    /// That of a spring that yields: its force tends to that of the slider no faster than it would swing.
-    fn yielding_damper(&self, normal: f64) -> f64 {
-        self.damper(normal).max(SLOWEST_YIELD * self.holding.damper)
-    }
-
-    /// The force of spring and damper on B if the contact held, N.
-    fn trial(&self, at: &Evaluated, normal: f64) -> DVec3 {
-        in_plane(self.vector, at.kinematics.geometry.normal) + at.slip * self.damper(normal)
-    }
-
-    /// What that is beyond static friction, N.
-    pub(super) fn beyond_static(&self, at: &Evaluated) -> f64 {
-        let normal = self.normal_force(at);
-        let at_rest = self.friction.map_or(0.0, |friction| friction.at_rest);
-        self.trial(at, normal).length() - at_rest * normal
-    }
-
-    /// Coulomb's limit where a damped spring is beyond static friction by a force (N), under a normal force (N): N.
-    pub(super) fn yielding_limit(&self, beyond: f64, normal: f64) -> f64 {
-        self.friction.map_or(0.0, |friction| {
-            let ratio = beyond / (self.yielding_damper(normal) * self.holding.kinetic_from);
-            let left = if ratio == 0.0 { 1.0 } else { libm::exp(-ratio * ratio) };
-            (friction.sliding + (friction.at_rest - friction.sliding) * left) * normal
-        })
-    }
-
-    /// The tangential force on B of a spring with a damper (N), and the rate at which it is stretched (m/s): of the mode.
-    fn damped(&self, at: &Evaluated, normal: f64) -> (DVec3, DVec3) {
-        let trial = self.trial(at, normal);
-        // A fixed step knows contacts that do not press: they are not stretched.
-        if self.grip == Grip::Cut && normal <= 0.0 {
-            return (DVec3::ZERO, trial / -self.yielding_damper(normal));
-        }
-        let beyond = self.beyond_static(at);
-        if self.grip == Grip::Stick || (self.grip == Grip::Cut && beyond <= 0.0) {
-            return (trial, at.slip);
-        }
-        let (along, limit) = (trial.normalize_or_zero(), self.yielding_limit(beyond, normal));
-        let slider = (trial.length() - limit) / self.yielding_damper(normal);
-        (along * limit, at.slip - along * slider)
-    }
-
-    /// Whether it slips.
-    pub(super) fn slips(&self) -> bool {
+    /// Whether it slides in a direction of its own.
+    pub(super) fn slides(&self) -> bool {
         matches!(self.grip, Grip::Yield | Grip::Slide)
     }
 
-    /// Whether friction takes up more than slip, so that the elastic energy of its spring is part of what it takes.
-    pub(super) fn gives_way(&self) -> bool {
-        self.slips() || self.grip == Grip::Cut
+    /// Rate of the slip that is followed (m/s).
+    pub(super) fn slipping(&self, at: &Evaluated) -> f64 {
+        if self.grip == Grip::Yield { at.slip.dot(self.vector.normalize_or_zero()) } else { 0.0 }
     }
 
     /// Its numbers in a flat state.
     pub(super) fn numbers(&self) -> [f64; SPRING] {
-        self.vector.to_array()
+        let [x, y, z] = self.vector.to_array();
+        [x, y, z, self.slipped]
     }
 
     /// The same contact with its numbers of a flat state.
     pub(super) fn with_numbers(&self, numbers: &[f64]) -> Self {
-        let Some(&vector) = numbers.first_chunk::<SPRING>() else { return *self };
-        Self { vector: DVec3::from_array(vector), ..*self }
+        let Some(&[x, y, z, slipped]) = numbers.first_chunk::<SPRING>() else { return *self };
+        Self { vector: DVec3::new(x, y, z), slipped, ..*self }
     }
 
     /// Whether the tangential force would grow faster than Coulomb's limit from the instant at which both are zero.
@@ -279,8 +231,8 @@ impl ContactSpring {
     /// Coulomb's limit at a normal force (N), N: of the mode.
     pub(super) fn limit(&self, normal: f64) -> f64 {
         let coefficient = |friction: Coulomb| match self.grip {
-            Grip::Stick | Grip::Cut => friction.at_rest,
-            Grip::Free | Grip::Yield | Grip::Slide => friction.sliding,
+            Grip::Stick | Grip::Yield | Grip::Cut => friction.at_rest,
+            _ => friction.sliding,
         };
         self.friction.map_or(0.0, |friction| coefficient(friction) * normal)
     }
@@ -303,10 +255,9 @@ impl ContactSpring {
     pub(super) fn tangential_energy(&self, at: &Evaluated) -> f64 {
         let force = match self.grip {
             Grip::Free => return 0.0,
-            Grip::Stick | Grip::Yield => self.vector.length(),
-            Grip::Cut if self.is_damped() => self.vector.length(),
-            Grip::Slide => self.limit(self.normal_force(at)),
-            Grip::Cut => self.vector.length().min(self.limit(self.normal_force(at))),
+            Grip::Stick => self.vector.length(),
+            Grip::Yield | Grip::Slide => self.limit(self.normal_force(at)),
+            Grip::Cut | Grip::CutSliding => self.vector.length().min(self.limit(self.normal_force(at))),
         };
         self.tangential.energy(at.depth, force)
     }
@@ -321,13 +272,7 @@ impl ContactSpring {
         let along = Force { on_a: n * normal, normal, moment, damping, friction: resisted, ..Force::default() };
         let Some(friction) = self.friction else { return along };
         let slip = at.slip;
-        if self.is_damped() && self.grip != Grip::Free {
-            let spring = in_plane(self.vector, n);
-            let (force, stretching) = self.damped(at, normal);
-            let damping = (force - spring).dot(stretching);
-            let power = if self.gives_way() { force.dot(slip) - damping } else { self.micro_slip(at) };
-            return along.with_tangential((force, power, self.held_rate(at, stretching, spring)), damping);
-        }
+        let damper = slip * self.holding.damper;
         let (spring, power, vector_rate) = match self.grip {
             Grip::Free => {
                 let speed = friction.slip_speed.unwrap_or(0.0);
@@ -341,26 +286,31 @@ impl ContactSpring {
             }
             Grip::Stick => {
                 let spring = in_plane(self.vector, n);
-                (spring, self.micro_slip(at), self.held_rate(at, slip, spring))
+                let held = (spring + damper, self.micro_slip(at), self.sticking_rate(at, spring));
+                return along.with_tangential(held, damper.dot(slip));
             }
-            Grip::Cut => {
+            Grip::Cut | Grip::CutSliding => {
                 let held = in_plane(self.vector, n);
-                let spring = held.clamp_length_max(self.limit(normal));
-                (spring, spring.dot(slip), self.held_rate(at, slip, held))
+                let spring = (held + damper).clamp_length_max(self.limit(normal));
+                (spring, spring.dot(slip), self.sticking_rate(at, held))
             }
             Grip::Yield | Grip::Slide => {
                 let direction = in_plane(self.vector, n).normalize_or_zero();
                 let limit = self.limit(normal);
                 let spring = direction * limit;
-                (spring, spring.dot(slip), self.turning_rate(at, direction, limit))
+                let rate = self.turning_rate(at, direction, limit);
+                if self.grip == Grip::Yield {
+                    return along.with_tangential((spring + damper, spring.dot(slip), rate), damper.dot(slip));
+                }
+                (spring, spring.dot(slip), rate)
             }
         };
         along.with_tangential((spring, power, vector_rate), 0.0)
     }
 
-    /// T' of a spring that is stretched at a rate (m/s).
-    fn held_rate(&self, at: &Evaluated, stretching: DVec3, spring: DVec3) -> DVec3 {
-        stretching * self.tangential.stiffness(at.depth) + spring * self.falling(at) + transport(at, spring)
+    /// T' of a spring that holds.
+    fn sticking_rate(&self, at: &Evaluated, spring: DVec3) -> DVec3 {
+        at.slip * self.tangential.stiffness(at.depth) + spring * self.falling(at) + transport(at, spring)
     }
 
     /// `k_t'/k_t` while the overlap falls, and zero while it grows, 1/s: of the mode.
@@ -399,9 +349,6 @@ impl ContactSpring {
 
 /// Part of the expected depth at which the begin of a contact is judged (1e-9 to 1e-3).
 const SMALL_DEPTH: f64 = 1e-6;
-
-/// Part of the critical damper that a yielding spring relaxes by at least (0.2 to 1): with a half it does so at its frequency at most, which every step follows.
-const SLOWEST_YIELD: f64 = 0.5;
 
 /// The direction of sliding turns towards the slip at most at this multiple of the frequency of the normal spring (1 to 20): a spring
 /// that is all but empty would turn at once, which no step could follow.

@@ -10,8 +10,9 @@
 //! | overlap | it ends | its continued force |
 //! | force of spring and damper, or minus it | the damper would pull; it pushes again | the same |
 //! | rate of the overlap, or minus it | the overlap is greatest, or least | `int T k_t'/k_t dt` of a spring that holds, else none |
-//! | mu_s F_n - T, with a damper mu_s F_n - abs(T + c u) | the tangential spring gives way | `T - mu F_n` |
-//! | speed of giving way, with a damper abs(T + c u) - mu_s F_n | it holds | `int k_t (speed) dt`, `mu_s F_n - abs(T + c u)` |
+//! | mu_s F_n - T | the tangential spring gives way | `T - mu F_n` |
+//! | speed of giving way | it holds | `int k_t (speed) dt` |
+//! | slip that is left before friction is kinetic | it becomes so | `(mu_s - mu) F_n`, and its damper |
 //! | margin of the point within its features, beyond rounding | it leaves them | that of its spring, and of overlaps of the pair that have no spring |
 //!
 //! A missed force counts beyond what the rounding of positions makes of the spring's force anyway.
@@ -48,7 +49,7 @@ const HALVINGS: u32 = 52;
 const TIME_DIFFERENCE: f64 = 1e-4;
 
 /// Signals of a spring.
-const SIGNALS: usize = 5;
+const SIGNALS: usize = 6;
 
 /// What happens.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,6 +64,8 @@ pub(super) enum Happening {
     Turn(ContactId),
     /// Its tangential spring gives way, or holds.
     Grip(ContactId),
+    /// Its friction becomes kinetic.
+    Weaken(ContactId),
     /// The point leaves its features: others may take their place.
     Leave(ContactId),
 }
@@ -70,7 +73,13 @@ pub(super) enum Happening {
 impl Happening {
     fn id(self) -> ContactId {
         match self {
-            Self::Begin(id) | Self::End(id) | Self::Press(id) | Self::Turn(id) | Self::Grip(id) | Self::Leave(id) => id,
+            Self::Begin(id)
+            | Self::End(id)
+            | Self::Press(id)
+            | Self::Turn(id)
+            | Self::Grip(id)
+            | Self::Weaken(id)
+            | Self::Leave(id) => id,
         }
     }
 }
@@ -203,7 +212,7 @@ impl Looking<'_, '_> {
             motions.push(Motion { depth: at.depth, rate: at.rate, force: spring.normal_force(&at) });
             let rounding = self.rounding_of(spring.id, &spring.normal, &at) * with_friction(&spring);
             for what in of_spring(spring.id) {
-                if matches!(what, Happening::Grip(_)) && spring.grip == Grip::Slide {
+                if matches!(what, Happening::Grip(_)) && spring.slides() {
                     sliding.push((signals.len(), spring, at));
                 }
                 let signal = self.at_look(what, &spring, &at);
@@ -240,6 +249,7 @@ impl Looking<'_, '_> {
             Happening::Turn(_) => turning(spring, at),
             Happening::Leave(id) => self.leaving(id, at, spring.normal_force(at).abs() * with_friction(spring)),
             Happening::Grip(_) => holding(spring, at),
+            Happening::Weaken(_) => weakening(spring, at),
         }
     }
 
@@ -335,7 +345,7 @@ impl Looking<'_, '_> {
     fn is_decided(&self, what: Happening) -> bool {
         let spring = || self.system.springs.iter().find(|spring| spring.id == what.id());
         let would_be_last = match what {
-            Happening::Grip(_) => spring().is_some_and(ContactSpring::slips),
+            Happening::Grip(_) => spring().is_some_and(ContactSpring::slides),
             Happening::Press(_) => spring().is_some_and(|spring| spring.push == Push::On),
             _ => true,
         };
@@ -471,8 +481,9 @@ impl Looking<'_, '_> {
             Happening::Begin(_) | Happening::Leave(_) | Happening::End(_) => at.depth,
             Happening::Press(_) => pressing(&spring, &at).value,
             Happening::Turn(_) => turning(&spring, &at).value,
-            Happening::Grip(_) if spring.grip == Grip::Slide => self.gripping(t, &spring, &at),
+            Happening::Grip(_) if spring.slides() => self.gripping(t, &spring, &at),
             Happening::Grip(_) => holding(&spring, &at).value,
+            Happening::Weaken(_) => weakening(&spring, &at).value,
         }
     }
 
@@ -525,7 +536,7 @@ fn bisected(from: f64, to: f64, mut signal: impl FnMut(f64) -> f64) -> f64 {
 fn of_spring(id: ContactId) -> [Happening; SIGNALS] {
     let of_normal = [Happening::End(id), Happening::Press(id), Happening::Turn(id), Happening::Leave(id)];
     let [end, press, turn, leave] = of_normal;
-    [end, press, turn, leave, Happening::Grip(id)]
+    [end, press, turn, leave, Happening::Grip(id), Happening::Weaken(id)]
 }
 
 /// The overlap.
@@ -555,23 +566,21 @@ fn turning(spring: &ContactSpring, at: &Evaluated) -> Signal {
     Signal { missed_rate: spring.vector.length() * rate, ..Signal::of(value, 0.0) }
 }
 
-/// Coulomb's limit less the force of a tangential spring that holds, N; of one that yields against its damper the opposite; infinite of others.
+/// Coulomb's limit less the force of a tangential spring that holds, N; infinite where none holds.
 fn holding(spring: &ContactSpring, at: &Evaluated) -> Signal {
-    let Some(friction) = spring.friction else { return Signal::NONE };
-    let normal = spring.normal_force(at);
-    if spring.is_damped() && matches!(spring.grip, Grip::Stick | Grip::Yield) {
-        let beyond = spring.beyond_static(at);
-        let value = if spring.grip == Grip::Stick { -beyond } else { beyond };
-        let frozen = friction.at_rest * normal + beyond;
-        let missed = (frozen - spring.yielding_limit(beyond, normal)).abs();
-        return Signal::of(value, if value < 0.0 { missed } else { 0.0 });
-    }
-    if spring.grip != Grip::Stick {
-        return Signal::NONE;
-    }
-    let held = spring.vector.length();
+    let (Grip::Stick, Some(friction)) = (spring.grip, spring.friction) else { return Signal::NONE };
+    let (normal, held) = (spring.normal_force(at), spring.vector.length());
     let value = spring.limit(normal) - held;
     Signal::of(value, if value < 0.0 { (held - friction.sliding * normal).max(0.0) } else { 0.0 })
+}
+
+/// What is left of the slip after which static friction is kinetic, m; infinite where none is followed.
+fn weakening(spring: &ContactSpring, at: &Evaluated) -> Signal {
+    let (Grip::Yield, Some(friction)) = (spring.grip, spring.friction) else { return Signal::NONE };
+    let value = spring.holding.weakening - spring.slipped;
+    let more = (friction.at_rest - friction.sliding) * spring.normal_force(at).max(0.0);
+    let more = more + spring.holding.damper * at.slip.length();
+    Signal::of(value, if value < 0.0 { more } else { 0.0 })
 }
 
 /// The force of a contact in units of its normal force, at most.

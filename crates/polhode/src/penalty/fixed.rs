@@ -1,8 +1,9 @@
 //! A group over a longest step by fixed steps, of an integrator that the scene names: `rk4`, `semi-implicit-euler`,
 //! `implicit-midpoint`.
 //!
-//! Nothing is located: at every stage contacts that overlap push, those that do not do not. A tangential spring with a damper holds or
-//! yields by one law; one without is cut to Coulomb's limit at the end of a step (return mapping), and its force at every stage. The step is that of the scene; without
+//! Nothing is located: at every stage contacts that overlap push, those that do not do not. A tangential spring is cut to
+//! Coulomb's limit at the end of a step (return mapping), and its force at every stage: to that at rest, and once
+//! it has slipped by its stretch to that of sliding, until a step ends within it. The step is that of the scene; without
 //! one it is [`STEPS_PER_CONTACT`] to the half period of the fastest spring near.
 //!
 //! Explicit steps are stable up to `h w = 2` (semi-implicit Euler) and 2.78 (RK4) on a spring, and a damper's rate
@@ -11,7 +12,7 @@
 //! numerical error shows in the ledger. Source: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.6 (the cubic polynomial
 //! that gives samples within a step). How it fails: [`SimulationError::StepTooLong`].
 
-use super::contact::{ContactSpring, Grip, Push};
+use super::contact::{ContactSpring, Evaluated, Grip, Push};
 use super::implicit;
 use super::run::{GroupRun, Run, Segment};
 use super::system::SpringSystem;
@@ -147,20 +148,34 @@ fn step(run: &mut Run<'_>, h: f64, end: f64) -> Result<(), SimulationError> {
     let begins: Vec<ContactId> =
         springs.iter().filter(|spring| spring.passage.deepest == 0.0).map(|spring| spring.id).collect();
     run.commit(&flat, after, end);
+    let held = run.energy();
     for index in 0..run.done.springs.len() {
         let spring = run.done.springs[index];
-        if spring.grip == Grip::Cut
-            && !spring.is_damped()
-            && let Some(at) = run.evaluated(&spring)
-        {
-            let vector = spring.vector.clamp_length_max(spring.limit(spring.normal_force(&at)));
-            run.done.springs[index].vector = vector;
+        if let (Grip::Cut | Grip::CutSliding, Some(at)) = (spring.grip, run.evaluated(&spring)) {
+            run.done.springs[index] = returned(&spring, &at);
         }
         if spring.passage.deepest > 0.0 && begins.contains(&spring.id) {
             run.note_event(EventKind::ContactBegin, &spring);
         }
     }
+    // What springs give up where static friction becomes kinetic.
+    let given_up = held - run.energy();
+    run.done.books.ledger.friction.add(given_up);
     Ok(())
+}
+
+/// A tangential spring that is cut, as a step ends in this state.
+fn returned(spring: &ContactSpring, at: &Evaluated) -> ContactSpring {
+    let normal = spring.normal_force(at);
+    let beyond = spring.vector.length() - spring.limit(normal);
+    if beyond <= 0.0 {
+        return ContactSpring { grip: Grip::Cut, slipped: 0.0, ..*spring };
+    }
+    let stiffness = spring.tangential.stiffness(at.depth);
+    let slipped = spring.slipped + if stiffness > 0.0 { beyond / stiffness } else { 0.0 };
+    let grip = if slipped > spring.holding.weakening { Grip::CutSliding } else { Grip::Cut };
+    let spring = ContactSpring { grip, slipped, ..*spring };
+    ContactSpring { vector: spring.vector.clamp_length_max(spring.limit(normal)), ..spring }
 }
 
 /// Drops springs of contacts that do not overlap.
@@ -171,7 +186,6 @@ fn release(run: &mut Run<'_>) {
             continue;
         }
         if spring.passage.deepest > 0.0 {
-            run.slacken(&[spring.id]);
             run.remove_now(spring.id);
         } else {
             run.done.springs.retain(|known| known.id != spring.id);

@@ -17,8 +17,8 @@
 //! and in a stack more: a rate of decay by which explicit steps are that much shorter while nothing moves.
 //!
 //! **Holding.** A tangential spring that holds a contact at rest, or one whose static friction is above kinetic, is damped critically,
-//! `c = 2 sqrt(k_t m)` under the load at rest, and in proportion to the normal force: m is the mass that the contact bears, its share of W/g, or its effective mass where that is more. Static friction becomes
-//! kinetic at the speed `sqrt(g d)` of slip, without gravity at that of regularised friction.
+//! `c = 2 sqrt(k_t m)`: m is the mass that the contact bears, its share of W/g, or its effective mass where that is more. Static friction becomes
+//! kinetic after a slip of `mu_s F/k_t`, the stretch at which the spring gives way under the load F of the normal damping at rest.
 //!
 //! Source: docs/REFERENCES.md, Hunt and Crossley. How it fails: a stiffness that is not finite is refused when the
 //! contact begins.
@@ -91,12 +91,12 @@ impl Resistance {
 /// What a tangential spring has while it holds.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Holding {
-    /// c of its damper under the load at rest, N s/m; it is in proportion to the normal force.
+    /// c of its damper, N s/m.
     pub(super) damper: f64,
-    /// That load, N.
-    pub(super) load: f64,
-    /// v_0, m/s: the speed of slip at which static friction becomes kinetic.
-    pub(super) kinetic_from: f64,
+    /// How far it slips before static friction becomes kinetic, m: zero where both are one.
+    pub(super) weakening: f64,
+    /// The slip that its damper stops by a force of less than static friction of the load at rest, m/s; zero where both coefficients are one.
+    pub(super) stopped: f64,
 }
 
 /// The springs of a contact that begins.
@@ -192,13 +192,15 @@ impl Laws {
         });
         let resistance = self.resistance(world, id);
         let own = friction.filter(|own| own.slip_speed.is_none() && (rests || own.at_rest > own.sliding));
-        let holding = own.map_or_else(Holding::default, |_| {
+        let holding = own.map_or_else(Holding::default, |own| {
             let depth = self.depth_at_rest(world, &normal, mass);
-            let depth = if depth > 0.0 { depth } else { normal.impact_depth(mass, approach.max(self.speed)) };
+            let stiffness = tangential.stiffness(depth);
             let borne = self.borne_mass(world, states, (id, geometry)).max(mass);
-            let kinetic_from = if resting_speed > 0.0 { resting_speed } else { self.slip_speed(world) };
-            let damper = 2.0 * (tangential.stiffness(depth) * borne).sqrt();
-            Holding { damper, load: normal.elastic_force(depth), kinetic_from }
+            let is_weaker = stiffness > 0.0 && own.at_rest > own.sliding;
+            let weakening = if is_weaker { own.at_rest * normal.elastic_force(depth) / stiffness } else { 0.0 };
+            let damper = 2.0 * (stiffness * borne).sqrt();
+            let stopped = if weakening > 0.0 { weakening * stiffness / damper } else { 0.0 };
+            Holding { damper, weakening, stopped }
         });
         let restitution = material.restitution();
         Ok(ContactLaw { normal, tangential, holding, friction, resistance, restitution, mass })

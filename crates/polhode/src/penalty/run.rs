@@ -3,7 +3,7 @@
 //! What error-controlled and fixed steps share: which contacts there are at the start of a step, the booking of a step, and
 //! what is measured of it.
 
-use super::contact::{ContactSpring, Evaluated, Grip};
+use super::contact::{ContactSpring, Evaluated};
 use super::events::Peak;
 use super::laws::Laws;
 use super::measures::SpringReport;
@@ -17,7 +17,6 @@ use crate::event::{Event, EventKind};
 use crate::solve::projection::{Projection, Removal, project_positions, project_velocities};
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::{BodyState, DenseStep, System};
-use polhode_spatial::DVec3;
 
 /// Bodies that may meet each other, and those that they may meet.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -256,19 +255,6 @@ impl<'a> Run<'a> {
             // Features that come into the place of others may overlap deeply at once.
             let (pair, distance) = ((spring.id.a, spring.id.b), -spring.passage.deepest);
             self.done.separations.push(Separation { pair, t_s: self.t, distance, rate: -spring.passage.approach });
-        }
-    }
-
-    /// Lets the tangential springs of contacts that end go slack: what their dampers have not taken of their energy goes to friction.
-    pub(super) fn slacken(&mut self, ids: &[ContactId]) {
-        for index in 0..self.done.springs.len() {
-            let spring = self.done.springs[index];
-            if !spring.is_damped() || spring.grip == Grip::Free || !ids.contains(&spring.id) {
-                continue;
-            }
-            let held = self.evaluated(&spring).map_or(0.0, |at| spring.tangential_energy(&at));
-            self.done.books.ledger.friction.add(held);
-            self.done.springs[index].vector = DVec3::ZERO;
         }
     }
 

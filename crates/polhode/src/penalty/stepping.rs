@@ -253,12 +253,12 @@ fn allowances(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[ContactS
 /// The forces of the tangential springs that give way (N), zero for others; none where there are no such springs.
 fn sliding_forces(system: &mut SpringSystem<'_>, t: f64, flat: &[f64]) -> Vec<f64> {
     let springs = system.springs;
-    if !springs.iter().any(|spring| spring.grip == Grip::Slide) {
+    if !springs.iter().any(ContactSpring::slides) {
         return Vec::new();
     }
     system.set_states(t, flat);
     let of = |spring: &ContactSpring| {
-        let at = if spring.grip == Grip::Slide { system.evaluated(spring) } else { None };
+        let at = if spring.slides() { system.evaluated(spring) } else { None };
         at.map_or(0.0, |at| spring.limit(spring.normal_force(&at)).max(0.0))
     };
     springs.iter().map(of).collect()
@@ -285,10 +285,13 @@ fn largest_error(
         let force = spring.normal.elastic_force(run.laws.depth_m);
         // Of a direction of sliding its force counts: that of a point without load directs none.
         let scale = match sliding.get(index) {
-            Some(own) if spring.grip == Grip::Slide => force / own,
+            Some(own) if spring.slides() => force / own,
             _ => force,
         };
-        largest.include(method.error_of(first..first + SPRING), tolerance * scale);
+        largest.include(method.error_of(first..first + VECTOR), tolerance * scale);
+        if spring.grip == Grip::Yield {
+            largest.include(method.error_of(first + VECTOR..first + SPRING), tolerance * spring.holding.weakening);
+        }
     }
     // What dampers and friction take is booked as exactly as the motion.
     let mass: f64 = bodies.iter().filter_map(|&body| world.bodies[body].rigid.as_ref()).map(RigidBody::mass).sum();
@@ -298,6 +301,9 @@ fn largest_error(
     }
     largest.get()
 }
+
+/// Numbers of a spring that are those of its vector.
+const VECTOR: usize = 3;
 
 /// Part of the tolerance that one step may err by: an impact takes some ten to a hundred of them (0.01 to 1).
 const STEP_SHARE: f64 = 0.1;

@@ -2,11 +2,11 @@
 //!
 //! `p' = v`, `q' = w q / 2`, `v' = g + sum F/m`, `L' = sum r x F + M`, with the forces of `contact` at the state of the stage, and the
 //! reactions of joints that leave their rows no acceleration under all of these (`crate::solve::joint_reactions`). Which
-//! springs there are and their modes are frozen. The state is flat: the bodies, three numbers for each spring (its tangential
-//! vector), and [`TAIL`] numbers for the ledgers: impulses of fixed bodies, weights and fields, each with its moment, energy
+//! springs there are and their modes are frozen. The state is flat: the bodies, four numbers for each spring (its tangential
+//! vector and its slip), and [`TAIL`] numbers for the ledgers: impulses of fixed bodies, weights and fields, each with its moment, energy
 //! lost to dampers and drag, external work, and energy lost to friction.
 
-use super::contact::{ContactSpring, Evaluated, Force, SPRING};
+use super::contact::{ContactSpring, Evaluated, Force, Grip, SPRING};
 use crate::Momentum;
 use crate::accounting::books::Received;
 use crate::collision::contact_id::ContactId;
@@ -165,6 +165,13 @@ impl SpringSystem<'_> {
     }
 }
 
+impl ContactSpring {
+    /// Whether friction takes up more than slip, so that the elastic energy of its spring is part of what it takes.
+    pub(super) fn gives_way(&self) -> bool {
+        self.slides() || matches!(self.grip, Grip::Cut | Grip::CutSliding)
+    }
+}
+
 impl System for SpringSystem<'_> {
     type Error = Infallible;
 
@@ -192,7 +199,8 @@ impl System for SpringSystem<'_> {
                 sums[index].1 += moment;
             }
             let place = first + index * SPRING;
-            rates[place..place + SPRING].copy_from_slice(&force.vector_rate.to_array());
+            let [x, y, z] = force.vector_rate.to_array();
+            rates[place..place + SPRING].copy_from_slice(&[x, y, z, spring.slipping(&at)]);
             self.contact_rates(spring.id, &at, &force, &mut rates[end..]);
         }
         if self.world.has_rows() {

@@ -34,8 +34,10 @@ pub(crate) struct ContactSpring {
     pub(crate) is_plain: bool,
     pub(crate) damping: f64,
     pub(crate) tangential: f64,
-    /// Damper of a tangential spring that holds (N s/m) under a load (N), and the speed of slip (m/s) at which its friction is kinetic.
+    /// Damper of a tangential spring that holds (N s/m), the slip (m) that makes its friction kinetic, the slip (m/s) that it stops; and what of
+    /// the second is done.
     pub(crate) holding: [f64; 3],
+    pub(crate) slipped: f64,
     /// At rest, sliding.
     pub(crate) friction: Option<[f64; 2]>,
     pub(crate) slip_speed: Option<f64>,
@@ -68,6 +70,7 @@ pub(crate) enum Grip {
     Yield,
     Slide,
     Cut,
+    CutSliding,
 }
 
 /// What springs were asked for and reached.
