@@ -168,9 +168,8 @@ fn answer(
         iterations: usize::try_from(guesses).unwrap_or(usize::MAX),
         residual,
         bound: power_bound(&forces, &w),
-        certified: false,
         rank: forces.iter().filter(|force| **force > 0.0).count(),
-        noise_floor: 0.0,
+        ..SolverReport::default()
     };
     let vanishing = (0..w.len()).filter(|&row| w[row] > VANISHES * scales[row]).collect();
     GuessedForces { forces, residual_accelerations: w, vanishing, guesses, report }

@@ -215,9 +215,8 @@ impl<'a> Programme<'a> {
             iterations: self.iterations,
             residual,
             bound: power_bound(&forces, &w),
-            certified: false,
             rank: forces.iter().filter(|force| **force > 0.0).count(),
-            noise_floor: 0.0,
+            ..SolverReport::default()
         };
         LeastForceSolution { forces, residual_accelerations: w, least_sum, stage, report }
     }

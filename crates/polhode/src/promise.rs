@@ -12,7 +12,8 @@
 //! | energy that projections take or give, in all | `energy E` |
 //! | energy that the method takes or gives, in all | `energy E`; under error control at least 10 tolerances E for each longest step |
 //! | both in stretches of crowded events | the tolerance of crowding times E for each longest step |
-//! | residual, violation of Coulomb's law, estimated error | those of the promise |
+//! | residual of a problem at an instant | that of the promise, at least what rounding of its terms leaves |
+//! | residual of a time step, violation of Coulomb's law, estimated error | those of the promise |
 //!
 //! s: size of the smaller body of the pair, m; ulp: unit in the last place of the largest coordinate of the two, m; E: the largest
 //! energy of the run, at least that of lifting all bodies by their size, J. Integrators of fixed steps that a scene names in a tier

@@ -244,6 +244,7 @@ impl Blocks {
             method,
             iterations: solved.report.iterations(),
             residual: solved.report.residual,
+            rounding: solved.report.rounding,
             ..SolverReport::default()
         };
         BlocksSolution {

@@ -63,6 +63,8 @@ pub struct FrictionReport {
     pub cone_iterations: usize,
     /// See [`FrictionProblem::residual`](crate::friction::FrictionProblem::residual).
     pub residual: f64,
+    /// The residual that rounding of `G r + q` alone leaves (no unit): a solution to this is solved.
+    pub rounding: f64,
 }
 
 impl FrictionReport {

@@ -296,7 +296,8 @@ impl Solver<'_> {
     fn finish(mut self) -> FrictionSolution {
         self.newton.linearise(&self.best.reactions, &self.best.velocities);
         self.report.residual = self.best.residual;
-        let is_solved = self.is_accepted() || self.best.residual <= self.problem.rounding_of(&self.best.reactions);
+        self.report.rounding = self.problem.rounding_of(&self.best.reactions);
+        let is_solved = self.is_accepted() || self.best.residual <= self.report.rounding;
         self.report.status = match (is_solved, self.squeeze.is_empty()) {
             (true, _) => SolverStatus::Solved,
             (false, true) => SolverStatus::Inaccurate,

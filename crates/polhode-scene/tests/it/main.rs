@@ -9,6 +9,7 @@ mod documentation;
 mod fixtures;
 mod forces;
 mod format;
+mod landing_at_a_stop;
 mod mass;
 mod mesh_report;
 mod motions;

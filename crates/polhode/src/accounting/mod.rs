@@ -135,8 +135,8 @@ impl Accounts {
         }
     }
 
-    /// Records a solver's report in the certificate. That of a problem that was not solved is in the error: nothing moves by its
-    /// answer.
+    /// Records a solver's report in the certificate: a residual that rounding alone leaves is within the promise. That of a problem
+    /// that was not solved is in the error: nothing moves by its answer.
     ///
     /// # Errors
     /// When the problem was not solved to its tolerance.
@@ -144,7 +144,8 @@ impl Accounts {
         if report.status != SolverStatus::Solved {
             return Err(SimulationError::ContactSolve { t_s: t, residual: report.residual });
         }
-        self.note_residual(t, report.residual);
+        let allowed = self.promise.residual.map_or(f64::INFINITY, |promised| promised.max(report.rounding));
+        self.measures.residual.note(Measure { t, pair: (0, 0), value: report.residual, allowed });
         let certificate = &mut self.certificate;
         certificate.max_acceleration_error_bound =
             Some(certificate.max_acceleration_error_bound.unwrap_or(0.0).max(report.bound));

@@ -48,8 +48,8 @@ pub(crate) struct FrictionalImpact {
 /// Why contacts are struck.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Cause<'a> {
-    /// They approach.
-    Collision,
+    /// They approach; those slower than this part of the fastest do not (no unit).
+    Collision(f64),
     /// They jam at this time (s) under these loads.
     Jam(f64, &'a Loads),
 }
@@ -89,12 +89,12 @@ pub(crate) fn solve(
     let mut assembly = Assembly::new(world, states, bodies, rows)?;
     let (blocks, mut before) = blocks_of(&mut assembly, world, states, contacts)?;
     let rotations = match cause {
-        Cause::Collision => rotations_of(&mut assembly, world, states, contacts, &mut before)?,
+        Cause::Collision(_) => rotations_of(&mut assembly, world, states, contacts, &mut before)?,
         Cause::Jam(..) => Vec::new(),
     };
     let delassus = assembly.problem.delassus();
     let accelerations = match cause {
-        Cause::Collision => None,
+        Cause::Collision(_) => None,
         Cause::Jam(t, loads) => {
             let free = assembly.free_accelerations(world, states, loads);
             let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
@@ -103,7 +103,7 @@ pub(crate) fn solve(
     };
     let rounding = world.velocity_rounding(states, bodies);
     take_out_rounding(&mut before, rounding);
-    let settings = settings_for(rounding, &before);
+    let settings = settings_for(rounding, &before, cause);
     let blocks = with_rotations(blocks, &rotations);
     let mut restitution: Vec<f64> = contacts.iter().map(|touch| world.restitution_at(touch)).collect();
     // Pivots have no restitution.
@@ -183,8 +183,11 @@ fn take_out_rounding(velocities: &mut [f64], rounding: f64) {
 
 /// Settings of an impact with these velocities before (m/s), whose errors by rounding are known (m/s): where contacts
 /// hardly approach, redundant ones contradict each other by that.
-fn settings_for(rounding: f64, before: &[f64]) -> MultipleImpactSettings {
+fn settings_for(rounding: f64, before: &[f64], cause: Cause<'_>) -> MultipleImpactSettings {
     let mut settings = MultipleImpactSettings::default();
+    if let Cause::Collision(threshold) = cause {
+        settings.threshold = threshold;
+    }
     let largest = before.iter().fold(0.0, |most: f64, velocity| most.max(velocity.abs()));
     if largest > 0.0 {
         settings.solver.acceptance =

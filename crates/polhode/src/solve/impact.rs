@@ -219,7 +219,13 @@ pub(crate) fn strike(
 ) -> Result<Struck, ResponseError> {
     let members: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
     if frictional_impact::have_friction(world, &members) {
-        return strike_with_friction(world, states, &group.bodies, &members, (law, Cause::Collision));
+        return strike_with_friction(
+            world,
+            states,
+            &group.bodies,
+            &members,
+            (law, Cause::Collision(settings.threshold)),
+        );
     }
     let rows = members.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let assembly = Assembly::new(world, states, &group.bodies, rows)?;
@@ -290,7 +296,7 @@ pub(crate) fn strike_with_friction(
     law: (ImpactLaw, Cause<'_>),
 ) -> Result<Struck, ResponseError> {
     let mut taken = match law.1 {
-        Cause::Collision => outer_of_many(members),
+        Cause::Collision(_) => outer_of_many(members),
         Cause::Jam(..) => vec![true; members.len()],
     };
     let start = states_of(states, bodies);
@@ -299,7 +305,7 @@ pub(crate) fn strike_with_friction(
     loop {
         let mut places: Vec<usize> = (0..members.len()).filter(|&place| taken[place]).collect();
         let order = match law.1 {
-            Cause::Collision => in_order(world, law.0, members, members.len()),
+            Cause::Collision(_) => in_order(world, law.0, members, members.len()),
             Cause::Jam(..) => None,
         };
         if let Some(order) = &order {
