@@ -71,7 +71,8 @@ impl<'a> Impact<'a> {
     }
 
     /// Takes the motion of joints out of the velocities, before any contact is struck: joints that move and contacts
-    /// that rebound, struck together, could raise the energy.
+    /// that rebound, struck together, could raise the energy. Joints that move no faster than contacts that do not approach are
+    /// at rest: joints of closed loops contradict each other by the rounding of their velocities.
     pub(super) fn stop_joints(
         &mut self,
         joints: &[usize],
@@ -79,11 +80,11 @@ impl<'a> Impact<'a> {
         impulses: &mut [f64],
         outcome: &mut ImpactOutcome,
     ) {
-        if joints.iter().all(|&row| velocities[row] == 0.0) {
+        if !joints.iter().any(|&row| self.is_violated(row, velocities[row])) {
             return;
         }
         let before: Vec<f64> = joints.iter().map(|&row| velocities[row]).collect();
-        let solved = self.solve(joints, &before, 0.0, outcome);
+        let solved = self.solve(joints, &before, self.tolerance, outcome);
         self.advance(velocities, joints, &solved.amounts);
         for (&row, impulse) in joints.iter().zip(&solved.amounts) {
             impulses[row] += impulse;
