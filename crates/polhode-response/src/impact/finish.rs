@@ -190,11 +190,11 @@ impl<'a> Impact<'a> {
         compensated_dot(impulses, &mean)
     }
 
-    /// Lists one application for each row with an impulse, for the laws that strike all rows at once.
+    /// Lists one application for each row with an impulse, for the laws that strike all rows at once: all of it, with what the last
+    /// inelastic solve gave.
     pub(super) fn list_applications(&self, outcome: &mut ImpactOutcome) {
         let (mut rows, mut impulses) = (Vec::new(), Vec::new());
-        for (row, &total) in outcome.impulses.iter().enumerate() {
-            let impulse = total - outcome.finishing.get(row).copied().unwrap_or(0.0);
+        for (row, &impulse) in outcome.impulses.iter().enumerate() {
             if impulse > 0.0 || (impulse < 0.0 && self.problem.is_bilateral(row)) {
                 rows.push(row);
                 impulses.push(impulse);

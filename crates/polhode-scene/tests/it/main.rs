@@ -24,6 +24,7 @@ mod robots_doctor;
 mod robots_mjcf;
 mod robots_real;
 mod robustness;
+mod ropes_that_go_taut;
 mod schema;
 mod steps_of_heaps;
 mod trajectories;
