@@ -9,6 +9,7 @@ mod documentation;
 mod fixtures;
 mod forces;
 mod format;
+mod friction_against_a_spring;
 mod landing_at_a_stop;
 mod loop_hits_its_stop;
 mod mass;

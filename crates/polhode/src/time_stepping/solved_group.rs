@@ -2,8 +2,9 @@
 //!
 //! Energy in the order of action is `sum p.(u + u+)/2`, with the rates `u` after the kick and `u+` after all impulses
 //! (`shared_work.rs`). Where it grows with the impulses, because a slip turns within the step, they are shortened together:
-//! a part `s` of them changes it by `s l + s^2 q`. How it fails: where no part takes energy, none is applied, and the step says that its
-//! problem was not solved.
+//! a part `s` of them changes it by `s l + s^2 q`. Where no part takes energy, because a slip turns against a spring, the step is divided
+//! where that slip stops. How it fails: where the slip has been stopped and no part takes energy, none is applied, and the step says that
+//! its problem was not solved.
 
 use super::contacts::{NearContact, kinematics_at_point};
 use super::kick::Kick;
@@ -46,8 +47,10 @@ pub(super) struct Found {
     pub(super) residual: f64,
     /// How far they are from Coulomb's law.
     pub(super) violation: Option<ConeViolation>,
-    /// Slips that end within the step.
+    /// Slips that end within the step, at which it is divided.
     pub(super) stops: Vec<Stop>,
+    /// Slips that end within the step against springs, at which it is divided where no part of the impulses takes energy.
+    pub(super) stops_against_springs: Vec<Stop>,
 }
 
 impl Found {
@@ -118,7 +121,7 @@ impl SolvedGroup {
     }
 
     /// Applies the impulses. Those that would add energy are shortened, all by one factor, until they add none: the terms r of their
-    /// rows are then shorter. Where no part of them takes energy, none is applied.
+    /// rows are then shorter. Where no part of them takes energy, none is applied, and the slips that end against springs are stops.
     pub(super) fn apply(
         &mut self,
         world: &World,
@@ -146,6 +149,7 @@ impl SolvedGroup {
                 self.moments.clear();
                 self.reactions.clear();
                 self.found.residual = self.residual_of_none(rows);
+                self.found.stops.append(&mut self.found.stops_against_springs);
             }
         }
         for &body in &self.group.bodies {

@@ -197,7 +197,12 @@ impl TimeStepper {
             let found = sustained_friction::solve(assembly, states, constants, &friction, (cones, h, stops))?;
             report.factorisations += found.factorisations as u64;
             let sustained_friction::FrictionalImpulses { normal: impulses, tangential, moments, reactions, .. } = found;
-            let found = Found { residual: found.report.residual, violation: found.violation, stops: found.stops };
+            let found = Found {
+                residual: found.report.residual,
+                violation: found.violation,
+                stops: found.stops,
+                stops_against_springs: found.stops_against_springs,
+            };
             let reactions = kicked.loops.least(world, (states, &group.bodies), reactions)?;
             return Ok(SolvedGroup { group, impulses, tangential, moments, reactions, found, share: 1.0 });
         }
@@ -217,7 +222,7 @@ impl TimeStepper {
         self.solver.set_settings(SolverSettings::default());
         let solved = solution.report.status == SolverStatus::Solved;
         let residual = solution.report.residual;
-        let found = Found { residual, violation: None, stops: Vec::new() };
+        let found = Found { residual, violation: None, stops: Vec::new(), stops_against_springs: Vec::new() };
         let mut impulses = solution.forces;
         if !solved {
             let share = share_without_gain(&assembly, &members, &impulses)?;

@@ -172,21 +172,43 @@ impl TangentialRow {
     /// start, with these velocities of its rows and these impulses; none when it does not, or when rest would change
     /// nothing. What one unit of friction changes the slip by follows from the impulse and the change that were found.
     fn stops_at(&self, velocity: [f64; 2], impulse: TangentialPart) -> Option<f64> {
-        if self.sticks || !self.coefficients.sliding.is_below(self.coefficients.at_rest) {
+        if !self.coefficients.sliding.is_below(self.coefficients.at_rest) {
             return None;
         }
-        let TangentialPart { normal, along: [px, py] } = impulse;
+        let [px, py] = impulse.along;
         let constants = self.of_both_tangents();
         let [cx, cy] = [velocity[0] - constants[0], velocity[1] - constants[1]];
         let mobility = (cx * px + cy * py) / (px * px + py * py);
-        let (before, kick) = (self.slip_before(), self.change_by_kick());
-        let [x, y] = [0, 1].map(|axis: usize| before[axis] - self.whole_change[axis]);
+        let kick = self.change_by_kick();
+        let without = [0, 1].map(|axis: usize| 2.0 * self.whole_change[axis] + kick[axis]);
+        self.passes_zero_at(without, mobility * impulse.normal)
+    }
+
+    /// The same whatever the static coefficient is, where springs change the slip too: with the `mobility` of the rows (1/kg).
+    fn stops_against_springs_at(&self, velocity: [f64; 2], impulse: TangentialPart, mobility: f64) -> Option<f64> {
+        let (start, along) = (self.slip_at_start(), impulse.along);
+        let hidden = [0, 1].map(|axis: usize| self.whole_change[axis] - self.half_change[axis]);
+        let without = [0, 1].map(|axis: usize| velocity[axis] + hidden[axis] - start[axis] - mobility * along[axis]);
+        self.passes_zero_at(without, mobility * impulse.normal)
+    }
+
+    /// The slip at the start of the step along the tangents, m/s.
+    fn slip_at_start(&self) -> [f64; 2] {
+        let before = self.slip_before();
+        [before[0] - self.whole_change[0], before[1] - self.whole_change[1]]
+    }
+
+    /// At which part of the step its slip passes through zero, if it would change so much without friction (m/s), and friction of
+    /// coefficient 1 would change it by `braking` (m/s).
+    fn passes_zero_at(&self, without: [f64; 2], braking: f64) -> Option<f64> {
+        if self.sticks {
+            return None;
+        }
+        let [x, y] = self.slip_at_start();
         let basis = self.along.map(|row| row.along.normal);
         let start = (basis[0] * x + basis[1] * y).try_normalize()?;
         let (against, coefficient) = self.coefficients.sliding.opposed(basis, start);
-        let braking = mobility * coefficient * normal;
-        let change = |axis: usize| 2.0 * self.whole_change[axis] + kick[axis] - braking * basis[axis].dot(against);
-        let [dx, dy] = [0, 1].map(change);
+        let [dx, dy] = [0, 1].map(|axis: usize| without[axis] - coefficient * braking * basis[axis].dot(against));
         let part = -(x * dx + y * dy) / (dx * dx + dy * dy);
         let nearest = libm::hypot(x + part * dx, y + part * dy);
         // NaN, without an impulse or a change, gives none.
@@ -378,6 +400,8 @@ pub(super) struct FrictionalImpulses {
     pub(super) reactions: Vec<(Bilateral, Reaction)>,
     /// Contacts that come to rest within the step, and whose static coefficient exceeds the kinetic one.
     pub(super) stops: Vec<Stop>,
+    /// Contacts that come to rest within the step whatever their static coefficient is, where springs act.
+    pub(super) stops_against_springs: Vec<Stop>,
     /// How far they are from Coulomb's law.
     pub(super) violation: Option<ConeViolation>,
     pub(super) report: SolverReport,
@@ -394,6 +418,7 @@ impl FrictionalImpulses {
             moments: Vec::new(),
             reactions: Vec::new(),
             stops: Vec::new(),
+            stops_against_springs: Vec::new(),
             violation: None,
             report: SolverReport::default(),
             factorisations: 0,
@@ -453,6 +478,15 @@ pub(super) fn solve(
         settle(&mut assembly, constants, friction, &rows, (solvers, h))?;
     factorisations += last;
     let rows = rows.tangents;
+    let stops_against_springs = if assembly.problem.compliances().is_empty() {
+        Vec::new()
+    } else {
+        let part = |row: &TangentialRow, rows: &Range<usize>, velocity, impulse| {
+            let mobility = rows.clone().map(|row| assembly.problem.mobility(row)).fold(0.0, f64::max);
+            row.stops_against_springs_at(velocity, impulse, mobility)
+        };
+        stops_by(&friction, &rows, &solved, part)
+    };
     let stops = stops(&friction, &rows, &solved);
     let violation = violation_of(&friction, &rows, &solved.reactions);
     let normal = solved.reactions.get(..friction.len()).unwrap_or_default();
@@ -467,7 +501,17 @@ pub(super) fn solve(
     let moments = moments.collect();
     let reactions = assembly.reactions(&solved.reactions).map(|(of, impulse)| (of.clone(), impulse)).collect();
     let (normal, report) = (normal.to_vec(), solved.report);
-    Ok(FrictionalImpulses { normal, tangential, moments, reactions, stops, violation, report, factorisations })
+    Ok(FrictionalImpulses {
+        normal,
+        tangential,
+        moments,
+        reactions,
+        stops,
+        stops_against_springs,
+        violation,
+        report,
+        factorisations,
+    })
 }
 
 /// The rows of friction in a problem.
@@ -534,13 +578,23 @@ fn of_both(values: &[f64], rows: &Range<usize>) -> [f64; 2] {
     [(); 2].map(|()| own.next().unwrap_or_default())
 }
 
-/// The contacts whose slips pass through zero within the step.
+/// The contacts whose slips pass through zero within the step, and whose static coefficient exceeds the kinetic one.
 fn stops(friction: &[Option<TangentialRow>], rows: &[Range<usize>], solved: &BlocksSolution) -> Vec<Stop> {
+    stops_by(friction, rows, solved, |row, _, velocity, impulse| row.stops_at(velocity, impulse))
+}
+
+/// The contacts that stop within the step by `part`, which has a contact, its rows along tangents, their velocities and its impulses.
+fn stops_by(
+    friction: &[Option<TangentialRow>],
+    rows: &[Range<usize>],
+    solved: &BlocksSolution,
+    part: impl Fn(&TangentialRow, &Range<usize>, [f64; 2], TangentialPart) -> Option<f64>,
+) -> Vec<Stop> {
     let stop = |normal: f64, friction: &Option<TangentialRow>, rows: &Range<usize>| {
         let friction = friction.as_ref()?;
         let velocity = of_both(&solved.velocities, rows);
         let along = of_both(&solved.reactions, rows);
-        let part = friction.stops_at(velocity, TangentialPart { normal, along })?;
+        let part = part(friction, rows, velocity, TangentialPart { normal, along })?;
         Some(Stop { id: friction.along[0].id, part })
     };
     let contacts = solved.reactions.iter().zip(friction).zip(rows);
