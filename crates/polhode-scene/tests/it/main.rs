@@ -9,7 +9,6 @@ mod documentation;
 mod fixtures;
 mod forces;
 mod format;
-mod friction_against_a_spring;
 mod landing_at_a_stop;
 mod loop_hits_its_stop;
 mod mass;
@@ -27,6 +26,7 @@ mod robots_real;
 mod robustness;
 mod ropes_that_go_taut;
 mod schema;
+mod slips_that_stop;
 mod steps_of_heaps;
 mod trajectories;
 

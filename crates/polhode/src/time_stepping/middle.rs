@@ -6,8 +6,11 @@ use crate::collision::contact_id::ContactId;
 /// What is done about slips that end within a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Stops<'a> {
-    /// They are looked for. When one is found, the report names it and the step has to be made again in two parts.
+    /// Those whose static friction exceeds the kinetic one are looked for. When one is found, the report names it and the step has to be
+    /// made again in two parts.
     Sought,
+    /// The same, of all contacts: where friction that holds at the end of the step would gain energy.
+    SoughtOfAll,
     /// Those of these contacts end with the step.
     At(&'a [ContactId]),
 }

@@ -37,7 +37,7 @@ pub(super) struct SolvedGroup {
     /// Of bilateral constraints.
     pub(super) reactions: Vec<(Bilateral, Reaction)>,
     pub(super) found: Found,
-    /// The part of what was solved for that the impulses are: 1, where they were not shortened.
+    /// The part of what was solved for that the impulses are: 1 where they were not shortened, 0 where none is applied.
     pub(super) share: f64,
 }
 
@@ -49,8 +49,6 @@ pub(super) struct Found {
     pub(super) violation: Option<ConeViolation>,
     /// Slips that end within the step, at which it is divided.
     pub(super) stops: Vec<Stop>,
-    /// Slips that end within the step against springs, at which it is divided where no part of the impulses takes energy.
-    pub(super) stops_against_springs: Vec<Stop>,
 }
 
 impl Found {
@@ -121,7 +119,7 @@ impl SolvedGroup {
     }
 
     /// Applies the impulses. Those that would add energy are shortened, all by one factor, until they add none: the terms r of their
-    /// rows are then shorter. Where no part of them takes energy, none is applied, and the slips that end against springs are stops.
+    /// rows are then shorter. Where no part of them takes energy, none is applied, and their share is 0.
     pub(super) fn apply(
         &mut self,
         world: &World,
@@ -149,7 +147,7 @@ impl SolvedGroup {
                 self.moments.clear();
                 self.reactions.clear();
                 self.found.residual = self.residual_of_none(rows);
-                self.found.stops.append(&mut self.found.stops_against_springs);
+                self.share = 0.0;
             }
         }
         for &body in &self.group.bodies {

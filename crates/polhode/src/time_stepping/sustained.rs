@@ -120,8 +120,16 @@ impl TimeStepper {
                 set_states(states, bodies, &before);
                 continue;
             }
-            let ending: Vec<Stop> = solved.iter().flat_map(|group| &group.found.stops).copied().collect();
-            if stops == Stops::Sought && !ending.is_empty() {
+            let mut ending: Vec<Stop> = solved.iter().flat_map(|group| &group.found.stops).copied().collect();
+            if stops == Stops::Sought {
+                let all = Middle { stops: Stops::SoughtOfAll, ..middle };
+                for group in solved.iter().filter(|group| group.share == 0.0) {
+                    let kicked = Kicked { states, bodies, kick, loops };
+                    let again = self.solve_group(world, kicked, group.group.clone(), &rows, (near, all), report)?;
+                    ending.extend(again.found.stops);
+                }
+            }
+            if !ending.is_empty() {
                 report.stops = ending;
                 return Ok(Vec::new());
             }
@@ -197,12 +205,7 @@ impl TimeStepper {
             let found = sustained_friction::solve(assembly, states, constants, &friction, (cones, h, stops))?;
             report.factorisations += found.factorisations as u64;
             let sustained_friction::FrictionalImpulses { normal: impulses, tangential, moments, reactions, .. } = found;
-            let found = Found {
-                residual: found.report.residual,
-                violation: found.violation,
-                stops: found.stops,
-                stops_against_springs: found.stops_against_springs,
-            };
+            let found = Found { residual: found.report.residual, violation: found.violation, stops: found.stops };
             let reactions = kicked.loops.least(world, (states, &group.bodies), reactions)?;
             return Ok(SolvedGroup { group, impulses, tangential, moments, reactions, found, share: 1.0 });
         }
@@ -222,7 +225,7 @@ impl TimeStepper {
         self.solver.set_settings(SolverSettings::default());
         let solved = solution.report.status == SolverStatus::Solved;
         let residual = solution.report.residual;
-        let found = Found { residual, violation: None, stops: Vec::new(), stops_against_springs: Vec::new() };
+        let found = Found { residual, violation: None, stops: Vec::new() };
         let mut impulses = solution.forces;
         if !solved {
             let share = share_without_gain(&assembly, &members, &impulses)?;

@@ -14,8 +14,9 @@
 //! the static one is larger, a slip that passes through zero within the step would be turned round by a load that
 //! static friction bears. Under the load and the kinetic friction against the slip `u0` at the start the slip is linear in
 //! time, `u(s) = u0 + s d`, and vanishes at the part `s = -u0.d/|d|^2` of the step: the step is made in two parts there
-//! ([`Stop`]). The impulse that ends the first part without slip is within the static cone, and the second part begins
-//! without slip.
+//! ([`Stop`]). The change `d` is that of a second solution, in which all slips are pushed on along their directions at the start:
+//! it has what joints, springs and other contacts give. The impulse that ends the first part without slip is within the static cone,
+//! and the second part begins without slip.
 //!
 //! Friction of rolling and of spinning holds the relative rotation of the bodies after the impulses at zero, or
 //! resists it by a moment of its largest size (`crate::solve::rotational_friction`).
@@ -48,6 +49,10 @@ use std::ops::Range;
 /// A slip below this fraction of what a step may change it by is none (1e-6 to 1e-4): contacts that stick are left with
 /// the residual of the solver, at most that which is accepted (`cone_problem.rs`).
 const STICKING_RELATIVE: f64 = 1e-5;
+
+/// How much faster than anything in a step slips are pushed on, to find where they stop (no unit, 10 to 1000): no friction turns them then,
+/// and the residual of the solver is that much larger in relation to the slips.
+const BEYOND_TURNING: f64 = 100.0;
 
 /// Friction of a contact in the middle of a step.
 #[derive(Debug, Clone, Copy)]
@@ -155,41 +160,9 @@ impl TangentialRow {
         Self { sticks: true, ..self }
     }
 
-    /// Whether its slip may pass through zero within the step where its impulses do not show it: `r` is shortened, so that a contact
-    /// which would slip back may end without slip and without an impulse.
-    fn may_hide_stop(&self) -> bool {
-        !self.sticks
-            && self.half_change != self.whole_change
-            && self.coefficients.sliding.is_below(self.coefficients.at_rest)
-    }
-
-    /// The same with the whole change of its slip, which may gain energy: what would happen without contact forces.
-    fn with_whole_change(self) -> Self {
-        Self { half_change: self.whole_change, ..self }
-    }
-
-    /// At which part of the step (0 to 1) its slip would pass through zero under kinetic friction against the slip at the
-    /// start, with these velocities of its rows and these impulses; none when it does not, or when rest would change
-    /// nothing. What one unit of friction changes the slip by follows from the impulse and the change that were found.
-    fn stops_at(&self, velocity: [f64; 2], impulse: TangentialPart) -> Option<f64> {
-        if !self.coefficients.sliding.is_below(self.coefficients.at_rest) {
-            return None;
-        }
-        let [px, py] = impulse.along;
-        let constants = self.of_both_tangents();
-        let [cx, cy] = [velocity[0] - constants[0], velocity[1] - constants[1]];
-        let mobility = (cx * px + cy * py) / (px * px + py * py);
-        let kick = self.change_by_kick();
-        let without = [0, 1].map(|axis: usize| 2.0 * self.whole_change[axis] + kick[axis]);
-        self.passes_zero_at(without, mobility * impulse.normal)
-    }
-
-    /// The same whatever the static coefficient is, where springs change the slip too: with the `mobility` of the rows (1/kg).
-    fn stops_against_springs_at(&self, velocity: [f64; 2], impulse: TangentialPart, mobility: f64) -> Option<f64> {
-        let (start, along) = (self.slip_at_start(), impulse.along);
-        let hidden = [0, 1].map(|axis: usize| self.whole_change[axis] - self.half_change[axis]);
-        let without = [0, 1].map(|axis: usize| velocity[axis] + hidden[axis] - start[axis] - mobility * along[axis]);
-        self.passes_zero_at(without, mobility * impulse.normal)
+    /// Whether static friction holds more than kinetic.
+    fn holds_more_at_rest(&self) -> bool {
+        self.coefficients.sliding.is_below(self.coefficients.at_rest)
     }
 
     /// The slip at the start of the step along the tangents, m/s.
@@ -198,20 +171,33 @@ impl TangentialRow {
         [before[0] - self.whole_change[0], before[1] - self.whole_change[1]]
     }
 
-    /// At which part of the step its slip passes through zero, if it would change so much without friction (m/s), and friction of
-    /// coefficient 1 would change it by `braking` (m/s).
-    fn passes_zero_at(&self, without: [f64; 2], braking: f64) -> Option<f64> {
-        if self.sticks {
-            return None;
-        }
+    /// Whether its slip has stopped or turned within the step, with these velocities of its rows at the end.
+    fn has_turned(&self, [u, v]: [f64; 2]) -> bool {
         let [x, y] = self.slip_at_start();
-        let basis = self.along.map(|row| row.along.normal);
-        let start = (basis[0] * x + basis[1] * y).try_normalize()?;
-        let (against, coefficient) = self.coefficients.sliding.opposed(basis, start);
-        let [dx, dy] = [0, 1].map(|axis: usize| without[axis] - coefficient * braking * basis[axis].dot(against));
+        !self.sticks && x * u + y * v <= STICKING_RELATIVE * self.given * libm::hypot(x, y)
+    }
+
+    /// The same with the whole change of its slip, which may gain energy, and faster by `offset` (m/s) along the slip at the start: a
+    /// slip that does not turn then, so that friction is the kinetic one against it to the end of the step.
+    fn slipping_on(self, offset: f64) -> Self {
+        let half_change = self.offset_along_slip(offset);
+        Self { half_change: [0, 1].map(|axis: usize| self.whole_change[axis] + half_change[axis]), ..self }
+    }
+
+    /// A velocity (m/s) along the slip at the start; none where it sticks.
+    fn offset_along_slip(&self, offset: f64) -> [f64; 2] {
+        let [x, y] = self.slip_at_start();
+        let length = libm::hypot(x, y);
+        if self.sticks || length == 0.0 { [0.0; 2] } else { [x, y].map(|part| offset * part / length) }
+    }
+
+    /// At which part of the step (0 to 1) its slip passes through zero if it has changed to `end` (m/s) at the end, linear in time.
+    fn stops_at(&self, end: [f64; 2]) -> Option<f64> {
+        let [x, y] = self.slip_at_start();
+        let [dx, dy] = [end[0] - x, end[1] - y];
         let part = -(x * dx + y * dy) / (dx * dx + dy * dy);
         let nearest = libm::hypot(x + part * dx, y + part * dy);
-        // NaN, without an impulse or a change, gives none.
+        // NaN, without a change, gives none.
         (part > 0.0 && part < 1.0 && nearest <= STICKING_RELATIVE * self.given).then_some(part)
     }
 
@@ -305,15 +291,6 @@ impl TangentialRow {
     }
 }
 
-/// The impulse of one contact, N s.
-#[derive(Debug, Clone, Copy)]
-struct TangentialPart {
-    /// Along its normal.
-    normal: f64,
-    /// Along its tangents.
-    along: [f64; 2],
-}
-
 /// A contact with friction and its impulse along the tangents, N s.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TangentialImpulse {
@@ -398,32 +375,13 @@ pub(super) struct FrictionalImpulses {
     pub(super) moments: Vec<SustainedMoment>,
     /// Of bilateral constraints.
     pub(super) reactions: Vec<(Bilateral, Reaction)>,
-    /// Contacts that come to rest within the step, and whose static coefficient exceeds the kinetic one.
+    /// Contacts that come to rest within the step, among those that are asked for.
     pub(super) stops: Vec<Stop>,
-    /// Contacts that come to rest within the step whatever their static coefficient is, where springs act.
-    pub(super) stops_against_springs: Vec<Stop>,
     /// How far they are from Coulomb's law.
     pub(super) violation: Option<ConeViolation>,
     pub(super) report: SolverReport,
     /// Factorisations in the velocities of bodies; 0 where the matrix of all rows was formed.
     pub(super) factorisations: usize,
-}
-
-impl FrictionalImpulses {
-    /// None of so many contacts.
-    fn none(contacts: usize) -> Self {
-        Self {
-            normal: vec![0.0; contacts],
-            tangential: Vec::new(),
-            moments: Vec::new(),
-            reactions: Vec::new(),
-            stops: Vec::new(),
-            stops_against_springs: Vec::new(),
-            violation: None,
-            report: SolverReport::default(),
-            factorisations: 0,
-        }
-    }
 }
 
 /// How far impulses are from Coulomb's law.
@@ -463,31 +421,17 @@ pub(super) fn solve(
     constants.extend(friction.iter().flatten().flat_map(TangentialRow::rotation_constants));
     let rows = FrictionRows { tangents: rows, rotations, first_tangent };
     let mut factorisations = 0;
-    if stops_are == Stops::Sought && friction.iter().flatten().any(TangentialRow::may_hide_stop) {
-        let whole: Vec<_> = friction.iter().map(|row| row.map(TangentialRow::with_whole_change)).collect();
-        let of_whole = with_tangents(&constants, &whole, &rows);
-        let found = settle(&mut assembly, of_whole, &whole, &rows, (&mut *solvers, h))?;
-        factorisations += found.factorisations;
-        assembly.press(&mut constants, h);
-        let stops = stops(&found.friction, &rows.tangents, &found.solved);
-        if !stops.is_empty() {
-            return Ok(FrictionalImpulses { stops, factorisations, ..FrictionalImpulses::none(friction.len()) });
-        }
+    let settled = settle(&mut assembly, constants.clone(), friction, &rows, (&mut *solvers, h))?;
+    factorisations += settled.factorisations;
+    let mut stops = Vec::new();
+    let turned = turned(friction, &rows.tangents, &settled.solved, stops_are);
+    if !turned.is_empty() {
+        let (found, more) = stops_of(&turned, &mut assembly, (&constants, &settled), (friction, &rows), (solvers, h))?;
+        factorisations += more;
+        stops = found;
     }
-    let Settled { friction, solved, factorisations: last } =
-        settle(&mut assembly, constants, friction, &rows, (solvers, h))?;
-    factorisations += last;
+    let Settled { friction, solved, .. } = settled;
     let rows = rows.tangents;
-    let stops_against_springs = if assembly.problem.compliances().is_empty() {
-        Vec::new()
-    } else {
-        let part = |row: &TangentialRow, rows: &Range<usize>, velocity, impulse| {
-            let mobility = rows.clone().map(|row| assembly.problem.mobility(row)).fold(0.0, f64::max);
-            row.stops_against_springs_at(velocity, impulse, mobility)
-        };
-        stops_by(&friction, &rows, &solved, part)
-    };
-    let stops = stops(&friction, &rows, &solved);
     let violation = violation_of(&friction, &rows, &solved.reactions);
     let normal = solved.reactions.get(..friction.len()).unwrap_or_default();
     let rubbing = friction.iter().zip(&rows).filter_map(|(row, rows)| Some(((*row)?, rows)));
@@ -501,17 +445,7 @@ pub(super) fn solve(
     let moments = moments.collect();
     let reactions = assembly.reactions(&solved.reactions).map(|(of, impulse)| (of.clone(), impulse)).collect();
     let (normal, report) = (normal.to_vec(), solved.report);
-    Ok(FrictionalImpulses {
-        normal,
-        tangential,
-        moments,
-        reactions,
-        stops,
-        stops_against_springs,
-        violation,
-        report,
-        factorisations,
-    })
+    Ok(FrictionalImpulses { normal, tangential, moments, reactions, stops, violation, report, factorisations })
 }
 
 /// The rows of friction in a problem.
@@ -578,27 +512,44 @@ fn of_both(values: &[f64], rows: &Range<usize>) -> [f64; 2] {
     [(); 2].map(|()| own.next().unwrap_or_default())
 }
 
-/// The contacts whose slips pass through zero within the step, and whose static coefficient exceeds the kinetic one.
-fn stops(friction: &[Option<TangentialRow>], rows: &[Range<usize>], solved: &BlocksSolution) -> Vec<Stop> {
-    stops_by(friction, rows, solved, |row, _, velocity, impulse| row.stops_at(velocity, impulse))
-}
-
-/// The contacts that stop within the step by `part`, which has a contact, its rows along tangents, their velocities and its impulses.
-fn stops_by(
+/// The contacts (by place) whose slips have stopped or turned at the end of the step, among those that are asked for.
+fn turned(
     friction: &[Option<TangentialRow>],
     rows: &[Range<usize>],
     solved: &BlocksSolution,
-    part: impl Fn(&TangentialRow, &Range<usize>, [f64; 2], TangentialPart) -> Option<f64>,
-) -> Vec<Stop> {
-    let stop = |normal: f64, friction: &Option<TangentialRow>, rows: &Range<usize>| {
-        let friction = friction.as_ref()?;
-        let velocity = of_both(&solved.velocities, rows);
-        let along = of_both(&solved.reactions, rows);
-        let part = part(friction, rows, velocity, TangentialPart { normal, along })?;
-        Some(Stop { id: friction.along[0].id, part })
+    asked: Stops<'_>,
+) -> Vec<usize> {
+    let is_asked = |row: &TangentialRow| match asked {
+        Stops::Sought => row.holds_more_at_rest(),
+        Stops::SoughtOfAll => true,
+        Stops::At(_) => false,
     };
-    let contacts = solved.reactions.iter().zip(friction).zip(rows);
-    contacts.filter_map(|((&normal, friction), rows)| stop(normal, friction, rows)).collect()
+    let has_turned = |row: &TangentialRow, rows| is_asked(row) && row.has_turned(of_both(&solved.velocities, rows));
+    let contacts = friction.iter().zip(rows).enumerate();
+    let turned = contacts.filter(|(_, (row, rows))| row.as_ref().is_some_and(|row| has_turned(row, rows)));
+    turned.map(|(place, _)| place).collect()
+}
+
+/// Where the slips of these contacts (by place) pass through zero within the step, and the factorisations of the solve that tells it:
+/// with all slips pushed on along their directions at the start, so that friction is kinetic to the end.
+fn stops_of(
+    turned: &[usize],
+    assembly: &mut Assembly,
+    (constants, settled): (&[f64], &Settled),
+    (friction, rows): (&[Option<TangentialRow>], &FrictionRows),
+    (solvers, h): (&mut ConeSolvers, f64),
+) -> Result<(Vec<Stop>, usize), ResponseError> {
+    let changes = settled.solved.velocities.iter().zip(constants).map(|(after, before)| after.abs() + before.abs());
+    let offset = BEYOND_TURNING * changes.fold(0.0, f64::max);
+    let on: Vec<_> = friction.iter().map(|row| row.map(|row| row.slipping_on(offset))).collect();
+    let found = settle(assembly, with_tangents(constants, &on, rows), &on, rows, (solvers, h))?;
+    let stop = |&place: &usize| {
+        let (row, rows) = (friction.get(place)?.as_ref()?, rows.tangents.get(place)?);
+        let (pushed, along) = (of_both(&found.solved.velocities, rows), row.offset_along_slip(offset));
+        let part = row.stops_at([pushed[0] - along[0], pushed[1] - along[1]])?;
+        Some(Stop { id: row.along[0].id, part })
+    };
+    Ok((turned.iter().filter_map(stop).collect(), found.factorisations))
 }
 
 /// Adds the rows of rotations that friction resists.
