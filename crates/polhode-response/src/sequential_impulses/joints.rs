@@ -52,7 +52,7 @@ pub struct BodyImpulse {
 /// Joints of a step, with the buffers from which their batches are made.
 #[derive(Debug, Clone, Default)]
 pub struct JointImpulses {
-    joints: Vec<ImpulseJoint>,
+    pub(super) joints: Vec<ImpulseJoint>,
     batches: Vec<JointBatch>,
     rows: Vec<LaneRow>,
     /// Where each joint has gone: its batch and lane.
@@ -61,7 +61,7 @@ pub struct JointImpulses {
     keys: Vec<u32>,
     order: Vec<u32>,
     kept: Vec<Four>,
-    trees: JointTrees,
+    pub(super) trees: JointTrees,
 }
 
 /// Where a joint has gone.
@@ -238,11 +238,31 @@ impl JointImpulses {
 
     /// Takes up what contacts have given besides: after an impact at the end of the step the joints hold again. Returns the work, J.
     pub fn hold_after_impact(&mut self, solver: &mut SequentialImpulses, rule: &SweepRule) -> f64 {
+        self.begin_impact();
+        let work = self.hold(solver, rule);
+        self.end_impact();
+        work
+    }
+
+    /// What is given from here on is that of an impact.
+    pub(super) fn begin_impact(&mut self) {
         self.kept.clear();
         self.kept.extend(self.rows.iter().map(|row| row.multiplier));
         self.batches.iter_mut().for_each(|batch| batch.given = LaneImpulse::default());
+    }
+
+    /// Multipliers are again those of the last substep, with which the next one begins.
+    pub(super) fn end_impact(&mut self) {
+        self.rows.iter_mut().zip(&self.kept).for_each(|(row, kept)| row.multiplier = *kept);
+        self.batches.iter_mut().for_each(JointBatch::add_up);
+    }
+
+    /// Brings the joints to their laws within an impact. Returns the work, J.
+    pub(super) fn hold(&mut self, solver: &mut SequentialImpulses, rule: &SweepRule) -> f64 {
         let (mut work, mut of_trees) = (Four::default(), 0.0);
-        for round in 0..ROUNDS_AFTER_IMPACT {
+        // Trees alone are exact after one round.
+        let has_others = self.batches.iter().any(|batch| !batch.in_tree);
+        for round in 0..if has_others { ROUNDS_AFTER_IMPACT } else { 1 } {
             for place in rounds_of(round, self.batches.len()) {
                 let batch = &mut self.batches[place];
                 if !batch.in_tree {
@@ -254,8 +274,6 @@ impl JointImpulses {
             self.solve_trees(solver, rule);
             of_trees += self.trees.work(&solver.bodies);
         }
-        self.rows.iter_mut().zip(&self.kept).for_each(|(row, kept)| row.multiplier = *kept);
-        self.batches.iter_mut().for_each(JointBatch::add_up);
         sum(&work) + of_trees
     }
 

@@ -27,6 +27,7 @@
 //! | `joint` | [`ImpulseJoint`]: what is given of a joint |
 //! | `joint_batch` | joints in batches of four, and what the lanes do with them |
 //! | `joint_trees` | joints that close no loop, all at once |
+//! | `jointed_bounce` | bounces of bodies that joints hold |
 //! | `works` | what impulses do |
 //! | `together` | the normal impulses of a patch, all at once |
 //! | `sweep` | one sweep: the law |
@@ -71,6 +72,7 @@ mod friction;
 mod joint;
 mod joint_batch;
 mod joint_trees;
+mod jointed_bounce;
 mod joints;
 mod lanes;
 mod lone_bounce;
@@ -91,6 +93,7 @@ pub use sweep::{Softness, SweepOrder, SweepRule, SweepStage};
 pub use works::Works;
 
 use batch::Batches;
+use stages::Bouncing;
 use sweep::Sweep;
 use wide::{f64x2, f64x4};
 
@@ -112,6 +115,8 @@ pub struct SequentialImpulses {
     manifolds: Vec<ImpulseManifold>,
     batches: Batches,
     memory: Vec<conjugate::Memory>,
+    /// Bodies on which a single point presses, found where something has collided.
+    single: Vec<bool>,
 }
 
 impl Default for SequentialImpulses {
@@ -127,7 +132,14 @@ impl SequentialImpulses {
     /// Nothing yet, to be solved with lanes of this width.
     pub fn with_lanes(width: LaneWidth) -> Self {
         let bodies = vec![ImpulseBody::immovable()];
-        Self { width, bodies, manifolds: Vec::new(), batches: Batches::default(), memory: Vec::new() }
+        Self {
+            width,
+            bodies,
+            manifolds: Vec::new(),
+            batches: Batches::default(),
+            memory: Vec::new(),
+            single: Vec::new(),
+        }
     }
 
     /// Removes all bodies and contacts.
@@ -188,16 +200,45 @@ impl SequentialImpulses {
         }
     }
 
-    /// Gives colliding contacts the impulses by which they part again, at the end of a step whose totals are complete.
+    /// Gives colliding contacts the impulses by which they part again, at the end of a step whose totals are complete; where they have no restitution,
+    /// those of the path of their slip. Where there are joints, [`JointImpulses::bounce`] takes its place.
     pub fn restitute(&mut self, rule: &SweepRule) -> Works {
-        if self.manifolds.iter().all(|manifold| manifold.restitution == 0.0) {
+        self.part_again(rule.colliding, &[], false)
+    }
+
+    /// The same where joints hold some of the bodies, and where those that are struck at one point alone may have bounced already.
+    fn part_again(&mut self, colliding: f64, jointed: &[bool], has_begun: bool) -> Works {
+        if !self.has_collided(colliding) {
             return Works::default();
         }
+        self.find_single();
+        let bouncing = Bouncing { has_begun, single: &self.single, jointed };
         let Batches { list: batches, points, .. } = &mut self.batches;
+        let by = (colliding, &bouncing);
         match self.width {
-            LaneWidth::Two => stages::part_again::<f64x2>(&mut self.bodies, batches, points, rule.colliding),
-            LaneWidth::Four => stages::part_again::<f64x4>(&mut self.bodies, batches, points, rule.colliding),
+            LaneWidth::Two => stages::part_again::<f64x2>(&mut self.bodies, batches, points, by),
+            LaneWidth::Four => stages::part_again::<f64x4>(&mut self.bodies, batches, points, by),
         }
+    }
+
+    /// Whether a point has collided, faster than this (m/s), whose impulse is not known yet.
+    fn has_collided(&self, colliding: f64) -> bool {
+        let Batches { list: batches, points, .. } = &self.batches;
+        batches.iter().any(|batch| stages::may_bounce(batch, points, colliding))
+    }
+
+    /// Finds the bodies on which a single point presses, and those that no impulse moves.
+    fn find_single(&mut self) {
+        let mut counts = vec![0_u32; self.bodies.len()];
+        for batch in &self.batches.list {
+            let rows = &self.batches.points[batch.first as usize..(batch.first + batch.count) as usize];
+            for lane in 0..lanes::FOUR {
+                let pressing = rows.iter().filter(|row| row.total[0].0[lane] > 0.0).count() as u32;
+                [batch.a[lane], batch.b[lane]].iter().for_each(|&body| counts[body as usize] += pressing);
+            }
+        }
+        self.single.clear();
+        self.single.extend(self.bodies.iter().zip(counts).map(|(body, count)| count <= 1 || !body.is_moved()));
     }
 
     /// One sweep over all contacts. Returns the works that it has booked: those of the substep before where it begins a later one.

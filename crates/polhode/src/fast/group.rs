@@ -172,13 +172,12 @@ impl Group {
         self.report.works += self.solver.end_substep(&rules.soft);
         self.report.residual = self.solver.residual(&rules.relax);
         self.begin();
-        let bounced = self.solver.restitute(&rules.soft);
-        self.report.works += bounced;
+        self.report.works += if self.held.is_empty() {
+            self.solver.restitute(&rules.soft)
+        } else {
+            self.held.bounce(&mut self.solver, [&rules.soft, &rules.relax], &self.present)
+        };
         self.book_drivers_at_end();
-        if bounced != Works::default() && !self.held.is_empty() {
-            let held_j = self.held.hold_after_impact(&mut self.solver, &rules.relax, &self.present);
-            self.report.works.resting_j += held_j;
-        }
         self.book();
         self.report.support = self.held.support();
         self.report.given_j = self.members.iter().map(|member| member.given_j).sum();
