@@ -115,8 +115,6 @@ pub struct SequentialImpulses {
     manifolds: Vec<ImpulseManifold>,
     batches: Batches,
     memory: Vec<conjugate::Memory>,
-    /// Bodies on which a single point presses, found where something has collided.
-    single: Vec<bool>,
 }
 
 impl Default for SequentialImpulses {
@@ -132,14 +130,7 @@ impl SequentialImpulses {
     /// Nothing yet, to be solved with lanes of this width.
     pub fn with_lanes(width: LaneWidth) -> Self {
         let bodies = vec![ImpulseBody::immovable()];
-        Self {
-            width,
-            bodies,
-            manifolds: Vec::new(),
-            batches: Batches::default(),
-            memory: Vec::new(),
-            single: Vec::new(),
-        }
+        Self { width, bodies, manifolds: Vec::new(), batches: Batches::default(), memory: Vec::new() }
     }
 
     /// Removes all bodies and contacts.
@@ -211,8 +202,7 @@ impl SequentialImpulses {
         if !self.has_collided(colliding) {
             return Works::default();
         }
-        self.find_single();
-        let bouncing = Bouncing { has_begun, single: &self.single, jointed };
+        let bouncing = Bouncing { has_begun, jointed };
         let Batches { list: batches, points, .. } = &mut self.batches;
         let by = (colliding, &bouncing);
         match self.width {
@@ -225,20 +215,6 @@ impl SequentialImpulses {
     fn has_collided(&self, colliding: f64) -> bool {
         let Batches { list: batches, points, .. } = &self.batches;
         batches.iter().any(|batch| stages::may_bounce(batch, points, colliding))
-    }
-
-    /// Finds the bodies on which a single point presses, and those that no impulse moves.
-    fn find_single(&mut self) {
-        let mut counts = vec![0_u32; self.bodies.len()];
-        for batch in &self.batches.list {
-            let rows = &self.batches.points[batch.first as usize..(batch.first + batch.count) as usize];
-            for lane in 0..lanes::FOUR {
-                let pressing = rows.iter().filter(|row| row.total[0].0[lane] > 0.0).count() as u32;
-                [batch.a[lane], batch.b[lane]].iter().for_each(|&body| counts[body as usize] += pressing);
-            }
-        }
-        self.single.clear();
-        self.single.extend(self.bodies.iter().zip(counts).map(|(body, count)| count <= 1 || !body.is_moved()));
     }
 
     /// One sweep over all contacts. Returns the works that it has booked: those of the substep before where it begins a later one.

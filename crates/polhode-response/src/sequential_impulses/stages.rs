@@ -94,23 +94,19 @@ enum Alone {
 pub(super) struct Bouncing<'a> {
     /// Whether those that are struck at one point alone have bounced already.
     pub(super) has_begun: bool,
-    /// Of each body, whether a single point presses on it: there an impact without restitution follows the path of its slip, too.
-    pub(super) single: &'a [bool],
     /// Of each body, whether joints pass on what it is given: it bounces as one of several. None where the list is empty.
     pub(super) jointed: &'a [bool],
 }
 
 impl Bouncing<'_> {
-    fn in_pass(&self, pass: usize) -> Alone {
+    const fn in_pass(&self, pass: usize) -> Alone {
         if pass == 0 && !self.has_begun { Alone::Bounce } else { Alone::HaveBounced }
     }
 
-    /// Whether a patch that was struck at one point alone bounces as an impact of its own.
-    fn is_own_impact(&self, batch: &Batch, lane: usize) -> bool {
-        let is = |of: &[bool], body: u32| of.get(body as usize).copied().unwrap_or(false);
-        let bodies = [batch.a[lane], batch.b[lane]];
-        let all_single = bodies.iter().all(|&body| is(self.single, body));
-        !bodies.iter().any(|&body| is(self.jointed, body)) && (batch.restitution.0[lane] > 0.0 || all_single)
+    /// Whether joints hold a body of a patch.
+    fn are_jointed(&self, batch: &Batch, lane: usize) -> bool {
+        let is = |body: u32| self.jointed.get(body as usize).copied().unwrap_or(false);
+        is(batch.a[lane]) || is(batch.b[lane])
     }
 }
 
@@ -144,14 +140,11 @@ pub(super) fn part_again<L: Lanes>(
     all
 }
 
-/// Whether a point of a batch has collided, faster than this (m/s), and bounces, or may have slipped.
+/// Whether a point of a batch has collided, faster than this (m/s), whose bounce is not known yet.
 pub(super) fn may_bounce(batch: &Batch, points: &[PointRows], colliding: f64) -> bool {
     let rows = &points[batch.first as usize..(batch.first + batch.count) as usize];
     let has_collided = |lane: usize| rows.iter().any(|row| row.rate.0[lane] < -colliding && row.total[0].0[lane] > 0.0);
-    (0..FOUR).any(|lane| {
-        let (restitution, friction) = (batch.restitution.0[lane], batch.friction.0[lane]);
-        (restitution > 0.0 || (restitution == 0.0 && friction > 0.0)) && has_collided(lane)
-    })
+    (0..FOUR).any(|lane| batch.restitution.0[lane] >= 0.0 && has_collided(lane))
 }
 
 #[inline(always)]
@@ -207,7 +200,6 @@ fn bounce<L: Lanes, const N: usize>(
         return [zero; 2];
     }
     let alone = bounce_alone(rows, (batch, part, &mut may), (&relative, alone), wrench);
-    may.iter_mut().for_each(|may| *may = L::pick_greater(restitution, zero, *may, zero));
     let any = any(&may);
     if !L::any_greater(any, zero) {
         return alone;
@@ -247,7 +239,7 @@ fn bounce_alone<L: Lanes, const N: usize>(
         for lane in (0..L::WIDTH).filter(|&lane| may[i].lane(lane) > 0.0) {
             let own = part * L::WIDTH + lane;
             let is_one_of_several = (0..N).any(|j| j != i && rows[j].total[0].0[own] > 0.0);
-            if is_one_of_several || !bouncing.is_own_impact(batch, own) {
+            if is_one_of_several || bouncing.are_jointed(batch, own) {
                 continue;
             }
             is_alone.0[own] = 1.0;
