@@ -1,13 +1,14 @@
 //! Points of patches at a border of a fixed body that other fixed bodies continue: flush surfaces are one surface.
 //!
 //! What slides over flush tiles comes to the side of the next one, and nothing tells a pair of bodies that the tile before covers this side. A
-//! point of a patch is left out if around it no surface of its fixed body is free that faces the other body: each of the places that
-//! `covered_borders` probes in the plane of the patch is either not on the fixed body, or within another fixed body on which the
-//! other body lies. What is covered so reaches farther towards the other body than the point does, so that the patch with it
-//! holds that body.
+//! point of a patch is left out if it is at another fixed body on which the other body lies, and if no surface of its own fixed body
+//! around it is free: each of the places that
+//! `covered_borders` probes in the plane of the patch is either not on the own fixed body, or within another one. What covers the point so
+//! reaches farther towards the other body than the point does, so that the patch with it holds that body.
 //!
-//! A body that lies softly has sunk into what bears it, and the surface that it meets at a border lies deeper than that which bears it. So the
-//! places are lifted by the deepest overlap with the other fixed bodies, along its normal: the foot of a wall that stands on the floor stays a wall.
+//! A body that lies softly has sunk into what bears it, and meets the side of the next one deeper than that. So the
+//! places are lifted by the deepest overlap with the other fixed bodies, along its normal and in the plane of the patch: the foot of a wall that
+//! stands on the floor stays a wall.
 //! Failure: a step that is lower than that overlap is no step.
 
 use super::covered_borders::places_around;
@@ -71,13 +72,13 @@ fn kept(
     let pair = &pairs[own.place];
     let allowed = world.touch_distance(states, pair.a, pair.b);
     let size = world.pair_size(pair.a, pair.b);
+    let is_covered = |place: DVec3| others.iter().any(|other| world.reaches(states, other.on, place, allowed));
     let is_kept = |patch: &Patch, point: &PatchPoint| {
-        let on_fixed = if own.on == pair.a { point.on_a } else { point.on_b };
-        let place = states[own.on].pose.transform_point(on_fixed) + lift;
-        places_around(place, pair.normal(states, patch), size).any(|place| {
-            world.reaches(states, own.on, place, allowed)
-                && !others.iter().any(|other| world.reaches(states, other.on, place, allowed))
-        })
+        let normal = pair.normal(states, patch);
+        let place = states[own.on].pose.transform_point(if own.on == pair.a { point.on_a } else { point.on_b });
+        let lifted = place + (lift - normal * normal.dot(lift));
+        let is_free = |place: DVec3| world.reaches(states, own.on, place, allowed) && !is_covered(place);
+        !is_covered(place) || places_around(lifted, normal, size).any(is_free)
     };
     pair.patches.iter().map(|patch| patch.points().iter().map(|point| is_kept(patch, point)).collect()).collect()
 }
