@@ -479,8 +479,11 @@ impl Course {
                 let patch = &mut pair.patches[place.patch];
                 for (point, impulse) in patch.points_mut().iter_mut().zip(group.solver.impulses(number)) {
                     if is_whole {
-                        point.normal_impulse = impulse.last[0];
-                        point.friction_impulse = x * impulse.last[1] + y * impulse.last[2];
+                        // The impulse of a blow is over: given again it would leave what the sweeps of a substep do not take back.
+                        let is_struck = impulse.rate < -rules.soft.colliding && impulse.total[0] > 0.0;
+                        let [along, first, second] = if is_struck { [0.0; 3] } else { impulse.last };
+                        point.normal_impulse = along;
+                        point.friction_impulse = x * first + y * second;
                     }
                     if -impulse.separation > self.deepest_after.map_or(0.0, |(_, depth)| depth) {
                         self.deepest_after = Some((place.pair, -impulse.separation));
