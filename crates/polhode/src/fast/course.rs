@@ -39,8 +39,6 @@ pub(super) enum Fault {
     Overlap { pair: (usize, usize), depth: f64 },
     /// A body leaves its box, so that pairs may be missing.
     LeftBox,
-    /// A pair is struck at points of which one would have bounced before another one is reached.
-    StruckInTurn,
 }
 
 impl Fault {
@@ -53,7 +51,7 @@ impl Fault {
     const fn overlap(self) -> Option<((usize, usize), f64)> {
         match self {
             Self::Overlap { pair, depth } => Some((pair, depth)),
-            Self::LeftBox | Self::StruckInTurn => None,
+            Self::LeftBox => None,
         }
     }
 }
@@ -352,36 +350,6 @@ impl Course {
         let passed = self.passage_since(world, before, &changes);
         // Pieces of a substep are for what passes: overlaps that grow in a pile are those of the substeps.
         passed.or_else(|| (rules.substeps > 1).then(|| self.growth_since(world, before, (rules, &changes))).flatten())
-            .or_else(|| self.is_struck_in_turn(rules).then_some(Fault::StruckInTurn))
-    }
-
-    /// Whether a pair is struck at several points that would close in different substeps as the bodies moved at the start of the step. Bounces are at its
-    /// end: until then the pair turns about the point that was struck first.
-    fn is_struck_in_turn(&self, rules: &Rules) -> bool {
-        let is_in_turn = |group: &Group| {
-            // By pairs, whose patches come one after the other: when the first and the last point of it close, s.
-            let (mut pair, mut times) = (usize::MAX, (f64::INFINITY, 0.0_f64));
-            for (number, (place, manifold)) in group.patches.iter().zip(group.solver.manifolds()).enumerate() {
-                if manifold.restitution == 0.0 {
-                    continue;
-                }
-                if place.pair != pair {
-                    (pair, times) = (place.pair, (f64::INFINITY, 0.0));
-                }
-                for (point, given) in group.solver.impulses(number).zip(&manifold.points) {
-                    if point.rate < -rules.soft.colliding && point.total[0] > 0.0 {
-                        let closes = (given.separation / -point.rate).max(0.0);
-                        times = (times.0.min(closes), times.1.max(closes));
-                    }
-                }
-                if times.1 - times.0 > rules.h {
-                    return true;
-                }
-            }
-            false
-        };
-        let has_collided = |group: &&Group| group.report.works.colliding_j != 0.0;
-        rules.substeps > 1 && self.groups().iter().filter(has_collided).any(is_in_turn)
     }
 
     /// A pair of which one has come through the surface of the other since these states.
