@@ -279,11 +279,7 @@ fn solved<L: Lanes, const N: usize>(rows: &[LaneRow; N], mut x: [L; N], part: us
 }
 
 /// Brings a batch to its laws. Its work along the mean of the velocities before and after each of its impulses is added to `work`.
-pub(super) fn solve<L: Lanes>(
-    bodies: &mut [ImpulseBody],
-    of: Rows<'_>,
-    (rule, work): (&SweepRule, &mut Four),
-) {
+pub(super) fn solve<L: Lanes>(bodies: &mut [ImpulseBody], of: Rows<'_>, (rule, work): (&SweepRule, &mut Four)) {
     run::<L>(of, &mut Solve { bodies, rule, work });
 }
 

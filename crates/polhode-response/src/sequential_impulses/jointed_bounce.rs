@@ -175,7 +175,9 @@ impl JointImpulses {
     /// What unit impulses along the axes of each point do to its velocity while the joints hold, 1/kg. No two points are of one assembly.
     fn matrices(&mut self, solver: &SequentialImpulses, points: &[Point]) -> Vec<[[f64; 3]; 3]> {
         let mut still = solver.bodies.clone();
-        still.iter_mut().for_each(|body| body.set_velocity(DVec3::ZERO, DVec3::ZERO));
+        for body in &mut still {
+            body.set_velocity(DVec3::ZERO, DVec3::ZERO);
+        }
         let site = |point: &Point| {
             let batch = &solver.batches.list[point.batch];
             Site::of(batch, &solver.batches.points[batch.first as usize + point.row], point.lane)
@@ -186,7 +188,9 @@ impl JointImpulses {
             let mut bodies = still.clone();
             let mut unit = [0.0; 3];
             unit[axis] = 1.0;
-            sites.iter().for_each(|site| site.give(&mut bodies, unit));
+            for site in &sites {
+                site.give(&mut bodies, unit);
+            }
             self.trees.solve(&mut bodies, |_| 0.0);
             for (site, matrix) in sites.iter().zip(&mut matrices) {
                 matrix[axis] = site.velocity(&bodies);

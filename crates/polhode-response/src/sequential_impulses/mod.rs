@@ -267,11 +267,6 @@ impl SequentialImpulses {
         }
     }
 
-    /// The impulses of the substep do not act again in the next one.
-    pub fn forget_substep(&mut self) {
-        self.batches.points.iter_mut().for_each(|row| row.impulse = Default::default());
-    }
-
     /// How far impulses and velocities are from the law.
     pub fn residual(&self, rule: &SweepRule) -> Residual {
         let Batches { list: batches, points, .. } = &self.batches;

@@ -28,13 +28,14 @@ struct Lying {
 /// Leaves out the points of patches at borders that other fixed bodies continue.
 pub(crate) fn leave_out_inner_borders(world: &World, states: &[BodyState], pairs: &mut [PairPatches]) {
     let is_fixed = |body: usize| !world.bodies[body].moves() && world.trajectory(body).is_none();
-    let lying = pairs.iter().enumerate().filter(|(_, pair)| !pair.patches.is_empty()).filter_map(|(place, pair)| {
-        match [pair.a, pair.b].map(is_fixed) {
-            [true, false] => Some(Lying { place, body: pair.b, on: pair.a }),
-            [false, true] => Some(Lying { place, body: pair.a, on: pair.b }),
-            _ => None,
-        }
-    });
+    let lying =
+        pairs.iter().enumerate().filter(|(_, pair)| !pair.patches.is_empty()).filter_map(|(place, pair)| {
+            match [pair.a, pair.b].map(is_fixed) {
+                [true, false] => Some(Lying { place, body: pair.b, on: pair.a }),
+                [false, true] => Some(Lying { place, body: pair.a, on: pair.b }),
+                _ => None,
+            }
+        });
     // Most bodies lie on one fixed body at most.
     let mut last = vec![usize::MAX; states.len()];
     let mut all = Vec::new();

@@ -138,31 +138,16 @@ impl Group {
         self.patches.clear();
     }
 
-    /// The step. Points bounce at its end; where they are struck in turn it is made again, and they bounce when they are struck.
+    /// The step.
     pub(super) fn step(&mut self, given: &Given<'_>) {
-        self.begin_step(given);
-        self.advance(given);
-        if self.are_struck_in_turn(given.rules) {
-            self.begin_step(given);
-            self.advance_in_turn(given);
-        }
-        self.report.support = self.held.support();
-        self.report.given_j = self.members.iter().map(|member| member.given_j).sum();
-    }
-
-    fn begin_step(&mut self, given: &Given<'_>) {
         self.report = GroupReport::default();
         self.load(given);
         self.solver.prepare();
-        if given.rules.has_loads {
+        let rules = given.rules;
+        if rules.has_loads {
             given.states.clone_into(&mut self.present);
         }
         self.find_rows(given);
-    }
-
-    /// All substeps, and then the bounces.
-    fn advance(&mut self, given: &Given<'_>) {
-        let rules = given.rules;
         for substep in 0..rules.substeps {
             self.kick(given, f64::from(substep) * rules.h);
             let stage = if substep == 0 { SweepStage::First } else { SweepStage::Next };
@@ -194,63 +179,8 @@ impl Group {
         };
         self.book_drivers_at_end();
         self.book();
-    }
-
-    /// Substeps, each with the bounces of what is struck in it; of a group without joints and kinematic bodies.
-    fn advance_in_turn(&mut self, given: &Given<'_>) {
-        let rules = given.rules;
-        let mut known = 0;
-        for substep in 0..rules.substeps {
-            self.kick(given, f64::from(substep) * rules.h);
-            if substep == 0 {
-                self.solver.warm_start();
-            }
-            let [pushed, relaxed] = rules.orders(substep);
-            self.sweep_softly(SweepStage::First, pushed, rules);
-            self.move_bodies(given.world, rules.h);
-            self.relax(relaxed, rules);
-            self.book();
-            self.report.works += self.solver.end_substep(&rules.soft);
-            self.report.residual = self.solver.residual(&rules.relax);
-            let struck = self.struck(rules).count();
-            if struck > known {
-                known = struck;
-                self.begin();
-                self.report.works += self.solver.restitute(&rules.soft);
-                self.book();
-                // What was struck has parted: nothing of this acts again.
-                self.members.iter_mut().for_each(|member| member.changed = Velocity::default());
-                self.solver.forget_substep();
-            }
-        }
-    }
-
-    /// The points that have been struck in the step: their pair, and when they would have closed as the bodies moved at its start, s.
-    fn struck(&self, rules: &Rules) -> impl Iterator<Item = (usize, f64)> {
-        let colliding = rules.soft.colliding;
-        self.patches.iter().zip(self.solver.manifolds()).enumerate().flat_map(move |(number, (place, manifold))| {
-            let points = self.solver.impulses(number).zip(&manifold.points);
-            let struck = points.filter(move |(point, _)| point.rate < -colliding && point.total[0] > 0.0);
-            struck.map(|(point, given)| (place.pair, (given.separation / -point.rate).max(0.0)))
-        })
-    }
-
-    /// Whether a pair with restitution has been struck at points that would close in different substeps as it moved at the start of the step: until the
-    /// bounce at its end it turns about the first of them, and may be struck where it never would be.
-    fn are_struck_in_turn(&self, rules: &Rules) -> bool {
-        let may_be = rules.substeps > 1 && self.report.works.colliding_j != 0.0;
-        if !may_be || !self.held.is_empty() || !self.drivers.is_empty() {
-            return false;
-        }
-        if self.solver.manifolds().iter().all(|manifold| manifold.restitution == 0.0) {
-            return false;
-        }
-        // The points of a pair come one after the other.
-        let mut first = (usize::MAX, 0.0_f64, 0.0_f64);
-        self.struck(rules).any(|(pair, closes)| {
-            first = if pair == first.0 { (pair, first.1.min(closes), first.2.max(closes)) } else { (pair, closes, closes) };
-            first.2 - first.1 > rules.h
-        })
+        self.report.support = self.held.support();
+        self.report.given_j = self.members.iter().map(|member| member.given_j).sum();
     }
 
     /// Joints and contacts in turns, while both are pushed softly to where they hold. What a contact gives a body its joints pass on, and what they then do
