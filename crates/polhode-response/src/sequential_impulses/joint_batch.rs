@@ -278,45 +278,24 @@ fn solved<L: Lanes, const N: usize>(rows: &[LaneRow; N], mut x: [L; N], part: us
     x
 }
 
-/// Brings a batch to its laws.
-#[inline(always)]
-pub(super) fn solve<L: Lanes>(bodies: &mut [ImpulseBody], of: Rows<'_>, rule: &SweepRule) {
-    run::<L>(of, &mut Solve { bodies, rule });
+/// Brings a batch to its laws. Its work along the mean of the velocities before and after each of its impulses is added to `work`.
+pub(super) fn solve<L: Lanes>(bodies: &mut [ImpulseBody], of: Rows<'_>, (rule, work): (&SweepRule, &mut Four)) {
+    run::<L>(of, &mut Solve { bodies, rule, work });
 }
 
 struct Solve<'b> {
     bodies: &'b mut [ImpulseBody],
     rule: &'b SweepRule,
+    work: &'b mut Four,
 }
 
 impl<L: Lanes> Kernel<L> for Solve<'_> {
     #[inline(always)]
     fn run<const N: usize>(&mut self, batch: &mut JointBatch, rows: &mut [LaneRow; N], part: usize) {
-        bring_to_law::<L, N>(self.bodies, (batch, part), rows, self.rule);
-    }
-}
-
-/// The same with the work along the mean of the velocities before and after each of its impulses, which is added.
-pub(super) fn solve_and_book<L: Lanes>(
-    bodies: &mut [ImpulseBody],
-    of: Rows<'_>,
-    (rule, work): (&SweepRule, &mut Four),
-) {
-    run::<L>(of, &mut SolveAndBook { solve: Solve { bodies, rule }, work });
-}
-
-struct SolveAndBook<'b> {
-    solve: Solve<'b>,
-    work: &'b mut Four,
-}
-
-impl<L: Lanes> Kernel<L> for SolveAndBook<'_> {
-    #[inline(always)]
-    fn run<const N: usize>(&mut self, batch: &mut JointBatch, rows: &mut [LaneRow; N], part: usize) {
-        let bodies = &mut *self.solve.bodies;
+        let bodies = &mut *self.bodies;
         let before = Pair::<L>::load(bodies, batch, part);
         let (a, b) = (before.a.twist(), before.b.twist());
-        let given = bring_to_law::<L, N>(bodies, (batch, part), rows, self.solve.rule);
+        let given = bring_to_law::<L, N>(bodies, (batch, part), rows, self.rule);
         let after = Pair::<L>::load(bodies, batch, part);
         let twice = given.work(&a, &b) + given.work(&after.a.twist(), &after.b.twist());
         (L::load(self.work, part) + L::splat(0.5) * twice).store(self.work, part);

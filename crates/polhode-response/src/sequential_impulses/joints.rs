@@ -21,21 +21,21 @@
 //! share the error; loops and limits with large ratios
 //! of masses need more rounds than there are.
 
+use super::body::ImpulseBody;
 use super::colours::{Colours, GROUPS, NO_COLOUR};
 use super::joint::{ImpulseJoint, JointLaw, JointRow, MOST_JOINT_ROWS};
 use super::joint_batch::{self, JointBatch, LaneImpulse, LaneRow};
 use super::joint_trees::JointTrees;
 use super::lanes::{FOUR, Four};
+use super::stages::LAST_BOUNCE;
 use super::sweep::SweepRule;
 use super::{LaneWidth, SequentialImpulses};
 use polhode_spatial::DVec3;
 use wide::{f64x2, f64x4};
 
-/// How often a sweep goes over all joints, forth and back in turn: a load comes along a chain by so many joints more, both ways.
-const ROUNDS: usize = 2;
-
-/// The same after an impact, which no other sweep follows.
-const ROUNDS_AFTER_IMPACT: usize = 4;
+/// How often a sweep goes over all joints at most, forth and back in turn (8 to 64). Where nothing has been struck two rounds or three do, since the
+/// impulses of the substep before are those of the present one but for the order of its length; where a limit is, as many as it takes.
+const MOST_JOINT_ROUNDS: usize = 16;
 
 /// Kinds of batches of one colour: limits, and joints by their number of rows, those that close loops and those of trees.
 const KINDS: usize = 1 + 2 * MOST_JOINT_ROWS;
@@ -52,7 +52,7 @@ pub struct BodyImpulse {
 /// Joints of a step, with the buffers from which their batches are made.
 #[derive(Debug, Clone, Default)]
 pub struct JointImpulses {
-    joints: Vec<ImpulseJoint>,
+    pub(super) joints: Vec<ImpulseJoint>,
     batches: Vec<JointBatch>,
     rows: Vec<LaneRow>,
     /// Where each joint has gone: its batch and lane.
@@ -61,7 +61,7 @@ pub struct JointImpulses {
     keys: Vec<u32>,
     order: Vec<u32>,
     kept: Vec<Four>,
-    trees: JointTrees,
+    pub(super) trees: JointTrees,
 }
 
 /// Where a joint has gone.
@@ -196,20 +196,41 @@ impl JointImpulses {
         }
     }
 
-    /// Brings all joints to their laws: limits and joints that close loops in rounds forth and back, each followed by the trees.
+    /// Brings all joints to their laws: limits and joints that close loops in rounds forth and back, each followed by the trees, until a round does little
+    /// of what the largest has done.
     pub fn sweep(&mut self, solver: &mut SequentialImpulses, rule: &SweepRule) {
-        // Trees alone are exact after one round.
-        let has_others = self.batches.iter().any(|batch| !batch.in_tree);
-        for round in 0..if has_others { ROUNDS } else { 1 } {
+        self.sweep_and_tell(solver, rule, |_, _| {});
+    }
+
+    /// The same, after each round of which the trees are told. Returns the work of the others, J.
+    fn sweep_and_tell(
+        &mut self,
+        solver: &mut SequentialImpulses,
+        rule: &SweepRule,
+        mut after_round: impl FnMut(&JointTrees, &[ImpulseBody]),
+    ) -> f64 {
+        let (mut all, mut largest) = (0.0, 0.0_f64);
+        for round in 0..MOST_JOINT_ROUNDS {
+            let mut work = Four::default();
             for place in rounds_of(round, self.batches.len()) {
                 let batch = &mut self.batches[place];
                 if !batch.in_tree {
                     let rows = &mut self.rows[batch.first as usize..(batch.first + batch.count) as usize];
-                    in_lanes!(solver.width, joint_batch::solve, &mut solver.bodies, (batch, rows), rule);
+                    let of = (rule, &mut work);
+                    in_lanes!(solver.width, joint_batch::solve, &mut solver.bodies, (batch, rows), of);
                 }
             }
+            // Trees alone are exact after one round.
             self.solve_trees(solver, rule);
+            after_round(&self.trees, &solver.bodies);
+            let done = sum(&work);
+            all += done;
+            largest = largest.max(done.abs());
+            if done.abs() <= LAST_BOUNCE * largest {
+                break;
+            }
         }
+        all
     }
 
     /// The trees at once. Gaps close as the softness of the rule says, and no further than its push.
@@ -236,27 +257,24 @@ impl JointImpulses {
         sum(&work)
     }
 
-    /// Takes up what contacts have given besides: after an impact at the end of the step the joints hold again. Returns the work, J.
-    pub fn hold_after_impact(&mut self, solver: &mut SequentialImpulses, rule: &SweepRule) -> f64 {
+    /// What is given from here on is that of an impact.
+    pub(super) fn begin_impact(&mut self) {
         self.kept.clear();
         self.kept.extend(self.rows.iter().map(|row| row.multiplier));
         self.batches.iter_mut().for_each(|batch| batch.given = LaneImpulse::default());
-        let (mut work, mut of_trees) = (Four::default(), 0.0);
-        for round in 0..ROUNDS_AFTER_IMPACT {
-            for place in rounds_of(round, self.batches.len()) {
-                let batch = &mut self.batches[place];
-                if !batch.in_tree {
-                    let rows = &mut self.rows[batch.first as usize..(batch.first + batch.count) as usize];
-                    let of = (rule, &mut work);
-                    in_lanes!(solver.width, joint_batch::solve_and_book, &mut solver.bodies, (batch, rows), of);
-                }
-            }
-            self.solve_trees(solver, rule);
-            of_trees += self.trees.work(&solver.bodies);
-        }
+    }
+
+    /// Multipliers are again those of the last substep, with which the next one begins.
+    pub(super) fn end_impact(&mut self) {
         self.rows.iter_mut().zip(&self.kept).for_each(|(row, kept)| row.multiplier = *kept);
         self.batches.iter_mut().for_each(JointBatch::add_up);
-        sum(&work) + of_trees
+    }
+
+    /// Brings the joints to their laws within an impact. Returns the work, J.
+    pub(super) fn hold(&mut self, solver: &mut SequentialImpulses, rule: &SweepRule) -> f64 {
+        let mut of_trees = 0.0;
+        let of_others = self.sweep_and_tell(solver, rule, |trees, bodies| of_trees += trees.work(bodies));
+        of_others + of_trees
     }
 
     /// The multipliers of a joint: of the last substep, N s.
@@ -304,7 +322,6 @@ fn rounds_of(round: usize, batches: usize) -> impl Iterator<Item = usize> {
 mod tests {
     //! A ball joint and a hinge stop the motion that they hold, at once; a limit pushes and does not pull; the work is the change of energy. Joints of all
     //! numbers of rows side by side obey their laws, with the same bits for two and four lanes.
-    use super::super::body::ImpulseBody;
     use super::super::sweep::Softness;
     use super::*;
     use polhode_spatial::{DMat3, SplitMix64};
@@ -345,7 +362,9 @@ mod tests {
             0.5 * (2.0 * body.linear().length_squared() + 0.5 * body.angular().length_squared())
         };
         let before = energy(&solver);
-        let work = joints.hold_after_impact(&mut solver, &RIGID);
+        joints.begin_impact();
+        let work = joints.hold(&mut solver, &RIGID);
+        joints.end_impact();
         let body = solver.body(1);
         assert!((body.linear() + body.angular().cross(DVec3::X)).length() < 1e-14, "{body:?}");
         assert!((energy(&solver) - before - work).abs() < 1e-14, "{work}");
@@ -413,7 +432,9 @@ mod tests {
                 joints.sweep(&mut solver, &RIGID);
                 works.push(joints.end_substep(&solver).to_bits());
             }
-            works.push(joints.hold_after_impact(&mut solver, &RIGID).to_bits());
+            joints.begin_impact();
+            works.push(joints.hold(&mut solver, &RIGID).to_bits());
+            joints.end_impact();
             let velocities: Vec<_> = (0..=150).map(|n| (solver.body(n).linear(), solver.body(n).angular())).collect();
             let impulses: Vec<_> = (0..all.len()).map(|n| (joints.multipliers(n), joints.total(n))).collect();
             (works, velocities, impulses)

@@ -20,7 +20,15 @@ pub(super) struct Bounce {
 
 /// The bounce of a point whose bodies move like this (m/s, along the normal and both tangents). None where it does not part again.
 pub(super) fn bounce(batch: &Batch, row: &PointRows, lane: usize, now: [f64; 3]) -> Option<Bounce> {
-    let collision = collision_matrix(batch, row, lane)?;
+    bounce_with(collision_matrix(batch, row, lane)?, (batch, row, lane), now)
+}
+
+/// The same where an impulse at the point does this to its velocity.
+pub(super) fn bounce_with(
+    collision: CollisionMatrix,
+    (batch, row, lane): (&Batch, &PointRows, usize),
+    now: [f64; 3],
+) -> Option<Bounce> {
     let known = row.total.map(|four| four.0[lane]);
     let given = collision.times(known);
     let before = row.rate.0[lane];
@@ -33,7 +41,7 @@ pub(super) fn bounce(batch: &Batch, row: &PointRows, lane: usize, now: [f64; 3])
     };
     let impulse = impact.resolve().ok()?.impulse;
     // What forces have done along the normal since the start of the step is taken by the contact, too.
-    let held = (before - (now[0] - given[0])) / row.stiffness.0[lane];
+    let held = (before - (now[0] - given[0])) / collision.entries()[0][0];
     let change = [impulse[0] + held - known[0], impulse[1] - known[1], impulse[2] - known[2]];
     let added = collision.times(change);
     let work = |k: usize| change[k] * (now[k] + 0.5 * added[k]);

@@ -27,6 +27,7 @@
 //! | `joint` | [`ImpulseJoint`]: what is given of a joint |
 //! | `joint_batch` | joints in batches of four, and what the lanes do with them |
 //! | `joint_trees` | joints that close no loop, all at once |
+//! | `jointed_bounce` | bounces of bodies that joints hold |
 //! | `works` | what impulses do |
 //! | `together` | the normal impulses of a patch, all at once |
 //! | `sweep` | one sweep: the law |
@@ -71,6 +72,7 @@ mod friction;
 mod joint;
 mod joint_batch;
 mod joint_trees;
+mod jointed_bounce;
 mod joints;
 mod lanes;
 mod lone_bounce;
@@ -91,6 +93,7 @@ pub use sweep::{Softness, SweepOrder, SweepRule, SweepStage};
 pub use works::Works;
 
 use batch::Batches;
+use stages::Bouncing;
 use sweep::Sweep;
 use wide::{f64x2, f64x4};
 
@@ -188,16 +191,30 @@ impl SequentialImpulses {
         }
     }
 
-    /// Gives colliding contacts the impulses by which they part again, at the end of a step whose totals are complete.
+    /// Gives colliding contacts the impulses by which they part again, at the end of a step whose totals are complete; where they have no restitution,
+    /// those of the path of their slip. Where there are joints, [`JointImpulses::bounce`] takes its place.
     pub fn restitute(&mut self, rule: &SweepRule) -> Works {
-        if self.manifolds.iter().all(|manifold| manifold.restitution == 0.0) {
+        self.part_again(rule.colliding, &[], false)
+    }
+
+    /// The same where joints hold some of the bodies, and where those that are struck at one point alone may have bounced already.
+    fn part_again(&mut self, colliding: f64, jointed: &[bool], has_begun: bool) -> Works {
+        if !self.has_collided(colliding) {
             return Works::default();
         }
+        let bouncing = Bouncing { has_begun, jointed };
         let Batches { list: batches, points, .. } = &mut self.batches;
+        let by = (colliding, &bouncing);
         match self.width {
-            LaneWidth::Two => stages::part_again::<f64x2>(&mut self.bodies, batches, points, rule.colliding),
-            LaneWidth::Four => stages::part_again::<f64x4>(&mut self.bodies, batches, points, rule.colliding),
+            LaneWidth::Two => stages::part_again::<f64x2>(&mut self.bodies, batches, points, by),
+            LaneWidth::Four => stages::part_again::<f64x4>(&mut self.bodies, batches, points, by),
         }
+    }
+
+    /// Whether a point has collided, faster than this (m/s), whose impulse is not known yet.
+    fn has_collided(&self, colliding: f64) -> bool {
+        let Batches { list: batches, points, .. } = &self.batches;
+        batches.iter().any(|batch| stages::may_bounce(batch, points, colliding))
     }
 
     /// One sweep over all contacts. Returns the works that it has booked: those of the substep before where it begins a later one.

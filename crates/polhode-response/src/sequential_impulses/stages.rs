@@ -77,16 +77,37 @@ pub(super) fn warm_start<L: Lanes>(bodies: &mut [ImpulseBody], batches: &[Batch]
 }
 
 /// Most passes over contacts that collided (8 to 64): friction of a bounce changes the speed at which it parts, and that of its neighbours.
-const MOST_BOUNCES: usize = 16;
+pub(super) const MOST_BOUNCES: usize = 16;
 
 /// Passes end with one that does less than this part of what the largest has done (no unit, 1e-6 to 1e-2): a part of the energy of a blow.
-const LAST_BOUNCE: f64 = 1e-4;
+pub(super) const LAST_BOUNCE: f64 = 1e-4;
 
 /// What patches do in a pass that were struck at one point alone: each bounces once, as an impact of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Alone {
-    Bounces,
-    HasBounced,
+    Bounce,
+    HaveBounced,
+}
+
+/// Which patches bounce as impacts of their own.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Bouncing<'a> {
+    /// Whether those that are struck at one point alone have bounced already.
+    pub(super) has_begun: bool,
+    /// Of each body, whether joints pass on what it is given: it bounces as one of several. None where the list is empty.
+    pub(super) jointed: &'a [bool],
+}
+
+impl Bouncing<'_> {
+    const fn in_pass(&self, pass: usize) -> Alone {
+        if pass == 0 && !self.has_begun { Alone::Bounce } else { Alone::HaveBounced }
+    }
+
+    /// Whether joints hold a body of a patch.
+    fn are_jointed(&self, batch: &Batch, lane: usize) -> bool {
+        let is = |body: u32| self.jointed.get(body as usize).copied().unwrap_or(false);
+        is(batch.a[lane]) || is(batch.b[lane])
+    }
 }
 
 /// Contacts that collided, faster than this (m/s), part again. Returns the changes of energy.
@@ -94,18 +115,18 @@ pub(super) fn part_again<L: Lanes>(
     bodies: &mut [ImpulseBody],
     batches: &[Batch],
     points: &mut [PointRows],
-    colliding: f64,
+    (colliding, bouncing): (f64, &Bouncing<'_>),
 ) -> Works {
     let (mut all, mut largest) = (Works::default(), 0.0_f64);
     let collided: Vec<&Batch> = batches.iter().filter(|batch| may_bounce(batch, points, colliding)).collect();
     for pass in 0..MOST_BOUNCES {
-        let alone = if pass == 0 { Alone::Bounces } else { Alone::HasBounced };
+        let alone = bouncing.in_pass(pass);
         let mut works = FourWorks::default();
         for batch in &collided {
             let rows = &mut points[batch.first as usize..(batch.first + batch.count) as usize];
             for part in 0..FOUR / L::WIDTH {
                 let own = works.load::<L>(part);
-                works.store(restitute::<L>(bodies, (batch, part), rows, (own, colliding, alone)), part);
+                works.store(restitute::<L>(bodies, (batch, part), rows, (own, colliding, (alone, bouncing))), part);
             }
         }
         let works = works.sums();
@@ -119,11 +140,11 @@ pub(super) fn part_again<L: Lanes>(
     all
 }
 
-/// Whether a point of a batch has collided, faster than this (m/s), and bounces.
-fn may_bounce(batch: &Batch, points: &[PointRows], colliding: f64) -> bool {
+/// Whether a point of a batch has collided, faster than this (m/s), whose bounce is not known yet.
+pub(super) fn may_bounce(batch: &Batch, points: &[PointRows], colliding: f64) -> bool {
     let rows = &points[batch.first as usize..(batch.first + batch.count) as usize];
     let has_collided = |lane: usize| rows.iter().any(|row| row.rate.0[lane] < -colliding && row.total[0].0[lane] > 0.0);
-    (0..FOUR).any(|lane| batch.restitution.0[lane] > 0.0 && has_collided(lane))
+    (0..FOUR).any(|lane| batch.restitution.0[lane] >= 0.0 && has_collided(lane))
 }
 
 #[inline(always)]
@@ -131,7 +152,7 @@ fn restitute<L: Lanes>(
     bodies: &mut [ImpulseBody],
     (batch, part): (&Batch, usize),
     rows: &mut [PointRows],
-    (mut works, faster, alone): (LaneWorks<L>, f64, Alone),
+    (mut works, faster, alone): (LaneWorks<L>, f64, (Alone, &Bouncing<'_>)),
 ) -> LaneWorks<L> {
     let (numbers_a, numbers_b) = (numbers::<L>(&batch.a, part), numbers::<L>(&batch.b, part));
     let (mut a, mut b) = (Gathered::<L>::load(bodies, numbers_a), Gathered::<L>::load(bodies, numbers_b));
@@ -160,7 +181,7 @@ fn restitute<L: Lanes>(
 #[inline(always)]
 fn bounce<L: Lanes, const N: usize>(
     rows: &mut [PointRows],
-    (batch, part, faster, alone): (&Batch, usize, L, Alone),
+    (batch, part, faster, alone): (&Batch, usize, L, (Alone, &Bouncing<'_>)),
     mut relative: Relative<L>,
     wrench: &mut Wrench<L>,
 ) -> [L; 2] {
@@ -170,7 +191,8 @@ fn bounce<L: Lanes, const N: usize>(
     let before: [L; N] = by_place(zero, |i| L::load(&rows[i].rate, part));
     let mut may = by_place(zero, |i| {
         let has_pressed = L::pick_greater(L::load(&rows[i].total[0], part), zero, one, zero);
-        let bounces = L::pick_greater(restitution, zero, has_pressed, zero);
+        // Those that have bounced already have a negative restitution.
+        let bounces = L::pick_greater(zero, restitution, zero, has_pressed);
         L::pick_greater(faster, before[i], bounces, zero)
     });
     let any = |may: &[L; N]| may.iter().fold(zero, |any, may| any.greater(*may));
@@ -203,7 +225,7 @@ fn bounce<L: Lanes, const N: usize>(
 fn bounce_alone<L: Lanes, const N: usize>(
     rows: &mut [PointRows; N],
     (batch, part, may): (&Batch, usize, &mut [L; N]),
-    (relative, alone): (&Relative<L>, Alone),
+    (relative, (alone, bouncing)): (&Relative<L>, (Alone, &Bouncing<'_>)),
     wrench: &mut Wrench<L>,
 ) -> [L; 2] {
     let zero = L::splat(0.0);
@@ -216,11 +238,12 @@ fn bounce_alone<L: Lanes, const N: usize>(
         let mut is_alone = Four::default();
         for lane in (0..L::WIDTH).filter(|&lane| may[i].lane(lane) > 0.0) {
             let own = part * L::WIDTH + lane;
-            if (0..N).any(|j| j != i && rows[j].total[0].0[own] > 0.0) {
+            let is_one_of_several = (0..N).any(|j| j != i && rows[j].total[0].0[own] > 0.0);
+            if is_one_of_several || bouncing.are_jointed(batch, own) {
                 continue;
             }
             is_alone.0[own] = 1.0;
-            if alone == Alone::HasBounced {
+            if alone == Alone::HaveBounced {
                 continue;
             }
             let Bounce { change, works: done } =

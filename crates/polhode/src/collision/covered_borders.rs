@@ -102,17 +102,24 @@ impl World {
     fn cover(&self, states: &[BodyState], touch: &Touch, bodies: &[usize], allowed: f64) -> bool {
         let geometry = &touch.kinematics.geometry;
         let size = self.pair_size(touch.id.a, touch.id.b);
-        let (u, w) = geometry.normal.any_orthonormal_pair();
-        let covers = |body: usize, place: DVec3| {
-            let near = self.bodies[body].shape.as_ref().map(|shape| closest_point(shape, &states[body].pose, place));
-            near.is_some_and(|near| near.is_ok_and(|near| near.distance <= allowed))
-        };
-        (0..PROBES).all(|k| {
-            let angle = (f64::from(k) + TURNED) / f64::from(PROBES) * std::f64::consts::TAU;
-            let place = geometry.point + (u * libm::cos(angle) + w * libm::sin(angle)) * (PROBE * size);
-            bodies.iter().any(|&body| covers(body, place))
-        })
+        places_around(geometry.point, geometry.normal, size)
+            .all(|place| bodies.iter().any(|&body| self.reaches(states, body, place, allowed)))
     }
+
+    /// Whether a place is inside a body or at its surface, within `allowed` (m).
+    pub(super) fn reaches(&self, states: &[BodyState], body: usize, place: DVec3, allowed: f64) -> bool {
+        let near = self.bodies[body].shape.as_ref().map(|shape| closest_point(shape, &states[body].pose, place));
+        near.is_some_and(|near| near.is_ok_and(|near| near.distance <= allowed))
+    }
+}
+
+/// The places that are probed around one, in the plane with this normal, where the smaller body has this size (m).
+pub(super) fn places_around(place: DVec3, normal: DVec3, size: f64) -> impl Iterator<Item = DVec3> {
+    let (u, w) = normal.any_orthonormal_pair();
+    (0..PROBES).map(move |k| {
+        let angle = (f64::from(k) + TURNED) / f64::from(PROBES) * std::f64::consts::TAU;
+        place + (u * libm::cos(angle) + w * libm::sin(angle)) * (PROBE * size)
+    })
 }
 
 const fn lying_on(touch: &Touch, side: Side) -> Lying<'_> {

@@ -125,6 +125,18 @@ impl Patch {
         &self.points[..self.count]
     }
 
+    /// Keeps the points at some places, in their order.
+    pub(crate) fn retain(&mut self, is_kept: impl Fn(usize) -> bool) {
+        let mut count = 0;
+        for place in 0..self.count {
+            if is_kept(place) {
+                self.points.swap(count, place);
+                count += 1;
+            }
+        }
+        self.count = count;
+    }
+
     /// Whether a point of it pressed in the last step.
     pub(crate) fn presses(&self) -> bool {
         self.points().iter().any(|point| point.normal_force > 0.0)

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `boxes` | swept boxes of moving bodies, and the pairs whose boxes overlap |
 //! | `face_patches` | where bodies may touch within a step: points fixed to both bodies, kept while these hardly move |
+//! | `inner_borders` | points of patches at a border that other bodies continue |
 //! | `narrow_phase` | contacts and separation of a pair of shapes, computed with the memory of the pair |
 //! | `contact_set` | the contacts of a pair with identity, geometry and time derivatives |
 //! | `covered_borders` | contacts at a border that other bodies continue |
@@ -26,6 +27,7 @@ pub(crate) mod envelope;
 pub(crate) mod face_patches;
 mod friction_ellipse;
 pub(crate) mod friction_mode;
+pub(crate) mod inner_borders;
 mod moving_surfaces;
 pub(crate) mod narrow_phase;
 mod passing;

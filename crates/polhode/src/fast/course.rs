@@ -16,6 +16,7 @@ use super::rules::{OVERLAP_GROWTH, Rules};
 use super::turning::turn;
 use crate::SimulationError;
 use crate::collision::face_patches::{LastingBoxes, PairPatches, Tools, follow_pairs};
+use crate::collision::inner_borders::leave_out_inner_borders;
 use crate::constraint::joint::WorldJoint;
 use crate::executor::{Executor, Task};
 use crate::settings::Settings;
@@ -31,18 +32,27 @@ const LEAST_PAIRS: usize = 64;
 /// A step shorter than this part of the last one leaves the impulses that the next one starts from as they are (no unit).
 const LEAST_OF_LAST: f64 = 0.5;
 
-/// What a step may not do to a pair: one body comes through the other, or their overlap grows.
+/// What a step may not do.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Fault {
-    pub(super) pair: (usize, usize),
-    /// m.
-    pub(super) depth: f64,
+pub(super) enum Fault {
+    /// One body of a pair comes through the other, or their overlap grows: how deep it is, m.
+    Overlap { pair: (usize, usize), depth: f64 },
+    /// A body leaves its box, so that pairs may be missing.
+    LeftBox,
 }
 
 impl Fault {
     /// That of a pair of which one has come through the other.
     fn passage(world: &World, pair: &PairPatches) -> Self {
-        Self { pair: (pair.a, pair.b), depth: world.pair_size(pair.a, pair.b) }
+        Self::Overlap { pair: (pair.a, pair.b), depth: world.pair_size(pair.a, pair.b) }
+    }
+
+    /// The pair that overlaps, and how deep, m.
+    const fn overlap(self) -> Option<((usize, usize), f64)> {
+        match self {
+            Self::Overlap { pair, depth } => Some((pair, depth)),
+            Self::LeftBox => None,
+        }
     }
 }
 
@@ -208,14 +218,14 @@ impl Course {
         if width == 1 {
             let tools = &mut self.tools[0];
             self.pairs.iter_mut().for_each(|pair| renew(pair, tools));
-            return;
-        }
-        let renew = &renew;
-        let tasks =
-            self.pairs.chunks_mut(share).zip(&mut self.tools).map(|(pairs, tools)| {
+        } else {
+            let renew = &renew;
+            let tasks = self.pairs.chunks_mut(share).zip(&mut self.tools).map(|(pairs, tools)| {
                 Box::new(move || pairs.iter_mut().for_each(|pair| renew(pair, tools))) as Task<'_>
             });
-        executor.run(tasks.collect());
+            executor.run(tasks.collect());
+        }
+        leave_out_inner_borders(world, &self.states, &mut self.pairs);
     }
 
     /// Puts bodies that patches and joints connect into groups, islands in the order of their first bodies. Force fields may couple any bodies: with them
@@ -391,15 +401,14 @@ impl Course {
             }
             let now = world.separation_without_memory(&self.states, a, b).filter(|now| *now < -least)?;
             let then = world.separation_without_memory(before, a, b);
-            then.is_none_or(|then| now < then.min(0.0) - least).then_some(Fault { pair: (a, b), depth: -now })
+            then.is_none_or(|then| now < then.min(0.0) - least).then_some(((a, b), -now))
         };
-        let deepest = self.pairs.iter().filter_map(has_sunk).max_by(|x, y| x.depth.total_cmp(&y.depth));
+        let deepest = self.pairs.iter().filter_map(has_sunk).max_by(|x, y| x.1.total_cmp(&y.1));
         let left = || {
             let far = |body: usize| aside[body] > OVERLAP_GROWTH * world.bodies[body].size;
-            let has_left = self.boxes.has_left(world, &self.states, far);
-            has_left.then(|| Fault { pair: self.pairs.first().map_or((0, 0), |pair| (pair.a, pair.b)), depth: 0.0 })
+            self.boxes.has_left(world, &self.states, far).then_some(Fault::LeftBox)
         };
-        deepest.or_else(left)
+        deepest.map(|(pair, depth)| Fault::Overlap { pair, depth }).or_else(left)
     }
 
     /// The impulses of the step go to the points of the patches. Those of a step that a program has cut short do not: they are those of overlaps
@@ -438,8 +447,11 @@ impl Course {
                 let patch = &mut pair.patches[place.patch];
                 for (point, impulse) in patch.points_mut().iter_mut().zip(group.solver.impulses(number)) {
                     if is_whole {
-                        point.normal_impulse = impulse.last[0];
-                        point.friction_impulse = x * impulse.last[1] + y * impulse.last[2];
+                        // The impulse of a blow is over: given again it would leave what the sweeps of a substep do not take back.
+                        let is_struck = impulse.rate < -rules.soft.colliding && impulse.total[0] > 0.0;
+                        let [along, first, second] = if is_struck { [0.0; 3] } else { impulse.last };
+                        point.normal_impulse = along;
+                        point.friction_impulse = x * first + y * second;
                     }
                     if -impulse.separation > self.deepest_after.map_or(0.0, |(_, depth)| depth) {
                         self.deepest_after = Some((place.pair, -impulse.separation));
@@ -466,10 +478,10 @@ impl Course {
             _ => Some(one),
         });
         let of_patches = deepest.map(|(pair, depth)| ((self.pairs[pair].a, self.pairs[pair].b), depth));
-        match (of_patches, self.fault.filter(|fault| fault.depth > 0.0)) {
-            (Some(known), Some(fault)) if known.1 >= fault.depth => Some(known),
+        match (of_patches, self.fault.and_then(Fault::overlap)) {
+            (Some(known), Some(fault)) if known.1 >= fault.1 => Some(known),
             (known, None) => known,
-            (_, Some(fault)) => Some((fault.pair, fault.depth)),
+            (_, fault) => fault,
         }
     }
 

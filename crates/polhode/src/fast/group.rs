@@ -172,13 +172,12 @@ impl Group {
         self.report.works += self.solver.end_substep(&rules.soft);
         self.report.residual = self.solver.residual(&rules.relax);
         self.begin();
-        let bounced = self.solver.restitute(&rules.soft);
-        self.report.works += bounced;
+        self.report.works += if self.held.is_empty() {
+            self.solver.restitute(&rules.soft)
+        } else {
+            self.held.bounce(&mut self.solver, [&rules.soft, &rules.relax], &self.present)
+        };
         self.book_drivers_at_end();
-        if bounced != Works::default() && !self.held.is_empty() {
-            let held_j = self.held.hold_after_impact(&mut self.solver, &rules.relax, &self.present);
-            self.report.works.resting_j += held_j;
-        }
         self.book();
         self.report.support = self.held.support();
         self.report.given_j = self.members.iter().map(|member| member.given_j).sum();
@@ -365,9 +364,10 @@ impl Group {
         Velocity::new(linear + angular.cross(moved), angular)
     }
 
-    /// Kinematic bodies after a movement: how far they have come, and the velocities of their surfaces then. The rows have
+    /// Kinematic bodies after a movement: how far they have come. The rows have
     /// a turn to first order: the rest of it at the patch is
-    /// a displacement.
+    /// a displacement. Their velocities stay those of the substep: with another one contacts would take or give in the relax stage what a surface is
+    /// accelerated by, after friction has been bounded by the impulses of before.
     fn move_drivers(&mut self, given: &Given<'_>, substep: u32) {
         let time = f64::from(substep + 1) * given.rules.h;
         for place in 0..self.drivers.len() {
@@ -377,10 +377,9 @@ impl Group {
             let turn = now.rotation * start.rotation.inverse();
             let vector = turn.to_rotation_vector();
             let rest = turn.rotate(driver.arm) - driver.arm - vector.cross(driver.arm);
-            let velocity = self.surface_velocity(given, &driver, (time, 0.0));
             let body = self.solver.body_mut(driver.number);
             body.set_displacement(now.translation - start.translation + rest, vector);
-            body.set_velocity(velocity.linear, velocity.angular);
+            body.set_velocity(driver.velocity.linear, driver.velocity.angular);
         }
     }
 

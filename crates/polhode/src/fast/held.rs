@@ -15,7 +15,7 @@ use crate::world::World;
 use crate::{Momentum, MomentumSum};
 use polhode_dynamics::BodyState;
 use polhode_response::sequential_impulses::{
-    BodyImpulse, ImpulseJoint, JointImpulses, JointLaw, JointRow, MOST_JOINT_ROWS, SequentialImpulses, SweepRule,
+    BodyImpulse, ImpulseJoint, JointImpulses, JointLaw, JointRow, MOST_JOINT_ROWS, SequentialImpulses, SweepRule, Works,
 };
 use polhode_spatial::{DVec3, Velocity};
 
@@ -151,16 +151,18 @@ impl Held {
         self.joints.sweep(solver, rule);
     }
 
-    /// After an impact at the end of the step the joints hold again. Returns their work, J.
-    pub(super) fn hold_after_impact(
+    /// What has collided in the step parts again while the joints hold. Returns what all did.
+    pub(super) fn bounce(
         &mut self,
         solver: &mut SequentialImpulses,
-        rule: &SweepRule,
+        rules: [&SweepRule; 2],
         states: &[BodyState],
-    ) -> f64 {
-        let work = self.joints.hold_after_impact(solver, rule);
-        self.note_support(states);
-        work
+    ) -> Works {
+        let works = self.joints.bounce(solver, rules);
+        if works != Works::default() {
+            self.note_support(states);
+        }
+        works
     }
 
     /// Ends a substep. Returns what the joints did in it, J: what holds does no work but by its softness.

@@ -86,7 +86,8 @@ fn what_is_shot_at_a_wall_is_before_it_or_told() {
     for shape in &shapes {
         for thickness in [0.01, 0.1] {
             for speed in [10.0, 30.0, 100.0, 300.0, 1000.0, 2000.0] {
-                let wall = Shape::cuboid(DVec3::new(4.0, 4.0, thickness)).unwrap();
+                // Friction throws some of them aside: none comes to the border.
+                let wall = Shape::cuboid(DVec3::new(200.0, 200.0, thickness)).unwrap();
                 let wall = Body::fixed("wall").geometry(Geometry::Shape(wall)).material(material(0.5, 0.0));
                 let turn = Rotation::from_rotation_vector(DVec3::new(0.3, 0.5, 0.2));
                 let own = brick("shot", DVec3::splat(0.2), DVec3::ZERO).geometry(Geometry::Shape(shape.clone()));

@@ -18,6 +18,7 @@ mod driven_joints;
 mod energy_after_actions;
 mod fast;
 mod fast_bounces;
+mod fast_collisions;
 mod fast_holds;
 mod fast_joint_kinds;
 mod fast_joint_rest;
