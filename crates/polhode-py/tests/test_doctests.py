@@ -18,9 +18,14 @@ def test_docstrings(name):
     assert results.failed == 0
 
 
-def test_readme():
-    text = (Path(__file__).resolve().parents[1] / "README.md").read_text()
+ROOT = Path(__file__).resolve().parents[3]
+
+
+@pytest.mark.parametrize("page", ["crates/polhode-py/README.md", "README.md", "docs/book/python.md"])
+def test_pages(page):
+    text = (ROOT / page).read_text(encoding="utf-8")
     blocks = [part.split("```")[0] for part in text.split("```python")[1:]]
-    assert len(blocks) >= 2
-    for block in blocks:
-        exec(compile(block, "README.md", "exec"), {})
+    own = [block for block in blocks if "import polhode" in block]
+    assert own
+    for block in own:
+        exec(compile(block, page, "exec"), {})
