@@ -41,16 +41,16 @@ pub(crate) fn vector_or_zero(what: &str, given: Option<&Bound<'_, PyAny>>) -> Py
     given.map_or(Ok(DVec3::ZERO), |given| vector(what, given))
 }
 
+/// An orientation from a quaternion w, x, y, z.
+pub(crate) fn rotation(given: &Bound<'_, PyAny>) -> PyResult<Rotation> {
+    let wxyz = numbers::<4>("orientation", given)?;
+    Rotation::from_wxyz(wxyz).map_err(|error| PyValueError::new_err(format!("orientation: {error}")))
+}
+
 /// A pose from a position and a quaternion.
 pub(crate) fn pose(position: &Bound<'_, PyAny>, orientation: Option<&Bound<'_, PyAny>>) -> PyResult<Pose> {
     let translation = vector("position", position)?;
-    let rotation = match orientation {
-        None => Rotation::IDENTITY,
-        Some(given) => {
-            let wxyz = numbers::<4>("orientation", given)?;
-            Rotation::from_wxyz(wxyz).map_err(|error| PyValueError::new_err(format!("orientation: {error}")))?
-        }
-    };
+    let rotation = orientation.map_or(Ok(Rotation::IDENTITY), rotation)?;
     Ok(Pose::new(rotation, translation))
 }
 

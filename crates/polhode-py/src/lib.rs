@@ -10,6 +10,7 @@
 //! | `actions` | what a program does to its bodies and joints |
 //! | `views` | what a simulation tells of the present |
 //! | `arguments` | what Python gives, checked |
+//! | `functions` | parts of the library as functions of arrays |
 //! | `errors` | errors of the library as Python's exceptions |
 //!
 //! No code here is unsafe: a column is a vector that is moved into an array of numpy, which then owns it.
@@ -17,6 +18,7 @@
 mod actions;
 mod arguments;
 mod errors;
+mod functions;
 mod loaded;
 mod recorder;
 mod recording;
@@ -29,6 +31,8 @@ mod views;
 mod _polhode {
     use pyo3::prelude::*;
 
+    #[pymodule_export]
+    use super::functions::{mesh_report, rotate_free};
     #[pymodule_export]
     use super::loaded::Loaded;
     #[pymodule_export]

@@ -280,6 +280,12 @@ impl Simulation {
         Ok(Energy { kinetic, potential, total, initial })
     }
 
+    /// How far the bodies at rest are from moving, as JSON.
+    fn stability_json(&self, py: Python<'_>) -> PyResult<String> {
+        let stability = self.using(py, |held| held.simulation.stability())?;
+        Ok(polhode_scene::stability_json(&self.loaded.scene, &stability).to_string())
+    }
+
     /// Everything from which `restore` continues with the same bits.
     fn snapshot(&self, py: Python<'_>) -> PyResult<Snapshot> {
         self.using(py, |held| Ok(Snapshot { snapshot: held.simulation.snapshot() }))

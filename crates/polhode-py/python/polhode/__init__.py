@@ -24,6 +24,7 @@ from ._errors import (
     SnapshotError,
     UnknownName,
 )
+from ._functions import mass_properties, rotate_free
 from ._joints import Ball, Cylindrical, FixedJoint, Hinge, Joint, Planar, Rod, Rope, Screw, Slider, Universal
 from ._polhode import BodyState, Contact, Coordinate, Energy, JointLoad, Snapshot, StepOutcome, __version__
 from ._run import Energies, Joints, JointTrack, Run, Track, run
@@ -82,5 +83,7 @@ __all__ = [
     "Universal",
     "UnknownName",
     "__version__",
+    "mass_properties",
+    "rotate_free",
     "run",
 ]

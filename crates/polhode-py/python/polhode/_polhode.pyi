@@ -4,7 +4,7 @@ from os import PathLike
 from typing import Any, Sequence, final
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 from typing_extensions import Self, disjoint_base
 
 from ._scene import Body, JointHandle, Vector
@@ -21,6 +21,8 @@ __all__ = [
     "Snapshot",
     "StepOutcome",
     "__version__",
+    "mesh_report",
+    "rotate_free",
     "run",
 ]
 
@@ -70,6 +72,14 @@ class Recording:
     def joints(self) -> NDArray[np.float64]: ...
     def events(self) -> tuple[list[str], NDArray[np.int64], NDArray[np.float64]]: ...
 
+def rotate_free(
+    moments: Vector, angular_velocity: Vector, times: ArrayLike, orientation: Vector | None = None
+) -> NDArray[np.float64]:
+    """Attitudes of a free rotation at some times, s: (N, 4)."""
+
+def mesh_report(
+    vertices: ArrayLike, triangles: ArrayLike, mass: float | None, density: float | None, is_hollow: bool
+) -> str: ...
 def run(loaded: Loaded, all_effects: bool, joints: bool) -> Recording: ...
 
 @final
@@ -260,6 +270,7 @@ class Simulation:
     def energy(self) -> Energy:
         """Energies."""
 
+    def stability_json(self) -> str: ...
     def snapshot(self) -> Snapshot:
         """Everything from which ``restore`` continues with the same bits."""
 

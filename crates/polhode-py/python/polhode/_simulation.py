@@ -70,6 +70,23 @@ class Simulation(_polhode.Simulation):
         report: dict[str, Any] = json.loads(self.run_to_end())
         return report
 
+    def stability(self) -> dict[str, Any]:
+        """How far the bodies at rest are from moving: the friction that they need, and the push, relative to their weights, at which
+        the first of them begins to move, in each of several directions.
+
+        >>> import polhode as ph
+        >>> scene = ph.Scene()
+        >>> floor = scene.fixed(ph.HalfSpace(), friction=0.5)
+        >>> column = scene.add(ph.Box(1, 1, 4), mass=2.0, at=(0, 0, 2), friction=0.5)
+        >>> stability = ph.Simulation(scene).stability()
+        >>> stability["friction_needed"], round(min(push["of_weight"] for push in stability["pushes"]), 9)
+        (0.0, 0.25)
+        """
+        import json
+
+        stability: dict[str, Any] = json.loads(self.stability_json())
+        return stability
+
     def set_motor(
         self,
         joint: str | int | JointHandle,
