@@ -1,7 +1,7 @@
 //! Errors of the library as Python's exceptions, which keep place and cure. The classes are in `polhode/_errors.py`.
 
 use polhode::{SimulationError, SnapshotError};
-use polhode_scene::robot::RobotFileError;
+use polhode_scene::robot::Finding;
 use polhode_scene::{LoadedScene, Refused, SceneFileError};
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
@@ -26,34 +26,54 @@ pub(crate) fn plain(py: Python<'_>, class: &str, message: &str) -> PyErr {
     made(py, class, message, |_| Ok(()))
 }
 
+/// One thing that is refused: where (file or argument, line, column, key or part of a robot), why, and what mends it.
+struct Told {
+    place: (String, usize, usize, String),
+    message: String,
+    cure: Option<String>,
+}
+
+impl Told {
+    fn of(error: &SceneFileError) -> Vec<Self> {
+        if let SceneFileError::Robot(robot) = error {
+            return robot.findings().iter().map(Self::of_finding).collect();
+        }
+        error.all_refused().iter().map(Self::of_refused).collect()
+    }
+
+    fn of_refused(refused: &Refused) -> Self {
+        let place = &refused.place;
+        let place = (place.origin.clone(), place.line, place.column, place.key.clone());
+        Self { place, message: refused.cause.to_string(), cure: refused.cure() }
+    }
+
+    fn of_finding(finding: &Finding) -> Self {
+        let (place, cure) = (&finding.place, finding.cure());
+        let place = (place.file.display().to_string(), place.line, place.column, finding.subject.clone());
+        Self { place, message: finding.defect.to_string(), cure: (!cure.is_empty()).then_some(cure) }
+    }
+}
+
 /// A scene that cannot be read or is refused.
 pub(crate) fn scene(py: Python<'_>, error: &SceneFileError) -> PyErr {
     if error.is_input_output() {
         return PyOSError::new_err(error.to_string());
     }
-    let place = match error {
-        SceneFileError::Robot(RobotFileError::Refused(_)) | SceneFileError::Read { .. } => None,
-        other => other.refused(),
-    };
     made(py, "SceneError", &error.to_string(), |kept| {
-        if let Some(refused) = place {
-            keep_place(kept, refused)?;
-            kept.set_item("cure", refused.cure())?;
+        let told = Told::of(error);
+        if let Some(first) = told.first() {
+            kept.set_item("place", &first.place)?;
+            kept.set_item("cure", &first.cure)?;
         }
-        let each = error.all_refused().iter().map(|refused| {
+        let each = told.into_iter().map(|Told { place, message, cure }| {
             let one = PyDict::new(py);
-            keep_place(&one, refused)?;
-            one.set_item("message", refused.cause.to_string())?;
-            one.set_item("cure", refused.cure())?;
+            one.set_item("place", place)?;
+            one.set_item("message", message)?;
+            one.set_item("cure", cure)?;
             Ok(one)
         });
         kept.set_item("errors", PyList::new(py, each.collect::<PyResult<Vec<_>>>()?)?)
     })
-}
-
-fn keep_place(kept: &Bound<'_, PyDict>, refused: &Refused) -> PyResult<()> {
-    let place = &refused.place;
-    kept.set_item("place", (&place.origin, place.line, place.column, &place.key))
 }
 
 /// A simulation that cannot be made or cannot go on.

@@ -32,7 +32,7 @@ mod _polhode {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use super::functions::{mesh_report, rotate_free};
+    use super::functions::{doctor, mesh_report, rotate_free};
     #[pymodule_export]
     use super::loaded::Loaded;
     #[pymodule_export]
@@ -42,7 +42,7 @@ mod _polhode {
     #[pymodule_export]
     use super::simulation::{Simulation, Snapshot};
     #[pymodule_export]
-    use super::views::{BodyState, Contact, Coordinate, Energy, JointLoad, StepOutcome};
+    use super::views::{BodyState, Contact, Coordinate, Energy, Finding, JointLoad, StepOutcome};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -43,6 +43,12 @@ impl Given for f64 {
     }
 }
 
+impl Given for usize {
+    fn given<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        Ok(self.into_pyobject(py)?.into_any())
+    }
+}
+
 impl Given for bool {
     fn given<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         Ok(self.into_pyobject(py)?.to_owned().into_any())
@@ -134,5 +140,25 @@ view! {
         total: f64,
         /// The sum at t = 0.
         initial: f64,
+    }
+}
+
+view! {
+    /// What was found in the file of a robot.
+    Finding {
+        /// The file.
+        file: String,
+        /// Line, from 1.
+        line: usize,
+        /// Column, from 1.
+        column: usize,
+        /// error, warning or ignored.
+        severity: String,
+        /// What it is about: a link, a joint.
+        subject: String,
+        /// What is wrong, with its size.
+        what: String,
+        /// The edit that mends it; empty where there is none.
+        cure: String,
     }
 }

@@ -24,9 +24,9 @@ from ._errors import (
     SnapshotError,
     UnknownName,
 )
-from ._functions import mass_properties, rotate_free
+from ._functions import doctor, mass_properties, rotate_free
 from ._joints import Ball, Cylindrical, FixedJoint, Hinge, Joint, Planar, Rod, Rope, Screw, Slider, Universal
-from ._polhode import BodyState, Contact, Coordinate, Energy, JointLoad, Snapshot, StepOutcome, __version__
+from ._polhode import BodyState, Contact, Coordinate, Energy, Finding, JointLoad, Snapshot, StepOutcome, __version__
 from ._run import Energies, Joints, JointTrack, Run, Track, run
 from ._scene import Body, JointHandle, Scene
 from ._shapes import Box, Capsule, Compound, Cone, Convex, Cylinder, HalfSpace, Mesh, Points, Shape, Sphere, Torus
@@ -49,6 +49,7 @@ __all__ = [
     "Cylindrical",
     "Energies",
     "Energy",
+    "Finding",
     "FixedJoint",
     "HalfSpace",
     "Hinge",
@@ -83,6 +84,7 @@ __all__ = [
     "Universal",
     "UnknownName",
     "__version__",
+    "doctor",
     "mass_properties",
     "rotate_free",
     "run",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Any
 
 from . import _polhode
@@ -62,3 +63,12 @@ def mass_properties(
         _polhode.mesh_report(vertices, numbers.astype(np.int64), mass, density, hollow)
     )
     return report
+
+
+def doctor(robot: str | os.PathLike[str]) -> list[_polhode.Finding]:
+    """What is impossible in the file of a robot (URDF, MJCF), simulated otherwise than it says, or without effect.
+
+    Each finding has its place (``file``, ``line``, ``column``), ``severity`` (error, warning, ignored), ``subject``, ``what`` with
+    its size, and ``cure``: the edit that mends it. A file that is refused raises nothing: its errors are findings.
+    """
+    return _polhode.doctor(robot)

@@ -14,6 +14,7 @@ __all__ = [
     "Contact",
     "Coordinate",
     "Energy",
+    "Finding",
     "JointLoad",
     "Loaded",
     "Recording",
@@ -21,6 +22,7 @@ __all__ = [
     "Snapshot",
     "StepOutcome",
     "__version__",
+    "doctor",
     "mesh_report",
     "rotate_free",
     "run",
@@ -77,6 +79,7 @@ def rotate_free(
 ) -> NDArray[np.float64]:
     """Attitudes of a free rotation at some times, s: (N, 4)."""
 
+def doctor(path: str | PathLike[str]) -> list[Finding]: ...
 def mesh_report(
     vertices: ArrayLike, triangles: ArrayLike, mass: float | None, density: float | None, is_hollow: bool
 ) -> str: ...
@@ -197,6 +200,38 @@ class Energy:
     @property
     def initial(self) -> float:
         """The sum at t = 0."""
+
+@final
+class Finding:
+    """What was found in the file of a robot."""
+
+    @property
+    def file(self) -> str:
+        """The file."""
+
+    @property
+    def line(self) -> int:
+        """Line, from 1."""
+
+    @property
+    def column(self) -> int:
+        """Column, from 1."""
+
+    @property
+    def severity(self) -> str:
+        """error, warning or ignored."""
+
+    @property
+    def subject(self) -> str:
+        """What it is about: a link, a joint."""
+
+    @property
+    def what(self) -> str:
+        """What is wrong, with its size."""
+
+    @property
+    def cure(self) -> str:
+        """The edit that mends it; empty where there is none."""
 
 @final
 class Snapshot:
