@@ -30,6 +30,7 @@
 //! | [`tier_costs`] | the command: the processor time of heaps in the tiers, which the plan estimates |
 //! | [`statics`] | static equilibrium of structures of blocks, from their geometry alone |
 //! | [`viewer`] | pages in a real browser |
+//! | [`python`] | the Python package: built, installed, tested |
 //! | [`random_mechanism`] | random mechanisms and small piles, which several tiers compute |
 //! | [`random_scene`] | the commands: random scenes, written and judged |
 //! | [`judge`] | whether the run of a random scene keeps the laws of physics |
@@ -53,6 +54,7 @@ mod interpenetration;
 mod judge;
 mod known;
 mod narrow_phase;
+mod python;
 mod random;
 mod random_mechanism;
 mod random_scene;

@@ -1,7 +1,7 @@
 //! `cargo xtask verify`: everything that a release needs, in an order that finds cheap mistakes first.
 //!
 //! 1. rules of the house (seconds), 2. formatting, lints, documentation and tests by cargo, 3. validation cases,
-//! 4. README and book, the gallery, 5. golden trajectories and pictures, 6. the viewer in a browser.
+//! 4. README and book, the Python package, the gallery, 5. golden trajectories and pictures, 6. the viewer in a browser.
 //!
 //! Every step runs even when an earlier one failed, so that one run shows everything that is
 //! wrong; cases and golden trajectories run beside the builds and each other (`schedule.rs`). Progress goes to stderr, the table (or, with
@@ -13,7 +13,7 @@ use crate::row::Row;
 use crate::schedule::{self, Company, Step};
 use crate::snapshot_environment::in_snapshot_environment;
 use crate::table::{self, Counts};
-use crate::{book, commands, gallery, golden, house, viewer};
+use crate::{book, commands, gallery, golden, house, python, viewer};
 use clap::Args;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -100,6 +100,9 @@ fn steps<'a>(options: &Options, root: &'a Path, context: &'a Context, scenes: &'
     if !options.bless && selected(book::NAME) && !options.extent.quick {
         steps.push(Step::new(book::NAME, Company::Build, || book::check(context, &names(scenes))));
     }
+    if !options.bless && selected(python::NAME) && !options.extent.quick {
+        steps.push(Step::new(python::NAME, Company::Build, || python::check(context)));
+    }
     if !options.bless && selected(gallery::CASE) {
         steps.push(Step::new(gallery::CASE, Company::Beside, || gallery::check(context)));
     }
@@ -121,7 +124,7 @@ fn no_such_case(options: &Options, scenes: &[String]) -> String {
 
 /// The names of all that `--only` can select.
 fn names(scenes: &[String]) -> Vec<String> {
-    let cases = [HOUSE, book::NAME, gallery::CASE]
+    let cases = [HOUSE, book::NAME, python::NAME, gallery::CASE]
         .into_iter()
         .chain(cases::ALL.iter().map(|case| case.name))
         .map(str::to_owned);

@@ -113,6 +113,15 @@ impl SceneFileError {
             _ => None,
         }
     }
+
+    /// All that is refused of the content, in the order of the file.
+    pub fn all_refused(&self) -> &[Refused] {
+        match self {
+            Self::Refused(refused) => std::slice::from_ref(&**refused),
+            Self::Several(errors) => errors,
+            _ => &[],
+        }
+    }
 }
 
 /// Content that is refused; shown with the place and the line.
@@ -128,6 +137,11 @@ pub struct Refused {
 }
 
 impl Refused {
+    /// What is accepted instead, or what mends it, in a sentence; none when the cause says it already.
+    pub fn cure(&self) -> Option<String> {
+        self.cause.accepted()
+    }
+
     fn is_input_output(&self) -> bool {
         match &self.cause {
             Refusal::MeshFile(MeshFileError::Read { .. }) => true,

@@ -79,7 +79,10 @@ pub use load::{LoadedScene, load, load_text, load_with, load_with_meshes};
 pub use mesh_file::read_mesh;
 pub use mesh_report::{Filling, MeshReport};
 pub use output::{AtomicFile, CsvStream, LeftBehind, OutputError, Outputs, Unfinished};
-pub use report::{plan_json, plan_with_accelerations_json, report_json, scene_report_json, stability_json};
+pub use report::{
+    broken_json, certificate_json, plan_json, plan_with_accelerations_json, report_json, scene_report_json,
+    stability_json,
+};
 pub use schema::schema;
 pub use trajectory::{FilePlace, TRAJECTORY_ENDINGS, TrajectoryError, TrajectoryReader, is_trajectory};
 

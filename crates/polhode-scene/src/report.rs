@@ -6,14 +6,14 @@ use glam::DVec3;
 use polhode::scene::{OverlapLimit, Promise};
 use polhode::stability::{Beginning, MovingBody, PushMargin, Stability};
 use polhode::{
-    Acceleration, BodyId, BodySample, Momentum, MomentumLedger, Occurrence, PairAt, Plan, RunReport, Scene,
-    SpringImpact, SpringReport,
+    Acceleration, BodyId, BodySample, BrokenPromise, Momentum, MomentumLedger, Occurrence, PairAt, Plan, RunReport,
+    Scene, SpringImpact, SpringReport,
 };
 use serde_json::{Value, json};
 
 /// The report of a run; `wall_s` is the time it took, s.
 pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
-    let (energy, ledger, certificate) = (&report.energy, &report.ledger, &report.certificate);
+    let (energy, ledger) = (&report.energy, &report.ledger);
     let mut value = json!({
         "scene": report.scene,
         "tier": names::tier(report.plan.tier),
@@ -40,6 +40,26 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
             "closure_relative": ledger.closure_relative(),
             "momentum": momentum_json(&ledger.momentum),
         },
+        "crowded": crowded_json(report),
+        "events": report.events,
+        "warnings": report.warnings,
+        "tolerated": occurrences_json(&report.tolerated),
+        "bodies": report.bodies.iter().map(|body| body_json(&body.name, &body.state)).collect::<Vec<_>>(),
+    });
+    value["choices"] = occurrences_json(&report.choices);
+    if let (Value::Object(members), Value::Object(measured)) = (&mut value, certificate_json(report)) {
+        members.extend(measured);
+    }
+    if let Some(springs) = &report.springs {
+        value["springs"] = springs_json(report, springs);
+    }
+    value
+}
+
+/// The certificate of a run: the largest value of each measure, and where it was.
+pub fn certificate_json(report: &RunReport) -> Value {
+    let certificate = &report.certificate;
+    json!({
         "max_projection_m": certificate.max_projection_m,
         "max_projection_of_limit": certificate.max_projection_of_limit,
         "max_projection_at": pair_json(report, certificate.max_projection_at),
@@ -55,7 +75,6 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
         "max_sample_penetration_m": certificate.max_sample_penetration_m,
         "max_sample_penetration_of_limit": certificate.max_sample_penetration_of_limit,
         "max_sample_penetration_at": pair_json(report, certificate.max_sample_penetration_at),
-        "crowded": crowded_json(report),
         "max_friction_violation": certificate.max_friction_violation,
         "max_friction_violation_of_limit": certificate.max_friction_violation_of_limit,
         "max_friction_violation_at": pair_json(report, certificate.max_friction_violation_at),
@@ -67,28 +86,30 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
         "max_numerical_relative": certificate.max_numerical_relative,
         "factorisations": certificate.factorisations,
         "fallbacks": certificate.fallbacks,
-        "events": report.events,
-        "warnings": report.warnings,
-        "tolerated": occurrences_json(&report.tolerated),
-        "bodies": report.bodies.iter().map(|body| body_json(&body.name, &body.state)).collect::<Vec<_>>(),
-    });
-    value["choices"] = occurrences_json(&report.choices);
-    add_joints(&mut value, report);
-    if let Some(springs) = &report.springs {
-        value["springs"] = springs_json(report, springs);
-    }
-    value
+        "max_load_defect": certificate.max_load_defect,
+        "max_load_defect_of_limit": certificate.max_load_defect_of_limit,
+        "max_joint_error_m": certificate.max_joint_error_m,
+        "max_joint_error_rad": certificate.max_joint_error_rad,
+        "max_joint_error_of_limit": certificate.max_joint_error_of_limit,
+        "max_joint_error_at": pair_json(report, certificate.max_joint_error_at),
+    })
 }
 
-/// Adds what was measured of joints and of the loads that steps tell.
-fn add_joints(value: &mut Value, report: &RunReport) {
-    let certificate = &report.certificate;
-    value["max_load_defect"] = json!(certificate.max_load_defect);
-    value["max_load_defect_of_limit"] = json!(certificate.max_load_defect_of_limit);
-    value["max_joint_error_m"] = json!(certificate.max_joint_error_m);
-    value["max_joint_error_rad"] = json!(certificate.max_joint_error_rad);
-    value["max_joint_error_of_limit"] = json!(certificate.max_joint_error_of_limit);
-    value["max_joint_error_at"] = pair_json(report, certificate.max_joint_error_at);
+/// The limits of the promise that a run has exceeded: when (s), which bodies, by how much, and what would help.
+pub fn broken_json(report: &RunReport) -> Value {
+    let name = |body: BodyId| report.bodies.get(body.index()).map(|body| body.name.as_str());
+    let one = |broken: &BrokenPromise| {
+        json!({
+            "t_s": broken.t_s,
+            "bodies": broken.bodies.map(|bodies| bodies.map(name)),
+            "what": broken.what,
+            "value": broken.value,
+            "limit": broken.limit,
+            "cure": broken.cure,
+            "warning": broken.to_string(),
+        })
+    };
+    report.broken.iter().map(one).collect()
 }
 
 /// What springs at contacts were asked for and reached: m, m/s, N, rad/s.

@@ -155,6 +155,7 @@ mod actions;
 mod body_id;
 pub mod body_queries;
 mod body_sample;
+mod broken_promise;
 mod collision;
 mod companion;
 mod constraint;
@@ -228,8 +229,8 @@ pub use momentum_ledger::{Momentum, MomentumLedger, MomentumSum};
 pub use observer::{Flow, Observer, Recorder, Unobserved};
 pub use plan::{Decision, Effect, EffectDecision, Plan};
 pub use report::{
-    Certificate, CrowdedStretch, CrowdingError, Occurrence, Outcome, PairAt, PlanChange, ReportedBody, RunReport,
-    SpringImpact, SpringReport,
+    BrokenPromise, Certificate, CrowdedStretch, CrowdingError, Occurrence, Outcome, PairAt, PlanChange, ReportedBody,
+    RunReport, SpringImpact, SpringReport,
 };
 pub use scene::{ApproximateParts, Body, Geometry, Scene, SceneBuilder, SceneError};
 pub use simulation::{Simulation, StepEnd, StepOutcome};

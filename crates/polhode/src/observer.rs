@@ -1,6 +1,7 @@
 //! Observers receive samples and events of a run.
 
 pub use crate::body_sample::BodySample;
+use crate::energy::Energy;
 use crate::event::Event;
 use crate::frame::Frame;
 use crate::joint_sample::JointSample;
@@ -51,6 +52,16 @@ pub trait Observer {
     /// [`Observer::wants_joints`].
     fn joints(&mut self, t_s: f64, joints: &[JointSample]) {
         let _ = (t_s, joints);
+    }
+
+    /// Whether [`Observer::energy`] is called.
+    fn wants_energies(&self) -> bool {
+        false
+    }
+
+    /// The energies at the time of a sample. It is called after that sample, if [`Observer::wants_energies`].
+    fn energy(&mut self, t_s: f64, energy: &Energy) {
+        let _ = (t_s, energy);
     }
 
     /// Called after every step with the time reached, s.

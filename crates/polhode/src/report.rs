@@ -1,6 +1,7 @@
 //! The report of a run: outcome, plan, energies, ledger, certificate, warnings.
 
 pub use crate::body_sample::ReportedBody;
+pub use crate::broken_promise::BrokenPromise;
 pub use crate::energy::Energy;
 pub use crate::penalty::measures::{SpringImpact, SpringReport};
 use crate::{BodyId, Ledger, Plan};
@@ -228,6 +229,8 @@ pub struct RunReport {
     pub ledger: Ledger,
     /// What is certain about the accuracy.
     pub certificate: Certificate,
+    /// The limits of the promise that were exceeded: a run without one may be degraded too, as a warning says.
+    pub broken: Vec<BrokenPromise>,
     /// Warnings: exceeded limits of the promise first, then the others in order of time.
     pub warnings: Vec<String>,
     /// Stretches of crowded events, passed by time steps: the events in them are not located exactly.

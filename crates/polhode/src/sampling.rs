@@ -52,6 +52,9 @@ pub(crate) fn emit_sample(
         }
     }
     let emitted = core.accounts.emit_sample(&core.world, states, t, observer);
+    if emitted && observer.wants_energies() {
+        observer.energy(t, &core.accounts.books.clone().observe(&core.world, states));
+    }
     if emitted && observer.wants_joints() {
         observer.joints(t, &joint_samples(tier, core, t, states));
     }

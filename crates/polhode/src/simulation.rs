@@ -237,7 +237,8 @@ impl Simulation {
         self.advance_to_observed(t_s, &mut Unobserved)
     }
 
-    /// As [`Simulation::advance_to`], with an observer of samples and events.
+    /// As [`Simulation::advance_to`], with an observer of samples and events, which may stop it after a step: the time reached is
+    /// then before `t_s`.
     ///
     /// # Errors
     /// See [`Simulation::advance_to`].
@@ -249,7 +250,8 @@ impl Simulation {
             // A step ends exactly at the end of the duration, also when a program advances past it.
             let limit = if self.ended { t_s } else { t_s.min(self.scene.duration_s()) };
             let step = self.advance(limit, observer)?;
-            if step.t_s >= t_s && !step.is_event() {
+            let is_stopped = observer.progress(step.t_s) == Flow::Stop;
+            if is_stopped || (step.t_s >= t_s && !step.is_event()) {
                 return Ok(());
             }
         }
@@ -563,6 +565,7 @@ impl Simulation {
             energy: Energy::default(),
             ledger: crate::Ledger::default(),
             certificate: crate::Certificate::default(),
+            broken: Vec::new(),
             warnings: Vec::new(),
             crowded: Vec::new(),
             crowding_error,

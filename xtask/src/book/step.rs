@@ -13,6 +13,8 @@ use std::path::{Path, PathBuf};
 pub(crate) const NAME: &str = "book";
 /// The first page that anyone reads.
 const README: &str = "README.md";
+/// The Python package of the project.
+const PACKAGE: &str = "polhode";
 /// What else stands beside it.
 const CHANGELOG: &str = "CHANGELOG.md";
 /// Folder of all documents, which is the source of the book.
@@ -95,12 +97,13 @@ fn run_page(page: &Page, shell: &Shell<'_>) -> Result<Row, Box<dyn Error>> {
     Ok(judged(&quantity, &faults))
 }
 
-/// Runs the blocks of Python of all pages, where their modules are here.
+/// Runs the blocks of Python of all pages, where their modules are here. Those of the package itself are run by its tests.
 fn run_python(pages: &[Page], shells: &[Shell<'_>]) -> Row {
     let blocks: Vec<(&Page, &Shell<'_>, Block)> = pages
         .iter()
         .zip(shells)
         .flat_map(|(page, shell)| page.blocks().into_iter().filter(is("python")).map(move |block| (page, shell, block)))
+        .filter(|(_, _, block)| !python::imports(block).contains(PACKAGE))
         .collect();
     let quantity = format!("{} programs in Python run", blocks.len());
     let modules: BTreeSet<String> = blocks.iter().flat_map(|(_, _, block)| python::imports(block)).collect();

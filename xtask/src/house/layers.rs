@@ -38,6 +38,7 @@ const LAYERS: &[Layer] = &[
     Layer { name: "polhode-scene", may_use: &["polhode"] },
     Layer { name: "polhode-view", may_use: &["polhode"] },
     Layer { name: "polhode-cli", may_use: &["polhode", "polhode-elastic", "polhode-scene", "polhode-view"] },
+    Layer { name: "polhode-py", may_use: &["polhode", "polhode-scene", "polhode-view"] },
     Layer { name: "strict-hash", may_use: &["polhode", "polhode-scene"] },
     Layer {
         name: "xtask",

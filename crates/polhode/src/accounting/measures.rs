@@ -3,6 +3,7 @@
 use super::long_steps::LongSteps;
 use super::numerical_loss::{FixedStep, LEFT_BY_SHORTER_STEP, NumericalLoss};
 use super::occurrences::Occurrences;
+use crate::broken_promise::BrokenPromise;
 use crate::snapshot::{SnapshotError, content};
 use crate::world::World;
 use crate::{BodyId, Certificate, Ledger, PairAt};
@@ -57,6 +58,11 @@ impl Measure {
     /// The value in units of its limit.
     pub(crate) fn ratio(&self) -> f64 {
         self.value / self.allowed
+    }
+
+    /// That it exceeded its limit, in words.
+    fn broken(&self, what: String) -> BrokenPromise {
+        BrokenPromise::exceeding(what, self.value, self.allowed).at(self.t)
     }
 
     fn at(&self) -> PairAt {
@@ -257,37 +263,42 @@ impl Measures {
         certificate.max_friction_violation_at = self.friction.at();
     }
 
-    /// The limits that were exceeded, in words.
-    pub(crate) fn exceeded(&self, world: &World, ledger: &Ledger, limits: &Limits) -> Vec<String> {
-        let mut exceeded: Vec<String> = self.lengths_exceeded(world, limits).collect();
+    /// The limits that were exceeded.
+    pub(crate) fn exceeded(&self, world: &World, ledger: &Ledger, limits: &Limits) -> Vec<BrokenPromise> {
+        let mut exceeded: Vec<BrokenPromise> = self.lengths_exceeded(world, limits).collect();
         exceeded.extend(self.energies_exceeded(world, ledger, limits));
         if let Some(worst) = self.friction.exceeded() {
-            let (t, value, allowed, names) = (worst.t, worst.value, worst.allowed, names(world, &worst));
-            exceeded.push(format!(
-                "t = {t} s: degraded: friction of {names} exceeded Coulomb's law by {value:e} of the largest force, the \
-                 promised limit is {allowed:e}: {}",
-                limits.remedy
-            ));
+            let (value, allowed, names) = (worst.value, worst.allowed, names(world, &worst));
+            let what = format!(
+                "friction of {names} exceeded Coulomb's law by {value:e} of the largest force, the promised limit is {allowed:e}"
+            );
+            exceeded.push(worst.broken(what).of(worst.pair).cured_by(limits.remedy));
         }
-        if let Some(Measure { t, value, allowed, .. }) = self.residual.exceeded() {
-            exceeded.push(format!(
-                "t = {t} s: degraded: a problem of contacts or joints was solved to a residual of {value:e}, the promised limit is \
-                 {allowed:e}: its forces are wrong by about that part of the largest: {}",
-                limits.remedy
-            ));
+        if let Some(worst) = self.residual.exceeded() {
+            let what = format!(
+                "a problem of contacts or joints was solved to a residual of {:e}, the promised limit is {:e}: its forces are wrong \
+                 by about that part of the largest",
+                worst.value, worst.allowed
+            );
+            exceeded.push(worst.broken(what).cured_by(limits.remedy));
         }
-        if let Some(Measure { t, value, allowed, .. }) = self.loads.exceeded() {
-            exceeded.push(format!(
-                "t = {t} s: degraded: the forces of contacts, joints and fields that a step tells are off Newton's law of a body by \
-                 {value:e} of them; the promised limit is {allowed:e}: what it tells of loads is wrong by that"
-            ));
+        if let Some(worst) = self.loads.exceeded() {
+            exceeded.push(worst.broken(format!(
+                "the forces of contacts, joints and fields that a step tells are off Newton's law of a body by {:e} of them; the \
+                 promised limit is {:e}: what it tells of loads is wrong by that",
+                worst.value, worst.allowed
+            )));
         }
-        exceeded.extend(self.unsolved.list().iter().map(|unsolved| format!("{unsolved} (degraded)")));
+        exceeded.extend(self.unsolved.list().iter().map(|unsolved| BrokenPromise::unsolved(unsolved.to_string())));
         exceeded
     }
 
     /// Overlaps, gaps of joints and displacements by projections beyond their limits.
-    fn lengths_exceeded<'a>(&'a self, world: &'a World, limits: &'a Limits) -> impl Iterator<Item = String> + 'a {
+    fn lengths_exceeded<'a>(
+        &'a self,
+        world: &'a World,
+        limits: &'a Limits,
+    ) -> impl Iterator<Item = BrokenPromise> + 'a {
         let measured = [
             (&self.penetration, "", "overlapped by", "m"),
             (&self.joint_gap, "a joint of ", "was open by", "m"),
@@ -296,64 +307,67 @@ impl Measures {
         ];
         measured.into_iter().filter_map(move |(quantity, whose, what, unit)| {
             let worst = quantity.exceeded()?;
-            let Measure { t, pair, value, allowed } = worst;
+            let Measure { pair, value, allowed, .. } = worst;
             let of_size = if unit == "m" {
                 format!(", {:.1e} of the size of the smaller one", value / world.pair_size(pair.0, pair.1))
             } else {
                 String::new()
             };
-            let (names, remedy) = (names(world, &worst), limits.shorter_step(&worst));
-            Some(format!(
-                "t = {t} s: degraded: {whose}{names} {what} {value:.3e} {unit}{of_size}; the promised limit is {allowed:.3e} {unit}: {remedy}"
-            ))
+            let names = names(world, &worst);
+            let what = format!(
+                "{whose}{names} {what} {value:.3e} {unit}{of_size}; the promised limit is {allowed:.3e} {unit}"
+            );
+            Some(worst.broken(what).of(pair).cured_by(limits.shorter_step(&worst)))
         })
     }
 
     /// Energies beyond their limits.
-    fn energies_exceeded(&self, world: &World, ledger: &Ledger, limits: &Limits) -> Vec<String> {
+    fn energies_exceeded(&self, world: &World, ledger: &Ledger, limits: &Limits) -> Vec<BrokenPromise> {
         let scale = ledger.scale_j.max(limits.smallest_energy_j);
         let beyond = |sum: f64, relative: f64, worst: &Worst| {
             let allowed = relative * scale;
             worst.worst.filter(|_| sum.abs() > allowed).map(|worst| (worst, names(world, &worst), allowed))
         };
+        let broken = |what: String, sum: f64, limit: f64, worst: &Measure| {
+            BrokenPromise::exceeding(what, sum.abs(), limit).at(worst.t).of(worst.pair)
+        };
         let mut exceeded = Vec::new();
-        let (sum, remedy) = (self.drift_energy.value(), limits.remedy);
-        if let Some((Measure { t, value, .. }, names, allowed)) =
-            beyond(sum, limits.projection_energy_relative, &self.projection_energy)
-        {
+        let sum = self.drift_energy.value();
+        if let Some((worst, names, allowed)) = beyond(sum, limits.projection_energy_relative, &self.projection_energy) {
             let (did, size) = if sum < 0.0 { ("gave", -sum) } else { ("took", sum) };
-            exceeded.push(format!(
-                "t = {t} s: degraded: projections {did} {size:e} J in all, the largest, of {names}, changed {value:e} J; \
-                 the promised limit is {allowed:e} J: {remedy}"
-            ));
+            let what = format!(
+                "projections {did} {size:e} J in all, the largest, of {names}, changed {:e} J; the promised limit is {allowed:e} J",
+                worst.value
+            );
+            exceeded.push(broken(what, sum, allowed, &worst).cured_by(limits.remedy));
         }
         let sum = self.lifts_sum.value();
-        if let Some((Measure { t, value, .. }, names, allowed)) = beyond(sum, limits.replaced_relative, &self.lifts) {
-            exceeded.push(format!(
-                "t = {t} s: degraded: lifting bodies onto faces that are higher by less than the touch distance gave \
-                 {:e} J in all, most of it, {value:e} J, to {names}; the limit is {allowed:e} J",
-                -sum
-            ));
+        if let Some((worst, names, allowed)) = beyond(sum, limits.replaced_relative, &self.lifts) {
+            let what = format!(
+                "lifting bodies onto faces that are higher by less than the touch distance gave {:e} J in all, most of it, {:e} J, \
+                 to {names}; the limit is {allowed:e} J",
+                -sum, worst.value
+            );
+            exceeded.push(broken(what, sum, allowed, &worst));
         }
         let sum = self.crowd_projection_sum.value();
-        if let Some((Measure { t, value, .. }, names, allowed)) =
-            beyond(sum, limits.crowd_projection_relative, &self.crowd_projection)
-        {
-            exceeded.push(format!(
-                "t = {t} s: degraded: projections in stretches of crowded events took {sum:e} J in all, those of one time \
-                 step, the largest of {names}, {value:e} J; the promised limit is {allowed:e} J: a smaller \
-                 method.crowding_tolerance may do"
-            ));
+        if let Some((worst, names, allowed)) = beyond(sum, limits.crowd_projection_relative, &self.crowd_projection) {
+            let what = format!(
+                "projections in stretches of crowded events took {sum:e} J in all, those of one time step, the largest of {names}, \
+                 {:e} J; the promised limit is {allowed:e} J",
+                worst.value
+            );
+            exceeded.push(broken(what, sum, allowed, &worst).cured_by("a smaller method.crowding_tolerance may do"));
         }
         exceeded.extend(self.numerical.exceeded(limits.numerical_relative, limits.step));
         let sum = self.ended_bounces_sum.value().max(0.0);
-        if let Some((Measure { t, value, .. }, names, allowed)) =
-            beyond(sum, limits.replaced_relative, &self.ended_bounces)
-        {
-            exceeded.push(format!(
-                "t = {t} s: degraded: ending bounces took {sum:e} J beyond the energy of the bounces, most of it from \
-                 {names}, {value:e} J; the limit is {allowed:e} J"
-            ));
+        if let Some((worst, names, allowed)) = beyond(sum, limits.replaced_relative, &self.ended_bounces) {
+            let what = format!(
+                "ending bounces took {sum:e} J beyond the energy of the bounces, most of it from {names}, {:e} J; the limit is \
+                 {allowed:e} J",
+                worst.value
+            );
+            exceeded.push(broken(what, sum, allowed, &worst));
         }
         exceeded
     }

@@ -22,7 +22,7 @@ use crate::solve::cone_violation::ConeViolation;
 use crate::solve::impact::raised_energy;
 use crate::time_stepping::{ImpulseKind, TimeStepReport};
 use crate::world::World;
-use crate::{Certificate, Energy, Event, Ledger, Outcome, RunReport, SimulationError};
+use crate::{BrokenPromise, Certificate, Energy, Event, Ledger, Outcome, RunReport, SimulationError};
 use books::Books;
 use measures::{Limits, Measure, Measures};
 use occurrences::Occurrences;
@@ -354,11 +354,12 @@ impl Accounts {
         report.certificate = self.certificate_now(&report.ledger);
         report.tolerated = self.tolerated.list().to_vec();
         report.choices = self.choices.list().to_vec();
-        report.warnings = self.measures.exceeded(world, &report.ledger, limits);
-        report.warnings.extend(self.error_beyond_promise(report.certificate.estimated_error, limits));
-        if self.measures.long_steps.degrade(report.certificate.estimated_error) || !report.warnings.is_empty() {
+        report.broken = self.measures.exceeded(world, &report.ledger, limits);
+        report.broken.extend(self.error_beyond_promise(report.certificate.estimated_error, limits));
+        if self.measures.long_steps.degrade(report.certificate.estimated_error) || !report.broken.is_empty() {
             report.outcome = Outcome::Degraded;
         }
+        report.warnings = report.broken.iter().map(BrokenPromise::to_string).collect();
         report.warnings.extend(self.measures.long_steps.warning(world));
         report.warnings.extend(self.warnings.texts());
         report.steps = self.steps;
@@ -370,13 +371,13 @@ impl Accounts {
 
 impl Accounts {
     /// What is wrong, where the estimated error of the run, relative to the size of a body, exceeds what the scene asks for.
-    fn error_beyond_promise(&self, estimated: Option<f64>, limits: &Limits) -> Option<String> {
+    fn error_beyond_promise(&self, estimated: Option<f64>, limits: &Limits) -> Option<BrokenPromise> {
         let allowed = self.promise.error?;
         let error = estimated.filter(|error| *error > allowed)?;
-        let remedy = limits.remedy;
-        Some(format!(
-            "degraded: the estimated error of the run is {error:.2e} of a body's size, the promised limit is {allowed:e}: {remedy}"
-        ))
+        let what = format!(
+            "the estimated error of the run is {error:.2e} of a body's size, the promised limit is {allowed:e}"
+        );
+        Some(BrokenPromise::exceeding(what, error, allowed).cured_by(limits.remedy))
     }
 }
 

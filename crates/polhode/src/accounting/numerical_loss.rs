@@ -9,6 +9,7 @@
 //! about `w T (w h)^p`, a decay of rate c about `(c h)^p`.
 
 use crate::Ledger;
+use crate::broken_promise::BrokenPromise;
 use crate::snapshot::content;
 use crate::world::{Rates, World};
 use polhode_dynamics::BodyState;
@@ -78,7 +79,7 @@ impl NumericalLoss {
 
     /// What is wrong, where the loss exceeded its limit, relative to the largest energy, in a run by fixed steps or, without them,
     /// under error control.
-    pub(crate) fn exceeded(&self, limit: f64, step: Option<FixedStep>) -> Option<String> {
+    pub(crate) fn exceeded(&self, limit: f64, step: Option<FixedStep>) -> Option<BrokenPromise> {
         let First { t, rates } = self.first.filter(|_| self.relative > limit)?;
         let (done, size) = if self.energy_j < 0.0 { ("gained", -self.energy_j) } else { ("lost", self.energy_j) };
         let cure = match step {
@@ -88,12 +89,12 @@ impl NumericalLoss {
             }
             None => "a smaller method.tolerance, or method.crowding_tolerance where events crowd, would do".to_owned(),
         };
-        Some(format!(
-            "t = {t} s: degraded: the integrator {done} {size:.3e} J in all, {} of the largest energy of the run; the promised limit \
-             is {}: {cure}",
+        let what = format!(
+            "the integrator {done} {size:.3e} J in all, {} of the largest energy of the run; the promised limit is {}",
             part(self.relative),
             part(limit)
-        ))
+        );
+        Some(BrokenPromise::exceeding(what, self.relative, limit).at(t).cured_by(cure))
     }
 
     /// A step (s) whose loss stays below the limit, to the order of the method.
@@ -146,7 +147,7 @@ mod tests {
         let first = Some(First { t: 0.5, rates: Rates { oscillation: 0.0, decay: 0.0 } });
         let loss = NumericalLoss { energy_j: -8e-5, relative: 3.5e-6, first };
         assert_eq!(loss.exceeded(4e-6, None), None);
-        let told = loss.exceeded(1e-6, None).unwrap_or_default();
+        let told = loss.exceeded(1e-6, None).map(|told| told.to_string()).unwrap_or_default();
         assert!(told.contains("gained 8.000e-5 J") && told.contains("is 1.000e-6"), "{told}");
     }
 }

@@ -3,7 +3,7 @@
 use polhode::contact::Shape;
 use polhode::mesh::solid_box;
 use polhode::spatial::{DVec3, Mass, Pose, UnitVector, Velocity};
-use polhode::{Body, BodySample, Frame, Observer, Scene, Simulation};
+use polhode::{Body, BodySample, Energy, Frame, Observer, Scene, Simulation};
 
 #[derive(Default)]
 struct Frames(Vec<Frame>);
@@ -44,6 +44,29 @@ fn frames_hold_the_ledger_and_certificate_at_their_time() {
     for frame in &frames.0 {
         assert!(frame.ledger.closure_relative() < 1e-9, "t = {}: {}", frame.t_s, frame.ledger.closure_relative());
     }
+}
+
+/// Energies that come without frames are those of the frames.
+#[test]
+fn energies_come_with_the_samples() {
+    #[derive(Default)]
+    struct Energies(Vec<(f64, Energy)>);
+    impl Observer for Energies {
+        fn sample(&mut self, _t: f64, _bodies: &[BodySample]) {}
+
+        fn wants_energies(&self) -> bool {
+            true
+        }
+
+        fn energy(&mut self, t: f64, energy: &Energy) {
+            self.0.push((t, *energy));
+        }
+    }
+    let (mut energies, mut frames) = (Energies::default(), Frames::default());
+    Simulation::new(&scene()).unwrap().run_observed(&mut energies).unwrap();
+    Simulation::new(&scene()).unwrap().run_observed(&mut frames).unwrap();
+    let of_frames: Vec<(f64, Energy)> = frames.0.iter().map(|frame| (frame.t_s, frame.energy)).collect();
+    assert_eq!(energies.0, of_frames);
 }
 
 #[test]

@@ -36,6 +36,19 @@ fn ball_in_a_ring_whose_projections_take_too_much_degrades_its_run() {
     assert!(report.tolerated.iter().all(|tolerated| tolerated.what.contains("ring and ball")));
 }
 
+/// What a degraded run says in words it also says in numbers: bodies, time, value, limit, and what would help.
+#[test]
+fn a_broken_promise_is_told_in_numbers_too() {
+    let (report, _) = run_even_degraded(&ball_on_ring(1e-2).build().unwrap(), Effects::Planned);
+    let broken = &report.broken[0];
+    assert_eq!(broken.to_string(), report.warnings[0]);
+    assert_eq!(broken.bodies, Some([BodyId::new(0), BodyId::new(1)]));
+    assert!(broken.t_s.is_some_and(|t| t > 0.0 && t <= 3.0));
+    assert!(broken.value.unwrap() > broken.limit.unwrap());
+    let (kept, _) = run_even_degraded(&ball_on_ring(1e-11).build().unwrap(), Effects::Planned);
+    assert!(kept.broken.is_empty(), "{:?}", kept.broken);
+}
+
 /// Stops a run at a time.
 struct StopAt(f64);
 
@@ -56,6 +69,11 @@ fn stopped_run_is_degraded_by_what_it_has_done() {
         assert!(report.simulated_s < 3.0);
         report.outcome
     };
+    let mut simulation = Simulation::new(&ball_on_ring(1e-11).build().unwrap()).unwrap();
+    simulation.advance_to_observed(2.0, &mut StopAt(0.1)).unwrap();
+    assert!(simulation.time() >= 0.1 && simulation.time() < 2.0, "an observer stops an advance too");
+    simulation.advance_to(2.0).unwrap();
+    assert_eq!(simulation.time(), 2.0);
     assert_eq!(end(1e-2, 0.1), Outcome::Stopped);
     assert_eq!(end(1e-2, 1.5), Outcome::Degraded);
 }

@@ -1,0 +1,111 @@
+"""What can go wrong, as exceptions that say where and what mends it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ._run import Run
+
+
+class Place(NamedTuple):
+    """A place in a scene: file or argument, line and column (from 1), and the dotted key."""
+
+    origin: str
+    line: int
+    column: int
+    key: str
+
+
+class PolhodeError(Exception):
+    """What the library refuses or cannot do."""
+
+
+class SceneError(PolhodeError, ValueError):
+    """A scene is refused. ``place`` is where (of the first error), ``cure`` what is accepted instead."""
+
+    place: Place | None
+    cure: str | None
+    #: Each thing that is refused, with its ``place``, ``message`` and ``cure``.
+    errors: list[dict[str, Any]]
+
+    def __init__(
+        self,
+        message: str,
+        place: tuple[str, int, int, str] | None = None,
+        cure: str | None = None,
+        errors: Sequence[dict[str, Any]] = (),
+    ) -> None:
+        super().__init__(message)
+        self.place = None if place is None else Place(*place)
+        self.cure = cure
+        self.errors = [{**error, "place": Place(*error["place"])} for error in errors]
+
+
+class SimulationError(PolhodeError, RuntimeError):
+    """A simulation cannot be made or cannot go on; ``run`` has what was computed."""
+
+    run: Run | None = None
+
+
+class ActionError(PolhodeError, ValueError):
+    """An action on a simulation is refused; the simulation is as it was."""
+
+
+class SnapshotError(PolhodeError, ValueError):
+    """Bytes are no snapshot, or a snapshot does not belong to the simulation."""
+
+
+class Busy(PolhodeError, RuntimeError):
+    """A simulation is used from two threads at once."""
+
+
+class UnknownName(PolhodeError, KeyError):
+    """Nothing bears this name; ``known`` are the names that are borne."""
+
+    def __init__(self, name: str, kind: str = "thing", known: Sequence[str] = ()) -> None:
+        super().__init__(name)
+        self.name = name
+        self.kind = kind
+        self.known = list(known)
+
+    def __str__(self) -> str:
+        import difflib
+
+        near = difflib.get_close_matches(self.name, self.known, n=1)
+        meant = f"did you mean {near[0]!r}? " if near else ""
+        shown = ", ".join(self.known[:20]) + (" ..." if len(self.known) > 20 else "")
+        return f"no {self.kind} is named {self.name!r}: {meant}there are: {shown or 'none'}"
+
+
+class NotKept(PolhodeError):
+    """A run has not kept what its method promises.
+
+    ``place`` says when and which bodies, ``value`` and ``limit`` by how much, ``cure`` what would help. ``broken`` has all limits
+    that were exceeded.
+    """
+
+    def __init__(
+        self,
+        message: str,
+        *,
+        place: str | None = None,
+        value: float | None = None,
+        limit: float | None = None,
+        cure: str | None = None,
+        broken: Sequence[dict[str, Any]] = (),
+    ) -> None:
+        super().__init__(message)
+        self.place = place
+        self.value = value
+        self.limit = limit
+        self.cure = cure
+        self.broken = list(broken)
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C has ended a run; ``run`` has what was computed."""
+
+    run: Run | None = None

@@ -1,0 +1,380 @@
+"""Runs: trajectories as arrays, and what is certain of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, Iterator
+
+from . import _polhode
+from ._errors import Interrupted, NotKept, SimulationError, UnknownName
+from ._scene import load
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ._scene import Body, JointHandle, SceneLike
+
+    Array = NDArray[np.float64]
+
+#: Numbers of a body and of a joint in a sample.
+_OF_BODY = 13
+_OF_JOINT = 13
+
+
+def run(
+    scene: SceneLike,
+    *,
+    duration: float | None = None,
+    tier: str | None = None,
+    step: float | None = None,
+    interval: float | None = None,
+    set: Mapping[str, Any] | None = None,
+    effects: str = "planned",
+    joints: bool = True,
+) -> Run:
+    """Simulates a scene from its start to its end.
+
+    ``scene`` is the path of a scene file or a robot, a dictionary with the keys of a scene file, or a :class:`polhode.Scene`.
+    ``duration`` and ``interval`` (between samples) are in s; ``tier`` is a set of methods with one promise (``"accurate"``,
+    ``"stepped"``, ``"fast"`` ...), which the plan chooses when absent; ``step`` is in s; ``set`` changes any key, as in
+    ``set={"materials.ice.friction": 0.1}``. ``effects="all"`` leaves nothing out. Without ``joints`` the loads of joints, which cost
+    a solve at each sample, are not computed.
+
+    Ctrl-C raises :class:`polhode.Interrupted` within two seconds, whose ``run`` has what was computed.
+
+    >>> import polhode as ph
+    >>> run = ph.run({"format": 1, "duration": 1.0, "bodies": [
+    ...     {"name": "ball", "shape": {"sphere": {"radius": 0.1}}, "mass": 1.0, "velocity": [0, 0, 9.81]}]})
+    >>> run.outcome
+    'completed'
+    >>> float(run["ball"].position[-1, 2].round(9))    # m: g t - g t^2 / 2
+    4.905
+    """
+    if effects not in ("planned", "all"):
+        raise ValueError(f'effects={effects!r}: "planned" or "all" is needed')
+    loaded = load(scene, {"duration": duration, "tier": tier, "step": step, "interval": interval, "set": set})
+    recording = _polhode.run(loaded, effects == "all", joints)
+    done = Run(loaded, recording)
+    if recording.failure is not None:
+        if isinstance(recording.failure, (SimulationError, Interrupted)):
+            recording.failure.run = done
+        raise recording.failure
+    return done
+
+
+class Track:
+    """A body over the samples of a run. Arrays are views that cannot be written to."""
+
+    __slots__ = ("name", "_states")
+
+    def __init__(self, name: str, states: Array) -> None:
+        #: Name of the body.
+        self.name = name
+        self._states = states
+
+    @property
+    def position(self) -> Array:
+        """Position of its own origin, world, m: (N, 3)."""
+        return self._states[:, 0:3]
+
+    @property
+    def orientation(self) -> Array:
+        """Orientation, a quaternion w x y z, body to world: (N, 4)."""
+        return self._states[:, 3:7]
+
+    @property
+    def velocity(self) -> Array:
+        """Velocity of its centre of mass, world, m/s: (N, 3)."""
+        return self._states[:, 7:10]
+
+    @property
+    def angular_velocity(self) -> Array:
+        """Angular velocity, world, rad/s: (N, 3)."""
+        return self._states[:, 10:13]
+
+    def __repr__(self) -> str:
+        return f"<polhode.Track {self.name!r}: {len(self._states)} samples>"
+
+
+class JointTrack:
+    """A joint over the samples of a run; NaN where it has no such coordinate, or its tier computes no loads."""
+
+    __slots__ = ("name", "_states")
+
+    def __init__(self, name: str, states: Array) -> None:
+        #: Name of the joint.
+        self.name = name
+        self._states = states
+
+    @property
+    def angle(self) -> Array:
+        """Angle about its axis, rad: (N,); with all its revolutions, if it has no limits."""
+        return self._states[:, 0]
+
+    @property
+    def angle_rate(self) -> Array:
+        """Rate of the angle, rad/s: (N,)."""
+        return self._states[:, 1]
+
+    @property
+    def displacement(self) -> Array:
+        """Displacement along its axis, m: (N,)."""
+        return self._states[:, 2]
+
+    @property
+    def displacement_rate(self) -> Array:
+        """Rate of the displacement, m/s: (N,)."""
+        return self._states[:, 3]
+
+    @property
+    def distance(self) -> Array:
+        """Distance of its anchors, m: (N,)."""
+        return self._states[:, 4]
+
+    @property
+    def distance_rate(self) -> Array:
+        """Rate of the distance, m/s: (N,)."""
+        return self._states[:, 5]
+
+    @property
+    def force(self) -> Array:
+        """Force on its first body at its anchor, world, N: (N, 3)."""
+        return self._states[:, 6:9]
+
+    @property
+    def torque(self) -> Array:
+        """Moment on its first body about its anchor, world, N m: (N, 3); without motors, springs and dampers."""
+        return self._states[:, 9:12]
+
+    @property
+    def power(self) -> Array:
+        """What it gives to its bodies, W: (N,)."""
+        return self._states[:, 12]
+
+    def __repr__(self) -> str:
+        return f"<polhode.JointTrack {self.name!r}: {len(self._states)} samples>"
+
+
+class Joints(Mapping[str, JointTrack]):
+    """The joints of a run by their names."""
+
+    def __init__(self, names: list[str], states: Array) -> None:
+        self._names = names
+        self._states = states
+
+    def __getitem__(self, joint: str | JointHandle) -> JointTrack:
+        number = _number("joint", joint, self._names)
+        return JointTrack(self._names[number], self._states[:, number * _OF_JOINT : (number + 1) * _OF_JOINT])
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        return len(self._names)
+
+
+class Energies:
+    """Energies over the samples of a run, J: each (N,)."""
+
+    __slots__ = ("_energies",)
+
+    def __init__(self, energies: Array) -> None:
+        self._energies = energies
+
+    @property
+    def kinetic(self) -> Array:
+        """Kinetic energy, J: (N,)."""
+        return self._energies[:, 0]
+
+    @property
+    def potential(self) -> Array:
+        """Potential energy, J: (N,); zero at the world's origin."""
+        return self._energies[:, 1]
+
+    @property
+    def total(self) -> Array:
+        """Their sum, J: (N,)."""
+        total: Array = self._energies.sum(axis=1)
+        return total
+
+
+class Run(Mapping[str, Track]):
+    """What a run has computed: ``run["brick"].position`` is (N, 3), ``run.t`` is (N,).
+
+    >>> import polhode as ph
+    >>> scene = ph.Scene(duration=1.0, interval=0.1)
+    >>> floor = scene.fixed(ph.HalfSpace())
+    >>> ball = scene.add(ph.Sphere(0.1), mass=1.0, at=(0, 0, 0.6), restitution=0.5)
+    >>> run = ph.run(scene)
+    >>> run.t.shape, run["sphere"].orientation.shape, run.energy.kinetic.shape
+    ((11,), (11, 4), (11,))
+    >>> print(run.events["kind"][0], run.events["t"][0])
+    impact 0.3192754284070504
+    >>> run.check()
+    """
+
+    def __init__(self, loaded: _polhode.Loaded, recording: _polhode.Recording) -> None:
+        self._loaded = loaded
+        self._recording = recording
+
+    @property
+    def name(self) -> str:
+        """Name of the scene."""
+        return self._loaded.name
+
+    @property
+    def t(self) -> Array:
+        """Times of the samples, s: (N,)."""
+        return self._recording.times()
+
+    def __getitem__(self, body: str | Body) -> Track:
+        names = self._recording.body_names
+        number = _number("body", body, names)
+        return Track(names[number], self._recording.states()[:, number * _OF_BODY : (number + 1) * _OF_BODY])
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._recording.body_names)
+
+    def __len__(self) -> int:
+        return len(self._recording.body_names)
+
+    def __contains__(self, body: object) -> bool:
+        return getattr(body, "name", body) in self._recording.body_names
+
+    @cached_property
+    def joints(self) -> Joints:
+        """The joints by their names."""
+        return Joints(self._recording.joint_names, self._recording.joints())
+
+    @cached_property
+    def energy(self) -> Energies:
+        """Energies at the samples, J."""
+        return Energies(self._recording.energies())
+
+    @cached_property
+    def events(self) -> NDArray[np.void]:
+        """Events in order of time: a structured array with the fields ``t`` (s), ``kind``, ``body_a``, ``body_b`` (empty where there is
+        no second body), ``point`` (m), ``normal`` (from B to A), ``impulse`` (N s) and ``energy_change`` (J)."""
+        import numpy as np
+
+        kinds, bodies, numbers = self._recording.events()
+        names = np.array([*self._recording.body_names, ""])
+        fields: list[Any] = [("t", "f8"), ("kind", "U13"), ("body_a", names.dtype), ("body_b", names.dtype)]
+        fields += [("point", "f8", 3), ("normal", "f8", 3), ("impulse", "f8"), ("energy_change", "f8")]
+        events = np.zeros(len(kinds), dtype=fields)
+        events["t"], events["kind"] = numbers[:, 0], kinds
+        events["body_a"], events["body_b"] = names[bodies[:, 0]], names[bodies[:, 1]]
+        events["point"], events["normal"] = numbers[:, 1:4], numbers[:, 4:7]
+        events["impulse"], events["energy_change"] = numbers[:, 7], numbers[:, 8]
+        events.flags.writeable = False
+        # Who owns an array may make it writeable again; who has a view of one that is not may not.
+        return events.view()
+
+    @cached_property
+    def report(self) -> dict[str, Any]:
+        """The report, as ``polhode run --json`` prints it; empty for a run that failed."""
+        import json
+
+        report: dict[str, Any] = json.loads(self._recording.report or "{}")
+        return report
+
+    @property
+    def outcome(self) -> str:
+        """How the run has ended: completed, stopped, degraded; or failed."""
+        return str(self.report.get("outcome", "failed"))
+
+    @property
+    def warnings(self) -> list[str]:
+        """What should be known of the run: exceeded limits of the promise first."""
+        return list(self.report.get("warnings", ()))
+
+    @property
+    def plan(self) -> dict[str, Any]:
+        """Which effects were simulated, by which method, and why."""
+        return dict(self.report.get("plan", {}))
+
+    @property
+    def ledger(self) -> dict[str, Any]:
+        """Where the energy went, J, by cause, and how exactly the sum closes."""
+        return dict(self.report.get("ledger", {}))
+
+    @cached_property
+    def certificate(self) -> dict[str, Any]:
+        """The largest value of each measure of accuracy over the run, relative to its limit, and where it was."""
+        import json
+
+        certificate: dict[str, Any] = json.loads(self._recording.certificate or "{}")
+        return certificate
+
+    @property
+    def error(self) -> float | None:
+        """Estimated error of the run relative to the size of a body; none where the method has no estimate."""
+        error = self.certificate.get("estimated_error")
+        return None if error is None else float(error)
+
+    def check(self) -> None:
+        """Raises :class:`polhode.NotKept` when the run has not kept what its method promises.
+
+        >>> import polhode as ph
+        >>> run = ph.run({"format": 1, "duration": 1.0, "bodies": [
+        ...     {"name": "nut", "mass": 1.0, "inertia": [1, 2, 3], "angular_velocity": [0.1, 9, 0]}]},
+        ...     set={"method.integrator": "explicit-euler"}, step=0.01)
+        >>> try:
+        ...     run.check()
+        ... except ph.NotKept as broken:
+        ...     broken.value > broken.limit, broken.cure
+        (True, 'a step of ... s instead of 1e-2 s would do')
+        """
+        import json
+
+        if self.outcome in ("completed", "stopped"):
+            return
+        broken: list[dict[str, Any]] = json.loads(self._recording.broken)
+        first = broken[0] if broken else {}
+        message = first.get("warning") or next(iter(self.warnings), "the run has no report")
+        at = [f"t = {first['t_s']} s"] if first.get("t_s") is not None else []
+        bodies = dict.fromkeys(first.get("bodies") or ())
+        place = ", ".join(at + [" and ".join(bodies)] if bodies else at) or None
+        raise NotKept(
+            f"{self.name}: {message}",
+            place=place,
+            value=first.get("value"),
+            limit=first.get("limit"),
+            cure=first.get("cure"),
+            broken=broken,
+        )
+
+    def to_pandas(self) -> Any:
+        """The trajectory as a pandas ``DataFrame``: a row for each sample, columns (body, px ... wz), the index is t."""
+        pandas: Any = import_module("pandas")
+        columns = "px py pz qw qx qy qz vx vy vz wx wy wz".split()
+        index = pandas.MultiIndex.from_product([list(self), columns], names=["body", "quantity"])
+        return pandas.DataFrame(self._recording.states(), index=pandas.Index(self.t, name="t"), columns=index, copy=False)
+
+    def to_xarray(self) -> Any:
+        """The trajectory as an xarray ``Dataset`` over ``t`` and ``body``."""
+        xarray: Any = import_module("xarray")
+        states = self._recording.states().reshape(len(self.t), len(self), _OF_BODY)
+        axes, wxyz = ["x", "y", "z"], ["w", "x", "y", "z"]
+        return xarray.Dataset(
+            {
+                "position": (("t", "body", "axis"), states[:, :, 0:3], {"units": "m"}),
+                "orientation": (("t", "body", "quaternion"), states[:, :, 3:7]),
+                "velocity": (("t", "body", "axis"), states[:, :, 7:10], {"units": "m/s"}),
+                "angular_velocity": (("t", "body", "axis"), states[:, :, 10:13], {"units": "rad/s"}),
+            },
+            coords={"t": self.t, "body": list(self), "axis": axes, "quaternion": wxyz},
+        )
+
+    def __repr__(self) -> str:
+        return f"<polhode.Run {self.name!r}: {self.outcome}, {len(self.t)} samples of {len(self)} bodies>"
+
+
+def _number(kind: str, given: object, names: list[str]) -> int:
+    name = getattr(given, "name", given)
+    if name in names:
+        return names.index(name)
+    raise UnknownName(str(name), kind, names)

@@ -1,0 +1,110 @@
+"""Shapes of bodies, in the body's own frame; lengths in m."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ._scene import Vector
+
+
+class Shape:
+    """A shape, as a scene file has it.
+
+    >>> import polhode as ph
+    >>> ph.Box(1, 0.5, 0.25).document
+    {'box': {'size': [1, 0.5, 0.25]}}
+    """
+
+    #: Word of the shape in names of bodies.
+    word: str
+    #: The shape in the keys of a scene file.
+    document: dict[str, Any]
+
+    def __init__(self, kind: str, **keys: Any) -> None:
+        self.word = kind
+        self.document = {kind: keys}
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.document!r})"
+
+
+class Box(Shape):
+    """A box about the origin: full edges along x, y, z, m."""
+
+    def __init__(self, x: float, y: float, z: float) -> None:
+        super().__init__("box", size=[x, y, z])
+
+
+class Sphere(Shape):
+    """A ball about the origin."""
+
+    def __init__(self, radius: float) -> None:
+        super().__init__("sphere", radius=radius)
+
+
+class HalfSpace(Shape):
+    """Everything below a plane through the origin; of fixed and kinematic bodies."""
+
+    def __init__(self, normal: Vector = (0, 0, 1)) -> None:
+        super().__init__("half_space", normal=normal)
+
+
+class Cylinder(Shape):
+    """A cylinder about the z axis, its centre at the origin."""
+
+    def __init__(self, radius: float, height: float) -> None:
+        super().__init__("cylinder", radius=radius, height=height)
+
+
+class Cone(Shape):
+    """A cone about the z axis, its apex towards +z, its origin a quarter of its height above the base."""
+
+    def __init__(self, radius: float, height: float) -> None:
+        super().__init__("cone", radius=radius, height=height)
+
+
+class Capsule(Shape):
+    """A capsule about the z axis, its centre at the origin; its height is without the caps."""
+
+    def __init__(self, radius: float, height: float) -> None:
+        super().__init__("capsule", radius=radius, height=height)
+
+
+class Torus(Shape):
+    """A ring about the z axis: radius of the circle in the middle of the tube, and of the tube."""
+
+    def __init__(self, major: float, minor: float) -> None:
+        super().__init__("torus", major=major, minor=minor)
+
+
+class Points(Shape):
+    """Points that touch by themselves: corners without faces. Mass and inertia must be given."""
+
+    def __init__(self, positions: Sequence[Vector]) -> None:
+        super().__init__("points", positions=positions)
+
+
+class Convex(Shape):
+    """A convex solid from a mesh file (OBJ, STL, OFF, PLY)."""
+
+    def __init__(self, file: str | os.PathLike[str], **keys: Any) -> None:
+        super().__init__("convex", file=os.fspath(file), **keys)
+
+
+class Mesh(Shape):
+    """A closed solid of any form from a mesh file (OBJ, STL, OFF, PLY); of a fixed body a surface too."""
+
+    def __init__(self, file: str | os.PathLike[str], **keys: Any) -> None:
+        super().__init__("mesh", file=os.fspath(file), **keys)
+
+
+class Compound(Shape):
+    """Parts that are fixed to each other: shapes, or pairs of a shape and its position, m."""
+
+    def __init__(self, *parts: Shape | tuple[Shape, Vector]) -> None:
+        one = [part if isinstance(part, tuple) else (part, (0, 0, 0)) for part in parts]
+        super().__init__("compound", parts=[{"shape": shape.document, "position": at} for shape, at in one])

@@ -1,0 +1,157 @@
+//! What a run has told, as arrays of numpy.
+//!
+//! Each column is moved into its array when that is first asked for, so that numpy is loaded no earlier, and nothing is copied.
+
+use crate::recorder::{Columns, OF_BODY, OF_ENERGY, OF_JOINT};
+use numpy::ndarray::{Array2, Dimension};
+use numpy::{PyArray, PyArray1, PyArray2, PyArrayMethods};
+use polhode::Event;
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use std::sync::{Mutex, PoisonError};
+
+/// A column: numbers until it is first asked for, an array from then on.
+struct Column {
+    numbers: Mutex<Vec<f64>>,
+    shape: Shape,
+    array: PyOnceLock<Py<PyAny>>,
+}
+
+/// How the numbers of a column are arranged.
+#[derive(Debug, Clone, Copy)]
+enum Shape {
+    /// One number for each sample.
+    Line,
+    /// So many samples of so many numbers.
+    Table(usize, usize),
+}
+
+impl Column {
+    fn new(numbers: Vec<f64>, shape: Shape) -> Self {
+        Self { numbers: Mutex::new(numbers), shape, array: PyOnceLock::new() }
+    }
+
+    /// The array, which cannot be written to.
+    fn array(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
+        let make = || {
+            let numbers = std::mem::take(&mut *self.numbers.lock().unwrap_or_else(PoisonError::into_inner));
+            match self.shape {
+                Shape::Line => Ok(sealed(PyArray1::from_vec(py, numbers))),
+                Shape::Table(samples, width) => {
+                    let table = Array2::from_shape_vec((samples, width), numbers);
+                    let table = table.map_err(|error| PyRuntimeError::new_err(format!("a column is torn: {error}")))?;
+                    Ok(sealed(PyArray2::from_owned_array(py, table)))
+                }
+            }
+        };
+        self.array.get_or_try_init(py, make).map(|array| array.clone_ref(py))
+    }
+}
+
+/// The array without leave to write to it, nor to what is a part of it.
+fn sealed<D: Dimension>(array: Bound<'_, PyArray<f64, D>>) -> Py<PyAny> {
+    drop(array.readwrite().make_nonwriteable());
+    array.into_any().unbind()
+}
+
+/// What a run has told.
+#[pyclass(frozen, module = "polhode._polhode")]
+pub(crate) struct Recording {
+    times: Column,
+    states: Column,
+    energies: Column,
+    joints: Column,
+    events: Vec<Event>,
+    /// Names of the bodies, in the order of their numbers.
+    #[pyo3(get)]
+    body_names: Vec<String>,
+    /// Names of the joints of which the run has told.
+    #[pyo3(get)]
+    joint_names: Vec<String>,
+    /// The report as JSON; none of a run that has none.
+    #[pyo3(get)]
+    report: Option<String>,
+    /// The certificate as JSON; none of a run that has no report.
+    #[pyo3(get)]
+    certificate: Option<String>,
+    /// The limits of the promise that were exceeded, as JSON.
+    #[pyo3(get)]
+    broken: String,
+    /// Why the run has ended before its time: an exception, or none.
+    #[pyo3(get)]
+    failure: Option<Py<PyAny>>,
+}
+
+/// How a run has ended.
+#[derive(Debug, Default)]
+pub(crate) struct Ending {
+    pub(crate) report: Option<String>,
+    pub(crate) certificate: Option<String>,
+    pub(crate) broken: String,
+    pub(crate) failure: Option<Py<PyAny>>,
+}
+
+impl Recording {
+    pub(crate) fn new(columns: Columns, names: [Vec<String>; 2], ending: Ending) -> Self {
+        let [body_names, joint_names] = names;
+        let Columns { times, states, energies, joints, events, .. } = columns;
+        let Ending { report, certificate, broken, failure } = ending;
+        let samples = times.len();
+        let table = |width: usize| Shape::Table(samples, width);
+        Self {
+            times: Column::new(times, Shape::Line),
+            states: Column::new(states, table(body_names.len() * OF_BODY)),
+            energies: Column::new(energies, table(OF_ENERGY)),
+            joints: Column::new(joints, table(joint_names.len() * OF_JOINT)),
+            events,
+            body_names,
+            joint_names,
+            report,
+            certificate,
+            broken,
+            failure,
+        }
+    }
+}
+
+#[pymethods]
+impl Recording {
+    /// Times of the samples, s: (N,).
+    fn times(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
+        self.times.array(py)
+    }
+
+    /// States of the bodies: (N, 13 times the number of bodies).
+    fn states(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
+        self.states.array(py)
+    }
+
+    /// Kinetic and potential energies, J: (N, 2).
+    fn energies(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
+        self.energies.array(py)
+    }
+
+    /// Coordinates, loads and powers of the joints: (N, 13 times the number of joints).
+    fn joints(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
+        self.joints.array(py)
+    }
+
+    /// Of each event: its kind, the numbers of its bodies (-1 where there is no second one), and time, point, normal, impulse and change
+    /// of energy as a row of nine numbers.
+    fn events<'py>(&self, py: Python<'py>) -> PyResult<EventColumns<'py>> {
+        let number = |event: &Event| event.body_b.map_or(-1, |body| body.index() as i64);
+        let kinds = self.events.iter().map(|event| event.kind.word()).collect();
+        let bodies = self.events.iter().flat_map(|event| [event.body_a.index() as i64, number(event)]).collect();
+        let numbers = self.events.iter().flat_map(|event| {
+            let (p, n) = (event.point, event.normal);
+            [event.t_s, p.x, p.y, p.z, n.x, n.y, n.z, event.impulse, event.energy_change_j]
+        });
+        let count = self.events.len();
+        let bodies = PyArray1::from_vec(py, bodies).reshape([count, 2])?;
+        Ok((kinds, bodies, PyArray1::from_vec(py, numbers.collect()).reshape([count, 9])?))
+    }
+}
+
+/// Kinds, bodies and numbers of events.
+type EventColumns<'py> = (Vec<&'static str>, Bound<'py, PyArray2<i64>>, Bound<'py, PyArray2<f64>>);
