@@ -199,15 +199,15 @@ impl JointImpulses {
     /// Brings all joints to their laws: limits and joints that close loops in rounds forth and back, each followed by the trees, until a round does little
     /// of what the largest has done.
     pub fn sweep(&mut self, solver: &mut SequentialImpulses, rule: &SweepRule) {
-        self.sweep_and_tell(solver, rule, |_, _| {});
+        self.sweep_by_rounds(solver, rule, |_, _| 0.0);
     }
 
-    /// The same, after each round of which the trees are told. Returns the work of the others, J.
-    fn sweep_and_tell(
+    /// The same, with the work of the trees in a round by `of_trees`. Returns the work, J.
+    fn sweep_by_rounds(
         &mut self,
         solver: &mut SequentialImpulses,
         rule: &SweepRule,
-        mut after_round: impl FnMut(&JointTrees, &[ImpulseBody]),
+        of_trees: impl Fn(&JointTrees, &[ImpulseBody]) -> f64,
     ) -> f64 {
         let (mut all, mut largest) = (0.0, 0.0_f64);
         for round in 0..MOST_JOINT_ROUNDS {
@@ -220,10 +220,9 @@ impl JointImpulses {
                     in_lanes!(solver.width, joint_batch::solve, &mut solver.bodies, (batch, rows), of);
                 }
             }
-            // Trees alone are exact after one round.
+            // Trees alone are exact after one round, but for the softness of their factors.
             self.solve_trees(solver, rule);
-            after_round(&self.trees, &solver.bodies);
-            let done = sum(&work);
+            let done = sum(&work) + of_trees(&self.trees, &solver.bodies);
             all += done;
             largest = largest.max(done.abs());
             if done.abs() <= LAST_BOUNCE * largest {
@@ -272,9 +271,7 @@ impl JointImpulses {
 
     /// Brings the joints to their laws within an impact. Returns the work, J.
     pub(super) fn hold(&mut self, solver: &mut SequentialImpulses, rule: &SweepRule) -> f64 {
-        let mut of_trees = 0.0;
-        let of_others = self.sweep_and_tell(solver, rule, |trees, bodies| of_trees += trees.work(bodies));
-        of_others + of_trees
+        self.sweep_by_rounds(solver, rule, JointTrees::work)
     }
 
     /// The multipliers of a joint: of the last substep, N s.

@@ -447,8 +447,10 @@ impl Course {
                 let patch = &mut pair.patches[place.patch];
                 for (point, impulse) in patch.points_mut().iter_mut().zip(group.solver.impulses(number)) {
                     if is_whole {
-                        // The impulse of a blow is over: given again it would leave what the sweeps of a substep do not take back.
-                        let is_struck = impulse.rate < -rules.soft.colliding && impulse.total[0] > 0.0;
+                        // The impulse of a blow is over: given again it would leave what the sweeps of a substep do not take back. What bore
+                        // before, and gives way softly, goes on.
+                        let is_new = point.normal_impulse == 0.0;
+                        let is_struck = is_new && impulse.rate < -rules.soft.colliding && impulse.total[0] > 0.0;
                         let [along, first, second] = if is_struck { [0.0; 3] } else { impulse.last };
                         point.normal_impulse = along;
                         point.friction_impulse = x * first + y * second;

@@ -219,13 +219,8 @@ pub(crate) fn strike(
 ) -> Result<Struck, ResponseError> {
     let members: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
     if frictional_impact::have_friction(world, &members) {
-        return strike_with_friction(
-            world,
-            states,
-            &group.bodies,
-            &members,
-            (law, Cause::Collision(settings.threshold)),
-        );
+        let law = (law, Cause::Collision(settings.threshold));
+        return strike_with_friction(world, states, &group.bodies, &members, law);
     }
     let rows = members.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let assembly = Assembly::new(world, states, &group.bodies, rows)?;

@@ -122,12 +122,8 @@ impl TimeStepper {
             }
             let mut ending: Vec<Stop> = solved.iter().flat_map(|group| &group.found.stops).copied().collect();
             if stops == Stops::Sought {
-                let all = Middle { stops: Stops::SoughtOfAll, ..middle };
-                for group in solved.iter().filter(|group| group.share == 0.0) {
-                    let kicked = Kicked { states, bodies, kick, loops };
-                    let again = self.solve_group(world, kicked, group.group.clone(), &rows, (near, all), report)?;
-                    ending.extend(again.found.stops);
-                }
+                let kicked = Kicked { states, bodies, kick, loops };
+                ending.extend(self.stops_of_lost(world, kicked, &solved, &rows, (near, middle), report)?);
             }
             if !ending.is_empty() {
                 report.stops = ending;
@@ -140,6 +136,25 @@ impl TimeStepper {
             let kicked = Kicked { states, bodies, kick, loops };
             return Ok(note(world, kicked, near, &rows, &solved, (t, h), report));
         }
+    }
+
+    /// The slips that end within the step, whatever static friction holds, of groups no part of whose impulses takes energy.
+    fn stops_of_lost(
+        &mut self,
+        world: &World,
+        kicked: Kicked<'_>,
+        solved: &[SolvedGroup],
+        rows: &[Row],
+        (near, middle): (&[NearContact], Middle<'_>),
+        report: &mut TimeStepReport,
+    ) -> Result<Vec<Stop>, ResponseError> {
+        let middle = Middle { stops: Stops::SoughtOfAll, ..middle };
+        let mut stops = Vec::new();
+        for lost in solved.iter().filter(|group| group.share == 0.0) {
+            let again = self.solve_group(world, kicked, lost.group.clone(), rows, (near, middle), report)?;
+            stops.extend(again.found.stops);
+        }
+        Ok(stops)
     }
 
     /// Which rows are in the problem of a step of `h` (s) from the beginning. In a heap, and where joints hold (`holds`), the
