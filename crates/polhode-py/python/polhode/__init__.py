@@ -12,6 +12,7 @@
 SI units; z is up; quaternions are w, x, y, z and turn body to world.
 """
 
+from ._distributions import Choice, Distribution, LogNormal, Normal, Uniform
 from ._errors import (
     ActionError,
     Busy,
@@ -22,6 +23,8 @@ from ._errors import (
     SceneError,
     SimulationError,
     SnapshotError,
+    SweepError,
+    SweepStopped,
     UnknownName,
 )
 from ._functions import doctor, mass_properties, rotate_free
@@ -31,6 +34,8 @@ from ._run import Energies, Joints, JointTrack, Run, Track, run
 from ._scene import Body, JointHandle, Scene
 from ._shapes import Box, Capsule, Compound, Cone, Convex, Cylinder, HalfSpace, Mesh, Points, Shape, Sphere, Torus
 from ._simulation import Simulation
+from ._sweep import sweep
+from ._table import Mean, Table
 
 __all__ = [
     "ActionError",
@@ -40,6 +45,7 @@ __all__ = [
     "Box",
     "Busy",
     "Capsule",
+    "Choice",
     "Compound",
     "Cone",
     "Contact",
@@ -47,6 +53,7 @@ __all__ = [
     "Coordinate",
     "Cylinder",
     "Cylindrical",
+    "Distribution",
     "Energies",
     "Energy",
     "Finding",
@@ -59,7 +66,10 @@ __all__ = [
     "JointLoad",
     "JointTrack",
     "Joints",
+    "LogNormal",
+    "Mean",
     "Mesh",
+    "Normal",
     "NotKept",
     "Place",
     "Planar",
@@ -79,8 +89,12 @@ __all__ = [
     "SnapshotError",
     "Sphere",
     "StepOutcome",
+    "SweepError",
+    "SweepStopped",
+    "Table",
     "Torus",
     "Track",
+    "Uniform",
     "Universal",
     "UnknownName",
     "__version__",
@@ -88,4 +102,5 @@ __all__ = [
     "mass_properties",
     "rotate_free",
     "run",
+    "sweep",
 ]
