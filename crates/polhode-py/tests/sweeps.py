@@ -35,9 +35,7 @@ def slow(run):
 
 
 class Deadly:
-    """Kills its worker: at a run that begins above a height, as often as it may; a folder remembers how often it did."""
-
-    __qualname__ = "Deadly"
+    """Kills its worker at runs that begin above a height, as often as it may; a folder remembers how often it did."""
 
     def __init__(self, folder, above, times):
         self.folder, self.above, self.times = str(folder), above, times

@@ -63,7 +63,11 @@ def test_draws_depend_on_seed_run_and_key_alone(threads):
 
 
 def test_lists_are_a_grid(threads):
-    vary = {"gravity": [[0, 0, -9.81], [0, 0, -1.62]], "bodies.box.mass": np.array([1.0, 2.0]), "method.tier": ["accurate"]}
+    vary = {
+        "gravity": [[0, 0, -9.81], [0, 0, -1.62]],
+        "bodies.box.mass": np.array([1.0, 2.0]),
+        "method.tier": ["accurate"],
+    }
     table = ph.sweep(sweeps.scene(), vary=vary, executor=threads)
     assert table["gravity"].tolist() == [[0, 0, -9.81]] * 2 + [[0, 0, -1.62]] * 2
     assert table["bodies.box.mass"].tolist() == [1, 2, 1, 2]
@@ -149,7 +153,8 @@ import sys
 sys.path.insert(0, sys.argv[1])
 import polhode as ph, sweeps
 if __name__ == "__main__":
-    ph.sweep(sweeps.scene(), vary=sweeps.VARY, runs=20, seed=7, measure={"top": sweeps.slow}, executor=2, save=sys.argv[2])
+    keys = {"vary": sweeps.VARY, "runs": 20, "seed": 7, "measure": {"top": sweeps.slow}}
+    ph.sweep(sweeps.scene(), executor=2, save=sys.argv[2], **keys)
 """
 
 
@@ -189,7 +194,13 @@ def test_a_file_goes_on_to_more_runs_and_one_of_another_sweep_is_refused(threads
     table = swept(threads, save=save)
     assert text(table, tmp_path / "a.csv") == text(swept(threads), tmp_path / "b.csv")
     before = save.read_bytes()
-    for other in ({"seed": 8}, {"vary": {HEIGHT: ph.Normal(1, 0.02)}}, {"measure": "events"}, {"duration": 0.2}, {"runs": 2}):
+    for other in (
+        {"seed": 8},
+        {"vary": {HEIGHT: ph.Normal(1, 0.02)}},
+        {"measure": "events"},
+        {"duration": 0.2},
+        {"runs": 2},
+    ):
         with pytest.raises(ph.SweepError, match="path"):
             swept(threads, save=save, **other)
         assert save.read_bytes() == before
@@ -203,13 +214,23 @@ def test_a_file_goes_on_to_more_runs_and_one_of_another_sweep_is_refused(threads
     assert save.read_text() == "my thesis"
 
 
+def test_a_callable_with_a_state_is_told_by_it(threads, tmp_path):
+    save = tmp_path / "save.csv"
+    made = [sweeps.Deadly(tmp_path, 9.0, 1), sweeps.Deadly(tmp_path, 9.0, 1), sweeps.Deadly(tmp_path, 8.0, 1)]
+    assert len(swept(threads, measure={"top": made[0]}, save=save)) == 12
+    assert len(swept(threads, measure={"top": made[1]}, save=save)) == 12
+    with pytest.raises(ph.SweepError, match="another sweep"):
+        swept(threads, measure={"top": made[2]}, save=save)
+
+
 def test_parquet(threads, tmp_path):
     parquet = pytest.importorskip("pyarrow.parquet")
     save = tmp_path / "save.parquet"
     swept(threads, runs=2, save=save)
     assert os.listdir(tmp_path) == ["save.parquet"]
     table = swept(threads, save=save)
-    assert parquet.read_table(save).to_pydict() == {name: table[name].tolist() for name in table.columns}
+    written = parquet.read_table(save).to_pydict()
+    np.testing.assert_equal(written, {name: table[name].tolist() for name in table.columns})
     with pytest.raises(ph.SweepError, match="another sweep"):
         swept(threads, save=save, seed=8)
 
@@ -253,6 +274,7 @@ class Nothing(ThreadPoolExecutor):
         ({"measure": "box.position"}, ph.SweepError, "to \\[2\\]"),
         ({"measure": "box.position[2]@last"}, ph.UnknownName, "end"),
         ({"measure": "events.impacts"}, ph.UnknownName, "impact"),
+        ({"measure": {HEIGHT: sweeps.top}}, ph.SweepError, "what is varied"),
         ({"measure": "???"}, ph.SweepError, "no such form"),
         ({"measure": {"x": 3}}, ph.SweepError, "int"),
         ({"measure": {"run": sweeps.top}}, ph.SweepError, "rename"),
@@ -267,7 +289,10 @@ def test_bad_input_is_refused_before_anything_is_computed(keys, error, said):
         swept(keys.pop("executor", nothing), **keys)
 
 
-@pytest.mark.parametrize("make", [lambda: ph.Normal(1, -1), lambda: ph.Uniform(2, 1), lambda: ph.Normal(float("nan"), 1), lambda: ph.Choice(())])
+@pytest.mark.parametrize(
+    "make",
+    [lambda: ph.Normal(1, -1), lambda: ph.Uniform(2, 1), lambda: ph.Normal(float("nan"), 1), lambda: ph.Choice(())],
+)
 def test_bad_distributions_are_refused(make):
     with pytest.raises(ValueError):
         make()
@@ -283,7 +308,10 @@ def test_a_script_without_a_guard_is_told(tmp_path):
     script = tmp_path / "script.py"
     script.write_text(SCRIPT.replace('if __name__ == "__main__":', "if True:"))
     done = subprocess.run(
-        [sys.executable, script, Path(sweeps.__file__).parent, tmp_path / "save.csv"], capture_output=True, text=True, timeout=100
+        [sys.executable, script, Path(sweeps.__file__).parent, tmp_path / "save.csv"],
+        capture_output=True,
+        text=True,
+        timeout=100,
     )
     assert done.returncode != 0 and "needs `if __name__" in done.stderr.splitlines()[-1]
 

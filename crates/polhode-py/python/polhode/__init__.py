@@ -12,6 +12,8 @@
 SI units; z is up; quaternions are w, x, y, z and turn body to world.
 """
 
+from typing import TYPE_CHECKING, Any
+
 from ._distributions import Choice, Distribution, LogNormal, Normal, Uniform
 from ._errors import (
     ActionError,
@@ -36,6 +38,19 @@ from ._shapes import Box, Capsule, Compound, Cone, Convex, Cylinder, HalfSpace, 
 from ._simulation import Simulation
 from ._sweep import sweep
 from ._table import Mean, Table
+
+if TYPE_CHECKING:
+    from . import gym as gym
+
+
+def __getattr__(name: str) -> Any:
+    """``polhode.gym`` when it is first asked for: it needs gymnasium."""
+    if name == "gym":
+        from importlib import import_module
+
+        return import_module(".gym", __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
 
 __all__ = [
     "ActionError",

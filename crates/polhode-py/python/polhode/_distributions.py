@@ -41,7 +41,9 @@ class Normal(Distribution):
     def __post_init__(self) -> None:
         _finite(self, mean=self.mean, deviation=self.deviation)
         if self.deviation < 0:
-            raise ValueError(f"{self}: deviation = {self.deviation} is below 0, its limit: give what the draws differ by")
+            raise ValueError(
+                f"{self}: deviation = {self.deviation} is below 0, its limit: give what the draws differ by"
+            )
 
     def at(self, share: float) -> float:
         from statistics import NormalDist
@@ -51,7 +53,8 @@ class Normal(Distribution):
 
 @dataclass(frozen=True)
 class LogNormal(Distribution):
-    """A quantity whose logarithm is normal: half of the draws lie below ``median``, most within a factor of 1 + ``spread``.
+    """A quantity whose logarithm is normal: half of the draws lie below ``median``, most within a factor of 1 +
+    ``spread``.
 
     ``spread`` is the deviation of the natural logarithm.
 

@@ -84,8 +84,8 @@ class UnknownName(PolhodeError, KeyError):
 class NotKept(PolhodeError):
     """A run has not kept what its method promises.
 
-    ``place`` says when and which bodies, ``value`` and ``limit`` by how much, ``cure`` what would help. ``broken`` has all limits
-    that were exceeded.
+    ``place`` says when and which bodies, ``value`` and ``limit`` by how much, ``cure`` what would help. ``broken``
+    has all limits that were exceeded.
     """
 
     def __init__(

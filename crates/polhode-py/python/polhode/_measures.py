@@ -38,8 +38,8 @@ _EVENTS = "impact contact_begin contact_end rest wake detach stick slide jam bre
 _SHAPE = re.compile(r"(?:(?P<of>.+)\.)?(?P<quantity>\w+)(?:\[(?P<number>\d)\])?(?:@(?P<when>\w+))?\Z")
 _WHEN = ("end", "start", "least", "most")
 _CURE = (
-    'measures are "BODY.position[2]@end", "JOINT.angle@most", "energy.kinetic@end", "events.impact", or a function of a run: '
-    'measure={"height": top}'
+    'measures are "BODY.position[2]@end", "JOINT.angle@most", "energy.kinetic@end", "events.impact", or '
+    'a function of a run: measure={"height": top}'
 )
 
 
@@ -81,7 +81,9 @@ def read(measure: Measures, loaded: _polhode.Loaded) -> dict[str, Callable[[Run]
         if column in OWN:
             if own == column:
                 continue
-            raise SweepError(f"measure {column!r}: the table has a column of this name, {', '.join(OWN)} are its own", "rename it")
+            raise SweepError(
+                f"measure {column!r}: the table has a column of this name, {', '.join(OWN)} are its own", "rename it"
+            )
         if isinstance(own, str):
             found[column] = _named(own, loaded)
         elif callable(own):

@@ -27,7 +27,8 @@ class Row(NamedTuple):
 
 
 class Record:
-    """Finished runs, appended to a file by whole lines. What follows the last whole line was cut off by a kill, and is made again."""
+    """Finished runs, appended to a file by whole lines. What follows the last whole line was cut off by a kill, and
+    is made again."""
 
     def __init__(self, path: str | os.PathLike[str], digest: str, columns: list[str], measures: int) -> None:
         self._path = os.fspath(path)
@@ -148,4 +149,6 @@ class Record:
         try:
             return import_module("pyarrow.parquet")
         except ImportError as error:
-            raise SweepError(f"save={self._path!r}: pyarrow is not installed", "pip install pyarrow, or save as CSV") from error
+            raise SweepError(
+                f"save={self._path!r}: pyarrow is not installed", "pip install pyarrow, or save as CSV"
+            ) from error

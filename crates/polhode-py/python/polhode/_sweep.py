@@ -45,21 +45,23 @@ def sweep(
 ) -> Table:
     """Runs a scene many times with other values, and measures each run.
 
-    ``vary`` has keys of a scene file, as ``set`` of :func:`polhode.run`. A list stands for each of its values, and several lists for
-    each combination of theirs (a grid, the last list fastest); a distribution (:class:`polhode.Normal`, :class:`polhode.Uniform`
-    ...) is drawn from for each run. ``runs`` is the number of draws of each point of the grid. The draws of a run depend on ``seed``,
-    its number and the key alone. Draws come first, then the grid, so that the first rows of more ``runs`` are those of fewer.
+    ``vary`` has keys of a scene file, as ``set`` of :func:`polhode.run`. A list stands for each of its values, and
+    several lists for each combination of theirs (a grid, the last list fastest); a distribution
+    (:class:`polhode.Normal`, :class:`polhode.Uniform` ...) is drawn from for each run. ``runs`` is the number of
+    draws of each point of the grid. The draws of a run depend on ``seed``, its number and the key alone. Draws come
+    first, then the grid, so that the first rows of more ``runs`` are those of fewer.
 
     ``measure`` names what the table has of each run: ``"box.position[2]@end"`` (``start``, ``least``, ``most``),
-    ``"hinge.angle@most"``, ``"energy.kinetic@end"``, ``"events.impact"`` (their number); or it is a dictionary of columns and
-    functions of a :class:`polhode.Run` that give a number.
+    ``"hinge.angle@most"``, ``"energy.kinetic@end"``, ``"events.impact"`` (their number); or it is a dictionary of
+    columns and functions of a :class:`polhode.Run` that give a number.
 
-    ``executor`` is one of ``concurrent.futures``, a ``Client`` of ``dask.distributed``, or a number of processes of this machine
-    (as many as it has processors when absent). The table has the same bits for each of them. A run that fails is a row with its
-    ``reason``. Runs that a lost worker had are submitted again.
+    ``executor`` is one of ``concurrent.futures``, a ``Client`` of ``dask.distributed``, or a number of processes of
+    this machine (as many as it has processors when absent). The table has the same bits for each of them. A run that
+    fails is a row with its ``reason``. Runs that a lost worker had are submitted again.
 
-    ``save`` is a file, CSV or Parquet (by its ending; by pyarrow), in which finished runs are kept: the same call goes on where it was
-    killed. Functions in ``measure`` are known to it by their names: when one of them changes, save to another file.
+    ``save`` is a file, CSV or Parquet (by its ending; by pyarrow), in which finished runs are kept: the same call
+    goes on where it was killed. Functions in ``measure`` are known to it by their names: when one of them changes,
+    save to another file.
 
     >>> import polhode as ph
     >>> from concurrent.futures import ThreadPoolExecutor
@@ -97,7 +99,9 @@ class _Plan:
 
     def __init__(self, vary: Mapping[str, Any], runs: int | None, seed: int) -> None:
         if not isinstance(vary, Mapping) or not vary:
-            raise SweepError(f"vary={vary!r}: a dictionary with a key is needed", 'vary={"materials.ice.friction": [0.1, 0.2]}')
+            raise SweepError(
+                f"vary={vary!r}: a dictionary with a key is needed", 'vary={"materials.ice.friction": [0.1, 0.2]}'
+            )
         for name in OWN:
             if name in vary:
                 raise SweepError(f"vary: {name!r} is a column of every table", "it is no key of a scene")
@@ -113,12 +117,16 @@ class _Plan:
     def _count(self, runs: int | None) -> int:
         if runs is None:
             if self.drawn:
-                raise SweepError(f"runs is not given, and {', '.join(self.drawn)} is drawn", "give the number of draws, as runs=100")
+                raise SweepError(
+                    f"runs is not given, and {', '.join(self.drawn)} is drawn", "give the number of draws, as runs=100"
+                )
             runs = 1
         total = runs * self.points if isinstance(runs, (int, float)) else _whole("runs", runs) * self.points
         if not total <= MOST_RUNS:
             each = f" of {self.points} points each" if self.points > 1 else ""
-            raise SweepError(f"runs={runs}{each}: the limit is {MOST_RUNS} runs in all", "make several sweeps with other seeds")
+            raise SweepError(
+                f"runs={runs}{each}: the limit is {MOST_RUNS} runs in all", "make several sweeps with other seeds"
+            )
         draws = _whole("runs", runs)
         if draws < 1:
             raise SweepError(f"runs={runs} is below its limit, 1", "give the number of draws")
@@ -140,7 +148,8 @@ class _Plan:
         return tuple(own[key] for key in self.keys)
 
     def check(self, loaded: Any) -> None:
-        """Raises where a key is none of the scene, or a value of a list is not accepted: before anything is computed."""
+        """Raises where a key is none of the scene, or a value of a list is not accepted: before anything is
+        computed."""
         for key in self.keys:
             values = self.listed[key] if key in self.listed else [self.drawn[key].at(0.5)]
             for value in values:
@@ -165,7 +174,10 @@ def _computed(work: _Work, plan: _Plan, columns: list[str], executor: Any, recor
     rows: dict[int, Row] = {} if record is None else record.rows
     beyond = max(rows, default=-1)
     if beyond >= plan.runs:
-        raise SweepError(f"save: the file has run {beyond}, and runs 0 to {plan.runs - 1} were asked", "give more runs, or another path")
+        raise SweepError(
+            f"save: the file has run {beyond}, and runs 0 to {plan.runs - 1} were asked",
+            "give more runs, or another path",
+        )
     packed = _packed(work)
 
     def call(run: int) -> tuple[Any, ...]:
@@ -174,7 +186,9 @@ def _computed(work: _Work, plan: _Plan, columns: list[str], executor: Any, recor
         return compute, packed, run, changes
 
     def take(run: int, result: tuple[Any, ...] | None) -> None:
-        lost = Row(run, "failed", float("nan"), (float("nan"),) * len(work.measures), f"its worker was lost {TRIES} times")
+        lost = Row(
+            run, "failed", float("nan"), (float("nan"),) * len(work.measures), f"its worker was lost {TRIES} times"
+        )
         row = lost if result is None else Row(*result)
         if record is None:
             rows[run] = row
@@ -273,7 +287,8 @@ def _values(key: str, given: Any) -> list[Any]:
     """The values of a list of the grid, as a scene has them."""
     if isinstance(given, (str, Mapping)) or not hasattr(given, "__iter__"):
         raise SweepError(
-            f"vary: {key!r} is {given!r}, and a list or a distribution is needed", "give one value by set=, or as a list of one"
+            f"vary: {key!r} is {given!r}, and a list or a distribution is needed",
+            "give one value by set=, or as a list of one",
         )
     values = _toml.plain(list(given), key)
     if not values:
@@ -301,11 +316,21 @@ def _digest(work: _Work, plan: _Plan) -> str:
     if how == "file":
         with open(arguments[0], "rb") as file:
             arguments = [hashlib.sha256(file.read()).hexdigest()]
-    measures = [[name, own if isinstance(own, str) else _name(own)] for name, own in work.measures]
+    measures = [[name, _name(own)] for name, own in work.measures]
     told = [_polhode.__version__, how, arguments, changes, work.effects, measures, plan.told()]
     return hashlib.sha256(json.dumps(told).encode()).hexdigest()[:32]
 
 
 def _name(measure: Any) -> str:
-    qualified = getattr(measure, "__qualname__", None)
-    return repr(measure) if qualified is None else f"{measure.__module__}.{qualified}"
+    """What a measure is told by: a function by its name, another callable by its state."""
+    import hashlib
+    import pickle
+
+    own = measure if hasattr(measure, "__qualname__") else type(measure)
+    name = f"{own.__module__}.{own.__qualname__}"
+    if own is measure:
+        return name
+    try:
+        return f"{name} {hashlib.sha256(pickle.dumps(measure, protocol=4)).hexdigest()}"
+    except Exception:
+        return name

@@ -28,8 +28,8 @@ class Mean(NamedTuple):
 class Table:
     """The runs of a sweep, one a row, in the order of their numbers.
 
-    The columns are ``run``, what was varied, ``outcome`` (completed, degraded, failed), ``error`` (the estimated error of the
-    run, NaN where its method has none), what was measured (NaN for runs that failed), and ``reason``.
+    The columns are ``run``, what was varied, ``outcome`` (completed, degraded, failed), ``error`` (the estimated
+    error of the run, NaN where its method has none), what was measured (NaN for runs that failed), and ``reason``.
     """
 
     def __init__(self, columns: Mapping[str, Sequence[Any]]) -> None:

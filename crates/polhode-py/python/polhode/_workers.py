@@ -18,8 +18,8 @@ _WAITING = 4
 #: Runs that wait where the number of workers is not known.
 _WAITING_UNKNOWN = 1000
 _GUARD = (
-    'a script that sweeps on processes needs `if __name__ == "__main__":` before what it does; else see what the workers '
-    "printed, or use executor=concurrent.futures.ThreadPoolExecutor()"
+    'a script that sweeps on processes needs `if __name__ == "__main__":` before what it does; else see what the '
+    "workers printed, or use executor=concurrent.futures.ThreadPoolExecutor()"
 )
 
 
@@ -43,14 +43,18 @@ class Workers:
             self._executor = executor
         else:
             raise SweepError(
-                f"executor={executor!r} has no submit", "give an executor of concurrent.futures, a dask Client, or a number of processes"
+                f"executor={executor!r} has no submit",
+                "give an executor of concurrent.futures, a dask Client, or a number of processes",
             )
         workers = getattr(self._executor, "_max_workers", None)
         self._most = _WAITING_UNKNOWN if workers is None else _WAITING * workers
 
-    def compute(self, runs: Iterable[int], call: Callable[[int], tuple[Any, ...]], take: Callable[[int, Any], None]) -> None:
-        """Computes runs: ``call`` gives the function and arguments of one, ``take`` gets its result, none when it lost its worker
-        each time. The last try of a run is made with no other run beside it, so that none answers for another one."""
+    def compute(
+        self, runs: Iterable[int], call: Callable[[int], tuple[Any, ...]], take: Callable[[int, Any], None]
+    ) -> None:
+        """Computes runs: ``call`` gives the function and arguments of one, ``take`` gets its result, none when it
+        lost its worker each time. The last try of a run is made with no other run beside it, so that none answers for
+        another one."""
         waiting, alone = deque(runs), deque[int]()
         tries: Counter[int] = Counter()
         running: dict[Future[Any], int] = {}
@@ -117,7 +121,9 @@ class Workers:
         self._lost += 1
         broken = self._executor
         if self._lost >= TRIES:
-            raise SweepStopped(f"workers were lost {self._lost} times, and no run was finished between: {_GUARD}") from error
+            raise SweepStopped(
+                f"workers were lost {self._lost} times, and no run was finished between: {_GUARD}"
+            ) from error
         if not isinstance(broken, ProcessPoolExecutor):
             raise SweepStopped(f"the executor is broken: {error}: give another one") from error
         broken.shutdown(wait=False)
