@@ -1,7 +1,7 @@
 """The examples in docstrings and README run as they stand."""
 
 import doctest
-import importlib
+import importlib.util
 import pkgutil
 from pathlib import Path
 
@@ -30,4 +30,6 @@ def test_pages(page):
     own = [block for block in blocks if "import polhode" in block]
     assert own
     for block in own:
+        if "import gymnasium" in block and importlib.util.find_spec("gymnasium") is None:
+            continue
         exec(compile(block, page, "exec"), {})

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 #: Bits of a share: with half of its last place added it is a float exactly, and neither 0 nor 1.
 _BITS = 52
 
 
-@dataclass(frozen=True)
 class Distribution:
-    """What a value is drawn from. ``at`` is all that one of your own needs."""
+    """What a value is drawn from. ``at`` is all that one of your own needs; what it has is shown, and never changed."""
 
     def at(self, share: float) -> Any:
         """The value that this share of all draws lies below; ``share`` is between 0 and 1, without both."""
@@ -25,8 +26,16 @@ class Distribution:
         digest = blake2b(f"{seed}\n{run}\n{key}".encode(), digest_size=8).digest()
         return self.at(((int.from_bytes(digest, "big") >> (64 - _BITS)) + 0.5) / 2**_BITS)
 
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in vars(self).items())})"
 
-@dataclass(frozen=True)
+    def __eq__(self, other: object) -> bool:
+        return type(other) is type(self) and vars(other) == vars(self)
+
+    def __hash__(self) -> int:
+        return hash(repr(self))
+
+
 class Normal(Distribution):
     """The normal distribution.
 
@@ -38,8 +47,9 @@ class Normal(Distribution):
     mean: float
     deviation: float
 
-    def __post_init__(self) -> None:
-        _finite(self, mean=self.mean, deviation=self.deviation)
+    def __init__(self, mean: float, deviation: float) -> None:
+        self.mean = _finite("Normal: mean", mean)
+        self.deviation = _finite("Normal: deviation", deviation)
         if self.deviation < 0:
             raise ValueError(
                 f"{self}: deviation = {self.deviation} is below 0, its limit: give what the draws differ by"
@@ -51,7 +61,6 @@ class Normal(Distribution):
         return self.mean + self.deviation * NormalDist().inv_cdf(share)
 
 
-@dataclass(frozen=True)
 class LogNormal(Distribution):
     """A quantity whose logarithm is normal: half of the draws lie below ``median``, most within a factor of 1 +
     ``spread``.
@@ -66,8 +75,9 @@ class LogNormal(Distribution):
     median: float
     spread: float
 
-    def __post_init__(self) -> None:
-        _finite(self, median=self.median, spread=self.spread)
+    def __init__(self, median: float, spread: float) -> None:
+        self.median = _finite("LogNormal: median", median)
+        self.spread = _finite("LogNormal: spread", spread)
         if self.median <= 0 or self.spread < 0:
             raise ValueError(f"{self}: median is above 0, and spread not below it")
 
@@ -75,7 +85,6 @@ class LogNormal(Distribution):
         return self.median * math.exp(Normal(0.0, self.spread).at(share))
 
 
-@dataclass(frozen=True)
 class Uniform(Distribution):
     """All values between two are as probable as each other.
 
@@ -87,8 +96,9 @@ class Uniform(Distribution):
     low: float
     high: float
 
-    def __post_init__(self) -> None:
-        _finite(self, low=self.low, high=self.high)
+    def __init__(self, low: float, high: float) -> None:
+        self.low = _finite("Uniform: low", low)
+        self.high = _finite("Uniform: high", high)
         if self.low > self.high:
             raise ValueError(f"{self}: low = {self.low} is above high = {self.high}, its limit: exchange them")
 
@@ -96,7 +106,6 @@ class Uniform(Distribution):
         return self.low + (self.high - self.low) * share
 
 
-@dataclass(frozen=True)
 class Choice(Distribution):
     """Each of some values is as probable as the others.
 
@@ -107,19 +116,18 @@ class Choice(Distribution):
 
     values: tuple[Any, ...]
 
-    def __post_init__(self) -> None:
-        if isinstance(self.values, str) or len(self.values) == 0:
-            raise ValueError(f"Choice of {self.values!r}: give a tuple of at least one value")
-        object.__setattr__(self, "values", tuple(self.values))
+    def __init__(self, values: Sequence[Any]) -> None:
+        if isinstance(values, str) or len(values) == 0:
+            raise ValueError(f"Choice of {values!r}: give a tuple of at least one value")
+        self.values = tuple(values)
 
     def at(self, share: float) -> Any:
         return self.values[int(share * len(self.values))]
 
 
-def _finite(distribution: Distribution, **given: Any) -> None:
-    for name, value in given.items():
-        if isinstance(value, bool) or not isinstance(value, (int, float)) and not hasattr(value, "__float__"):
-            raise TypeError(f"{type(distribution).__name__}: {name} = {value!r} is no number")
-        if not math.isfinite(value):
-            raise ValueError(f"{type(distribution).__name__}: {name} = {value} is not finite")
-        object.__setattr__(distribution, name, float(value))
+def _finite(what: str, value: float) -> float:
+    if isinstance(value, bool) or not hasattr(value, "__float__"):
+        raise TypeError(f"{what} = {value!r} is no number")
+    if not math.isfinite(value):
+        raise ValueError(f"{what} = {value} is not finite, and it has to be: give a number")
+    return float(value)

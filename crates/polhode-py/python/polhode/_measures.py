@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Union
 
 from ._errors import SweepError, UnknownName
@@ -43,15 +42,15 @@ _CURE = (
 )
 
 
-@dataclass(frozen=True)
 class Named:
     """A measure that has a name."""
 
-    kind: str
-    of: str
-    quantity: str
-    number: int | None
-    when: str
+    def __init__(self, kind: str, of: str, quantity: str, number: int | None, when: str) -> None:
+        self.kind = kind
+        self.of = of
+        self.quantity = quantity
+        self.number = number
+        self.when = when
 
     def __call__(self, run: Run) -> float:
         """Its value of a run."""

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import os
+from collections.abc import Iterable
 from importlib import import_module
 from typing import Any, NamedTuple
 
@@ -47,9 +47,7 @@ class Record:
         """Appends a finished run, with all its cells."""
         if self._file is None:
             self._file = self._opened()
-        text = io.StringIO()
-        csv.writer(text, lineterminator="\n").writerow([cell(value) for value in cells])
-        self._write(text.getvalue())
+        self._write(_line(cells))
         self.rows[row.run] = row
 
     def finish(self, table: Table) -> None:
@@ -76,9 +74,7 @@ class Record:
         is_new = not os.path.exists(self._lines) or os.path.getsize(self._lines) == 0
         self._file = os.open(self._lines, os.O_WRONLY | os.O_APPEND | os.O_CREAT | getattr(os, "O_BINARY", 0), 0o666)
         if is_new:
-            text = io.StringIO()
-            csv.writer(text, lineterminator="\n").writerow(self._columns)
-            self._write(f"{_MARK}{self._digest}\n{text.getvalue()}")
+            self._write(f"{_MARK}{self._digest}\n{_line(self._columns)}")
         return self._file
 
     def _write(self, text: str) -> None:
@@ -88,6 +84,8 @@ class Record:
 
     def _read(self) -> list[Row]:
         """The rows of the lines; a line that was cut off is cut away."""
+        import csv
+
         if not os.path.exists(self._lines):
             return self._whole()
         with open(self._lines, "rb") as file:
@@ -152,3 +150,11 @@ class Record:
             raise SweepError(
                 f"save={self._path!r}: pyarrow is not installed", "pip install pyarrow, or save as CSV"
             ) from error
+
+
+def _line(cells: Iterable[Any]) -> str:
+    import csv
+
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerow([cell(value) for value in cells])
+    return text.getvalue()

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, Callable
+from typing import TYPE_CHECKING, Any, Callable, NamedTuple
 
 from . import _toml
 from ._distributions import Distribution
@@ -16,7 +15,6 @@ from ._record import Record, Row
 from ._run import run as run_one
 from ._scene import _read, load
 from ._table import Table
-from ._workers import TRIES, Workers
 
 if TYPE_CHECKING:
     from ._measures import Measures
@@ -160,8 +158,7 @@ class _Plan:
         return [self.seed, [[key, repr(self.drawn.get(key, self.listed.get(key)))] for key in self.keys]]
 
 
-@dataclass(frozen=True)
-class _Work:
+class _Work(NamedTuple):
     """What is the same in each run."""
 
     source: tuple[str, list[str], list[tuple[str, str, str]]]
@@ -171,6 +168,8 @@ class _Work:
 
 
 def _computed(work: _Work, plan: _Plan, columns: list[str], executor: Any, record: Record | None) -> Table:
+    from ._workers import TRIES, Workers
+
     rows: dict[int, Row] = {} if record is None else record.rows
     beyond = max(rows, default=-1)
     if beyond >= plan.runs:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import math
 import os
 from collections.abc import Iterator, Mapping, Sequence
@@ -139,6 +138,8 @@ def cell(value: Any) -> str:
 
 def write_csv(file: Any, table: Table) -> None:
     """Writes header and rows."""
+    import csv
+
     writer = csv.writer(file, lineterminator="\n")
     writer.writerow(table.columns)
     writer.writerows([cell(value) for value in row] for row in table.rows())

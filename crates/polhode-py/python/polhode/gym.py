@@ -62,7 +62,7 @@ class SceneEnv(gymnasium.Env):  # type: ignore[type-arg, misc, unused-ignore]
     gives the same episode with the same bits.
     """
 
-    metadata = {"render_modes": []}
+    metadata: dict[str, Any] = {"render_modes": []}
 
     def __init__(
         self,
