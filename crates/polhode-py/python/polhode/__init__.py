@@ -12,6 +12,9 @@
 SI units; z is up; quaternions are w, x, y, z and turn body to world.
 """
 
+from typing import TYPE_CHECKING, Any
+
+from ._distributions import Choice, Distribution, LogNormal, Normal, Uniform
 from ._errors import (
     ActionError,
     Busy,
@@ -22,6 +25,8 @@ from ._errors import (
     SceneError,
     SimulationError,
     SnapshotError,
+    SweepError,
+    SweepStopped,
     UnknownName,
 )
 from ._functions import doctor, mass_properties, rotate_free
@@ -31,6 +36,21 @@ from ._run import Energies, Joints, JointTrack, Run, Track, run
 from ._scene import Body, JointHandle, Scene
 from ._shapes import Box, Capsule, Compound, Cone, Convex, Cylinder, HalfSpace, Mesh, Points, Shape, Sphere, Torus
 from ._simulation import Simulation
+from ._sweep import sweep
+from ._table import Mean, Table
+
+if TYPE_CHECKING:
+    from . import gym as gym
+
+
+def __getattr__(name: str) -> Any:
+    """``polhode.gym`` when it is first asked for: it needs gymnasium."""
+    if name == "gym":
+        from importlib import import_module
+
+        return import_module(".gym", __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
 
 __all__ = [
     "ActionError",
@@ -40,6 +60,7 @@ __all__ = [
     "Box",
     "Busy",
     "Capsule",
+    "Choice",
     "Compound",
     "Cone",
     "Contact",
@@ -47,6 +68,7 @@ __all__ = [
     "Coordinate",
     "Cylinder",
     "Cylindrical",
+    "Distribution",
     "Energies",
     "Energy",
     "Finding",
@@ -59,7 +81,10 @@ __all__ = [
     "JointLoad",
     "JointTrack",
     "Joints",
+    "LogNormal",
+    "Mean",
     "Mesh",
+    "Normal",
     "NotKept",
     "Place",
     "Planar",
@@ -79,8 +104,12 @@ __all__ = [
     "SnapshotError",
     "Sphere",
     "StepOutcome",
+    "SweepError",
+    "SweepStopped",
+    "Table",
     "Torus",
     "Track",
+    "Uniform",
     "Universal",
     "UnknownName",
     "__version__",
@@ -88,4 +117,5 @@ __all__ = [
     "mass_properties",
     "rotate_free",
     "run",
+    "sweep",
 ]

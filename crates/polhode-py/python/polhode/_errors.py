@@ -8,6 +8,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ._run import Run
+    from ._table import Table
 
 
 class Place(NamedTuple):
@@ -83,8 +84,8 @@ class UnknownName(PolhodeError, KeyError):
 class NotKept(PolhodeError):
     """A run has not kept what its method promises.
 
-    ``place`` says when and which bodies, ``value`` and ``limit`` by how much, ``cure`` what would help. ``broken`` has all limits
-    that were exceeded.
+    ``place`` says when and which bodies, ``value`` and ``limit`` by how much, ``cure`` what would help. ``broken``
+    has all limits that were exceeded.
     """
 
     def __init__(
@@ -106,6 +107,21 @@ class NotKept(PolhodeError):
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C has ended a run; ``run`` has what was computed."""
+    """Ctrl-C has ended a run or a sweep; ``run`` or ``table`` has what was computed."""
 
     run: Run | None = None
+    table: Table | None = None
+
+
+class SweepError(PolhodeError, ValueError):
+    """A sweep is refused before anything is computed: the message has value and limit, ``cure`` what is accepted."""
+
+    def __init__(self, message: str, cure: str) -> None:
+        super().__init__(f"{message}: {cure}")
+        self.cure = cure
+
+
+class SweepStopped(PolhodeError, RuntimeError):
+    """A sweep cannot go on; ``table`` has the runs that were finished."""
+
+    table: Table | None = None

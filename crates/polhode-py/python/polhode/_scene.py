@@ -261,8 +261,10 @@ def load(scene: SceneLike, changes: Mapping[str, Any]) -> _polhode.Loaded:
         for argument, given in settings.items()
         if given is not None
     ]
-    listed += [("set=", key, _toml.value(_toml.plain(given, key))) for key, given in own.items()]
+    listed += [("set=", _toml.path(key), _toml.value(_toml.plain(given, key))) for key, given in own.items()]
     if isinstance(scene, _polhode.Loaded):
+        if not listed:
+            return scene
         how, arguments, before = scene.source()
         return _read(how, arguments, [*before, *listed])
     if isinstance(scene, Scene):

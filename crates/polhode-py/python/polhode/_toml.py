@@ -10,6 +10,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+\Z")
+#: What is quoted, or a number in brackets.
+_NUMBER = re.compile(r'"[^"]*"|\[(\d+)\]')
 
 
 def plain(value: Any, where: str = "scene") -> Any:
@@ -39,6 +41,11 @@ def _key(key: object, where: str) -> str:
     if isinstance(key, str):
         return key
     raise TypeError(f"{where}: the key {key!r} is no string")
+
+
+def path(key: str) -> str:
+    """A key with numbers in brackets as a dotted path: ``position[2]`` is ``position.2``."""
+    return _NUMBER.sub(lambda found: f".{found[1]}" if found[1] else found[0], key)
 
 
 def value(given: Any) -> str:
