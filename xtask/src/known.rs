@@ -55,7 +55,7 @@ const COLLISIONS_IN_TURN: &str = "forces are means of impulses over the last ste
 
 /// Why scenes that are turned are other motions in the tier `stepped`.
 const STEPS_SHARE: &str = "17 of 200: limits and impacts are struck a little early and again in the step, and cone problems are solved to 1e-8: 1e-8 to \
-                           5e-6 of a body";
+                           3e-4 of a body";
 
 /// Why the tier `fast` is off.
 const FAST_PILES: &str = "2 of 67: bodies that strike several others at once part by other impulses than in the tier accurate, which reflects them together";
