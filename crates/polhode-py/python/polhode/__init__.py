@@ -36,6 +36,7 @@ from ._run import Energies, Joints, JointTrack, Run, Track, run
 from ._scene import Body, JointHandle, Scene
 from ._shapes import Box, Capsule, Compound, Cone, Convex, Cylinder, HalfSpace, Mesh, Points, Shape, Sphere, Torus
 from ._simulation import Simulation
+from ._stands import Standing, boxes, stands
 from ._sweep import sweep
 from ._table import Mean, Table
 
@@ -103,6 +104,7 @@ __all__ = [
     "Snapshot",
     "SnapshotError",
     "Sphere",
+    "Standing",
     "StepOutcome",
     "SweepError",
     "SweepStopped",
@@ -113,9 +115,11 @@ __all__ = [
     "Universal",
     "UnknownName",
     "__version__",
+    "boxes",
     "doctor",
     "mass_properties",
     "rotate_free",
     "run",
+    "stands",
     "sweep",
 ]
