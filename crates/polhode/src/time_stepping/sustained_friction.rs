@@ -542,7 +542,10 @@ fn stops_of(
     let changes = settled.solved.velocities.iter().zip(constants).map(|(after, before)| after.abs() + before.abs());
     let offset = BEYOND_TURNING * changes.fold(0.0, f64::max);
     let on: Vec<_> = friction.iter().map(|row| row.map(|row| row.slipping_on(offset))).collect();
-    let found = settle(assembly, with_tangents(constants, &on, rows), &on, rows, (solvers, h))?;
+    let mut of_on = with_tangents(constants, &on, rows);
+    // Bearings bear what the first solution has found.
+    assembly.press(&mut of_on, h);
+    let found = settle(assembly, of_on, &on, rows, (solvers, h))?;
     let stop = |&place: &usize| {
         let (row, rows) = (friction.get(place)?.as_ref()?, rows.tangents.get(place)?);
         let (pushed, along) = (of_both(&found.solved.velocities, rows), row.offset_along_slip(offset));
