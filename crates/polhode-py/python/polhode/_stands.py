@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import csv
 import math
 import os
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ._scene import Body, Scene
 from ._shapes import Box, HalfSpace
@@ -22,8 +20,7 @@ _NUMBERS = ("size_x", "size_y", "size_z", "x", "y", "z", "mass")
 _OPTIONAL = ("name", "friction", "yaw")
 
 
-@dataclass(frozen=True)
-class Standing:
+class Standing(NamedTuple):
     """Whether a scene stands, and by which margin. It counts as true where it stands."""
 
     #: Whether every body is at rest and stays so.
@@ -136,6 +133,8 @@ def _number(row: int, column: str, value: Any) -> float:
 
 def _rows(table: Any) -> Iterable[Mapping[str, Any]]:
     if isinstance(table, (str, os.PathLike)):
+        import csv
+
         with open(table, newline="", encoding="utf-8") as file:
             rows: list[Mapping[str, Any]] = list(csv.DictReader(file))
         return rows
