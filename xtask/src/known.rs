@@ -58,7 +58,8 @@ const STEPS_SHARE: &str = "17 of 200: limits and impacts are struck a little ear
                            3e-4 of a body";
 
 /// Why the tier `fast` is off.
-const FAST_PILES: &str = "2 of 67: bodies that strike several others at once part by other impulses than in the tier accurate, which reflects them together";
+const FAST_PILES: &str = "3 of 67: bodies that strike several others at once part by other impulses than in the tier accurate, which reflects them together (2); an \
+                          overlap that is within the promise by the smaller body of its pair, and beyond it by half of the smallest body of the scene (1)";
 
 /// Why friction of springs under fixed steps has lost its order.
 const FIXED_STEPS_OF_SPRINGS: &str = "runs of fixed steps and those under error control end in motions that differ by a constant since springs that hold have dampers \

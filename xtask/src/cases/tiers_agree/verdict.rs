@@ -220,10 +220,9 @@ fn of_accurate(subject: &Subject, accurate: &Trial, copy: &Trial, standard: &Sta
     }
 }
 
-/// What a run of the tier `fast` has broken of its promise. The sizes are those from the middle of a body to its end; the promise is in sizes from end to
-/// end (`polhode::contact::Shape::size`).
+/// What a run of the tier `fast` has broken of its promise.
 fn broken_promise(trial: &Trial, sizes: &[f64]) -> Option<String> {
-    let smallest = 2.0 * sizes.iter().copied().fold(f64::INFINITY, f64::min);
+    let smallest = sizes.iter().copied().fold(f64::INFINITY, f64::min);
     let overlap = trial.certificate.max_penetration_m.max(trial.certificate.max_sample_penetration_m) / smallest;
     let gap = trial.certificate.max_joint_error_m.unwrap_or_default() / smallest;
     let broken = |what: &str, part: f64, most: f64| {
