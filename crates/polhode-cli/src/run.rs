@@ -13,6 +13,7 @@ use crate::watch::Watch;
 use crate::{cost, scene, stdout, text};
 use polhode::{Outcome, RunReport, Simulation};
 use polhode_scene::{Checkpoint, LoadedScene, scene_report_json};
+use polhode_study::difference::energy_error;
 use serde_json::json;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -269,7 +270,7 @@ fn go_on(
         let is_due = !has_ended && simulation.time() >= watch.stop_s;
         let is_look = !has_ended && watch.bar.wants_look() && !watch.is_stopped;
         if is_look {
-            watch.bar.look(cost::energy_error(&report));
+            watch.bar.look(energy_error(&report));
         }
         if !(is_due || is_look) || watch.interrupt.has_come() {
             return Ok(report);

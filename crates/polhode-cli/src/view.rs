@@ -8,9 +8,10 @@ use crate::pictures::{self, ENDINGS, Kind, MOVING_PICTURE_FPS, Options, Pictures
 use crate::progress::Progress;
 use crate::viewpoint::viewpoint;
 use crate::watch::Watch;
-use crate::{cost, examples, inputs, scene, stdout};
+use crate::{examples, inputs, scene, stdout};
 use polhode::{BodySample, Flow, Observer, Outcome, RunReport, Simulation, SimulationError};
 use polhode_scene::{LoadedScene, TrajectoryError, TrajectoryReader, is_trajectory};
+use polhode_study::difference::energy_error;
 use polhode_view::page::MOST_FRAMES;
 use polhode_view::{FrameSource, Recording};
 use serde_json::Value;
@@ -221,7 +222,7 @@ fn shown_to_its_end(simulation: &mut Simulation, watch: &mut Watch<'_>) -> Resul
         if !is_look || watch.interrupt.has_come() {
             return Ok(report);
         }
-        watch.bar.look(cost::energy_error(&report));
+        watch.bar.look(energy_error(&report));
     }
 }
 

@@ -7,7 +7,7 @@ use super::rust_source::RustSource;
 use super::violation::Violation;
 
 /// The crates with the rule.
-const CRATES: [&str; 4] = ["polhode", "polhode-scene", "polhode-view", "polhode-cli"];
+const CRATES: [&str; 5] = ["polhode", "polhode-scene", "polhode-study", "polhode-view", "polhode-cli"];
 
 /// The file that lists the tiers, as variants of the enumeration `Tier`.
 const LIST: &str = "crates/polhode/src/tier/list.rs";

@@ -36,9 +36,13 @@ const LAYERS: &[Layer] = &[
     },
     Layer { name: "polhode-elastic", may_use: &["polhode-spatial"] },
     Layer { name: "polhode-scene", may_use: &["polhode"] },
+    Layer { name: "polhode-study", may_use: &["polhode", "polhode-scene"] },
     Layer { name: "polhode-view", may_use: &["polhode"] },
-    Layer { name: "polhode-cli", may_use: &["polhode", "polhode-elastic", "polhode-scene", "polhode-view"] },
-    Layer { name: "polhode-py", may_use: &["polhode", "polhode-scene", "polhode-view"] },
+    Layer {
+        name: "polhode-cli",
+        may_use: &["polhode", "polhode-elastic", "polhode-scene", "polhode-study", "polhode-view"],
+    },
+    Layer { name: "polhode-py", may_use: &["polhode", "polhode-scene", "polhode-study", "polhode-view"] },
     Layer { name: "strict-hash", may_use: &["polhode", "polhode-scene"] },
     Layer {
         name: "xtask",

@@ -3,15 +3,15 @@
 //! The scene runs once, by its own method; the boxes of its bodies at the samples of that run are then given to every
 //! broad phase, one sample after the other, as a simulation would. All must find the same pairs.
 
-use super::source::Source;
 use super::text::ratio;
-use super::timing::{Effort, median};
 use crate::failure::Failure;
 use crate::text::{Table, number};
 use polhode::contact::{Aabb, BroadPhaseMethod, aabb_of};
 use polhode::spatial::Pose;
 use polhode::{BodyId, BodySample, Geometry, Scene};
 use polhode_scene::Override;
+use polhode_study::Source;
+use polhode_study::timing::{Effort, median};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::hint::black_box;
@@ -49,7 +49,7 @@ impl BroadPhaseStudy {
     /// # Errors
     /// When the scene is refused, its run fails, no body has a shape, or two broad phases find different pairs.
     pub(super) fn run(source: &Source<'_>, samples: u32, effort: Effort) -> Result<Self, Failure> {
-        let duration_s = source.load()?.scene.duration_s();
+        let duration_s = source.loaded()?.scene.duration_s();
         let interval = (duration_s / f64::from(samples)).to_string();
         let scene = source.scene(&[Override::new("broad-phase study".to_owned(), "output.interval", &interval)]);
         let scene = scene.map_err(|reason| check(&reason))?;

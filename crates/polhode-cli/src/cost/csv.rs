@@ -1,6 +1,6 @@
 //! The table as CSV (RFC 4180): one row for every candidate, also for those that failed.
 
-use super::study::{Entry, Measured, Study};
+use polhode_study::study::{Entry, Measured, Study};
 use std::fmt::Write as _;
 
 /// The columns. Errors are relative, angles in rad; an empty field is what was not measured.
@@ -114,13 +114,13 @@ fn quoted(field: &str) -> String {
 #[cfg(test)]
 mod tests {
     //! Every row has every column, failures too, and what needs quotes has them.
-    use super::super::candidate::{Candidate, change};
-    use super::super::error::Errors;
-    use super::super::options::Counting;
-    use super::super::runs::Solver;
-    use super::super::timing::Timing;
     use super::*;
     use polhode::scene::Integrator;
+    use polhode_study::Solver;
+    use polhode_study::candidate::{Candidate, change};
+    use polhode_study::difference::Errors;
+    use polhode_study::options::Counting;
+    use polhode_study::timing::Timing;
 
     #[test]
     fn rows_of_a_run_and_of_a_failure() {

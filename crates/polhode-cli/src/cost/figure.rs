@@ -1,9 +1,9 @@
 //! The figure: error against cost on logarithmic axes, one curve for every method, the Pareto front behind them.
 
-use super::law::OtherLaw;
-use super::options::Counting;
-use super::study::{Entry, Study};
 use super::text;
+use polhode_study::law::OtherLaw;
+use polhode_study::options::Counting;
+use polhode_study::study::{Entry, Study};
 use polhode_view::plot::cost_chart::{CostChart, CostCurve, CostPoint, Level, OtherUnits, Rank, Target};
 
 /// Microseconds in a second.

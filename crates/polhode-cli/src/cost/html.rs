@@ -1,7 +1,7 @@
 //! Figure and table as one page that needs nothing else.
 
-use super::study::{Entry, Study};
 use super::text;
+use polhode_study::study::{Entry, Study};
 use std::fmt::Write as _;
 
 /// A click on a heading sorts by that column, a second one the other way round; numbers sort as numbers.

@@ -3,11 +3,9 @@
 //! A run is counted twice, once with and once without its steps; the difference leaves out starting the program,
 //! reading the scene and preparing it.
 
-use super::candidate::Candidate;
-use super::source::Source;
 use crate::args::ProbeArgs;
 use crate::failure::Failure;
-use crate::scene;
+use crate::scene::{self, SceneText};
 use polhode::Effects;
 use polhode_scene::Override;
 use std::io;
@@ -35,22 +33,22 @@ pub(crate) fn available() -> Result<(), Failure> {
 ///
 /// # Errors
 /// Why they could not be counted, in a line.
-pub(crate) fn count(source: &Source<'_>, candidate: &Candidate, sampling: &Override) -> Result<u64, String> {
-    let started = counted(source, candidate, sampling, None)?;
-    let whole = counted(source, candidate, sampling, Some("--run"))?;
+pub(crate) fn count(text: &SceneText<'_>, effects: Effects, changes: &[&Override]) -> Result<u64, String> {
+    let started = counted(text, effects, changes, None)?;
+    let whole = counted(text, effects, changes, Some("--run"))?;
     // At least one: a cost is positive.
     Ok(whole.saturating_sub(started).max(1))
 }
 
-fn counted(source: &Source<'_>, candidate: &Candidate, sampling: &Override, run: Option<&str>) -> Result<u64, String> {
+fn counted(text: &SceneText<'_>, effects: Effects, changes: &[&Override], run: Option<&str>) -> Result<u64, String> {
     let program = std::env::current_exe().map_err(|error| fault(&error))?;
     let mut command = Command::new(VALGRIND);
     command.args(["--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null"]);
-    command.arg(program).arg("probe").arg(source.text.name()).args(run);
-    if source.effects == Effects::All {
+    command.arg(program).arg("probe").arg(text.name()).args(run);
+    if effects == Effects::All {
         command.args(["--effects", "all"]);
     }
-    for Override { key, value, .. } in source.given.iter().chain(&candidate.changes).chain([sampling]) {
+    for Override { key, value, .. } in changes {
         command.arg("--set").arg(format!("{key}={value}"));
     }
     let output = command.stdin(Stdio::null()).stdout(Stdio::null()).output().map_err(|error| fault(&error))?;

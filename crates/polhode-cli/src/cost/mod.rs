@@ -7,45 +7,24 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `candidate` | a candidate; combinations of `--vary` |
-//! | `ladder` | the candidates when none are asked for |
-//! | `options` | what is asked of a study |
-//! | `source` | the scene, loaded with changes and run |
-//! | `reference` | the exact or the finest solution, and how well it is known |
-//! | `error` | how far a run is from the reference |
-//! | `law` | the law of contact of a method, which is no part of its error |
-//! | `timing`, `instructions` | what a run costs |
-//! | `front` | the Pareto front, and the cheapest that reaches a target |
-//! | `runs` | all runs of a study |
-//! | `study` | all of it together |
+//! | `program` | the program as the host of a study |
+//! | `instructions` | cost as instructions executed |
 //! | `elastic_drop`, `elastic_text` | an elastic body on the drop of a scene, beside the impact laws |
 //! | `scale` | how the time of a method grows with the bodies |
 //! | `broad_phases` | what finding pairs costs |
-//! | `text`, `csv`, `json`, `figure`, `html` | how it is told |
+//! | `text`, `csv`, `figure`, `html` | how it is told; as JSON by the crate of studies |
 
 mod broad_phases;
-mod candidate;
 mod csv;
 mod elastic_drop;
 mod elastic_text;
-mod error;
 mod figure;
-mod front;
 mod html;
 mod instructions;
-mod json;
-mod ladder;
-mod law;
-mod options;
-mod reference;
-mod runs;
+mod program;
 mod scale;
-mod source;
-mod study;
 mod text;
-mod timing;
 
-pub(crate) use error::energy_error;
 pub(crate) use instructions::probe;
 
 use crate::abandoned;
@@ -55,26 +34,14 @@ use crate::interrupt::Interrupt;
 use crate::scene::SceneText;
 use crate::{inputs, stdout};
 use broad_phases::BroadPhaseStudy;
-use candidate::Axis;
 use elastic_drop::{ElasticBeside, ElasticDrop};
-use ladder::Range;
-use options::{Counting, Options};
 use polhode_scene::{AtomicFile, Override};
+use polhode_study::ladder::Range;
+use polhode_study::timing::Effort;
+use polhode_study::{Alone, Axis, Counting, Options, Source, Study, StudyError, json};
 use scale::ScaleStudy;
-use source::Source;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
-use study::Study;
-use timing::Effort;
-
-/// Rounds of timing that `polhode run --accuracy` makes: enough to choose between methods.
-const FEW_ROUNDS: Effort = Effort { fewest_rounds: 2, most_rounds: 5, enough_s: 0.02 };
-
-/// Time that `polhode run --accuracy` may search for, about, s.
-const SEARCH_S: f64 = 10.0;
-
-/// Samples that it takes errors from.
-const SEARCH_SAMPLES: u32 = 100;
 
 /// Runs the study and tells it in every way asked for; exit code 1 when no candidate runs or a target is not reached.
 pub(crate) fn cost(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure> {
@@ -84,7 +51,7 @@ pub(crate) fn cost(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure
         return broad_phases(args, interrupt);
     }
     let axes: Vec<Axis> =
-        args.vary.iter().map(|text| Axis::parse(text)).collect::<Result<_, _>>().map_err(|fault| usage(&fault))?;
+        args.vary.iter().map(|text| Axis::parse(text)).collect::<Result<_, _>>().map_err(StudyError::Axis)?;
     if !args.scale.is_empty() {
         return scale(args, &axes, interrupt);
     }
@@ -96,8 +63,9 @@ pub(crate) fn cost(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure
     if counting == Counting::Instructions && matches!(text, SceneText::Stdin(_)) {
         return Err(usage("--instructions runs the program again, which cannot read stdin twice: name a file"));
     }
-    let source = Source::new(&text, &args.scene.changes)?;
-    check_outputs(args, &source)?;
+    let load = |changes: &[Override]| text.load(changes);
+    let source = program::source(&load, &args.scene.changes, &Alone)?;
+    check_outputs(args, &text, &source)?;
     let elastic = elastic_drop(args, &source)?;
     // A folder that does not exist is found before the work, not after it.
     let paths = [&args.csv, &args.svg, &args.html];
@@ -105,7 +73,7 @@ pub(crate) fn cost(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure
     let (target, range) = (args.target, Range::MethodsAndLaws);
     let options =
         Options { samples: args.samples, effort: effort(args), budget_s: args.budget, target, range, counting };
-    let study = Study::run(&source, &axes, &options)?;
+    let study = program::study(&text, &args.scene.changes, |source| Study::run(source, &axes, &options))?;
     let beside: Option<ElasticBeside> = elastic.map(ElasticDrop::run).transpose()?;
     let told = beside.as_ref().map_or_else(String::new, ElasticBeside::text);
     let drawn = if svg.is_some() || html.is_some() { figure::svg(&study, args.target) } else { String::new() };
@@ -125,8 +93,8 @@ pub(crate) fn cost(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure
     }
     match args.target {
         _ if study.base.is_none() => Err(Failure::Check(text::none_ran(&study))),
-        Some(target) if study.cheapest(target).is_none() => Err(Failure::Check(text::not_reached(&study, target))),
-        _ => Ok(()),
+        Some(target) => Ok(study.answer(target).map(|_| ())?),
+        None => Ok(()),
     }
 }
 
@@ -138,7 +106,7 @@ fn elastic_drop(args: &CostArgs, source: &Source<'_>) -> Result<Option<ElasticDr
     if !args.elastic && !args.vary.is_empty() {
         return Ok(None);
     }
-    match ElasticDrop::of(&source.load()?.scene) {
+    match ElasticDrop::of(&source.loaded()?.scene) {
         Err(reason) if args.elastic => {
             Err(usage(&format!("--elastic: no elastic body stands for this scene: {reason}")))
         }
@@ -149,8 +117,9 @@ fn elastic_drop(args: &CostArgs, source: &Source<'_>) -> Result<Option<ElasticDr
 /// Times the broad phases and tells it in every way asked for.
 fn broad_phases(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure> {
     let text = SceneText::of(&args.scene.scene)?;
-    let source = Source::new(&text, &args.scene.changes)?;
-    check_outputs(args, &source)?;
+    let load = |changes: &[Override]| text.load(changes);
+    let source = program::source(&load, &args.scene.changes, &Alone)?;
+    check_outputs(args, &text, &source)?;
     let [csv, html] = interrupt.remove(|| open_all([&args.csv, &args.html]), temporary)?;
     let study = BroadPhaseStudy::run(&source, args.samples, effort(args))?;
     for (file, text) in [(csv, study.csv()), (html, study.html())] {
@@ -164,8 +133,9 @@ fn broad_phases(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure> {
 /// Times the methods at several numbers of bodies and tells it in every way asked for.
 fn scale(args: &CostArgs, axes: &[Axis], interrupt: &Interrupt) -> Result<(), Failure> {
     let text = SceneText::of(&args.scene.scene)?;
-    let source = Source::new(&text, &args.scene.changes)?;
-    check_outputs(args, &source)?;
+    let load = |changes: &[Override]| text.load(changes);
+    let source = program::source(&load, &args.scene.changes, &Alone)?;
+    check_outputs(args, &text, &source)?;
     let [csv] = interrupt.remove(|| open_all([&args.csv]), temporary)?;
     let study = ScaleStudy::run(&source, &args.scale, axes, args.budget)?;
     if let Some(file) = csv {
@@ -189,9 +159,9 @@ fn temporary<const N: usize>(files: &[Option<AtomicFile>; N]) -> Vec<PathBuf> {
 }
 
 /// That no output replaces what the study is made from.
-fn check_outputs(args: &CostArgs, source: &Source<'_>) -> Result<(), Failure> {
-    let mut read = source.load()?.mesh_files();
-    read.extend(source.text.file().map(Path::to_owned));
+fn check_outputs(args: &CostArgs, text: &SceneText<'_>, source: &Source<'_>) -> Result<(), Failure> {
+    let mut read = source.loaded()?.mesh_files();
+    read.extend(text.file().map(Path::to_owned));
     let outputs = [&args.csv, &args.svg, &args.html];
     outputs.into_iter().flatten().try_for_each(|path| inputs::check_output(path, read.iter().map(PathBuf::as_path)))
 }
@@ -215,18 +185,9 @@ pub(crate) fn settings_for(
     accuracy: f64,
 ) -> Result<Vec<Override>, Failure> {
     positive("--accuracy", Some(accuracy))?;
-    let options = Options {
-        samples: SEARCH_SAMPLES,
-        effort: FEW_ROUNDS,
-        budget_s: SEARCH_S,
-        target: Some(accuracy),
-        range: Range::Methods,
-        counting: Counting::Time,
-    };
-    let study = Study::run(&Source::new(scene, changes)?, &[], &options)?;
-    let Some(entry) = study.cheapest(accuracy) else {
-        return Err(Failure::Check(text::not_reached(&study, accuracy)));
-    };
+    let options = Options::for_accuracy(accuracy);
+    let study = program::study(scene, changes, |source| Study::run(source, &[], &options))?;
+    let entry = study.answer(accuracy)?;
     failure::remark(&format!("note: {}", text::reached(&study, entry, accuracy)));
     let chosen = |change: &Override| Override::new("command line (--accuracy)", &change.key, &change.value);
     Ok(entry.candidate.changes.iter().map(chosen).collect())

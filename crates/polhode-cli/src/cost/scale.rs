@@ -5,14 +5,14 @@
 //! two sizes of `N` bodies that take times `T` is `p = ln(T2/T1) / ln(N2/N1)`. A size that would take longer than the
 //! method's share of `--budget` is left out, as the last size and the exponent so far tell.
 
-use super::candidate::{self, Axis, Candidate, change};
-use super::source::Source;
 use super::text::ratio;
 use crate::failure::Failure;
 use crate::text::Table;
+use polhode::Scene;
 use polhode::scene::Tier;
-use polhode::{Scene, Unobserved};
 use polhode_scene::Override;
+use polhode_study::candidate::{self, Axis, Candidate, change};
+use polhode_study::{Source, StudyError};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 
@@ -58,7 +58,7 @@ impl ScaleStudy {
     /// # Errors
     /// When the scene has no arrays of moving bodies, or `axes` or a size are refused.
     pub(super) fn run(source: &Source<'_>, sizes: &[u32], axes: &[Axis], budget_s: f64) -> Result<Self, Failure> {
-        let loaded = source.load()?;
+        let loaded = source.loaded()?;
         let (scene, duration_s) = (loaded.scene.name().to_owned(), loaded.scene.duration_s());
         let scaled = |&size: &u32| {
             loaded.scaled_to(size, ORIGIN).ok_or_else(|| {
@@ -70,7 +70,7 @@ impl ScaleStudy {
         let methods = if axes.is_empty() {
             Tier::ALL.into_iter().map(of_tier).collect()
         } else {
-            candidate::product(axes).map_err(|fault| Failure::Usage(format!("error: {fault}")))?
+            candidate::product(axes).map_err(StudyError::Axis)?
         };
         let share_s = budget_s / methods.len() as f64;
         let rows = methods.iter().flat_map(|method| of_method(source, method, &sizes, share_s)).collect();
@@ -168,7 +168,7 @@ fn of_size(source: &Source<'_>, scene: &Scene, before: Option<(usize, Taken)>, s
     }
     let (mut least, mut total, mut steps) = (f64::INFINITY, 0.0, 0);
     for _ in 0..ROUNDS {
-        let (report, took) = source.run(scene, &mut Unobserved)?;
+        let (report, took) = source.run(scene)?;
         (least, steps) = (least.min(took.as_secs_f64()), report.steps);
         total += took.as_secs_f64();
         if total > share_s {

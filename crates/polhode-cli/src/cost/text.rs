@@ -1,10 +1,10 @@
 //! The table for people.
 
-use super::candidate::Candidate;
-use super::options::Counting;
-use super::reference::{Kind, Reference};
-use super::study::{Entry, Measured, Study};
 use crate::text::{Table, number};
+use polhode_study::candidate::Candidate;
+use polhode_study::options::Counting;
+use polhode_study::reference::{Kind, Reference};
+use polhode_study::study::{Entry, Measured, Study, confirms};
 use std::fmt::Write as _;
 
 /// Reference, table, what was left out, and the candidate that reaches a target.
@@ -115,14 +115,6 @@ pub(super) const VELOCITY: &str =
 /// What the column `energy` is.
 pub(super) const ENERGY: &str = "what integration lost or made of the energy, of the largest energy of the run";
 
-/// Whether a run in another way that differs by this error agrees with the reference.
-pub(super) fn confirms(error: f64) -> bool {
-    error <= AGREEMENT
-}
-
-/// Largest difference of two ways that agree, of the scene's length or in rad: a hundredth is seen with the naked eye.
-const AGREEMENT: f64 = 1e-2;
-
 fn described(reference: &Reference) -> String {
     let of = match reference.kind {
         Kind::Exact => "the exact solution, in closed form",
@@ -232,15 +224,4 @@ pub(super) fn none_ran(study: &Study) -> String {
     let first = failures(study).into_iter().next();
     let why = first.map_or_else(String::new, |(name, reason)| format!(": {name}: {reason}"));
     format!("error: none of the {} candidates ran{why}", study.entries.len())
-}
-
-/// That no candidate reaches a target, and what can be done.
-pub(super) fn not_reached(study: &Study, target: f64) -> String {
-    let best = match study.most_accurate() {
-        Some((error, name)) => format!("the most accurate, {name}, is known to {error:.1e}"),
-        None => "none ran".to_owned(),
-    };
-    format!(
-        "error: no method reaches an error of {target:e}: {best}; vary steps or tolerances with `polhode cost --vary`"
-    )
 }

@@ -1,7 +1,7 @@
 //! The candidates when none are asked for: every integrator over steps where nothing can collide; where bodies meet, the tiers over
 //! steps and tolerances, the thesis's own ways to find contact forces, and the impact laws that are not the scene's.
 
-use super::candidate::{Candidate, change};
+use crate::candidate::{Candidate, change};
 use polhode::scene::{ContactMethod, ImpactLaw, Integrator, Response, Tier, TierFeature};
 use polhode_scene::{Override, names};
 
@@ -49,22 +49,22 @@ const TOLERANCE: &str = "method.tolerance";
 
 /// What decides about the candidates of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct SceneFacts {
+pub struct SceneFacts {
     /// Simulated time, s.
-    pub(crate) duration_s: f64,
+    pub duration_s: f64,
     /// Whether two bodies may collide.
-    pub(crate) contact: bool,
+    pub contact: bool,
     /// Whether all motion is flight in closed form.
-    pub(crate) closed_form: bool,
+    pub closed_form: bool,
     /// Largest angular speed of a body, rad/s.
-    pub(crate) angular_speed: f64,
+    pub angular_speed: f64,
     /// The impact law of the scene.
-    pub(crate) impact: ImpactLaw,
+    pub impact: ImpactLaw,
 }
 
 /// Which candidates are looked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Range {
+pub enum Range {
     /// The methods, and the impact laws beside the scene's.
     MethodsAndLaws,
     /// The methods alone: who asks for an accuracy asks for it under the law of the scene.
@@ -133,7 +133,7 @@ impl Series {
 
 /// Candidates for a scene, the cheapest of each series first. Keys in `given` are set already: a method that they
 /// exclude is left out, and a setting that they fix is not stepped through.
-pub(crate) fn candidates(facts: &SceneFacts, given: &[Override], range: Range) -> Vec<Candidate> {
+pub fn candidates(facts: &SceneFacts, given: &[Override], range: Range) -> Vec<Candidate> {
     let value_of = |key: &str| given.iter().rev().find(|change| change.key == key).map(|change| change.value.as_str());
     let mut all = if facts.contact { with_contact(facts) } else { without_contact(facts) };
     if facts.contact && range == Range::MethodsAndLaws {
@@ -230,7 +230,7 @@ fn other_laws(facts: &SceneFacts) -> impl Iterator<Item = Series> {
 
 /// A candidate between two of one series, the second finer than the first: with a ladder of wide rungs, the first setting that reaches
 /// an error may be far better than needed. None where the setting is no number, or nothing lies between.
-pub(crate) fn between(coarse: &Candidate, fine: &Candidate, duration_s: f64) -> Option<Candidate> {
+pub fn between(coarse: &Candidate, fine: &Candidate, duration_s: f64) -> Option<Candidate> {
     let (first, second) = (coarse.changes.last()?, fine.changes.last()?);
     let values: [f64; 2] = [first.value.parse().ok()?, second.value.parse().ok()?];
     let mean = (values[0] * values[1]).sqrt();
@@ -249,7 +249,7 @@ pub(crate) fn between(coarse: &Candidate, fine: &Candidate, duration_s: f64) -> 
 }
 
 /// Steps that divide the duration, the coarsest first, as they are written in a scene file.
-pub(crate) fn steps(facts: &SceneFacts) -> Vec<String> {
+pub fn steps(facts: &SceneFacts) -> Vec<String> {
     let turns = facts.angular_speed * facts.duration_s / COARSEST_ANGLE;
     // What is not a number counts as no turning.
     let turns = if turns.is_nan() { 0.0 } else { turns };

@@ -6,10 +6,10 @@
 //! is a little coarser. Either way what is not known about the reference is shown, and no candidate's error below that
 //! is claimed.
 
-use super::candidate::change;
-use super::error::Scales;
-use super::ladder::SceneFacts;
-use super::source::{Completed, Source};
+use crate::candidate::change;
+use crate::difference::Scales;
+use crate::ladder::SceneFacts;
+use crate::source::{Completed, Source};
 use polhode::scene::{ImpactLaw, Integrator};
 use polhode::{Decision, Effect, Plan, Scene, Simulation};
 use polhode_scene::{Override, names};
@@ -37,7 +37,7 @@ const ROUND_OFF: f64 = f64::EPSILON;
 
 /// How the reference was found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub enum Kind {
     /// In closed form, to round-off.
     Exact,
     /// By the most accurate run.
@@ -46,7 +46,7 @@ pub(crate) enum Kind {
 
 impl Kind {
     /// The word for it.
-    pub(crate) const fn word(self) -> &'static str {
+    pub const fn word(self) -> &'static str {
         match self {
             Self::Exact => "exact",
             Self::Finest => "finest",
@@ -56,30 +56,30 @@ impl Kind {
 
 /// The solution that candidates of one model are compared with.
 #[derive(Debug)]
-pub(crate) struct Reference {
+pub struct Reference {
     /// How it was found.
-    pub(crate) kind: Kind,
+    pub kind: Kind,
     /// The settings it was found by.
-    pub(crate) method: String,
+    pub method: String,
     /// What its own error is known to stay below, about: as a candidate's error is measured.
-    pub(crate) error: f64,
+    pub error: f64,
     /// How that is known.
-    pub(crate) basis: String,
+    pub basis: String,
     /// What errors are relative to.
-    pub(crate) scales: Scales,
+    pub scales: Scales,
     /// What makes the model differ from the scene's; empty for the scene as it is.
-    pub(crate) model: Vec<Override>,
+    pub model: Vec<Override>,
     /// What decides about candidates.
-    pub(crate) facts: SceneFacts,
+    pub facts: SceneFacts,
     /// The solution.
-    pub(crate) run: Completed,
+    pub run: Completed,
 }
 
 /// Finds the reference of a model; `finest_step_s` is the smallest step of a candidate, where it is known.
 ///
 /// # Errors
 /// Why there is none, in a line.
-pub(crate) fn find(
+pub fn find(
     source: &Source<'_>,
     model: &[Override],
     samples: u32,
@@ -138,12 +138,12 @@ fn attempts(scene: &Scene, finest_step_s: Option<f64>) -> Vec<[Means; 2]> {
 }
 
 /// The interval that gives this number of samples, as a change of the scene.
-pub(crate) fn sampling(scene: &Scene, samples: u32) -> Override {
+pub fn sampling(scene: &Scene, samples: u32) -> Override {
     change("output.interval", format!("{:?}", scene.duration_s() / f64::from(samples.max(1))))
 }
 
 /// Whether the plan says that all motion is flight in closed form.
-pub(crate) fn is_closed_form(plan: &Plan, scene: &Scene) -> bool {
+pub fn is_closed_form(plan: &Plan, scene: &Scene) -> bool {
     let decided = |effect: Effect| plan.effects.iter().find(|decision| decision.effect == effect);
     let is = |effect, decision| decided(effect).is_some_and(|found| found.decision == decision);
     plan.integrator == Integrator::Exact

@@ -1,6 +1,6 @@
 //! The Pareto front: what is not beaten in both cost and error.
 
-use super::error::worst;
+use crate::difference::worst;
 
 /// An error as large as the motion, or of a radian: what is worse is no answer, however cheap.
 const NO_ANSWER: f64 = 1.0;

@@ -1,82 +1,90 @@
 //! A study: every candidate's error and cost, and which of them are worth their cost.
 
-use super::candidate::Candidate;
-use super::error::Errors;
-use super::front::{self, Point};
-use super::law::OtherLaw;
-use super::options::{Counting, Options};
-use super::reference::{self, Reference};
-use super::runs::{Compared, Difference, Runs, Solver};
-use super::source::Source;
-use super::timing::Timing;
-use super::{candidate::Axis, ladder};
-use crate::failure::Failure;
-use crate::progress::Progress;
+use crate::candidate::{Axis, Candidate};
+use crate::difference::Errors;
+use crate::error::StudyError;
+use crate::front::{self, Point};
+use crate::law::OtherLaw;
+use crate::options::{Counting, Options};
+use crate::reference::{self, Reference};
+use crate::runs::{Compared, Difference, Runs, Solver};
+use crate::source::Source;
+use crate::timing::Timing;
+use crate::{candidate, ladder};
+use polhode::Flow;
 use polhode::scene::Integrator;
 use polhode_scene::names;
 
 /// Ratios of time that are closer than this cannot be told apart from run to run (relative).
 const TIME_RESOLUTION: f64 = 0.1;
 
+/// Largest difference of two ways that agree, of the scene's length or in rad: a hundredth is seen with the naked eye.
+const AGREEMENT: f64 = 1e-2;
+
+/// Whether a run in another way that differs by this error agrees with the reference.
+pub fn confirms(error: f64) -> bool {
+    error <= AGREEMENT
+}
+
 /// What was measured.
 #[derive(Debug)]
-pub(crate) struct Study {
+pub struct Study {
     /// Name of the scene.
-    pub(crate) scene: String,
+    pub scene: String,
     /// Simulated time, s.
-    pub(crate) duration_s: f64,
+    pub duration_s: f64,
     /// What candidates were compared with: one for every model.
-    pub(crate) references: Vec<Reference>,
+    pub references: Vec<Reference>,
     /// Every candidate, also those that failed.
-    pub(crate) entries: Vec<Entry>,
+    pub entries: Vec<Entry>,
     /// The candidate whose time is the unit, when any ran.
-    pub(crate) base: Option<usize>,
+    pub base: Option<usize>,
     /// What cost is measured in.
-    pub(crate) counting: Counting,
+    pub counting: Counting,
     /// Samples that errors were taken from.
-    pub(crate) samples: u32,
+    pub samples: u32,
 }
 
 /// A candidate and what came of it.
 #[derive(Debug)]
-pub(crate) struct Entry {
+pub struct Entry {
     /// The candidate.
-    pub(crate) candidate: Candidate,
+    pub candidate: Candidate,
     /// Number of its reference.
-    pub(crate) reference: usize,
+    pub reference: usize,
     /// What was measured, or why not.
-    pub(crate) outcome: Result<Measured, String>,
+    pub outcome: Result<Measured, String>,
 }
 
 /// Error and cost of a candidate.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Measured {
+pub struct Measured {
     /// How far it is from the reference.
-    pub(crate) errors: Errors,
+    pub errors: Errors,
     /// `D_numerical`, relative.
-    pub(crate) energy_error: f64,
+    pub energy_error: f64,
     /// Steps.
-    pub(crate) steps: u64,
+    pub steps: u64,
     /// How it moved its bodies.
-    pub(crate) solver: Solver,
+    pub solver: Solver,
     /// Its law of contact, where that is not the scene's.
-    pub(super) law: Option<OtherLaw>,
+    pub law: Option<OtherLaw>,
     /// Its time.
-    pub(crate) timing: Timing,
+    pub timing: Timing,
     /// Instructions, when they were counted.
-    pub(crate) instructions: Option<u64>,
+    pub instructions: Option<u64>,
     /// Whether it is on the Pareto front.
-    pub(crate) on_front: bool,
+    pub on_front: bool,
 }
 
 impl Measured {
     /// Its cost.
-    pub(crate) fn cost(&self) -> f64 {
+    pub fn cost(&self) -> f64 {
         self.instructions.map_or(self.timing.ratio, |count| count as f64)
     }
 
     /// The costs between which half of the measurements are: instructions repeat exactly.
-    pub(crate) fn spread(&self) -> [f64; 2] {
+    pub fn spread(&self) -> [f64; 2] {
         self.instructions.map_or(self.timing.spread, |count| [count as f64; 2])
     }
 }
@@ -85,20 +93,22 @@ impl Study {
     /// Runs, times and judges the candidates of `axes`, or the default ones when there are none.
     ///
     /// # Errors
-    /// When the scene or `axes` are refused, or there is no reference to compare with.
-    pub(crate) fn run(source: &Source<'_>, axes: &[Axis], options: &Options) -> Result<Self, Failure> {
-        let scene = source.load()?.scene;
-        let mut progress = Progress::new("reading the scene");
-        let asked = super::candidate::product(axes).map_err(|fault| usage(&fault))?;
-        progress.phase("reference", 1);
+    /// When the scene, `axes` or the target are refused, there is no reference to compare with, or the host ends the study.
+    pub fn run(source: &Source<'_>, axes: &[Axis], options: &Options) -> Result<Self, StudyError> {
+        if let Some(value) = options.target.filter(|target| !(*target > 0.0 && target.is_finite())) {
+            return Err(StudyError::Accuracy { value });
+        }
+        let scene = source.loaded()?.scene;
+        let asked = candidate::product(axes).map_err(StudyError::Axis)?;
+        source.host.phase("reference", 1);
         let (mut references, candidates) = if axes.is_empty() {
-            let reference = reference::find(source, &[], options.samples, None).map_err(|fault| check(&fault))?;
+            let reference = reference::find(source, &[], options.samples, None).map_err(StudyError::NoReference)?;
             let candidates = ladder::candidates(&reference.facts, &source.given, options.range);
             (vec![reference], candidates)
         } else {
             (references(source, &asked, options.samples)?, asked)
         };
-        let mut runs = Runs::new(source, options, &progress, &candidates, references.len());
+        let mut runs = Runs::new(source, options, &candidates, references.len());
         let mut errors = runs.errors(&mut references, candidates);
         if let (Some(target), true) = (options.target, axes.is_empty()) {
             runs.refine(&mut references, &mut errors, target);
@@ -106,7 +116,10 @@ impl Study {
         let base = base(&errors);
         let timings = runs.timings(&mut errors, base);
         let counts = runs.instructions(&errors);
-        progress.clear();
+        // Runs that were ended early are no answer.
+        if source.host.flow() == Flow::Stop {
+            return Err(StudyError::Stopped);
+        }
         let entries = judged(errors, timings, counts, &references, options.counting);
         let (scene, duration_s) = (scene.name().to_owned(), scene.duration_s());
         Ok(Self { scene, duration_s, references, entries, base, counting: options.counting, samples: options.samples })
@@ -114,14 +127,28 @@ impl Study {
 
     /// The cheapest candidate that is known to be within `target` of the limit of the scene's law: what another law makes of the
     /// scene counts here.
-    pub(crate) fn cheapest(&self, target: f64) -> Option<&Entry> {
+    pub fn cheapest(&self, target: f64) -> Option<&Entry> {
         let points = points(&self.entries, &self.references, Charged::MethodAndLaw);
         front::cheapest(&points, target).and_then(|number| self.entries.get(number))
     }
 
+    /// The same, or why there is none.
+    ///
+    /// # Errors
+    /// [`StudyError::NotReached`], with the most accurate candidate.
+    pub fn answer(&self, target: f64) -> Result<&Entry, StudyError> {
+        self.cheapest(target).ok_or_else(|| {
+            let best = match self.most_accurate() {
+                Some((error, name)) => format!("the most accurate, {name}, is known to {error:.1e}"),
+                None => "none ran".to_owned(),
+            };
+            StudyError::NotReached { asked: target, best }
+        })
+    }
+
     /// The others that reach `target`, and whose cost cannot be told from that of the cheapest: within the noise of timing,
     /// or because they made the same run.
-    pub(crate) fn ties(&self, target: f64) -> Vec<&Entry> {
+    pub fn ties(&self, target: f64) -> Vec<&Entry> {
         let Some(cheapest) = self.cheapest(target) else { return Vec::new() };
         let Ok(least) = &cheapest.outcome else { return Vec::new() };
         let is_tie = |entry: &&Entry| {
@@ -134,25 +161,25 @@ impl Study {
     }
 
     /// Time of the candidate whose time is the unit, s.
-    pub(crate) fn base_seconds(&self) -> Option<f64> {
+    pub fn base_seconds(&self) -> Option<f64> {
         let entry = self.entries.get(self.base?)?;
         entry.outcome.as_ref().ok().map(|measured| measured.timing.seconds)
     }
 
     /// Microseconds that a candidate takes for each simulated second.
-    pub(crate) fn microseconds(&self, measured: &Measured) -> f64 {
+    pub fn microseconds(&self, measured: &Measured) -> f64 {
         let seconds = self.base_seconds().map_or(measured.timing.seconds, |base| base * measured.timing.ratio);
         seconds * 1e6 / self.duration_s
     }
 
     /// The largest distance (mm) and angle (degrees) of a candidate from its reference.
-    pub(crate) fn errors_in_units(&self, entry: &Entry, errors: &Errors) -> [f64; 2] {
+    pub fn errors_in_units(&self, entry: &Entry, errors: &Errors) -> [f64; 2] {
         let length_m = self.references.get(entry.reference).map_or(f64::NAN, |reference| reference.scales.length_m);
         [errors.position * length_m * 1e3, errors.attitude.to_degrees()]
     }
 
     /// The smallest error that any candidate is known to reach, with its name.
-    pub(crate) fn most_accurate(&self) -> Option<(f64, String)> {
+    pub fn most_accurate(&self) -> Option<(f64, String)> {
         let known = self.entries.iter().filter_map(|entry| {
             let error = self.known_error(entry)?;
             error.is_finite().then(|| (error, entry.candidate.name()))
@@ -161,7 +188,7 @@ impl Study {
     }
 
     /// How close to a reference a candidate comes that integrates in another way, with its name.
-    pub(crate) fn closest_other(&self, reference: usize) -> Option<(f64, String)> {
+    pub fn closest_other(&self, reference: usize) -> Option<(f64, String)> {
         let own = Solver::of(&self.references.get(reference)?.run.report.plan);
         let others = self.entries.iter().filter(|entry| entry.reference == reference).filter_map(|entry| {
             let measured = entry.outcome.as_ref().ok()?;
@@ -172,9 +199,9 @@ impl Study {
     }
 
     /// A candidate's error, or that of its reference where that is larger.
-    pub(crate) fn known_error(&self, entry: &Entry) -> Option<f64> {
+    pub fn known_error(&self, entry: &Entry) -> Option<f64> {
         let measured = entry.outcome.as_ref().ok()?;
-        Some(super::error::worst(measured.errors.headline(), self.references.get(entry.reference)?.error))
+        Some(crate::difference::worst(measured.errors.headline(), self.references.get(entry.reference)?.error))
     }
 
     /// The same with the difference of its law.
@@ -184,7 +211,7 @@ impl Study {
     }
 
     /// The laws that are not the scene's, each once, in the order of the candidates.
-    pub(super) fn other_laws(&self) -> Vec<OtherLaw> {
+    pub fn other_laws(&self) -> Vec<OtherLaw> {
         let mut laws: Vec<OtherLaw> = Vec::new();
         for law in self.entries.iter().filter_map(|entry| entry.outcome.as_ref().ok()?.law) {
             if !laws.iter().any(|known| known.law == law.law) {
@@ -195,13 +222,13 @@ impl Study {
     }
 
     /// Name of the candidate whose time is the unit.
-    pub(crate) fn base_name(&self) -> String {
+    pub fn base_name(&self) -> String {
         let entry = self.base.and_then(|base| self.entries.get(base));
         entry.map_or_else(|| "none".to_owned(), |entry| entry.candidate.name())
     }
 
     /// What the numbers of cost are.
-    pub(crate) fn cost_unit(&self) -> String {
+    pub fn cost_unit(&self) -> String {
         match self.counting {
             Counting::Time => format!("time, relative to {}", self.base_name()),
             Counting::Instructions => "instructions".to_owned(),
@@ -210,7 +237,7 @@ impl Study {
 }
 
 /// One reference for every model among the candidates, in the order in which they occur.
-fn references(source: &Source<'_>, candidates: &[Candidate], samples: u32) -> Result<Vec<Reference>, Failure> {
+fn references(source: &Source<'_>, candidates: &[Candidate], samples: u32) -> Result<Vec<Reference>, StudyError> {
     let steps = candidates.iter().filter_map(|candidate| candidate.value("method.step")?.parse::<f64>().ok());
     let finest_step_s = steps.filter(|&step| step > 0.0).min_by(f64::total_cmp);
     let mut references: Vec<Reference> = Vec::new();
@@ -218,18 +245,10 @@ fn references(source: &Source<'_>, candidates: &[Candidate], samples: u32) -> Re
         let model = candidate.model();
         if !references.iter().any(|reference| reference.model == model) {
             let found = reference::find(source, &model, samples, finest_step_s);
-            references.push(found.map_err(|fault| check(&format!("{}: {fault}", candidate.name())))?);
+            references.push(found.map_err(|fault| StudyError::NoReference(format!("{}: {fault}", candidate.name())))?);
         }
     }
     Ok(references)
-}
-
-fn usage(message: &str) -> Failure {
-    Failure::Usage(format!("error: {message}"))
-}
-
-fn check(message: &str) -> Failure {
-    Failure::Check(format!("error: {message}"))
 }
 
 /// The candidate whose time is the unit: RK4, the thesis's method, at its middle step; else the first that ran.

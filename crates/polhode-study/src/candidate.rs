@@ -6,44 +6,44 @@ use polhode_scene::Override;
 use std::fmt::Write as _;
 
 /// What errors name as the place of a value that is varied.
-const ORIGIN: &str = "command line (--vary)";
+const ORIGIN: &str = "study";
 
-/// Candidates at the most: more is a mistake in a product of `--vary`.
+/// Candidates at the most: more is a mistake in a product of axes.
 const MOST_CANDIDATES: usize = 10_000;
 
 /// One way to run the scene.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Candidate {
+pub struct Candidate {
     /// What its curve in the figure is called: its settings but for the one that is stepped through.
-    pub(crate) series: String,
+    pub series: String,
     /// The setting that is stepped through, such as `step 0.01`; may be empty.
-    pub(crate) rung: String,
+    pub rung: String,
     /// The changes to the scene.
-    pub(crate) changes: Vec<Override>,
+    pub changes: Vec<Override>,
     /// About how much longer it takes than the candidate of its series before it; `None` for one that is to be run
     /// however long it takes.
-    pub(crate) growth: Option<f64>,
+    pub growth: Option<f64>,
 }
 
 impl Candidate {
     /// Series and rung.
-    pub(crate) fn name(&self) -> String {
+    pub fn name(&self) -> String {
         format!("{} {}", self.series, self.rung).trim_end().to_owned()
     }
 
     /// The changes that make it another model of the world and not another method: they decide which reference it is
     /// compared with. An impact law is a model; all else under `method` is a means to compute it.
-    pub(crate) fn model(&self) -> Vec<Override> {
+    pub fn model(&self) -> Vec<Override> {
         self.changes.iter().filter(|change| is_model(&change.key)).cloned().collect()
     }
 
     /// The value that it gives a key.
-    pub(crate) fn value(&self, key: &str) -> Option<&str> {
+    pub fn value(&self, key: &str) -> Option<&str> {
         self.changes.iter().find(|change| change.key == key).map(|change| change.value.as_str())
     }
 
     /// The lines of a scene file that select it: a table `[method]`, and `--set` for what stands elsewhere.
-    pub(crate) fn toml(&self) -> String {
+    pub fn toml(&self) -> String {
         let mut text = "[method]\n".to_owned();
         let mut elsewhere = String::new();
         for Override { key, value, .. } in &self.changes {
@@ -68,13 +68,13 @@ fn toml_value(value: &str) -> String {
 }
 
 /// A change that a candidate makes.
-pub(crate) fn change(key: &str, value: impl Into<String>) -> Override {
+pub fn change(key: &str, value: impl Into<String>) -> Override {
     Override::new(ORIGIN, key, value)
 }
 
 /// A key and the values it takes.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Axis {
+pub struct Axis {
     key: String,
     values: Vec<String>,
 }
@@ -84,12 +84,12 @@ impl Axis {
     ///
     /// # Errors
     /// When there is no `=`, the key is empty or a value is.
-    pub(crate) fn parse(text: &str) -> Result<Self, String> {
+    pub fn parse(text: &str) -> Result<Self, String> {
         let form = "KEY=VALUE,VALUE,... such as method.step=0.1,0.01";
-        let whole = Override::parse(ORIGIN, text).ok_or_else(|| format!("--vary {text}: not of the form {form}"))?;
+        let whole = Override::parse(ORIGIN, text).ok_or_else(|| format!("{text}: not of the form {form}"))?;
         let values = split(&whole.value);
         if whole.key.is_empty() || values.iter().any(String::is_empty) {
-            return Err(format!("--vary {text}: a key or a value is empty; the form is {form}"));
+            return Err(format!("{text}: a key or a value is empty; the form is {form}"));
         }
         Ok(Self { key: whole.key, values })
     }
@@ -128,15 +128,15 @@ fn split(text: &str) -> Vec<String> {
 ///
 /// # Errors
 /// When a key is given twice or the combinations are too many.
-pub(crate) fn product(axes: &[Axis]) -> Result<Vec<Candidate>, String> {
+pub fn product(axes: &[Axis]) -> Result<Vec<Candidate>, String> {
     for (number, axis) in axes.iter().enumerate() {
         if axes[..number].iter().any(|other| other.key == axis.key) {
-            return Err(format!("--vary {}: the key is varied twice", axis.key));
+            return Err(format!("{}: the key is varied twice", axis.key));
         }
     }
     let count = axes.iter().try_fold(1_usize, |count, axis| count.checked_mul(axis.values.len()));
     let Some(count) = count.filter(|&count| count <= MOST_CANDIDATES) else {
-        return Err(format!("--vary: more than {MOST_CANDIDATES} combinations"));
+        return Err(format!("more than {MOST_CANDIDATES} combinations"));
     };
     let stepped = axes.iter().rposition(Axis::is_numeric);
     // The stepped axis runs fastest, so that a series stands together.
@@ -174,7 +174,7 @@ fn combination(axes: &[Axis], chosen: &[usize], stepped: Option<usize>) -> Candi
 
 #[cfg(test)]
 mod tests {
-    //! `--vary` gives every combination, and a candidate says how to ask for it.
+    //! Axes give every combination, and a candidate says how to ask for it.
     #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
     use super::*;
 

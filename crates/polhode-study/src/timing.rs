@@ -4,19 +4,19 @@
 //! ratio to a candidate of the same round repeats where seconds do not. What is left is the noise of timing: it is
 //! given as the range that holds the middle half of a candidate's ratios.
 
-use super::source::Source;
-use polhode::{Scene, Unobserved};
+use crate::source::Source;
+use polhode::Scene;
 use std::time::Duration;
 
 /// How long timing goes on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Effort {
+pub struct Effort {
     /// Rounds of every candidate at the least.
-    pub(crate) fewest_rounds: usize,
+    pub fewest_rounds: usize,
     /// Rounds of a candidate at the most.
-    pub(crate) most_rounds: usize,
+    pub most_rounds: usize,
     /// Once a candidate has run for this long, s, its rounds may end.
-    pub(crate) enough_s: f64,
+    pub enough_s: f64,
 }
 
 /// Rounds from which on the spread of the ratios says how noisy they are.
@@ -28,26 +28,19 @@ const UNMEASURED_NOISE: f64 = 0.1;
 
 /// What a candidate takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Timing {
+pub struct Timing {
     /// Of the time of the base candidate: median over the rounds.
-    pub(crate) ratio: f64,
+    pub ratio: f64,
     /// The ratios between which the middle half of the rounds is; 10 % each way where there are fewer than three.
-    pub(crate) spread: [f64; 2],
+    pub spread: [f64; 2],
     /// Median, s.
-    pub(crate) seconds: f64,
+    pub seconds: f64,
     /// Rounds.
-    pub(crate) rounds: usize,
+    pub rounds: usize,
 }
 
-/// Times the scenes in rounds; one that fails has the reason instead. `base` is what ratios are relative to, and
-/// `advance` is told of every run.
-pub(crate) fn interleaved(
-    source: &Source<'_>,
-    scenes: &[Scene],
-    base: usize,
-    effort: Effort,
-    mut advance: impl FnMut(),
-) -> Vec<Result<Timing, String>> {
+/// Times the scenes in rounds; one that fails has the reason instead. `base` is what ratios are relative to.
+pub fn interleaved(source: &Source<'_>, scenes: &[Scene], base: usize, effort: Effort) -> Vec<Result<Timing, String>> {
     let mut taken: Vec<Result<Vec<f64>, String>> = vec![Ok(Vec::new()); scenes.len()];
     for round in 0..effort.most_rounds {
         let going: Vec<bool> = taken.iter().map(|times| goes_on(times, round, effort)).collect();
@@ -57,11 +50,11 @@ pub(crate) fn interleaved(
         for (number, scene) in scenes.iter().enumerate() {
             // The base runs in every round: ratios need it.
             if let (true, Ok(times)) = (going[number] || number == base, &mut taken[number]) {
-                match source.run(scene, &mut Unobserved) {
+                match source.run(scene) {
                     Ok((_, took)) => times.push(seconds(took)),
                     Err(reason) => taken[number] = Err(reason),
                 }
-                advance();
+                source.host.part_done();
             }
         }
     }
@@ -105,7 +98,7 @@ fn spread(ratios: &[f64], median: f64) -> [f64; 2] {
 }
 
 /// The middle of the sorted numbers; the mean of the two middle ones of an even count.
-pub(crate) fn median(numbers: &[f64]) -> Option<f64> {
+pub fn median(numbers: &[f64]) -> Option<f64> {
     let mut sorted = numbers.to_vec();
     sorted.sort_by(f64::total_cmp);
     let upper = *sorted.get(sorted.len() / 2)?;

@@ -14,57 +14,57 @@ use polhode::{BodySample, Recorder, RunReport, Scene};
 
 /// What errors are relative to.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Scales {
+pub struct Scales {
     /// The scene's length, m.
-    pub(crate) length_m: f64,
+    pub length_m: f64,
     /// What that is.
-    pub(crate) length_is: &'static str,
+    pub length_is: &'static str,
     /// The largest speed, m/s: of a centre of mass, or of a point at a body's radius of gyration.
-    pub(crate) speed_m_s: f64,
+    pub speed_m_s: f64,
     /// Largest angular speed, rad/s.
-    pub(crate) angular_speed: f64,
+    pub angular_speed: f64,
     /// Largest angle that a body turns through, rad: its angular speed over the whole run.
-    pub(crate) angle: f64,
+    pub angle: f64,
     /// Radius of gyration of every body, m; `None` for those that never move.
     sizes: Vec<Option<f64>>,
 }
 
 /// How far a run is from the reference.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Errors {
+pub struct Errors {
     /// Of positions over the whole run, relative.
-    pub(crate) position: f64,
+    pub position: f64,
     /// Of attitudes over the whole run, rad.
-    pub(crate) attitude: f64,
+    pub attitude: f64,
     /// Of positions at the end, relative.
-    pub(crate) final_position: f64,
+    pub final_position: f64,
     /// Of attitudes at the end, rad.
-    pub(crate) final_attitude: f64,
+    pub final_attitude: f64,
     /// Of velocities at the end, relative.
-    pub(crate) final_velocity: f64,
+    pub final_velocity: f64,
 }
 
 impl Errors {
     /// The number that a candidate is judged by; NaN when one of the two is.
-    pub(crate) fn headline(&self) -> f64 {
+    pub fn headline(&self) -> f64 {
         worst(self.position, self.attitude)
     }
 }
 
 /// The larger of two; NaN when one is.
-pub(crate) fn worst(a: f64, b: f64) -> f64 {
+pub fn worst(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }
 
 /// `D_numerical`, relative to the largest energy of the run.
-pub(crate) fn energy_error(report: &RunReport) -> f64 {
+pub fn energy_error(report: &RunReport) -> f64 {
     let lost = report.ledger.numerical.value().abs();
     if lost == 0.0 { 0.0 } else { lost / report.ledger.scale_j }
 }
 
 impl Scales {
     /// Of a scene, from its reference trajectory.
-    pub(crate) fn of(scene: &Scene, reference: &Recorder) -> Self {
+    pub fn of(scene: &Scene, reference: &Recorder) -> Self {
         let sizes: Vec<_> = scene.bodies().iter().map(radius_of_gyration).collect();
         let size = sizes.iter().flatten().copied().fold(0.0, f64::max);
         let (mut travelled, mut speed_m_s, mut angular_speed) = (0.0_f64, 0.0_f64, 0.0_f64);
@@ -94,7 +94,7 @@ impl Scales {
     ///
     /// # Errors
     /// When the two are not about the same bodies at the same times.
-    pub(crate) fn errors(&self, reference: &Recorder, run: &Recorder) -> Result<Errors, String> {
+    pub fn errors(&self, reference: &Recorder, run: &Recorder) -> Result<Errors, String> {
         if reference.times_s != run.times_s {
             let (a, b) = (reference.times_s.len(), run.times_s.len());
             return Err(format!("its {b} samples are not at the times of the reference's {a}"));

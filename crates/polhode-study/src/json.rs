@@ -1,13 +1,13 @@
 //! Everything as one JSON object.
 
-use super::options::Counting;
-use super::reference::Reference;
-use super::study::{Entry, Study};
+use crate::options::Counting;
+use crate::reference::Reference;
+use crate::study::{Entry, Study};
 use polhode_scene::Override;
 use serde_json::{Map, Value, json};
 
 /// The study, and which candidate reaches the target when one is asked for.
-pub(super) fn value(study: &Study, target: Option<f64>) -> Value {
+pub fn value(study: &Study, target: Option<f64>) -> Value {
     let counting = match study.counting {
         Counting::Time => "time_ratio",
         Counting::Instructions => "instructions",
@@ -40,7 +40,7 @@ fn reference(study: &Study, number: usize) -> Value {
         "model": changes(&reference.model),
         "error": reference.error,
         "basis": reference.basis,
-        "confirmed": closest.as_ref().filter(|(error, _)| super::text::confirms(*error)).map(told),
+        "confirmed": closest.as_ref().filter(|(error, _)| crate::study::confirms(*error)).map(told),
         "closest_other": closest.as_ref().map(told),
         "length_m": reference.scales.length_m,
         "length_is": reference.scales.length_is,

@@ -3,26 +3,26 @@
 //! A method is judged by the limit of its own law. How far that limit is from the limit of the scene's law is no error of the
 //! method, and is told beside.
 
-use super::candidate::change;
+use crate::candidate::change;
 use polhode::Plan;
 use polhode::scene::{ImpactLaw, Response};
 use polhode_scene::{Override, names};
 
 /// What decides how bodies meet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Law {
+pub struct Law {
     impact: ImpactLaw,
     response: Response,
 }
 
 impl Law {
     /// From the plan that a run followed.
-    pub(super) const fn of(plan: &Plan) -> Self {
+    pub const fn of(plan: &Plan) -> Self {
         Self { impact: plan.impact, response: plan.response }
     }
 
     /// Its name: the impact law, or what takes the place of impacts.
-    pub(super) const fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self.response {
             Response::Constraint => names::impact(self.impact),
             response => response.name(),
@@ -30,16 +30,16 @@ impl Law {
     }
 
     /// What makes the most accurate tier compute its limit; none where only the methods of this law can.
-    pub(super) fn model(self) -> Option<Override> {
+    pub fn model(self) -> Option<Override> {
         (self.response == Response::Constraint).then(|| change("method.impact", names::impact(self.impact)))
     }
 }
 
 /// A law that is not the scene's.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct OtherLaw {
+pub struct OtherLaw {
     /// Which.
-    pub(super) law: Law,
+    pub law: Law,
     /// How far its limit is from that of the scene's law, as an error is measured.
-    pub(super) difference: f64,
+    pub difference: f64,
 }

@@ -1,15 +1,13 @@
 //! The runs of a study: errors once for every candidate, times in rounds, instructions when they are asked for.
 
-use super::candidate::Candidate;
-use super::error::{Errors, energy_error};
-use super::instructions;
-use super::ladder;
-use super::law::{Law, OtherLaw};
-use super::options::{Counting, Options};
-use super::reference::{self, Reference};
-use super::source::{Completed, Source};
-use super::timing::{self, Effort, Timing};
-use crate::progress::Progress;
+use crate::candidate::Candidate;
+use crate::difference::{Errors, energy_error};
+use crate::ladder;
+use crate::law::{Law, OtherLaw};
+use crate::options::{Counting, Options};
+use crate::reference::{self, Reference};
+use crate::source::{Completed, Source};
+use crate::timing::{self, Effort, Timing};
 use polhode::scene::Integrator;
 use polhode::{Decision, Effect, EffectDecision, Plan, Scene};
 use polhode_scene::Override;
@@ -23,50 +21,50 @@ const SHARE_OF_ROUNDS: f64 = 0.5;
 
 /// How a run moves its bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Solver {
+pub struct Solver {
     /// The integrator.
-    pub(super) integrator: Integrator,
+    pub integrator: Integrator,
     /// Whether bodies fly in closed form where they can, or a closed form is a part of the method.
-    pub(super) closed_form: bool,
+    pub closed_form: bool,
 }
 
 impl Solver {
     /// From the plan that was followed.
-    pub(super) fn of(plan: &Plan) -> Self {
+    pub fn of(plan: &Plan) -> Self {
         let flies = |found: &EffectDecision| (found.effect, found.decision) == (Effect::BallisticFlight, Decision::On);
         let is_closed = plan.integrator.is_exact_without_loads();
         Self { integrator: plan.integrator, closed_form: is_closed || plan.effects.iter().any(flies) }
     }
 
     /// Whether two share what an error of either could come from.
-    pub(super) fn is_alike(self, other: Self) -> bool {
+    pub fn is_alike(self, other: Self) -> bool {
         self.integrator == other.integrator || (self.closed_form && other.closed_form)
     }
 }
 
 /// A candidate whose error is known, or why it is not.
-pub(super) struct Compared {
+pub(crate) struct Compared {
     /// The candidate.
-    pub(super) candidate: Candidate,
+    pub(crate) candidate: Candidate,
     /// Number of its reference.
-    pub(super) reference: usize,
+    pub(crate) reference: usize,
     /// The difference, or why there is none.
-    pub(super) outcome: Result<Difference, String>,
+    pub(crate) outcome: Result<Difference, String>,
 }
 
 /// How a run differs from its reference.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Difference {
+pub(crate) struct Difference {
     /// From the reference.
-    pub(super) errors: Errors,
+    pub(crate) errors: Errors,
     /// `D_numerical`, relative.
-    pub(super) energy_error: f64,
+    pub(crate) energy_error: f64,
     /// Steps.
-    pub(super) steps: u64,
+    pub(crate) steps: u64,
     /// How it moved its bodies.
-    pub(super) solver: Solver,
+    pub(crate) solver: Solver,
     /// Its law of contact, where that is not the scene's.
-    pub(super) law: Option<OtherLaw>,
+    pub(crate) law: Option<OtherLaw>,
 }
 
 /// A run of a law of which only methods of its own know the limit.
@@ -77,10 +75,9 @@ struct OfOwnLaw {
 }
 
 /// The runs of a study.
-pub(super) struct Runs<'a> {
+pub(crate) struct Runs<'a> {
     source: &'a Source<'a>,
     options: &'a Options,
-    progress: &'a Progress,
     spent: Spent,
     /// Number of the references that were asked for; those after them are of laws that methods turned out to have.
     asked: usize,
@@ -88,19 +85,13 @@ pub(super) struct Runs<'a> {
 
 impl<'a> Runs<'a> {
     /// Nothing run yet.
-    pub(super) fn new(
-        source: &'a Source<'a>,
-        options: &'a Options,
-        progress: &'a Progress,
-        candidates: &[Candidate],
-        asked: usize,
-    ) -> Self {
-        Self { source, options, progress, spent: Spent::new(candidates, options.budget_s), asked }
+    pub(crate) fn new(source: &'a Source<'a>, options: &'a Options, candidates: &[Candidate], asked: usize) -> Self {
+        Self { source, options, spent: Spent::new(candidates, options.budget_s), asked }
     }
 
     /// Runs every candidate once and compares it with the reference of its law, which is added where there is none yet.
-    pub(super) fn errors(&mut self, references: &mut Vec<Reference>, candidates: Vec<Candidate>) -> Vec<Compared> {
-        self.progress.phase("errors", candidates.len());
+    pub(crate) fn errors(&mut self, references: &mut Vec<Reference>, candidates: Vec<Candidate>) -> Vec<Compared> {
+        self.source.host.phase("errors", candidates.len());
         let mut compared = Vec::with_capacity(candidates.len());
         let mut of_own_law = Vec::new();
         for (number, candidate) in candidates.into_iter().enumerate() {
@@ -123,7 +114,7 @@ impl<'a> Runs<'a> {
                 Err(reason) => (reference, Err(reason)),
             };
             compared.push(Compared { candidate, reference, outcome });
-            self.progress.part_done();
+            self.source.host.part_done();
         }
         judge_by_own_finest(references, &mut compared, of_own_law);
         compared
@@ -131,7 +122,7 @@ impl<'a> Runs<'a> {
 
     /// Adds, to every series that one rung brings to `target` and the rung before does not, the setting between the two, while the time
     /// of the series allows it. A law of its own keeps its rungs: the finest of them is its reference.
-    pub(super) fn refine(&mut self, references: &mut Vec<Reference>, compared: &mut Vec<Compared>, target: f64) {
+    pub(crate) fn refine(&mut self, references: &mut Vec<Reference>, compared: &mut Vec<Compared>, target: f64) {
         let mut added = Vec::new();
         for (place, pair) in compared.windows(2).enumerate() {
             let [Ok(coarse), Ok(fine)] = [&pair[0].outcome, &pair[1].outcome] else { continue };
@@ -189,7 +180,7 @@ impl<'a> Runs<'a> {
     }
 
     /// Times the candidates that ran; one that now fails loses its errors.
-    pub(super) fn timings(&self, compared: &mut [Compared], base: Option<usize>) -> Vec<Option<Timing>> {
+    pub(crate) fn timings(&self, compared: &mut [Compared], base: Option<usize>) -> Vec<Option<Timing>> {
         let mut timings = vec![None; compared.len()];
         let (mut numbers, mut scenes) = (Vec::new(), Vec::new());
         for (number, entry) in compared.iter_mut().enumerate().filter(|(_, entry)| entry.outcome.is_ok()) {
@@ -204,8 +195,8 @@ impl<'a> Runs<'a> {
         let base = numbers.iter().position(|&number| Some(number) == base).unwrap_or(0);
         let enough_s = SHARE_OF_ROUNDS * self.options.budget_s / scenes.len().max(1) as f64;
         let effort = Effort { enough_s: self.options.effort.enough_s.min(enough_s), ..self.options.effort };
-        self.progress.phase("timing", scenes.len() * effort.most_rounds);
-        let timed = timing::interleaved(self.source, &scenes, base, effort, || self.progress.part_done());
+        self.source.host.phase("timing", scenes.len() * effort.most_rounds);
+        let timed = timing::interleaved(self.source, &scenes, base, effort);
         for (number, timing) in numbers.into_iter().zip(timed) {
             match timing {
                 Ok(timing) => timings[number] = Some(timing),
@@ -216,16 +207,16 @@ impl<'a> Runs<'a> {
     }
 
     /// Counts instructions of the candidates that ran, when they are asked for.
-    pub(super) fn instructions(&self, compared: &[Compared]) -> Vec<Option<Result<u64, String>>> {
+    pub(crate) fn instructions(&self, compared: &[Compared]) -> Vec<Option<Result<u64, String>>> {
         if self.options.counting == Counting::Time {
             return vec![None; compared.len()];
         }
-        self.progress.phase("instructions", compared.len());
+        self.source.host.phase("instructions", compared.len());
         let count = |entry: &Compared| {
-            self.progress.part_done();
+            self.source.host.part_done();
             entry.outcome.is_ok().then(|| {
                 let sampling: Override = reference::sampling(&self.source.scene(&entry.candidate.changes)?, 1);
-                instructions::count(self.source, &entry.candidate, &sampling)
+                self.source.host.instructions(&entry.candidate, &sampling)
             })
         };
         compared.iter().map(count).collect()
@@ -310,7 +301,9 @@ impl Spent {
         }
         // What comes after it takes longer still.
         *took_s = expected_s;
-        Err(format!("left out: about {expected_s:.1} s a run; a larger --budget, or --vary, includes it"))
+        Err(format!(
+            "left out: about {expected_s:.1} s a run; a larger budget, or a list of values to vary, includes it"
+        ))
     }
 
     /// How long a candidate may run: the first of a series, and one that is asked for, to its end.

@@ -1,0 +1,54 @@
+//! Studies of a scene: the same motion by many methods and steps, each with its error and its cost.
+//!
+//! A scene is run by many candidates, each a change of its settings. The error of a candidate is its distance from the
+//! exact solution, or from the finest one where there is none; its cost is time as a ratio, measured in interleaved
+//! rounds, or instructions. Both are told with what is known about them: no error below that of the reference itself
+//! is claimed, and a candidate that is refused or fails is listed with its reason.
+//!
+//! Time is a cost, so that this crate reads a clock, which the crates of the simulation do not.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`candidate`] | a candidate; combinations of what is varied |
+//! | [`ladder`] | the candidates when none are asked for |
+//! | [`options`] | what is asked of a study |
+//! | [`host`] | what the program that asks does for a study |
+//! | [`source`] | the scene, loaded with changes and run |
+//! | [`reference`] | the exact or the finest solution, and how well it is known |
+//! | [`difference`] | how far a run is from the reference |
+//! | [`law`] | the law of contact of a method, which is no part of its error |
+//! | [`timing`] | what a run costs |
+//! | `front` | the Pareto front, and the cheapest that reaches a target |
+//! | `runs` | all runs of a study |
+//! | [`study`] | all of it together |
+//! | [`json`] | the same as one JSON object |
+//! | [`error`] | [`StudyError`] |
+
+pub mod candidate;
+pub mod difference;
+pub mod error;
+pub mod host;
+pub mod json;
+pub mod ladder;
+pub mod law;
+pub mod options;
+pub mod reference;
+pub mod source;
+pub mod study;
+pub mod timing;
+
+mod front;
+mod runs;
+
+pub use candidate::{Axis, Candidate};
+pub use error::StudyError;
+pub use host::{Alone, Host};
+pub use options::{Counting, Options};
+pub use runs::Solver;
+pub use source::Source;
+pub use study::Study;
+
+// The program in the README is compiled and run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
