@@ -92,6 +92,11 @@ pub(crate) fn snapshot(py: Python<'_>, error: &SnapshotError) -> PyErr {
     plain(py, "SnapshotError", &error.to_string())
 }
 
+/// An accuracy that no method reaches.
+pub(crate) fn not_reached(py: Python<'_>, message: &str, asked: f64) -> PyErr {
+    made(py, "NotReached", message, |kept| kept.set_item("asked", asked))
+}
+
 /// A name that nothing bears.
 pub(crate) fn unknown_name(py: Python<'_>, kind: &str, name: &str, known: &[&str]) -> PyErr {
     made(py, "UnknownName", name, |kept| {

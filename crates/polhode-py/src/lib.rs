@@ -5,7 +5,9 @@
 //! | `loaded` | a scene that has been read |
 //! | `recorder` | the observer that keeps what a run tells, in columns |
 //! | `recording` | the columns as arrays of numpy, without a copy |
-//! | `run` | a run in a thread of its own, which Ctrl-C ends |
+//! | `run` | a run from its start to its end |
+//! | `study` | which method reaches an accuracy, and what accuracy costs |
+//! | `worker` | work in a thread of its own, which Ctrl-C ends |
 //! | `simulation` | a simulation in the hand |
 //! | `actions` | what a program does to its bodies and joints |
 //! | `views` | what a simulation tells of the present |
@@ -24,7 +26,9 @@ mod recorder;
 mod recording;
 mod run;
 mod simulation;
+mod study;
 mod views;
+mod worker;
 
 /// What the package is made from; its public part is `polhode`.
 #[pyo3::pymodule(gil_used = false)]
@@ -41,6 +45,8 @@ mod _polhode {
     use super::run::run;
     #[pymodule_export]
     use super::simulation::{Simulation, Snapshot};
+    #[pymodule_export]
+    use super::study::study;
     #[pymodule_export]
     use super::views::{BodyState, Contact, Coordinate, Energy, Finding, JointLoad, StepOutcome};
 

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 /// Where a scene comes from: it can be read again.
 #[derive(Debug, Clone)]
-enum Source {
+pub(crate) enum Source {
     File(PathBuf),
     Text { origin: String, text: String },
 }
@@ -74,6 +74,11 @@ impl Loaded {
 }
 
 impl Loaded {
+    /// What reads the scene again, with other changes, and the changes that it has.
+    pub(crate) fn reader(&self) -> (Source, Vec<Override>) {
+        (self.source.clone(), self.changes.clone())
+    }
+
     fn read(py: Python<'_>, source: Source, changes: Vec<Change>) -> PyResult<Self> {
         let changes: Vec<Override> =
             changes.into_iter().map(|(origin, key, value)| Override::new(origin, key, value)).collect();
@@ -83,7 +88,8 @@ impl Loaded {
 }
 
 impl Source {
-    fn load(&self, changes: &[Override]) -> Result<LoadedScene, SceneFileError> {
+    /// The scene with these changes.
+    pub(crate) fn load(&self, changes: &[Override]) -> Result<LoadedScene, SceneFileError> {
         match self {
             Self::File(path) => load_with(path, changes),
             Self::Text { origin, text } => load_text(origin, text, changes),

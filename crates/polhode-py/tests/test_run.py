@@ -233,3 +233,45 @@ def test_optional_tables():
     pandas = pytest.importorskip("pandas")
     table = ph.run(drop()).to_pandas()
     assert isinstance(table, pandas.DataFrame) and table["brick"]["pz"].iloc[0] == 1.0
+
+
+NUT = {"name": "nut", "mass": 1.0, "inertia": [1, 2, 3], "angular_velocity": [0.1, 9, 0]}
+
+
+def test_an_accuracy_is_reached_by_the_cheapest_method() -> None:
+    """The run differs from the exact rotation by no more than was asked for, and says by which method."""
+    scene = {"format": 1, "duration": 1.0, "bodies": [NUT]}
+    for asked in (1e-3, 1e-9):
+        run = ph.run(scene, accuracy=asked)
+        exact = ph.rotate_free([1, 2, 3], [0.1, 9, 0], run.t)
+        aligned = np.abs(np.sum(exact * run["nut"].orientation, axis=1)).clip(max=1.0)
+        assert np.all(2.0 * np.arccos(aligned) <= max(asked, 1e-7)), "an arc of cosine is known to 1e-8"
+        assert run.accuracy is not None and run.accuracy.asked == asked
+        assert run.error == run.accuracy.error <= asked
+        assert run.accuracy.settings and run.accuracy.method
+
+
+def test_an_accuracy_that_no_method_reaches_is_told() -> None:
+    with pytest.raises(ph.NotReached, match="known to") as told:
+        ph.run({"format": 1, "duration": 1.0, "bodies": [NUT]}, accuracy=1e-25)
+    assert told.value.asked == 1e-25 and told.value.cure
+
+
+@pytest.mark.parametrize("accuracy", [0.0, -1.0, float("nan"), float("inf")])
+def test_an_accuracy_is_a_positive_number(accuracy: float) -> None:
+    with pytest.raises(ValueError, match="positive number"):
+        ph.run({"format": 1, "duration": 1.0, "bodies": [NUT]}, accuracy=accuracy)
+
+
+def test_what_accuracy_costs() -> None:
+    """Of a method of fourth order half the step is a sixteenth of the error."""
+    scene = {"format": 1, "duration": 1.0, "bodies": [NUT]}
+    steps = [0.02, 0.01]
+    cost = ph.cost(scene, vary={"method.step": steps}, set={"method.integrator": "rk4"})
+    assert [entry.settings["method.step"] for entry in cost] == ["0.02", "0.01"]
+    assert 14 < cost[0].error / cost[1].error < 18 and all(entry.time > 0 for entry in cost)
+    assert cost.references[0]["kind"] == "exact" and cost.front
+    with pytest.raises(TypeError, match="list of values"):
+        ph.cost(scene, vary={"method.step": "0.1"})
+    with pytest.raises(ValueError, match="a value is empty"):
+        ph.cost(scene, vary={"method.step": []})

@@ -23,7 +23,14 @@ pub fn value(study: &Study, target: Option<f64>) -> Value {
     });
     if let Some(target) = target {
         let cheapest = study.cheapest(target);
-        let found = cheapest.map(|entry| json!({ "name": entry.candidate.name(), "toml": entry.candidate.toml() }));
+        let found = cheapest.map(|entry| {
+            json!({
+                "name": entry.candidate.name(),
+                "toml": entry.candidate.toml(),
+                "changes": changes(&entry.candidate.changes),
+                "known_error": study.known_error(entry),
+            })
+        });
         let ties: Vec<String> = study.ties(target).iter().map(|entry| entry.candidate.name()).collect();
         value["target"] = json!({ "error": target, "cheapest": found, "ties": ties });
     }

@@ -14,12 +14,14 @@ SI units; z is up; quaternions are w, x, y, z and turn body to world.
 
 from typing import TYPE_CHECKING, Any
 
+from ._cost import Accuracy, Candidate, Cost, cost
 from ._distributions import Choice, Distribution, LogNormal, Normal, Uniform
 from ._errors import (
     ActionError,
     Busy,
     Interrupted,
     NotKept,
+    NotReached,
     Place,
     PolhodeError,
     SceneError,
@@ -54,12 +56,14 @@ def __getattr__(name: str) -> Any:
 
 
 __all__ = [
+    "Accuracy",
     "ActionError",
     "Ball",
     "Body",
     "BodyState",
     "Box",
     "Busy",
+    "Candidate",
     "Capsule",
     "Choice",
     "Compound",
@@ -67,6 +71,7 @@ __all__ = [
     "Contact",
     "Convex",
     "Coordinate",
+    "Cost",
     "Cylinder",
     "Cylindrical",
     "Distribution",
@@ -87,6 +92,7 @@ __all__ = [
     "Mesh",
     "Normal",
     "NotKept",
+    "NotReached",
     "Place",
     "Planar",
     "Points",
@@ -116,6 +122,7 @@ __all__ = [
     "UnknownName",
     "__version__",
     "boxes",
+    "cost",
     "doctor",
     "mass_properties",
     "rotate_free",

@@ -81,6 +81,16 @@ class UnknownName(PolhodeError, KeyError):
         return f"no {self.kind} is named {self.name!r}: {meant}there are: {shown or 'none'}"
 
 
+class NotReached(PolhodeError):
+    """No method reaches the accuracy ``asked``; the message says how accurate the most accurate one is."""
+
+    cure = "ask for less, or let ph.cost vary steps and tolerances"
+
+    def __init__(self, message: str, asked: float = 0.0) -> None:
+        super().__init__(f"{message}: {self.cure}")
+        self.asked = asked
+
+
 class NotKept(PolhodeError):
     """A run has not kept what its method promises.
 

@@ -26,6 +26,7 @@ __all__ = [
     "mesh_report",
     "rotate_free",
     "run",
+    "study",
 ]
 
 __version__: str
@@ -84,6 +85,15 @@ def mesh_report(
     vertices: ArrayLike, triangles: ArrayLike, mass: float | None, density: float | None, is_hollow: bool
 ) -> str: ...
 def run(loaded: Loaded, all_effects: bool, joints: bool) -> Recording: ...
+def study(
+    loaded: Loaded,
+    all_effects: bool,
+    accuracy: float | None = None,
+    vary: Sequence[str] = ...,
+    budget_s: float | None = None,
+) -> str:
+    """The study of a scene as JSON, as ``polhode cost --json`` prints it."""
+
 
 @final
 class BodyState:

@@ -8,6 +8,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any, Iterator
 
 from . import _polhode
+from ._cost import Accuracy, all_effects, reached
 from ._errors import Interrupted, NotKept, SimulationError, UnknownName
 from ._scene import load
 
@@ -29,6 +30,7 @@ def run(
     *,
     duration: float | None = None,
     tier: str | None = None,
+    accuracy: float | None = None,
     step: float | None = None,
     interval: float | None = None,
     set: Mapping[str, Any] | None = None,
@@ -39,7 +41,8 @@ def run(
 
     ``scene`` is the path of a scene file or a robot, a dictionary with the keys of a scene file, or a :class:`polhode.Scene`.
     ``duration`` and ``interval`` (between samples) are in s; ``tier`` is a set of methods with one promise (``"accurate"``,
-    ``"stepped"``, ``"fast"`` ...), which the plan chooses when absent; ``step`` is in s; ``set`` changes any key, as in
+    ``"stepped"``, ``"fast"`` ...), which the plan chooses when absent; ``accuracy`` is the largest error that is accepted (of positions
+    relative to the length of the scene, and in rad), for which the cheapest method is searched, in some ten seconds; ``step`` is in s; ``set`` changes any key, as in
     ``set={"materials.ice.friction": 0.1}``. ``effects="all"`` leaves nothing out. Without ``joints`` the loads of joints, which cost
     a solve at each sample, are not computed.
 
@@ -53,11 +56,13 @@ def run(
     >>> float(run["ball"].position[-1, 2].round(9))    # m: g t - g t^2 / 2
     4.905
     """
-    if effects not in ("planned", "all"):
-        raise ValueError(f'effects={effects!r}: "planned" or "all" is needed')
     loaded = load(scene, {"duration": duration, "tier": tier, "step": step, "interval": interval, "set": set})
-    recording = _polhode.run(loaded, effects == "all", joints)
-    done = Run(loaded, recording)
+    everything = all_effects(effects)
+    chosen: Accuracy | None = None
+    if accuracy is not None:
+        loaded, chosen = reached(loaded, accuracy, everything)
+    recording = _polhode.run(loaded, everything, joints)
+    done = Run(loaded, recording, chosen)
     if recording.failure is not None:
         if isinstance(recording.failure, (SimulationError, Interrupted)):
             recording.failure.run = done
@@ -216,9 +221,13 @@ class Run(Mapping[str, Track]):
     >>> run.check()
     """
 
-    def __init__(self, loaded: _polhode.Loaded, recording: _polhode.Recording) -> None:
+    def __init__(
+        self, loaded: _polhode.Loaded, recording: _polhode.Recording, accuracy: Accuracy | None = None
+    ) -> None:
         self._loaded = loaded
         self._recording = recording
+        #: How the run reaches the accuracy that was asked for; none where none was.
+        self.accuracy = accuracy
 
     @property
     def name(self) -> str:
@@ -311,7 +320,10 @@ class Run(Mapping[str, Track]):
 
     @property
     def error(self) -> float | None:
-        """Estimated error of the run relative to the size of a body; none where the method has no estimate."""
+        """Error of the run: as :class:`polhode.Accuracy` has it where an accuracy was asked for; else estimated, relative to the size of
+        a body, and none where the method has no estimate."""
+        if self.accuracy is not None:
+            return self.accuracy.error
         error = self.certificate.get("estimated_error")
         return None if error is None else float(error)
 
