@@ -28,6 +28,9 @@ const EXIT_CODES: &str = "Exit codes: 0 fine; 1 a check failed, or the run diver
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    /// Plays a pile that stands beside one that falls, and says what to do next
+    #[command(after_help = help::DEMO)]
+    Demo(DemoArgs),
     /// Simulates a scene and reports energies, ledger and certificate
     #[command(after_help = help::RUN)]
     Run(RunArgs),
@@ -299,8 +302,22 @@ pub(crate) struct ViewArgs {
     /// What the camera looks at, m: --look-at 0,0,0.5 [default: the middle of what moves]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub(crate) look_at: Option<String>,
+    /// Opens what was written: a page, which then plays at once, by the browser
+    #[arg(long)]
+    pub(crate) open: bool,
     #[command(flatten)]
     pub(crate) changes: ChangeArgs,
+}
+
+/// Arguments of `demo`.
+#[derive(Debug, Args)]
+pub(crate) struct DemoArgs {
+    /// The page [default: polhode-demo.html, in this folder]
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// Opens the page, which then plays at once, by the browser
+    #[arg(long)]
+    pub(crate) open: bool,
 }
 
 /// Arguments of `new`.

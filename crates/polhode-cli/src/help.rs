@@ -1,5 +1,9 @@
 //! Examples below the help of each command.
 
+pub(crate) const DEMO: &str = "\
+Examples:
+  polhode demo --open";
+
 pub(crate) const RUN: &str = "\
 Examples:
   polhode run scene.toml -o motion.csv -o page.html

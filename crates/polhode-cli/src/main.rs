@@ -12,7 +12,8 @@
 //! | `run`, `plan`, `check`, `mesh`, `compare` | the commands; `run` has `resume` too |
 //! | `run_files` | the files that a run writes |
 //! | `checkpoints` | when and where a run is stored so that it can be continued |
-//! | `view` | the command that shows a scene or a trajectory |
+//! | `view`, `demo` | the commands that show a scene or a trajectory, and the first one to try |
+//! | `browser` | opening a page |
 //! | `viewpoint` | from where pictures are taken |
 //! | `pictures` | the pages, pictures and models that a run is shown as |
 //! | `heading` | title and description of what is shown |
@@ -48,10 +49,12 @@
 
 mod abandoned;
 mod args;
+mod browser;
 mod check;
 mod checkpoints;
 mod compare;
 mod cost;
+mod demo;
 mod drawing;
 mod elastic;
 mod examples;
@@ -108,6 +111,7 @@ fn main() -> ExitCode {
 /// Calls the command.
 fn called(command: &Command, interrupt: &Interrupt) -> Result<(), Failure> {
     match command {
+        Command::Demo(args) => demo::demo(args, interrupt),
         Command::Run(args) => run::run(args, interrupt),
         Command::Resume(args) => run::resume(args, interrupt),
         Command::Plan(args) => plan::plan(args),

@@ -10,7 +10,7 @@ use polhode_scene::{AtomicFile, report_json};
 use polhode_view::animation::{Pace, Watcher, write_apng, write_gif, write_webp};
 use polhode_view::camera::Viewpoint;
 use polhode_view::glb::write_glb;
-use polhode_view::page::MOST_FRAMES;
+use polhode_view::page::{AtFirst, MOST_FRAMES};
 use polhode_view::raster::PictureSize;
 use polhode_view::still::{still_from, write_png};
 use polhode_view::{FrameSource, Page, PageRun, Recording, ViewError};
@@ -90,6 +90,8 @@ pub(crate) struct Options {
     pub(crate) size: Option<[u32; 2]>,
     /// From where pictures are taken.
     pub(crate) viewpoint: Viewpoint,
+    /// What pages do at first.
+    pub(crate) at_first: AtFirst,
 }
 
 impl Options {
@@ -121,7 +123,7 @@ impl Pictures {
                 Kind::Page => {
                     let page = Page::begin(file, &heading.title, &heading.description);
                     let page = page.map_err(|error| failure(path, error))?;
-                    pictures.pages.push((path.clone(), page));
+                    pictures.pages.push((path.clone(), page.at_first(options.at_first)));
                 }
                 kind => {
                     // Known before the run, not after it.

@@ -8,11 +8,11 @@ use crate::pictures::{self, ENDINGS, Kind, MOVING_PICTURE_FPS, Options, Pictures
 use crate::progress::Progress;
 use crate::viewpoint::viewpoint;
 use crate::watch::Watch;
-use crate::{examples, inputs, scene, stdout};
+use crate::{browser, examples, inputs, scene, stdout};
 use polhode::{BodySample, Flow, Observer, Outcome, RunReport, Simulation, SimulationError};
 use polhode_scene::{LoadedScene, TrajectoryError, TrajectoryReader, is_trajectory};
 use polhode_study::difference::energy_error;
-use polhode_view::page::MOST_FRAMES;
+use polhode_view::page::{AtFirst, MOST_FRAMES};
 use polhode_view::{FrameSource, Recording};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -52,6 +52,7 @@ pub(crate) fn view(args: &ViewArgs, interrupt: &Interrupt) -> Result<(), Failure
         least_interval_s: args.fps.map(|_| interval_s),
         size: size(args.size.as_deref())?,
         viewpoint: viewpoint(args, &paths)?,
+        at_first: if args.open { AtFirst::Plays } else { AtFirst::Waits },
     };
     let create = || Pictures::create(&paths, &heading, options);
     let mut pictures = interrupt.remove(create, |pictures| pictures.temporary().to_vec())?;
@@ -60,7 +61,11 @@ pub(crate) fn view(args: &ViewArgs, interrupt: &Interrupt) -> Result<(), Failure
         pictures.take(at_instant(run, args, still_time(text, run)?)?);
         drop(progress);
         pictures.finish(&Value::Null, interrupt)?;
-        return print_paths(&paths);
+        print_paths(&paths)?;
+        if args.open {
+            paths.first().into_iter().for_each(|path| browser::open(path));
+        }
+        return Ok(());
     }
     let mut reports = Vec::new();
     let mut ended = Ok(());
@@ -85,6 +90,9 @@ pub(crate) fn view(args: &ViewArgs, interrupt: &Interrupt) -> Result<(), Failure
     interrupt.wait_for_steps();
     pictures.finish(&report, interrupt)?;
     print_paths(&paths)?;
+    if args.open {
+        paths.first().into_iter().for_each(|path| browser::open(path));
+    }
     ended
 }
 
@@ -284,7 +292,10 @@ fn runs(args: &ViewArgs, interval_s: f64) -> Result<Vec<ShownRun>, Failure> {
             Err(Failure::Usage("error: --beside shows one scene twice: name one scene and no trajectory".to_owned()))
         }
         ([a, b], []) => {
-            let named = |path: &Path| Some(path.file_stem().unwrap_or_default().to_string_lossy().into_owned());
+            let named = |path: &Path| {
+                let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+                Some(stem.strip_prefix(examples::PREFIX).unwrap_or(&stem).to_owned())
+            };
             Ok(vec![simulated(a, &changes, named(a))?, simulated(b, &changes, named(b))?])
         }
         ([scene], [_] | [_, _]) => trajectories

@@ -38,6 +38,16 @@ pub enum FrameSource {
     Trajectory,
 }
 
+/// What a page does when it has been opened.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum AtFirst {
+    /// It waits at the start of the run.
+    #[default]
+    Waits,
+    /// It plays the run, again and again, unless its reader prefers that nothing moves by itself.
+    Plays,
+}
+
 /// A page that is being written.
 #[derive(Debug)]
 pub struct Page<W> {
@@ -47,6 +57,7 @@ pub struct Page<W> {
     gravity: Value,
     meshes: MeshLibrary,
     runs: Vec<Value>,
+    at_first: AtFirst,
 }
 
 impl<W: Write> Page<W> {
@@ -63,7 +74,21 @@ impl<W: Write> Page<W> {
             text::html(title)
         )?;
         let (title, description) = (title.to_owned(), description.to_owned());
-        Ok(Self { out, title, description, gravity: Value::Null, meshes: MeshLibrary::default(), runs: Vec::new() })
+        Ok(Self {
+            out,
+            title,
+            description,
+            gravity: Value::Null,
+            meshes: MeshLibrary::default(),
+            runs: Vec::new(),
+            at_first: AtFirst::default(),
+        })
+    }
+
+    /// With what it does when it has been opened.
+    pub fn at_first(mut self, at_first: AtFirst) -> Self {
+        self.at_first = at_first;
+        self
     }
 
     /// Begins a run of a scene under a name.
@@ -110,6 +135,7 @@ impl<W: Write> Page<W> {
             "title": self.title,
             "description": self.description,
             "gravity": self.gravity,
+            "plays_at_once": self.at_first == AtFirst::Plays,
             "meshes": self.meshes.meshes().iter().map(mesh_json).collect::<Vec<_>>(),
             "runs": self.runs,
         });

@@ -45,10 +45,14 @@ impl Series {
         }
     }
 
-    /// As a page has them; those that are zero throughout are left out, but for energies.
+    /// As a page has them. Those that show nothing are left out: fewer than two numbers, which make no line, and those that are zero
+    /// throughout, but for energies.
     pub fn json(&self) -> Value {
         let list = QUANTITIES.iter().zip(&self.values);
-        let seen = list.filter(|((group, ..), values)| *group == "energy" || values.iter().any(|&value| value != 0.0));
+        let has_line = |values: &[f64]| values.iter().filter(|value| value.is_finite()).nth(1).is_some();
+        let seen = list.filter(|((group, ..), values)| {
+            *group == "energy" || (has_line(values) && values.iter().any(|&value| value != 0.0))
+        });
         let one = |((group, name, unit), values): (&(&str, &str, &str), &Vec<f64>)| json!({ "group": group, "name": name, "unit": unit, "values": text::base64_f64(values) });
         Value::Array(seen.map(one).collect())
     }

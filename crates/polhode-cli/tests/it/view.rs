@@ -1,6 +1,6 @@
 //! `polhode view`, and the pages that `run` writes.
 
-use crate::{FLIGHT, Place};
+use crate::{FLIGHT, Place, Run};
 
 /// A ball that falls onto a floor.
 pub(crate) const DROP: &str = r#"
@@ -65,6 +65,29 @@ fn two_runs_in_one_page() {
     place.write("other.toml", &DROP.replace("0.5]", "0.25]"));
     place.expect(0, &["view", "scene.toml", "other.toml", "-o", "b.html"]);
     assert!(place.read("b.html").contains("\"name\":\"other\""));
+}
+
+/// The first command to try: a page of a pile that stands and one that falls, and what to do next.
+#[test]
+fn the_demo_is_a_page_of_two_runs_and_says_what_is_next() {
+    let place = Place::new();
+    let run = place.expect(0, &["demo"]);
+    assert_eq!(place.list(), ["polhode-demo.html"]);
+    assert!(run.stdout.starts_with("polhode-demo.html\n") && run.stdout.contains("polhode new mine"));
+    let page = place.read("polhode-demo.html");
+    assert!(page.contains("\"name\":\"diamond-4\"") && page.contains("\"name\":\"diamond-4-collapsing\""));
+    assert!(page.contains("\"plays_at_once\":false"), "only what is opened plays by itself");
+}
+
+/// A page that is opened plays at once. Where nothing can open it, it is there all the same, and a note says so.
+#[test]
+fn a_page_that_nothing_opens_is_written_all_the_same() {
+    let place = Place::with_scene(DROP);
+    let mut view = place.command(&["view", "scene.toml", "--open"]);
+    let run: Run = view.env("PATH", place.path("no-programs")).output().unwrap().into();
+    assert_eq!((run.code, run.stdout.as_str()), (Some(0), "scene.html\n"), "{}", run.stderr);
+    assert!(run.stderr.contains("note: nothing here opens scene.html: open it yourself"), "{}", run.stderr);
+    assert!(place.read("scene.html").contains("\"plays_at_once\":true"));
 }
 
 #[test]

@@ -49,12 +49,23 @@ export class Camera {
     return this.controls.target;
   }
 
-  /** Looks at a box from a preset's direction; `share` is the part of the canvas's width that one view has. */
-  look(name, bounds, share) {
+  /** From where a preset looks. */
+  direction(name) {
+    return (PRESETS[name]?.clone() ?? this.stage.camera.position.clone().sub(this.target)).normalize();
+  }
+
+  /** How far away a preset looks at a box from; the canvas is divided in so many parts across and down. */
+  distance(name, bounds, [across, down]) {
     const { camera, width, height } = this.stage;
-    const direction = (PRESETS[name]?.clone() ?? camera.position.clone().sub(this.target)).normalize();
-    const across = Math.tan(MathUtils.degToRad(camera.fov / 2)) / MARGIN;
-    const distance = fittingDistance(bounds, direction, across * ((width * share) / height || 1), across);
+    const high = Math.tan(MathUtils.degToRad(camera.fov / 2)) / MARGIN;
+    return fittingDistance(bounds, this.direction(name), high * ((width * down) / (height * across) || 1), high);
+  }
+
+  /** Looks at a box from a preset's direction. */
+  look(name, bounds, divided) {
+    const { camera } = this.stage;
+    const direction = this.direction(name);
+    const distance = this.distance(name, bounds, divided);
     bounds.getCenter(this.target);
     camera.position.copy(this.target).addScaledVector(direction, distance);
     camera.near = distance / 100;
@@ -77,8 +88,8 @@ export class Camera {
     this.controls.update();
   }
 
-  /** Calls picked(raycaster, x) for each click; x in 0..1 is the place across the canvas. */
-  onClick(views_across, picked) {
+  /** Calls picked(raycaster, view) for each click; `divided` says in how many parts the canvas is divided across and down. */
+  onClick(divided, picked) {
     const { canvas, camera } = this.stage;
     let pressed = null;
     canvas.addEventListener('pointerdown', (event) => {
@@ -87,12 +98,14 @@ export class Camera {
     canvas.addEventListener('pointerup', (event) => {
       if (!pressed || Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > CLICK_PIXELS) return;
       const frame = canvas.getBoundingClientRect();
-      const across = ((event.clientX - frame.left) / frame.width) * views_across();
-      const view = Math.min(views_across() - 1, Math.floor(across));
-      const down = (event.clientY - frame.top) / frame.height;
+      const [columns, rows] = divided();
+      const across = ((event.clientX - frame.left) / frame.width) * columns;
+      const down = ((event.clientY - frame.top) / frame.height) * rows;
+      const column = Math.min(columns - 1, Math.floor(across));
+      const row = Math.min(rows - 1, Math.floor(down));
       const raycaster = new Raycaster();
-      raycaster.setFromCamera(new Vector2(2 * (across - view) - 1, 1 - 2 * down), camera);
-      picked(raycaster, view);
+      raycaster.setFromCamera(new Vector2(2 * (across - column) - 1, 1 - 2 * (down - row)), camera);
+      picked(raycaster, row * columns + column);
     });
   }
 }

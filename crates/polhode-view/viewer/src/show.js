@@ -40,6 +40,7 @@ export function readShow(notices) {
     title: show.title || 'polhode',
     description: show.description || '',
     gravity: show.gravity ?? null,
+    plays_at_once: Boolean(show.plays_at_once),
     meshes,
     runs,
   };

@@ -33,6 +33,11 @@ export function drawnBySoftware() {
   return SOFTWARE.test(name);
 }
 
+/** In how many parts a row or a column of views divides the picture: across and down. */
+export function parts(arrangement, views) {
+  return arrangement === 'column' ? [1, views] : [views, 1];
+}
+
 export class Stage {
   /** `look` is { shadows, antialias }. */
   constructor(canvas, { shadows, antialias }) {
@@ -97,18 +102,21 @@ export class Stage {
     this.sun.shadow.normalBias = (3 * reach) / (map ? map.width : SHADOW_PIXELS);
   }
 
-  /** Draws every group of `views` in its own part of the canvas, from left to right; a view is a list of groups. */
-  draw(views, target) {
+  /** Draws every group of `views` in its own part of the canvas, in a `row` or a `column`; a view is a list of groups. */
+  draw(views, target, arrangement) {
     if (!(this.width > 0 && this.height > 0)) return;
     this.aimLight(target);
-    const width = this.width / views.length;
-    this.camera.aspect = width / this.height;
+    const [across, down] = parts(arrangement, views.length);
+    const [width, height] = [this.width / across, this.height / down];
+    this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.renderer.setScissorTest(views.length > 1);
     views.forEach((shown, index) => {
       for (const group of views.flat()) group.visible = shown.includes(group);
-      this.renderer.setViewport(index * width, 0, width, this.height);
-      this.renderer.setScissor(index * width, 0, width, this.height);
+      // The first stands at the left, or at the top; WebGL counts from below.
+      const [left, below] = down > 1 ? [0, (down - 1 - index) * height] : [index * width, 0];
+      this.renderer.setViewport(left, below, width, height);
+      this.renderer.setScissor(left, below, width, height);
       this.renderer.render(this.scene, this.camera);
     });
   }

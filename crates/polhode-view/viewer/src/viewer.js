@@ -9,7 +9,7 @@ import { listen } from './keyboard.js';
 import { notice } from './notices.js';
 import { buildPlots } from './panel.js';
 import { Playback } from './playback.js';
-import { drawnBySoftware, Stage } from './stage.js';
+import { drawnBySoftware, parts, Stage } from './stage.js';
 import { themeSwitch } from './theme.js';
 import { Timeline } from './timeline.js';
 import { View } from './view.js';
@@ -22,6 +22,8 @@ const FRAMES_AVERAGED = 60;
 const LONGEST_TICK = 0.25;
 /** Below this width of the page in CSS pixels two runs are drawn over each other at first. */
 const NARROW_PIXELS = 700;
+/** Whether the reader prefers that nothing moves by itself. */
+const STILL = '(prefers-reduced-motion: reduce)';
 
 /** Triangles of all bodies; software draws each of them for the shadow too, and three times as slowly when smoothed. */
 const SOFTWARE_TRIANGLES = 60000;
@@ -59,6 +61,8 @@ export class Viewer {
     for (const view of this.views) this.stage.scene.add(view.group);
     this.on = new Set(many ? [] : ['edges']);
     for (const view of this.views) view.setOverlay('edges', !many);
+    /** How views that share the picture stand: what brings the bodies closer is chosen when they are fitted. */
+    this.arrangement = 'row';
     this.camera = new Camera(this.stage, tell.requestDraw);
     this.seek = (t) => {
       this.playback.seek(t);
@@ -96,7 +100,7 @@ export class Viewer {
     byId('layout').hidden = views.length < 2;
     byId('layout').addEventListener('click', () => this.setLayout(this.layout === 'side' ? 'over' : 'side'));
     this.camera.onClick(
-      () => this.pictures().length,
+      () => this.divided(),
       (raycaster, picture) => this.pick(raycaster, this.pictures()[picture]),
     );
     this.showOverlays(this.on);
@@ -110,9 +114,14 @@ export class Viewer {
     this.dirty = true;
   }
 
-  /** What is drawn from left to right: for each part of the picture its views. */
+  /** What is drawn from left to right, or from above: for each part of the picture its views. */
   pictures() {
     return this.layout === 'side' ? this.views.map((view) => [view]) : [this.views];
+  }
+
+  /** In how many parts the picture is divided, across and down. */
+  divided() {
+    return parts(this.arrangement, this.pictures().length);
   }
 
   /** Two runs 'side' by side, or the second as a ghost 'over' the first. */
@@ -126,8 +135,14 @@ export class Viewer {
       label.textContent = this.layout === 'over' && index > 0 ? `${view.run.name} (ghost)` : view.run.name;
       return label;
     });
-    byId('labels').className = this.layout;
     byId('labels').replaceChildren(...(this.views.length < 2 ? [] : labels));
+    this.arrange(this.arrangement);
+  }
+
+  /** Views that share the picture stand in a 'row' or a 'column'. */
+  arrange(arrangement) {
+    this.arrangement = arrangement;
+    byId('labels').className = this.layout === 'side' ? arrangement : this.layout;
     this.dirty = true;
   }
 
@@ -163,7 +178,10 @@ export class Viewer {
     this.stage.resize();
     const bounds = boxes.reduce((all, box) => all.union(box), new Box3());
     this.camera.tracked = null;
-    this.camera.look(name, bounds, 1 / this.pictures().length);
+    const views = this.pictures().length;
+    const distance = (arrangement) => this.camera.distance(name, bounds, parts(arrangement, views));
+    this.arrange(distance('column') < distance('row') ? 'column' : 'row');
+    this.camera.look(name, bounds, this.divided());
   }
 
   /** A promise that is kept when the picture of the present time has been drawn. */
@@ -189,6 +207,11 @@ export class Viewer {
     };
     requestAnimationFrame(tick);
     await this.drawn();
+    if (this.show.plays_at_once && !matchMedia(STILL).matches) {
+      this.playback.loop = true;
+      this.playback.play();
+      this.dirty = true;
+    }
   }
 
   tick(clock_s, elapsed_ms) {
@@ -212,6 +235,7 @@ export class Viewer {
     this.stage.draw(
       this.pictures().map((list) => list.map((view) => view.group)),
       this.camera.target,
+      this.arrangement,
     );
     this.frames_drawn += 1;
     const spin = Math.max(...views.map((view) => view.snapshot.fastestSpin()));
