@@ -218,6 +218,28 @@ def test_ctrl_c_ends_a_run_within_two_seconds_and_keeps_what_was_computed():
     assert float(seconds) < 3.0 and outcome in ("stopped", "degraded")
 
 
+SEARCH = """
+import os, signal, threading, time
+import polhode as ph
+scene = ph.Scene(duration=1e5, interval=0.01)
+scene.fixed(ph.HalfSpace())
+scene.add(ph.Sphere(0.5), mass=1.0, at=(0, 0, 5), restitution=1.0)
+threading.Timer(1.0, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+begun = time.monotonic()
+try:
+    ph.run(scene, accuracy=1e-6)
+except ph.Interrupted as ended:
+    print(time.monotonic() - begun, "search" in str(ended))
+"""
+
+
+def test_ctrl_c_ends_the_search_for_a_method_too():
+    done = subprocess.run([sys.executable, "-c", SEARCH], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0, done.stderr
+    seconds, is_told = done.stdout.split()
+    assert float(seconds) < 3.0 and is_told == "True"
+
+
 def test_threads_run_side_by_side_with_the_same_bits():
     with ThreadPoolExecutor(4) as pool:
         runs = list(pool.map(lambda _: ph.run(drop()), range(8)))
