@@ -10,6 +10,7 @@
 //! | `actions` | what a program does to its bodies and joints |
 //! | `views` | what a simulation tells of the present |
 //! | `arguments` | what Python gives, checked |
+//! | `contacts` | forces of friction and impacts, as functions of arrays |
 //! | `functions` | parts of the library as functions of arrays |
 //! | `errors` | errors of the library as Python's exceptions |
 //!
@@ -17,6 +18,7 @@
 
 mod actions;
 mod arguments;
+mod contacts;
 mod errors;
 mod functions;
 mod loaded;
@@ -31,6 +33,8 @@ mod views;
 mod _polhode {
     use pyo3::prelude::*;
 
+    #[pymodule_export]
+    use super::contacts::{friction, impact_with_friction, impact_without_friction};
     #[pymodule_export]
     use super::functions::{doctor, mesh_report, rotate_free};
     #[pymodule_export]

@@ -464,7 +464,7 @@ impl Simulation {
         };
         Content {
             scene: self.scene.name().to_owned(),
-            scene_hash: snapshot::scene_hash(&self.core.world.scene),
+            scene_hash: snapshot::scene_hash(self.core.world.scene_and_joints()),
             all_effects: self.core.effects == Effects::All,
             t: self.core.t,
             ended: self.ended,
@@ -483,14 +483,14 @@ impl Simulation {
         }
     }
 
-    /// Restores a snapshot of a simulation of the same scene, with the same effects and the same bodies added and
-    /// removed. The motion, samples, events and report that follow have the same bits as those that followed the
+    /// Restores a snapshot of a simulation of the same scene, with the same effects, the same bodies added and
+    /// removed, and the same joints added. The motion, samples, events and report that follow have the same bits as those that followed the
     /// snapshot. The scene may have another duration: a run that has ended goes on to a longer one.
     ///
     /// # Errors
     /// When the snapshot is of another scene or other effects, or contradicts itself; the simulation is then as it was.
     pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), SimulationError> {
-        let content = snapshot.content_for(&self.core.world.scene, self.core.effects)?;
+        let content = snapshot.content_for(self.core.world.scene_and_joints(), self.core.effects)?;
         let companion = self.restored_companion(&content.companion)?;
         *self = Self { companion, ..self.twin(content, self.core.settings)? };
         Ok(())

@@ -647,6 +647,14 @@ impl Tier for SteppedEngine {
         self.touching.retain(|&(a, b)| a != body && b != body);
     }
 
+    fn change_joint(&mut self, core: &mut Core, pair: (usize, usize)) {
+        self.resting.wake_all();
+        self.touching.retain(|&own| own != pair || core.world.may_touch(own));
+        let stays = |contact: &ContactId| (contact.a, contact.b) != pair || core.world.may_have(*contact);
+        let carried = self.stepper.carried().filter(stays).collect();
+        self.stepper.carry(carried);
+    }
+
     fn touching_pairs(&self) -> usize {
         self.touching.len()
     }

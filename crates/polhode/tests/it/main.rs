@@ -6,6 +6,7 @@ mod bad_numbers;
 mod bounces_with_friction;
 mod breaking_joints;
 mod broad_phases;
+mod changed_joints;
 mod chains;
 mod checks;
 mod closed_loops;
