@@ -88,7 +88,19 @@ pub(crate) fn simulation(py: Python<'_>, loaded: &LoadedScene, error: Simulation
         SimulationError::Action(error) => plain(py, "ActionError", &error.to_string()),
         SimulationError::Snapshot(error) => snapshot(py, &error),
         SimulationError::TimeInThePast { .. } => plain(py, "ActionError", &error.to_string()),
-        error => plain(py, "SimulationError", &format!("{}: {error}", loaded.scene.name())),
+        error => made(py, "SimulationError", &format!("{}: {error}", loaded.scene.name()), |kept| {
+            kept.set_item("time", error.time())?;
+            kept.set_item("bodies", error.bodies())?;
+            kept.set_item("cure", error.cure())
+        }),
+    }
+}
+
+/// Something that an action asks of a simulation is refused, also where a scene would refuse it: it is in no file.
+pub(crate) fn action(py: Python<'_>, loaded: &LoadedScene, error: SimulationError) -> PyErr {
+    match error {
+        SimulationError::Scene(error) => plain(py, "ActionError", &error.to_string()),
+        error => simulation(py, loaded, error),
     }
 }
 

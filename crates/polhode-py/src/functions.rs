@@ -1,16 +1,14 @@
 //! Parts of the library as functions of arrays.
 
-use crate::views::Finding;
 use crate::{arguments, errors};
 use numpy::ndarray::Array2;
 use numpy::{AllowTypeChange, PyArray2, PyArrayLike1, PyArrayLike2};
 use polhode::dynamics::FreeRotation;
 use polhode::mesh::{Amount, TriangleMesh};
 use polhode::spatial::{DVec3, Density, Inertia, Mass, Rotation};
-use polhode_scene::{Filling, MeshReport, SceneFileError, robot};
+use polhode_scene::{Filling, MeshReport};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use std::path::PathBuf;
 
 /// Something that is no array of the kind that is needed.
 fn unfit(what: &str, needed: &str, given: &Bound<'_, PyAny>) -> PyErr {
@@ -90,33 +88,4 @@ pub(crate) fn mesh_report(
         }
         Ok(report.to_json().to_string())
     })
-}
-
-/// What is impossible in the file of a robot, or simulated otherwise than it says: of its masses, inertias, meshes and links too.
-#[pyfunction]
-pub(crate) fn doctor(py: Python<'_>, path: &Bound<'_, PyAny>) -> PyResult<Vec<Finding>> {
-    let path: PathBuf = path.extract()?;
-    let found = py.detach(|| match polhode_scene::load_with(&path, &[]) {
-        Ok(loaded) => {
-            let examined = loaded.examine_robots();
-            Ok(loaded.findings().chain(&examined).map(finding).collect())
-        }
-        Err(SceneFileError::Robot(error)) if !error.findings().is_empty() => {
-            Ok(error.findings().iter().map(finding).collect())
-        }
-        Err(error) => Err(error),
-    });
-    found.map_err(|error| errors::scene(py, &error))
-}
-
-fn finding(found: &robot::Finding) -> Finding {
-    Finding {
-        file: found.place.file.display().to_string(),
-        line: found.place.line,
-        column: found.place.column,
-        severity: found.severity().name().to_owned(),
-        subject: found.subject.clone(),
-        what: found.defect.to_string(),
-        cure: found.cure(),
-    }
 }

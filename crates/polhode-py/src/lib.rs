@@ -11,6 +11,7 @@
 //! | `views` | what a simulation tells of the present |
 //! | `arguments` | what Python gives, checked |
 //! | `contacts` | forces of friction and impacts, as functions of arrays |
+//! | `files` | meshes and robots from their files |
 //! | `functions` | parts of the library as functions of arrays |
 //! | `errors` | errors of the library as Python's exceptions |
 //!
@@ -20,6 +21,7 @@ mod actions;
 mod arguments;
 mod contacts;
 mod errors;
+mod files;
 mod functions;
 mod loaded;
 mod recorder;
@@ -36,7 +38,9 @@ mod _polhode {
     #[pymodule_export]
     use super::contacts::{friction, impact_with_friction, impact_without_friction};
     #[pymodule_export]
-    use super::functions::{doctor, mesh_report, rotate_free};
+    use super::files::{doctor, material_keys, mesh_of_file, robot_of_file};
+    #[pymodule_export]
+    use super::functions::{mesh_report, rotate_free};
     #[pymodule_export]
     use super::loaded::Loaded;
     #[pymodule_export]
@@ -46,7 +50,7 @@ mod _polhode {
     #[pymodule_export]
     use super::simulation::{Simulation, Snapshot};
     #[pymodule_export]
-    use super::views::{BodyState, Contact, Coordinate, Energy, Finding, JointLoad, StepOutcome};
+    use super::views::{BodyState, Contact, Coordinate, Energy, Finding, JointLoad, Momentum, StepOutcome};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -144,6 +144,16 @@ view! {
 }
 
 view! {
+    /// Momentum.
+    Momentum {
+        /// Linear momentum, world, N s.
+        linear: [f64; 3],
+        /// Angular momentum about the point of the ledger of momentum, world, N m s.
+        angular: [f64; 3],
+    }
+}
+
+view! {
     /// What was found in the file of a robot.
     Finding {
         /// The file.

@@ -109,7 +109,8 @@ def test_events_are_a_structured_array():
 
 def test_a_promise_that_was_not_kept_says_where_by_how_much_and_what_helps():
     nut = {"name": "nut", "mass": 1.0, "inertia": [1, 2, 3], "angular_velocity": [0.1, 9, 0]}
-    run = ph.run({"format": 1, "bodies": [nut], "duration": 1.0}, set={"method.integrator": "explicit-euler"}, step=0.01)
+    scene = {"format": 1, "bodies": [nut], "duration": 1.0}
+    run = ph.run(scene, set={"method.integrator": "explicit-euler"}, step=0.01)
     assert run.outcome == "degraded"
     with pytest.raises(ph.NotKept) as caught:
         run.check()

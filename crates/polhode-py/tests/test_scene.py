@@ -9,7 +9,8 @@ import pytest
 
 
 def everything():
-    scene = ph.Scene(gravity=(0, 0, -9.81), duration=0.2, name='a "quoted" name\n', title="All", method={"tier": "stepped"})
+    name, method = 'a "quoted" name\n', {"tier": "stepped"}
+    scene = ph.Scene(gravity=(0, 0, -9.81), duration=0.2, name=name, title="All", method=method)
     scene.fixed(ph.HalfSpace(), friction=0.4, name="floor")
     scene.add(ph.Box(1, 0.5, 0.25), mass=2.0, at=np.array([0, 0, 1.0]), friction=0.4, restitution=0.3)
     scene.add(ph.Cylinder(0.1, 0.2), density=1000.0, at=(2, 0, 1), rotation_vector=(0.1, 0, 0))
@@ -24,7 +25,8 @@ def everything():
     scene.gear(*axles, ratio=-2.0)
     scene.force("spring", bodies=[rod, wheels[0]], stiffness=1.0)
     scene.no_contact(*wheels)
-    scene.array(ph.Box(0.4, 0.4, 0.4), {"pyramid": {"base": 3, "spacing": [0.44, 0.4]}}, at=(0, -5, 0.2), mass=1.0, friction=0.4)
+    pyramid = {"pyramid": {"base": 3, "spacing": [0.44, 0.4]}}
+    scene.array(ph.Box(0.4, 0.4, 0.4), pyramid, at=(0, -5, 0.2), mass=1.0, friction=0.4)
     return scene
 
 

@@ -1,7 +1,7 @@
 """Contacts as functions of arrays: forces of friction, and impacts.
 
-``W = J M^-1 J^T`` is the Delassus matrix of the contacts (1/kg): what a unit impulse along one row does to the velocities along all
-rows. A contact has its normal row first, then its tangents: two in space, one in a plane.
+``W = J M^-1 J^T`` is the Delassus matrix of the contacts (1/kg): what a unit impulse along one row does to the
+velocities along all rows. A contact has its normal row first, then its tangents: two in space, one in a plane.
 """
 
 from __future__ import annotations
@@ -56,7 +56,8 @@ class Impact(NamedTuple):
     velocities: NDArray[np.float64]
     #: Change of kinetic energy, J.
     energy_change: float
-    #: no-approach, separated; restitution-lowered, stopped-at-threshold, limit-reached, struck-in-order: warnings; not-solved.
+    #: no-approach, separated; restitution-lowered, stopped-at-threshold, limit-reached, struck-in-order: warnings;
+    #: not-solved.
     status: str
     #: The largest residual of the problems that were solved for it.
     residual: float
@@ -67,16 +68,17 @@ def solve_friction(
 ) -> FrictionSolution:
     """Impulses of contacts with Coulomb's friction, exactly: cones, no pyramids.
 
-    ``W`` is the Delassus matrix, (3N, 3N) in 1/kg, symmetric and positive semidefinite of any rank; ``q`` are the velocities without
-    impulses, (3N,) or (N, 3) in m/s; ``mu`` the coefficients of friction, (N,) or one for all. The normal row of each contact comes
-    first, then its tangents; the normal velocity is negative while bodies approach. Contacts in a plane have two rows, and an array
-    ``mu``. Accelerations in the place of velocities give forces. ``start`` are impulses of a similar problem.
+    ``W`` is the Delassus matrix, (3N, 3N) in 1/kg, symmetric and positive semidefinite of any rank; ``q`` are the
+    velocities without impulses, (3N,) or (N, 3) in m/s; ``mu`` the coefficients of friction, (N,) or one for all. The
+    normal row of each contact comes first, then its tangents; the normal velocity is negative while bodies approach.
+    Contacts in a plane have two rows, and an array ``mu``. Accelerations in the place of velocities give forces.
+    ``start`` are impulses of a similar problem.
 
     Where the impulses are not unique, those that all contacts share alike are given, up to 40 contacts.
 
     >>> import numpy as np
     >>> import polhode as ph
-    >>> solution = ph.solve_friction(0.5 * np.eye(3), [-3.0, 4.0, 0.0], 0.5)    # 2 kg, coming down at 3 m/s, along at 4 m/s
+    >>> solution = ph.solve_friction(0.5 * np.eye(3), [-3.0, 4.0, 0.0], 0.5)    # 2 kg, down at 3 m/s, along at 4 m/s
     >>> solution.impulses.tolist(), solution.velocities.tolist()                 # N s, m/s: it slides on
     ([[6.0, -3.0, 0.0]], [[0.0, 2.5, 0.0]])
     >>> solution.contacts, solution.status, solution.residual, solution.method
@@ -100,14 +102,15 @@ def impact(
 ) -> Impact:
     """The impulses of an impact at one or several contacts.
 
-    Without friction ``W`` is (N, N) in 1/kg and ``v`` (N,), the normal velocities before in m/s, negative while bodies approach; ``e``
-    are the coefficients of restitution, (N,) or one for all. ``law`` is a name of ``method.impact`` in a scene file: reflection,
-    propagation, simultaneous (Newton and Moreau), poisson, energetic (Stronge), pulse (springs with ``pulse_exponent`` linear or
-    hertz). At one contact all laws agree.
+    Without friction ``W`` is (N, N) in 1/kg and ``v`` (N,), the normal velocities before in m/s, negative while bodies
+    approach; ``e`` are the coefficients of restitution, (N,) or one for all. ``law`` is a name of ``method.impact`` in
+    a scene file: reflection, propagation, simultaneous (Newton and Moreau), poisson, energetic (Stronge), pulse
+    (springs with ``pulse_exponent`` linear or hertz). At one contact all laws agree.
 
-    With coefficients of friction ``mu`` the arrays are those of :func:`solve_friction`. A contact that is struck alone follows
-    ``restitution_law``: stronge, poisson, newton, whittaker or chatterjee-ruina (with ``tangential_restitution``). Several contacts
-    share the impact by ``law``: propagation strikes one after the other, pulse as springs, all others strike them together.
+    With coefficients of friction ``mu`` the arrays are those of :func:`solve_friction`. A contact that is struck alone
+    follows ``restitution_law``: stronge, poisson, newton, whittaker or chatterjee-ruina (with
+    ``tangential_restitution``). Several contacts share the impact by ``law``: propagation strikes one after the other,
+    pulse as springs, all others strike them together.
 
     >>> import polhode as ph
     >>> ball = ph.impact([[0.5]], [-3.0], 0.5)          # 2 kg at 3 m/s against a wall
@@ -128,7 +131,7 @@ def impact(
         restitution = floats_of_each("e", e, len(friction))
         return Impact(**_polhode.impact_with_friction(matrix, before, restitution, friction, laws))
     if restitution_law is not None or tangential_restitution is not None:
-        raise ValueError("restitution_law and tangential_restitution are of contacts with friction: give mu, or leave them out")
+        raise ValueError("restitution_law, tangential_restitution: of contacts with friction; give mu, or none of both")
     before = floats("v", v, "(N,)", 1)
     matrix = _square(W, len(before))
     return Impact(**_polhode.impact_without_friction(matrix, before, floats_of_each("e", e, len(before)), laws))
@@ -171,5 +174,6 @@ def _square(W: ArrayLike, size: int) -> NDArray[np.float64]:
     """A Delassus matrix of so many rows."""
     matrix = floats("W", W, f"({size}, {size})", 2)
     if matrix.shape != (size, size):
-        raise ValueError(f"W: an array of shape ({size}, {size}) is needed, one row for each velocity, found {matrix.shape}")
+        needed = f"an array of shape ({size}, {size}) is needed, one row for each velocity"
+        raise ValueError(f"W: {needed}, found {matrix.shape}")
     return matrix

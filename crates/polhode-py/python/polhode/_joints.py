@@ -1,7 +1,7 @@
 """Joints: what holds two bodies, or a body and the world, together. Lengths in m, angles in rad, in the world at t = 0.
 
-What acts along a coordinate (limits, springs, motors, friction) is a dictionary with the keys of a scene file: ``range``,
-``restitution``, ``stiffness``, ``rest``, ``damping``, ``motor``, ``friction``, ``motion``.
+What acts along a coordinate (limits, springs, motors, friction) is a dictionary with the keys of a scene file:
+``range``, ``restitution``, ``stiffness``, ``rest``, ``damping``, ``motor``, ``friction``, ``motion``.
 """
 
 from __future__ import annotations

@@ -650,9 +650,10 @@ impl Tier for SteppedEngine {
     fn change_joint(&mut self, core: &mut Core, pair: (usize, usize)) {
         self.resting.wake_all();
         self.touching.retain(|&own| own != pair || core.world.may_touch(own));
-        let stays = |contact: &ContactId| (contact.a, contact.b) != pair || core.world.may_have(*contact);
-        let carried = self.stepper.carried().filter(stays).collect();
-        self.stepper.carry(carried);
+        let stays = |contact: ContactId| (contact.a, contact.b) != pair || core.world.may_have(contact);
+        self.stepper.keep_contacts(stays);
+        self.forces.retain(|&id, _| stays(id));
+        self.loads = None;
     }
 
     fn touching_pairs(&self) -> usize {
