@@ -196,6 +196,21 @@ def test_a_run_that_diverges_keeps_what_was_computed():
         run.check()
 
 
+def test_an_error_of_a_simulation_has_time_bodies_place_and_cure():
+    probe = {"name": "probe", "mass": 1.0, "inertia": [1, 1, 1], "position": [1, 0, 0]}
+    scene = {"format": 1, "duration": 5.0, "gravity": [0, 0, 0], "bodies": [probe]}
+    scene["forces"] = [{"type": {"point_gravity": {"mu": 1.0}}}]
+    sim = ph.Simulation(scene)
+    for raises in (lambda: ph.run(scene), lambda: sim.advance_to(5.0)):
+        with pytest.raises(ph.SimulationError) as caught:
+            raises()
+        error = caught.value
+        assert error.bodies == ("probe",) and "probe" in error.place and f"t = {error.time} s" in error.place
+        # Falling from rest at 1 m: pi / sqrt(8) s.
+        assert error.time == pytest.approx(np.pi / 8**0.5, abs=1e-3)
+        assert error.cure.startswith("end the run before") and error.cure in str(error)
+
+
 INTERRUPTED = """
 import os, signal, threading, time
 import polhode as ph

@@ -31,7 +31,7 @@ from ._errors import (
     UnknownName,
 )
 from ._functions import doctor, mass_properties, rotate_free
-from ._joints import Ball, Cylindrical, FixedJoint, Hinge, Joint, Planar, Rod, Rope, Screw, Slider, Universal
+from ._joints import Ball, Cylindrical, FixedJoint, Hinge, Joint, OnTrack, Planar, Rod, Rope, Screw, Slider, Universal
 from ._polhode import (
     BodyState,
     Contact,
@@ -103,6 +103,7 @@ __all__ = [
     "Momentum",
     "Normal",
     "NotKept",
+    "OnTrack",
     "Place",
     "Planar",
     "Points",

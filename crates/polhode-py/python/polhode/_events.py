@@ -25,4 +25,5 @@ def structured(
     events["impulse"], events["energy_change"] = numbers[:, 7], numbers[:, 8]
     events.flags.writeable = False
     # Who owns an array may make it writeable again; who has a view of one that is not may not.
-    return events.view()
+    view: NDArray[np.void] = events.view()
+    return view

@@ -217,7 +217,8 @@ class Simulation(_polhode.Simulation):
         if name in self.joint_names:
             raise ActionError(f"the name {name!r} is in use by another joint: give another one")
         alone = Scene(duration=self.duration)
-        for held in dict.fromkeys(getattr(held, "name", held) for held in (body, other) if held is not None):
+        names = [held.name if isinstance(held, Body) else held for held in (body, other) if held is not None]
+        for held in dict.fromkeys(names):
             state = self.body(held)
             # Of these bodies the library asks where they are: what they are it knows.
             alone.add(name=held, mass=1.0, inertia=[1, 1, 1], at=state.position, orientation=state.orientation)

@@ -274,7 +274,7 @@ def hopper(**keys: Any) -> SceneEnv:
         scene.add(Capsule(0.05, length), name=name, mass=mass, at=(0, 0, height), friction=0.9)
         for name, (length, mass, height) in upright.items()
     )
-    flat = {"rotation_vector": (0, math.pi / 2, 0), "friction": 0.9}
+    flat: dict[str, Any] = {"rotation_vector": (0, math.pi / 2, 0), "friction": 0.9}
     foot = scene.add(Capsule(0.06, 0.39), name="foot", mass=5.0, at=(0.065, 0, 0.06), **flat)
     scene.joint(Planar(at=(0, 0, _TORSO[2]), normal=(0, 1, 0)), torso, name="plane")
     back = (0, -1, 0)
