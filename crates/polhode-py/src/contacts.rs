@@ -14,6 +14,9 @@ use polhode::scene::{ImpactLaw, PulseExponent, RestitutionLaw};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+/// Rows of a contact in space.
+const IN_SPACE: usize = 3;
+
 /// Contacts with friction: matrix, velocities without reactions, coefficients and rows of each.
 struct Contacts {
     matrix: Vec<f64>,
@@ -33,7 +36,7 @@ impl Contacts {
             free.as_array().iter().copied().collect::<Vec<f64>>(),
             friction.as_array().iter().copied().collect::<Vec<f64>>(),
         ];
-        let rows = free.len().checked_div(friction.len()).unwrap_or(1);
+        let rows = free.len().checked_div(friction.len()).unwrap_or(IN_SPACE);
         Self { matrix, free, friction, rows }
     }
 
@@ -71,7 +74,9 @@ pub(crate) fn friction<'py>(
     told.set_item("residual", solved.report.residual)?;
     told.set_item("method", solved.report.method.name())?;
     told.set_item("iterations", solved.report.iterations())?;
-    told.set_item("squeeze", (!solved.squeeze.is_empty()).then(|| PyArray1::from_vec(py, solved.squeeze)))?;
+    // Normal reactions alone.
+    let squeeze: Vec<f64> = solved.squeeze.iter().step_by(contacts.rows).copied().collect();
+    told.set_item("squeeze", (!squeeze.is_empty()).then(|| PyArray1::from_vec(py, squeeze)))?;
     Ok(told)
 }
 

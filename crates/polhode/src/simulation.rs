@@ -525,6 +525,8 @@ impl Simulation {
         let mut world = self.core.world.clone();
         world.replace_applied(&content.applied)?;
         world.replace_steered(&content.steered)?;
+        // Joints that have let go have motors too.
+        world.replace_released(&[])?;
         world.replace_motors(&content.motors)?;
         world.replace_released(&content.released)?;
         world.replace_turns(&content.turns)?;

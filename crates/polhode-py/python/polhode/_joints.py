@@ -124,7 +124,7 @@ class OnTrack(Joint):
     >>> bead = scene.add(ph.Sphere(0.01), mass=1.0, at=(0, 0, 0))
     >>> joint = scene.joint(ph.OnTrack(wire, at=(0, 0, 0)), bead, name="on wire")
     >>> float(ph.run(scene, duration=0.4).joints["on wire"].displacement[-1].round(9))    # m: g sin(45 deg) t^2 / 2
-    0.55493741
+    0.554937402
     """
 
     def __init__(

@@ -257,7 +257,7 @@ _TORSO, _THIGH, _LEG = (0.4, 3.5, 1.21), (0.45, 3.9, 0.785), (0.5, 2.7, 0.31)
 def hopper(**keys: Any) -> SceneEnv:
     """A hopper in the plane y = 0: torso, thigh, leg and foot on three hinges with motors, and a floor with friction.
 
-    An episode begins with small blows at the torso. Its reward is the way forward in m/s, 1 for each step in which it
+    An episode begins with a small blow at the torso. Its reward is the way forward in m/s, 1 for each step in which it
     has not fallen, and the square of the action, which costs. It ends where the torso is below 0.7 m or leans by more
     than 0.4 rad, and is truncated after 10 s. Keys are those of :class:`SceneEnv`.
 
@@ -310,6 +310,7 @@ def has_tumbled(env: SceneEnv) -> bool:
 
 
 def nudge(env: SceneEnv) -> None:
-    """The blow at which an episode of :func:`hopper` begins: at most 20 mm/s of its torso."""
-    along, up = (0.07 * float(blow) for blow in env.np_random.uniform(-1.0, 1.0, 2))
-    env.sim.apply_impulse("torso", (along, 0, abs(up)), env.sim.body("torso").position)
+    """The blow at which an episode of :func:`hopper` begins: at most 1 N s along at the top of its torso, either
+    way."""
+    blow = float(env.np_random.uniform(-1.0, 1.0))
+    env.sim.apply_impulse("torso", (blow, 0, 0), (0, 0, _TORSO[2] + _TORSO[0] / 2))

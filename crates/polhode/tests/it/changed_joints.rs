@@ -130,6 +130,32 @@ fn a_snapshot_goes_on_across_a_removal() {
     }
 }
 
+/// The motor that a program has given a joint goes with it, and comes back with it.
+#[test]
+fn a_motor_comes_back_with_its_joint() {
+    for (method, _) in [methods()[0].clone(), methods()[1].clone()] {
+        let (scene, body, hinge) = pendulum(method, 1.2);
+        let mut simulation = Simulation::new(&scene.build().unwrap()).unwrap();
+        let motor = Motor::new(Drive::Effort(2.0)).unwrap();
+        simulation.set_motor(hinge, Coordinate::Angle, Some(motor)).unwrap();
+        simulation.advance_to(0.2).unwrap();
+        let before = simulation.snapshot();
+        simulation.advance_to(0.5).unwrap();
+        let driven = simulation.body(body);
+        simulation.restore(&before).unwrap();
+        simulation.remove_joint(hinge).unwrap();
+        let after = simulation.snapshot();
+        simulation.advance_to(0.5).unwrap();
+        let flown = simulation.body(body);
+        simulation.restore(&after).unwrap();
+        simulation.advance_to(0.5).unwrap();
+        assert_eq!(simulation.body(body), flown);
+        simulation.restore(&before).unwrap();
+        simulation.advance_to(0.5).unwrap();
+        assert_eq!(simulation.body(body), driven);
+    }
+}
+
 /// A snapshot with a joint that was added belongs to a simulation to which the same joint was added, between bodies at the same places.
 #[test]
 fn a_snapshot_goes_on_with_a_joint_that_was_added() {
