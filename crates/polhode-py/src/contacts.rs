@@ -4,7 +4,7 @@
 
 use crate::errors;
 use numpy::ndarray::{Array1, Array2};
-use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use polhode::response::friction::{FrictionProblem, FrictionSettings, FrictionSolution, Redundancy, solve_friction};
 use polhode::response::{
     ComplementaritySolver, ContactProblem, ImpactProblem, ImpactSettings, Law, MultipleFrictionalImpact,
@@ -27,15 +27,12 @@ struct Contacts {
 
 impl Contacts {
     fn of(
-        matrix: &PyReadonlyArray2<'_, f64>,
-        free: &PyReadonlyArray1<'_, f64>,
-        friction: &PyReadonlyArray1<'_, f64>,
+        matrix: &Bound<'_, PyArray2<f64>>,
+        free: &Bound<'_, PyArray1<f64>>,
+        friction: &Bound<'_, PyArray1<f64>>,
     ) -> Self {
-        let [matrix, free, friction] = [
-            matrix.as_array().iter().copied().collect(),
-            free.as_array().iter().copied().collect::<Vec<f64>>(),
-            friction.as_array().iter().copied().collect::<Vec<f64>>(),
-        ];
+        let matrix = matrix.readonly().as_array().iter().copied().collect();
+        let [free, friction] = [numbers_of(free), numbers_of(friction)];
         let rows = free.len().checked_div(friction.len()).unwrap_or(IN_SPACE);
         Self { matrix, free, friction, rows }
     }
@@ -53,18 +50,23 @@ impl Contacts {
     }
 }
 
+/// The numbers of an array.
+fn numbers_of(array: &Bound<'_, PyArray1<f64>>) -> Vec<f64> {
+    array.readonly().as_array().iter().copied().collect()
+}
+
 /// Forces of contacts with friction; `start` are those of a similar problem.
 #[pyfunction]
 #[pyo3(name = "solve_friction")]
 pub(crate) fn friction<'py>(
     py: Python<'py>,
-    matrix: PyReadonlyArray2<'py, f64>,
-    free: PyReadonlyArray1<'py, f64>,
-    coefficients: PyReadonlyArray1<'py, f64>,
-    start: Option<PyReadonlyArray1<'py, f64>>,
+    matrix: &Bound<'py, PyArray2<f64>>,
+    free: &Bound<'py, PyArray1<f64>>,
+    coefficients: &Bound<'py, PyArray1<f64>>,
+    start: Option<&Bound<'py, PyArray1<f64>>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let contacts = Contacts::of(&matrix, &free, &coefficients);
-    let start: Option<Vec<f64>> = start.map(|start| start.as_array().iter().copied().collect());
+    let contacts = Contacts::of(matrix, free, coefficients);
+    let start: Option<Vec<f64>> = start.map(numbers_of);
     let solved = py.detach(|| solved(&contacts, start)).map_err(errors::value)?;
     let told = PyDict::new(py);
     told.set_item("impulses", contacts.lines(py, solved.reactions)?)?;
@@ -142,15 +144,15 @@ impl Laws {
 #[pyfunction]
 pub(crate) fn impact_without_friction<'py>(
     py: Python<'py>,
-    matrix: PyReadonlyArray2<'py, f64>,
-    before: PyReadonlyArray1<'py, f64>,
-    restitution: PyReadonlyArray1<'py, f64>,
-    laws: Laws,
+    matrix: &Bound<'py, PyArray2<f64>>,
+    before: &Bound<'py, PyArray1<f64>>,
+    restitution: &Bound<'py, PyArray1<f64>>,
+    laws: &Bound<'py, PyDict>,
 ) -> PyResult<Bound<'py, PyDict>> {
+    let laws: Laws = laws.extract()?;
     let law = laws.of_impact()?.of_rows(laws.exponent()?);
-    let [before, restitution] =
-        [&before, &restitution].map(|array| array.as_array().iter().copied().collect::<Vec<f64>>());
-    let matrix: Vec<f64> = matrix.as_array().iter().copied().collect();
+    let [before, restitution] = [numbers_of(before), numbers_of(restitution)];
+    let matrix: Vec<f64> = matrix.readonly().as_array().iter().copied().collect();
     let outcome = py.detach(|| {
         check_delassus(before.len(), &matrix)?;
         let contacts = rows_of(before.len(), matrix)?;
@@ -191,15 +193,16 @@ fn rows_of(size: usize, matrix: Vec<f64>) -> Result<ContactProblem, ResponseErro
 #[pyfunction]
 pub(crate) fn impact_with_friction<'py>(
     py: Python<'py>,
-    matrix: PyReadonlyArray2<'py, f64>,
-    before: PyReadonlyArray1<'py, f64>,
-    restitution: PyReadonlyArray1<'py, f64>,
-    coefficients: PyReadonlyArray1<'py, f64>,
-    laws: Laws,
+    matrix: &Bound<'py, PyArray2<f64>>,
+    before: &Bound<'py, PyArray1<f64>>,
+    restitution: &Bound<'py, PyArray1<f64>>,
+    coefficients: &Bound<'py, PyArray1<f64>>,
+    laws: &Bound<'py, PyDict>,
 ) -> PyResult<Bound<'py, PyDict>> {
+    let laws: Laws = laws.extract()?;
     let (several, single) = (laws.of_impact()?.of_contacts_with_friction(laws.exponent()?), laws.of_single_contact()?);
-    let contacts = Contacts::of(&matrix, &before, &coefficients);
-    let restitution: Vec<f64> = restitution.as_array().iter().copied().collect();
+    let contacts = Contacts::of(matrix, before, coefficients);
+    let restitution = numbers_of(restitution);
     let outcome = py.detach(|| {
         let impact = MultipleFrictionalImpact {
             contacts: &contacts.problem()?,

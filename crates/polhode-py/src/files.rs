@@ -4,6 +4,7 @@ use crate::errors;
 use crate::views::Finding;
 use numpy::ndarray::Array2;
 use numpy::{PyArray, PyArray2};
+use polhode::spatial::DVec3;
 use polhode_scene::format::MATERIAL_KEYS;
 use polhode_scene::robot::{self, RobotCoordinate};
 use polhode_scene::{MeshFileError, SceneFileError, read_mesh};
@@ -17,12 +18,13 @@ type Mesh<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<i64>>);
 
 /// The vertices of a mesh file, (V, 3) in its own unit, and its triangles, (T, 3).
 #[pyfunction]
-pub(crate) fn mesh_of_file(py: Python<'_>, path: PathBuf) -> PyResult<Mesh<'_>> {
+pub(crate) fn mesh_of_file<'py>(py: Python<'py>, path: &Bound<'py, PyAny>) -> PyResult<Mesh<'py>> {
+    let path: PathBuf = path.extract()?;
     let mesh = py.detach(|| read_mesh(&path)).map_err(|error| match error {
         MeshFileError::Read { .. } => PyOSError::new_err(error.to_string()),
         other => errors::value(other),
     })?;
-    let vertices = mesh.vertices().iter().flat_map(|vertex| vertex.to_array()).collect();
+    let vertices = mesh.vertices().iter().flat_map(DVec3::to_array).collect();
     let triangles = mesh.triangles().iter().flatten().map(|&corner| i64::from(corner)).collect();
     Ok((table(py, mesh.vertices().len(), vertices)?, table(py, mesh.triangles().len(), triangles)?))
 }
@@ -35,7 +37,8 @@ fn table<T: numpy::Element>(py: Python<'_>, rows: usize, numbers: Vec<T>) -> PyR
 
 /// What stands in the file of a robot: its name, links, joints and findings.
 #[pyfunction]
-pub(crate) fn robot_of_file(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> {
+pub(crate) fn robot_of_file<'py>(py: Python<'py>, path: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyDict>> {
+    let path: PathBuf = path.extract()?;
     let file = py.detach(|| robot::read_robot(&path, &[]));
     let file = file.map_err(|error| errors::scene(py, &SceneFileError::from(error)))?;
     let links: Vec<(&str, Option<f64>)> = file

@@ -231,13 +231,13 @@ impl Simulation {
         }
         let tier = self.core.settings.tier;
         let mut probe = self.core.world.clone();
-        let number = probe.add_joint(joint, &self.tier.states(&self.core), tier)?;
+        let number = probe.add_joint(&joint, &self.tier.states(&self.core), tier)?;
         let held = bodies.into_iter().filter(|&body| probe.bodies[body].moves()).collect();
         let together = probe.with_jointed(held);
         self.act(&together, &[], "add_joint", |simulation| {
             let fields_before_j = simulation.field_potential();
             let states = simulation.tier.states(&simulation.core);
-            simulation.core.world.add_joint(joint, &states, tier)?;
+            simulation.core.world.add_joint(&joint, &states, tier)?;
             simulation.change_joint(probe.pair_of_joint(number), fields_before_j);
             simulation.stop_at_joints(&together)
         })?;

@@ -30,7 +30,10 @@ fn rows(context: &Context) -> CaseResult {
     let mut tests = environment.module("pytest");
     tests.args(["-q", "-p", "no:cacheprovider", "tests"]).env("POLHODE", program);
     let mut types = environment.module("mypy");
-    types.args(["--strict", "--python-version", OLDEST, "--package", "polhode"]).arg("--cache-dir").arg(environment.folder.join("mypy"));
+    types
+        .args(["--strict", "--python-version", OLDEST, "--package", "polhode"])
+        .arg("--cache-dir")
+        .arg(environment.folder.join("mypy"));
     let mut stubs = environment.module("mypy.stubtest");
     stubs.args([NATIVE, "--concise"]);
     for (what, command) in [

@@ -11,7 +11,7 @@ impl World {
     ///
     /// # Errors
     /// When a scene would refuse it; the world is of no use then.
-    pub(crate) fn add_joint(&mut self, joint: Joint, states: &[BodyState], tier: Tier) -> Result<usize, SceneError> {
+    pub(crate) fn add_joint(&mut self, joint: &Joint, states: &[BodyState], tier: Tier) -> Result<usize, SceneError> {
         let joint = self.scene.take_joint(joint, tier)?;
         let number = self.scene.joints().len() - 1;
         let added = self.joint_between(number, &joint, states);

@@ -42,10 +42,10 @@ impl Scene {
     ///
     /// # Errors
     /// As [`SceneBuilder::build`](super::SceneBuilder::build), but that its bodies may move as it does not allow: it stops them.
-    pub(crate) fn take_joint(&mut self, joint: Joint, tier: Tier) -> Result<Joint, SceneError> {
+    pub(crate) fn take_joint(&mut self, joint: &Joint, tier: Tier) -> Result<Joint, SceneError> {
         let number = self.joints.len();
-        self.check_joint(number, &joint)?;
-        let placed = self.placed_on_track(number, &joint)?;
+        self.check_joint(number, joint)?;
+        let placed = self.placed_on_track(number, joint)?;
         self.joints.push(placed);
         self.check_joints_in(tier)?;
         self.check_coordinates()?;

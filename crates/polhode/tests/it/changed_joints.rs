@@ -166,7 +166,7 @@ fn a_snapshot_goes_on_with_a_joint_that_was_added() {
             let end = simulation.body(body).pose.translation - DVec3::X * (0.5 * ROD.1);
             Joint::hinge(body, end, UnitVector::Y)
         };
-        let [mut one, mut other] = [Simulation::new(&scene).unwrap(), Simulation::new(&scene).unwrap()];
+        let (mut one, mut other) = (Simulation::new(&scene).unwrap(), Simulation::new(&scene).unwrap());
         let free = one.snapshot();
         for simulation in [&mut one, &mut other] {
             simulation.advance_to(0.2).unwrap();
@@ -340,7 +340,7 @@ fn steps_of_a_length_end_where_they_are_asked_to() {
         let is_accurate = method.tier == Some(Tier::Accurate);
         let (scene, body, _) = pendulum(method, 1.2);
         let scene = scene.build().unwrap();
-        let [mut one, mut other] = [Simulation::new(&scene).unwrap(), Simulation::new(&scene).unwrap()];
+        let (mut one, mut other) = (Simulation::new(&scene).unwrap(), Simulation::new(&scene).unwrap());
         let own = one.step_within(1e-4, &mut Recorder::default()).unwrap();
         assert!((own.t_s - 1e-4).abs() < 1e-15, "{own:?}");
         let own = one.step_within(10.0, &mut Recorder::default()).unwrap();
