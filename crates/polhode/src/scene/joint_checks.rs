@@ -2,7 +2,7 @@
 //! method solves for them.
 
 use super::{
-    Coordinate, Freedom, Integrator, IntegratorChoice, Joint, JointKind, Scene, SceneError, Tier, TierFeature,
+    Coordinate, Freedom, Integrator, IntegratorChoice, Joint, JointKind, Response, Scene, SceneError, Tier, TierFeature,
 };
 use crate::constraint::joint::{HeldBody, WorldJoint};
 use crate::constraint::row::RowKind;
@@ -50,6 +50,9 @@ impl Scene {
         self.check_joints_in(tier)?;
         self.check_coordinates()?;
         self.check_motions()?;
+        if tier.facts().own_response == Some(Response::Penalty) {
+            self.check_springs()?;
+        }
         Ok(placed)
     }
 

@@ -331,6 +331,17 @@ fn joints_that_the_tier_does_not_have_are_refused() {
     let weak = Joint::ball(body, DVec3::ZERO).breaking_at(polhode::scene::Strength::default().force(5.0).unwrap());
     let refused = simulation.add_joint(weak).unwrap_err();
     assert!(matches!(refused, SimulationError::Scene(SceneError::NotYetAvailable { .. })), "{refused}");
+    let (scene, body) = falling(Method { tier: Some(Tier::Penalty), ..Method::default() });
+    let mut simulation = Simulation::new(&scene.build().unwrap()).unwrap();
+    let hinge = Joint::hinge(body, DVec3::ZERO, UnitVector::Y);
+    let limits = Limits::new(-0.5, 0.5).unwrap();
+    let refused = simulation.add_joint(hinge.with_limits(Coordinate::Angle, limits)).unwrap_err();
+    assert!(matches!(refused, SimulationError::Scene(SceneError::NotYetAvailable { .. })), "{refused}");
+    let hinge = simulation.add_joint(hinge).unwrap();
+    simulation.advance_to(0.3).unwrap();
+    assert!((simulation.body(body).pose.translation.length() - 0.5 * ROD.1).abs() < 1e-9);
+    simulation.remove_joint(hinge).unwrap();
+    assert_closes(&simulation.run().unwrap());
 }
 
 /// Steps of a length end there, at events, or where the tier's own steps do; what is reported on the way changes nothing.
