@@ -54,14 +54,14 @@ pub(crate) fn pose(position: &Bound<'_, PyAny>, orientation: Option<&Bound<'_, P
     Ok(Pose::new(rotation, translation))
 }
 
-/// The number that one of some names is given by: the name itself, or the number.
-pub(crate) fn index_of(kind: &str, given: &Bound<'_, PyAny>, names: &[&str]) -> PyResult<usize> {
+/// The number that one of some names is given by: the name itself, or the number. An error tells those that are known.
+pub(crate) fn index_of(kind: &str, given: &Bound<'_, PyAny>, names: &[&str], known: &[&str]) -> PyResult<usize> {
     let py = given.py();
     // A body or joint of a scene that is built stands for its name.
     let name = given.extract::<String>().or_else(|_| given.getattr("name")?.extract::<String>());
     if let Ok(name) = name {
-        let found = names.iter().position(|known| **known == name);
-        return found.ok_or_else(|| errors::unknown_name(py, kind, &name, names));
+        let found = names.iter().position(|own| **own == name && !name.is_empty());
+        return found.ok_or_else(|| errors::unknown_name(py, kind, &name, known));
     }
     let refused =
         || PyTypeError::new_err(format!("{kind}: a name or a number of at least 0 is needed, found {}", shown(given)));

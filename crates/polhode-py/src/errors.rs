@@ -3,7 +3,7 @@
 use polhode::{SimulationError, SnapshotError};
 use polhode_scene::robot::Finding;
 use polhode_scene::{LoadedScene, Refused, SceneFileError};
-use pyo3::exceptions::PyOSError;
+use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
@@ -24,6 +24,11 @@ fn made(py: Python<'_>, class: &str, message: &str, keep: impl FnOnce(&Bound<'_,
 /// An exception of this class that keeps nothing but its message.
 pub(crate) fn plain(py: Python<'_>, class: &str, message: &str) -> PyErr {
     made(py, class, message, |_| Ok(()))
+}
+
+/// A value that is refused.
+pub(crate) fn value(reason: impl std::fmt::Display) -> PyErr {
+    PyValueError::new_err(reason.to_string())
 }
 
 /// One thing that is refused: where (file or argument, line, column, key or part of a robot), why, and what mends it.
@@ -83,7 +88,19 @@ pub(crate) fn simulation(py: Python<'_>, loaded: &LoadedScene, error: Simulation
         SimulationError::Action(error) => plain(py, "ActionError", &error.to_string()),
         SimulationError::Snapshot(error) => snapshot(py, &error),
         SimulationError::TimeInThePast { .. } => plain(py, "ActionError", &error.to_string()),
-        error => plain(py, "SimulationError", &format!("{}: {error}", loaded.scene.name())),
+        error => made(py, "SimulationError", &format!("{}: {error}", loaded.scene.name()), |kept| {
+            kept.set_item("time", error.time())?;
+            kept.set_item("bodies", error.bodies())?;
+            kept.set_item("cure", error.cure())
+        }),
+    }
+}
+
+/// Something that an action asks of a simulation is refused, also where a scene would refuse it: it is in no file.
+pub(crate) fn action(py: Python<'_>, loaded: &LoadedScene, error: SimulationError) -> PyErr {
+    match error {
+        SimulationError::Scene(error) => plain(py, "ActionError", &error.to_string()),
+        error => simulation(py, loaded, error),
     }
 }
 

@@ -1,20 +1,14 @@
 //! Parts of the library as functions of arrays.
 
-use crate::views::Finding;
 use crate::{arguments, errors};
 use numpy::ndarray::Array2;
 use numpy::{AllowTypeChange, PyArray2, PyArrayLike1, PyArrayLike2};
 use polhode::dynamics::FreeRotation;
 use polhode::mesh::{Amount, TriangleMesh};
 use polhode::spatial::{DVec3, Density, Inertia, Mass, Rotation};
-use polhode_scene::{Filling, MeshReport, SceneFileError, robot};
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use polhode_scene::{Filling, MeshReport};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use std::path::PathBuf;
-
-fn refused(error: impl std::fmt::Display) -> PyErr {
-    PyValueError::new_err(error.to_string())
-}
 
 /// Something that is no array of the kind that is needed.
 fn unfit(what: &str, needed: &str, given: &Bound<'_, PyAny>) -> PyErr {
@@ -35,14 +29,14 @@ pub(crate) fn rotate_free<'py>(
     orientation: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let moments = arguments::vector("moments", moments)?;
-    Inertia::from_diagonal(moments).map_err(|error| refused(format!("moments: {error}")))?;
+    Inertia::from_diagonal(moments).map_err(|error| errors::value(format!("moments: {error}")))?;
     let angular_velocity = arguments::vector("angular_velocity", angular_velocity)?;
     let start = orientation.map_or(Ok(Rotation::IDENTITY), arguments::rotation)?;
     let times: PyArrayLike1<'_, f64, AllowTypeChange> =
         times.extract().map_err(|_| unfit("times", "an array of numbers of shape (N,)", times))?;
     let times = times.as_array();
     if let Some(time) = times.iter().find(|time| !time.is_finite()) {
-        return Err(refused(format!("times: finite numbers are needed, found {time}")));
+        return Err(errors::value(format!("times: finite numbers are needed, found {time}")));
     }
     let attitudes = py.detach(|| {
         let momentum = start.rotate(start.inverse_rotate(angular_velocity) * moments);
@@ -50,7 +44,7 @@ pub(crate) fn rotate_free<'py>(
         let attitudes = times.iter().flat_map(|&time| rotation.at(time).to_wxyz()).collect();
         Array2::from_shape_vec((times.len(), 4), attitudes)
     });
-    Ok(PyArray2::from_owned_array(py, attitudes.map_err(refused)?))
+    Ok(PyArray2::from_owned_array(py, attitudes.map_err(errors::value)?))
 }
 
 /// Diagnosis and mass properties of a mesh, as JSON.
@@ -70,57 +64,28 @@ pub(crate) fn mesh_report(
     let (vertices, triangles) = (vertices.as_array(), triangles.as_array());
     for (what, shape) in [("vertices", vertices.shape()), ("triangles", triangles.shape())] {
         if shape[1] != 3 {
-            return Err(refused(format!("{what}: an array of shape (N, 3) is needed, found {shape:?}")));
+            return Err(errors::value(format!("{what}: an array of shape (N, 3) is needed, found {shape:?}")));
         }
     }
     let amount = match (mass, density) {
         (Some(mass), None) => Mass::new(mass).map(Amount::Mass),
         (None, Some(density)) => Density::new(density).map(Amount::Density),
-        _ => return Err(refused("exactly one of mass (kg) and density (kg/m^3) is needed")),
+        _ => return Err(errors::value("exactly one of mass (kg) and density (kg/m^3) is needed")),
     };
-    let amount = amount.map_err(refused)?;
+    let amount = amount.map_err(errors::value)?;
     let index = |&index: &i64| {
-        u32::try_from(index).map_err(|_| refused(format!("triangles: {index} is the number of no vertex")))
+        u32::try_from(index).map_err(|_| errors::value(format!("triangles: {index} is the number of no vertex")))
     };
     let corners: Vec<u32> = triangles.iter().map(index).collect::<PyResult<_>>()?;
     let points: Vec<f64> = vertices.iter().copied().collect();
     let filling = if is_hollow { Filling::Hollow } else { Filling::Solid };
     py.detach(|| {
         let points = points.as_chunks().0.iter().map(|&point| DVec3::from_array(point)).collect();
-        let mesh = TriangleMesh::new(points, corners.as_chunks().0.to_vec()).map_err(refused)?;
+        let mesh = TriangleMesh::new(points, corners.as_chunks().0.to_vec()).map_err(errors::value)?;
         let report = MeshReport::new(mesh, filling, amount);
         if let Err(error) = &report.mass_properties {
-            return Err(refused(error));
+            return Err(errors::value(error));
         }
         Ok(report.to_json().to_string())
     })
-}
-
-/// What is impossible in the file of a robot, or simulated otherwise than it says: of its masses, inertias, meshes and links too.
-#[pyfunction]
-pub(crate) fn doctor(py: Python<'_>, path: &Bound<'_, PyAny>) -> PyResult<Vec<Finding>> {
-    let path: PathBuf = path.extract()?;
-    let found = py.detach(|| match polhode_scene::load_with(&path, &[]) {
-        Ok(loaded) => {
-            let examined = loaded.examine_robots();
-            Ok(loaded.findings().chain(&examined).map(finding).collect())
-        }
-        Err(SceneFileError::Robot(error)) if !error.findings().is_empty() => {
-            Ok(error.findings().iter().map(finding).collect())
-        }
-        Err(error) => Err(error),
-    });
-    found.map_err(|error| errors::scene(py, &error))
-}
-
-fn finding(found: &robot::Finding) -> Finding {
-    Finding {
-        file: found.place.file.display().to_string(),
-        line: found.place.line,
-        column: found.place.column,
-        severity: found.severity().name().to_owned(),
-        subject: found.subject.clone(),
-        what: found.defect.to_string(),
-        cure: found.cure(),
-    }
 }

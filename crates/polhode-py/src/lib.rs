@@ -12,6 +12,8 @@
 //! | `actions` | what a program does to its bodies and joints |
 //! | `views` | what a simulation tells of the present |
 //! | `arguments` | what Python gives, checked |
+//! | `contacts` | forces of friction and impacts, as functions of arrays |
+//! | `files` | meshes and robots from their files |
 //! | `functions` | parts of the library as functions of arrays |
 //! | `errors` | errors of the library as Python's exceptions |
 //!
@@ -19,7 +21,9 @@
 
 mod actions;
 mod arguments;
+mod contacts;
 mod errors;
+mod files;
 mod functions;
 mod loaded;
 mod recorder;
@@ -36,7 +40,11 @@ mod _polhode {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use super::functions::{doctor, mesh_report, rotate_free};
+    use super::contacts::{friction, impact_with_friction, impact_without_friction};
+    #[pymodule_export]
+    use super::files::{doctor, material_keys, mesh_of_file, robot_of_file};
+    #[pymodule_export]
+    use super::functions::{mesh_report, rotate_free};
     #[pymodule_export]
     use super::loaded::Loaded;
     #[pymodule_export]
@@ -48,7 +56,7 @@ mod _polhode {
     #[pymodule_export]
     use super::study::study;
     #[pymodule_export]
-    use super::views::{BodyState, Contact, Coordinate, Energy, Finding, JointLoad, StepOutcome};
+    use super::views::{BodyState, Contact, Coordinate, Energy, Finding, JointLoad, Momentum, StepOutcome};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -140,18 +140,22 @@ impl Recording {
     /// Of each event: its kind, the numbers of its bodies (-1 where there is no second one), and time, point, normal, impulse and change
     /// of energy as a row of nine numbers.
     fn events<'py>(&self, py: Python<'py>) -> PyResult<EventColumns<'py>> {
-        let number = |event: &Event| event.body_b.map_or(-1, |body| body.index() as i64);
-        let kinds = self.events.iter().map(|event| event.kind.word()).collect();
-        let bodies = self.events.iter().flat_map(|event| [event.body_a.index() as i64, number(event)]).collect();
-        let numbers = self.events.iter().flat_map(|event| {
-            let (p, n) = (event.point, event.normal);
-            [event.t_s, p.x, p.y, p.z, n.x, n.y, n.z, event.impulse, event.energy_change_j]
-        });
-        let count = self.events.len();
-        let bodies = PyArray1::from_vec(py, bodies).reshape([count, 2])?;
-        Ok((kinds, bodies, PyArray1::from_vec(py, numbers.collect()).reshape([count, 9])?))
+        event_columns(py, &self.events)
     }
 }
 
+/// Events in columns.
+pub(crate) fn event_columns<'py>(py: Python<'py>, events: &[Event]) -> PyResult<EventColumns<'py>> {
+    let number = |event: &Event| event.body_b.map_or(-1, |body| body.index() as i64);
+    let kinds = events.iter().map(|event| event.kind.word()).collect();
+    let bodies = events.iter().flat_map(|event| [event.body_a.index() as i64, number(event)]).collect();
+    let numbers = events.iter().flat_map(|event| {
+        let (p, n) = (event.point, event.normal);
+        [event.t_s, p.x, p.y, p.z, n.x, n.y, n.z, event.impulse, event.energy_change_j]
+    });
+    let bodies = PyArray1::from_vec(py, bodies).reshape([events.len(), 2])?;
+    Ok((kinds, bodies, PyArray1::from_vec(py, numbers.collect()).reshape([events.len(), 9])?))
+}
+
 /// Kinds, bodies and numbers of events.
-type EventColumns<'py> = (Vec<&'static str>, Bound<'py, PyArray2<i64>>, Bound<'py, PyArray2<f64>>);
+pub(crate) type EventColumns<'py> = (Vec<&'static str>, Bound<'py, PyArray2<i64>>, Bound<'py, PyArray2<f64>>);

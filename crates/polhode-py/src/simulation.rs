@@ -4,9 +4,11 @@ use crate::actions::{Driven, velocity_of};
 use crate::arguments;
 use crate::errors;
 use crate::loaded::Loaded;
-use crate::views::{BodyState, Contact, Coordinate, Energy, JointLoad, StepOutcome};
-use polhode::{BodyId, BodySample, Effects, Flow, JointId, Observer, SimulationError, Steering};
-use polhode_scene::{LoadedScene, scene_report_json};
+use crate::recording::{EventColumns, event_columns};
+use crate::views::{BodyState, Contact, Coordinate, Energy, JointLoad, Momentum, StepOutcome};
+use polhode::scene::{Joint, JointKind};
+use polhode::{BodyId, BodySample, Effects, Event, Flow, JointId, Observer, SimulationError, Steering};
+use polhode_scene::{LoadedScene, certificate_json, scene_report_json};
 use pyo3::exceptions::{PyRuntimeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -21,7 +23,6 @@ const LOOK_EVERY: Duration = Duration::from_millis(50);
 #[derive(Debug)]
 pub(crate) struct Simulation {
     loaded: Arc<LoadedScene>,
-    pub(crate) joint_names: Vec<String>,
     held: Mutex<Held>,
 }
 
@@ -31,18 +32,49 @@ pub(crate) struct Held {
     pub(crate) simulation: polhode::Simulation,
     /// The names of all bodies by their numbers; those of removed ones are empty.
     pub(crate) body_names: Vec<String>,
+    /// The names and kinds of all joints by their numbers.
+    joints: Vec<(String, JointKind)>,
+    /// The events so far, where they are kept.
+    events: Option<Vec<Event>>,
+}
+
+/// The number of what is given by its name or its number; names of what was removed are empty.
+fn present(kind: &str, given: &Bound<'_, PyAny>, names: &[&str]) -> PyResult<usize> {
+    let known: Vec<&str> = names.iter().copied().filter(|name| !name.is_empty()).collect();
+    match arguments::index_of(kind, given, names, &known)? {
+        index if names.get(index).is_some_and(|name| !name.is_empty()) => Ok(index),
+        index => Err(errors::unknown_name(given.py(), kind, &index.to_string(), &known)),
+    }
 }
 
 impl Held {
     /// The number of a body that is given by its name or its number.
     pub(crate) fn body(&self, given: &Bound<'_, PyAny>) -> PyResult<BodyId> {
         let names: Vec<&str> = self.body_names.iter().map(String::as_str).collect();
-        let present: Vec<&str> = names.iter().copied().filter(|name| !name.is_empty()).collect();
-        match arguments::index_of("body", given, &names) {
-            Ok(index) if names.get(index).is_some_and(|name| !name.is_empty()) => Ok(BodyId::new(index)),
-            Ok(index) => Err(errors::unknown_name(given.py(), "body", &index.to_string(), &present)),
-            Err(error) => Err(error),
-        }
+        present("body", given, &names).map(BodyId::new)
+    }
+
+    /// The number of a joint that is given by its name or its number.
+    fn joint(&self, given: &Bound<'_, PyAny>) -> PyResult<JointId> {
+        present("joint", given, &self.joint_names()).map(JointId::new)
+    }
+
+    /// The names of all joints by their numbers; those of joints that hold nothing any more are empty.
+    fn joint_names(&self) -> Vec<&str> {
+        let is_there = |number: usize| self.simulation.has_joint(JointId::new(number));
+        let joints = self.joints.iter().enumerate();
+        joints.map(|(number, (name, _))| if is_there(number) { name.as_str() } else { "" }).collect()
+    }
+
+    /// The coordinate that is meant of a joint: the one of this name, or its first.
+    fn coordinate(&self, py: Python<'_>, joint: JointId, name: Option<&str>) -> PyResult<polhode::scene::Coordinate> {
+        let own = self.joints.get(joint.index()).map_or(&[][..], |(_, kind)| kind.coordinates());
+        let found = match name {
+            None => own.first(),
+            Some(name) => own.iter().find(|coordinate| coordinate.name() == name),
+        };
+        let names: Vec<&str> = own.iter().map(|coordinate| coordinate.name()).collect();
+        found.copied().ok_or_else(|| errors::unknown_name(py, "coordinate", name.unwrap_or("(the first)"), &names))
     }
 
     fn name(&self, body: BodyId) -> String {
@@ -50,13 +82,20 @@ impl Held {
     }
 }
 
-/// Looks for signals while a simulation advances.
-struct Watch {
+/// Looks for signals while a simulation advances, and keeps its events where they are kept.
+struct Watch<'a> {
     looked: Instant,
     raised: Option<PyErr>,
+    events: Option<&'a mut Vec<Event>>,
 }
 
-impl Observer for Watch {
+impl Observer for Watch<'_> {
+    fn event(&mut self, event: &Event) {
+        if let Some(events) = &mut self.events {
+            events.push(*event);
+        }
+    }
+
     fn sample(&mut self, _t_s: f64, _bodies: &[BodySample]) {}
 
     fn wants_samples(&self) -> bool {
@@ -76,9 +115,9 @@ impl Observer for Watch {
 /// Advances under a watch; what a handler of a signal has raised is raised.
 fn watched<T>(
     held: &mut Held,
-    advance: impl FnOnce(&mut polhode::Simulation, &mut Watch) -> Result<T, SimulationError>,
+    advance: impl FnOnce(&mut polhode::Simulation, &mut Watch<'_>) -> Result<T, SimulationError>,
 ) -> Result<PyResult<T>, SimulationError> {
-    let mut watch = Watch { looked: Instant::now(), raised: None };
+    let mut watch = Watch { looked: Instant::now(), raised: None, events: held.events.as_mut() };
     let done = advance(&mut held.simulation, &mut watch)?;
     Ok(watch.raised.map_or(Ok(done), Err))
 }
@@ -109,33 +148,6 @@ impl Simulation {
             Err(error) => Err(refused(py, matches!(error, TryLockError::WouldBlock))),
         }
     }
-
-    /// The number of a joint that is given by its name or its number.
-    pub(crate) fn joint(&self, given: &Bound<'_, PyAny>) -> PyResult<JointId> {
-        let names: Vec<&str> = self.joint_names.iter().map(String::as_str).collect();
-        let index = arguments::index_of("joint", given, &names)?;
-        if index < names.len() {
-            return Ok(JointId::new(index));
-        }
-        Err(errors::unknown_name(given.py(), "joint", &index.to_string(), &names))
-    }
-
-    /// The coordinate that is meant of a joint: the one of this name, or its first.
-    pub(crate) fn coordinate_of(
-        &self,
-        py: Python<'_>,
-        joint: JointId,
-        name: Option<&str>,
-    ) -> PyResult<polhode::scene::Coordinate> {
-        let joints = self.loaded.scene.joints();
-        let own = joints.get(joint.index()).map_or(&[][..], |joint| joint.kind().coordinates());
-        let found = match name {
-            None => own.first(),
-            Some(name) => own.iter().find(|coordinate| coordinate.name() == name),
-        };
-        let names: Vec<&str> = own.iter().map(|coordinate| coordinate.name()).collect();
-        found.copied().ok_or_else(|| errors::unknown_name(py, "coordinate", name.unwrap_or("(the first)"), &names))
-    }
 }
 
 /// Why it cannot be used now.
@@ -160,14 +172,16 @@ pub(crate) fn state(sample: &BodySample) -> BodyState {
 #[pymethods]
 impl Simulation {
     #[new]
-    fn new(py: Python<'_>, loaded: &Loaded, all_effects: bool) -> PyResult<Self> {
+    fn new(py: Python<'_>, loaded: &Loaded, all_effects: bool, keep_events: bool) -> PyResult<Self> {
         let loaded = Arc::clone(&loaded.scene);
         let effects = if all_effects { Effects::All } else { Effects::Planned };
         let made = py.detach(|| polhode::Simulation::with_effects(&loaded.scene, effects));
         let simulation = made.map_err(|error| errors::simulation(py, &loaded, error))?;
         let body_names = loaded.scene.bodies().iter().map(|body| body.name().to_owned()).collect();
-        let joint_names = loaded.joint_names();
-        Ok(Self { loaded, joint_names, held: Mutex::new(Held { simulation, body_names }) })
+        let kinds = loaded.scene.joints().iter().map(Joint::kind);
+        let joints = loaded.joint_names().into_iter().zip(kinds).collect();
+        let events = keep_events.then(Vec::new);
+        Ok(Self { loaded, held: Mutex::new(Held { simulation, body_names, joints, events }) })
     }
 
     /// Time reached, s.
@@ -189,15 +203,25 @@ impl Simulation {
         self.asking(py, |held| Ok(present(held)))
     }
 
-    /// Names of the joints.
+    /// Names of the joints, without those that hold nothing any more.
     #[getter]
-    fn joint_names(&self) -> Vec<String> {
-        self.joint_names.clone()
+    fn joint_names(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        let present = |held: &Held| {
+            let names = held.joint_names().into_iter();
+            names.filter(|name| !name.is_empty()).map(str::to_owned).collect()
+        };
+        self.asking(py, |held| Ok(present(held)))
     }
 
-    /// Makes one step, which ends at the first event in it.
-    fn step(&self, py: Python<'_>) -> PyResult<StepOutcome> {
-        let done = self.using(py, |held| held.simulation.step())?;
+    /// Makes one step, of at most `dt` (s) where that is given, which ends at the first event in it.
+    #[pyo3(signature = (dt=None))]
+    fn step(&self, py: Python<'_>, dt: Option<f64>) -> PyResult<StepOutcome> {
+        let done = self.using(py, |held| {
+            watched(held, |simulation, watch| match dt {
+                None => simulation.step_observed(watch),
+                Some(dt) => simulation.step_within(dt, watch),
+            })
+        })??;
         Ok(StepOutcome { t: done.t_s, is_event: done.is_event() })
     }
 
@@ -242,9 +266,12 @@ impl Simulation {
 
     /// Forces and moments of the joints.
     fn joint_loads(&self, py: Python<'_>) -> PyResult<Vec<JointLoad>> {
-        let views = self.using(py, |held| Ok(held.simulation.joint_loads()))?;
+        let (views, names) = self.using(py, |held| {
+            let names: Vec<String> = held.joints.iter().map(|(name, _)| name.clone()).collect();
+            Ok((held.simulation.joint_loads(), names))
+        })?;
         let load = |view: &polhode::JointView| JointLoad {
-            joint: self.joint_names.get(view.joint.index()).cloned().unwrap_or_default(),
+            joint: names.get(view.joint.index()).cloned().unwrap_or_default(),
             point: view.point_m.to_array(),
             force: view.force_n.to_array(),
             torque: view.moment_n_m.to_array(),
@@ -255,11 +282,11 @@ impl Simulation {
     /// A coordinate of a joint: the one of this name, or its first.
     #[pyo3(signature = (joint, coordinate=None))]
     fn coordinate(&self, py: Python<'_>, joint: &Bound<'_, PyAny>, coordinate: Option<&str>) -> PyResult<Coordinate> {
-        let id = self.joint(joint)?;
-        let coordinate = self.coordinate_of(py, id, coordinate)?;
-        let found = self.asking(py, |held| Ok(held.simulation.coordinate(id, coordinate)))?;
-        let gone =
-            || errors::plain(py, "ActionError", "the joint was removed with a body: it has no coordinate any more");
+        let found = self.asking(py, |held| {
+            let id = held.joint(joint)?;
+            Ok(held.simulation.coordinate(id, held.coordinate(py, id, coordinate)?))
+        })?;
+        let gone = || errors::plain(py, "ActionError", "the joint holds nothing any more: it has no coordinate");
         let found = found.ok_or_else(gone)?;
         Ok(Coordinate { value: found.value, rate: found.rate })
     }
@@ -280,6 +307,29 @@ impl Simulation {
         Ok(Energy { kinetic, potential, total, initial })
     }
 
+    /// Momentum of all bodies.
+    fn momentum(&self, py: Python<'_>) -> PyResult<Momentum> {
+        let momentum = self.using(py, |held| Ok(held.simulation.momentum()))?;
+        Ok(Momentum { linear: momentum.linear.to_array(), angular: momentum.angular.to_array() })
+    }
+
+    /// The report and the certificate of what was computed so far, as JSON.
+    fn told_json(&self, py: Python<'_>) -> PyResult<(String, String)> {
+        let report = self.using(py, |held| held.simulation.report_so_far().map(Box::new))?;
+        let text = scene_report_json(&self.loaded, &report, 0.0).to_string();
+        Ok((text, certificate_json(&report).to_string()))
+    }
+
+    /// The events so far as columns, with the names of all bodies by their numbers; none where they are not kept.
+    fn event_columns<'py>(&self, py: Python<'py>) -> PyResult<Option<(Vec<String>, EventColumns<'py>)>> {
+        self.asking(py, |held| {
+            let samples = held.simulation.bodies().len();
+            let mut names = held.body_names.clone();
+            names.resize(samples, String::new());
+            held.events.as_ref().map(|events| Ok((names, event_columns(py, events)?))).transpose()
+        })
+    }
+
     /// How far the bodies at rest are from moving, as JSON.
     fn stability_json(&self, py: Python<'_>) -> PyResult<String> {
         let stability = self.using(py, |held| held.simulation.stability())?;
@@ -293,7 +343,14 @@ impl Simulation {
 
     /// Continues from a snapshot of a simulation of the same scene.
     fn restore(&self, py: Python<'_>, snapshot: &Snapshot) -> PyResult<()> {
-        self.using(py, |held| held.simulation.restore(&snapshot.snapshot))
+        self.using(py, |held| {
+            held.simulation.restore(&snapshot.snapshot)?;
+            if let Some(events) = &mut held.events {
+                let t = held.simulation.time();
+                events.retain(|event| event.t_s <= t);
+            }
+            Ok(())
+        })
     }
 
     /// Applies a force (N) at the centre of mass of a body and a torque (N m) until they are set again.
@@ -390,8 +447,11 @@ impl Simulation {
         driven: &Bound<'_, PyAny>,
     ) -> PyResult<()> {
         let driven: Driven = driven.extract().map_err(|_| PyTypeError::new_err("a motor is given by numbers"))?;
-        let (joint, motor) = (self.joint(joint)?, driven.motor()?);
-        let coordinate = self.coordinate_of(py, joint, coordinate)?;
+        let motor = driven.motor()?;
+        let (joint, coordinate) = self.asking(py, |held| {
+            let joint = held.joint(joint)?;
+            Ok((joint, held.coordinate(py, joint, coordinate)?))
+        })?;
         self.using(py, |held| held.simulation.set_motor(joint, coordinate, motor))
     }
 
@@ -406,6 +466,31 @@ impl Simulation {
             held.body_names.push(body.name().to_owned());
             Ok(())
         })
+    }
+
+    /// Adds the first joint of a scene, between bodies of this one that have the names of its bodies there.
+    fn add_first_joint(&self, py: Python<'_>, loaded: &Loaded) -> PyResult<()> {
+        let (scene, name) = (&loaded.scene.scene, loaded.scene.joint_names().into_iter().next());
+        let (Some(joint), Some(name)) = (scene.joints().first(), name) else {
+            return Err(errors::plain(py, "ActionError", "there is no joint to add"));
+        };
+        let bodies = scene.bodies();
+        let of_name = |held: &Held, id: BodyId| {
+            let name = bodies.get(id.index()).map_or("", polhode::Body::name);
+            held.body_names.iter().position(|own| own == name).map_or(id, BodyId::new)
+        };
+        let done = self.using(py, |held| {
+            let joint = joint.of(of_name(held, joint.body()), joint.other().map(|other| of_name(held, other)));
+            let added = held.simulation.add_joint(joint);
+            Ok(added.map(|_| held.joints.push((name, joint.kind()))))
+        })?;
+        done.map_err(|error| errors::action(py, &self.loaded, error))
+    }
+
+    /// Removes a joint: what it held moves on without it.
+    fn remove_joint(&self, py: Python<'_>, joint: &Bound<'_, PyAny>) -> PyResult<()> {
+        let joint = self.asking(py, |held| held.joint(joint))?;
+        self.using(py, |held| held.simulation.remove_joint(joint))
     }
 
     /// Removes a body. Those that rested on it are no longer supported.

@@ -37,29 +37,18 @@ impl<const N: usize> Given for [f64; N] {
     }
 }
 
-impl Given for f64 {
-    fn given<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        Ok(self.into_pyobject(py)?.into_any())
-    }
+/// What Python is given as it is.
+macro_rules! as_it_is {
+    ($($kind:ty),*) => {
+        $(impl Given for $kind {
+            fn given<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+                Ok(self.into_pyobject(py)?.to_owned().into_any())
+            }
+        })*
+    };
 }
 
-impl Given for usize {
-    fn given<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        Ok(self.into_pyobject(py)?.into_any())
-    }
-}
-
-impl Given for bool {
-    fn given<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        Ok(self.into_pyobject(py)?.to_owned().into_any())
-    }
-}
-
-impl Given for String {
-    fn given<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        Ok(self.into_pyobject(py)?.into_any())
-    }
-}
+as_it_is!(f64, usize, bool, String);
 
 view! {
     /// Where a body is, and how it moves.
@@ -140,6 +129,16 @@ view! {
         total: f64,
         /// The sum at t = 0.
         initial: f64,
+    }
+}
+
+view! {
+    /// Momentum.
+    Momentum {
+        /// Linear momentum, world, N s.
+        linear: [f64; 3],
+        /// Angular momentum about the point of the ledger of momentum, world, N m s.
+        angular: [f64; 3],
     }
 }
 

@@ -23,7 +23,10 @@ def cart(**keys):
     return ph.gym.SceneEnv(scene, **keys)
 
 
-@pytest.mark.parametrize("make", [ph.gym.cart_pole, lambda: cart(vary={"bodies.cart.mass": ph.Uniform(1, 2)})])
+MAKERS = [ph.gym.cart_pole, ph.gym.hopper, lambda: cart(vary={"bodies.cart.mass": ph.Uniform(1, 2)})]
+
+
+@pytest.mark.parametrize("make", MAKERS)
 def test_it_passes_the_check_of_gymnasium(make):
     from gymnasium.utils.env_checker import check_env
 
@@ -85,6 +88,43 @@ def test_actions_rewards_and_draws():
     assert len(speeds) == 2 and all(0.1 < speed < 0.2 for speed in speeds)
     seen = ["cart.position", "cart.velocity[0]", "rail.displacement"]
     assert cart(observe=seen).reset()[0].shape == (5,)
+
+
+def test_a_hopper_stands_hops_and_goes_on_from_a_snapshot_with_the_same_bits():
+    env = ph.gym.hopper()
+    first, _ = env.reset(seed=1)
+    assert first.shape == (11,) and first[0] == pytest.approx(1.21)
+    actions = np.sin(np.outer(np.arange(40), [0.3, 0.5, 0.7]))
+
+    def play(env, actions):
+        return np.array([[*observation, reward] for observation, reward, *_ in map(env.step, actions)])
+
+    def stands(env):
+        return any("foot" in (contact.body_a, contact.body_b) for contact in env.sim.contacts())
+
+    assert stands(env)
+    play(env, actions[:20])
+    assert not stands(env)    # it has pushed itself off
+    saved = ph.Snapshot.from_bytes(env.snapshot().to_bytes())
+    after = play(env, actions[20:])
+    env.restore(saved)
+    assert np.array_equal(play(env, actions[20:]), after)
+    other = ph.gym.hopper()
+    other.reset(seed=5, options={"snapshot": saved})
+    assert np.array_equal(play(other, actions[20:]), after)
+    # It stays in its plane, and its parts stay together.
+    assert abs(env.sim.body("torso").position[1]) < 1e-9
+    assert env.sim.certificate["max_joint_error_of_limit"] < 1
+
+
+def test_a_hopper_falls_when_nothing_drives_it():
+    env = ph.gym.hopper()
+    env.reset(seed=2)
+    for number in range(400):
+        observation, reward, terminated, truncated, _ = env.step([0.0, 0.0, 0.0])
+        if terminated:
+            break
+    assert 20 < number < 399 and not truncated and reward < 1.0 + observation[2] + 1e-9
 
 
 @pytest.mark.parametrize(

@@ -37,3 +37,35 @@ def test_no_robot_is_an_error(tmp_path):
     words = tmp_path / "words.urdf"
     words.write_text("no robot at all")
     assert ph.doctor(words)[0].severity == "error"
+
+
+def test_a_robot_tells_its_links_joints_and_limits():
+    robot = ph.Robot(ARM)
+    assert len(robot.links) == len(robot.joints) + 1 and robot.mass > 0
+    assert set(robot.limits) <= {own.name for joint in robot.joints for own in joint.coordinates}
+    assert any(lower < upper < float("inf") for lower, upper in robot.limits.values())
+    assert all(joint.parent in robot.link_names and joint.child in robot.link_names for joint in robot.joints)
+    assert [str(finding) for finding in robot.doctor()] == [str(finding) for finding in ph.doctor(ARM)]
+
+
+def test_a_robot_stands_where_a_scene_does():
+    robot = ph.Robot(ARM)
+    run = ph.run(robot, duration=0.1)
+    assert list(run.joints) == list(ph.run(ARM, duration=0.1).joints)
+    sim = ph.Simulation(robot, duration=0.1)
+    assert set(sim.joint_names) == set(run.joints)
+    scene = ph.Scene(duration=0.1)
+    assert scene.add(robot, name="left", base="fixed", at=(0, 0, 1)) is robot
+    scene.add(robot, name="right", base="fixed", at=(3, 0, 1))
+    assert len(ph.run(scene).joints) == 2 * len(run.joints)
+    assert "left/" in "".join(ph.run(scene))
+
+
+def test_a_robot_that_is_refused_says_where(tmp_path):
+    with pytest.raises(OSError):
+        ph.Robot(tmp_path / "none.urdf")
+    words = tmp_path / "words.urdf"
+    words.write_text("<robot name='x'><link/></robot>")
+    with pytest.raises(ph.SceneError) as caught:
+        ph.Robot(words)
+    assert caught.value.place.origin == str(words) and caught.value.place.line == 1 and caught.value.errors

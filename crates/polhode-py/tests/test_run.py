@@ -109,7 +109,8 @@ def test_events_are_a_structured_array():
 
 def test_a_promise_that_was_not_kept_says_where_by_how_much_and_what_helps():
     nut = {"name": "nut", "mass": 1.0, "inertia": [1, 2, 3], "angular_velocity": [0.1, 9, 0]}
-    run = ph.run({"format": 1, "bodies": [nut], "duration": 1.0}, set={"method.integrator": "explicit-euler"}, step=0.01)
+    scene = {"format": 1, "bodies": [nut], "duration": 1.0}
+    run = ph.run(scene, set={"method.integrator": "explicit-euler"}, step=0.01)
     assert run.outcome == "degraded"
     with pytest.raises(ph.NotKept) as caught:
         run.check()
@@ -193,6 +194,21 @@ def test_a_run_that_diverges_keeps_what_was_computed():
     assert run.outcome == "failed" and len(run.t) > 50
     with pytest.raises(ph.NotKept):
         run.check()
+
+
+def test_an_error_of_a_simulation_has_time_bodies_place_and_cure():
+    probe = {"name": "probe", "mass": 1.0, "inertia": [1, 1, 1], "position": [1, 0, 0]}
+    scene = {"format": 1, "duration": 5.0, "gravity": [0, 0, 0], "bodies": [probe]}
+    scene["forces"] = [{"type": {"point_gravity": {"mu": 1.0}}}]
+    sim = ph.Simulation(scene)
+    for raises in (lambda: ph.run(scene), lambda: sim.advance_to(5.0)):
+        with pytest.raises(ph.SimulationError) as caught:
+            raises()
+        error = caught.value
+        assert error.bodies == ("probe",) and "probe" in error.place and f"t = {error.time} s" in error.place
+        # Falling from rest at 1 m: pi / sqrt(8) s.
+        assert error.time == pytest.approx(np.pi / 8**0.5, abs=1e-3)
+        assert error.cure.startswith("end the run before") and error.cure in str(error)
 
 
 INTERRUPTED = """

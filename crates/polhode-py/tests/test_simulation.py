@@ -41,7 +41,8 @@ def test_steps_and_states():
     assert high.position == (0.0, 0.0, 1.5) and high.velocity == (0.0, 0.0, 0.0)
     assert high.orientation == (1.0, 0.0, 0.0, 0.0)
     assert list(sim.bodies()) == ["floor", "low", "high"]
-    assert sum(contact.normal_force for contact in sim.contacts() if contact.body_a == "floor") == pytest.approx(2 * 9.81)
+    of_floor = [contact.normal_force for contact in sim.contacts() if contact.body_a == "floor"]
+    assert sum(of_floor) == pytest.approx(2 * 9.81)
     assert sorted(sim.islands()[0]) == ["high", "low"]
     assert sim.energy().kinetic == 0.0 and sim.energy().total == sim.energy().initial
     assert sim.run()["outcome"] == "completed" and sim.has_ended
@@ -228,3 +229,139 @@ def test_memory_stays_flat():
 
     before = many(200)
     assert many(300) - before < 3000  # kB: ten kB for each would be seen
+
+
+def falling_rod(**keys):
+    scene = ph.Scene(duration=2.0, **keys)
+    scene.add(ph.Box(1, 0.02, 0.02), name="rod", mass=1.0)
+    return scene
+
+
+def caught(sim, **keys):
+    x, y, z = sim.body("rod").position
+    return sim.add_joint(ph.Hinge(at=(x - 0.5, y, z), axis=(0, 1, 0), **keys), "rod", name="hinge")
+
+
+def test_joints_come_and_go():
+    sim = ph.Simulation(falling_rod())
+    sim.advance_to(0.1)
+    before = sim.snapshot()
+    hinge = caught(sim)
+    assert sim.joint_names == ["hinge"] and hinge.name == "hinge"
+    # The angular momentum about the hinge stays: m g t L/2 = I w.
+    inertia = (1 + 0.02**2) / 12 + 0.25
+    assert sim.body("rod").angular_velocity[1] == pytest.approx(0.981 * 0.5 / inertia)
+    end = sim.body("rod").position[0] - 0.5, sim.body("rod").position[2]
+    sim.advance_to(0.6)
+    x, _, z = sim.body("rod").position
+    assert np.hypot(x - end[0], z - end[1]) == pytest.approx(0.5, abs=1e-10)
+    assert sim.joint_loads()[0].joint == "hinge" and sim.coordinate(hinge).value != 0
+    sim.set_motor(hinge, effort=1.0)
+    with pytest.raises(ph.ActionError, match="in use"):
+        caught(sim)
+    held = sim.snapshot()
+    velocity, position = sim.body("rod").velocity, sim.body("rod").position
+    sim.remove_joint(hinge)
+    assert sim.joint_names == [] and sim.joint_loads() == []
+    with pytest.raises(ph.UnknownName, match="hinge"):
+        sim.coordinate("hinge")
+    with pytest.raises(ph.UnknownName):
+        sim.remove_joint(0)
+    sim.advance_to(0.9)
+    flown = [p + v * 0.3 for p, v in zip(position, velocity)]
+    flown[2] -= 9.81 * 0.3**2 / 2
+    assert sim.body("rod").position == pytest.approx(flown, abs=1e-9)
+    sim.restore(held)
+    assert sim.joint_names == ["hinge"]
+    with pytest.raises(ph.SnapshotError):
+        sim.restore(before)
+    with pytest.raises(TypeError, match="snapshot"):
+        pickle.dumps(sim)
+
+
+def test_a_joint_between_two_bodies_and_a_second_one():
+    scene = ph.Scene(gravity=0.0, duration=1.0)
+    scene.add(ph.Sphere(0.1), name="one", mass=1.0, velocity=(1, 0, 0))
+    scene.add(ph.Sphere(0.1), name="other", mass=3.0, at=(0, 0, 0.5))
+    sim = ph.Simulation(scene)
+    before = sim.momentum().linear
+    sim.add_joint(ph.Ball(at=(0, 0, 0.25)), "one", "other")
+    second = sim.add_joint(ph.FixedJoint(at=(0, 0, 0.25)), "one", "other")
+    assert second.name == "fixed" and sim.joint_names == ["ball", "fixed"]
+    sim.advance_to(0.5)
+    assert sim.momentum().linear == pytest.approx(before, abs=1e-9)
+    assert len(sim.momentum().angular) == 3
+
+
+@pytest.mark.parametrize(
+    ("joint", "error", "says"),
+    [
+        (ph.Rope(((0, 0, 0), (0, 0, 2)), length=1.5), (ph.SceneError, ph.ActionError), "1.5"),
+        (ph.Hinge(at=(0, 0, 0), axis=(0, 1, 0), range=(0.1, 0.5)), (ph.SceneError, ph.ActionError), "0.1"),
+        (ph.Hinge(at=(0, 0, 0), axis=(0, 0, 0)), ph.SceneError, "axis"),
+        (ph.Hinge(at=(0, 0), axis=(0, 1, 0)), ph.SceneError, "anchor"),
+        (ph.Ball(at=(0, 0, float("nan"))), (ph.SceneError, ph.ActionError, ValueError), "nan|finite"),
+        (ph.Joint("hinged", anchor=(0, 0, 0)), ph.SceneError, "hinge"),
+    ],
+)
+def test_bad_joints_are_refused_and_change_nothing(joint, error, says):
+    sim = ph.Simulation(falling_rod())
+    before = sim.snapshot()
+    with pytest.raises(error, match=says):
+        sim.add_joint(joint, "rod")
+    with pytest.raises(ph.UnknownName, match="nobody"):
+        sim.add_joint(ph.Ball(at=(0, 0, 0)), "nobody")
+    assert sim.snapshot() == before and sim.joint_names == []
+
+
+def test_joints_of_a_tier_without_them_are_refused():
+    sim = ph.Simulation(falling_rod(), tier="thesis")
+    with pytest.raises(ph.ActionError, match="thesis"):
+        caught(sim)
+
+
+def test_steps_have_the_length_that_is_asked_for():
+    sim = ph.Simulation(falling_rod())
+    assert sim.step(0.01).t == pytest.approx(0.01)
+    assert sim.step(0.001).t == pytest.approx(0.011)
+    stepped = ph.Simulation(falling_rod(), tier="stepped", step=0.01)
+    assert stepped.step(0.004).t == pytest.approx(0.004)
+    for wrong in (0.0, -1.0, float("nan"), float("inf")):
+        with pytest.raises(ph.ActionError):
+            sim.step(wrong)
+    with pytest.raises(TypeError):
+        sim.step("long")
+
+
+def test_events_certificate_and_report_so_far():
+    scene = ph.Scene(duration=1.0)
+    scene.fixed(ph.HalfSpace(), name="floor")
+    scene.add(ph.Sphere(0.1), name="ball", mass=1.0, at=(0, 0, 0.6), restitution=0.5)
+    sim = ph.Simulation(scene, keep_events=True)
+    sim.advance_to(0.3)
+    assert len(sim.events) == 0 and sim.report()["simulated_s"] == 0.3
+    saved = sim.snapshot()
+    sim.advance_to(0.5)
+    assert sim.events["kind"].tolist() == ["impact"] and sim.events["t"][0] == pytest.approx((2 * 0.5 / 9.81) ** 0.5)
+    assert sim.certificate["max_penetration_m"] < 1e-9
+    run = ph.run(scene)
+    assert np.array_equal(sim.events, run.events[: len(sim.events)])
+    sim.restore(saved)
+    assert len(sim.events) == 0
+    assert sim.run()["outcome"] == "completed" and np.array_equal(sim.events, run.events)
+    assert sim.report()["energy"] == run.report["energy"]
+    copy = pickle.loads(pickle.dumps(sim))
+    assert len(copy.events) == 0
+    with pytest.raises(ph.ActionError, match="keep_events=True"):
+        ph.Simulation(scene).events
+
+
+def test_a_snapshot_of_another_version_is_refused():
+    sim = ph.Simulation(falling_rod())
+    data = bytearray(sim.snapshot().to_bytes())
+    data[8] += 1
+    with pytest.raises(ph.SnapshotError, match="version"):
+        ph.Snapshot.from_bytes(bytes(data))
+    pickled = pickle.dumps(sim).replace(sim.snapshot().to_bytes(), bytes(data))
+    with pytest.raises(ph.SnapshotError, match="version"):
+        pickle.loads(pickled)

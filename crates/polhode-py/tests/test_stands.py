@@ -25,7 +25,8 @@ def test_a_column_tips_at_its_width_over_its_height(width):
 
 
 def test_a_box_slides_where_friction_is_low():
-    answer = ph.stands(ph.boxes([{"size_x": 1, "size_y": 1, "size_z": 0.2, "x": 0, "y": 0, "z": 0.1, "mass": 1}], friction=0.3))
+    plate = {"size_x": 1, "size_y": 1, "size_z": 0.2, "x": 0, "y": 0, "z": 0.1, "mass": 1}
+    answer = ph.stands(ph.boxes([plate], friction=0.3))
     assert answer and answer.how == "slides" and answer.push == pytest.approx(0.3, abs=1e-9)
 
 

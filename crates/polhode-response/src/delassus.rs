@@ -10,8 +10,9 @@
 //! two mirror images is described.
 
 use crate::dense::kernels::axpy;
-use crate::error::{ResponseError, check_length};
-use crate::problem::{ContactProblem, RowEntry};
+use crate::dense::semidefinite::{Defect, find_defect};
+use crate::error::{ResponseError, check_finite, check_length};
+use crate::problem::{BLOCK_ROUNDING, ContactProblem, RowEntry};
 use std::sync::Arc;
 
 /// From so many rows with friction on an impact is solved for in the velocities of bodies (100 to 300): with as many the factors
@@ -83,6 +84,32 @@ impl Delassus {
     /// Refuses a matrix with an entry that overflowed.
     pub(crate) fn check_finite(&self) -> Result<(), ResponseError> {
         self.not_finite.map_or(Ok(()), |index| Err(ResponseError::NotFinite { what: "Delassus matrix", index }))
+    }
+}
+
+/// Checks that entries, row-major, are a Delassus matrix: symmetric and positive semidefinite to rounding, of any rank. Solvers
+/// take the symmetry of a matrix that they are given for granted, and what they find for an indefinite one means nothing.
+///
+/// ```
+/// use polhode_response::check_delassus;
+/// // Two contacts of one body of 2 kg on a line.
+/// check_delassus(2, &[0.5, 0.5, 0.5, 0.5])?;
+/// assert!(check_delassus(2, &[0.5, 0.6, 0.6, 0.5]).is_err());
+/// # Ok::<(), polhode_response::ResponseError>(())
+/// ```
+///
+/// # Errors
+/// When the length is not `size^2`, or an entry is not finite, differs from its mirror image, or gives a negative energy.
+pub fn check_delassus(size: usize, entries: &[f64]) -> Result<(), ResponseError> {
+    check_length("Delassus matrix", size.saturating_mul(size), entries.len())?;
+    check_finite("Delassus matrix", entries)?;
+    match find_defect(entries, size, BLOCK_ROUNDING) {
+        None => Ok(()),
+        Some(Defect::Asymmetric { row, column }) => {
+            let (value, other) = (entries[row * size + column], entries[column * size + row]);
+            Err(ResponseError::Asymmetric { row, column, value, other })
+        }
+        Some(Defect::Indefinite { row, part }) => Err(ResponseError::Indefinite { row, part, limit: BLOCK_ROUNDING }),
     }
 }
 

@@ -174,7 +174,10 @@ pub enum ResponseError {
         column: usize,
     },
     /// A Delassus matrix is not symmetric.
-    #[error("the Delassus matrix must be symmetric: entry ({row}, {column}) is {value:e}, its mirror {other:e}")]
+    #[error(
+        "the Delassus matrix must be symmetric: entry ({row}, {column}) is {value:e}, its mirror {other:e}; give both their \
+         mean, (W + W^T)/2, where that is rounding"
+    )]
     Asymmetric {
         /// Row of the entry.
         row: usize,
@@ -184,6 +187,19 @@ pub enum ResponseError {
         value: f64,
         /// The entry with row and column exchanged.
         other: f64,
+    },
+    /// A Delassus matrix is not positive semidefinite.
+    #[error(
+        "the Delassus matrix must be positive semidefinite: what other rows leave of row {row} is {part:e} of its diagonal entry, \
+         and at least -{limit:e} counts as rounding; form it as W = J M^-1 J^T of inverse masses that are positive semidefinite"
+    )]
+    Indefinite {
+        /// The row.
+        row: usize,
+        /// What is left of it, as a part of its diagonal entry (no unit).
+        part: f64,
+        /// How far below zero counts as rounding (no unit).
+        limit: f64,
     },
     /// A Delassus matrix has a negative entry on its diagonal.
     #[error("the Delassus matrix must be positive semidefinite: diagonal entry {row} is {value:e}")]

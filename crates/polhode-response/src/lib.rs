@@ -104,7 +104,7 @@ pub mod solve;
 pub mod sparse;
 
 pub use complementarity::{ComplementaritySolver, ContactSolution, WarmStart, solve_complementarity};
-pub use delassus::Delassus;
+pub use delassus::{Delassus, check_delassus};
 pub use error::ResponseError;
 pub use friction::{Blocks, BlocksSolution, ResistedPart};
 pub use guesses::{GuessedForces, MOST_GUESSED, guesses};

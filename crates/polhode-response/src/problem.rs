@@ -18,8 +18,8 @@ use crate::error::{ResponseError, check_finite, check_length};
 use crate::law::Law;
 use std::ops::Range;
 
-/// Largest relative asymmetry and negative pivot of an inverse mass block that counts as rounding (no unit).
-const BLOCK_ROUNDING: f64 = 1e-12;
+/// Largest relative asymmetry and negative pivot of an inverse mass block, or a Delassus matrix, that counts as rounding (no unit).
+pub(crate) const BLOCK_ROUNDING: f64 = 1e-12;
 
 /// Rows for which memory is taken with the first one: those of four contacts with friction. Of more it grows.
 const FIRST_ROWS: usize = 12;

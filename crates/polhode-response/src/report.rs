@@ -12,6 +12,17 @@ pub enum SolverStatus {
     Infeasible,
 }
 
+impl SolverStatus {
+    /// The name in words.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Solved => "solved",
+            Self::Inaccurate => "inaccurate",
+            Self::Infeasible => "infeasible",
+        }
+    }
+}
+
 /// Which method gave the answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]

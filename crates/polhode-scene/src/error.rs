@@ -1,6 +1,7 @@
 //! What can be wrong with a scene file.
 
 use crate::document::{KeyPath, Step};
+use crate::format::MATERIAL_KEYS;
 use crate::robot::RobotFileError;
 use polhode::SceneError;
 use polhode::contact::{ApproximateError, ShapeError};
@@ -525,16 +526,7 @@ pub(crate) fn nearest(name: &str, names: &[&str], none: &str) -> String {
 
 /// Whether a key that was given to something with a material is one of a material.
 fn is_of_material(key: &str, accepted: &str) -> bool {
-    const KEYS: [&str; 7] = [
-        "friction",
-        "static_friction",
-        "rolling_friction",
-        "spinning_friction",
-        "restitution",
-        "restitution_yield_speed",
-        "restitution_slope",
-    ];
-    accepted.contains("`material`") && KEYS.contains(&key)
+    accepted.contains("`material`") && MATERIAL_KEYS.contains(&key)
 }
 
 /// The question whether one of a list of quoted words was meant; empty when none is like the word.

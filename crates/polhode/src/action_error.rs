@@ -76,6 +76,28 @@ pub enum ActionError {
         /// Largest overlap that counts as touch, m.
         allowed_m: f64,
     },
+    /// The handle belongs to no joint of this simulation.
+    #[error(
+        "joint number {index} (counted from 0) does not exist: the simulation has {joints} joints; use a handle that the scene or \
+         add_joint gave"
+    )]
+    UnknownJoint {
+        /// Number of the joint.
+        index: usize,
+        /// How many joints there are.
+        joints: usize,
+    },
+    /// The joint is not there any more.
+    #[error(
+        "joint number {0} (counted from 0) holds nothing any more: it was removed, with a body of its, or it has let go"
+    )]
+    RemovedJoint(usize),
+    /// A body on a pivot, whose motion is that of its rotation alone, is to be held by a joint.
+    #[error(
+        "body {0} is on a pivot, and its motion is computed as a rotation about it alone: no joint can be added to it; give it a ball \
+         joint in the place of the pivot"
+    )]
+    JointOnPivot(String),
     /// The joint does not exist, or does not have this coordinate.
     #[error(
         "joint number {joint} (counted from 0) has no coordinate `{coordinate}` that a motor can drive, or does not exist: use a \

@@ -12,7 +12,7 @@ use crate::joint_id::JointId;
 use crate::plan::Findings;
 use crate::planar::{self, PlanarFinding};
 use crate::report::PlanChange;
-use crate::scene::{Body, Coordinate, Motor, Scene};
+use crate::scene::{Body, Coordinate, Joint, Motor, Scene};
 use crate::simulation::Simulation;
 use crate::solve::projection::{Removal, project_velocities};
 use crate::world::{INITIAL_OVERLAP_RELATIVE, World};
@@ -197,6 +197,107 @@ impl Simulation {
         Ok(())
     }
 
+    /// Adds a joint between bodies, or of a body with the world, as they are at present: its anchors are points of the world now.
+    /// Velocities that it does not allow are stopped by its impulses, and their energy is the program's. Bodies that it joins do not
+    /// collide with each other any more. Returns its handle.
+    ///
+    /// ```
+    /// use polhode::mesh::solid_box;
+    /// use polhode::scene::Joint;
+    /// use polhode::spatial::{DVec3, Mass, UnitVector};
+    /// use polhode::{Body, Scene, Simulation};
+    /// // A rod that falls is caught by its end, swings, and is let go.
+    /// let mut scene = Scene::builder("caught");
+    /// let rod = scene.add_body(Body::movable("rod", solid_box(DVec3::new(1.0, 0.02, 0.02), Mass::new(1.0)?)?));
+    /// let mut simulation = Simulation::new(&scene.build()?)?;
+    /// simulation.advance_to(0.1)?;
+    /// let end = simulation.body(rod).pose.translation - DVec3::X * 0.5;
+    /// let hinge = simulation.add_joint(Joint::hinge(rod, end, UnitVector::Y))?;
+    /// simulation.advance_to(0.3)?;
+    /// assert!(((simulation.body(rod).pose.translation - end).length() - 0.5).abs() < 1e-11);
+    /// simulation.remove_joint(hinge)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// When a scene would refuse the joint (its limits are exceeded, its body is off its track, none of its bodies is movable, the tier
+    /// does not have it), for a body that was removed, and for one on a pivot whose motion is that of a rotation alone.
+    pub fn add_joint(&mut self, joint: Joint) -> Result<JointId, SimulationError> {
+        let bodies = std::iter::once(joint.body()).chain(joint.other());
+        let bodies = bodies.map(|body| self.present(body)).collect::<Result<Vec<_>, _>>()?;
+        let is_on_pivot = |&&body: &&usize| self.core.world.bodies[body].rigid.is_some_and(|rigid| rigid.is_pivoted());
+        if let Some(&body) = bodies.iter().find(is_on_pivot) {
+            return Err(ActionError::JointOnPivot(self.name(body)).into());
+        }
+        let tier = self.core.settings.tier;
+        let mut probe = self.core.world.clone();
+        let number = probe.add_joint(&joint, &self.tier.states(&self.core), tier)?;
+        let held = bodies.into_iter().filter(|&body| probe.bodies[body].moves()).collect();
+        let together = probe.with_jointed(held);
+        self.act(&together, &[], "add_joint", |simulation| {
+            let fields_before_j = simulation.field_potential();
+            let states = simulation.tier.states(&simulation.core);
+            simulation.core.world.add_joint(&joint, &states, tier)?;
+            simulation.change_joint(probe.pair_of_joint(number), fields_before_j);
+            simulation.stop_at_joints(&together)
+        })?;
+        self.repeat_on_companion(|companion| companion.add_joint(joint).map(|_| ()));
+        Ok(JointId::new(number))
+    }
+
+    /// Removes a joint: what it held moves on without it. Its gears and its prescribed motion go with it. Its bodies do not collide
+    /// with each other, as before.
+    ///
+    /// # Errors
+    /// For a joint that does not exist or is not there any more ([`ActionError`]).
+    pub fn remove_joint(&mut self, joint: JointId) -> Result<(), SimulationError> {
+        let (index, joints) = (joint.index(), self.core.world.scene.joints().len());
+        if index >= joints {
+            return Err(ActionError::UnknownJoint { index, joints }.into());
+        }
+        let pair = self.core.world.pair_of_joint(index).ok_or(ActionError::RemovedJoint(index))?;
+        let held = [pair.0, pair.1].into_iter().filter(|&body| self.core.world.bodies[body].moves()).collect();
+        let together = self.core.world.with_jointed(held);
+        self.act(&together, &[], "remove_joint", |simulation| {
+            let fields_before_j = simulation.field_potential();
+            simulation.core.world.release(&[index])?;
+            simulation.change_joint(Some(pair), fields_before_j);
+            Ok(())
+        })?;
+        self.repeat_on_companion(|companion| companion.remove_joint(joint));
+        Ok(())
+    }
+
+    /// Books what a joint that was added or taken away changes in the energy of fields, which was this (J), and tells the tier.
+    fn change_joint(&mut self, pair: Option<(usize, usize)>, fields_before_j: f64) {
+        if let Some(pair) = pair {
+            self.tier.change_joint(&mut self.core, pair);
+        }
+        let fields_after_j = self.field_potential();
+        self.core.accounts.books.fields_changed(fields_before_j, fields_after_j);
+    }
+
+    /// Stops what joints of these bodies do not allow of their velocities. The change is the program's.
+    fn stop_at_joints(&mut self, bodies: &[usize]) -> Result<(), SimulationError> {
+        let before = self.tier.states_mut().to_vec();
+        let before = self.core.accounts.books.balance(&self.core.world, &before, bodies);
+        self.keep_velocities_of_joints(bodies)?;
+        let after = self.tier.states_mut().to_vec();
+        let after = self.core.accounts.books.balance(&self.core.world, &after, bodies);
+        self.core.accounts.books.program(before, after);
+        Ok(())
+    }
+
+    /// Takes out of the velocities of bodies that joints hold together what the joints do not allow.
+    fn keep_velocities_of_joints(&mut self, bodies: &[usize]) -> Result<(), SimulationError> {
+        let (world, states) = (&self.core.world, self.tier.states_mut());
+        if bodies.len() > 1 || world.joints_among(bodies).next().is_some() {
+            project_velocities(world, states, bodies, (&[], &[], &[]), Removal::Complete)
+                .map_err(|source| Core::response_error(self.core.t, source))?;
+        }
+        Ok(())
+    }
+
     /// Potential energy of the force fields on the present bodies, J.
     fn field_potential(&mut self) -> f64 {
         self.core.world.field_potential(self.tier.states_mut())
@@ -229,10 +330,7 @@ impl Simulation {
             let before = simulation.core.accounts.books.balance(&simulation.core.world, &before, &together);
             let (world, states) = (&simulation.core.world, simulation.tier.states_mut());
             change(world, &rigid, &mut states[index]);
-            if together.len() > 1 || world.joints_among(&together).next().is_some() {
-                project_velocities(world, states, &together, (&[], &[], &[]), Removal::Complete)
-                    .map_err(|source| Core::response_error(simulation.core.t, source))?;
-            }
+            simulation.keep_velocities_of_joints(&together)?;
             let after = simulation.tier.states_mut().to_vec();
             let after = simulation.core.accounts.books.balance(&simulation.core.world, &after, &together);
             simulation.core.accounts.books.program(before, after);

@@ -237,3 +237,79 @@ fn impact_fault(source: &ImpactError) -> String {
         other => other.to_string(),
     }
 }
+
+impl SimulationError {
+    /// When it happened, s; none of what has no time.
+    pub const fn time(&self) -> Option<f64> {
+        match self {
+            Self::Diverged { t_s, .. }
+            | Self::EnergyOverflow { t_s }
+            | Self::TooManyEvents { t_s, .. }
+            | Self::ContactSolve { t_s, .. }
+            | Self::Integration { t_s, .. }
+            | Self::StepTooLong { t_s, .. }
+            | Self::ImplicitTooLarge { t_s, .. }
+            | Self::JointsContradict { t_s, .. }
+            | Self::ContactProblem { t_s, .. }
+            | Self::StepTooSmall { t_s, .. }
+            | Self::ForceNotFinite { t_s, .. }
+            | Self::SingularForce { t_s, .. }
+            | Self::NoWayOut { t_s, .. }
+            | Self::NoProgress { t_s, .. }
+            | Self::ImpactSearch { t_s, .. } => Some(*t_s),
+            Self::TimeInThePast { now_s, .. } => Some(*now_s),
+            Self::Scene(_) | Self::Action(_) | Self::Snapshot(_) | Self::BroadPhase(_) => None,
+        }
+    }
+
+    /// The names of the bodies that it happened to: at most two.
+    pub fn bodies(&self) -> Vec<&str> {
+        match self {
+            Self::Diverged { body, .. } | Self::ForceNotFinite { body, .. } | Self::SingularForce { body, .. } => {
+                vec![body]
+            }
+            Self::NoWayOut { body_a, body_b, .. }
+            | Self::NoProgress { body_a, body_b, .. }
+            | Self::ImpactSearch { body_a, body_b, .. } => vec![body_a, body_b],
+            _ => Vec::new(),
+        }
+    }
+
+    /// What would help: the end of its message; none of an error that wraps another one.
+    pub fn cure(&self) -> Option<String> {
+        let begins_with = match self {
+            Self::Diverged { .. }
+            | Self::EnergyOverflow { .. }
+            | Self::ContactSolve { .. }
+            | Self::StepTooLong { .. }
+            | Self::JointsContradict { .. }
+            | Self::ForceNotFinite { .. }
+            | Self::SingularForce { .. }
+            | Self::NoWayOut { .. } => "; ",
+            Self::TooManyEvents { .. }
+            | Self::ImplicitTooLarge { .. }
+            | Self::StepTooSmall { .. }
+            | Self::NoProgress { .. }
+            | Self::TimeInThePast { .. } => ": ",
+            _ => return None,
+        };
+        self.to_string().rsplit_once(begins_with).map(|(_, cure)| cure.to_owned())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    //! What an error says of its time, its bodies and its cure is what its message says.
+    use super::*;
+
+    #[test]
+    fn cures_are_the_ends_of_messages() {
+        let diverged = SimulationError::Diverged { body: "top".to_owned(), t_s: 1.5 };
+        assert_eq!((diverged.time(), diverged.bodies()), (Some(1.5), vec!["top"]));
+        assert_eq!(diverged.cure().as_deref(), Some("use a shorter method.step, or leave the integrator to the plan"));
+        let many = SimulationError::TooManyEvents { limit: 7, t_s: 2.0 };
+        let cure = "raise method.max_events_per_step, shorten method.step, or give the materials a restitution below 1";
+        assert_eq!((many.time(), many.cure().as_deref()), (Some(2.0), Some(cure)));
+        assert_eq!(SimulationError::Snapshot(SnapshotError::Invalid("torn")).cure(), None);
+    }
+}

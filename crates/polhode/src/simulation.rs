@@ -227,6 +227,22 @@ impl Simulation {
         self.advance(limit, observer)
     }
 
+    /// Makes one step of at most this length (s), which ends at the first event in it; no longer one than the tier would make. In the
+    /// tier `accurate` the motion does not depend on it, to the last bit.
+    ///
+    /// # Errors
+    /// When the length is not positive and finite, or too small to change the time; then nothing has changed. See also
+    /// [`SimulationError`].
+    pub fn step_within(&mut self, length_s: f64, observer: &mut dyn Observer) -> Result<StepOutcome, SimulationError> {
+        let (now_s, t_s) = (self.core.t, self.core.t + length_s);
+        if !(t_s.is_finite() && t_s > now_s) {
+            return Err(SimulationError::TimeInThePast { t_s, now_s });
+        }
+        let limit = t_s.min(now_s + self.tier.stride(&self.core));
+        // A step ends exactly at the end of the duration.
+        self.advance(if self.ended { limit } else { limit.min(self.scene.duration_s()) }, observer)
+    }
+
     /// Advances exactly to a time (s). In the tier `accurate` the motion does not depend on the times at which it is
     /// called, to the last bit. The tiers of fixed steps shorten a step, so that the motion is the same to the error of
     /// a step.
@@ -376,6 +392,11 @@ impl Simulation {
         self.core.world.coordinate_of(&self.tier.states(&self.core), joint.index(), coordinate)
     }
 
+    /// Whether a joint is there: it has not been removed, with a body either, and has not let go.
+    pub fn has_joint(&self, joint: JointId) -> bool {
+        self.core.world.pair_of_joint(joint.index()).is_some()
+    }
+
     /// The islands at the present: bodies that move together or rest together.
     pub fn islands(&self) -> Vec<IslandView> {
         self.tier.islands(&self.core)
@@ -464,7 +485,7 @@ impl Simulation {
         };
         Content {
             scene: self.scene.name().to_owned(),
-            scene_hash: snapshot::scene_hash(&self.core.world.scene),
+            scene_hash: snapshot::scene_hash(self.core.world.scene_and_joints()),
             all_effects: self.core.effects == Effects::All,
             t: self.core.t,
             ended: self.ended,
@@ -483,14 +504,14 @@ impl Simulation {
         }
     }
 
-    /// Restores a snapshot of a simulation of the same scene, with the same effects and the same bodies added and
-    /// removed. The motion, samples, events and report that follow have the same bits as those that followed the
+    /// Restores a snapshot of a simulation of the same scene, with the same effects, the same bodies added and
+    /// removed, and the same joints added. The motion, samples, events and report that follow have the same bits as those that followed the
     /// snapshot. The scene may have another duration: a run that has ended goes on to a longer one.
     ///
     /// # Errors
     /// When the snapshot is of another scene or other effects, or contradicts itself; the simulation is then as it was.
     pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), SimulationError> {
-        let content = snapshot.content_for(&self.core.world.scene, self.core.effects)?;
+        let content = snapshot.content_for(self.core.world.scene_and_joints(), self.core.effects)?;
         let companion = self.restored_companion(&content.companion)?;
         *self = Self { companion, ..self.twin(content, self.core.settings)? };
         Ok(())
@@ -504,6 +525,8 @@ impl Simulation {
         let mut world = self.core.world.clone();
         world.replace_applied(&content.applied)?;
         world.replace_steered(&content.steered)?;
+        // Joints that have let go have motors too.
+        world.replace_released(&[])?;
         world.replace_motors(&content.motors)?;
         world.replace_released(&content.released)?;
         world.replace_turns(&content.turns)?;
@@ -535,6 +558,14 @@ impl Simulation {
             ended,
             companion: Companion::Itself,
         })
+    }
+
+    /// The report of the run up to the present, which goes on: its ledgers, its certificate and its warnings.
+    ///
+    /// # Errors
+    /// When what holds at present cannot be measured.
+    pub fn report_so_far(&mut self) -> Result<RunReport, SimulationError> {
+        self.report(if self.ended { Outcome::Completed } else { Outcome::Stopped })
     }
 
     /// The report of the run up to the present.

@@ -132,6 +132,10 @@ pub(crate) trait Tier: std::fmt::Debug + Send {
     /// Drops a body, which has been interrupted and is about to be removed from the world.
     fn remove_body(&mut self, body: usize);
 
+    /// Drops what it knows of contacts and loads that are there no more, after a joint of this pair of bodies, which have been
+    /// interrupted, was added to the world or taken away.
+    fn change_joint(&mut self, _core: &mut Core, _pair: (usize, usize)) {}
+
     /// Number of pairs that touch.
     fn touching_pairs(&self) -> usize;
 

@@ -24,6 +24,28 @@ pub(super) fn lints(files: &[ProjectFile]) -> Vec<Violation> {
         .collect()
 }
 
+/// Longest line of the Python package, columns: as that of Rust.
+const LONGEST_LINE: usize = 120;
+
+/// Lines of the Python package that are too long. Those of Rust are the formatter's.
+pub(super) fn python_lines(files: &[ProjectFile]) -> Vec<Violation> {
+    let is_python = |file: &&ProjectFile| {
+        let ending = Path::new(&file.path).extension().and_then(std::ffi::OsStr::to_str);
+        file.path.starts_with("crates/polhode-py/") && matches!(ending, Some("py" | "pyi"))
+    };
+    let mut violations = Vec::new();
+    for file in files.iter().filter(is_python) {
+        for (number, line) in file.text.lines().enumerate() {
+            let columns = line.chars().count();
+            if columns > LONGEST_LINE {
+                let place = format!("{}:{}", file.path, number + 1);
+                violations.push(Violation::in_file(place, format!("has {columns} columns, more than {LONGEST_LINE}")));
+            }
+        }
+    }
+    violations
+}
+
 /// Paths between backticks, or linked to, in the documents that do not exist.
 pub(super) fn paths_exist(files: &[ProjectFile], root: &Path) -> Vec<Violation> {
     let mut violations = Vec::new();

@@ -57,6 +57,7 @@ pub(crate) fn check(root: &Path) -> Vec<Row> {
     rows.push(row("crates follow the lints of the workspace", &docs::lints(&files)));
     rows.push(row("paths named in the documents exist", &docs::paths_exist(&files, root)));
     rows.push(row("sources cited in modules stand in REFERENCES.md", &docs::citations(&files, &sources)));
+    rows.push(row("lines of Python of at most 120 columns", &docs::python_lines(&files)));
     rows.push(row("no path of a machine in a file", &docs::machine_paths(&files)));
     rows
 }

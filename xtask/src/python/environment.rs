@@ -8,7 +8,7 @@ use std::process::{Command, Output, Stdio};
 /// The interpreter that makes it.
 const INTERPRETER: &str = "python3";
 /// The oldest one that the package supports.
-const OLDEST: &str = "3.10";
+pub(super) const OLDEST: &str = "3.10";
 /// Prints whether an interpreter is new enough.
 const IS_NEW_ENOUGH: &str = "import sys; print(sys.version_info >= (3, 10))";
 /// What it holds, in the folder of the package.

@@ -1,6 +1,6 @@
 //! The step of a verification that builds, installs and tests the Python package.
 
-use super::environment::{Environment, done, newest};
+use super::environment::{Environment, OLDEST, done, newest};
 use crate::cases::{CaseResult, Context, guarded};
 use crate::row::Row;
 use std::path::Path;
@@ -30,7 +30,10 @@ fn rows(context: &Context) -> CaseResult {
     let mut tests = environment.module("pytest");
     tests.args(["-q", "-p", "no:cacheprovider", "tests"]).env("POLHODE", program);
     let mut types = environment.module("mypy");
-    types.args(["--strict", "--package", "polhode"]).arg("--cache-dir").arg(environment.folder.join("mypy"));
+    types
+        .args(["--strict", "--python-version", OLDEST, "--package", "polhode"])
+        .arg("--cache-dir")
+        .arg(environment.folder.join("mypy"));
     let mut stubs = environment.module("mypy.stubtest");
     stubs.args([NATIVE, "--concise"]);
     for (what, command) in [

@@ -14,6 +14,7 @@ SI units; z is up; quaternions are w, x, y, z and turn body to world.
 
 from typing import TYPE_CHECKING, Any
 
+from ._contacts import FrictionSolution, Impact, impact, solve_friction
 from ._cost import Accuracy, Candidate, Cost, cost
 from ._distributions import Choice, Distribution, LogNormal, Normal, Uniform
 from ._errors import (
@@ -32,8 +33,20 @@ from ._errors import (
     UnknownName,
 )
 from ._functions import doctor, mass_properties, rotate_free
-from ._joints import Ball, Cylindrical, FixedJoint, Hinge, Joint, Planar, Rod, Rope, Screw, Slider, Universal
-from ._polhode import BodyState, Contact, Coordinate, Energy, Finding, JointLoad, Snapshot, StepOutcome, __version__
+from ._joints import Ball, Cylindrical, FixedJoint, Hinge, Joint, OnTrack, Planar, Rod, Rope, Screw, Slider, Universal
+from ._polhode import (
+    BodyState,
+    Contact,
+    Coordinate,
+    Energy,
+    Finding,
+    JointLoad,
+    Momentum,
+    Snapshot,
+    StepOutcome,
+    __version__,
+)
+from ._robot import Robot, RobotCoordinate, RobotJoint, RobotLink
 from ._run import Energies, Joints, JointTrack, Run, Track, run
 from ._scene import Body, JointHandle, Scene
 from ._shapes import Box, Capsule, Compound, Cone, Convex, Cylinder, HalfSpace, Mesh, Points, Shape, Sphere, Torus
@@ -79,8 +92,10 @@ __all__ = [
     "Energy",
     "Finding",
     "FixedJoint",
+    "FrictionSolution",
     "HalfSpace",
     "Hinge",
+    "Impact",
     "Interrupted",
     "Joint",
     "JointHandle",
@@ -90,13 +105,19 @@ __all__ = [
     "LogNormal",
     "Mean",
     "Mesh",
+    "Momentum",
     "Normal",
     "NotKept",
     "NotReached",
+    "OnTrack",
     "Place",
     "Planar",
     "Points",
     "PolhodeError",
+    "Robot",
+    "RobotCoordinate",
+    "RobotJoint",
+    "RobotLink",
     "Rod",
     "Rope",
     "Run",
@@ -124,9 +145,11 @@ __all__ = [
     "boxes",
     "cost",
     "doctor",
+    "impact",
     "mass_properties",
     "rotate_free",
     "run",
+    "solve_friction",
     "stands",
     "sweep",
 ]

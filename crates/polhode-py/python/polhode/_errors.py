@@ -46,9 +46,32 @@ class SceneError(PolhodeError, ValueError):
 
 
 class SimulationError(PolhodeError, RuntimeError):
-    """A simulation cannot be made or cannot go on; ``run`` has what was computed."""
+    """A simulation cannot be made or cannot go on; ``run`` has what was computed.
+
+    ``time`` is when (s), ``bodies`` are the bodies that it happened to, ``place`` says both in words, ``cure`` what
+    would help.
+    """
 
     run: Run | None = None
+
+    def __init__(
+        self,
+        message: str,
+        *,
+        time: float | None = None,
+        bodies: Sequence[str] = (),
+        cure: str | None = None,
+    ) -> None:
+        super().__init__(message)
+        self.time = time
+        self.bodies = tuple(bodies)
+        self.cure = cure
+
+    @property
+    def place(self) -> str | None:
+        """When, and to which bodies; none where it has no time."""
+        at = [] if self.time is None else [f"t = {self.time} s"]
+        return ", ".join(at + [" and ".join(self.bodies)] if self.bodies else at) or None
 
 
 class ActionError(PolhodeError, ValueError):

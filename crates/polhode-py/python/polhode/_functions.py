@@ -19,8 +19,8 @@ def rotate_free(
 ) -> NDArray[np.float64]:
     """Attitudes of a body that turns freely, exactly, at any times (s): (N, 4), quaternions w x y z, body to world.
 
-    ``moments`` are those about the axes of the body through its centre of mass, kg m^2; ``angular_velocity`` is in the world, rad/s;
-    ``orientation`` is that at t = 0.
+    ``moments`` are those about the axes of the body through its centre of mass, kg m^2; ``angular_velocity`` is in the
+    world, rad/s; ``orientation`` is that at t = 0.
 
     >>> import polhode as ph
     >>> attitudes = ph.rotate_free([1, 2, 3], [0, 0, 2.0], [0.0, 0.5, 1e6])
@@ -42,8 +42,9 @@ def mass_properties(
 ) -> dict[str, Any]:
     """Mass properties of a mesh: ``vertices`` (V, 3) in m, ``triangles`` (T, 3), anticlockwise seen from outside.
 
-    Of a ``mass`` (kg) or a ``density`` (kg/m^3, of a hollow body kg/m^2). The keys are those of ``polhode mesh --json``: ``volume_m3``,
-    ``center_of_mass_m``, ``inertia_kg_m2`` (3x3 about the centre of mass), ``principal_moments_kg_m2``, ``defects`` ...
+    Of a ``mass`` (kg) or a ``density`` (kg/m^3, of a hollow body kg/m^2). The keys are those of ``polhode mesh
+    --json``: ``volume_m3``, ``center_of_mass_m``, ``inertia_kg_m2`` (3x3 about the centre of mass),
+    ``principal_moments_kg_m2``, ``defects`` ...
 
     >>> import polhode as ph
     >>> corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
@@ -68,7 +69,8 @@ def mass_properties(
 def doctor(robot: str | os.PathLike[str]) -> list[_polhode.Finding]:
     """What is impossible in the file of a robot (URDF, MJCF), simulated otherwise than it says, or without effect.
 
-    Each finding has its place (``file``, ``line``, ``column``), ``severity`` (error, warning, ignored), ``subject``, ``what`` with
-    its size, and ``cure``: the edit that mends it. A file that is refused raises nothing: its errors are findings.
+    Each finding has its place (``file``, ``line``, ``column``), ``severity`` (error, warning, ignored), ``subject``,
+    ``what`` with its size, and ``cure``: the edit that mends it. A file that is refused raises nothing: its errors are
+    findings.
     """
     return _polhode.doctor(robot)

@@ -1,7 +1,7 @@
 """Joints: what holds two bodies, or a body and the world, together. Lengths in m, angles in rad, in the world at t = 0.
 
-What acts along a coordinate (limits, springs, motors, friction) is a dictionary with the keys of a scene file: ``range``,
-``restitution``, ``stiffness``, ``rest``, ``damping``, ``motor``, ``friction``, ``motion``.
+What acts along a coordinate (limits, springs, motors, friction) is a dictionary with the keys of a scene file:
+``range``, ``restitution``, ``stiffness``, ``rest``, ``damping``, ``motor``, ``friction``, ``motion``.
 """
 
 from __future__ import annotations
@@ -109,3 +109,31 @@ class Rope(Joint):
 
     def __init__(self, ends: tuple[Vector, Vector], length: float | None = None, restitution: float = 0.0) -> None:
         super().__init__("rope", anchors=ends, length=length, restitution=restitution)
+
+
+class OnTrack(Joint):
+    """A point of the body on a track (:meth:`polhode.Scene.track`), along which it slides; ``along`` are keys of its
+    displacement.
+
+    ``follows`` is ``"point"``, ``"tangent"`` or ``"frame"``: what of the body follows the track. Further keys are those
+    of a scene file: ``up``, ``side``, ``restitution``, ``springs``, ``ends``.
+
+    >>> import polhode as ph
+    >>> scene = ph.Scene()
+    >>> wire = scene.track("wire", {"line": {"points": [[0, 0, 0], [1, 0, -1]]}})
+    >>> bead = scene.add(ph.Sphere(0.01), mass=1.0, at=(0, 0, 0))
+    >>> joint = scene.joint(ph.OnTrack(wire, at=(0, 0, 0)), bead, name="on wire")
+    >>> float(ph.run(scene, duration=0.4).joints["on wire"].displacement[-1].round(9))    # m: g sin(45 deg) t^2 / 2
+    0.554937402
+    """
+
+    def __init__(
+        self,
+        track: str,
+        at: Vector,
+        *,
+        follows: str | None = None,
+        along: Mapping[str, Any] | None = None,
+        **keys: Any,
+    ) -> None:
+        super().__init__("track", track=track, anchor=at, follows=follows, displacement=along, **keys)

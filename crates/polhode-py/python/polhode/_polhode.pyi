@@ -17,15 +17,22 @@ __all__ = [
     "Finding",
     "JointLoad",
     "Loaded",
+    "Momentum",
     "Recording",
     "Simulation",
     "Snapshot",
     "StepOutcome",
     "__version__",
     "doctor",
+    "impact_with_friction",
+    "impact_without_friction",
+    "material_keys",
+    "mesh_of_file",
     "mesh_report",
+    "robot_of_file",
     "rotate_free",
     "run",
+    "solve_friction",
     "study",
 ]
 
@@ -80,6 +87,28 @@ def rotate_free(
 ) -> NDArray[np.float64]:
     """Attitudes of a free rotation at some times, s: (N, 4)."""
 
+def solve_friction(
+    matrix: NDArray[np.float64],
+    free: NDArray[np.float64],
+    coefficients: NDArray[np.float64],
+    start: NDArray[np.float64] | None,
+) -> dict[str, Any]: ...
+def impact_without_friction(
+    matrix: NDArray[np.float64],
+    before: NDArray[np.float64],
+    restitution: NDArray[np.float64],
+    laws: dict[str, Any],
+) -> dict[str, Any]: ...
+def impact_with_friction(
+    matrix: NDArray[np.float64],
+    before: NDArray[np.float64],
+    restitution: NDArray[np.float64],
+    coefficients: NDArray[np.float64],
+    laws: dict[str, Any],
+) -> dict[str, Any]: ...
+def material_keys() -> list[str]: ...
+def mesh_of_file(path: str | PathLike[str]) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
+def robot_of_file(path: str | PathLike[str]) -> dict[str, Any]: ...
 def doctor(path: str | PathLike[str]) -> list[Finding]: ...
 def mesh_report(
     vertices: ArrayLike, triangles: ArrayLike, mass: float | None, density: float | None, is_hollow: bool
@@ -212,6 +241,18 @@ class Energy:
         """The sum at t = 0."""
 
 @final
+class Momentum:
+    """Momentum."""
+
+    @property
+    def linear(self) -> tuple[float, float, float]:
+        """Linear momentum, world, N s."""
+
+    @property
+    def angular(self) -> tuple[float, float, float]:
+        """Angular momentum about the point of the ledger of momentum, world, N m s."""
+
+@final
 class Finding:
     """What was found in the file of a robot."""
 
@@ -270,7 +311,7 @@ class Snapshot:
 class Simulation:
     """A scene that Python advances in time, asks and changes."""
 
-    def __new__(cls, loaded: Loaded, all_effects: bool) -> Self: ...
+    def __new__(cls, loaded: Loaded, all_effects: bool, keep_events: bool) -> Self: ...
     @property
     def time(self) -> float:
         """Time reached, s."""
@@ -285,10 +326,11 @@ class Simulation:
 
     @property
     def joint_names(self) -> list[str]:
-        """Names of the joints."""
+        """Names of the joints, without those that hold nothing any more."""
 
-    def step(self) -> StepOutcome:
-        """Makes one step, which ends at the first event in it."""
+    def step(self, dt: float | None = None) -> StepOutcome:
+        """Makes one step, of at most ``dt`` (s) where that is given, which ends at the first event in it. The tiers of
+        fixed steps make no longer one than theirs."""
 
     def advance_to(self, t: float) -> None:
         """Advances exactly to a time, s. Ctrl-C ends it after a step."""
@@ -315,6 +357,13 @@ class Simulation:
     def energy(self) -> Energy:
         """Energies."""
 
+    def momentum(self) -> Momentum:
+        """Momentum of all bodies."""
+
+    def told_json(self) -> tuple[str, str]: ...
+    def event_columns(
+        self,
+    ) -> tuple[list[str], tuple[list[str], NDArray[np.int64], NDArray[np.float64]]] | None: ...
     def stability_json(self) -> str: ...
     def snapshot(self) -> Snapshot:
         """Everything from which ``restore`` continues with the same bits."""
@@ -346,5 +395,9 @@ class Simulation:
 
     def give_motor(self, joint: _Joint, coordinate: str | None, driven: dict[str, float | None]) -> None: ...
     def add_first_body(self, loaded: Loaded) -> None: ...
+    def add_first_joint(self, loaded: Loaded) -> None: ...
+    def remove_joint(self, joint: _Joint) -> None:
+        """Removes a joint: what it held moves on without it."""
+
     def remove_body(self, body: _Body) -> None:
         """Removes a body. Those that rested on it are no longer supported."""

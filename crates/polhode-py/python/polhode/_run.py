@@ -39,12 +39,13 @@ def run(
 ) -> Run:
     """Simulates a scene from its start to its end.
 
-    ``scene`` is the path of a scene file or a robot, a dictionary with the keys of a scene file, or a :class:`polhode.Scene`.
-    ``duration`` and ``interval`` (between samples) are in s; ``tier`` is a set of methods with one promise (``"accurate"``,
-    ``"stepped"``, ``"fast"`` ...), which the plan chooses when absent; ``accuracy`` is the largest error that is accepted (of positions
-    relative to the length of the scene, and in rad), for which the cheapest method is searched, in some ten seconds; ``step`` is in s; ``set`` changes any key, as in
-    ``set={"materials.ice.friction": 0.1}``. ``effects="all"`` leaves nothing out. Without ``joints`` the loads of joints, which cost
-    a solve at each sample, are not computed.
+    ``scene`` is the path of a scene file or a robot, a dictionary with the keys of a scene file, a
+    :class:`polhode.Scene` or a :class:`polhode.Robot`. ``duration`` and ``interval`` (between samples) are in s;
+    ``tier`` is a set of methods with one promise (``"accurate"``, ``"stepped"``, ``"fast"`` ...), which the plan
+    chooses when absent; ``accuracy`` is the largest error that is accepted (of positions, relative to the length of the
+    scene, and in rad), for which the cheapest method is searched in some ten seconds; ``step`` is in s; ``set`` changes
+    any key, as in ``set={"materials.ice.friction": 0.1}``. ``effects="all"`` leaves nothing out. Without ``joints`` the
+    loads of joints, which cost a solve at each sample, are not computed.
 
     Ctrl-C raises :class:`polhode.Interrupted` within two seconds, whose ``run`` has what was computed.
 
@@ -265,22 +266,12 @@ class Run(Mapping[str, Track]):
 
     @cached_property
     def events(self) -> NDArray[np.void]:
-        """Events in order of time: a structured array with the fields ``t`` (s), ``kind``, ``body_a``, ``body_b`` (empty where there is
-        no second body), ``point`` (m), ``normal`` (from B to A), ``impulse`` (N s) and ``energy_change`` (J)."""
-        import numpy as np
+        """Events in order of time: a structured array with the fields ``t`` (s), ``kind``, ``body_a``, ``body_b``
+        (empty where there is no second body), ``point`` (m), ``normal`` (from B to A), ``impulse`` (N s) and
+        ``energy_change`` (J)."""
+        from ._events import structured
 
-        kinds, bodies, numbers = self._recording.events()
-        names = np.array([*self._recording.body_names, ""])
-        fields: list[Any] = [("t", "f8"), ("kind", "U13"), ("body_a", names.dtype), ("body_b", names.dtype)]
-        fields += [("point", "f8", 3), ("normal", "f8", 3), ("impulse", "f8"), ("energy_change", "f8")]
-        events = np.zeros(len(kinds), dtype=fields)
-        events["t"], events["kind"] = numbers[:, 0], kinds
-        events["body_a"], events["body_b"] = names[bodies[:, 0]], names[bodies[:, 1]]
-        events["point"], events["normal"] = numbers[:, 1:4], numbers[:, 4:7]
-        events["impulse"], events["energy_change"] = numbers[:, 7], numbers[:, 8]
-        events.flags.writeable = False
-        # Who owns an array may make it writeable again; who has a view of one that is not may not.
-        return events.view()
+        return structured(self._recording.body_names, *self._recording.events())
 
     @cached_property
     def report(self) -> dict[str, Any]:
@@ -360,11 +351,12 @@ class Run(Mapping[str, Track]):
         )
 
     def to_pandas(self) -> Any:
-        """The trajectory as a pandas ``DataFrame``: a row for each sample, columns (body, px ... wz), the index is t."""
+        """The trajectory as a pandas ``DataFrame``: a row for each sample, columns (body, px ... wz), index t."""
         pandas: Any = import_module("pandas")
         columns = "px py pz qw qx qy qz vx vy vz wx wy wz".split()
         index = pandas.MultiIndex.from_product([list(self), columns], names=["body", "quantity"])
-        return pandas.DataFrame(self._recording.states(), index=pandas.Index(self.t, name="t"), columns=index, copy=False)
+        times = pandas.Index(self.t, name="t")
+        return pandas.DataFrame(self._recording.states(), index=times, columns=index, copy=False)
 
     def to_xarray(self) -> Any:
         """The trajectory as an xarray ``Dataset`` over ``t`` and ``body``."""

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Union
+from collections.abc import Collection, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Union, overload
 
 from . import _polhode, _toml
+from ._robot import Robot
 
 if TYPE_CHECKING:
     import numpy as np
@@ -18,22 +19,11 @@ if TYPE_CHECKING:
 
     #: Three numbers.
     Vector = Union[Sequence[float], NDArray[np.float64]]
-    #: What a scene is made from: a path, the keys of a scene file, or a scene that was built.
-    SceneLike = Union[str, os.PathLike[str], Mapping[str, Any], "Scene", "_polhode.Loaded"]
+    #: What a scene is made from: a path, the keys of a scene file, a scene that was built, or a robot.
+    SceneLike = Union[str, os.PathLike[str], Mapping[str, Any], "Scene", Robot, "_polhode.Loaded"]
 
 #: What errors call a scene that does not come from a file.
 ORIGIN = "<scene>"
-
-#: Keys of a material; a body that is given one gets a material of its own.
-_OF_MATERIAL = (
-    "friction",
-    "static_friction",
-    "rolling_friction",
-    "spinning_friction",
-    "restitution",
-    "restitution_yield_speed",
-    "restitution_slope",
-)
 
 
 class Body:
@@ -65,8 +55,8 @@ class JointHandle:
 class Scene:
     """A scene: bodies, joints and forces.
 
-    ``gravity`` in m/s^2: a number that points down, or a vector; ``duration`` in s; ``interval`` is the time between samples, s (0.01
-    when absent). Further keys are those of a scene file, such as ``method={"tier": "stepped"}``.
+    ``gravity`` in m/s^2: a number that points down, or a vector; ``duration`` in s; ``interval`` is the time between
+    samples, s (0.01 when absent). Further keys are those of a scene file, such as ``method={"tier": "stepped"}``.
 
     >>> import polhode as ph
     >>> scene = ph.Scene(gravity=9.81, duration=0.5)
@@ -105,6 +95,7 @@ class Scene:
         """
         return self._body(shape, name, at, {"fixed": True, **keys})
 
+    @overload
     def add(
         self,
         shape: Shape | None = None,
@@ -114,12 +105,29 @@ class Scene:
         density: float | None = None,
         at: Vector = (0, 0, 0),
         **keys: Any,
-    ) -> Body:
+    ) -> Body: ...
+
+    @overload
+    def add(self, shape: Robot, *, at: Vector = (0, 0, 0), **keys: Any) -> Robot: ...
+
+    def add(
+        self,
+        shape: Shape | Robot | None = None,
+        *,
+        name: str | None = None,
+        mass: float | None = None,
+        density: float | None = None,
+        at: Vector = (0, 0, 0),
+        **keys: Any,
+    ) -> Body | Robot:
         """A body that moves: of a mass, kg, or a density, kg/m^3. ``at`` is where its origin is, m.
 
-        Further keys are those of a body in a scene file (``velocity`` m/s, ``angular_velocity`` rad/s, ``orientation`` w x y z,
-        ``rotation_vector`` rad, ``inertia`` kg m^2, ``pivot`` m, ``motion``, ``material`` ...) or of its material (``friction``,
-        ``restitution`` ...). Two materials: the geometric mean of friction, the larger restitution; 0 where none is given.
+        A :class:`polhode.Robot` takes the keys of ``models`` in a scene file instead.
+
+        Further keys are those of a body in a scene file (``velocity`` m/s, ``angular_velocity`` rad/s, ``orientation``
+        w x y z, ``rotation_vector`` rad, ``inertia`` kg m^2, ``pivot`` m, ``motion``, ``material`` ...) or of its
+        material (``friction``, ``restitution`` ...). Two materials: the geometric mean of friction, the larger
+        restitution; 0 where none is given.
 
         >>> import polhode as ph
         >>> scene = ph.Scene()
@@ -128,10 +136,15 @@ class Scene:
         >>> scene.add(ph.Sphere(0.1), mass=1.0, at=(0, 0, 3))
         Body('sphere-2')
         """
+        if name is not None and isinstance(shape, Robot):
+            keys["name"] = name
         if mass is not None:
             keys["mass"] = mass
         if density is not None:
             keys["density"] = density
+        if isinstance(shape, Robot):
+            self.robot(shape.file, at=at, **keys)
+            return shape
         return self._body(shape, name, at, keys)
 
     def _body(self, shape: Shape | None, name: str | None, at: Vector, keys: dict[str, Any]) -> Body:
@@ -147,11 +160,12 @@ class Scene:
 
     def _with_material(self, keys: dict[str, Any]) -> None:
         """Gives keys of a material a name in the table of materials."""
-        own = {key: keys.pop(key) for key in _OF_MATERIAL if key in keys}
+        own = {key: keys.pop(key) for key in _polhode.material_keys() if key in keys}
         if own:
             if "material" in keys:
                 raise ValueError(f"a body has a material, or {', '.join(own)} of its own: give one of them")
-            keys["material"] = self.material(", ".join(f"{key} {_toml.plain(given)}" for key, given in own.items()), **own)
+            name = ", ".join(f"{key} {_toml.plain(given)}" for key, given in own.items())
+            keys["material"] = self.material(name, **own)
 
     def material(self, name: str, **keys: Any) -> str:
         """A material that bodies can name; keys are those of a scene file."""
@@ -165,7 +179,8 @@ class Scene:
 
         >>> import polhode as ph
         >>> scene = ph.Scene()
-        >>> rod = scene.add(ph.Box(0.1, 0.1, 1), mass=1.0, at=(0, 0, -0.5), velocity=(1, 0, 0), angular_velocity=(0, -2, 0))
+        >>> turning = {"velocity": (1, 0, 0), "angular_velocity": (0, -2, 0)}
+        >>> rod = scene.add(ph.Box(0.1, 0.1, 1), mass=1.0, at=(0, 0, -0.5), **turning)
         >>> scene.joint(ph.Hinge(at=(0, 0, 0), axis=(0, 1, 0)), rod, name="knee")
         JointHandle('knee')
         >>> ph.run(scene).joints["knee"].angle.shape    # (N,), rad
@@ -240,19 +255,24 @@ class Scene:
         """The name given, or the first of WORD, WORD-2, WORD-3 ... that is free."""
         if name is not None:
             return name
-        taken = {entry.get("name") for entry in self._list(key)}
-        number = 1
-        while (free := word if number == 1 else f"{word}-{number}") in taken:
-            number += 1
-        return free
+        return free_name(word, {entry.get("name") for entry in self._list(key)})
 
     def __repr__(self) -> str:
         bodies, joints = (len(self.document.get(key, ())) for key in ("bodies", "joints"))
         return f"<polhode.Scene {self.document['name']!r}: {bodies} bodies, {joints} joints>"
 
 
+def free_name(word: str, taken: Collection[str | None]) -> str:
+    """The first of WORD, WORD-2, WORD-3 ... that is free."""
+    number = 1
+    while (free := word if number == 1 else f"{word}-{number}") in taken:
+        number += 1
+    return free
+
+
 def load(scene: SceneLike, changes: Mapping[str, Any]) -> _polhode.Loaded:
-    """The scene, read by the library after some of its keys were changed; the keys are those of arguments and of a scene file."""
+    """The scene, read by the library after some of its keys were changed; the keys are those of arguments and of a
+    scene file."""
     named = {"tier": "method.tier", "step": "method.step", "interval": "output.interval"}
     settings: dict[str, Any] = dict(changes)
     own = settings.pop("set", None) or {}
@@ -269,11 +289,13 @@ def load(scene: SceneLike, changes: Mapping[str, Any]) -> _polhode.Loaded:
         return _read(how, arguments, [*before, *listed])
     if isinstance(scene, Scene):
         return _read("text", [ORIGIN, scene.to_toml()], listed)
+    if isinstance(scene, Robot):
+        return _read("file", [scene.file], listed)
     if isinstance(scene, Mapping):
         return _read("text", [ORIGIN, _toml.document(scene)], listed)
     if isinstance(scene, (str, os.PathLike)):
         return _read("file", [os.fspath(scene)], listed)
-    raise TypeError(f"a scene is a path, a dictionary or a polhode.Scene, not {type(scene).__name__}")
+    raise TypeError(f"a scene is a path, a dictionary, a polhode.Scene or a polhode.Robot, not {type(scene).__name__}")
 
 
 def _read(how: str, arguments: list[str], changes: list[tuple[str, str, str]]) -> _polhode.Loaded:

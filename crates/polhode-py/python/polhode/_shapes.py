@@ -5,8 +5,13 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
+from . import _polhode
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+    import numpy as np
+    from numpy.typing import NDArray
 
     from ._scene import Vector
 
@@ -96,10 +101,64 @@ class Convex(Shape):
 
 
 class Mesh(Shape):
-    """A closed solid of any form from a mesh file (OBJ, STL, OFF, PLY); of a fixed body a surface too."""
+    """A closed solid of any form from a mesh file (OBJ, STL, OFF, PLY); of a fixed body a surface too.
 
-    def __init__(self, file: str | os.PathLike[str], **keys: Any) -> None:
-        super().__init__("mesh", file=os.fspath(file), **keys)
+    ``scale`` is what the coordinates of the file are multiplied by to give m. :meth:`load` reads the file at once.
+
+    >>> import polhode as ph
+    >>> import pathlib, tempfile
+    >>> file = pathlib.Path(tempfile.mkdtemp(), "part.obj")
+    >>> size = file.write_text("v 0 0 0\\nv 30 0 0\\nv 0 30 0\\nv 0 0 30\\nf 1 3 2\\nf 1 2 4\\nf 1 4 3\\nf 2 3 4\\n")
+    >>> part = ph.Mesh.load(file, scale=0.001)
+    >>> part.vertices.shape, part.triangles.tolist()[0]     # m
+    ((4, 3), [0, 2, 1])
+    >>> round(part.mass_properties(density=2000.0)["mass_kg"], 12)
+    0.009
+    >>> ph.Scene().add(part, mass=0.009)
+    Body('mesh')
+    """
+
+    _arrays: tuple[NDArray[np.float64], NDArray[np.int64]] | None = None
+
+    def __init__(self, file: str | os.PathLike[str], *, scale: float | None = None, **keys: Any) -> None:
+        scaled = {} if scale is None else {"scale": scale}
+        super().__init__("mesh", file=os.fspath(file), **scaled, **keys)
+
+    @classmethod
+    def load(cls, file: str | os.PathLike[str], *, scale: float | None = None, **keys: Any) -> Mesh:
+        """The mesh of a file, which is read at once: ``OSError`` where it cannot be, ``ValueError`` where it is no
+        mesh."""
+        mesh = cls(file, scale=scale, **keys)
+        mesh._read()
+        return mesh
+
+    @property
+    def vertices(self) -> NDArray[np.float64]:
+        """Its vertices, m: (V, 3)."""
+        return self._read()[0]
+
+    @property
+    def triangles(self) -> NDArray[np.int64]:
+        """The numbers of the vertices of each triangle, anticlockwise seen from outside: (T, 3)."""
+        return self._read()[1]
+
+    def mass_properties(
+        self, *, mass: float | None = None, density: float | None = None, hollow: bool = False
+    ) -> dict[str, Any]:
+        """As :func:`polhode.mass_properties` of it."""
+        from ._functions import mass_properties
+
+        return mass_properties(self.vertices, self.triangles, mass=mass, density=density, hollow=hollow)
+
+    def _read(self) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+        if self._arrays is None:
+            keys = self.document["mesh"]
+            vertices, triangles = _polhode.mesh_of_file(keys["file"])
+            vertices *= keys.get("scale", 1.0)
+            for array in (vertices, triangles):
+                array.flags.writeable = False
+            self._arrays = vertices, triangles
+        return self._arrays
 
 
 class Compound(Shape):

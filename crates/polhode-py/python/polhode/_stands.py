@@ -27,7 +27,8 @@ class Standing(NamedTuple):
     stands: bool
     #: The part of all friction that is needed: 0.45 leaves a reserve of 55 %; None where no friction is enough.
     friction_needed: float | None
-    #: The least push of every body across gravity, in parts of its weight, at which one begins to move; infinite where none does.
+    #: The least push of every body across gravity, in parts of its weight, at which one begins to move; infinite where
+    #: none does.
     push: float
     #: The least tilt at which a body begins to move, rad; NaN where other forces act besides gravity.
     tilt: float
@@ -80,9 +81,10 @@ def stands(scene: SceneLike) -> Standing:
 def boxes(table: Any, *, friction: float = 0.5, gravity: float = 9.81) -> Scene:
     """A scene of boxes on a floor at z = 0, from a table: a pallet, a wall, a pile.
 
-    ``table`` is the path of a CSV file, a pandas DataFrame, a dictionary of columns, or a list of dictionaries. Columns: ``size_x``,
-    ``size_y``, ``size_z`` and the centre ``x``, ``y``, ``z`` in m, ``mass`` in kg; and, if wanted, ``name``, ``friction`` (no unit) and
-    ``yaw`` (degrees about z). ``friction`` is that of the floor and of boxes without their own.
+    ``table`` is the path of a CSV file, a pandas DataFrame, a dictionary of columns, or a list of dictionaries.
+    Columns: ``size_x``, ``size_y``, ``size_z`` and the centre ``x``, ``y``, ``z`` in m, ``mass`` in kg; and, if wanted,
+    ``name``, ``friction`` (no unit) and ``yaw`` (degrees about z). ``friction`` is that of the floor and of boxes
+    without their own.
 
     >>> import polhode as ph
     >>> one = {"size_x": 0.4, "size_y": 0.3, "size_z": 0.2, "x": 0, "y": 0, "mass": 5}

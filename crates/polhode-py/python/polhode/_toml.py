@@ -34,7 +34,8 @@ def plain(value: Any, where: str = "scene") -> Any:
         return int(value)
     if hasattr(value, "__float__"):
         return float(value)
-    raise TypeError(f"{where}: {type(value).__name__} is no value of a scene: numbers, strings, lists and dictionaries are")
+    kind = type(value).__name__
+    raise TypeError(f"{where}: {kind} is no value of a scene: numbers, strings, lists and dictionaries are")
 
 
 def _key(key: object, where: str) -> str:

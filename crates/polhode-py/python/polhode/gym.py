@@ -19,10 +19,10 @@ from typing import TYPE_CHECKING, Any
 
 from ._distributions import Distribution
 from ._errors import SimulationError, UnknownName
-from ._joints import Hinge, Slider
+from ._joints import Hinge, Planar, Slider
 from ._polhode import Snapshot
 from ._scene import Scene, load
-from ._shapes import Box
+from ._shapes import Box, Capsule, HalfSpace
 from ._simulation import Simulation
 
 try:
@@ -248,3 +248,69 @@ def push(env: SceneEnv) -> None:
     of_cart, of_pole = (float(blow) for blow in env.np_random.uniform(-1.0, 1.0, 2))
     env.sim.apply_impulse("cart", (0.05 * of_cart, 0, 0), (0, 0, 0))
     env.sim.apply_impulse("pole", (0.005 * of_pole, 0, 0), (0, 0, 1.0))
+
+
+#: Parts of the hopper: length (m), mass (kg) and the height of its middle (m).
+_TORSO, _THIGH, _LEG = (0.4, 3.5, 1.21), (0.45, 3.9, 0.785), (0.5, 2.7, 0.31)
+
+
+def hopper(**keys: Any) -> SceneEnv:
+    """A hopper in the plane y = 0: torso, thigh, leg and foot on three hinges with motors, and a floor with friction.
+
+    An episode begins with a small blow at the torso. Its reward is the way forward in m/s, 1 for each step in which it
+    has not fallen, and the square of the action, which costs. It ends where the torso is below 0.7 m or leans by more
+    than 0.4 rad, and is truncated after 10 s. Keys are those of :class:`SceneEnv`.
+
+    >>> import polhode as ph
+    >>> env = ph.gym.hopper()
+    >>> observation, info = env.reset(seed=3)
+    >>> observation.shape, env.action_space.shape
+    ((11,), (3,))
+    """
+    scene = Scene(gravity=9.81, duration=10.0, name="hopper", method={"tier": "stepped", "step": 0.002})
+    floor = scene.fixed(HalfSpace(), name="floor", friction=0.9)
+    upright = {"torso": _TORSO, "thigh": _THIGH, "leg": _LEG}
+    torso, thigh, leg = (
+        scene.add(Capsule(0.05, length), name=name, mass=mass, at=(0, 0, height), friction=0.9)
+        for name, (length, mass, height) in upright.items()
+    )
+    flat: dict[str, Any] = {"rotation_vector": (0, math.pi / 2, 0), "friction": 0.9}
+    foot = scene.add(Capsule(0.06, 0.39), name="foot", mass=5.0, at=(0.065, 0, 0.06), **flat)
+    scene.joint(Planar(at=(0, 0, _TORSO[2]), normal=(0, 1, 0)), torso, name="plane")
+    back = (0, -1, 0)
+    scene.joint(Hinge(at=(0, 0, 1.01), axis=back, range=(-2.6, 0.05), damping=1.0), thigh, torso, name="hip")
+    scene.joint(Hinge(at=(0, 0, 0.56), axis=back, range=(-2.6, 0.05), damping=1.0), leg, thigh, name="knee")
+    scene.joint(Hinge(at=(0, 0, 0.06), axis=back, range=(-0.8, 0.8), damping=1.0), foot, leg, name="ankle")
+    scene.no_contact(torso, thigh, leg, foot)
+    scene.no_contact(torso, floor)
+    of_torso = ("position[2]", "orientation[2]", "velocity[0]", "velocity[2]", "angular_velocity[1]")
+    hinges = ("hip", "knee", "ankle")
+    given: dict[str, Any] = {
+        "actions": dict.fromkeys(hinges, 100.0),
+        "observe": [f"torso.{told}" for told in of_torso]
+        + [f"{hinge}.{told}" for told in ("angle", "angle_rate") for hinge in hinges],
+        "interval": 0.008,
+        "reward": hops,
+        "terminated": has_tumbled,
+        "begin": nudge,
+    }
+    return SceneEnv(scene, **{**given, **keys})
+
+
+def hops(env: SceneEnv) -> float:
+    """The reward of :func:`hopper`."""
+    forward = env.sim.body("torso").velocity[0]
+    return forward + float(not has_tumbled(env)) - 1e-3 * float((env.action * env.action).sum())
+
+
+def has_tumbled(env: SceneEnv) -> bool:
+    """Whether the torso of :func:`hopper` is too low or leans too far."""
+    torso = env.sim.body("torso")
+    return torso.position[2] < 0.7 or abs(2.0 * math.asin(max(-1.0, min(1.0, torso.orientation[2])))) > 0.4
+
+
+def nudge(env: SceneEnv) -> None:
+    """The blow at which an episode of :func:`hopper` begins: at most 1 N s along at the top of its torso, either
+    way."""
+    blow = float(env.np_random.uniform(-1.0, 1.0))
+    env.sim.apply_impulse("torso", (blow, 0, 0), (0, 0, _TORSO[2] + _TORSO[0] / 2))

@@ -5,4 +5,5 @@ pub(crate) mod cholesky;
 pub(crate) mod householder;
 pub(crate) mod kernels;
 pub(crate) mod scalar;
+pub(crate) mod semidefinite;
 pub(crate) mod small;

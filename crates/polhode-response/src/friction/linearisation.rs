@@ -30,6 +30,17 @@ pub enum ContactStatus {
     Slide,
 }
 
+impl ContactStatus {
+    /// The name in words.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Open => "open",
+            Self::Stick => "stick",
+            Self::Slide => "slide",
+        }
+    }
+}
+
 /// One block's part of a step.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Linearised {

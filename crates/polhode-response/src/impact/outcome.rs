@@ -20,6 +20,20 @@ pub enum ImpactStatus {
     NotSolved,
 }
 
+impl ImpactStatus {
+    /// The name in words.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::NoApproach => "no-approach",
+            Self::Separated => "separated",
+            Self::StoppedAtThreshold => "stopped-at-threshold",
+            Self::LimitReached => "limit-reached",
+            Self::RestitutionLowered => "restitution-lowered",
+            Self::NotSolved => "not-solved",
+        }
+    }
+}
+
 /// One impulse at one row, in the order applied.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Application {

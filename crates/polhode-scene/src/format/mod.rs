@@ -68,7 +68,7 @@ pub use model::{BaseName, ModelEntry, UnphysicalName};
 pub use motion::{ConstantMotionEntry, InterpolationEntry, MotionEntry, SineMotionEntry, TableMotionEntry};
 pub use penalty::{PenaltyEntry, SpringDampingName, SpringFrictionName, SpringLawName};
 pub use promise::PromiseEntry;
-pub use scene::{MaterialEntry, NoContactEntry, OutputEntry, PairEntry, SceneFile, StartEntry};
+pub use scene::{MATERIAL_KEYS, MaterialEntry, NoContactEntry, OutputEntry, PairEntry, SceneFile, StartEntry};
 pub use signal::{SignalEntry, SinusoidEntry};
 pub use tier::TierName;
 pub(crate) use track::CURVES;

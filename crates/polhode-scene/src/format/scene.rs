@@ -91,6 +91,19 @@ pub struct OutputEntry {
     pub interval: Option<f64>,
 }
 
+/// The keys of a material.
+pub const MATERIAL_KEYS: [&str; 9] = [
+    "friction",
+    "static_friction",
+    "rolling_friction",
+    "spinning_friction",
+    "restitution",
+    "restitution_yield_speed",
+    "restitution_slope",
+    "youngs_modulus_pa",
+    "poisson_ratio",
+];
+
 /// A material.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

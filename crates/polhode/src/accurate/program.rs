@@ -9,7 +9,9 @@ use super::instant::Instant;
 use super::motions::{Mode, Track};
 use super::pace::Pace;
 use crate::SimulationError;
+use crate::collision::contact_id::ContactId;
 use crate::core::Core;
+use crate::world::World;
 use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
 
@@ -121,6 +123,17 @@ impl Engine {
             core.world.point_speed(&self.motions.states, body).max((core.world.gravity().length() * size).sqrt());
         self.schedule.contacts.make_room();
         self.schedule.near.make_room();
+    }
+
+    /// Forgets the contacts of a pair that are there no more, after a joint between its bodies was added or taken away.
+    pub(super) fn change_contacts_of_joint(&mut self, world: &World, pair: (usize, usize)) {
+        let stays = |contact: ContactId| (contact.a, contact.b) != pair || world.may_have(contact);
+        let touches = self.schedule.contacts.of_pair(pair).iter().filter(|touch| stays(touch.id)).copied().collect();
+        self.schedule.contacts.set(pair, touches);
+        if let Some(instant) = &mut self.interrupted {
+            instant.touches.retain(|touch| stays(touch.id));
+            instant.pairs.retain(|&own| own != pair || world.may_touch(own));
+        }
     }
 
     /// Forgets a body that is about to be removed from the world.

@@ -265,6 +265,10 @@ impl Tier for Engine {
         self.forget_body(body);
     }
 
+    fn change_joint(&mut self, core: &mut Core, pair: (usize, usize)) {
+        self.change_contacts_of_joint(&core.world, pair);
+    }
+
     fn touching_pairs(&self) -> usize {
         self.schedule.contacts.pairs()
     }

@@ -38,6 +38,15 @@ pub(crate) enum HeldBody {
     Kinematic(Pose),
 }
 
+/// Where bodies were when a program added a joint: its anchor is a point of the world then, not at the start.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct AddedJoint {
+    /// Its number.
+    pub(crate) number: usize,
+    /// The poses of its bodies.
+    pub(crate) poses: Vec<Pose>,
+}
+
 /// A joint of the model.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct WorldJoint {

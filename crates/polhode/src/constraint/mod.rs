@@ -17,6 +17,7 @@
 //! see between two of them, `accurate/locate.rs` says. When bodies that are apart meet is found by bounds on their motions, which
 //! overlook nothing (`polhode-contact`).
 
+pub(crate) mod added;
 pub(crate) mod bilateral;
 mod breaking;
 mod coordinate;

@@ -1,4 +1,5 @@
-//! Joints that hold nothing any more: their bodies have run off the end of a track (`track.rs`), or they have broken (`breaking.rs`).
+//! Joints that hold nothing any more: their bodies have run off the end of a track (`track.rs`), they have broken (`breaking.rs`), or a
+//! program has taken them away.
 //!
 //! Such a joint leaves the joints of the world, and its number is no other one's, until a snapshot from before brings it back.
 
@@ -35,9 +36,12 @@ impl World {
         self.make_fields()
     }
 
-    /// Whether two bodies had contacts at joints that hold nothing any more. Their shapes do not collide for that.
+    /// Whether two bodies had contacts at joints that hold nothing any more, or of their shapes before a joint was added between
+    /// them. Their shapes do not collide for that.
     pub(crate) fn lost_joint_contacts(&self, pair: (usize, usize)) -> bool {
+        let is_added = |number: usize| self.pair_of_joint(number) == Some(pair);
         self.released.values().any(|joint| joint.pair() == pair)
+            || self.added_joints.iter().any(|added| is_added(added.number))
     }
 
     /// The joints of these bodies on tracks whose ends they have passed in these states, in the order of the scene.
@@ -58,19 +62,15 @@ impl World {
     /// Replaces the joints that hold nothing by these.
     ///
     /// # Errors
-    /// When there is no such joint, or nothing releases it.
+    /// When there is no such joint.
     pub(crate) fn replace_released(&mut self, joints: &[usize]) -> Result<(), SnapshotError> {
-        let refused = || SnapshotError::Invalid("a joint that nothing releases has let go");
+        let refused = || SnapshotError::Invalid("a joint has let go that the scene has not");
         if joints.is_empty() && self.released.is_empty() {
             return Ok(());
         }
         self.joints.extend(std::mem::take(&mut self.released).into_values());
         self.joints.sort_by_key(WorldJoint::number);
-        let may_let_go = |&joint: &usize| {
-            let lets_go_at_ends = self.joint_numbered(joint).is_some_and(WorldJoint::lets_go_at_ends);
-            lets_go_at_ends || self.strength_of(joint).is_some()
-        };
-        if !joints.iter().all(may_let_go) {
+        if !joints.iter().all(|&joint| self.joint_numbered(joint).is_some()) {
             return Err(refused());
         }
         self.release(joints).map_err(|_| refused())

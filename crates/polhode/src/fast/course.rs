@@ -17,6 +17,7 @@ use super::turning::turn;
 use crate::SimulationError;
 use crate::collision::face_patches::{LastingBoxes, PairPatches, Tools, follow_pairs};
 use crate::collision::inner_borders::leave_out_inner_borders;
+use crate::constraint::ConstraintId;
 use crate::constraint::joint::WorldJoint;
 use crate::executor::{Executor, Task};
 use crate::settings::Settings;
@@ -158,6 +159,16 @@ impl Course {
         self.limits.retain(|limit| limit.id.a != body && limit.id.b != body);
         self.resting[body] = false;
         self.group_of[body] = None;
+    }
+
+    /// Drops contacts and loads that are there no more, after a joint between two bodies was added or taken away.
+    pub(super) fn change_joint(&mut self, world: &World, pair: (usize, usize)) {
+        self.pairs.retain(|own| (own.a, own.b) != pair || world.may_touch(pair));
+        self.limits.retain(|limit| world.may_have(limit.id));
+        self.held.retain(|held| match held.id {
+            ConstraintId::Joint { joint, .. } => world.pair_of_joint(joint).is_some(),
+            _ => true,
+        });
     }
 
     /// Whether nothing moves.

@@ -389,6 +389,12 @@ impl Tier for FastEngine {
         self.course.held.retain(|held| ![held.id.bodies().0, held.id.bodies().1].contains(&body));
     }
 
+    fn change_joint(&mut self, core: &mut Core, pair: (usize, usize)) {
+        self.course.change_joint(&core.world, pair);
+        self.course.wake_all();
+        self.touching.retain(|&own| own != pair || core.world.may_touch(own));
+    }
+
     fn touching_pairs(&self) -> usize {
         self.touching.len()
     }

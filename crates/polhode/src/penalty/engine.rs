@@ -8,6 +8,7 @@ use super::run::{Group, GroupRun, Run, Segment};
 use super::saved::{restored_laws, restored_report, restored_spring, save_laws, save_report, save_spring};
 use super::{fixed, stepping};
 use crate::collision::boxes::Boxes;
+use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::Touch;
 use crate::core::Core;
 use crate::fixed_steps::accelerations_under;
@@ -20,6 +21,7 @@ use crate::snapshot::{SnapshotError, content, springs};
 use crate::solve::joint_loads::joint_loads;
 use crate::solve::joint_reactions::JointReactions;
 use crate::tier::{Reached, Tier};
+use crate::world::World;
 use crate::{Acceleration, BodyId, SimulationError};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::state::WIDTH;
@@ -278,6 +280,16 @@ impl Segment {
     }
 }
 
+impl PenaltyEngine {
+    /// Keeps some of the springs. The energy of the others is what a program takes away.
+    fn keep_springs(&mut self, core: &mut Core, keep: impl Fn(ContactId, &World) -> bool) {
+        let before = core.world.contact_energy_j;
+        self.springs.retain(|spring| keep(spring.id, &core.world));
+        core.world.contact_energy_j = energy(core, &self.states, &self.springs);
+        core.accounts.books.fields_changed(before, core.world.contact_energy_j);
+    }
+}
+
 impl Tier for PenaltyEngine {
     fn advance(
         &mut self,
@@ -370,12 +382,13 @@ impl Tier for PenaltyEngine {
 
     fn resume(&mut self, core: &mut Core, moved: &[usize]) -> Result<(), SimulationError> {
         // What springs hold when a program moves their bodies is the program's.
-        let before = core.world.contact_energy_j;
         let is_moved = |body: usize| moved.contains(&body);
-        self.springs.retain(|spring| !is_moved(spring.id.a) && !is_moved(spring.id.b));
-        core.world.contact_energy_j = energy(core, &self.states, &self.springs);
-        core.accounts.books.fields_changed(before, core.world.contact_energy_j);
+        self.keep_springs(core, |contact, _| !is_moved(contact.a) && !is_moved(contact.b));
         Ok(())
+    }
+
+    fn change_joint(&mut self, core: &mut Core, pair: (usize, usize)) {
+        self.keep_springs(core, |contact, world| (contact.a, contact.b) != pair || world.may_have(contact));
     }
 
     fn add_body(&mut self, core: &Core, state: BodyState) {

@@ -235,6 +235,11 @@ impl Joint {
         Self { other: Some(other), ..self }
     }
 
+    /// The same joint of these bodies, of one with the world where there is no other.
+    pub const fn of(self, body: BodyId, other: Option<BodyId>) -> Self {
+        Self { body, other, ..self }
+    }
+
     /// The same joint at another point of the world at the start, m.
     pub(crate) const fn at(self, anchor: DVec3) -> Self {
         Self { anchor, ..self }

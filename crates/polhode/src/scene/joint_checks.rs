@@ -2,7 +2,7 @@
 //! method solves for them.
 
 use super::{
-    Coordinate, Freedom, Integrator, IntegratorChoice, Joint, JointKind, Scene, SceneError, Tier, TierFeature,
+    Coordinate, Freedom, Integrator, IntegratorChoice, Joint, JointKind, Response, Scene, SceneError, Tier, TierFeature,
 };
 use crate::constraint::joint::{HeldBody, WorldJoint};
 use crate::constraint::row::RowKind;
@@ -31,49 +31,74 @@ impl Scene {
     /// With the first joint that is refused.
     pub(super) fn check_joints(&self) -> Result<(), SceneError> {
         for (number, joint) in self.joints.iter().enumerate() {
-            let refused = |reason| SceneError::Joint { number, reason };
-            if let Some(unknown) = joint.bodies().find(|&body| body >= self.bodies.len()) {
-                return Err(SceneError::UnknownBody(unknown));
-            }
-            if joint.other() == Some(joint.body()) {
-                return Err(refused("it holds a body at itself: two bodies, or one and the world, are needed"));
-            }
-            if !(joint.anchor().is_finite() && joint.other_anchor().is_finite()) {
-                return Err(refused("its anchor has a component that is not finite: finite numbers are needed"));
-            }
-            let mut bodies = joint.bodies().map(|body| &self.bodies[body]);
-            if bodies.all(|body| body.is_fixed() || body.motion().is_some()) {
-                return Err(refused("forces move none of its bodies: one at least must be movable"));
-            }
-            if let JointKind::Universal { axes: [first, second] } = joint.kind()
-                && first.get().dot(second.get()).abs() > RIGHT_ANGLE
-            {
-                return Err(refused(
-                    "its axes are not at right angles: two axes whose directions are perpendicular are needed",
-                ));
-            }
-            if let JointKind::Screw { lead, .. } = joint.kind()
-                && !(lead != 0.0 && lead.is_finite())
-            {
-                return Err(refused("its lead is zero or not finite: a displacement for each revolution is needed"));
-            }
-            check_limits(number, joint)?;
-            let is_none = |&coordinate: &Coordinate| {
-                let friction = joint.freedom(coordinate).and_then(|own| own.friction());
-                friction.is_some_and(|friction| friction.effort() == 0.0 && friction.arm() == 0.0)
-            };
-            if joint.kind().coordinates().iter().any(is_none) {
-                return Err(refused("its friction has neither an effort nor a bearing: one of both is needed"));
-            }
-            let is_driven = joint.bodies().any(|body| self.bodies[body].motion().is_some());
-            let has_forces = |&coordinate: &Coordinate| joint.freedom(coordinate).is_some_and(|own| own.has_forces());
-            if is_driven && joint.kind().coordinates().iter().any(has_forces) {
-                return Err(SceneError::NotYetAvailable {
-                    what: format!("a spring, damper or motor of joint {number} on a kinematic body"),
-                    instead: "one between bodies that forces move, or to the world".to_owned(),
-                });
-            }
+            self.check_joint(number, joint)?;
             self.check_joint_velocity(number, joint)?;
+        }
+        Ok(())
+    }
+
+    /// Takes a joint that a program adds to a simulation by this tier, between bodies as they are then. Returns it at its place: of a
+    /// track on it.
+    ///
+    /// # Errors
+    /// As [`SceneBuilder::build`](super::SceneBuilder::build), but that its bodies may move as it does not allow: it stops them.
+    pub(crate) fn take_joint(&mut self, joint: &Joint, tier: Tier) -> Result<Joint, SceneError> {
+        let number = self.joints.len();
+        self.check_joint(number, joint)?;
+        let placed = self.placed_on_track(number, joint)?;
+        self.joints.push(placed);
+        self.check_joints_in(tier)?;
+        self.check_coordinates()?;
+        self.check_motions()?;
+        if tier.facts().own_response == Some(Response::Penalty) {
+            self.check_springs()?;
+        }
+        Ok(placed)
+    }
+
+    /// Checks one joint: that its bodies exist and can be held, and what acts along its coordinates.
+    fn check_joint(&self, number: usize, joint: &Joint) -> Result<(), SceneError> {
+        let refused = |reason| SceneError::Joint { number, reason };
+        if let Some(unknown) = joint.bodies().find(|&body| body >= self.bodies.len()) {
+            return Err(SceneError::UnknownBody(unknown));
+        }
+        if joint.other() == Some(joint.body()) {
+            return Err(refused("it holds a body at itself: two bodies, or one and the world, are needed"));
+        }
+        if !(joint.anchor().is_finite() && joint.other_anchor().is_finite()) {
+            return Err(refused("its anchor has a component that is not finite: finite numbers are needed"));
+        }
+        let mut bodies = joint.bodies().map(|body| &self.bodies[body]);
+        if bodies.all(|body| body.is_fixed() || body.motion().is_some()) {
+            return Err(refused("forces move none of its bodies: one at least must be movable"));
+        }
+        if let JointKind::Universal { axes: [first, second] } = joint.kind()
+            && first.get().dot(second.get()).abs() > RIGHT_ANGLE
+        {
+            return Err(refused(
+                "its axes are not at right angles: two axes whose directions are perpendicular are needed",
+            ));
+        }
+        if let JointKind::Screw { lead, .. } = joint.kind()
+            && !(lead != 0.0 && lead.is_finite())
+        {
+            return Err(refused("its lead is zero or not finite: a displacement for each revolution is needed"));
+        }
+        check_limits(number, joint)?;
+        let is_none = |&coordinate: &Coordinate| {
+            let friction = joint.freedom(coordinate).and_then(|own| own.friction());
+            friction.is_some_and(|friction| friction.effort() == 0.0 && friction.arm() == 0.0)
+        };
+        if joint.kind().coordinates().iter().any(is_none) {
+            return Err(refused("its friction has neither an effort nor a bearing: one of both is needed"));
+        }
+        let is_driven = joint.bodies().any(|body| self.bodies[body].motion().is_some());
+        let has_forces = |&coordinate: &Coordinate| joint.freedom(coordinate).is_some_and(|own| own.has_forces());
+        if is_driven && joint.kind().coordinates().iter().any(has_forces) {
+            return Err(SceneError::NotYetAvailable {
+                what: format!("a spring, damper or motor of joint {number} on a kinematic body"),
+                instead: "one between bodies that forces move, or to the world".to_owned(),
+            });
         }
         Ok(())
     }
@@ -83,10 +108,12 @@ impl Scene {
     /// # Errors
     /// When its tier or its integrator does not.
     pub(super) fn check_joint_method(&self) -> Result<(), SceneError> {
-        if self.joints.is_empty() {
-            return Ok(());
-        }
-        let tier = self.method.named_tier().unwrap_or_default().facts();
+        if self.joints.is_empty() { Ok(()) } else { self.check_joints_in(self.method.named_tier().unwrap_or_default()) }
+    }
+
+    /// Checks that a tier solves for joints.
+    fn check_joints_in(&self, tier: Tier) -> Result<(), SceneError> {
+        let tier = tier.facts();
         match self.method.integrator {
             _ if !tier.takes(TierFeature::Joints) => {
                 let instead = Tier::names_with(TierFeature::Joints);

@@ -34,7 +34,8 @@ impl Scene {
         Ok(())
     }
 
-    fn placed_on_track(&self, number: usize, joint: &Joint) -> Result<Joint, SceneError> {
+    /// A joint with its anchor on its track, if it has one.
+    pub(super) fn placed_on_track(&self, number: usize, joint: &Joint) -> Result<Joint, SceneError> {
         let JointKind::Track { track, hold, ends } = joint.kind() else { return Ok(*joint) };
         let refused = |reason| SceneError::Joint { number, reason };
         let curve =

@@ -5,6 +5,7 @@
 pub use polhode_contact::BroadPhaseMethod;
 pub use polhode_dynamics::integrator::{Method as Integrator, Orientation, RotationRate};
 pub use polhode_response::impact::PulseExponent;
+use polhode_response::{MultipleImpactLaw, RestitutionLaw, impact};
 
 /// The coordinates in which bodies that joints hold are integrated in the tier `accurate`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -61,6 +62,32 @@ impl ImpactLaw {
             Self::Energetic => "energetic",
             Self::Pulse => "pulse",
         }
+    }
+
+    /// What it says of rows without friction; the exponent is that of the springs of [`ImpactLaw::Pulse`].
+    pub const fn of_rows(self, exponent: PulseExponent) -> impact::ImpactLaw {
+        match self {
+            Self::Propagation => impact::ImpactLaw::Propagation,
+            Self::Simultaneous => impact::ImpactLaw::Simultaneous,
+            Self::Reflection => impact::ImpactLaw::Reflection,
+            Self::Poisson => impact::ImpactLaw::Poisson,
+            Self::Energetic => impact::ImpactLaw::Energetic,
+            Self::Pulse => impact::ImpactLaw::Pulse(exponent),
+        }
+    }
+
+    /// How contacts with friction share an impact by it.
+    pub const fn of_contacts_with_friction(self, exponent: PulseExponent) -> MultipleImpactLaw {
+        match self {
+            Self::Propagation => MultipleImpactLaw::Sequence,
+            Self::Pulse => MultipleImpactLaw::Pulse(exponent),
+            _ => MultipleImpactLaw::Simultaneous,
+        }
+    }
+
+    /// The law of a contact with friction that is struck alone, where none is chosen.
+    pub const fn of_single_contact(self) -> RestitutionLaw {
+        if matches!(self, Self::Poisson) { RestitutionLaw::Poisson } else { RestitutionLaw::Stronge }
     }
 }
 

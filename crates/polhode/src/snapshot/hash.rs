@@ -4,6 +4,7 @@
 //! differ by accident; it does not protect against a scene that is made to have a given hash.
 
 use crate::Scene;
+use crate::constraint::joint::AddedJoint;
 use std::fmt::{self, Write};
 
 /// A hash FNV-1a in progress.
@@ -38,12 +39,16 @@ impl Write for Fnv1a {
 }
 
 /// Hash of a whole scene but for its duration: of its debug text, which has every number with all its digits. A field that
-/// the program defines is hashed by its own debug text. How long a run is changes nothing before its end.
-pub(super) fn of_scene(scene: &Scene) -> u64 {
+/// the program defines is hashed by its own debug text. How long a run is changes nothing before its end. Joints that a program has
+/// added depend on where their bodies were.
+pub(super) fn of_scene(scene: &Scene, added: &[AddedJoint]) -> u64 {
     let mut hash = Fnv1a::default();
     let scene = Scene { duration_s: 0.0, ..scene.clone() };
     // Adding bytes to the hash cannot fail.
     let _ = write!(hash, "{scene:?}");
+    for joint in added {
+        let _ = write!(hash, "{joint:?}");
+    }
     hash.value()
 }
 

@@ -23,6 +23,7 @@ pub(crate) mod springs;
 
 pub use error::SnapshotError;
 
+use crate::constraint::joint::AddedJoint;
 use crate::{Effects, Scene};
 use content::Content;
 use serde::{Deserialize, Serialize};
@@ -64,8 +65,12 @@ impl Snapshot {
     ///
     /// # Errors
     /// When it is not.
-    pub(crate) fn content_for(&self, scene: &Scene, effects: Effects) -> Result<&Content, SnapshotError> {
-        let (found, own) = (self.content.scene_hash, hash::of_scene(scene));
+    pub(crate) fn content_for(
+        &self,
+        scene: (&Scene, &[AddedJoint]),
+        effects: Effects,
+    ) -> Result<&Content, SnapshotError> {
+        let (found, own) = (self.content.scene_hash, scene_hash(scene));
         if found != own {
             return Err(SnapshotError::OtherScene { scene: self.content.scene.clone(), found, own });
         }
@@ -130,7 +135,7 @@ impl TryFrom<Vec<u8>> for Snapshot {
     }
 }
 
-/// Hash of a whole scene, as [`Snapshot::scene_hash`].
-pub(crate) fn scene_hash(scene: &Scene) -> u64 {
-    hash::of_scene(scene)
+/// Hash of a whole scene, as [`Snapshot::scene_hash`], with the bodies and joints that a program has added.
+pub(crate) fn scene_hash((scene, added): (&Scene, &[AddedJoint])) -> u64 {
+    hash::of_scene(scene, added)
 }

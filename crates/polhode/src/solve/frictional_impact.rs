@@ -24,8 +24,8 @@ use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{Application, ImpactOutcome, ImpactStatus};
 use polhode_response::{
-    Blocks, MultipleFrictionalImpact, MultipleImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus,
-    ResponseError, RestitutionLaw,
+    Blocks, MultipleFrictionalImpact, MultipleImpact, MultipleImpactSettings, MultipleImpactStatus, ResponseError,
+    RestitutionLaw,
 };
 use polhode_spatial::{CompensatedSum, DVec3};
 
@@ -110,16 +110,11 @@ pub(crate) fn solve(
     restitution.resize(blocks.len(), 0.0);
     let mirrored: Vec<usize> =
         (0..contacts.len()).filter(|&contact| world.mirrored(states, contacts[contact].id).is_some()).collect();
-    let of_several = match law {
-        ImpactLaw::Propagation => MultipleImpactLaw::Sequence,
-        ImpactLaw::Pulse => MultipleImpactLaw::Pulse(world.scene.method().pulse_exponent.unwrap_or_default()),
-        _ => MultipleImpactLaw::Simultaneous,
-    };
     let impact = MultipleFrictionalImpact {
         contacts: &blocks.problem(&delassus, &before)?,
         restitution: &restitution,
         stand_for_several: &mirrored,
-        law: of_several,
+        law: law.of_contacts_with_friction(world.scene.method().pulse_exponent.unwrap_or_default()),
         single: single_law(world, law),
         settings: &settings,
     };
@@ -152,8 +147,7 @@ fn are_micro_collisions(world: &World, contacts: &[Touch]) -> bool {
 
 /// The law of a contact that is struck alone: that of the scene, or else that of its impact law.
 fn single_law(world: &World, law: ImpactLaw) -> RestitutionLaw {
-    let of_impact = if law == ImpactLaw::Poisson { RestitutionLaw::Poisson } else { RestitutionLaw::default() };
-    world.scene.method().restitution_law.unwrap_or(of_impact)
+    world.scene.method().restitution_law.unwrap_or(law.of_single_contact())
 }
 
 /// Rate of separation of two bodies at the point of a contact, m/s.

@@ -228,14 +228,7 @@ pub(crate) fn strike(
     let mut restitution: Vec<f64> = members.iter().map(|touch| world.restitution_at(touch)).collect();
     // Bilateral constraints have no restitution.
     restitution.resize(before.len(), 0.0);
-    let row_law = match law {
-        ImpactLaw::Propagation => impact::ImpactLaw::Propagation,
-        ImpactLaw::Simultaneous => impact::ImpactLaw::Simultaneous,
-        ImpactLaw::Reflection => impact::ImpactLaw::Reflection,
-        ImpactLaw::Poisson => impact::ImpactLaw::Poisson,
-        ImpactLaw::Energetic => impact::ImpactLaw::Energetic,
-        ImpactLaw::Pulse => impact::ImpactLaw::Pulse(world.scene.method().pulse_exponent.unwrap_or_default()),
-    };
+    let row_law = law.of_rows(world.scene.method().pulse_exponent.unwrap_or_default());
     let order = in_order(world, law, &members, before.len());
     let delassus = assembly.problem.delassus();
     // Bodies that fit exactly between others may appear to be compressed because of the rounding of velocities that

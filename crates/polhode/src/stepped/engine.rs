@@ -647,6 +647,15 @@ impl Tier for SteppedEngine {
         self.touching.retain(|&(a, b)| a != body && b != body);
     }
 
+    fn change_joint(&mut self, core: &mut Core, pair: (usize, usize)) {
+        self.resting.wake_all();
+        self.touching.retain(|&own| own != pair || core.world.may_touch(own));
+        let stays = |contact: ContactId| (contact.a, contact.b) != pair || core.world.may_have(contact);
+        self.stepper.keep_contacts(stays);
+        self.forces.retain(|&id, _| stays(id));
+        self.loads = None;
+    }
+
     fn touching_pairs(&self) -> usize {
         self.touching.len()
     }

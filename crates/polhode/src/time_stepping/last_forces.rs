@@ -128,6 +128,14 @@ impl LastForces {
         }
     }
 
+    /// Keeps the forces of these contacts, and forgets those of all others.
+    pub(super) fn keep_contacts(&mut self, stays: impl Fn(ContactId) -> bool) {
+        for (&(a, b), contacts) in &mut self.by_pair {
+            contacts.retain(|&feature, _| stays(ContactId { a, b, feature }));
+        }
+        self.by_pair.retain(|_, contacts| !contacts.is_empty());
+    }
+
     /// As plain data.
     pub(super) fn save(&self) -> content::LastForces {
         let of_pair = |(&(a, b), contacts): (&(usize, usize), &BTreeMap<Feature, ContactForce>)| {

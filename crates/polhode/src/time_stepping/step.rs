@@ -162,6 +162,15 @@ impl TimeStepper {
         }
     }
 
+    /// Keeps what these contacts bore in the last step of their pair, and forgets that of all others.
+    pub(crate) fn keep_contacts(&mut self, stays: impl Fn(ContactId) -> bool) {
+        for (&(a, b), features) in &mut self.carried.by_pair {
+            features.retain(|&feature| stays(ContactId { a, b, feature }));
+        }
+        self.carried.by_pair.retain(|_, features| !features.is_empty());
+        self.cones.last.keep_contacts(stays);
+    }
+
     /// Sets the warm start to these contacts, which are sorted, as if they had carried an impulse in the last step of
     /// their pair.
     pub(crate) fn carry(&mut self, contacts: Vec<ContactId>) {

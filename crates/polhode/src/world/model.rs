@@ -13,13 +13,13 @@ use crate::collision::contact_id::Feature;
 use crate::collision::envelope::CollisionEnvelope;
 use crate::collision::narrow_phase::NarrowPhase;
 use crate::constraint::coordinate_id::CoordinateId;
-use crate::constraint::joint::{HeldBody, WorldJoint, row_length};
+use crate::constraint::joint::{AddedJoint, HeldBody, WorldJoint, row_length};
 use crate::constraint::joint_forces::JointForce;
 use crate::constraint::stop_id::StopId;
 use crate::constraint::tie::Tie;
 use crate::pivot_form::{PivotForm, PivotRows};
 use crate::plane_of_motion::PlaneOfMotion;
-use crate::scene::{Body, Coordinate, Motor, MovingFrames, Scene, SceneError};
+use crate::scene::{Body, Coordinate, Joint, Motor, MovingFrames, Scene, SceneError};
 use polhode_dynamics::field::{Field, Wrench};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::DVec3;
@@ -85,6 +85,8 @@ pub(crate) struct World {
     pub(crate) joint_drivers: Vec<usize>,
     /// Joints that hold nothing any more, by their numbers: they have broken, or their bodies have run off the ends of their tracks.
     pub(crate) released: BTreeMap<usize, WorldJoint>,
+    /// The poses of bodies at which a program has added joints, by their numbers.
+    pub(crate) added_joints: Vec<AddedJoint>,
     /// The joints of the scene that may break.
     pub(crate) breakable: BTreeSet<usize>,
     /// Gears and prescribed motions of joints.
@@ -199,6 +201,7 @@ impl World {
             joints_of: BTreeMap::new(),
             joint_drivers: Vec::new(),
             released: BTreeMap::new(),
+            added_joints: Vec::new(),
             breakable: (0..scene.joints().len()).filter(|&joint| scene.joints()[joint].strength().is_some()).collect(),
             ties: Vec::new(),
             ties_of: BTreeMap::new(),
@@ -240,18 +243,21 @@ impl World {
 
     /// Makes the joints of the scene, between bodies in their states at the start.
     fn make_joints(&mut self, states: &[BodyState]) {
-        let size = |body: usize| self.bodies[body].size;
-        let made = self.scene.joints().iter().enumerate().map(|(number, joint)| {
-            let moving = joint.bodies().filter(|&body| self.bodies[body].moves());
-            let held = |body: usize| match &self.bodies[body] {
-                own if own.moves() => HeldBody::Movable(states[body].pose),
-                own if own.trajectory.is_some() => HeldBody::Kinematic(states[body].pose),
-                _ => HeldBody::Fixed,
-            };
-            WorldJoint::new((number, joint), &self.scene.tracks, held, row_length(moving.map(size)))
-        });
-        self.joints = made.collect();
+        let joints = self.scene.joints().iter().enumerate();
+        self.joints = joints.map(|(number, joint)| self.joint_between(number, joint, states)).collect();
         self.ending_tracks = self.joints.iter().filter(|joint| joint.lets_go_at_ends()).count();
+    }
+
+    /// A joint of this number between bodies in these states.
+    pub(crate) fn joint_between(&self, number: usize, joint: &Joint, states: &[BodyState]) -> WorldJoint {
+        let size = |body: usize| self.bodies[body].size;
+        let moving = joint.bodies().filter(|&body| self.bodies[body].moves());
+        let held = |body: usize| match &self.bodies[body] {
+            own if own.moves() => HeldBody::Movable(states[body].pose),
+            own if own.trajectory.is_some() => HeldBody::Kinematic(states[body].pose),
+            _ => HeldBody::Fixed,
+        };
+        WorldJoint::new((number, joint), &self.scene.tracks, held, row_length(moving.map(size)))
     }
 
     /// Enters the joints at their bodies, and the bodies that constraint rows hold.
@@ -309,12 +315,17 @@ impl World {
         }
         self.bodies.push(added);
         self.scene.bodies.push(body);
-        self.collides = self.scene.any_may_collide();
-        self.friction = FrictionKinds::of(&self.scene);
-        self.surfaces = SurfaceEffects::of(&self.scene);
+        self.find_what_collides();
         self.start_potential_j = self.sum_start_potentials();
         self.make_fields()?;
         Ok((number, state))
+    }
+
+    /// Whether any two bodies of the scene may collide, and what their surfaces do.
+    pub(crate) fn find_what_collides(&mut self) {
+        self.collides = self.scene.any_may_collide();
+        self.friction = FrictionKinds::of(&self.scene);
+        self.surfaces = SurfaceEffects::of(&self.scene);
     }
 
     /// Removes a body. Its index is not given to another body.

@@ -181,8 +181,8 @@ fn overconstrained_four_bar_swings_as_one_pendulum() {
 }
 
 /// `a'' = -rate sin a`.
-struct Pendulum {
-    rate: f64,
+pub(crate) struct Pendulum {
+    pub(crate) rate: f64,
 }
 
 impl System for Pendulum {

@@ -7,6 +7,7 @@ mod bounces_with_friction;
 mod breaking_joints;
 mod broad_phases;
 mod chains;
+mod changed_joints;
 mod checks;
 mod closed_loops;
 mod constrained_methods;

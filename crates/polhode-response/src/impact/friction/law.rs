@@ -30,6 +30,15 @@ pub enum RestitutionLaw {
 }
 
 impl RestitutionLaw {
+    /// All laws; that of Chatterjee and Ruina without restitution of slip.
+    pub const ALL: [Self; 5] = [
+        Self::Stronge,
+        Self::Poisson,
+        Self::Newton,
+        Self::Whittaker,
+        Self::ChatterjeeRuina { tangential_restitution: 0.0 },
+    ];
+
     /// The name used in scenes and reports.
     pub const fn name(self) -> &'static str {
         match self {

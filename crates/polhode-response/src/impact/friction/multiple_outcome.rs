@@ -20,6 +20,18 @@ pub enum MultipleImpactStatus {
 }
 
 impl MultipleImpactStatus {
+    /// The name in words.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::NoApproach => "no-approach",
+            Self::Separated => "separated",
+            Self::RestitutionLowered => "restitution-lowered",
+            Self::StoppedAtThreshold => "stopped-at-threshold",
+            Self::StruckInOrder => "struck-in-order",
+            Self::NotSolved => "not-solved",
+        }
+    }
+
     /// The graver of two.
     pub(super) fn and(self, other: Self) -> Self {
         let gravity = |status: Self| match status {

@@ -40,6 +40,9 @@ pub enum PulseExponent {
 }
 
 impl PulseExponent {
+    /// All exponents.
+    pub const ALL: [Self; 2] = [Self::Linear, Self::Hertz];
+
     /// The name used in scenes and reports.
     pub const fn name(self) -> &'static str {
         match self {
