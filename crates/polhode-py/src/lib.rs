@@ -5,7 +5,9 @@
 //! | `loaded` | a scene that has been read |
 //! | `recorder` | the observer that keeps what a run tells, in columns |
 //! | `recording` | the columns as arrays of numpy, without a copy |
-//! | `run` | a run in a thread of its own, which Ctrl-C ends |
+//! | `job` | work in a thread of its own, which Ctrl-C ends |
+//! | `run` | a run |
+//! | `show` | a run as a page, pictures and plots |
 //! | `simulation` | a simulation in the hand |
 //! | `actions` | what a program does to its bodies and joints |
 //! | `views` | what a simulation tells of the present |
@@ -19,10 +21,12 @@ mod actions;
 mod arguments;
 mod errors;
 mod functions;
+mod job;
 mod loaded;
 mod recorder;
 mod recording;
 mod run;
+mod show;
 mod simulation;
 mod views;
 
@@ -39,6 +43,8 @@ mod _polhode {
     use super::recording::Recording;
     #[pymodule_export]
     use super::run::run;
+    #[pymodule_export]
+    use super::show::{gif, page, plot, still};
     #[pymodule_export]
     use super::simulation::{Simulation, Snapshot};
     #[pymodule_export]

@@ -1,9 +1,9 @@
 //! The observer that keeps what a run tells, in columns.
 
+use crate::job::Watch;
 use polhode::scene::Coordinate;
 use polhode::{BodySample, Energy, Event, Flow, JointSample, Observer, Scene};
 use std::collections::TryReserveError;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Numbers of a body in a sample: position, orientation, velocity, angular velocity.
@@ -62,37 +62,29 @@ impl Columns {
 #[derive(Debug)]
 pub(crate) struct Shared {
     columns: Mutex<Columns>,
-    stop: AtomicBool,
 }
 
 impl Shared {
     pub(crate) fn new(columns: Columns) -> Arc<Self> {
-        Arc::new(Self { columns: Mutex::new(columns), stop: AtomicBool::new(false) })
+        Arc::new(Self { columns: Mutex::new(columns) })
     }
 
     pub(crate) fn columns(&self) -> MutexGuard<'_, Columns> {
         self.columns.lock().unwrap_or_else(PoisonError::into_inner)
     }
-
-    /// Asks the run to stop after its step.
-    pub(crate) fn stop(&self) {
-        self.stop.store(true, Ordering::Relaxed);
-    }
-
-    fn is_stopped(&self) -> bool {
-        self.stop.load(Ordering::Relaxed)
-    }
 }
 
 /// Keeps samples, energies, joints and events of a run.
 #[derive(Debug)]
-pub(crate) struct Recorder {
+pub(crate) struct Recorder<'a> {
     pub(crate) shared: Arc<Shared>,
     /// Whether joints are kept: what they bear costs a solve at each sample.
     pub(crate) has_joints: bool,
+    pub(crate) watch: &'a Watch,
+    pub(crate) duration_s: f64,
 }
 
-impl Observer for Recorder {
+impl Observer for Recorder<'_> {
     fn sample(&mut self, t_s: f64, bodies: &[BodySample]) {
         let mut columns = self.shared.columns();
         if columns.is_closed {
@@ -145,7 +137,7 @@ impl Observer for Recorder {
         }
     }
 
-    fn progress(&mut self, _t_s: f64) -> Flow {
-        if self.shared.is_stopped() { Flow::Stop } else { Flow::Continue }
+    fn progress(&mut self, t_s: f64) -> Flow {
+        self.watch.reached(t_s, self.duration_s)
     }
 }

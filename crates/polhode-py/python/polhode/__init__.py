@@ -28,6 +28,7 @@ from ._errors import (
     SweepError,
     SweepStopped,
     UnknownName,
+    ViewError,
 )
 from ._functions import doctor, mass_properties, rotate_free
 from ._joints import Ball, Cylindrical, FixedJoint, Hinge, Joint, Planar, Rod, Rope, Screw, Slider, Universal
@@ -35,6 +36,7 @@ from ._polhode import BodyState, Contact, Coordinate, Energy, Finding, JointLoad
 from ._run import Energies, Joints, JointTrack, Run, Track, run
 from ._scene import Body, JointHandle, Scene
 from ._shapes import Box, Capsule, Compound, Cone, Convex, Cylinder, HalfSpace, Mesh, Points, Shape, Sphere, Torus
+from ._show import Gif, Page, Plot, Still
 from ._simulation import Simulation
 from ._stands import Standing, boxes, stands
 from ._sweep import sweep
@@ -74,6 +76,7 @@ __all__ = [
     "Energy",
     "Finding",
     "FixedJoint",
+    "Gif",
     "HalfSpace",
     "Hinge",
     "Interrupted",
@@ -87,8 +90,10 @@ __all__ = [
     "Mesh",
     "Normal",
     "NotKept",
+    "Page",
     "Place",
     "Planar",
+    "Plot",
     "Points",
     "PolhodeError",
     "Rod",
@@ -106,6 +111,7 @@ __all__ = [
     "Sphere",
     "Standing",
     "StepOutcome",
+    "Still",
     "SweepError",
     "SweepStopped",
     "Table",
@@ -114,6 +120,7 @@ __all__ = [
     "Uniform",
     "Universal",
     "UnknownName",
+    "ViewError",
     "__version__",
     "boxes",
     "doctor",

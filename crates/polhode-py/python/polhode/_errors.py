@@ -51,6 +51,10 @@ class SimulationError(PolhodeError, RuntimeError):
     run: Run | None = None
 
 
+class ViewError(PolhodeError, ValueError):
+    """A run cannot be shown."""
+
+
 class ActionError(PolhodeError, ValueError):
     """An action on a simulation is refused; the simulation is as it was."""
 

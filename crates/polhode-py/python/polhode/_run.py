@@ -8,20 +8,26 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any, Iterator
 
 from . import _polhode
-from ._errors import Interrupted, NotKept, SimulationError, UnknownName
+from ._errors import Interrupted, NotKept, PolhodeError, SimulationError, UnknownName, ViewError
+from ._progress import Bar, in_notebook
 from ._scene import load
+from ._show import Gif, Page, Plot, Still
 
 if TYPE_CHECKING:
+    import os
+
     import numpy as np
     from numpy.typing import NDArray
 
-    from ._scene import Body, JointHandle, SceneLike
+    from ._scene import Body, JointHandle, SceneLike, Vector
 
     Array = NDArray[np.float64]
 
 #: Numbers of a body and of a joint in a sample.
 _OF_BODY = 13
 _OF_JOINT = 13
+#: Bodies times frames of a page in a notebook at the most: 5 MB with their contacts.
+_MOST_IN_NOTEBOOK = 100_000
 
 
 def run(
@@ -34,6 +40,7 @@ def run(
     set: Mapping[str, Any] | None = None,
     effects: str = "planned",
     joints: bool = True,
+    progress: bool | None = None,
 ) -> Run:
     """Simulates a scene from its start to its end.
 
@@ -41,7 +48,8 @@ def run(
     ``duration`` and ``interval`` (between samples) are in s; ``tier`` is a set of methods with one promise (``"accurate"``,
     ``"stepped"``, ``"fast"`` ...), which the plan chooses when absent; ``step`` is in s; ``set`` changes any key, as in
     ``set={"materials.ice.friction": 0.1}``. ``effects="all"`` leaves nothing out. Without ``joints`` the loads of joints, which cost
-    a solve at each sample, are not computed.
+    a solve at each sample, are not computed. ``progress`` shows a bar of tqdm; when absent, in notebooks and on terminals where
+    tqdm is installed, for runs that take longer than half a second.
 
     Ctrl-C raises :class:`polhode.Interrupted` within two seconds, whose ``run`` has what was computed.
 
@@ -56,7 +64,8 @@ def run(
     if effects not in ("planned", "all"):
         raise ValueError(f'effects={effects!r}: "planned" or "all" is needed')
     loaded = load(scene, {"duration": duration, "tier": tier, "step": step, "interval": interval, "set": set})
-    recording = _polhode.run(loaded, effects == "all", joints)
+    with Bar(loaded.name, "s", progress) as bar:
+        recording = _polhode.run(loaded, effects == "all", joints, bar.told)
     done = Run(loaded, recording)
     if recording.failure is not None:
         if isinstance(recording.failure, (SimulationError, Interrupted)):
@@ -368,6 +377,121 @@ class Run(Mapping[str, Track]):
             },
             coords={"t": self.t, "body": list(self), "axis": axes, "quaternion": wxyz},
         )
+
+    def view(self, path: str | os.PathLike[str] | None = None, *, frames: int | None = None) -> Page:
+        """Shows the page that plays the run: in the notebook, or else in a browser. With a ``path`` it is written there
+        instead. ``frames`` is as in :meth:`page`.
+        """
+        page = self.page(frames=frames)
+        if path is not None:
+            page.save(path)
+        elif not in_notebook():
+            page.open()
+        return page
+
+    def page(self, *, frames: int | None = None) -> Page:
+        """The page that plays the run, as ``polhode run -o run.html`` writes it; it needs no network.
+
+        It has at most so many ``frames`` (10,000 when absent) among the samples of the run. The scene is simulated again
+        for what no run keeps (contacts and their forces, the ledger), with the same bits.
+
+        >>> import polhode as ph
+        >>> scene = ph.Scene("ball", duration=0.1)
+        >>> ball = scene.add(ph.Sphere(0.1), mass=1.0)
+        >>> page = ph.run(scene).page(frames=5)
+        >>> page.html.startswith("<!doctype html>")
+        True
+        """
+        least = 0.0
+        if frames is not None:
+            if not frames >= 2:
+                raise ViewError(f"frames={frames} is below its limit, 2: the first frame and the last")
+            least = self._loaded.duration / (frames - 1)
+        with Bar(f"{self.name}: page", "s", None) as bar:
+            return Page(self.name, _polhode.page(self._recording, least, bar.told).encode())
+
+    def still(
+        self,
+        t: float | None = None,
+        path: str | os.PathLike[str] | None = None,
+        *,
+        size: tuple[int, int] | None = None,
+        camera: str | Vector | None = None,
+        look_at: Vector | None = None,
+    ) -> Still:
+        """The run at the sample nearest to ``t`` (s; the last one when absent) as a picture; with a ``path`` it is written
+        there, as PNG.
+
+        ``size`` is its width and height, 1280 x 720 pixels when absent; ``camera`` is ``"front"``, ``"side"``, ``"top"``,
+        ``"iso"`` or the place of the camera (m); ``look_at`` the place in the middle of the picture (m).
+
+        >>> import polhode as ph
+        >>> scene = ph.Scene(duration=0.1)
+        >>> ball = scene.add(ph.Sphere(0.1), mass=1.0)
+        >>> ph.run(scene).still(0.05, size=(64, 36)).data[1:4]
+        b'PNG'
+        """
+        asked = {"size": size, "camera": camera, "look_at": look_at}
+        still = Still(self.name, _polhode.still(self._recording, t, asked, None))
+        if path is not None:
+            still.save(path)
+        return still
+
+    def gif(
+        self,
+        path: str | os.PathLike[str] | None = None,
+        *,
+        fps: float | None = None,
+        size: tuple[int, int] | None = None,
+        camera: str | Vector | None = None,
+        look_at: Vector | None = None,
+    ) -> Gif:
+        """The run as a moving picture in real time, of at most ``fps`` frames a second (25 when absent) among its samples;
+        with a ``path`` it is written there. The others are those of :meth:`still`; ``size`` is 640 x 360 when absent.
+
+        >>> import polhode as ph
+        >>> scene = ph.Scene(duration=0.1)
+        >>> ball = scene.add(ph.Sphere(0.1), mass=1.0)
+        >>> ph.run(scene).gif(size=(64, 36)).data[:6]
+        b'GIF89a'
+        """
+        asked = {"size": size, "camera": camera, "look_at": look_at}
+        with Bar(f"{self.name}: moving picture", "frames", None) as bar:
+            gif = Gif(self.name, _polhode.gif(self._recording, fps, asked, bar.told))
+        if path is not None:
+            gif.save(path)
+        return gif
+
+    def plot(self, *names: str, path: str | os.PathLike[str] | None = None) -> Plot:
+        """Quantities over time; with a ``path`` they are written there, as SVG.
+
+        ``names`` are those of ``polhode run --plot``: ``"energy"``, ``"ledger"``, ``"penetration"``, ``"contacts"``,
+        ``"steps"`` (these five when none are given), ``"joint-coordinates"``, ``"joint-rates"``, ``"joint-forces"``,
+        ``"joint-moments"``, ``"joint-powers"``. The scene is simulated again for them, as for :meth:`page`.
+
+        >>> import polhode as ph
+        >>> scene = ph.Scene(duration=0.1)
+        >>> ball = scene.add(ph.Sphere(0.1), mass=1.0)
+        >>> ph.run(scene).plot("energy", "steps").svg.count("</svg>")
+        1
+        """
+        with Bar(f"{self.name}: plots", "s", None) as bar:
+            plot = Plot(self.name, _polhode.plot(self._recording, list(names), bar.told).encode())
+        if path is not None:
+            plot.save(path)
+        return plot
+
+    @cached_property
+    def _shown(self) -> Page | None:
+        frames = max(2, _MOST_IN_NOTEBOOK // max(1, len(self)))
+        try:
+            return self.page(frames=frames)
+        except PolhodeError:
+            # Nothing can be shown: its repr says what there is.
+            return None
+
+    def _repr_html_(self) -> str | None:
+        return None if self._shown is None else self._shown._repr_html_()
 
     def __repr__(self) -> str:
         return f"<polhode.Run {self.name!r}: {self.outcome}, {len(self.t)} samples of {len(self)} bodies>"

@@ -1,0 +1,313 @@
+//! A run as a page, pictures and plots.
+//!
+//! Pictures are drawn from the samples of the run. What pages and plots tell besides (contacts, their forces, the ledger, steps) no run
+//! keeps: the scene is simulated again for them, which gives the same bits.
+
+use crate::job::{self, Watch};
+use crate::recorder::OF_BODY;
+use crate::recording::{Recording, Source};
+use crate::{arguments, errors};
+use polhode::spatial::{DVec3, Pose, Rotation, Velocity};
+use polhode::{BodySample, Event, Flow, Frame, JointSample, Observer, Plan, RunReport, Simulation, SimulationError};
+use polhode_scene::{ended_line, methods_line, page_report_json, shown_failure, shown_outcome};
+use polhode_view::animation::{FPS, Pace, Watcher, write_gif};
+use polhode_view::camera::{PRESETS, Standpoint, Viewpoint};
+use polhode_view::plot::{RunPlot, RunPlots};
+use polhode_view::raster::PictureSize;
+use polhode_view::still::{still_from, write_png};
+use polhode_view::{FrameSource, Page, ViewError};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use serde_json::Value;
+use std::sync::Arc;
+
+/// Why something cannot be shown.
+enum Fault {
+    View(ViewError),
+    Simulation(SimulationError),
+}
+
+impl From<ViewError> for Fault {
+    fn from(error: ViewError) -> Self {
+        Self::View(error)
+    }
+}
+
+impl Fault {
+    fn into_exception(self, py: Python<'_>, source: &Source) -> PyErr {
+        match self {
+            Self::View(error) => errors::view(py, &source.scene, &error),
+            Self::Simulation(error) => errors::simulation(py, &source.scene, error),
+        }
+    }
+}
+
+/// A run that is made again for what is told of it.
+struct Again {
+    source: Source,
+    /// The time of its last sample, s, where it was ended before its time.
+    cut_s: Option<f64>,
+}
+
+/// How a run that was made again has ended.
+struct Told {
+    plan: Plan,
+    report: Option<Box<RunReport>>,
+    /// Why it ended before its time.
+    why: Option<String>,
+}
+
+impl Again {
+    /// That of a recording.
+    fn of(recording: &Recording, py: Python<'_>) -> PyResult<Self> {
+        let Source { scene, effects, is_cut } = &recording.source;
+        let last_s = recording.read(py, |times, _| times.last().copied())?;
+        let last_s = last_s.ok_or_else(|| no_samples(py, recording))?;
+        let source = Source { scene: Arc::clone(scene), effects: *effects, is_cut: *is_cut };
+        Ok(Self { source, cut_s: is_cut.then_some(last_s) })
+    }
+
+    /// Makes it again, and tells an observer of it.
+    fn tell(&self, observer: &mut dyn Observer, watch: &Watch) -> Result<Told, Fault> {
+        let scene = &self.source.scene.scene;
+        let mut simulation = Simulation::with_effects(scene, self.source.effects).map_err(Fault::Simulation)?;
+        let plan = simulation.plan().clone();
+        let mut again = Watched { observer, watch, duration_s: scene.duration_s(), cut_s: self.cut_s };
+        Ok(match simulation.run_observed(&mut again) {
+            Ok(report) => {
+                let (t, duration) = (report.simulated_s, report.duration_s);
+                let why = self.cut_s.map(|_| format!("interrupted at t = {t} s of {duration} s"));
+                Told { plan, report: Some(Box::new(report)), why }
+            }
+            Err(error) => Told { plan, report: None, why: Some(format!("{}: {error}", scene.name())) },
+        })
+    }
+
+    /// The page of it, with frames at least this far apart, s.
+    fn page(&self, least_interval_s: f64, watch: &Watch) -> Result<String, Fault> {
+        let loaded = &self.source.scene;
+        let page = Page::begin(Vec::new(), &loaded.title(), &loaded.description().unwrap_or_default())?;
+        let run = page.begin_run(&loaded.scene, loaded.scene.name(), FrameSource::Simulation)?;
+        let mut run = run.with_least_interval(least_interval_s);
+        let told = self.tell(&mut run, watch)?;
+        let page = match (told.why, told.report) {
+            (None, Some(report)) => run.end(&shown_outcome(&report))?.finish(&page_report_json(&report))?,
+            (why, _) => run.end(&shown_failure(&why.unwrap_or_default()))?.finish(&Value::Null)?,
+        };
+        String::from_utf8(page).map_err(|error| Fault::View(ViewError::Encoding(error.to_string())))
+    }
+
+    /// The plots of it.
+    fn plots(&self, asked: &[RunPlot], watch: &Watch) -> Result<String, Fault> {
+        let loaded = &self.source.scene;
+        let mut plots = RunPlots::new(&loaded.scene, 0.0, asked).with_joint_names(loaded.joint_names());
+        let told = self.tell(&mut plots, watch)?;
+        Ok(match (told.why, told.report) {
+            (None, Some(report)) => plots.svg(&ended_line(&report), None),
+            (why, _) => plots.svg(&methods_line(&told.plan), why.as_deref()),
+        })
+    }
+}
+
+/// Tells an observer, and whoever waits.
+struct Watched<'a> {
+    observer: &'a mut dyn Observer,
+    watch: &'a Watch,
+    duration_s: f64,
+    /// When it is to end before its time, s.
+    cut_s: Option<f64>,
+}
+
+impl Observer for Watched<'_> {
+    fn sample(&mut self, t_s: f64, bodies: &[BodySample]) {
+        self.observer.sample(t_s, bodies);
+    }
+
+    fn event(&mut self, event: &Event) {
+        self.observer.event(event);
+    }
+
+    fn wants_frames(&self) -> bool {
+        self.observer.wants_frames()
+    }
+
+    fn frame(&mut self, frame: &Frame) {
+        self.observer.frame(frame);
+    }
+
+    fn wants_joints(&self) -> bool {
+        self.observer.wants_joints()
+    }
+
+    fn joints(&mut self, t_s: f64, joints: &[JointSample]) {
+        self.observer.joints(t_s, joints);
+    }
+
+    fn progress(&mut self, t_s: f64) -> Flow {
+        let asked = [self.observer.progress(t_s), self.watch.reached(t_s, self.duration_s)];
+        let is_over = self.cut_s.is_some_and(|cut_s| t_s >= cut_s);
+        if is_over || asked.contains(&Flow::Stop) { Flow::Stop } else { Flow::Continue }
+    }
+}
+
+/// That a run has told nothing.
+fn no_samples(py: Python<'_>, recording: &Recording) -> PyErr {
+    let name = recording.source.scene.scene.name();
+    errors::plain(py, "ViewError", &format!("{name}: the run has no samples: there is nothing to show"))
+}
+
+/// A run as a page that plays it, with frames at least this far apart, s.
+#[pyfunction]
+pub(crate) fn page(
+    py: Python<'_>,
+    recording: &Recording,
+    least_interval: f64,
+    told: Option<Py<PyAny>>,
+) -> PyResult<String> {
+    let again = Again::of(recording, py)?;
+    let made = job::work(py, told, move |watch| again.page(least_interval, watch))?.whole()?;
+    made.map_err(|fault| fault.into_exception(py, &recording.source))
+}
+
+/// Plots of a run over time, as SVG; all that every scene has where none are named.
+#[pyfunction]
+pub(crate) fn plot(
+    py: Python<'_>,
+    recording: &Recording,
+    names: Vec<String>,
+    told: Option<Py<PyAny>>,
+) -> PyResult<String> {
+    let all = || RunPlot::ALL.into_iter().chain(RunPlot::OF_JOINTS);
+    let known: Vec<&str> = all().map(RunPlot::name).collect();
+    let named = |name: &String| {
+        all().find(|plot| plot.name() == name).ok_or_else(|| errors::unknown_name(py, "plot", name, &known))
+    };
+    let asked: Vec<RunPlot> = names.iter().map(named).collect::<PyResult<_>>()?;
+    let asked = if asked.is_empty() { RunPlot::ALL.to_vec() } else { asked };
+    let again = Again::of(recording, py)?;
+    let made = job::work(py, told, move |watch| again.plots(&asked, watch))?.whole()?;
+    made.map_err(|fault| fault.into_exception(py, &recording.source))
+}
+
+/// How a picture is asked for.
+#[derive(FromPyObject)]
+pub(crate) struct Asked<'py> {
+    #[pyo3(item)]
+    size: Option<(u32, u32)>,
+    #[pyo3(item)]
+    camera: Option<Bound<'py, PyAny>>,
+    #[pyo3(item)]
+    look_at: Option<Bound<'py, PyAny>>,
+}
+
+impl Asked<'_> {
+    fn size(&self, usual: PictureSize) -> Result<PictureSize, ViewError> {
+        self.size.map_or(Ok(usual), |(width, height)| PictureSize::new(width, height))
+    }
+
+    fn viewpoint(&self, py: Python<'_>) -> PyResult<Viewpoint> {
+        let target = self.look_at.as_ref().map(|place| arguments::vector("look_at", place)).transpose()?;
+        let standpoint = match &self.camera {
+            None => Viewpoint::default().standpoint,
+            Some(camera) => match camera.extract::<String>() {
+                Ok(name) => {
+                    let found = PRESETS.iter().find(|(known, _)| *known == name);
+                    let (_, from) = found
+                        .ok_or_else(|| errors::unknown_name(py, "camera", &name, &PRESETS.map(|(known, _)| known)))?;
+                    Standpoint::Direction(*from)
+                }
+                Err(_) => Standpoint::Eye(arguments::vector("camera", camera)?),
+            },
+        };
+        Ok(Viewpoint { standpoint, target })
+    }
+}
+
+/// The bodies of a sample.
+fn bodies(states: &[f64]) -> Vec<BodySample> {
+    let vector = |numbers: &[f64]| DVec3::from_slice(numbers);
+    states
+        .chunks_exact(OF_BODY)
+        .map(|of_body| {
+            let wxyz = [of_body[3], of_body[4], of_body[5], of_body[6]];
+            // What is no rotation is no number either, and the recording refuses its place.
+            let turned = Rotation::from_wxyz(wxyz);
+            let place = if turned.is_ok() { vector(&of_body[..3]) } else { DVec3::NAN };
+            let pose = Pose::new(turned.unwrap_or(Rotation::IDENTITY), place);
+            BodySample { pose, velocity: Velocity::new(vector(&of_body[7..10]), vector(&of_body[10..13])) }
+        })
+        .collect()
+}
+
+/// The run at the sample nearest to a time (s), as a picture in the format PNG.
+#[pyfunction]
+pub(crate) fn still<'py>(
+    py: Python<'py>,
+    recording: &Recording,
+    t: Option<f64>,
+    asked: Asked<'py>,
+    told: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let source = &recording.source;
+    let refused = |error: ViewError| errors::view(py, &source.scene, &error);
+    let (size, viewpoint) = (asked.size(PictureSize::STILL).map_err(refused)?, asked.viewpoint(py)?);
+    let shown = recording.read(py, |times, states| {
+        let (first, last) = times.first().zip(times.last()).ok_or_else(|| no_samples(py, recording))?;
+        let t = t.unwrap_or(*last);
+        if !(*first..=*last).contains(&t) {
+            let said = format!("{}: t = {t} s: the motion is from {first} s to {last} s", source.scene.scene.name());
+            return Err(errors::plain(py, "ViewError", &said));
+        }
+        let after = times.partition_point(|&time| time < t);
+        let nearest = after - usize::from(after > 0 && t - times[after - 1] < times[after] - t);
+        let width = states.len() / times.len();
+        let sample = |number: usize| bodies(&states[number * width..(number + 1) * width]);
+        let mut shown = polhode_view::Recording::for_still(&source.scene.scene).map_err(refused)?;
+        for number in 0..nearest {
+            shown.sample(times[number], &sample(number));
+        }
+        shown.end_at(times[nearest], &sample(nearest)).map_err(refused)?;
+        Ok(shown)
+    })??;
+    let draw = move |_: &Watch| {
+        let mut png = Vec::new();
+        let last = shown.times().len().saturating_sub(1);
+        write_png(&still_from(&shown, last, &viewpoint, size)?, &mut png).map(|()| png)
+    };
+    Ok(PyBytes::new(py, &job::work(py, told, draw)?.whole()?.map_err(refused)?))
+}
+
+/// The run as a moving picture in the format GIF, of so many frames a second.
+#[pyfunction]
+pub(crate) fn gif<'py>(
+    py: Python<'py>,
+    recording: &Recording,
+    fps: Option<f64>,
+    asked: Asked<'py>,
+    told: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let source = &recording.source;
+    let refused = |error: ViewError| errors::view(py, &source.scene, &error);
+    let (size, viewpoint) = (asked.size(PictureSize::MOVING).map_err(refused)?, asked.viewpoint(py)?);
+    let fps = fps.unwrap_or(FPS);
+    if !(fps.is_finite() && fps > 0.0) {
+        let said = format!("fps={fps}: a positive number of frames a second is needed");
+        return Err(errors::plain(py, "ViewError", &said));
+    }
+    let shown = recording.read(py, |times, states| {
+        let mut shown = polhode_view::Recording::new(&source.scene.scene, 1.0 / fps)?;
+        for (number, &time) in times.iter().enumerate() {
+            let width = states.len() / times.len();
+            shown.sample(time, &bodies(&states[number * width..(number + 1) * width]));
+        }
+        shown.end().map(|()| shown)
+    })?;
+    let shown = shown.map_err(refused)?;
+    let draw = move |watch: &Watch| {
+        let all = shown.times().len() as f64;
+        let told = |drawn: usize| watch.reached(drawn as f64, all);
+        let mut gif = Vec::new();
+        write_gif(&Pace::new(&shown, size)?.seen_from(&viewpoint)?.watched_by(Watcher(&told)), &mut gif).map(|()| gif)
+    };
+    Ok(PyBytes::new(py, &job::work(py, told, draw)?.whole()?.map_err(refused)?))
+}
