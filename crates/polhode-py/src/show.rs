@@ -16,6 +16,7 @@ use polhode_view::plot::{RunPlot, RunPlots};
 use polhode_view::raster::PictureSize;
 use polhode_view::still::{still_from, write_png};
 use polhode_view::{FrameSource, Page, ViewError};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use serde_json::Value;
@@ -193,7 +194,7 @@ pub(crate) fn plot(
 #[derive(FromPyObject)]
 pub(crate) struct Asked<'py> {
     #[pyo3(item)]
-    size: Option<(u32, u32)>,
+    size: Option<Bound<'py, PyAny>>,
     #[pyo3(item)]
     camera: Option<Bound<'py, PyAny>>,
     #[pyo3(item)]
@@ -201,8 +202,13 @@ pub(crate) struct Asked<'py> {
 }
 
 impl Asked<'_> {
-    fn size(&self, usual: PictureSize) -> Result<PictureSize, ViewError> {
-        self.size.map_or(Ok(usual), |(width, height)| PictureSize::new(width, height))
+    fn size(&self, usual: PictureSize) -> PyResult<Result<PictureSize, ViewError>> {
+        let Some(size) = &self.size else { return Ok(Ok(usual)) };
+        let (width, height) = size.extract().map_err(|_| {
+            let shown = arguments::shown(size);
+            PyTypeError::new_err(format!("size: width and height are needed, whole numbers of pixels, found {shown}"))
+        })?;
+        Ok(PictureSize::new(width, height))
     }
 
     fn viewpoint(&self, py: Python<'_>) -> PyResult<Viewpoint> {
@@ -250,7 +256,7 @@ pub(crate) fn still<'py>(
 ) -> PyResult<Bound<'py, PyBytes>> {
     let source = &recording.source;
     let refused = |error: ViewError| errors::view(py, &source.scene, &error);
-    let (size, viewpoint) = (asked.size(PictureSize::STILL).map_err(refused)?, asked.viewpoint(py)?);
+    let (size, viewpoint) = (asked.size(PictureSize::STILL)?.map_err(refused)?, asked.viewpoint(py)?);
     let shown = recording.read(py, |times, states| {
         let (first, last) = times.first().zip(times.last()).ok_or_else(|| no_samples(py, recording))?;
         let t = t.unwrap_or(*last);
@@ -288,7 +294,7 @@ pub(crate) fn gif<'py>(
 ) -> PyResult<Bound<'py, PyBytes>> {
     let source = &recording.source;
     let refused = |error: ViewError| errors::view(py, &source.scene, &error);
-    let (size, viewpoint) = (asked.size(PictureSize::MOVING).map_err(refused)?, asked.viewpoint(py)?);
+    let (size, viewpoint) = (asked.size(PictureSize::MOVING)?.map_err(refused)?, asked.viewpoint(py)?);
     let fps = fps.unwrap_or(FPS);
     if !(fps.is_finite() && fps > 0.0) {
         let said = format!("fps={fps}: a positive number of frames a second is needed");

@@ -382,9 +382,10 @@ class Run(Mapping[str, Track]):
         """Shows the page that plays the run: in the notebook, or else in a browser. With a ``path`` it is written there
         instead. ``frames`` is as in :meth:`page`.
         """
+        file = None if path is None else Page.place(path)
         page = self.page(frames=frames)
-        if path is not None:
-            page.save(path)
+        if file is not None:
+            page.save(file)
         elif not in_notebook():
             page.open()
         return page
@@ -396,7 +397,7 @@ class Run(Mapping[str, Track]):
         for what no run keeps (contacts and their forces, the ledger), with the same bits.
 
         >>> import polhode as ph
-        >>> scene = ph.Scene("ball", duration=0.1)
+        >>> scene = ph.Scene(name="ball", duration=0.1)
         >>> ball = scene.add(ph.Sphere(0.1), mass=1.0)
         >>> page = ph.run(scene).page(frames=5)
         >>> page.html.startswith("<!doctype html>")
@@ -431,10 +432,11 @@ class Run(Mapping[str, Track]):
         >>> ph.run(scene).still(0.05, size=(64, 36)).data[1:4]
         b'PNG'
         """
+        file = None if path is None else Still.place(path)
         asked = {"size": size, "camera": camera, "look_at": look_at}
         still = Still(self.name, _polhode.still(self._recording, t, asked, None))
-        if path is not None:
-            still.save(path)
+        if file is not None:
+            still.save(file)
         return still
 
     def gif(
@@ -455,11 +457,12 @@ class Run(Mapping[str, Track]):
         >>> ph.run(scene).gif(size=(64, 36)).data[:6]
         b'GIF89a'
         """
+        file = None if path is None else Gif.place(path)
         asked = {"size": size, "camera": camera, "look_at": look_at}
         with Bar(f"{self.name}: moving picture", "frames", None) as bar:
             gif = Gif(self.name, _polhode.gif(self._recording, fps, asked, bar.told))
-        if path is not None:
-            gif.save(path)
+        if file is not None:
+            gif.save(file)
         return gif
 
     def plot(self, *names: str, path: str | os.PathLike[str] | None = None) -> Plot:
@@ -475,10 +478,11 @@ class Run(Mapping[str, Track]):
         >>> ph.run(scene).plot("energy", "steps").svg.count("</svg>")
         1
         """
+        file = None if path is None else Plot.place(path)
         with Bar(f"{self.name}: plots", "s", None) as bar:
             plot = Plot(self.name, _polhode.plot(self._recording, list(names), bar.told).encode())
-        if path is not None:
-            plot.save(path)
+        if file is not None:
+            plot.save(file)
         return plot
 
     @cached_property

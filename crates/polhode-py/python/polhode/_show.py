@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-import os
-from pathlib import Path
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from ._errors import ViewError
+
+if TYPE_CHECKING:
+    import os
+    from pathlib import Path
 
 
 class _Shown:
@@ -21,11 +23,19 @@ class _Shown:
         #: What a file of it holds.
         self.data = data
 
+    @classmethod
+    def place(cls, path: str | os.PathLike[str]) -> Path:
+        """The path of a file that may hold it, by its ending."""
+        from pathlib import Path
+
+        file = Path(path)
+        if file.suffix.lower() != cls._ending:
+            raise ViewError(f"{file}: the file of a {cls.__name__} ends in {cls._ending}")
+        return file
+
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Writes it to a file, and gives the path."""
-        file = Path(path)
-        if file.suffix.lower() != self._ending:
-            raise ViewError(f"{file}: it is saved in a file that ends in {self._ending}")
+        file = self.place(path)
         file.write_bytes(self.data)
         return file
 
@@ -38,7 +48,7 @@ class Page(_Shown):
     """A page that plays a run, without a network; :meth:`polhode.Run.page` makes it.
 
     >>> import polhode as ph
-    >>> scene = ph.Scene("ball", duration=0.1)
+    >>> scene = ph.Scene(name="ball", duration=0.1)
     >>> ball = scene.add(ph.Sphere(0.1), mass=1.0)
     >>> page = ph.run(scene).page()
     >>> page.html.startswith("<!doctype html>"), page._repr_html_().startswith("<iframe srcdoc=")
@@ -57,6 +67,7 @@ class Page(_Shown):
         """Writes it to a temporary file, which a browser opens, and gives the path."""
         import tempfile
         import webbrowser
+        from pathlib import Path
 
         name = "".join(letter if letter.isalnum() else "-" for letter in self.name)
         with tempfile.NamedTemporaryFile(prefix=f"{name}-", suffix=self._ending, delete=False) as file:
