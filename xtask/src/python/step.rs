@@ -1,6 +1,7 @@
 //! The step of a verification that builds, installs and tests the Python package.
 
 use super::environment::{Environment, done, newest};
+use super::licences;
 use crate::cases::{CaseResult, Context, guarded};
 use crate::row::Row;
 use std::path::Path;
@@ -25,7 +26,7 @@ fn rows(context: &Context) -> CaseResult {
         Ok(environment) => environment,
         Err(reason) => return Ok(vec![Row::skipped(NAME, "wheel, tests, stubs, notebooks", &reason)]),
     };
-    let mut rows = vec![wheel(context, &environment, &package)?];
+    let mut rows = vec![licences::row(NAME, &context.root), wheel(context, &environment, &package)?];
     let program = context.program.path(&context.root)?;
     let mut tests = environment.module("pytest");
     tests.args(["-q", "-p", "no:cacheprovider", "tests"]).env("POLHODE", program);
