@@ -145,7 +145,8 @@ mod tests {
         let all: Vec<RunPlot> = RunPlotArg::value_variants().iter().copied().map(plot).collect();
         assert_eq!(all, [RunPlot::ALL, RunPlot::OF_JOINTS].concat());
         for own in RunPlotArg::value_variants() {
-            assert_eq!(own.to_possible_value().unwrap().get_name(), plot(*own).name());
+            let name = own.to_possible_value().map(|value| value.get_name().to_owned());
+            assert_eq!(name.as_deref(), Some(plot(*own).name()));
         }
     }
 }

@@ -8,6 +8,7 @@
 //! | `job` | work in a thread of its own, which Ctrl-C ends |
 //! | `run` | a run |
 //! | `show` | a run as a page, pictures and plots |
+//! | `drawn` | all plots of a run, kept |
 //! | `simulation` | a simulation in the hand |
 //! | `actions` | what a program does to its bodies and joints |
 //! | `views` | what a simulation tells of the present |
@@ -19,6 +20,7 @@
 
 mod actions;
 mod arguments;
+mod drawn;
 mod errors;
 mod functions;
 mod job;

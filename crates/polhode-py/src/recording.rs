@@ -2,6 +2,7 @@
 //!
 //! Each column is moved into its array when that is first asked for, so that numpy is loaded no earlier, and nothing is copied.
 
+use crate::drawn::Drawn;
 use crate::recorder::{Columns, OF_BODY, OF_ENERGY, OF_JOINT};
 use numpy::ndarray::{Array2, Dimension};
 use numpy::{PyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods};
@@ -92,6 +93,8 @@ pub(crate) struct Recording {
     #[pyo3(get)]
     failure: Option<Py<PyAny>>,
     pub(crate) source: Source,
+    /// All plots, from when they were first drawn.
+    drawn: Mutex<Option<Arc<Drawn>>>,
 }
 
 /// From what the same run can be made again, to the same bits.
@@ -132,7 +135,20 @@ impl Recording {
             broken,
             failure,
             source,
+            drawn: Mutex::default(),
         }
+    }
+
+    /// All plots, where they have been drawn.
+    pub(crate) fn drawn(&self) -> Option<Arc<Drawn>> {
+        self.drawn.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// Keeps all plots.
+    pub(crate) fn keep(&self, drawn: Drawn) -> Arc<Drawn> {
+        let drawn = Arc::new(drawn);
+        *self.drawn.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&drawn));
+        drawn
     }
 
     /// Reads times (s) and states: so many numbers for each body and sample.

@@ -1,15 +1,16 @@
 //! A run as a page, pictures and plots.
 //!
 //! Pictures are drawn from the samples of the run. What pages and plots tell besides (contacts, their forces, the ledger, steps) no run
-//! keeps: the scene is simulated again for them, which gives the same bits.
+//! keeps: the scene is simulated again for them, once, which gives the same bits.
 
+use crate::drawn::Drawn;
 use crate::job::{self, Watch};
 use crate::recorder::OF_BODY;
 use crate::recording::{Recording, Source};
 use crate::{arguments, errors};
 use polhode::spatial::{DVec3, Pose, Rotation, Velocity};
 use polhode::{BodySample, Event, Flow, Frame, JointSample, Observer, Plan, RunReport, Simulation, SimulationError};
-use polhode_scene::{ended_line, methods_line, page_report_json, shown_failure, shown_outcome};
+use polhode_scene::{page_report_json, shown_failure, shown_outcome};
 use polhode_view::animation::{FPS, Pace, Watcher, write_gif};
 use polhode_view::camera::{PRESETS, Standpoint, Viewpoint};
 use polhode_view::plot::{RunPlot, RunPlots};
@@ -53,9 +54,8 @@ struct Again {
 /// How a run that was made again has ended.
 struct Told {
     plan: Plan,
-    report: Option<Box<RunReport>>,
-    /// Why it ended before its time.
-    why: Option<String>,
+    /// The report, or why it ended before its time.
+    ended: Result<Box<RunReport>, String>,
 }
 
 impl Again {
@@ -68,51 +68,56 @@ impl Again {
         Ok(Self { source, cut_s: is_cut.then_some(last_s) })
     }
 
-    /// Makes it again, and tells an observer of it.
-    fn tell(&self, observer: &mut dyn Observer, watch: &Watch) -> Result<Told, Fault> {
+    /// Makes it again, and tells observers of it.
+    fn tell<'a>(&self, observers: Vec<&'a mut dyn Observer>, watch: &'a Watch) -> Result<Told, Fault> {
         let scene = &self.source.scene.scene;
         let mut simulation = Simulation::with_effects(scene, self.source.effects).map_err(Fault::Simulation)?;
         let plan = simulation.plan().clone();
-        let mut again = Watched { observer, watch, duration_s: scene.duration_s(), cut_s: self.cut_s };
-        Ok(match simulation.run_observed(&mut again) {
-            Ok(report) => {
-                let (t, duration) = (report.simulated_s, report.duration_s);
-                let why = self.cut_s.map(|_| format!("interrupted at t = {t} s of {duration} s"));
-                Told { plan, report: Some(Box::new(report)), why }
-            }
-            Err(error) => Told { plan, report: None, why: Some(format!("{}: {error}", scene.name())) },
-        })
+        let mut again = Watched { observers, watch, duration_s: scene.duration_s(), cut_s: self.cut_s };
+        let ended = match simulation.run_observed(&mut again) {
+            Ok(report) if self.cut_s.is_none() => Ok(Box::new(report)),
+            Ok(report) => Err(format!("interrupted at t = {} s of {} s", report.simulated_s, report.duration_s)),
+            Err(error) => Err(format!("{}: {error}", scene.name())),
+        };
+        Ok(Told { plan, ended })
     }
 
-    /// The page of it, with frames at least this far apart, s.
-    fn page(&self, least_interval_s: f64, watch: &Watch) -> Result<String, Fault> {
+    /// All plots of it, before it begins.
+    fn plots(&self) -> RunPlots {
+        let scene = &self.source.scene.scene;
+        let of_joints = if scene.joints().is_empty() { &[][..] } else { &RunPlot::OF_JOINTS };
+        let all = [&RunPlot::ALL, of_joints].concat();
+        RunPlots::new(scene, 0.0, &all).with_joint_names(self.source.scene.joint_names())
+    }
+
+    /// All plots of it.
+    fn draw(&self, watch: &Watch) -> Result<Drawn, Fault> {
+        let mut plots = self.plots();
+        let told = self.tell(vec![&mut plots], watch)?;
+        Ok(Drawn::new(plots, &told.plan, told.ended.as_deref().map_err(String::as_str)))
+    }
+
+    /// The page of it, with frames at least this far apart, s; and all plots.
+    fn page(&self, least_interval_s: f64, watch: &Watch) -> Result<(String, Drawn), Fault> {
         let loaded = &self.source.scene;
         let page = Page::begin(Vec::new(), &loaded.title(), &loaded.description().unwrap_or_default())?;
         let run = page.begin_run(&loaded.scene, loaded.scene.name(), FrameSource::Simulation)?;
         let mut run = run.with_least_interval(least_interval_s);
-        let told = self.tell(&mut run, watch)?;
-        let page = match (told.why, told.report) {
-            (None, Some(report)) => run.end(&shown_outcome(&report))?.finish(&page_report_json(&report))?,
-            (why, _) => run.end(&shown_failure(&why.unwrap_or_default()))?.finish(&Value::Null)?,
+        let mut plots = self.plots();
+        let told = self.tell(vec![&mut run, &mut plots], watch)?;
+        let (outcome, report) = match &told.ended {
+            Ok(report) => (shown_outcome(report), page_report_json(report)),
+            Err(why) => (shown_failure(why), Value::Null),
         };
-        String::from_utf8(page).map_err(|error| Fault::View(ViewError::Encoding(error.to_string())))
-    }
-
-    /// The plots of it.
-    fn plots(&self, asked: &[RunPlot], watch: &Watch) -> Result<String, Fault> {
-        let loaded = &self.source.scene;
-        let mut plots = RunPlots::new(&loaded.scene, 0.0, asked).with_joint_names(loaded.joint_names());
-        let told = self.tell(&mut plots, watch)?;
-        Ok(match (told.why, told.report) {
-            (None, Some(report)) => plots.svg(&ended_line(&report), None),
-            (why, _) => plots.svg(&methods_line(&told.plan), why.as_deref()),
-        })
+        let page = run.end(&outcome)?.finish(&report)?;
+        let page = String::from_utf8(page).map_err(|error| ViewError::Encoding(error.to_string()))?;
+        Ok((page, Drawn::new(plots, &told.plan, told.ended.as_deref().map_err(String::as_str))))
     }
 }
 
-/// Tells an observer, and whoever waits.
+/// Tells observers, and whoever waits.
 struct Watched<'a> {
-    observer: &'a mut dyn Observer,
+    observers: Vec<&'a mut dyn Observer>,
     watch: &'a Watch,
     duration_s: f64,
     /// When it is to end before its time, s.
@@ -121,33 +126,35 @@ struct Watched<'a> {
 
 impl Observer for Watched<'_> {
     fn sample(&mut self, t_s: f64, bodies: &[BodySample]) {
-        self.observer.sample(t_s, bodies);
+        self.observers.iter_mut().for_each(|observer| observer.sample(t_s, bodies));
     }
 
     fn event(&mut self, event: &Event) {
-        self.observer.event(event);
+        self.observers.iter_mut().for_each(|observer| observer.event(event));
     }
 
     fn wants_frames(&self) -> bool {
-        self.observer.wants_frames()
+        self.observers.iter().any(|observer| observer.wants_frames())
     }
 
     fn frame(&mut self, frame: &Frame) {
-        self.observer.frame(frame);
+        self.observers.iter_mut().for_each(|observer| observer.frame(frame));
     }
 
     fn wants_joints(&self) -> bool {
-        self.observer.wants_joints()
+        self.observers.iter().any(|observer| observer.wants_joints())
     }
 
     fn joints(&mut self, t_s: f64, joints: &[JointSample]) {
-        self.observer.joints(t_s, joints);
+        self.observers.iter_mut().for_each(|observer| observer.joints(t_s, joints));
     }
 
     fn progress(&mut self, t_s: f64) -> Flow {
-        let asked = [self.observer.progress(t_s), self.watch.reached(t_s, self.duration_s)];
+        // All are told of the step at which the run stops: plots are of every step.
+        let mut flows: Vec<Flow> = self.observers.iter_mut().map(|observer| observer.progress(t_s)).collect();
+        flows.push(self.watch.reached(t_s, self.duration_s));
         let is_over = self.cut_s.is_some_and(|cut_s| t_s >= cut_s);
-        if is_over || asked.contains(&Flow::Stop) { Flow::Stop } else { Flow::Continue }
+        if is_over || flows.contains(&Flow::Stop) { Flow::Stop } else { Flow::Continue }
     }
 }
 
@@ -167,7 +174,9 @@ pub(crate) fn page(
 ) -> PyResult<String> {
     let again = Again::of(recording, py)?;
     let made = job::work(py, told, move |watch| again.page(least_interval, watch))?.whole()?;
-    made.map_err(|fault| fault.into_exception(py, &recording.source))
+    let (page, drawn) = made.map_err(|fault| fault.into_exception(py, &recording.source))?;
+    recording.keep(drawn);
+    Ok(page)
 }
 
 /// Plots of a run over time, as SVG; all that every scene has where none are named.
@@ -175,7 +184,7 @@ pub(crate) fn page(
 pub(crate) fn plot(
     py: Python<'_>,
     recording: &Recording,
-    names: Vec<String>,
+    names: &Bound<'_, PyAny>,
     told: Option<Py<PyAny>>,
 ) -> PyResult<String> {
     let all = || RunPlot::ALL.into_iter().chain(RunPlot::OF_JOINTS);
@@ -183,11 +192,21 @@ pub(crate) fn plot(
     let named = |name: &String| {
         all().find(|plot| plot.name() == name).ok_or_else(|| errors::unknown_name(py, "plot", name, &known))
     };
+    let names: Vec<String> = names.extract()?;
     let asked: Vec<RunPlot> = names.iter().map(named).collect::<PyResult<_>>()?;
     let asked = if asked.is_empty() { RunPlot::ALL.to_vec() } else { asked };
+    let scene = &recording.source.scene.scene;
+    if let (Some(of_joints), []) = (asked.iter().find(|plot| RunPlot::OF_JOINTS.contains(plot)), scene.joints()) {
+        let said = format!("{}: there are no joints: nothing to plot as `{}`", scene.name(), of_joints.name());
+        return Err(errors::plain(py, "ViewError", &said));
+    }
+    if let Some(drawn) = recording.drawn() {
+        return Ok(drawn.svg(&asked));
+    }
     let again = Again::of(recording, py)?;
-    let made = job::work(py, told, move |watch| again.plots(&asked, watch))?.whole()?;
-    made.map_err(|fault| fault.into_exception(py, &recording.source))
+    let drawn = job::work(py, told, move |watch| again.draw(watch))?.whole()?;
+    let drawn = drawn.map_err(|fault| fault.into_exception(py, &recording.source))?;
+    Ok(recording.keep(drawn).svg(&asked))
 }
 
 /// How a picture is asked for.
@@ -251,11 +270,12 @@ pub(crate) fn still<'py>(
     py: Python<'py>,
     recording: &Recording,
     t: Option<f64>,
-    asked: Asked<'py>,
+    asked: &Bound<'py, PyAny>,
     told: Option<Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyBytes>> {
     let source = &recording.source;
     let refused = |error: ViewError| errors::view(py, &source.scene, &error);
+    let asked: Asked<'py> = asked.extract()?;
     let (size, viewpoint) = (asked.size(PictureSize::STILL)?.map_err(refused)?, asked.viewpoint(py)?);
     let shown = recording.read(py, |times, states| {
         let (first, last) = times.first().zip(times.last()).ok_or_else(|| no_samples(py, recording))?;
@@ -289,11 +309,12 @@ pub(crate) fn gif<'py>(
     py: Python<'py>,
     recording: &Recording,
     fps: Option<f64>,
-    asked: Asked<'py>,
+    asked: &Bound<'py, PyAny>,
     told: Option<Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyBytes>> {
     let source = &recording.source;
     let refused = |error: ViewError| errors::view(py, &source.scene, &error);
+    let asked: Asked<'py> = asked.extract()?;
     let (size, viewpoint) = (asked.size(PictureSize::MOVING)?.map_err(refused)?, asked.viewpoint(py)?);
     let fps = fps.unwrap_or(FPS);
     if !(fps.is_finite() && fps > 0.0) {

@@ -407,7 +407,8 @@ class Run(Mapping[str, Track]):
         if frames is not None:
             if not frames >= 2:
                 raise ViewError(f"frames={frames} is below its limit, 2: the first frame and the last")
-            least = self._loaded.duration / (frames - 1)
+            shown = float(self.t[-1]) if len(self.t) else 0.0
+            least = shown / (frames - 1)
         with Bar(f"{self.name}: page", "s", None) as bar:
             return Page(self.name, _polhode.page(self._recording, least, bar.told).encode())
 
@@ -470,7 +471,8 @@ class Run(Mapping[str, Track]):
 
         ``names`` are those of ``polhode run --plot``: ``"energy"``, ``"ledger"``, ``"penetration"``, ``"contacts"``,
         ``"steps"`` (these five when none are given), ``"joint-coordinates"``, ``"joint-rates"``, ``"joint-forces"``,
-        ``"joint-moments"``, ``"joint-powers"``. The scene is simulated again for them, as for :meth:`page`.
+        ``"joint-moments"``, ``"joint-powers"``. The scene is simulated again for them, once, and not where :meth:`page` has
+        done so already.
 
         >>> import polhode as ph
         >>> scene = ph.Scene(duration=0.1)
