@@ -8,7 +8,8 @@
 //! | `job` | work in a thread of its own, which Ctrl-C ends |
 //! | `run` | a run |
 //! | `show` | a run as a page, pictures and plots |
-//! | `drawn` | all plots of a run, kept |
+//! | `telling` | what pages and plots tell of a run, kept while it goes on |
+//! | `drawn` | all plots of a run |
 //! | `simulation` | a simulation in the hand |
 //! | `actions` | what a program does to its bodies and joints |
 //! | `views` | what a simulation tells of the present |
@@ -30,6 +31,7 @@ mod recording;
 mod run;
 mod show;
 mod simulation;
+mod telling;
 mod views;
 
 /// What the package is made from; its public part is `polhode`.

@@ -1,8 +1,9 @@
 //! The observer that keeps what a run tells, in columns.
 
 use crate::job::Watch;
+use crate::telling::Telling;
 use polhode::scene::Coordinate;
-use polhode::{BodySample, Energy, Event, Flow, JointSample, Observer, Scene};
+use polhode::{BodySample, Energy, Event, Flow, Frame, JointSample, Observer, Scene};
 use std::collections::TryReserveError;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -82,10 +83,15 @@ pub(crate) struct Recorder<'a> {
     pub(crate) has_joints: bool,
     pub(crate) watch: &'a Watch,
     pub(crate) duration_s: f64,
+    /// What pages and plots tell, where that is kept too.
+    pub(crate) telling: Option<Telling>,
 }
 
 impl Observer for Recorder<'_> {
     fn sample(&mut self, t_s: f64, bodies: &[BodySample]) {
+        if let Some(telling) = &mut self.telling {
+            telling.sample(t_s, bodies);
+        }
         let mut columns = self.shared.columns();
         if columns.is_closed {
             return;
@@ -110,13 +116,26 @@ impl Observer for Recorder<'_> {
         }
     }
 
-    fn wants_joints(&self) -> bool {
-        self.has_joints
+    fn wants_frames(&self) -> bool {
+        self.telling.is_some()
     }
 
-    fn joints(&mut self, _t_s: f64, joints: &[JointSample]) {
+    fn frame(&mut self, frame: &Frame) {
+        if let Some(telling) = &mut self.telling {
+            telling.frame(frame);
+        }
+    }
+
+    fn wants_joints(&self) -> bool {
+        self.has_joints || self.telling.as_ref().is_some_and(Observer::wants_joints)
+    }
+
+    fn joints(&mut self, t_s: f64, joints: &[JointSample]) {
+        if let Some(telling) = &mut self.telling {
+            telling.joints(t_s, joints);
+        }
         let mut columns = self.shared.columns();
-        if columns.is_closed {
+        if columns.is_closed || !self.has_joints {
             return;
         }
         for joint in joints {
@@ -131,6 +150,9 @@ impl Observer for Recorder<'_> {
     }
 
     fn event(&mut self, event: &Event) {
+        if let Some(telling) = &mut self.telling {
+            telling.event(event);
+        }
         let mut columns = self.shared.columns();
         if !columns.is_closed {
             columns.events.push(*event);
@@ -138,6 +160,9 @@ impl Observer for Recorder<'_> {
     }
 
     fn progress(&mut self, t_s: f64) -> Flow {
+        if let Some(telling) = &mut self.telling {
+            telling.progress(t_s);
+        }
         self.watch.reached(t_s, self.duration_s)
     }
 }

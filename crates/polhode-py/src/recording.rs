@@ -4,6 +4,7 @@
 
 use crate::drawn::Drawn;
 use crate::recorder::{Columns, OF_BODY, OF_ENERGY, OF_JOINT};
+use crate::telling::Unread;
 use numpy::ndarray::{Array2, Dimension};
 use numpy::{PyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods};
 use polhode::{Effects, Event};
@@ -95,6 +96,8 @@ pub(crate) struct Recording {
     pub(crate) source: Source,
     /// All plots, from when they were first drawn.
     drawn: Mutex<Option<Arc<Drawn>>>,
+    /// The page, where the run was asked to keep it and nobody has asked for it yet.
+    page: Mutex<Option<Unread>>,
 }
 
 /// From what the same run can be made again, to the same bits.
@@ -136,12 +139,24 @@ impl Recording {
             failure,
             source,
             drawn: Mutex::default(),
+            page: Mutex::default(),
         }
     }
 
     /// All plots, where they have been drawn.
     pub(crate) fn drawn(&self) -> Option<Arc<Drawn>> {
         self.drawn.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// Keeps a page that nobody has asked for yet.
+    pub(crate) fn keep_page(&self, page: Unread) {
+        *self.page.lock().unwrap_or_else(PoisonError::into_inner) = Some(page);
+    }
+
+    /// The page with frames at least this far apart (s), where the run has kept it: once.
+    pub(crate) fn take(&self, least_s: f64) -> Option<Unread> {
+        let mut page = self.page.lock().unwrap_or_else(PoisonError::into_inner);
+        page.take_if(|page| page.is_of(&self.source.scene, least_s))
     }
 
     /// Keeps all plots.

@@ -1,26 +1,25 @@
 //! A run as a page, pictures and plots.
 //!
 //! Pictures are drawn from the samples of the run. What pages and plots tell besides (contacts, their forces, the ledger, steps) no run
-//! keeps: the scene is simulated again for them, once, which gives the same bits.
+//! keeps unless it was asked to: the scene is simulated again for them, once, which gives the same bits.
 
 use crate::drawn::Drawn;
 use crate::job::{self, Watch};
 use crate::recorder::OF_BODY;
 use crate::recording::{Recording, Source};
+use crate::telling::{self, Telling, Unread};
 use crate::{arguments, errors};
 use polhode::spatial::{DVec3, Pose, Rotation, Velocity};
-use polhode::{BodySample, Event, Flow, Frame, JointSample, Observer, Plan, RunReport, Simulation, SimulationError};
-use polhode_scene::{page_report_json, shown_failure, shown_outcome};
+use polhode::{BodySample, Event, Flow, Frame, JointSample, Observer, Simulation, SimulationError};
+use polhode_view::ViewError;
 use polhode_view::animation::{FPS, Pace, Watcher, write_gif};
 use polhode_view::camera::{PRESETS, Standpoint, Viewpoint};
-use polhode_view::plot::{RunPlot, RunPlots};
+use polhode_view::plot::RunPlot;
 use polhode_view::raster::PictureSize;
 use polhode_view::still::{still_from, write_png};
-use polhode_view::{FrameSource, Page, ViewError};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use serde_json::Value;
 use std::sync::Arc;
 
 /// Why something cannot be shown.
@@ -51,13 +50,6 @@ struct Again {
     cut_s: Option<f64>,
 }
 
-/// How a run that was made again has ended.
-struct Told {
-    plan: Plan,
-    /// The report, or why it ended before its time.
-    ended: Result<Box<RunReport>, String>,
-}
-
 impl Again {
     /// That of a recording.
     fn of(recording: &Recording, py: Python<'_>) -> PyResult<Self> {
@@ -68,56 +60,26 @@ impl Again {
         Ok(Self { source, cut_s: is_cut.then_some(last_s) })
     }
 
-    /// Makes it again, and tells observers of it.
-    fn tell<'a>(&self, observers: Vec<&'a mut dyn Observer>, watch: &'a Watch) -> Result<Told, Fault> {
+    /// Makes it again: what a page with frames at least this far apart (s) and all plots tell.
+    fn tell(&self, least_s: f64, watch: &Watch) -> Result<(Unread, Drawn), Fault> {
         let scene = &self.source.scene.scene;
+        let mut telling = Telling::of(&self.source.scene, least_s)?;
         let mut simulation = Simulation::with_effects(scene, self.source.effects).map_err(Fault::Simulation)?;
         let plan = simulation.plan().clone();
-        let mut again = Watched { observers, watch, duration_s: scene.duration_s(), cut_s: self.cut_s };
+        let duration_s = scene.duration_s();
+        let mut again = Watched { telling: &mut telling, watch, duration_s, cut_s: self.cut_s };
         let ended = match simulation.run_observed(&mut again) {
             Ok(report) if self.cut_s.is_none() => Ok(Box::new(report)),
-            Ok(report) => Err(format!("interrupted at t = {} s of {} s", report.simulated_s, report.duration_s)),
+            Ok(report) => Err(telling::interrupted(&report)),
             Err(error) => Err(format!("{}: {error}", scene.name())),
         };
-        Ok(Told { plan, ended })
-    }
-
-    /// All plots of it, before it begins.
-    fn plots(&self) -> RunPlots {
-        let scene = &self.source.scene.scene;
-        let of_joints = if scene.joints().is_empty() { &[][..] } else { &RunPlot::OF_JOINTS };
-        let all = [&RunPlot::ALL, of_joints].concat();
-        RunPlots::new(scene, 0.0, &all).with_joint_names(self.source.scene.joint_names())
-    }
-
-    /// All plots of it.
-    fn draw(&self, watch: &Watch) -> Result<Drawn, Fault> {
-        let mut plots = self.plots();
-        let told = self.tell(vec![&mut plots], watch)?;
-        Ok(Drawn::new(plots, &told.plan, told.ended.as_deref().map_err(String::as_str)))
-    }
-
-    /// The page of it, with frames at least this far apart, s; and all plots.
-    fn page(&self, least_interval_s: f64, watch: &Watch) -> Result<(String, Drawn), Fault> {
-        let loaded = &self.source.scene;
-        let page = Page::begin(Vec::new(), &loaded.title(), &loaded.description().unwrap_or_default())?;
-        let run = page.begin_run(&loaded.scene, loaded.scene.name(), FrameSource::Simulation)?;
-        let mut run = run.with_least_interval(least_interval_s);
-        let mut plots = self.plots();
-        let told = self.tell(vec![&mut run, &mut plots], watch)?;
-        let (outcome, report) = match &told.ended {
-            Ok(report) => (shown_outcome(report), page_report_json(report)),
-            Err(why) => (shown_failure(why), Value::Null),
-        };
-        let page = run.end(&outcome)?.finish(&report)?;
-        let page = String::from_utf8(page).map_err(|error| ViewError::Encoding(error.to_string()))?;
-        Ok((page, Drawn::new(plots, &told.plan, told.ended.as_deref().map_err(String::as_str))))
+        Ok(telling.end(&plan, &ended)?)
     }
 }
 
-/// Tells observers, and whoever waits.
+/// Keeps what is told, and tells whoever waits.
 struct Watched<'a> {
-    observers: Vec<&'a mut dyn Observer>,
+    telling: &'a mut Telling,
     watch: &'a Watch,
     duration_s: f64,
     /// When it is to end before its time, s.
@@ -126,33 +88,31 @@ struct Watched<'a> {
 
 impl Observer for Watched<'_> {
     fn sample(&mut self, t_s: f64, bodies: &[BodySample]) {
-        self.observers.iter_mut().for_each(|observer| observer.sample(t_s, bodies));
+        self.telling.sample(t_s, bodies);
     }
 
     fn event(&mut self, event: &Event) {
-        self.observers.iter_mut().for_each(|observer| observer.event(event));
+        self.telling.event(event);
     }
 
     fn wants_frames(&self) -> bool {
-        self.observers.iter().any(|observer| observer.wants_frames())
+        self.telling.wants_frames()
     }
 
     fn frame(&mut self, frame: &Frame) {
-        self.observers.iter_mut().for_each(|observer| observer.frame(frame));
+        self.telling.frame(frame);
     }
 
     fn wants_joints(&self) -> bool {
-        self.observers.iter().any(|observer| observer.wants_joints())
+        self.telling.wants_joints()
     }
 
     fn joints(&mut self, t_s: f64, joints: &[JointSample]) {
-        self.observers.iter_mut().for_each(|observer| observer.joints(t_s, joints));
+        self.telling.joints(t_s, joints);
     }
 
     fn progress(&mut self, t_s: f64) -> Flow {
-        // All are told of the step at which the run stops: plots are of every step.
-        let mut flows: Vec<Flow> = self.observers.iter_mut().map(|observer| observer.progress(t_s)).collect();
-        flows.push(self.watch.reached(t_s, self.duration_s));
+        let flows = [self.telling.progress(t_s), self.watch.reached(t_s, self.duration_s)];
         let is_over = self.cut_s.is_some_and(|cut_s| t_s >= cut_s);
         if is_over || flows.contains(&Flow::Stop) { Flow::Stop } else { Flow::Continue }
     }
@@ -172,11 +132,17 @@ pub(crate) fn page(
     least_interval: f64,
     told: Option<Py<PyAny>>,
 ) -> PyResult<String> {
-    let again = Again::of(recording, py)?;
-    let made = job::work(py, told, move |watch| again.page(least_interval, watch))?.whole()?;
-    let (page, drawn) = made.map_err(|fault| fault.into_exception(py, &recording.source))?;
-    recording.keep(drawn);
-    Ok(page)
+    let source = &recording.source;
+    let page = if let Some(page) = recording.take(least_interval) {
+        page
+    } else {
+        let again = Again::of(recording, py)?;
+        let made = job::work(py, told, move |watch| again.tell(least_interval, watch))?.whole()?;
+        let (page, drawn) = made.map_err(|fault| fault.into_exception(py, source))?;
+        recording.keep(drawn);
+        page
+    };
+    page.html().map_err(|error| errors::view(py, &source.scene, &error))
 }
 
 /// Plots of a run over time, as SVG; all that every scene has where none are named.
@@ -204,8 +170,8 @@ pub(crate) fn plot(
         return Ok(drawn.svg(&asked));
     }
     let again = Again::of(recording, py)?;
-    let drawn = job::work(py, told, move |watch| again.draw(watch))?.whole()?;
-    let drawn = drawn.map_err(|fault| fault.into_exception(py, &recording.source))?;
+    let made = job::work(py, told, move |watch| again.tell(0.0, watch))?.whole()?;
+    let (_, drawn) = made.map_err(|fault| fault.into_exception(py, &recording.source))?;
     Ok(recording.keep(drawn).svg(&asked))
 }
 

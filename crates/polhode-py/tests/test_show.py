@@ -23,13 +23,13 @@ def drop(**keys):
     return scene
 
 
-def diverging():
+def diverging(**keys):
     """A run that fails on its way."""
     probe = {"name": "probe", "mass": 1.0, "inertia": [1, 1, 1], "position": [1, 0, 0]}
     scene = {"format": 1, "duration": 5.0, "gravity": [0, 0, 0], "bodies": [probe]}
     scene["forces"] = [{"type": {"point_gravity": {"mu": 1.0}}}]
     with pytest.raises(ph.SimulationError) as caught:
-        ph.run(scene)
+        ph.run(scene, **keys)
     return caught.value.run
 
 
@@ -144,13 +144,13 @@ def test_a_run_without_samples_or_bodies_shows_nothing():
 
 
 INTERRUPTED = """
-import os, signal, threading
+import os, signal, sys, threading
 import polhode as ph
 scene = ph.Scene(duration=1e4, interval=0.1)
 scene.add(ph.Box(1, 2, 3), mass=1.0, angular_velocity=(0.1, 5, 0.1))
 threading.Timer(1.0, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
 try:
-    ph.run(scene, set={"method.integrator": "rk4"}, step=0.001)
+    ph.run(scene, set={"method.integrator": "rk4"}, step=0.001, frames=sys.argv[1] == "True")
 except ph.Interrupted as ended:
     run = ended.run
 page = run.page(frames=100).html
@@ -159,8 +159,9 @@ assert "interrupted" in run.plot("energy").svg
 """
 
 
-def test_a_run_that_was_interrupted_is_shown_up_to_there():
-    done = subprocess.run([sys.executable, "-c", INTERRUPTED], capture_output=True, text=True, timeout=120)
+@pytest.mark.parametrize("frames", ["False", "True"])
+def test_a_run_that_was_interrupted_is_shown_up_to_there(frames):
+    done = subprocess.run([sys.executable, "-c", INTERRUPTED, frames], capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr
 
 
@@ -245,3 +246,19 @@ def test_notebooks_stand_without_outputs():
     for path in notebooks:
         for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
             assert not cell.get("outputs") and cell.get("execution_count") is None, path
+
+
+def test_a_run_that_keeps_its_frames_has_page_and_plots_without_another_simulation():
+    kept, other = ph.run(drop(), frames=True), ph.run(drop())
+    assert kept.report.keys() == other.report.keys() and (kept["brick"].position == other["brick"].position).all()
+    assert kept.plot("energy", "steps").data == other.plot("energy", "steps").data
+    assert kept.page().data == other.page().data == kept.page(frames=1000).data
+    assert kept.page(frames=5).data == other.page(frames=5).data != kept.page().data
+    # A page is kept once it is made.
+    assert kept.page() is kept.page()
+
+
+@pytest.mark.parametrize("frames", [False, True])
+def test_a_run_that_failed_shows_why_whether_it_kept_its_frames_or_not(frames):
+    run = diverging(frames=frames)
+    assert "grows without bound" in run.plot("energy").svg and '"outcome":"failed: ' in run.page().html

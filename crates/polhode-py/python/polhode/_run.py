@@ -40,6 +40,7 @@ def run(
     set: Mapping[str, Any] | None = None,
     effects: str = "planned",
     joints: bool = True,
+    frames: bool | None = None,
     progress: bool | None = None,
 ) -> Run:
     """Simulates a scene from its start to its end.
@@ -48,7 +49,8 @@ def run(
     ``duration`` and ``interval`` (between samples) are in s; ``tier`` is a set of methods with one promise (``"accurate"``,
     ``"stepped"``, ``"fast"`` ...), which the plan chooses when absent; ``step`` is in s; ``set`` changes any key, as in
     ``set={"materials.ice.friction": 0.1}``. ``effects="all"`` leaves nothing out. Without ``joints`` the loads of joints, which cost
-    a solve at each sample, are not computed. ``progress`` shows a bar of tqdm; when absent, in notebooks and on terminals where
+    a solve at each sample, are not computed. With ``frames`` what pages and plots tell is kept as well, which costs a solve of
+    contact forces at each sample (when absent, in notebooks); otherwise the first of them simulates the scene again. ``progress`` shows a bar of tqdm; when absent, in notebooks and on terminals where
     tqdm is installed, for runs that take longer than half a second.
 
     Ctrl-C raises :class:`polhode.Interrupted` within two seconds, whose ``run`` has what was computed.
@@ -65,13 +67,20 @@ def run(
         raise ValueError(f'effects={effects!r}: "planned" or "all" is needed')
     loaded = load(scene, {"duration": duration, "tier": tier, "step": step, "interval": interval, "set": set})
     with Bar(loaded.name, "s", progress) as bar:
-        recording = _polhode.run(loaded, effects == "all", joints, bar.told)
+        keep = _apart(loaded) if (in_notebook() if frames is None else frames) else None
+        recording = _polhode.run(loaded, effects == "all", joints, keep, bar.told)
     done = Run(loaded, recording)
     if recording.failure is not None:
         if isinstance(recording.failure, (SimulationError, Interrupted)):
             recording.failure.run = done
         raise recording.failure
     return done
+
+
+def _apart(loaded: _polhode.Loaded) -> float:
+    """Least time between the frames of a page in a notebook, s."""
+    frames = max(2, _MOST_IN_NOTEBOOK // max(1, len(loaded.body_names)))
+    return loaded.duration / (frames - 1)
 
 
 class Track:
@@ -228,6 +237,8 @@ class Run(Mapping[str, Track]):
     def __init__(self, loaded: _polhode.Loaded, recording: _polhode.Recording) -> None:
         self._loaded = loaded
         self._recording = recording
+        #: The page that was made last, with the least time between its frames, s.
+        self._last: tuple[float, Page] | None = None
 
     @property
     def name(self) -> str:
@@ -393,8 +404,8 @@ class Run(Mapping[str, Track]):
     def page(self, *, frames: int | None = None) -> Page:
         """The page that plays the run, as ``polhode run -o run.html`` writes it; it needs no network.
 
-        It has at most so many ``frames`` (10,000 when absent) among the samples of the run. The scene is simulated again
-        for what no run keeps (contacts and their forces, the ledger), with the same bits.
+        It has at most so many ``frames`` (10,000 when absent) among the samples of the run. Where the run has not kept
+        what it tells (``frames`` of :func:`polhode.run`), the scene is simulated again, with the same bits.
 
         >>> import polhode as ph
         >>> scene = ph.Scene(name="ball", duration=0.1)
@@ -407,10 +418,15 @@ class Run(Mapping[str, Track]):
         if frames is not None:
             if not frames >= 2:
                 raise ViewError(f"frames={frames} is below its limit, 2: the first frame and the last")
-            shown = float(self.t[-1]) if len(self.t) else 0.0
-            least = shown / (frames - 1)
-        with Bar(f"{self.name}: page", "s", None) as bar:
-            return Page(self.name, _polhode.page(self._recording, least, bar.told).encode())
+            least = self._loaded.duration / (frames - 1)
+        return self._page(least)
+
+    def _page(self, least: float) -> Page:
+        """The page with frames at least so far apart, s."""
+        if self._last is None or self._last[0] != least:
+            with Bar(f"{self.name}: page", "s", None) as bar:
+                self._last = least, Page(self.name, _polhode.page(self._recording, least, bar.told).encode())
+        return self._last[1]
 
     def still(
         self,
@@ -471,8 +487,8 @@ class Run(Mapping[str, Track]):
 
         ``names`` are those of ``polhode run --plot``: ``"energy"``, ``"ledger"``, ``"penetration"``, ``"contacts"``,
         ``"steps"`` (these five when none are given), ``"joint-coordinates"``, ``"joint-rates"``, ``"joint-forces"``,
-        ``"joint-moments"``, ``"joint-powers"``. The scene is simulated again for them, once, and not where :meth:`page` has
-        done so already.
+        ``"joint-moments"``, ``"joint-powers"``. Where the run has not kept them (``frames`` of :func:`polhode.run`), the
+        scene is simulated again, once for all plots.
 
         >>> import polhode as ph
         >>> scene = ph.Scene(duration=0.1)
@@ -487,17 +503,12 @@ class Run(Mapping[str, Track]):
             plot.save(file)
         return plot
 
-    @cached_property
-    def _shown(self) -> Page | None:
-        frames = max(2, _MOST_IN_NOTEBOOK // max(1, len(self)))
+    def _repr_html_(self) -> str | None:
         try:
-            return self.page(frames=frames)
+            return self._page(_apart(self._loaded))._repr_html_()
         except PolhodeError:
             # Nothing can be shown: its repr says what there is.
             return None
-
-    def _repr_html_(self) -> str | None:
-        return None if self._shown is None else self._shown._repr_html_()
 
     def __repr__(self) -> str:
         return f"<polhode.Run {self.name!r}: {self.outcome}, {len(self.t)} samples of {len(self)} bodies>"

@@ -238,7 +238,7 @@ def compute(packed: bytes, run: int, changes: list[tuple[str, str, str]]) -> tup
     nothing = (float("nan"),) * len(work.measures)
     how, arguments, before = work.source
     try:
-        done = run_one(_read(how, arguments, [*before, *changes]), effects=work.effects, joints=work.loads, progress=False)
+        done = run_one(_read(how, arguments, [*before, *changes]), effects=work.effects, joints=work.loads, frames=False, progress=False)
     except Exception as error:
         return run, "failed", float("nan"), nothing, _reason(error)
     estimated = float("nan") if done.error is None else done.error
