@@ -236,7 +236,8 @@ def test_without_tqdm_nothing_breaks(monkeypatch):
 
 
 def test_tqdm_is_not_loaded_before_it_is_needed():
-    code = "import sys, polhode as ph; ph.run({'format': 1, 'bodies': []}, progress=True); assert 'tqdm' not in sys.modules"
+    code = "import sys, polhode as ph; ph.run({'format': 1, 'bodies': []}, progress=True)"
+    code += "; assert 'tqdm' not in sys.modules"
     subprocess.run([sys.executable, "-c", code], check=True)
 
 

@@ -13,8 +13,8 @@ _FORMAT = "{desc}: {percentage:3.0f}%|{bar}| {n:.4g} of {total:.4g} {unit} [{ela
 
 
 class Bar:
-    """A bar; it is drawn, and tqdm loaded, when what it is about takes longer than half a second. ``progress`` is true or
-    false, or none for a bar where a person would see it: in a notebook, or where stderr is a terminal."""
+    """A bar; it is drawn, and tqdm loaded, when what it is about takes longer than half a second. ``progress`` is true
+    or false, or none for a bar where a person would see it: in a notebook, or where stderr is a terminal."""
 
     def __init__(self, what: str, unit: str, progress: bool | None) -> None:
         self._what = what

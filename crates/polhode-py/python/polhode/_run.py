@@ -45,13 +45,15 @@ def run(
 ) -> Run:
     """Simulates a scene from its start to its end.
 
-    ``scene`` is the path of a scene file or a robot, a dictionary with the keys of a scene file, or a :class:`polhode.Scene`.
-    ``duration`` and ``interval`` (between samples) are in s; ``tier`` is a set of methods with one promise (``"accurate"``,
-    ``"stepped"``, ``"fast"`` ...), which the plan chooses when absent; ``step`` is in s; ``set`` changes any key, as in
-    ``set={"materials.ice.friction": 0.1}``. ``effects="all"`` leaves nothing out. Without ``joints`` the loads of joints, which cost
-    a solve at each sample, are not computed. With ``frames`` what pages and plots tell is kept as well, which costs a solve of
-    contact forces at each sample (when absent, in notebooks); otherwise the first of them simulates the scene again. ``progress`` shows a bar of tqdm; when absent, in notebooks and on terminals where
-    tqdm is installed, for runs that take longer than half a second.
+    ``scene`` is the path of a scene file or a robot, a dictionary with the keys of a scene file, or a
+    :class:`polhode.Scene`. ``duration`` and ``interval`` (between samples) are in s; ``tier`` is a set of methods with
+    one promise (``"accurate"``, ``"stepped"``, ``"fast"`` ...), which the plan chooses when absent; ``step`` is in s;
+    ``set`` changes any key, as in ``set={"materials.ice.friction": 0.1}``. ``effects="all"`` leaves nothing out.
+    Without ``joints`` the loads of joints, which cost a solve at each sample, are not computed.
+
+    With ``frames`` what pages and plots tell is kept as well, for a solve of the contact forces at each sample; when
+    absent, in notebooks. Without it the first page or plot simulates the scene again. ``progress`` shows a bar of
+    tqdm; when absent, in notebooks and on terminals where tqdm is installed, for what takes longer than half a second.
 
     Ctrl-C raises :class:`polhode.Interrupted` within two seconds, whose ``run`` has what was computed.
 
@@ -437,11 +439,11 @@ class Run(Mapping[str, Track]):
         camera: str | Vector | None = None,
         look_at: Vector | None = None,
     ) -> Still:
-        """The run at the sample nearest to ``t`` (s; the last one when absent) as a picture; with a ``path`` it is written
-        there, as PNG.
+        """The run at the sample nearest to ``t`` (s; the last one when absent) as a picture; with a ``path`` it is
+        written there, as PNG.
 
-        ``size`` is its width and height, 1280 x 720 pixels when absent; ``camera`` is ``"front"``, ``"side"``, ``"top"``,
-        ``"iso"`` or the place of the camera (m); ``look_at`` the place in the middle of the picture (m).
+        ``size`` is its width and height, 1280 x 720 pixels when absent; ``camera`` is ``"front"``, ``"side"``,
+        ``"top"``, ``"iso"`` or the place of the camera (m); ``look_at`` the place in the middle of the picture (m).
 
         >>> import polhode as ph
         >>> scene = ph.Scene(duration=0.1)
@@ -465,8 +467,9 @@ class Run(Mapping[str, Track]):
         camera: str | Vector | None = None,
         look_at: Vector | None = None,
     ) -> Gif:
-        """The run as a moving picture in real time, of at most ``fps`` frames a second (25 when absent) among its samples;
-        with a ``path`` it is written there. The others are those of :meth:`still`; ``size`` is 640 x 360 when absent.
+        """The run as a moving picture in real time, of at most ``fps`` frames a second (25 when absent) among its
+        samples; with a ``path`` it is written there. The others are those of :meth:`still`; ``size`` is 640 x 360 when
+        absent.
 
         >>> import polhode as ph
         >>> scene = ph.Scene(duration=0.1)
@@ -487,8 +490,8 @@ class Run(Mapping[str, Track]):
 
         ``names`` are those of ``polhode run --plot``: ``"energy"``, ``"ledger"``, ``"penetration"``, ``"contacts"``,
         ``"steps"`` (these five when none are given), ``"joint-coordinates"``, ``"joint-rates"``, ``"joint-forces"``,
-        ``"joint-moments"``, ``"joint-powers"``. Where the run has not kept them (``frames`` of :func:`polhode.run`), the
-        scene is simulated again, once for all plots.
+        ``"joint-moments"``, ``"joint-powers"``. Where the run has not kept them (``frames`` of :func:`polhode.run`),
+        the scene is simulated again, once for all plots.
 
         >>> import polhode as ph
         >>> scene = ph.Scene(duration=0.1)
