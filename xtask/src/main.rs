@@ -1,6 +1,7 @@
 //! Development tasks of the workspace. `cargo xtask verify` runs everything that a release needs; `cargo xtask cost`
 //! regenerates the figures and tables of `docs/accuracy-and-cost.md`; `cargo xtask gallery` shows the shipped scenes;
 //! `cargo xtask cross` compares the bits of golden trajectories on other platforms;
+//! `cargo xtask licences` writes the licence texts of what a wheel of the Python package contains;
 //! `cargo xtask import-rigid-ipc` takes over scenes of another project's suite.
 //!
 //! | module | holds |
@@ -95,6 +96,8 @@ enum Task {
     SolveFriction(friction::Options),
     /// Writes stills, document and page of all shipped scenes.
     Gallery(gallery::Options),
+    /// Writes the licence texts of what a wheel of the Python package contains.
+    Licences,
     /// Regenerates the comparison of narrow phases in docs/accuracy-and-cost.md.
     NarrowPhase,
     /// Measures impacts of elastic rectangles on finer and finer meshes, for docs/elastic-body.md.
@@ -125,6 +128,7 @@ impl Task {
             | Self::Cross(_)
             | Self::ImportRigidIpc(_)
             | Self::Gallery(_)
+            | Self::Licences
             | Self::RandomScene(_)
             | Self::JudgeScenes(_)
             | Self::Judge(_) => false,
@@ -142,6 +146,7 @@ fn main() -> ExitCode {
         Task::Cross(options) => verify::workspace_root().and_then(|root| cross::run(&options, &root)),
         Task::SolveFriction(options) => friction::run(&options),
         Task::Gallery(options) => verify::workspace_root().and_then(|root| gallery::run(&options, &root)),
+        Task::Licences => verify::workspace_root().and_then(|root| python::write_licences(&root)),
         Task::NarrowPhase => verify::workspace_root().and_then(|root| narrow_phase::run(&root)),
         Task::Elastic(options) => verify::workspace_root().and_then(|root| elastic_table::run(&options, &root)),
         Task::TierCosts(options) => tier_costs::run(&options),

@@ -5,9 +5,9 @@ use crate::drawing::Drawing;
 use crate::failure::{self, Failure};
 use crate::heading::Heading;
 use crate::interrupt::Interrupt;
-use polhode::{BodySample, Event, Flow, Frame, Observer, Outcome, RunReport, Scene};
-use polhode_scene::{AtomicFile, report_json};
-use polhode_view::animation::{Pace, Watcher, write_apng, write_gif, write_webp};
+use polhode::{BodySample, Event, Flow, Frame, Observer, Scene};
+use polhode_scene::AtomicFile;
+use polhode_view::animation::{FPS, Pace, Watcher, write_apng, write_gif, write_webp};
 use polhode_view::camera::Viewpoint;
 use polhode_view::glb::write_glb;
 use polhode_view::page::{AtFirst, MOST_FRAMES};
@@ -19,13 +19,6 @@ use std::path::{Path, PathBuf};
 
 /// Endings of the files that show a run.
 pub(crate) const ENDINGS: &str = ".html, .png, .gif, .apng, .webp, .glb";
-
-/// Width and height of a picture when none are asked for, pixels.
-const PICTURE: [u32; 2] = [1280, 720];
-/// Width and height of a moving picture when none are asked for, pixels.
-const MOVING_PICTURE: [u32; 2] = [640, 360];
-/// Frames a second of a moving picture when none are asked for.
-pub(crate) const MOVING_PICTURE_FPS: f64 = 25.0;
 
 /// How a run is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -97,8 +90,8 @@ pub(crate) struct Options {
 impl Options {
     /// Width and height of a kind of picture.
     fn size_of(&self, kind: Kind) -> Result<PictureSize, ViewError> {
-        let [width, height] = self.size.unwrap_or(if kind.moves() { MOVING_PICTURE } else { PICTURE });
-        PictureSize::new(width, height)
+        let usual = if kind.moves() { PictureSize::MOVING } else { PictureSize::STILL };
+        self.size.map_or(Ok(usual), |[width, height]| PictureSize::new(width, height))
     }
 }
 
@@ -161,7 +154,7 @@ impl Pictures {
         if self.files.iter().all(|(kind, _)| *kind == Kind::Still) {
             Recording::for_still(scene)
         } else if self.files.iter().any(|(kind, _)| kind.moves()) {
-            Recording::new(scene, least.unwrap_or(1.0 / MOVING_PICTURE_FPS))
+            Recording::new(scene, least.unwrap_or(1.0 / FPS))
         } else {
             Recording::new(scene, least.unwrap_or_default().max(scene.duration_s() / MOST_FRAMES))
         }
@@ -279,30 +272,6 @@ fn encode(
         // Pages are written while the run goes on.
         Kind::Page => Ok(()),
     }
-}
-
-/// The report that stands in a page: without the time that the run took, so that a page has the same bytes every time.
-pub(crate) fn report_in_page(report: &RunReport) -> Value {
-    let mut value = report_json(report, 0.0);
-    if let Some(object) = value.as_object_mut() {
-        object.remove("wall_s");
-    }
-    value
-}
-
-/// How a page says that a run ended.
-pub(crate) fn outcome(report: &RunReport) -> String {
-    match report.outcome {
-        Outcome::Completed => "completed".to_owned(),
-        Outcome::Degraded => "degraded".to_owned(),
-        Outcome::Stopped => failed(&format!("stopped at t = {} s of {} s", report.simulated_s, report.duration_s)),
-        other => failed(other.name()),
-    }
-}
-
-/// How a page says that a run failed.
-pub(crate) fn failed(message: &str) -> String {
-    format!("failed: {}", message.trim_start_matches("error: "))
 }
 
 /// A message about this file.

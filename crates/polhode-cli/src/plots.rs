@@ -3,8 +3,8 @@
 use crate::abandoned;
 use crate::args::RunPlotArg;
 use crate::failure::Failure;
-use polhode::{BodySample, Event, Flow, Frame, JointSample, Observer, Outcome, Plan, RunReport, Simulation};
-use polhode_scene::{AtomicFile, LoadedScene, names};
+use polhode::{BodySample, Event, Flow, Frame, JointSample, Observer, Plan, RunReport, Simulation};
+use polhode_scene::{AtomicFile, LoadedScene, ended_line, methods_line};
 use polhode_view::plot::{RunPlot, RunPlots};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
@@ -58,8 +58,7 @@ impl Plots {
     /// # Errors
     /// When something cannot be written.
     pub(crate) fn finish(self, report: &RunReport) -> Result<(), Failure> {
-        let degraded = if report.outcome == Outcome::Degraded { "; degraded, see the report" } else { "" };
-        self.write(&format!("{}{degraded}", methods(&report.plan)), None)
+        self.write(&ended_line(report), None)
     }
 
     /// Draws the plots of a run that ended before its time, up to there, with the reason.
@@ -67,7 +66,7 @@ impl Plots {
     /// # Errors
     /// When something cannot be written.
     pub(crate) fn finish_stopped(self, plan: &Plan, reason: &str) -> Result<(), Failure> {
-        self.write(&methods(plan), Some(reason.trim_start_matches("error: ")))
+        self.write(&methods_line(plan), Some(reason.trim_start_matches("error: ")))
     }
 
     fn write(self, subtitle: &str, stopped: Option<&str>) -> Result<(), Failure> {
@@ -94,16 +93,6 @@ const fn plot(asked: RunPlotArg) -> RunPlot {
         RunPlotArg::JointMoments => RunPlot::JointMoments,
         RunPlotArg::JointPowers => RunPlot::JointPowers,
     }
-}
-
-/// The methods of a run, in a line.
-fn methods(plan: &Plan) -> String {
-    let (tier, integrator) = (names::tier(plan.tier), names::integrator(plan.integrator));
-    format!(
-        "tier {tier}, integrator {integrator}, impact {}, tolerance {:e}",
-        names::impact(plan.impact),
-        plan.tolerance
-    )
 }
 
 /// That a file of plots cannot be written.
@@ -142,5 +131,22 @@ impl Observer for Plots {
 
     fn progress(&mut self, t: f64) -> Flow {
         self.drawn.as_mut().map_or(Flow::Continue, |drawn| drawn.progress(t))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    //! The names of plots are those of the library.
+    use super::*;
+    use clap::ValueEnum;
+
+    #[test]
+    fn plots_have_the_names_of_the_library() {
+        let all: Vec<RunPlot> = RunPlotArg::value_variants().iter().copied().map(plot).collect();
+        assert_eq!(all, [RunPlot::ALL, RunPlot::OF_JOINTS].concat());
+        for own in RunPlotArg::value_variants() {
+            let name = own.to_possible_value().map(|value| value.get_name().to_owned());
+            assert_eq!(name.as_deref(), Some(plot(*own).name()));
+        }
     }
 }

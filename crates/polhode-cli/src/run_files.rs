@@ -11,7 +11,7 @@ use crate::pictures::{ENDINGS, Kind, Options, Pictures};
 use crate::plots::{Plots, is_plot};
 use crate::scene::STANDARD;
 use polhode::{Observer, Plan, RunReport, Simulation};
-use polhode_scene::{CsvStream, LoadedScene, OutputError, Outputs};
+use polhode_scene::{CsvStream, LoadedScene, OutputError, Outputs, page_report_json, shown_failure, shown_outcome};
 use polhode_view::FrameSource;
 use serde_json::Value;
 use std::io::{self, BufWriter, Stdout};
@@ -98,8 +98,7 @@ impl RunFiles {
             return Err(failure);
         }
         interrupt.move_kept(|| self.outputs.finish())?;
-        let outcome = crate::pictures::outcome(report);
-        show(self.pictures, &outcome, &crate::pictures::report_in_page(report), interrupt)?;
+        show(self.pictures, &shown_outcome(report), &page_report_json(report), interrupt)?;
         self.plots.finish(report)
     }
 
@@ -113,7 +112,7 @@ impl RunFiles {
                 }
             })
         });
-        let shown = show(self.pictures, &crate::pictures::failed(why), &Value::Null, interrupt);
+        let shown = show(self.pictures, &shown_failure(why), &Value::Null, interrupt);
         let plotted = self.plots.finish_stopped(plan, why);
         let streamed = self.stream.map_or(Ok(()), CsvStream::finish).map_err(Failure::from);
         for other in [told, shown, plotted, streamed].into_iter().filter_map(Result::err) {

@@ -4,14 +4,17 @@ use crate::args::ViewArgs;
 use crate::failure::{self, Failure};
 use crate::heading::Heading;
 use crate::interrupt::Interrupt;
-use crate::pictures::{self, ENDINGS, Kind, MOVING_PICTURE_FPS, Options, Pictures};
+use crate::pictures::{ENDINGS, Kind, Options, Pictures};
 use crate::progress::Progress;
 use crate::viewpoint::viewpoint;
 use crate::watch::Watch;
 use crate::{browser, examples, inputs, scene, stdout};
 use polhode::{BodySample, Flow, Observer, Outcome, RunReport, Simulation, SimulationError};
-use polhode_scene::{LoadedScene, TrajectoryError, TrajectoryReader, is_trajectory};
+use polhode_scene::{
+    LoadedScene, TrajectoryError, TrajectoryReader, is_trajectory, page_report_json, shown_failure, shown_outcome,
+};
 use polhode_study::difference::energy_error;
+use polhode_view::animation::FPS;
 use polhode_view::page::{AtFirst, MOST_FRAMES};
 use polhode_view::{FrameSource, Recording};
 use serde_json::Value;
@@ -210,13 +213,13 @@ fn show(
                 Ok(report) if interrupt.has_come() => {
                     let (t, duration) = (report.simulated_s, report.duration_s);
                     let said = format!("interrupted at t = {t} s of {duration} s");
-                    Ok((pictures::failed(&said), Err(Failure::Interrupted(said, interrupt.code()))))
+                    Ok((shown_failure(&said), Err(Failure::Interrupted(said, interrupt.code()))))
                 }
                 Ok(report) => {
                     note_degraded(&report);
-                    Ok((pictures::outcome(&report), Ok(pictures::report_in_page(&report))))
+                    Ok((shown_outcome(&report), Ok(page_report_json(&report))))
                 }
-                Err(failure) => Ok((pictures::failed(failure.message()), Err(failure))),
+                Err(failure) => Ok((shown_failure(failure.message()), Err(failure))),
             }
         }
     }
@@ -342,7 +345,7 @@ fn place_beside(file: &Path, ending: &str) -> PathBuf {
 /// Time between frames, s.
 fn interval(fps: Option<f64>, paths: &[PathBuf]) -> Result<f64, Failure> {
     match fps {
-        None if paths.iter().all(|path| Kind::of(path).is_some_and(Kind::moves)) => Ok(1.0 / MOVING_PICTURE_FPS),
+        None if paths.iter().all(|path| Kind::of(path).is_some_and(Kind::moves)) => Ok(1.0 / FPS),
         None => Ok(1.0 / DEFAULT_FPS),
         Some(fps) if fps.is_finite() && fps > 0.0 => Ok(1.0 / fps),
         Some(fps) => Err(Failure::Usage(format!("error: --fps {fps}: a positive number of frames a second is needed"))),

@@ -3,6 +3,7 @@
 use polhode::{SimulationError, SnapshotError};
 use polhode_scene::robot::Finding;
 use polhode_scene::{LoadedScene, Refused, SceneFileError};
+use polhode_view::ViewError;
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -136,4 +137,9 @@ pub(crate) fn busy(py: Python<'_>) -> PyErr {
 #[expect(clippy::redundant_closure_for_method_calls, reason = "the method is of one lifetime, and any is asked for")]
 pub(crate) fn raised_by_signal() -> Option<PyErr> {
     Python::attach(|py| py.check_signals()).err()
+}
+
+/// A run that cannot be shown.
+pub(crate) fn view(py: Python<'_>, loaded: &LoadedScene, error: &ViewError) -> PyErr {
+    plain(py, "ViewError", &format!("{}: {error}", loaded.scene.name()))
 }

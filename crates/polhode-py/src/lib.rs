@@ -5,9 +5,12 @@
 //! | `loaded` | a scene that has been read |
 //! | `recorder` | the observer that keeps what a run tells, in columns |
 //! | `recording` | the columns as arrays of numpy, without a copy |
+//! | `job` | work in a thread of its own, which Ctrl-C ends |
 //! | `run` | a run from its start to its end |
 //! | `study` | which method reaches an accuracy, and what accuracy costs |
-//! | `worker` | work in a thread of its own, which Ctrl-C ends |
+//! | `show` | a run as a page, pictures and plots |
+//! | `telling` | what pages and plots tell of a run, kept while it goes on |
+//! | `drawn` | all plots of a run |
 //! | `simulation` | a simulation in the hand |
 //! | `actions` | what a program does to its bodies and joints |
 //! | `views` | what a simulation tells of the present |
@@ -22,17 +25,20 @@
 mod actions;
 mod arguments;
 mod contacts;
+mod drawn;
 mod errors;
 mod files;
 mod functions;
+mod job;
 mod loaded;
 mod recorder;
 mod recording;
 mod run;
+mod show;
 mod simulation;
 mod study;
+mod telling;
 mod views;
-mod worker;
 
 /// What the package is made from; its public part is `polhode`.
 #[pyo3::pymodule(gil_used = false)]
@@ -51,6 +57,8 @@ mod _polhode {
     use super::recording::Recording;
     #[pymodule_export]
     use super::run::run;
+    #[pymodule_export]
+    use super::show::{gif, page, plot, still};
     #[pymodule_export]
     use super::simulation::{Simulation, Snapshot};
     #[pymodule_export]

@@ -1,9 +1,10 @@
 //! The observer that keeps what a run tells, in columns.
 
+use crate::job::Watch;
+use crate::telling::Telling;
 use polhode::scene::Coordinate;
-use polhode::{BodySample, Energy, Event, Flow, JointSample, Observer, Scene};
+use polhode::{BodySample, Energy, Event, Flow, Frame, JointSample, Observer, Scene};
 use std::collections::TryReserveError;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Numbers of a body in a sample: position, orientation, velocity, angular velocity.
@@ -62,38 +63,35 @@ impl Columns {
 #[derive(Debug)]
 pub(crate) struct Shared {
     columns: Mutex<Columns>,
-    stop: AtomicBool,
 }
 
 impl Shared {
     pub(crate) fn new(columns: Columns) -> Arc<Self> {
-        Arc::new(Self { columns: Mutex::new(columns), stop: AtomicBool::new(false) })
+        Arc::new(Self { columns: Mutex::new(columns) })
     }
 
     pub(crate) fn columns(&self) -> MutexGuard<'_, Columns> {
         self.columns.lock().unwrap_or_else(PoisonError::into_inner)
     }
-
-    /// Asks the run to stop after its step.
-    pub(crate) fn stop(&self) {
-        self.stop.store(true, Ordering::Relaxed);
-    }
-
-    fn is_stopped(&self) -> bool {
-        self.stop.load(Ordering::Relaxed)
-    }
 }
 
 /// Keeps samples, energies, joints and events of a run.
 #[derive(Debug)]
-pub(crate) struct Recorder {
+pub(crate) struct Recorder<'a> {
     pub(crate) shared: Arc<Shared>,
     /// Whether joints are kept: what they bear costs a solve at each sample.
     pub(crate) has_joints: bool,
+    pub(crate) watch: &'a Watch,
+    pub(crate) duration_s: f64,
+    /// What pages and plots tell, where that is kept too.
+    pub(crate) telling: Option<Telling>,
 }
 
-impl Observer for Recorder {
+impl Observer for Recorder<'_> {
     fn sample(&mut self, t_s: f64, bodies: &[BodySample]) {
+        if let Some(telling) = &mut self.telling {
+            telling.sample(t_s, bodies);
+        }
         let mut columns = self.shared.columns();
         if columns.is_closed {
             return;
@@ -118,13 +116,26 @@ impl Observer for Recorder {
         }
     }
 
-    fn wants_joints(&self) -> bool {
-        self.has_joints
+    fn wants_frames(&self) -> bool {
+        self.telling.is_some()
     }
 
-    fn joints(&mut self, _t_s: f64, joints: &[JointSample]) {
+    fn frame(&mut self, frame: &Frame) {
+        if let Some(telling) = &mut self.telling {
+            telling.frame(frame);
+        }
+    }
+
+    fn wants_joints(&self) -> bool {
+        self.has_joints || self.telling.as_ref().is_some_and(Observer::wants_joints)
+    }
+
+    fn joints(&mut self, t_s: f64, joints: &[JointSample]) {
+        if let Some(telling) = &mut self.telling {
+            telling.joints(t_s, joints);
+        }
         let mut columns = self.shared.columns();
-        if columns.is_closed {
+        if columns.is_closed || !self.has_joints {
             return;
         }
         for joint in joints {
@@ -139,13 +150,19 @@ impl Observer for Recorder {
     }
 
     fn event(&mut self, event: &Event) {
+        if let Some(telling) = &mut self.telling {
+            telling.event(event);
+        }
         let mut columns = self.shared.columns();
         if !columns.is_closed {
             columns.events.push(*event);
         }
     }
 
-    fn progress(&mut self, _t_s: f64) -> Flow {
-        if self.shared.is_stopped() { Flow::Stop } else { Flow::Continue }
+    fn progress(&mut self, t_s: f64) -> Flow {
+        if let Some(telling) = &mut self.telling {
+            telling.progress(t_s);
+        }
+        self.watch.reached(t_s, self.duration_s)
     }
 }

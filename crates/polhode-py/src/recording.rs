@@ -2,14 +2,17 @@
 //!
 //! Each column is moved into its array when that is first asked for, so that numpy is loaded no earlier, and nothing is copied.
 
+use crate::drawn::Drawn;
 use crate::recorder::{Columns, OF_BODY, OF_ENERGY, OF_JOINT};
+use crate::telling::Unread;
 use numpy::ndarray::{Array2, Dimension};
-use numpy::{PyArray, PyArray1, PyArray2, PyArrayMethods};
-use polhode::Event;
+use numpy::{PyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods};
+use polhode::{Effects, Event};
+use polhode_scene::LoadedScene;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// A column: numbers until it is first asked for, an array from then on.
 struct Column {
@@ -47,6 +50,15 @@ impl Column {
         };
         self.array.get_or_try_init(py, make).map(|array| array.clone_ref(py))
     }
+
+    /// Reads the numbers, wherever they are.
+    fn read<T>(&self, py: Python<'_>, read: impl FnOnce(&[f64]) -> T) -> PyResult<T> {
+        let Some(array) = self.array.get(py) else {
+            return Ok(read(&self.numbers.lock().unwrap_or_else(PoisonError::into_inner)));
+        };
+        let array = array.bind(py).cast::<PyArrayDyn<f64>>()?.readonly();
+        Ok(read(array.as_slice()?))
+    }
 }
 
 /// The array without leave to write to it, nor to what is a part of it.
@@ -81,6 +93,20 @@ pub(crate) struct Recording {
     /// Why the run has ended before its time: an exception, or none.
     #[pyo3(get)]
     failure: Option<Py<PyAny>>,
+    pub(crate) source: Source,
+    /// All plots, from when they were first drawn.
+    drawn: Mutex<Option<Arc<Drawn>>>,
+    /// The page, where the run was asked to keep it and nobody has asked for it yet.
+    page: Mutex<Option<Unread>>,
+}
+
+/// From what the same run can be made again, to the same bits.
+#[derive(Debug)]
+pub(crate) struct Source {
+    pub(crate) scene: Arc<LoadedScene>,
+    pub(crate) effects: Effects,
+    /// Whether it was ended before its time by who asked for it.
+    pub(crate) is_cut: bool,
 }
 
 /// How a run has ended.
@@ -93,7 +119,7 @@ pub(crate) struct Ending {
 }
 
 impl Recording {
-    pub(crate) fn new(columns: Columns, names: [Vec<String>; 2], ending: Ending) -> Self {
+    pub(crate) fn new(columns: Columns, names: [Vec<String>; 2], ending: Ending, source: Source) -> Self {
         let [body_names, joint_names] = names;
         let Columns { times, states, energies, joints, events, .. } = columns;
         let Ending { report, certificate, broken, failure } = ending;
@@ -111,7 +137,38 @@ impl Recording {
             certificate,
             broken,
             failure,
+            source,
+            drawn: Mutex::default(),
+            page: Mutex::default(),
         }
+    }
+
+    /// All plots, where they have been drawn.
+    pub(crate) fn drawn(&self) -> Option<Arc<Drawn>> {
+        self.drawn.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// Keeps a page that nobody has asked for yet.
+    pub(crate) fn keep_page(&self, page: Unread) {
+        *self.page.lock().unwrap_or_else(PoisonError::into_inner) = Some(page);
+    }
+
+    /// The page with frames at least this far apart (s), where the run has kept it: once.
+    pub(crate) fn take(&self, least_s: f64) -> Option<Unread> {
+        let mut page = self.page.lock().unwrap_or_else(PoisonError::into_inner);
+        page.take_if(|page| page.is_of(&self.source.scene, least_s))
+    }
+
+    /// Keeps all plots.
+    pub(crate) fn keep(&self, drawn: Drawn) -> Arc<Drawn> {
+        let drawn = Arc::new(drawn);
+        *self.drawn.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&drawn));
+        drawn
+    }
+
+    /// Reads times (s) and states: so many numbers for each body and sample.
+    pub(crate) fn read<T>(&self, py: Python<'_>, read: impl FnOnce(&[f64], &[f64]) -> T) -> PyResult<T> {
+        self.times.read(py, |times| self.states.read(py, |states| read(times, states)))?
     }
 }
 

@@ -1,8 +1,8 @@
 //! Studies of a scene: which method reaches an accuracy, and what accuracy costs. They run in a thread that Ctrl-C ends.
 
 use crate::errors;
+use crate::job::{self, Ended, Watch};
 use crate::loaded::Loaded;
-use crate::worker::{self, Ended, Worker};
 use polhode::{Effects, Flow};
 use polhode_scene::Override;
 use polhode_study::ladder::Range;
@@ -10,29 +10,48 @@ use polhode_study::timing::Effort;
 use polhode_study::{Axis, Counting, Host, Options, Source, Study, StudyError, json};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::cell::Cell;
 
 /// Rounds of timing of a study whose table is asked for.
 const ROUNDS: Effort = Effort { fewest_rounds: 3, most_rounds: 5, enough_s: 0.2 };
 
-/// Lets a study go on until Ctrl-C.
-struct Going(Arc<AtomicBool>);
+/// Phases of a study: the reference, errors and timing.
+const PHASES: f64 = 3.0;
 
-impl Host for Going {
+/// Lets a study go on until Ctrl-C, and tells how far it is.
+struct Going<'a> {
+    watch: &'a Watch,
+    /// Phases that are over, and of the present one the parts that are done and all parts.
+    over: Cell<f64>,
+    parts: Cell<[f64; 2]>,
+}
+
+impl Host for Going<'_> {
+    fn phase(&self, _what: &'static str, count: usize) {
+        self.over.set(self.over.get() + 1.0);
+        self.parts.set([0.0, count.max(1) as f64]);
+    }
+
+    fn part_done(&self) {
+        let [done, all] = self.parts.get();
+        self.parts.set([all.min(done + 1.0), all]);
+    }
+
     fn flow(&self) -> Flow {
-        if self.0.load(Ordering::Relaxed) { Flow::Stop } else { Flow::Continue }
+        let [done, all] = self.parts.get();
+        self.watch.reached(self.over.get().clamp(0.0, PHASES - 1.0) + done / all, PHASES)
     }
 }
 
 /// The study of a scene as JSON, as `polhode cost --json` prints it. Without keys to vary, the search for `accuracy` has the methods
-/// of the scene's law alone; the table without it has the other laws too.
+/// of the scene's law alone; the table without it has the other laws too. `told` is called with how much of all is done.
 #[pyfunction]
-#[pyo3(signature = (loaded, all_effects, accuracy=None, vary=Vec::new(), budget_s=None))]
+#[pyo3(signature = (loaded, all_effects, told, accuracy=None, vary=Vec::new(), budget_s=None))]
 pub(crate) fn study(
     py: Python<'_>,
     loaded: &Loaded,
     all_effects: bool,
+    told: Option<Py<PyAny>>,
     accuracy: Option<f64>,
     vary: Vec<String>,
     budget_s: Option<f64>,
@@ -42,9 +61,8 @@ pub(crate) fn study(
     let axes = vary.into_iter().map(|text| Axis::parse(&text)).collect::<Result<Vec<_>, _>>();
     let axes = axes.map_err(|fault| refused(py, StudyError::Axis(fault), loaded))?;
     let options = options(accuracy, budget_s);
-    let stop = Arc::new(AtomicBool::new(false));
-    let going = Going(Arc::clone(&stop));
-    let worker = Worker::start(move || {
+    let ended = job::work(py, told, move |watch| {
+        let going = Going { watch, over: Cell::new(-1.0), parts: Cell::new([0.0, 1.0]) };
         let load = |changes: &[Override]| reader.load(changes);
         let source = Source { load: &load, given, effects, host: &going };
         let study = Study::run(&source, &axes, &options)?;
@@ -53,13 +71,12 @@ pub(crate) fn study(
         }
         Ok(json::value(&study, accuracy).to_string())
     })?;
-    match worker.wait(py, || stop.store(true, Ordering::Relaxed)) {
+    match ended {
         Ended::Done(done) => done.map_err(|error| refused(py, error, loaded)),
-        Ended::Signal(raised, _) if raised.is_instance_of::<PyKeyboardInterrupt>(py) => {
+        Ended::Raised(raised, _) if raised.is_instance_of::<PyKeyboardInterrupt>(py) => {
             Err(refused(py, StudyError::Stopped, loaded))
         }
-        Ended::Signal(raised, _) => Err(raised),
-        Ended::Lost => Err(worker::lost()),
+        Ended::Raised(raised, _) => Err(raised),
     }
 }
 

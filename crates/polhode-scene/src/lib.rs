@@ -13,6 +13,7 @@
 //! | [`mod@compare`] | [`compare`](compare()): two trajectories, number by number |
 //! | [`trajectory`] | [`TrajectoryReader`]: a trajectory read back, held against its scene |
 //! | [`report`] | reports and plans as JSON |
+//! | [`shown`] | what pages and plots say of a run |
 //! | [`mesh_file`], [`mesh_report`] | mesh files; diagnosis and mass properties |
 //! | [`names`] | words for methods |
 //!
@@ -61,6 +62,7 @@ pub mod output;
 pub mod report;
 pub mod robot;
 pub mod schema;
+pub mod shown;
 pub mod trajectory;
 
 mod build;
@@ -84,6 +86,7 @@ pub use report::{
     stability_json,
 };
 pub use schema::schema;
+pub use shown::{ended_line, methods_line, page_report_json, shown_failure, shown_outcome};
 pub use trajectory::{FilePlace, TRAJECTORY_ENDINGS, TrajectoryError, TrajectoryReader, is_trajectory};
 
 // The program in the README is compiled and run as a test.

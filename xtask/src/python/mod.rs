@@ -3,9 +3,12 @@
 //! | module | holds |
 //! |---|---|
 //! | `environment` | the virtual environment below `target` |
+//! | `licences` | the licence texts of what a wheel contains |
 //! | `step` | the step of a verification |
 
 mod environment;
+mod licences;
 mod step;
 
+pub(crate) use licences::run as write_licences;
 pub(crate) use step::{NAME, check};

@@ -1,6 +1,7 @@
 //! The step of a verification that builds, installs and tests the Python package.
 
 use super::environment::{Environment, OLDEST, done, newest};
+use super::licences;
 use crate::cases::{CaseResult, Context, guarded};
 use crate::row::Row;
 use std::path::Path;
@@ -23,9 +24,9 @@ fn rows(context: &Context) -> CaseResult {
     let package = context.root.join(PACKAGE);
     let environment = match Environment::made(context.root.join(FOLDER), &package) {
         Ok(environment) => environment,
-        Err(reason) => return Ok(vec![Row::skipped(NAME, "wheel, tests, stubs", &reason)]),
+        Err(reason) => return Ok(vec![Row::skipped(NAME, "wheel, tests, stubs, notebooks", &reason)]),
     };
-    let mut rows = vec![wheel(context, &environment, &package)?];
+    let mut rows = vec![licences::row(NAME, &context.root), wheel(context, &environment, &package)?];
     let program = context.program.path(&context.root)?;
     let mut tests = environment.module("pytest");
     tests.args(["-q", "-p", "no:cacheprovider", "tests"]).env("POLHODE", program);
@@ -36,10 +37,12 @@ fn rows(context: &Context) -> CaseResult {
         .arg(environment.folder.join("mypy"));
     let mut stubs = environment.module("mypy.stubtest");
     stubs.args([NATIVE, "--concise"]);
+    let mut notebooks = environment.module("tests.notebooks");
     for (what, command) in [
         ("tests and examples pass", &mut tests),
         ("types, strictly", &mut types),
         ("stubs are what is built", &mut stubs),
+        ("notebooks run", &mut notebooks),
     ] {
         let measured = done(command.current_dir(&package)).map(|_| "success".to_owned());
         rows.push(Row::exact(NAME, what, "success", measured.unwrap_or_else(|reason| reason)));

@@ -31,6 +31,7 @@ from ._errors import (
     SweepError,
     SweepStopped,
     UnknownName,
+    ViewError,
 )
 from ._functions import doctor, mass_properties, rotate_free
 from ._joints import Ball, Cylindrical, FixedJoint, Hinge, Joint, OnTrack, Planar, Rod, Rope, Screw, Slider, Universal
@@ -50,6 +51,7 @@ from ._robot import Robot, RobotCoordinate, RobotJoint, RobotLink
 from ._run import Energies, Joints, JointTrack, Run, Track, run
 from ._scene import Body, JointHandle, Scene
 from ._shapes import Box, Capsule, Compound, Cone, Convex, Cylinder, HalfSpace, Mesh, Points, Shape, Sphere, Torus
+from ._show import Gif, Page, Plot, Still
 from ._simulation import Simulation
 from ._stands import Standing, boxes, stands
 from ._sweep import sweep
@@ -93,6 +95,7 @@ __all__ = [
     "Finding",
     "FixedJoint",
     "FrictionSolution",
+    "Gif",
     "HalfSpace",
     "Hinge",
     "Impact",
@@ -110,8 +113,10 @@ __all__ = [
     "NotKept",
     "NotReached",
     "OnTrack",
+    "Page",
     "Place",
     "Planar",
+    "Plot",
     "Points",
     "PolhodeError",
     "Robot",
@@ -133,6 +138,7 @@ __all__ = [
     "Sphere",
     "Standing",
     "StepOutcome",
+    "Still",
     "SweepError",
     "SweepStopped",
     "Table",
@@ -141,6 +147,7 @@ __all__ = [
     "Uniform",
     "Universal",
     "UnknownName",
+    "ViewError",
     "__version__",
     "boxes",
     "cost",

@@ -7,6 +7,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 from . import _polhode, _toml
+from ._progress import Bar
 from ._scene import _read, load
 
 if TYPE_CHECKING:
@@ -96,12 +97,13 @@ def cost(
     budget: float | None = None,
     set: Mapping[str, Any] | None = None,
     effects: str = "planned",
+    progress: bool | None = None,
 ) -> Cost:
     """What accuracy costs on a scene: its error and its time by many methods and steps.
 
     ``vary`` has keys of the scene and the values that they take, all combinations of them; without it all methods run
     that suit the scene, over steps and tolerances. ``budget`` is the time that these may take together, about, in s
-    (10). ``set`` changes keys of the scene for all of them.
+    (10). ``set`` changes keys of the scene for all of them. ``progress`` as for :func:`polhode.run`.
 
     >>> import polhode as ph
     >>> nut = {"name": "nut", "mass": 1.0, "inertia": [1, 2, 3], "angular_velocity": [0.1, 9, 0]}
@@ -116,7 +118,9 @@ def cost(
 
     loaded = load(scene, {"set": set})
     axes = [_axis(key, values) for key, values in (vary or {}).items()]
-    return Cost(json.loads(_polhode.study(loaded, all_effects(effects), None, axes, budget)))
+    with Bar(f"{loaded.name}: methods", "phases", progress) as bar:
+        told = _polhode.study(loaded, all_effects(effects), bar.told, None, axes, budget)
+    return Cost(json.loads(told))
 
 
 def all_effects(effects: str) -> bool:
@@ -126,11 +130,14 @@ def all_effects(effects: str) -> bool:
     return effects == "all"
 
 
-def reached(loaded: _polhode.Loaded, accuracy: float, effects: bool) -> tuple[_polhode.Loaded, Accuracy]:
+def reached(
+    loaded: _polhode.Loaded, accuracy: float, effects: bool, progress: bool | None
+) -> tuple[_polhode.Loaded, Accuracy]:
     """The scene with the cheapest method that reaches an accuracy."""
     import json
 
-    target = json.loads(_polhode.study(loaded, effects, float(accuracy)))["target"]
+    with Bar(f"{loaded.name}: methods", "phases", progress) as bar:
+        target = json.loads(_polhode.study(loaded, effects, bar.told, float(accuracy)))["target"]
     chosen = target["cheapest"]
     how, arguments, before = loaded.source()
     changes = [("accuracy=", key, value) for key, value in chosen["changes"].items()]

@@ -74,6 +74,10 @@ class SimulationError(PolhodeError, RuntimeError):
         return ", ".join(at + [" and ".join(self.bodies)] if self.bodies else at) or None
 
 
+class ViewError(PolhodeError, ValueError):
+    """A run cannot be shown."""
+
+
 class ActionError(PolhodeError, ValueError):
     """An action on a simulation is refused; the simulation is as it was."""
 

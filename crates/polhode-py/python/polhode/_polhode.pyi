@@ -1,7 +1,7 @@
 """The native part of the package: use ``polhode``."""
 
 from os import PathLike
-from typing import Any, Sequence, final
+from typing import Any, Callable, Mapping, Sequence, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,15 +24,19 @@ __all__ = [
     "StepOutcome",
     "__version__",
     "doctor",
+    "gif",
     "impact_with_friction",
     "impact_without_friction",
     "material_keys",
     "mesh_of_file",
     "mesh_report",
+    "page",
+    "plot",
     "robot_of_file",
     "rotate_free",
     "run",
     "solve_friction",
+    "still",
     "study",
 ]
 
@@ -41,6 +45,7 @@ __version__: str
 _Change = tuple[str, str, str]
 _Body = str | int | Body
 _Joint = str | int | JointHandle
+_Told = Callable[[float, float], None] | None
 
 @final
 class Loaded:
@@ -113,10 +118,15 @@ def doctor(path: str | PathLike[str]) -> list[Finding]: ...
 def mesh_report(
     vertices: ArrayLike, triangles: ArrayLike, mass: float | None, density: float | None, is_hollow: bool
 ) -> str: ...
-def run(loaded: Loaded, all_effects: bool, joints: bool) -> Recording: ...
+def run(loaded: Loaded, all_effects: bool, joints: bool, keep: float | None, told: _Told) -> Recording: ...
+def page(recording: Recording, least_interval: float, told: _Told) -> str: ...
+def plot(recording: Recording, names: Sequence[str], told: _Told) -> str: ...
+def still(recording: Recording, t: float | None, asked: Mapping[str, Any], told: _Told) -> bytes: ...
+def gif(recording: Recording, fps: float | None, asked: Mapping[str, Any], told: _Told) -> bytes: ...
 def study(
     loaded: Loaded,
     all_effects: bool,
+    told: _Told,
     accuracy: float | None = None,
     vary: Sequence[str] = ...,
     budget_s: float | None = None,

@@ -9,20 +9,26 @@ from typing import TYPE_CHECKING, Any, Iterator
 
 from . import _polhode
 from ._cost import Accuracy, all_effects, reached
-from ._errors import Interrupted, NotKept, SimulationError, UnknownName
+from ._errors import Interrupted, NotKept, PolhodeError, SimulationError, UnknownName, ViewError
+from ._progress import Bar, in_notebook
 from ._scene import load
+from ._show import Gif, Page, Plot, Still
 
 if TYPE_CHECKING:
+    import os
+
     import numpy as np
     from numpy.typing import NDArray
 
-    from ._scene import Body, JointHandle, SceneLike
+    from ._scene import Body, JointHandle, SceneLike, Vector
 
     Array = NDArray[np.float64]
 
 #: Numbers of a body and of a joint in a sample.
 _OF_BODY = 13
 _OF_JOINT = 13
+#: Bodies times frames of a page in a notebook at the most: 5 MB with their contacts.
+_MOST_IN_NOTEBOOK = 100_000
 
 
 def run(
@@ -36,6 +42,8 @@ def run(
     set: Mapping[str, Any] | None = None,
     effects: str = "planned",
     joints: bool = True,
+    frames: bool | None = None,
+    progress: bool | None = None,
 ) -> Run:
     """Simulates a scene from its start to its end.
 
@@ -46,6 +54,10 @@ def run(
     scene, and in rad), for which the cheapest method is searched in some ten seconds; ``step`` is in s; ``set`` changes
     any key, as in ``set={"materials.ice.friction": 0.1}``. ``effects="all"`` leaves nothing out. Without ``joints`` the
     loads of joints, which cost a solve at each sample, are not computed.
+
+    With ``frames`` what pages and plots tell is kept as well, for a solve of the contact forces at each sample; when
+    absent, in notebooks. Without it the first page or plot simulates the scene again. ``progress`` shows a bar of
+    tqdm; when absent, in notebooks and on terminals where tqdm is installed, for what takes longer than half a second.
 
     Ctrl-C raises :class:`polhode.Interrupted` within two seconds, whose ``run`` has what was computed.
 
@@ -61,14 +73,22 @@ def run(
     everything = all_effects(effects)
     chosen: Accuracy | None = None
     if accuracy is not None:
-        loaded, chosen = reached(loaded, accuracy, everything)
-    recording = _polhode.run(loaded, everything, joints)
+        loaded, chosen = reached(loaded, accuracy, everything, progress)
+    with Bar(loaded.name, "s", progress) as bar:
+        keep = _apart(loaded) if (in_notebook() if frames is None else frames) else None
+        recording = _polhode.run(loaded, everything, joints, keep, bar.told)
     done = Run(loaded, recording, chosen)
     if recording.failure is not None:
         if isinstance(recording.failure, (SimulationError, Interrupted)):
             recording.failure.run = done
         raise recording.failure
     return done
+
+
+def _apart(loaded: _polhode.Loaded) -> float:
+    """Least time between the frames of a page in a notebook, s."""
+    frames = max(2, _MOST_IN_NOTEBOOK // max(1, len(loaded.body_names)))
+    return loaded.duration / (frames - 1)
 
 
 class Track:
@@ -229,6 +249,8 @@ class Run(Mapping[str, Track]):
         self._recording = recording
         #: How the run reaches the accuracy that was asked for; none where none was.
         self.accuracy = accuracy
+        #: The page that was made last, with the least time between its frames, s.
+        self._last: tuple[float, Page] | None = None
 
     @property
     def name(self) -> str:
@@ -372,6 +394,128 @@ class Run(Mapping[str, Track]):
             },
             coords={"t": self.t, "body": list(self), "axis": axes, "quaternion": wxyz},
         )
+
+    def view(self, path: str | os.PathLike[str] | None = None, *, frames: int | None = None) -> Page:
+        """Shows the page that plays the run: in the notebook, or else in a browser. With a ``path`` it is written there
+        instead. ``frames`` is as in :meth:`page`.
+        """
+        file = None if path is None else Page.place(path)
+        page = self.page(frames=frames)
+        if file is not None:
+            page.save(file)
+        elif not in_notebook():
+            page.open()
+        return page
+
+    def page(self, *, frames: int | None = None) -> Page:
+        """The page that plays the run, as ``polhode run -o run.html`` writes it; it needs no network.
+
+        It has at most so many ``frames`` (10,000 when absent) among the samples of the run. Where the run has not kept
+        what it tells (``frames`` of :func:`polhode.run`), the scene is simulated again, with the same bits.
+
+        >>> import polhode as ph
+        >>> scene = ph.Scene(name="ball", duration=0.1)
+        >>> ball = scene.add(ph.Sphere(0.1), mass=1.0)
+        >>> page = ph.run(scene).page(frames=5)
+        >>> page.html.startswith("<!doctype html>")
+        True
+        """
+        least = 0.0
+        if frames is not None:
+            if not frames >= 2:
+                raise ViewError(f"frames={frames} is below its limit, 2: the first frame and the last")
+            least = self._loaded.duration / (frames - 1)
+        return self._page(least)
+
+    def _page(self, least: float) -> Page:
+        """The page with frames at least so far apart, s."""
+        if self._last is None or self._last[0] != least:
+            with Bar(f"{self.name}: page", "s", None) as bar:
+                self._last = least, Page(self.name, _polhode.page(self._recording, least, bar.told).encode())
+        return self._last[1]
+
+    def still(
+        self,
+        t: float | None = None,
+        path: str | os.PathLike[str] | None = None,
+        *,
+        size: tuple[int, int] | None = None,
+        camera: str | Vector | None = None,
+        look_at: Vector | None = None,
+    ) -> Still:
+        """The run at the sample nearest to ``t`` (s; the last one when absent) as a picture; with a ``path`` it is
+        written there, as PNG.
+
+        ``size`` is its width and height, 1280 x 720 pixels when absent; ``camera`` is ``"front"``, ``"side"``,
+        ``"top"``, ``"iso"`` or the place of the camera (m); ``look_at`` the place in the middle of the picture (m).
+
+        >>> import polhode as ph
+        >>> scene = ph.Scene(duration=0.1)
+        >>> ball = scene.add(ph.Sphere(0.1), mass=1.0)
+        >>> ph.run(scene).still(0.05, size=(64, 36)).data[1:4]
+        b'PNG'
+        """
+        file = None if path is None else Still.place(path)
+        asked = {"size": size, "camera": camera, "look_at": look_at}
+        still = Still(self.name, _polhode.still(self._recording, t, asked, None))
+        if file is not None:
+            still.save(file)
+        return still
+
+    def gif(
+        self,
+        path: str | os.PathLike[str] | None = None,
+        *,
+        fps: float | None = None,
+        size: tuple[int, int] | None = None,
+        camera: str | Vector | None = None,
+        look_at: Vector | None = None,
+    ) -> Gif:
+        """The run as a moving picture in real time, of at most ``fps`` frames a second (25 when absent) among its
+        samples; with a ``path`` it is written there. The others are those of :meth:`still`; ``size`` is 640 x 360 when
+        absent.
+
+        >>> import polhode as ph
+        >>> scene = ph.Scene(duration=0.1)
+        >>> ball = scene.add(ph.Sphere(0.1), mass=1.0)
+        >>> ph.run(scene).gif(size=(64, 36)).data[:6]
+        b'GIF89a'
+        """
+        file = None if path is None else Gif.place(path)
+        asked = {"size": size, "camera": camera, "look_at": look_at}
+        with Bar(f"{self.name}: moving picture", "frames", None) as bar:
+            gif = Gif(self.name, _polhode.gif(self._recording, fps, asked, bar.told))
+        if file is not None:
+            gif.save(file)
+        return gif
+
+    def plot(self, *names: str, path: str | os.PathLike[str] | None = None) -> Plot:
+        """Quantities over time; with a ``path`` they are written there, as SVG.
+
+        ``names`` are those of ``polhode run --plot``: ``"energy"``, ``"ledger"``, ``"penetration"``, ``"contacts"``,
+        ``"steps"`` (these five when none are given), ``"joint-coordinates"``, ``"joint-rates"``, ``"joint-forces"``,
+        ``"joint-moments"``, ``"joint-powers"``. Where the run has not kept them (``frames`` of :func:`polhode.run`),
+        the scene is simulated again, once for all plots.
+
+        >>> import polhode as ph
+        >>> scene = ph.Scene(duration=0.1)
+        >>> ball = scene.add(ph.Sphere(0.1), mass=1.0)
+        >>> ph.run(scene).plot("energy", "steps").svg.count("</svg>")
+        1
+        """
+        file = None if path is None else Plot.place(path)
+        with Bar(f"{self.name}: plots", "s", None) as bar:
+            plot = Plot(self.name, _polhode.plot(self._recording, list(names), bar.told).encode())
+        if file is not None:
+            plot.save(file)
+        return plot
+
+    def _repr_html_(self) -> str | None:
+        try:
+            return self._page(_apart(self._loaded))._repr_html_()
+        except PolhodeError:
+            # Nothing can be shown: its repr says what there is.
+            return None
 
     def __repr__(self) -> str:
         return f"<polhode.Run {self.name!r}: {self.outcome}, {len(self.t)} samples of {len(self)} bodies>"

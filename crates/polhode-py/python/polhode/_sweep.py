@@ -11,6 +11,7 @@ from . import _toml
 from ._distributions import Distribution
 from ._errors import Interrupted, PolhodeError, SceneError, SweepError, SweepStopped
 from ._measures import OWN, needs_loads, read
+from ._progress import Bar
 from ._record import Record, Row
 from ._run import run as run_one
 from ._scene import _read, load
@@ -40,6 +41,7 @@ def sweep(
     interval: float | None = None,
     set: Mapping[str, Any] | None = None,
     effects: str = "planned",
+    progress: bool | None = None,
 ) -> Table:
     """Runs a scene many times with other values, and measures each run.
 
@@ -60,6 +62,8 @@ def sweep(
     ``save`` is a file, CSV or Parquet (by its ending; by pyarrow), in which finished runs are kept: the same call
     goes on where it was killed. Functions in ``measure`` are known to it by their names: when one of them changes,
     save to another file.
+
+    ``progress`` shows a bar of tqdm; when absent, in notebooks and on terminals where tqdm is installed.
 
     >>> import polhode as ph
     >>> from concurrent.futures import ThreadPoolExecutor
@@ -89,7 +93,8 @@ def sweep(
     work = _Work((how, arguments, changes), tuple(measures.items()), effects, needs_loads(measures))
     columns = ["run", *plan.keys, "outcome", "error", *measures, "reason"]
     record = None if save is None else Record(save, _digest(work, plan), columns, len(measures))
-    return _computed(work, plan, columns, executor, record)
+    with Bar(loaded.name, "runs", progress) as bar:
+        return _computed(work, plan, columns, executor, record, bar)
 
 
 class _Plan:
@@ -167,7 +172,9 @@ class _Work(NamedTuple):
     loads: bool
 
 
-def _computed(work: _Work, plan: _Plan, columns: list[str], executor: Any, record: Record | None) -> Table:
+def _computed(
+    work: _Work, plan: _Plan, columns: list[str], executor: Any, record: Record | None, bar: Bar
+) -> Table:
     from ._workers import TRIES, Workers
 
     rows: dict[int, Row] = {} if record is None else record.rows
@@ -193,6 +200,8 @@ def _computed(work: _Work, plan: _Plan, columns: list[str], executor: Any, recor
             rows[run] = row
         else:
             record.append(row, _cells(row, plan))
+        if bar.told is not None:
+            bar.told(len(rows), plan.runs)
 
     missing = [run for run in range(plan.runs) if run not in rows]
     try:
@@ -229,7 +238,7 @@ def compute(packed: bytes, run: int, changes: list[tuple[str, str, str]]) -> tup
     nothing = (float("nan"),) * len(work.measures)
     how, arguments, before = work.source
     try:
-        done = run_one(_read(how, arguments, [*before, *changes]), effects=work.effects, joints=work.loads)
+        done = run_one(_read(how, arguments, [*before, *changes]), effects=work.effects, joints=work.loads, frames=False, progress=False)
     except Exception as error:
         return run, "failed", float("nan"), nothing, _reason(error)
     estimated = float("nan") if done.error is None else done.error

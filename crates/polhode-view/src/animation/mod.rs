@@ -14,5 +14,5 @@ pub mod webp;
 
 pub use apng::write_apng;
 pub use gif::write_gif;
-pub use pace::{Pace, Watcher};
+pub use pace::{FPS, Pace, Watcher};
 pub use webp::write_webp;

@@ -9,6 +9,8 @@ use polhode::Flow;
 use polhode::spatial::DVec3;
 use std::fmt;
 
+/// Frames a second of a moving picture when no others are asked for.
+pub const FPS: f64 = 25.0;
 /// Milliseconds that the last frame is shown before the picture begins anew.
 const LAST_MS: u32 = 1000;
 /// Milliseconds that a frame is shown at the least: browsers show shorter ones slowly.

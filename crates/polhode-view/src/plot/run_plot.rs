@@ -32,4 +32,20 @@ impl RunPlot {
     /// All of joints, which are drawn after those.
     pub const OF_JOINTS: [Self; 5] =
         [Self::JointCoordinates, Self::JointRates, Self::JointForces, Self::JointMoments, Self::JointPowers];
+
+    /// The name by which users ask for it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Energy => "energy",
+            Self::Ledger => "ledger",
+            Self::Penetration => "penetration",
+            Self::Contacts => "contacts",
+            Self::Steps => "steps",
+            Self::JointCoordinates => "joint-coordinates",
+            Self::JointRates => "joint-rates",
+            Self::JointForces => "joint-forces",
+            Self::JointMoments => "joint-moments",
+            Self::JointPowers => "joint-powers",
+        }
+    }
 }

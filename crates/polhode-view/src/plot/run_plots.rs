@@ -84,6 +84,14 @@ impl RunPlots {
         Self { joints: JointTraces::new(names), ..self }
     }
 
+    /// The same with these alone, of those that were asked for.
+    #[must_use]
+    pub fn only(&self, asked: &[RunPlot]) -> Self {
+        let mut fewer = self.clone();
+        fewer.asked.retain(|plot| asked.contains(plot));
+        fewer
+    }
+
     /// The figure as SVG; `subtitle` says by which methods, `stopped` why a run ended before its time.
     pub fn svg(&self, subtitle: &str, stopped: Option<&str>) -> String {
         let stop = stopped.map(|reason| Stop { t_s: self.reached_s.unwrap_or_default(), reason: reason.to_owned() });

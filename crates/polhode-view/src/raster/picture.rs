@@ -33,6 +33,11 @@ pub struct PictureSize {
 }
 
 impl PictureSize {
+    /// Of a still when nothing else is asked for.
+    pub const STILL: Self = Self { width: 1280, height: 720 };
+    /// Of a moving picture when nothing else is asked for.
+    pub const MOVING: Self = Self { width: 640, height: 360 };
+
     /// Pixels across and down.
     ///
     /// # Errors
