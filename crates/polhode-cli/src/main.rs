@@ -76,7 +76,6 @@ mod scene;
 mod stdout;
 mod terminal;
 mod text;
-mod threads;
 mod verbosity;
 mod view;
 mod viewpoint;

@@ -6,6 +6,8 @@ use crate::progress::Progress;
 use crate::{scene, stdout, text};
 use polhode::{Effects, Simulation, Stability};
 use polhode_scene::{LoadedScene, plan_with_accelerations_json, stability_json};
+use polhode_study::Threads;
+use std::sync::Arc;
 
 /// Derives and prints the plan and the accelerations at t = 0.
 pub(crate) fn plan(args: &PlanArgs) -> Result<(), Failure> {
@@ -38,6 +40,9 @@ fn stability(args: &PlanArgs, loaded: &LoadedScene) -> Result<Option<Stability>,
         return Ok(None);
     }
     let simulation = Simulation::with_effects(&loaded.scene, Effects::All);
-    let stability = simulation.and_then(|simulation| simulation.stability());
+    let stability = simulation.and_then(|mut simulation| {
+        simulation.set_executor(Arc::new(Threads::of_machine()));
+        simulation.stability()
+    });
     stability.map(Some).map_err(|error| scene::failed(loaded, error))
 }

@@ -7,8 +7,9 @@ use crate::loaded::Loaded;
 use crate::recording::{EventColumns, event_columns};
 use crate::views::{BodyState, Contact, Coordinate, Energy, JointLoad, Momentum, StepOutcome};
 use polhode::scene::{Joint, JointKind};
-use polhode::{BodyId, BodySample, Effects, Event, Flow, JointId, Observer, SimulationError, Steering};
+use polhode::{BodyId, BodySample, Effects, Event, Flow, JointId, Observer, OneThread, SimulationError, Steering};
 use polhode_scene::{LoadedScene, certificate_json, scene_report_json};
+use polhode_study::Threads;
 use pyo3::exceptions::{PyRuntimeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -332,7 +333,12 @@ impl Simulation {
 
     /// How far the bodies at rest are from moving, as JSON.
     fn stability_json(&self, py: Python<'_>) -> PyResult<String> {
-        let stability = self.using(py, |held| held.simulation.stability())?;
+        let stability = self.using(py, |held| {
+            held.simulation.set_executor(Arc::new(Threads::of_machine()));
+            let stability = held.simulation.stability();
+            held.simulation.set_executor(Arc::new(OneThread));
+            stability
+        })?;
         Ok(polhode_scene::stability_json(&self.loaded.scene, &stability).to_string())
     }
 

@@ -177,7 +177,7 @@ def test_a_killed_sweep_goes_on_where_it_was(threads, tmp_path, signal_number):
 
     class Counting(ThreadPoolExecutor):
         def submit(self, *call):
-            begun.append(call[2])
+            begun.extend(run for run, _ in call[2])
             return super().submit(*call)
 
     with Counting(2) as pool:

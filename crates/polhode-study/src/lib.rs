@@ -18,6 +18,7 @@
 //! | [`difference`] | how far a run is from the reference |
 //! | [`law`] | the law of contact of a method, which is no part of its error |
 //! | [`timing`] | what a run costs |
+//! | [`threads`] | threads for what a simulation computes side by side |
 //! | `front` | the Pareto front, and the cheapest that reaches a target |
 //! | `runs` | all runs of a study |
 //! | [`study`] | all of it together |
@@ -35,6 +36,7 @@ pub mod options;
 pub mod reference;
 pub mod source;
 pub mod study;
+pub mod threads;
 pub mod timing;
 
 mod front;
@@ -47,6 +49,7 @@ pub use options::{Counting, Options};
 pub use runs::Solver;
 pub use source::Source;
 pub use study::Study;
+pub use threads::Threads;
 
 // The program in the README is compiled and run as a test.
 #[cfg(doctest)]

@@ -198,8 +198,8 @@ impl Simulation {
         self.ended
     }
 
-    /// Lets `executor` compute what does not depend on each other: in tier `stepped` the islands of a step. The motion has the
-    /// same bits for every executor. At first it is the thread of the caller ([`OneThread`]).
+    /// Lets `executor` compute what does not depend on each other: in tier `stepped` the islands of a step, and the margins of
+    /// [`Simulation::stability`]. Both have the same bits for every executor. At first it is the thread of the caller ([`OneThread`]).
     pub fn set_executor(&mut self, executor: Arc<dyn Executor>) {
         self.core.executor = executor;
     }

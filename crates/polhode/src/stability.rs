@@ -19,6 +19,7 @@ use crate::collision::contact_id::{ContactId, Feature};
 use crate::collision::contact_modes::ContactModes;
 use crate::collision::contact_set::Touch;
 use crate::core::Core;
+use crate::executor::{Executor, Task};
 use crate::frame::ContactView;
 use crate::rows::assembly::Assembly;
 use crate::rows::frictional_contact::Frictional;
@@ -210,6 +211,28 @@ fn directions(core: &Core) -> impl Iterator<Item = DVec3> + use<> {
     axes.into_iter().flat_map(of)
 }
 
+/// How far a structure is from moving, each found by programmes of its own.
+struct Limits {
+    friction: Option<Limit>,
+    /// Of the loads, in their order.
+    loads: Vec<Option<Limit>>,
+}
+
+impl Limits {
+    /// Of the friction of a structure, and of these loads.
+    fn found(structure: &Structure<'_>, loads: &[Vec<f64>], executor: &dyn Executor) -> Result<Self, ResponseError> {
+        let mut friction = Ok(None);
+        let mut limits: Vec<Result<Option<Limit>, ResponseError>> = loads.iter().map(|_| Ok(None)).collect();
+        // The first takes longest.
+        let mut tasks: Vec<Task<'_>> = vec![Box::new(|| friction = structure.friction_limit())];
+        for (limit, live) in limits.iter_mut().zip(loads) {
+            tasks.push(Box::new(|| *limit = structure.load_limit(live)));
+        }
+        executor.run(tasks);
+        Ok(Self { friction: friction?, loads: limits.into_iter().collect::<Result<_, _>>()? })
+    }
+}
+
 /// Bodies at rest that hold each other.
 struct Group<'a> {
     core: &'a Core,
@@ -236,7 +259,10 @@ impl Group<'_> {
         stability.contacts += self.touches.len();
         // Where the analysis finds no forces and the run has some the bodies stand by rounding, at the very limit.
         let is_certified = is_balanced(&assembly, &free, &near)?;
-        let friction = structure.friction_limit()?;
+        let lives: Vec<Vec<f64>> = (stability.pushes.iter())
+            .map(|push| assembly.uniform_accelerations(push.direction * world.gravity().length()))
+            .collect();
+        let Limits { friction, loads } = Limits::found(&structure, &lives, self.core.executor.as_ref())?;
         let needed = match friction.as_ref().map(|limit| limit.factor) {
             Some(needed) if needed <= 1.0 => Some(needed),
             _ if is_certified => Some(1.0),
@@ -247,9 +273,7 @@ impl Group<'_> {
             let begins = friction.map_or_else(Vec::new, |limit| self.begins(&assembly, &limit));
             stability.friction = FrictionMargin { needed, begins };
         }
-        for push in &mut stability.pushes {
-            let live = assembly.uniform_accelerations(push.direction * world.gravity().length());
-            let limit = structure.load_limit(&live)?;
+        for (push, limit) in stability.pushes.iter_mut().zip(loads) {
             // What cannot stand bears no push, though one might hold it; a push against which everything is wedged has no limit.
             let factor = limit.as_ref().map_or(0.0, |limit| limit.factor.max(0.0));
             let of_weight = stands.then_some(factor);

@@ -186,10 +186,12 @@ def _computed(
         )
     packed = _packed(work)
 
-    def call(run: int) -> tuple[Any, ...]:
+    def changes(run: int) -> list[tuple[str, str, str]]:
         values = zip(plan.keys, plan.values(run))
-        changes = [("set=", _toml.path(key), _toml.value(_toml.plain(value, key))) for key, value in values]
-        return compute, packed, run, changes
+        return [("set=", _toml.path(key), _toml.value(_toml.plain(value, key))) for key, value in values]
+
+    def call(runs: list[int]) -> tuple[Any, ...]:
+        return compute, packed, [(run, changes(run)) for run in runs]
 
     def take(run: int, result: tuple[Any, ...] | None) -> None:
         lost = Row(
@@ -232,13 +234,23 @@ def _table(rows: Mapping[int, Row], plan: _Plan, columns: list[str]) -> Table:
     return Table({name: [row[number] for row in cells] for number, name in enumerate(columns)})
 
 
-def compute(packed: bytes, run: int, changes: list[tuple[str, str, str]]) -> tuple[Any, ...]:
-    """What a worker does: one run, of which it tells run, outcome, error, what was measured, and reason."""
+def compute(packed: bytes, runs: list[tuple[int, list[tuple[str, str, str]]]]) -> tuple[float, list[tuple[Any, ...]]]:
+    """What a worker does: some runs, of which it tells how long they took, s, and the row of each."""
+    from time import monotonic
+
+    begun = monotonic()
     work = _unpacked(packed)
+    rows = [_row(work, run, changes) for run, changes in runs]
+    return monotonic() - begun, rows
+
+
+def _row(work: _Work, run: int, changes: list[tuple[str, str, str]]) -> tuple[Any, ...]:
+    """A run, of which it tells run, outcome, error, what was measured, and reason."""
     nothing = (float("nan"),) * len(work.measures)
     how, arguments, before = work.source
     try:
-        done = run_one(_read(how, arguments, [*before, *changes]), effects=work.effects, joints=work.loads, frames=False, progress=False)
+        loaded = _read(how, arguments, [*before, *changes])
+        done = run_one(loaded, effects=work.effects, joints=work.loads, frames=False, progress=False)
     except Exception as error:
         return run, "failed", float("nan"), nothing, _reason(error)
     estimated = float("nan") if done.error is None else done.error

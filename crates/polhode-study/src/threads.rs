@@ -1,4 +1,4 @@
-//! Threads that compute the islands of a step.
+//! Threads for what a simulation computes side by side: the islands of a step, the margins of what stands.
 
 use polhode::{Executor, Task};
 use std::num::NonZeroUsize;
@@ -7,7 +7,14 @@ use std::sync::{Mutex, PoisonError};
 /// A number of threads, that of the caller among them. The others last as long as the tasks of one list; where the system gives
 /// none, the thread of the caller runs them all.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Threads(pub(crate) NonZeroUsize);
+pub struct Threads(pub NonZeroUsize);
+
+impl Threads {
+    /// As many as this machine runs at once.
+    pub fn of_machine() -> Self {
+        Self(std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN))
+    }
+}
 
 impl Executor for Threads {
     fn width(&self) -> NonZeroUsize {
