@@ -1,6 +1,6 @@
-"""Figures of the package on this machine: `python figures.py [NAME ...]` with the wheel installed, on a machine that does nothing else.
+"""Figures of the package on this machine: `python figures.py [NAME ...]` with the wheel installed.
 
-They are no tests: times of one machine. `views` needs 11 GB of memory, `dask` the package distributed.
+They are no tests, but times of one machine, which should do nothing else. `views` needs 11 GB of memory, `dask` the package distributed.
 """
 
 import subprocess
@@ -74,7 +74,8 @@ def die():
     scene = ph.Scene(duration=3.0, interval=3.0)
     scene.fixed(ph.HalfSpace(), friction=0.4)
     still = {"rotation_vector": (0, 0, 0), "velocity": (0, 0, 0), "angular_velocity": (0, 0, 0)}
-    scene.add(ph.Box(0.016, 0.016, 0.016), name="die", mass=0.005, at=(0, 0, 0.15), friction=0.4, restitution=0.4, **still)
+    die = ph.Box(0.016, 0.016, 0.016)
+    scene.add(die, name="die", mass=0.005, at=(0, 0, 0.15), friction=0.4, restitution=0.4, **still)
     return scene
 
 
@@ -133,8 +134,7 @@ def dask():
     from distributed import Client, LocalCluster
 
     def client(workers):
-        cluster = LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None)
-        return Client(cluster)
+        return Client(LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None))
 
     sweep(client, "Dask")
 

@@ -1,8 +1,8 @@
 """Runs on the workers of an executor: those that a lost worker had are submitted again.
 
-Runs that take less than a quarter of a second are handed over several at a time, since handing over costs an executor some
-milliseconds: as many as take a quarter of a second, by the runs that are finished, and fewer towards the end of a sweep, so
-that no worker is idle. A run that is tried again is handed over alone.
+Runs that take less than a quarter of a second are handed over several at a time, since handing over costs an executor
+some milliseconds: as many as take a quarter of a second, by the runs that are finished, and fewer towards the end of a
+sweep, so that no worker is idle. A run that is tried again is handed over alone.
 """
 
 from __future__ import annotations
