@@ -1,6 +1,7 @@
 """Figures of the package on this machine: `python figures.py [NAME ...]` with the wheel installed.
 
-They are no tests, but times of one machine, which should do nothing else. `views` needs 11 GB of memory, `dask` the package distributed.
+They are no tests, but times of one machine, which should do nothing else. `views` needs 11 GB of memory, `dask` the
+package distributed.
 """
 
 import subprocess
@@ -121,7 +122,8 @@ def sweep(make, name):
             ph.sweep(scene, vary=small, runs=200, measure=["box-5.position[2]@end"], executor=executor, seed=1)
             took.append(time.perf_counter() - begun)
     each = 1e3 * took[0] / 200
-    printed(f"200 runs of {each:.0f} ms by {name}: two workers to one", ">= 1.7", f"{took[0] / took[1]:.2f} times as fast")
+    what = f"200 runs of {each:.0f} ms by {name}: two workers to one"
+    printed(what, ">= 1.7", f"{took[0] / took[1]:.2f} times as fast")
 
 
 def processes():

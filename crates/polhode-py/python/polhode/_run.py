@@ -333,8 +333,8 @@ class Run(Mapping[str, Track]):
 
     @property
     def error(self) -> float | None:
-        """Error of the run: as :class:`polhode.Accuracy` has it where an accuracy was asked for; else estimated, relative
-        to the size of a body, and none where the method has no estimate."""
+        """Error of the run: as :class:`polhode.Accuracy` has it where an accuracy was asked for; else estimated,
+        relative to the size of a body, and none where the method has no estimate."""
         if self.accuracy is not None:
             return self.accuracy.error
         error = self.certificate.get("estimated_error")
