@@ -24,8 +24,8 @@ _WAITING = 4
 _WAITING_UNKNOWN = 1000
 #: What the runs take together that are handed over as one task, about, s: far more than to hand them over.
 _TASK = 0.25
-#: Tasks, at the least, that what is left of a sweep is handed over in.
-_LEFT = 8
+#: Tasks for each worker, at the least, that what is left of a sweep is handed over in.
+_LEFT = 2
 _GUARD = (
     'a script that sweeps on processes needs `if __name__ == "__main__":` before what it does; else see what the '
     "workers printed, or use executor=concurrent.futures.ThreadPoolExecutor()"
@@ -56,9 +56,12 @@ class Workers:
                 "give an executor of concurrent.futures, a dask Client, or a number of processes",
             )
         workers = getattr(self._executor, "_max_workers", None)
+        now = max(_workers_now(executor), 1) if workers is None else workers
         self._most = _WAITING_UNKNOWN if workers is None else _WAITING * workers
         #: Tasks that wait before a run is finished: how long one takes is not known then.
-        self._first = min(self._most, _WAITING * max(_workers_now(executor), 1)) if workers is None else self._most
+        self._first = _WAITING * now
+        #: Tasks that what is left of the sweep is handed over in.
+        self._left = _LEFT * max(now, 2)
         #: Runs that are finished, and what they took together, s.
         self._finished, self._took = 0, 0.0
 
@@ -102,7 +105,7 @@ class Workers:
         """The next runs that are handed over as one task."""
         count = 1
         if self._finished:
-            count = int(min(_TASK * self._finished / max(self._took, 1e-9), -(-len(waiting) // _LEFT)))
+            count = int(min(_TASK * self._finished / max(self._took, 1e-9), -(-len(waiting) // self._left)))
         return [waiting.popleft() for _ in range(max(count, 1))]
 
     def _result(self, future: Future[Any], together: list[int], take: Callable[[int, Any], None]) -> bool:
