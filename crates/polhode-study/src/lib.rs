@@ -14,7 +14,7 @@
 //! | [`options`] | what is asked of a study |
 //! | [`host`] | what the program that asks does for a study |
 //! | [`source`] | the scene, loaded with changes and run |
-//! | [`reference`] | the exact or the finest solution, and how well it is known |
+//! | [`mod@reference`] | the exact or the finest solution, and how well it is known |
 //! | [`difference`] | how far a run is from the reference |
 //! | [`law`] | the law of contact of a method, which is no part of its error |
 //! | [`timing`] | what a run costs |

@@ -118,14 +118,14 @@ pub(super) struct HeldForces {
 }
 
 /// The contacts with friction among active contacts.
-pub(super) fn friction_contacts(
-    world: &World,
-    states: &[BodyState],
-    contacts: &[(ContactId, ContactKinematics)],
-    active: &ActiveContacts,
-) -> Vec<FrictionContact> {
+pub(super) fn friction_contacts<'a>(
+    world: &'a World,
+    states: &'a [BodyState],
+    contacts: &'a [(ContactId, ContactKinematics)],
+    active: &'a ActiveContacts,
+) -> impl Iterator<Item = FrictionContact> + 'a {
     let resist = active.resist_rotation();
-    let friction = |(contact, (id, kinematics)): (usize, &(ContactId, ContactKinematics))| {
+    let friction = move |(contact, (id, kinematics)): (usize, &(ContactId, ContactKinematics))| {
         let ContactModes { friction, rotation: modes } = active.modes(*id);
         let mode = friction?;
         let terms = world.tangential_kinematics(states, *id)?;
@@ -155,7 +155,7 @@ pub(super) fn friction_contacts(
         let id = *id;
         Some(FrictionContact { contact, id, geometry, terms, slip, sliding, at_rest, rotation, turning_length, turns })
     };
-    contacts.iter().enumerate().filter_map(friction).collect()
+    contacts.iter().enumerate().filter_map(friction)
 }
 
 /// The forces of `contacts`, of which some have `friction`, and of the bilateral constraints of `bodies` (movable, ascending) at

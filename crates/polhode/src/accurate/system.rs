@@ -312,7 +312,8 @@ impl System for ContactSystem<'_> {
             share_normals(self.world, &mut self.contacts);
         }
         if self.active.rub() {
-            self.friction = held_forces::friction_contacts(world, states, &self.contacts, self.active);
+            self.friction.clear();
+            self.friction.extend(held_forces::friction_contacts(world, states, &self.contacts, self.active));
         }
         let loads = self.world.loads_on(t, self.states, self.bodies);
         let held = self.held_forces(t, &loads)?;
