@@ -162,7 +162,7 @@ class Workers:
         )
         self._is_own = True
 
-    def _stop(self, running: dict[Future[Any], int]) -> None:
+    def _stop(self, running: Iterable[Future[Any]]) -> None:
         for future in running:
             future.cancel()
         if self._is_own:
