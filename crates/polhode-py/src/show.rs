@@ -187,6 +187,18 @@ pub(crate) struct Asked<'py> {
 }
 
 impl Asked<'_> {
+    /// Size and point of view of a picture of a recording.
+    fn of(
+        py: Python<'_>,
+        asked: &Bound<'_, PyAny>,
+        recording: &Recording,
+        usual: PictureSize,
+    ) -> PyResult<(PictureSize, Viewpoint)> {
+        let asked: Asked<'_> = asked.extract()?;
+        let size = asked.size(usual)?.map_err(|error| errors::view(py, &recording.source.scene, &error))?;
+        Ok((size, asked.viewpoint(py)?))
+    }
+
     fn size(&self, usual: PictureSize) -> PyResult<Result<PictureSize, ViewError>> {
         let Some(size) = &self.size else { return Ok(Ok(usual)) };
         let (width, height) = size.extract().map_err(|_| {
@@ -241,8 +253,7 @@ pub(crate) fn still<'py>(
 ) -> PyResult<Bound<'py, PyBytes>> {
     let source = &recording.source;
     let refused = |error: ViewError| errors::view(py, &source.scene, &error);
-    let asked: Asked<'py> = asked.extract()?;
-    let (size, viewpoint) = (asked.size(PictureSize::STILL)?.map_err(refused)?, asked.viewpoint(py)?);
+    let (size, viewpoint) = Asked::of(py, asked, recording, PictureSize::STILL)?;
     let shown = recording.read(py, |times, states| {
         let (first, last) = times.first().zip(times.last()).ok_or_else(|| no_samples(py, recording))?;
         let t = t.unwrap_or(*last);
@@ -280,8 +291,7 @@ pub(crate) fn gif<'py>(
 ) -> PyResult<Bound<'py, PyBytes>> {
     let source = &recording.source;
     let refused = |error: ViewError| errors::view(py, &source.scene, &error);
-    let asked: Asked<'py> = asked.extract()?;
-    let (size, viewpoint) = (asked.size(PictureSize::MOVING)?.map_err(refused)?, asked.viewpoint(py)?);
+    let (size, viewpoint) = Asked::of(py, asked, recording, PictureSize::MOVING)?;
     let fps = fps.unwrap_or(FPS);
     if !(fps.is_finite() && fps > 0.0) {
         let said = format!("fps={fps}: a positive number of frames a second is needed");

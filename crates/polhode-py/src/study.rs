@@ -7,7 +7,7 @@ use polhode::{Effects, Flow};
 use polhode_scene::Override;
 use polhode_study::ladder::Range;
 use polhode_study::timing::Effort;
-use polhode_study::{Axis, Counting, Host, Options, Source, Study, StudyError, json};
+use polhode_study::{Axis, Host, Options, Source, Study, StudyError, json};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
 use std::cell::Cell;
@@ -86,14 +86,7 @@ fn options(accuracy: Option<f64>, budget_s: Option<f64>) -> Options {
     let budget_s = budget_s.unwrap_or(search.budget_s);
     match accuracy {
         Some(_) => Options { budget_s, ..search },
-        None => Options {
-            target: None,
-            range: Range::MethodsAndLaws,
-            effort: ROUNDS,
-            counting: Counting::Time,
-            budget_s,
-            ..search
-        },
+        None => Options { target: None, range: Range::MethodsAndLaws, effort: ROUNDS, budget_s, ..search },
     }
 }
 

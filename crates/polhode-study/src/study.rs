@@ -132,7 +132,7 @@ impl Study {
         front::cheapest(&points, target).and_then(|number| self.entries.get(number))
     }
 
-    /// The same, or why there is none.
+    /// The cheapest candidate that reaches `target`, or why there is none.
     ///
     /// # Errors
     /// [`StudyError::NotReached`], with the most accurate candidate.
