@@ -1,8 +1,8 @@
 //! Errors of a simulation: why it cannot be made, cannot continue, or refuses what a program asks for.
 
-use crate::action_error::ActionError;
-use crate::few_digits::length;
+use crate::run::action_error::ActionError;
 use crate::scene::SceneError;
+use crate::scene::few_digits::length;
 use crate::snapshot::SnapshotError;
 use polhode_contact::{BroadPhaseError, ImpactError};
 use polhode_dynamics::integrator::IntegrationError;
@@ -36,8 +36,8 @@ pub enum SimulationError {
     },
     /// The total energy exceeds the largest number.
     #[error(
-        "the total energy is not a finite number at t = {t_s} s: masses, speeds, forces or coordinates of the scene are \
-         too large; check their units"
+        "the total energy is not a finite number at t = {t_s} s: masses, speeds, forces or coordinates of the scene \
+         are too large; check their units"
     )]
     EnergyOverflow {
         /// When, s.
@@ -45,8 +45,8 @@ pub enum SimulationError {
     },
     /// One step holds more events than `method.max_events_per_step` allows.
     #[error(
-        "more than {limit} events within one step at t = {t_s} s: raise method.max_events_per_step, shorten method.step, \
-         or give the materials a restitution below 1"
+        "more than {limit} events within one step at t = {t_s} s: raise method.max_events_per_step, shorten \
+         method.step, or give the materials a restitution below 1"
     )]
     TooManyEvents {
         /// The limit.
@@ -78,9 +78,9 @@ pub enum SimulationError {
     },
     /// A fixed step is too long for a spring at a contact.
     #[error(
-        "method.step = {step_s:e} s is too long for the springs at contacts at t = {t_s} s, whose fastest rate is {rate:e} 1/s: an \
-         explicit step is stable up to {limit_s:e} s; give a shorter step or none, a larger method.penalty.penetration_m, or \
-         method.integrator = \"implicit-midpoint\""
+        "method.step = {step_s:e} s is too long for the springs at contacts at t = {t_s} s, whose fastest rate is \
+         {rate:e} 1/s: an explicit step is stable up to {limit_s:e} s; give a shorter step or none, a larger \
+         method.penalty.penetration_m, or method.integrator = \"implicit-midpoint\""
     )]
     StepTooLong {
         /// When, s.
@@ -94,8 +94,9 @@ pub enum SimulationError {
     },
     /// An implicit step on springs has too many bodies for its matrix.
     #[error(
-        "the implicit step on springs factorises one matrix of all bodies that may meet, at most {limit}, and {bodies} may at t = \
-         {t_s} s: leave out method.integrator, whose steps are under error control, or give \"rk4\" or \"semi-implicit-euler\""
+        "the implicit step on springs factorises one matrix of all bodies that may meet, at most {limit}, and {bodies} \
+         may at t = {t_s} s: leave out method.integrator, whose steps are under error control, or give \"rk4\" or \
+         \"semi-implicit-euler\""
     )]
     ImplicitTooLarge {
         /// When, s.
@@ -107,8 +108,8 @@ pub enum SimulationError {
     },
     /// Gears or prescribed motions of joints ask for what cannot be together.
     #[error(
-        "{what} contradicts other gears, prescribed motions or joints at t = {t_s} s: no motion of the bodies keeps all of them; leave \
-         one of them out, or give it the motion that the others determine"
+        "{what} contradicts other gears, prescribed motions or joints at t = {t_s} s: no motion of the bodies keeps \
+         all of them; leave one of them out, or give it the motion that the others determine"
     )]
     JointsContradict {
         /// When, s.
@@ -138,8 +139,8 @@ pub enum SimulationError {
     /// A force of the scene is infinite or not a number at the position of a body: at the centre of attraction, for
     /// example.
     #[error(
-        "{force} on body {body} is not finite at t = {t_s} s: its formula is singular at the position of the body; move \
-         the body"
+        "{force} on body {body} is not finite at t = {t_s} s: its formula is singular at the position of the body; \
+         move the body"
     )]
     ForceNotFinite {
         /// When, s.
@@ -168,8 +169,8 @@ pub enum SimulationError {
     },
     /// A prescribed motion presses a body into another one that cannot yield.
     #[error(
-        "{body_a} and {body_b} overlap by {} at t = {t_s} s, and no impulse can separate them: a prescribed motion leaves a \
-         body no room; give it room, or end the prescribed motion before",
+        "{body_a} and {body_b} overlap by {} at t = {t_s} s, and no impulse can separate them: a prescribed motion \
+         leaves a body no room; give it room, or end the prescribed motion before",
         length(*overlap_m)
     )]
     NoWayOut {
@@ -231,8 +232,8 @@ pub enum SimulationError {
 fn impact_fault(source: &ImpactError) -> String {
     match source {
         ImpactError::EvaluationLimit { t, separation, limit } => format!(
-            "no result after {limit} evaluations, at t = {t} s with a separation of {separation:e} m: bodies that turn or \
-             move very fast for their size need too many; lower their speeds, or shorten method.step"
+            "no result after {limit} evaluations, at t = {t} s with a separation of {separation:e} m: bodies that turn \
+             or move very fast for their size need too many; lower their speeds, or shorten method.step"
         ),
         other => other.to_string(),
     }

@@ -85,11 +85,11 @@
 //! | stage | what it does | where |
 //! |---|---|---|
 //! | scene | collects bodies, forces and method, and checks them | `scene/builder.rs` |
-//! | settings | completes the method by the defaults of its tier | `settings.rs` |
+//! | settings | completes the method by the defaults of its tier | `scene/settings.rs` |
 //! | world | puts bodies into their moving frames, makes force fields | `world` |
-//! | findings | chooses the integrator; measures whether the motion is planar | `free_method.rs`, `planar.rs` |
-//! | plan | decides which effects are simulated, and says why | `plan.rs` |
-//! | simulation | makes the tier, and lets it advance to a time or to the next event | `simulation.rs`, `tier.rs` |
+//! | findings | chooses the integrator; measures whether the motion is planar | `plan/free_method.rs`, `plan/planar.rs` |
+//! | plan | decides which effects are simulated, and says why | `plan/decisions.rs` |
+//! | simulation | makes the tier, and lets it advance to a time or to the next event | `run/simulation.rs`, `tier/mod.rs` |
 //! | first instant | finds the contacts of the start and decides which are active | `accurate/start.rs` |
 //! | free flight | makes a flight record of each body under gravity alone | `accurate/motions.rs` |
 //! | step | integrates each island under its contact forces, or by the scene's integrator | `accurate/constrained_stepping.rs`, `accurate/free_stepping.rs` |
@@ -97,146 +97,97 @@
 //! | event location | finds the first change of contacts in the step | `accurate/locate.rs` |
 //! | search for impacts | finds pairs whose swept boxes overlap, and their first impacts | `collision/boxes.rs`, `accurate/impact_search.rs` |
 //! | agenda | gives the next end of a step, change of contacts or impact | `accurate/agenda.rs`, `accurate/tier.rs` |
-//! | samples | evaluates the states at the times of output before that | `sampling.rs`, `observer.rs` |
+//! | samples | evaluates the states at the times of output before that | `tier/sampling.rs`, `report/observer.rs` |
 //! | event | ends the islands concerned at that time | `accurate/events.rs` |
 //! | projection | puts active contacts and pivots back in place, positions and velocities | `accurate/projection.rs`, `solve/projection.rs` |
 //! | impact | detects contacts, and strikes those that approach | `accurate/resolve.rs`, `solve/impact.rs` |
 //! | hold | decides which contacts are active, and which bodies rest | `accurate/hold.rs`, `accurate/resolve.rs` |
 //! | crowded events | advances an island by time steps where events follow each other too closely | `accurate/crowding.rs`, `time_stepping` |
 //! | ledger | books energy and momentum of steps, impacts and projections | `accounting/books.rs` |
-//! | certificate | records penetrations and projections against the promise of the tier | `accounting/measures.rs`, `promise.rs` |
-//! | report | puts outcome, plan, ledger, certificate and warnings together | `simulation.rs`, `accounting/mod.rs`, `report.rs` |
+//! | certificate | records penetrations and projections against the promise of the tier | `accounting/measures.rs`, `tier/promise.rs` |
+//! | report | puts outcome, plan, ledger, certificate and warnings together | `run/simulation.rs`, `accounting/mod.rs`, `report/run_report.rs` |
 //!
 //! The tiers `stepped` and `thesis` (`stepped/engine.rs`, `thesis/engine.rs`) share all but the stages in `accurate`.
 //!
 //! # Modules
 //!
-//! | module | holds |
+//! From the bottom to the top: a room imports from those above its line in this table, with few exceptions.
+//!
+//! | room | holds |
 //! |---|---|
-//! | [`mod@scene`] | [`Scene`], [`Body`], [`Geometry`]; materials, forces, prescribed motions, methods |
-//! | [`mod@plan`] | [`Plan`]: the decision about each [`Effect`], with its reason; [`Effects`] |
-//! | `simulation` | [`Simulation`]: steps, runs, queries, snapshots |
-//! | `actions` | what a program does to bodies and joints: [`Simulation::set_motor`], [`Simulation::set_force`], [`Simulation::apply_impulse`], [`Simulation::set_pose`], [`Simulation::add_body`] and others |
-//! | [`mod@executor`] | [`Executor`], [`OneThread`]: who computes islands that do not depend on each other |
-//! | `steering` | [`Simulation::set_motion`]: kinematic bodies that a program steers |
-//! | [`mod@observer`] | [`Observer`], [`Recorder`], [`Unobserved`]: who receives samples and events |
-//! | [`mod@event`] | [`Event`], [`EventKind`] |
-//! | [`mod@frame`] | [`Frame`]: poses, contacts, forces and islands at one time |
-//! | [`mod@body_queries`] | [`BodyQueries`]: nearest body, rays, overlaps, distances |
-//! | [`mod@report`] | [`RunReport`], [`Outcome`], [`Certificate`] |
-//! | [`mod@stability`] | [`Stability`]: how far bodies at rest are from moving |
-//! | [`mod@ledger`], [`mod@momentum_ledger`] | [`Ledger`], [`MomentumLedger`]: energy and momentum, booked by cause |
+//! | [`mod@error`], [`mod@prelude`] | [`SimulationError`]; besides it [`SceneError`], [`ActionError`], [`SnapshotError`]; what most programs name, for one `use` |
+//! | `identity` | what bodies, joints and contacts are called |
+//! | [`mod@report`] | what a run tells: [`RunReport`], [`Ledger`], [`Certificate`], [`Event`], [`Frame`], [`Observer`] |
+//! | [`mod@scene`] | [`Scene`], [`Body`], [`Geometry`]; materials, forces, prescribed motions, methods, and the list of tiers |
 //! | `snapshot` | [`Snapshot`]: a simulation at one time as bytes |
-//! | [`mod@error`] | [`SimulationError`]; besides it [`SceneError`], [`ActionError`], [`SnapshotError`] |
 //! | `world` | bodies in their moving frames, and the forces on them |
-//! | `pivots`, `pivot_form` | bodies held at a point: constraint rows, or rotation alone |
-//! | [`mod@prelude`] | what most programs name, for one `use` |
-//! | `prescribed`, `prescribed_state` | kinematic bodies |
-//! | `planar`, `plane_of_motion` | planar motion |
 //! | `collision` | boxes, narrow phase and contacts of a pair |
-//! | `constraint` | what holds bodies together: identities, the rows and reactions of pivots and joints, and the location of events |
+//! | `constraint` | what holds bodies together: identities, rows and reactions of pivots and joints, location of events |
 //! | `reduced` | trees of joints in the coordinates of the joints |
+//! | [`mod@plan`] | [`Plan`]: the decision about each [`Effect`], with its reason |
 //! | `rows` | rows of contacts and bilateral constraints, by groups of bodies, which the tiers share |
 //! | `solve` | what they are solved for: forces at an instant, impacts, projection |
+//! | `accounting` | books, measures and warnings of a run |
 //! | `time_stepping` | the time step at the level of velocities |
-//! | `accurate`, `stepped`, `micro_collisions`, `thesis` | the tiers, behind the trait of `tier` |
-//! | `few_digits` | lengths as messages say them |
-//! | `accounting`, `promise` | books, measures and warnings of a run; the limits that a tier promises |
+//! | `tier` | the interface of a tier, and what tiers share |
+//! | `accurate`, `stepped`, `fast`, `micro_collisions`, `penalty`, `thesis` | the tiers |
+//! | `run` | [`Simulation`]: steps, runs, queries, actions, snapshots |
 //!
 //! This crate is all that a program needs to name: the crates below it are re-exported as [`contact`], [`dynamics`],
 //! [`mesh`], [`response`] and [`spatial`].
 
-mod acceleration;
-mod accompany;
 mod accounting;
 mod accurate;
-mod action_error;
-mod actions;
-mod body_id;
-pub mod body_queries;
-mod body_sample;
-mod broken_promise;
 mod collision;
-mod companion;
 mod constraint;
-mod core;
-mod effects;
-mod energy;
 pub mod error;
-mod error_estimate;
-pub mod event;
-pub mod executor;
 mod fast;
-mod few_digits;
-mod fixed_steps;
-pub mod frame;
-mod free_method;
-mod free_stage;
-mod joint_id;
-mod joint_sample;
-mod joint_samples;
-pub mod ledger;
+mod identity;
 mod micro_collisions;
-pub mod momentum_ledger;
-pub mod observer;
 mod penalty;
-mod pivot_form;
-mod pivots;
 pub mod plan;
-mod planar;
-mod plane_of_motion;
 pub mod prelude;
-mod prescribed;
-mod prescribed_state;
-mod promise;
 mod reduced;
 pub mod report;
 mod rows;
-mod sample_penetration;
-mod sampling;
+mod run;
 pub mod scene;
-mod settings;
-mod simulation;
-mod singular_force;
-mod smooth_rates;
 mod snapshot;
 mod solve;
-pub mod stability;
-mod start_overlap;
-mod states_of;
-mod steering;
 mod stepped;
 mod thesis;
 mod tier;
 mod time_stepping;
 mod world;
 
-pub use acceleration::Acceleration;
-pub use action_error::ActionError;
-pub use body_id::BodyId;
-pub use body_queries::BodyQueries;
-pub use body_sample::BodySample;
-pub use effects::Effects;
-pub use energy::Energy;
 pub use error::SimulationError;
-pub use event::{Event, EventKind};
-pub use executor::{Executor, OneThread, Task};
-pub use frame::{ContactView, Frame, IslandView, JointView, MotionKind, PivotView};
-pub use joint_id::{CoordinateSample, JointId};
-pub use joint_sample::JointSample;
-pub use ledger::Ledger;
-pub use momentum_ledger::{Momentum, MomentumLedger, MomentumSum};
-pub use observer::{Flow, Observer, Recorder, Unobserved};
-pub use plan::{Decision, Effect, EffectDecision, Plan};
-pub use report::{
+pub use identity::body_id::BodyId;
+pub use identity::joint_id::JointId;
+pub use plan::decisions::{Decision, Effect, EffectDecision, Plan};
+pub use report::acceleration::Acceleration;
+pub use report::body_sample::BodySample;
+pub use report::energy::Energy;
+pub use report::event::{Event, EventKind};
+pub use report::frame::{ContactView, Frame, IslandView, JointView, MotionKind, PivotView};
+pub use report::joint_sample::{CoordinateSample, JointSample};
+pub use report::ledger::Ledger;
+pub use report::momentum_ledger::{Momentum, MomentumLedger, MomentumSum};
+pub use report::observer::{Flow, Observer, Recorder, Unobserved};
+pub use report::run_report::{
     BrokenPromise, Certificate, CrowdedStretch, CrowdingError, Occurrence, Outcome, PairAt, PlanChange, ReportedBody,
-    RunReport, SpringImpact, SpringReport,
+    RunReport,
 };
+pub use report::springs::{SpringImpact, SpringReport};
+pub use run::action_error::ActionError;
+pub use run::simulation::{Simulation, StepEnd, StepOutcome};
+pub use run::stability;
+pub use run::stability::Stability;
+pub use run::steering::Steering;
+pub use scene::effects::Effects;
 pub use scene::{ApproximateParts, Body, Geometry, Scene, SceneBuilder, SceneError};
-pub use simulation::{Simulation, StepEnd, StepOutcome};
 pub use snapshot::{Snapshot, SnapshotError};
-pub use stability::Stability;
-pub use steering::Steering;
+pub use tier::executor::{Executor, OneThread, Task};
+pub use world::body_queries::BodyQueries;
 
 pub use polhode_contact as contact;
 pub use polhode_dynamics as dynamics;

@@ -16,9 +16,16 @@
 //! ```
 
 pub use crate::contact::Shape;
+pub use crate::error::SimulationError;
+pub use crate::identity::body_id::BodyId;
+pub use crate::identity::joint_id::JointId;
+pub use crate::report::body_sample::BodySample;
+pub use crate::report::event::{Event, EventKind};
+pub use crate::report::observer::{Observer, Recorder, Unobserved};
+pub use crate::report::run_report::{Outcome, RunReport};
+pub use crate::run::simulation::Simulation;
+pub use crate::run::steering::Steering;
+pub use crate::scene::effects::Effects;
+pub use crate::scene::{Body, Geometry, Scene, SceneBuilder};
 pub use crate::scene::{Coordinate, Joint, JointKind, Material, Method, PrescribedMotion, Tier};
 pub use crate::spatial::{DVec3, Density, Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
-pub use crate::{
-    Body, BodyId, BodySample, Effects, Event, EventKind, Geometry, JointId, Observer, Outcome, Recorder, RunReport,
-    Scene, SceneBuilder, Simulation, SimulationError, Steering, Unobserved,
-};

@@ -49,7 +49,7 @@ mod tests {
         let source = |path: &str, text: &str| RustSource::new(path, text);
         let list = source(KINDS, "pub enum JointKind { Ball }\n");
         let home = source("crates/polhode/src/constraint/joint.rs", "match kind { JointKind::Ball => 3 }\n");
-        let elsewhere = source("crates/polhode/src/plan.rs", "if kind == JointKind::Ball {}\n");
+        let elsewhere = source("crates/polhode/src/plan/decisions.rs", "if kind == JointKind::Ball {}\n");
         assert_eq!(check(&[list, home]).len(), 0);
         assert_eq!(check(&[source(KINDS, ""), elsewhere]).len(), 1);
         assert_eq!(check(&[]).len(), 1);

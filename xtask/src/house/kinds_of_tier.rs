@@ -10,11 +10,13 @@ use super::violation::Violation;
 const CRATES: [&str; 5] = ["polhode", "polhode-scene", "polhode-study", "polhode-view", "polhode-cli"];
 
 /// The file that lists the tiers, as variants of the enumeration `Tier`.
-const LIST: &str = "crates/polhode/src/tier/list.rs";
+const LIST: &str = "crates/polhode/src/scene/tiers.rs";
 
-/// Where a tier may be named: the list with the engines beside it, and each tier's own folder.
-const HOMES: [&str; 7] = [
-    "crates/polhode/src/tier/",
+/// Where a tier may be named: the list, the choice among them, their engines, and each tier's own folder.
+const HOMES: [&str; 9] = [
+    LIST,
+    "crates/polhode/src/tier/choice.rs",
+    "crates/polhode/src/run/engines.rs",
     "crates/polhode/src/accurate/",
     "crates/polhode/src/stepped/",
     "crates/polhode/src/fast/",
@@ -65,7 +67,8 @@ mod tests {
         let source = |path: &str, text: &str| RustSource::new(path, text);
         let list = || source(LIST, "pub enum Tier { Thesis }\n");
         let home = source("crates/polhode/src/thesis/engine.rs", "content::Tier::Thesis(saved)\n");
-        let reader = source("crates/polhode/src/plan.rs", "let tier = Tier::ALL[0].facts(); Tier::default();\n");
+        let reader =
+            source("crates/polhode/src/plan/decisions.rs", "let tier = Tier::ALL[0].facts(); Tier::default();\n");
         assert_eq!(check(&[list(), home, reader]).len(), 0);
         for line in ["if tier == Tier::Thesis {}\n", "match name { TierName::Thesis => 3 }\n"] {
             assert_eq!(check(&[list(), source("crates/polhode-scene/src/names.rs", line)]).len(), 1, "{line}");

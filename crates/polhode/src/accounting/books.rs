@@ -1,7 +1,9 @@
 //! The books of a run: every change of energy and momentum is entered into the ledger where it happens.
 
+use crate::report::energy::Energy;
+use crate::report::ledger::Ledger;
+use crate::report::momentum_ledger::Momentum;
 use crate::world::World;
-use crate::{Energy, Ledger, Momentum};
 use polhode_dynamics::field::Account;
 use polhode_dynamics::momentum::{angular_momentum_about, linear_momentum};
 use polhode_dynamics::{BodyState, RigidBody};
@@ -74,8 +76,8 @@ pub(crate) struct SoftStep {
 #[derive(Debug, Clone)]
 pub(crate) struct Books {
     pub(crate) ledger: Ledger,
-    /// Potential energy at the start of the run, J, zero at the world's origin. The reported energy of the start contains
-    /// it, the ledger does not.
+    /// Potential energy at the start of the run, J, zero at the world's origin. The reported energy of the start
+    /// contains it, the ledger does not.
     pub(super) initial_potential_j: f64,
 }
 
@@ -235,12 +237,13 @@ impl Books {
         Balance { energy_j: kinetic + potential, momentum }
     }
 
-    /// Books an impact: the change of energy (J) by its impulses along normals in relative velocities, the energy lost to
-    /// friction (J), the impulses that fixed and kinematic bodies gave, and the work of prescribed motions (J) by them.
+    /// Books an impact: the change of energy (J) by its impulses along normals in relative velocities, the energy lost
+    /// to friction (J), the impulses that fixed and kinematic bodies gave, and the work of prescribed motions (J) by
+    /// them.
     ///
-    /// Friction gives no energy. Contacts that share an impact are booked along the straight way from the velocities before
-    /// to those afterwards, on which the impulse of a slip that reverses may seem to: what it seems to give belongs to the
-    /// normal impulses that reversed the slip.
+    /// Friction gives no energy. Contacts that share an impact are booked along the straight way from the velocities
+    /// before to those afterwards, on which the impulse of a slip that reverses may seem to: what it seems to give
+    /// belongs to the normal impulses that reversed the slip.
     pub(crate) fn impact(&mut self, (energy_change_j, friction_j): (f64, f64), support: Momentum, work_j: f64) {
         let taken_j = friction_j.max(0.0);
         self.ledger.impact.add(-energy_change_j - (taken_j - friction_j));
@@ -277,7 +280,7 @@ impl Books {
         bodies: impl Iterator<Item = usize>,
     ) -> Momentum {
         let about = self.ledger.momentum.about;
-        let mut sum = crate::MomentumSum::default();
+        let mut sum = crate::report::momentum_ledger::MomentumSum::default();
         bodies.for_each(|body| sum.add(gravity_at(world, states, body, about, 1.0)));
         sum.value()
     }
@@ -331,7 +334,7 @@ struct Totals {
     /// Relative to that at the start, J.
     potential: CompensatedSum,
     /// Angular part about the point.
-    momentum: crate::MomentumSum,
+    momentum: crate::report::momentum_ledger::MomentumSum,
     /// Magnitudes of linear (N s) and angular momentum (N m s) of all bodies added up.
     linear: f64,
     angular: f64,
@@ -381,7 +384,7 @@ pub(crate) fn gravity_at(world: &World, states: &[BodyState], body: usize, about
 
 /// Rates at which force fields act on some bodies: momentum (N, N m), dissipation by drag and external work (W).
 pub(crate) fn given_by_fields(world: &World, t: f64, states: &[BodyState], bodies: &[usize], about: DVec3) -> Received {
-    let mut sum = crate::MomentumSum::default();
+    let mut sum = crate::report::momentum_ledger::MomentumSum::default();
     let mut received = Received::default();
     for account in [Account::Potential, Account::Damping, Account::External] {
         if !world.has_fields_of(account) {
@@ -425,7 +428,7 @@ pub(crate) fn momentum_of(
     bodies: impl Iterator<Item = usize>,
     about: DVec3,
 ) -> Momentum {
-    let mut sum = crate::MomentumSum::default();
+    let mut sum = crate::report::momentum_ledger::MomentumSum::default();
     for body in bodies.filter(|&body| world.carries_momentum(body)) {
         if let Some(rigid) = &world.bodies[body].rigid {
             sum.add(Momentum {

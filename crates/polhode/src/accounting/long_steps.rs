@@ -1,8 +1,9 @@
-//! Steps of a fixed length that are too long for what they move: a body passes its own size in one, or turns by a radian.
+//! Steps of a fixed length that are too long for what they move: a body passes its own size in one, or turns by a
+//! radian.
 //!
 //! A fixed step takes the contacts that it finds at its ends (or predicts from its start). A body that passes its own
-//! size in a step may pass another body, and one that turns by a radian may turn a corner through it, without a contact.
-//! Only steps in which a body may touch another one count: a flight alone is exact at any step.
+//! size in a step may pass another body, and one that turns by a radian may turn a corner through it, without a
+//! contact. Only steps in which a body may touch another one count: a flight alone is exact at any step.
 
 use crate::snapshot::content;
 use crate::world::World;
@@ -11,8 +12,8 @@ use polhode_dynamics::BodyState;
 /// The angle by which a body may turn in one step, rad: within it the chord is the arc to a twentieth.
 const LARGEST_TURN_OF_STEP: f64 = 1.0;
 
-/// The estimated error, relative to the size of a body, beyond which a run with steps that are too long is no answer (no
-/// unit): the body is not where it is said to be.
+/// The estimated error, relative to the size of a body, beyond which a run with steps that are too long is no answer
+/// (no unit): the body is not where it is said to be.
 const LARGEST_ERROR: f64 = 1.0;
 
 /// How far a body moved in one step.
@@ -102,8 +103,8 @@ impl LongSteps {
             format!("{} times, first at t = {} s", self.count, self.first_s)
         };
         Some(format!(
-            "t = {t} s: {moved} in one step of {step_s:e} s, where contacts may be missed ({times}): a step of {enough:.1e} s \
-             would do"
+            "t = {t} s: {moved} in one step of {step_s:e} s, where contacts may be missed ({times}): a step of \
+             {enough:.1e} s would do"
         ))
     }
 

@@ -3,10 +3,12 @@
 use super::long_steps::LongSteps;
 use super::numerical_loss::{FixedStep, LEFT_BY_SHORTER_STEP, NumericalLoss};
 use super::occurrences::Occurrences;
-use crate::broken_promise::BrokenPromise;
+use crate::identity::body_id::BodyId;
+use crate::report::broken_promise::BrokenPromise;
+use crate::report::ledger::Ledger;
+use crate::report::run_report::{Certificate, PairAt};
 use crate::snapshot::{SnapshotError, content};
 use crate::world::World;
-use crate::{BodyId, Certificate, Ledger, PairAt};
 use polhode_spatial::CompensatedSum;
 
 /// Limits of the whole scene.
@@ -18,8 +20,8 @@ pub(crate) struct Limits {
     pub(crate) crowd_projection_relative: f64,
     /// Energy that the integrator may lose or gain, relative to the energy of the scene; infinite without a promise.
     pub(crate) numerical_relative: f64,
-    /// Energy that ended bounces may take beyond their own, and that lifts onto higher faces may give, relative to the energy of
-    /// the scene.
+    /// Energy that ended bounces may take beyond their own, and that lifts onto higher faces may give, relative to the
+    /// energy of the scene.
     pub(crate) replaced_relative: f64,
     /// Lower bound for the energy scale of the scene, J, for runs with hardly any energy.
     pub(crate) smallest_energy_j: f64,
@@ -30,8 +32,8 @@ pub(crate) struct Limits {
 }
 
 impl Limits {
-    /// What would help against a length beyond its limit, in words: with fixed steps also a step that may do, since what a step leaves
-    /// falls at least with its length.
+    /// What would help against a length beyond its limit, in words: with fixed steps also a step that may do, since
+    /// what a step leaves falls at least with its length.
     fn shorter_step(&self, measure: &Measure) -> String {
         let remedy = self.remedy;
         match self.step {
@@ -137,7 +139,8 @@ pub(crate) struct Measures {
     pub(crate) friction: Worst,
     /// Residual of the solution of a problem (natural map, relative); its pair means nothing.
     pub(crate) residual: Worst,
-    /// Defect of Newton's law by the loads that are told of a step, relative to the sum of its terms; its pair means nothing.
+    /// Defect of Newton's law by the loads that are told of a step, relative to the sum of its terms; its pair means
+    /// nothing.
     pub(crate) loads: Worst,
     /// Whether a joint has been measured.
     pub(crate) has_joints: bool,
@@ -270,22 +273,23 @@ impl Measures {
         if let Some(worst) = self.friction.exceeded() {
             let (value, allowed, names) = (worst.value, worst.allowed, names(world, &worst));
             let what = format!(
-                "friction of {names} exceeded Coulomb's law by {value:e} of the largest force, the promised limit is {allowed:e}"
+                "friction of {names} exceeded Coulomb's law by {value:e} of the largest force, the promised limit is \
+                 {allowed:e}"
             );
             exceeded.push(worst.broken(what).of(worst.pair).cured_by(limits.remedy));
         }
         if let Some(worst) = self.residual.exceeded() {
             let what = format!(
-                "a problem of contacts or joints was solved to a residual of {:e}, the promised limit is {:e}: its forces are wrong \
-                 by about that part of the largest",
+                "a problem of contacts or joints was solved to a residual of {:e}, the promised limit is {:e}: its \
+                 forces are wrong by about that part of the largest",
                 worst.value, worst.allowed
             );
             exceeded.push(worst.broken(what).cured_by(limits.remedy));
         }
         if let Some(worst) = self.loads.exceeded() {
             exceeded.push(worst.broken(format!(
-                "the forces of contacts, joints and fields that a step tells are off Newton's law of a body by {:e} of them; the \
-                 promised limit is {:e}: what it tells of loads is wrong by that",
+                "the forces of contacts, joints and fields that a step tells are off Newton's law of a body by {:e} of \
+                 them; the promised limit is {:e}: what it tells of loads is wrong by that",
                 worst.value, worst.allowed
             )));
         }
@@ -336,7 +340,8 @@ impl Measures {
         if let Some((worst, names, allowed)) = beyond(sum, limits.projection_energy_relative, &self.projection_energy) {
             let (did, size) = if sum < 0.0 { ("gave", -sum) } else { ("took", sum) };
             let what = format!(
-                "projections {did} {size:e} J in all, the largest, of {names}, changed {:e} J; the promised limit is {allowed:e} J",
+                "projections {did} {size:e} J in all, the largest, of {names}, changed {:e} J; the promised limit is \
+                 {allowed:e} J",
                 worst.value
             );
             exceeded.push(broken(what, sum, allowed, &worst).cured_by(limits.remedy));
@@ -344,8 +349,8 @@ impl Measures {
         let sum = self.lifts_sum.value();
         if let Some((worst, names, allowed)) = beyond(sum, limits.replaced_relative, &self.lifts) {
             let what = format!(
-                "lifting bodies onto faces that are higher by less than the touch distance gave {:e} J in all, most of it, {:e} J, \
-                 to {names}; the limit is {allowed:e} J",
+                "lifting bodies onto faces that are higher by less than the touch distance gave {:e} J in all, most of \
+                 it, {:e} J, to {names}; the limit is {allowed:e} J",
                 -sum, worst.value
             );
             exceeded.push(broken(what, sum, allowed, &worst));
@@ -353,8 +358,8 @@ impl Measures {
         let sum = self.crowd_projection_sum.value();
         if let Some((worst, names, allowed)) = beyond(sum, limits.crowd_projection_relative, &self.crowd_projection) {
             let what = format!(
-                "projections in stretches of crowded events took {sum:e} J in all, those of one time step, the largest of {names}, \
-                 {:e} J; the promised limit is {allowed:e} J",
+                "projections in stretches of crowded events took {sum:e} J in all, those of one time step, the largest \
+                 of {names}, {:e} J; the promised limit is {allowed:e} J",
                 worst.value
             );
             exceeded.push(broken(what, sum, allowed, &worst).cured_by("a smaller method.crowding_tolerance may do"));
@@ -363,8 +368,8 @@ impl Measures {
         let sum = self.ended_bounces_sum.value().max(0.0);
         if let Some((worst, names, allowed)) = beyond(sum, limits.replaced_relative, &self.ended_bounces) {
             let what = format!(
-                "ending bounces took {sum:e} J beyond the energy of the bounces, most of it from {names}, {:e} J; the limit is \
-                 {allowed:e} J",
+                "ending bounces took {sum:e} J beyond the energy of the bounces, most of it from {names}, {:e} J; the \
+                 limit is {allowed:e} J",
                 worst.value
             );
             exceeded.push(broken(what, sum, allowed, &worst));

@@ -2,6 +2,17 @@
 //!
 //! It holds the ledger, the certificate, the warnings and the events, for runs of every tier. All events and samples
 //! pass through it to the observer, in order of time.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `books` | every change of energy and momentum, entered where it happens |
+//! | `measures` | measured values against the limits of the promise: the worst, with bodies and time |
+//! | `numerical_loss` | energy that the integrator lost or gained between events |
+//! | `last_sample` | the overlaps of the last sample, so that bodies at rest are measured once |
+//! | `long_steps` | steps of a fixed length that are too long for what they move |
+//! | `stretches` | stretches of crowded events |
+//! | `occurrences` | repeated messages: first time, last time, number |
+//! | `saved` | the accounts as plain data of a snapshot |
 
 pub(crate) mod books;
 pub(crate) mod last_sample;
@@ -12,17 +23,21 @@ mod occurrences;
 mod saved;
 mod stretches;
 
-use crate::body_id::BodyId;
-use crate::collision::contact_id::ContactId;
 use crate::constraint::joint_error::JointError;
-use crate::event::EventKind;
-use crate::observer::Observer;
+use crate::error::SimulationError;
+use crate::identity::body_id::BodyId;
+use crate::identity::contact_id::ContactId;
+use crate::report::energy::Energy;
+use crate::report::event::Event;
+use crate::report::event::EventKind;
+use crate::report::ledger::Ledger;
+use crate::report::observer::Observer;
+use crate::report::run_report::{BrokenPromise, Certificate, Outcome, RunReport};
 use crate::scene::{ImpactLaw, Promise};
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::impact::raised_energy;
 use crate::time_stepping::{ImpulseKind, TimeStepReport};
 use crate::world::World;
-use crate::{BrokenPromise, Certificate, Energy, Event, Ledger, Outcome, RunReport, SimulationError};
 use books::Books;
 use measures::{Limits, Measure, Measures};
 use occurrences::Occurrences;
@@ -101,8 +116,8 @@ impl Accounts {
         self.measures.residual.note(Measure { t, pair: (0, 0), value: residual, allowed });
     }
 
-    /// Records the residual of the problems of a time step at `t` (s). Stretches of crowded events keep a promise of their own, and the
-    /// report has their residual.
+    /// Records the residual of the problems of a time step at `t` (s). Stretches of crowded events keep a promise of
+    /// their own, and the report has their residual.
     fn note_residual_of_steps(&mut self, t: f64, residual: f64) {
         let promised = self.promise.residual.filter(|_| !self.has_crowded());
         let allowed = promised.unwrap_or(f64::INFINITY);
@@ -135,8 +150,8 @@ impl Accounts {
         }
     }
 
-    /// Records a solver's report in the certificate: a residual that rounding alone leaves is within the promise. That of a problem
-    /// that was not solved is in the error: nothing moves by its answer.
+    /// Records a solver's report in the certificate: a residual that rounding alone leaves is within the promise. That
+    /// of a problem that was not solved is in the error: nothing moves by its answer.
     ///
     /// # Errors
     /// When the problem was not solved to its tolerance.
@@ -216,7 +231,8 @@ impl Accounts {
         outcome: &ImpactOutcome,
     ) {
         let law = law.name();
-        // What is not solved is told below: where nothing approaches beyond rounding, a residual is a part of that rounding.
+        // What is not solved is told below: where nothing approaches beyond rounding, a residual is a part of that
+        // rounding.
         let (pair, value, allowed) = ((0, 0), outcome.residual, f64::INFINITY);
         self.measures.residual.note(Measure { t, pair, value, allowed });
         match outcome.status {
@@ -262,7 +278,8 @@ impl Accounts {
         check_finite(world, states, t)?;
         let energy = self.books.observe(world, states);
         let ledger = &mut self.books.ledger;
-        // Where hardly anything has moved yet, energies are compared with what forces would do: nearly no run asks for it.
+        // Where hardly anything has moved yet, energies are compared with what forces would do: nearly no run asks for
+        // it.
         if ledger.numerical.value().abs() > self.measures.numerical.relative() * ledger.scale_j {
             ledger.scale_j = ledger.scale_j.max(world.pressing_energy_j(t, states));
         }
@@ -370,7 +387,8 @@ impl Accounts {
 }
 
 impl Accounts {
-    /// What is wrong, where the estimated error of the run, relative to the size of a body, exceeds what the scene asks for.
+    /// What is wrong, where the estimated error of the run, relative to the size of a body, exceeds what the scene asks
+    /// for.
     fn error_beyond_promise(&self, estimated: Option<f64>, limits: &Limits) -> Option<BrokenPromise> {
         let allowed = self.promise.error?;
         let error = estimated.filter(|error| *error > allowed)?;

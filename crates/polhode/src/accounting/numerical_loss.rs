@@ -1,15 +1,16 @@
 //! Energy that the integrator has lost or gained between events, against the energy of the run.
 //!
 //! A method whose step is fixed may follow a force that is too fast for it: the energy then grows without bound, or
-//! drains away, and the motion is another one. The ledger has that energy as `D_numerical`. A run in which it exceeds the promised
-//! part of the largest energy (`crate::promise`) is degraded, from the time on at which it first does.
+//! drains away, and the motion is another one. The ledger has that energy as `D_numerical`. A run in which it exceeds
+//! the promised part of the largest energy (`crate::tier::promise`) is degraded, from the time on at which it first
+//! does.
 //!
 //! The step that would do follows from the order p of the method: `D` grows as `h^p`. Where the energy has grown beyond
 //! what the order describes, the fastest rates of the forces give it: an oscillation of rate w over the time T loses
 //! about `w T (w h)^p`, a decay of rate c about `(c h)^p`.
 
-use crate::Ledger;
-use crate::broken_promise::BrokenPromise;
+use crate::report::broken_promise::BrokenPromise;
+use crate::report::ledger::Ledger;
 use crate::snapshot::content;
 use crate::world::{Rates, World};
 use polhode_dynamics::BodyState;
@@ -77,8 +78,8 @@ impl NumericalLoss {
         self.relative
     }
 
-    /// What is wrong, where the loss exceeded its limit, relative to the largest energy, in a run by fixed steps or, without them,
-    /// under error control.
+    /// What is wrong, where the loss exceeded its limit, relative to the largest energy, in a run by fixed steps or,
+    /// without them, under error control.
     pub(crate) fn exceeded(&self, limit: f64, step: Option<FixedStep>) -> Option<BrokenPromise> {
         let First { t, rates } = self.first.filter(|_| self.relative > limit)?;
         let (done, size) = if self.energy_j < 0.0 { ("gained", -self.energy_j) } else { ("lost", self.energy_j) };

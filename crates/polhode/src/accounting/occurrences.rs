@@ -1,6 +1,6 @@
 //! Repeated messages of a run: each text once, with the times of its first and last occurrence and their number.
 
-use crate::report::Occurrence;
+use crate::report::run_report::Occurrence;
 use crate::snapshot::content;
 use std::collections::BTreeMap;
 

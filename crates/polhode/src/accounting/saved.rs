@@ -5,11 +5,14 @@ use super::books::Books;
 use super::measures::Measures;
 use super::occurrences::Occurrences;
 use super::stretches::Stretches;
-use crate::body_id::BodyId;
+use crate::identity::body_id::BodyId;
+use crate::report::event::{Event, EventKind};
+use crate::report::ledger::Ledger;
+use crate::report::momentum_ledger::{MomentumLedger, MomentumSum};
+use crate::report::run_report::{Certificate, CrowdedStretch};
 use crate::scene::Promise;
 use crate::snapshot::numbers::{read_momentum, write_momentum};
 use crate::snapshot::{SnapshotError, content};
-use crate::{Certificate, CrowdedStretch, Event, EventKind, Ledger, MomentumLedger, MomentumSum};
 use polhode_spatial::{CompensatedSum, DVec3};
 
 impl Accounts {

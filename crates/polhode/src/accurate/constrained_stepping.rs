@@ -6,10 +6,11 @@
 //! from its start with the shorter step, not interpolated, so that states at events are as accurate as states at step
 //! ends.
 //!
-//! Slow slips. After a small impact a contact slips at `u` (m/s) and friction changes that at the rate `u'` (m/s^2): the slip ends, or
-//! turns, after some `|u| / |u'|`, a ten-thousandth of the step that the bodies made before. A step far beyond that has an error
-//! that hardly falls with its length, so that the error control would shorten it a dozen times. Where the first attempt
-//! is refused, the next one is at most [`SLIP_SHARE`] times that time long, and is mostly accepted.
+//! Slow slips. After a small impact a contact slips at `u` (m/s) and friction changes that at the rate `u'` (m/s^2):
+//! the slip ends, or turns, after some `|u| / |u'|`, a ten-thousandth of the step that the bodies made before. A step
+//! far beyond that has an error that hardly falls with its length, so that the error control would shorten it a dozen
+//! times. Where the first attempt is refused, the next one is at most [`SLIP_SHARE`] times that time long, and is
+//! mostly accepted.
 
 use super::constrained_step::{ConstrainedStep, StepEndStates, end_of, step_limit, unpack};
 use super::motions::Motions;
@@ -17,13 +18,13 @@ use super::motor_bounds::corner_within;
 use super::pace::is_instant;
 use super::stage_method::{MethodStep, StageMethod};
 use super::system::ContactSystem;
-use crate::SimulationError;
 use crate::collision::active_contacts::ActiveContacts;
-use crate::collision::contact_id::ContactId;
 use crate::collision::friction_mode::Slide;
-use crate::core::Core;
+use crate::error::SimulationError;
+use crate::identity::contact_id::ContactId;
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::contradiction::refuse_contradictions;
+use crate::tier::core::Core;
 use crate::world::World;
 use polhode_dynamics::error_allowance::{ErrorAllowance, LargestError};
 use polhode_dynamics::field::Wrench;
@@ -38,8 +39,8 @@ use polhode_spatial::DVec3;
 /// A step shorter than this fraction of the longest allowed makes no progress.
 const SMALLEST_STEP_RELATIVE: f64 = 1e-15;
 
-/// Nor does one shorter than this many times the spacing of times (no unit): the rounding of its end, half a spacing, would lie beyond
-/// the part of a step by which an interval may leave it, where the bounds of the motion are infinite.
+/// Nor does one shorter than this many times the spacing of times (no unit): the rounding of its end, half a spacing,
+/// would lie beyond the part of a step by which an interval may leave it, where the bounds of the motion are infinite.
 const SMALLEST_STEP_UNITS: f64 = 0.5 / OVERHANG;
 
 /// Rounding error of the directions of contact forces, which differs from stage to stage: that of the normals, a few
@@ -50,12 +51,12 @@ const DIRECTION_ROUNDING: f64 = 2.0 * f64::EPSILON;
 /// value steps would grow until their own error, which changes the energy, is as large as this allowance.
 const POSE_ROUNDING: f64 = 0.5 * f64::EPSILON;
 
-/// Length of a step after one that was refused, in times in which the slowest slip would end (no unit, 1 to 1.5): its end lies
-/// just within the step.
+/// Length of a step after one that was refused, in times in which the slowest slip would end (no unit, 1 to 1.5): its
+/// end lies just within the step.
 const SLIP_SHARE: f64 = 1.25;
 
-/// Most that a step proposes for the next one where slips have shortened it, in its own lengths (no unit): as error control lets steps
-/// grow.
+/// Most that a step proposes for the next one where slips have shortened it, in its own lengths (no unit): as error
+/// control lets steps grow.
 const SLIP_GROWTH: f64 = 6.0;
 
 /// A step that was made, and whose error is accepted.
@@ -67,7 +68,8 @@ struct MadeStep {
     violation: Option<ConeViolation>,
 }
 
-/// An attempted step, and in which time the first slip at its start would end, s: infinite where that was not asked for.
+/// An attempted step, and in which time the first slip at its start would end, s: infinite where that was not asked
+/// for.
 struct Attempted {
     step: Attempt<MadeStep>,
     slip_time_s: f64,
@@ -199,8 +201,8 @@ impl Motions {
         Attempted { step, slip_time_s }
     }
 
-    /// The least time (s) in which a slip of these bodies would end or turn at the rates of their states at the start; infinite
-    /// where nothing slips. `scratch` is overwritten.
+    /// The least time (s) in which a slip of these bodies would end or turn at the rates of their states at the start;
+    /// infinite where nothing slips. `scratch` is overwritten.
     fn slip_time(
         &self,
         core: &Core,
@@ -306,7 +308,8 @@ impl Motions {
         let before = system.loads_at(t, first);
         let ends: Vec<BodyState> = unpack(integrator.end_state()).collect();
         let loads = system.loads_at(t + h, ends.iter().copied());
-        // What velocities change of a load, as of drag, no rounding of poses does; in an attempt that overflows it is beyond all bounds.
+        // What velocities change of a load, as of drag, no rounding of poses does; in an attempt that overflows it is
+        // beyond all bounds.
         let by_poses = core.world.has_loads_of_velocities().then(|| {
             let of = |(&body, end): (&usize, &BodyState)| BodyState { pose: end.pose, ..self.states[body] };
             system.loads_at(t + h, bodies.iter().zip(&ends).map(of).collect::<Vec<_>>().into_iter())

@@ -1,7 +1,7 @@
 //! What changes at the contacts of an island where its active set ceases to be valid.
 
-use crate::collision::contact_id::ContactId;
 use crate::collision::turn::Turn;
+use crate::identity::contact_id::ContactId;
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -93,9 +93,9 @@ mod tests {
     //! A crowd falls into the parts whose bodies may touch each other within the step, and no pair is lost.
     #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
     use super::*;
-    use crate::pivot_form::PivotRows;
     use crate::scene::Material;
-    use crate::{Body, Scene};
+    use crate::scene::{Body, Scene};
+    use crate::world::pivot_form::PivotRows;
     use polhode_mesh::solid_sphere;
     use polhode_spatial::{DVec3, Mass, Pose, UnitVector};
 

@@ -1,12 +1,12 @@
 //! One time step of bodies with crowded events (`crowding.rs`).
 //!
 //! The states at an instant within it are those of a shorter time step from the same start: they obey the contacts, and
-//! do not change the step. Only the search for impacts of other islands takes each body along a line at constant angular
-//! velocity.
+//! do not change the step. Only the search for impacts of other islands takes each body along a line at constant
+//! angular velocity.
 
-use crate::states_of::set_states;
 use crate::time_stepping::{TimeStepReport, TimeStepper};
 use crate::world::World;
+use crate::world::states_of::set_states;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 use polhode_spatial::{ConstantVelocity, Motion, MotionBounds, Pose, Still, Velocity};
@@ -58,9 +58,9 @@ impl CrowdStep {
     }
 
     /// Advances the bodies from the start of the step to `t` (s), and writes their states, and those of the kinematic
-    /// bodies that they may touch, into `states` (of all bodies). Within the step the same two halves are made as for the
-    /// whole step, the last one shorter: bodies obey the contacts at every instant, and at the end of the step these are
-    /// its states.
+    /// bodies that they may touch, into `states` (of all bodies). Within the step the same two halves are made as for
+    /// the whole step, the last one shorter: bodies obey the contacts at every instant, and at the end of the step
+    /// these are its states.
     ///
     /// # Errors
     /// When it is not possible; the states are those at the start of the step then.

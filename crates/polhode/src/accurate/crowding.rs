@@ -12,8 +12,8 @@
 //! called its crowd. A body of another island that may touch the crowd within a time step joins it. For the impact
 //! search of other islands, a body moves within one time step along a straight line at constant angular velocity.
 //!
-//! Bodies of a crowd that cannot touch each other within a step make steps of their own (`crowd_parts.rs`), and a part without
-//! any body whose events crowded leaves the stretch.
+//! Bodies of a crowd that cannot touch each other within a step make steps of their own (`crowd_parts.rs`), and a part
+//! without any body whose events crowded leaves the stretch.
 //!
 //! Where the error of a step does not fall with its length, as where rounding decides which of two contacts gives way,
 //! shorter steps add up to a larger error. If no step down to the shortest one is exact enough, the one of those tried
@@ -28,14 +28,14 @@ use super::instant::Instant;
 use super::island::{Island, Step};
 use super::motions::{Mode, Motions};
 use super::pace::{NoAdvance, Pace};
-use crate::SimulationError;
 use crate::collision::active_contacts::ActiveContacts;
-use crate::core::Core;
+use crate::error::SimulationError;
 use crate::solve::cone_violation::CONE_LIMIT;
 use crate::solve::overlap::Overlaps;
-use crate::states_of::{set_states, states_of};
+use crate::tier::core::Core;
 use crate::time_stepping::{TimeStepReport, TimeStepper};
 use crate::world::World;
+use crate::world::states_of::{set_states, states_of};
 use polhode_contact::aabb_of;
 use polhode_dynamics::BodyState;
 use polhode_response::{Delassus, ResponseError};
@@ -60,17 +60,17 @@ const NO_WAY_OUT: f64 = 1e-3;
 /// The next time step aims at this fraction of what is allowed.
 const SAFETY: f64 = 0.8;
 
-/// Least and largest change of the time step from one to the next: every length that is tried costs the solution of three
-/// contact problems, and of steps that grow eightfold almost every second one is refused.
+/// Least and largest change of the time step from one to the next: every length that is tried costs the solution of
+/// three contact problems, and of steps that grow eightfold almost every second one is refused.
 const STEP_CHANGE: (f64, f64) = (0.1, 3.0);
 
-/// Largest change of a time step that is refused again: a contact that begins within it leaves an error that falls only with
-/// its length.
+/// Largest change of a time step that is refused again: a contact that begins within it leaves an error that falls only
+/// with its length.
 const SHORTENED_AGAIN: f64 = 0.2;
 
 /// Share of the error allowed that is spread over a stretch evenly (no unit). The rest is spare, for steps
-/// within which a contact begins to stick or to slide: their error falls only with the square of their length, but there
-/// are few of them.
+/// within which a contact begins to stick or to slide: their error falls only with the square of their length, but
+/// there are few of them.
 const EVEN_SHARE: f64 = 0.5;
 
 /// The share of the spare error that is left which one step may use (no unit): what is left never ends.
@@ -142,8 +142,9 @@ fn time_step(
 }
 
 /// The warning of a stretch of crowded events.
-const CROWD: &str = "crowded events: the affected bodies advance by time steps for a while, in which the impulses of each step \
-                     obey the laws of contact and friction: they decide where these allow several motions, or no forces";
+const CROWD: &str = "crowded events: the affected bodies advance by time steps for a while, in which the impulses of \
+                     each step obey the laws of contact and friction: they decide where these allow several motions, \
+                     or no forces";
 
 impl Engine {
     /// Begins a stretch of time steps for the bodies of an instant with crowded events.
@@ -354,8 +355,8 @@ impl Motions {
         bodies.iter().any(began)
     }
 
-    /// Makes one time step of a part of a crowd from `t` that ends by `limit` (s), and returns the first body of its island.
-    /// Where its step has to be so short that it falls into smaller parts, these are added to `parts` instead.
+    /// Makes one time step of a part of a crowd from `t` that ends by `limit` (s), and returns the first body of its
+    /// island. Where its step has to be so short that it falls into smaller parts, these are added to `parts` instead.
     fn step_of_part(
         &mut self,
         core: &mut Core,
@@ -424,8 +425,8 @@ impl Motions {
         Ok(CrowdStep { t, end, start, states, pairs, report, stepper: before, motions })
     }
 
-    /// Whether another body, whose box overlaps that of a body of a crowd, may touch it within `h` seconds. `seen` keeps the
-    /// states of other bodies at `t`.
+    /// Whether another body, whose box overlaps that of a body of a crowd, may touch it within `h` seconds. `seen`
+    /// keeps the states of other bodies at `t`.
     ///
     /// # Errors
     /// When the state of the other body cannot be evaluated.
@@ -467,8 +468,8 @@ impl Motions {
 }
 
 /// A time step of a part of a crowd from the states `start` at `t` that ends by `limit` (s): the longest whose error is
-/// allowed, or if there is none, that with the least error per time. Where a step has to be shorter, the part may fall into smaller ones. `states` are those at its end, or at its
-/// start where none is made.
+/// allowed, or if there is none, that with the least error per time. Where a step has to be shorter, the part may fall
+/// into smaller ones. `states` are those at its end, or at its start where none is made.
 ///
 /// # Errors
 /// When a time step is not possible.
@@ -526,17 +527,18 @@ fn attempt(
     }
 }
 
-/// How far the forces of a time step are beyond what they may violate Coulomb's law by, in such limits; zero within it (no
-/// unit). Contact problems that a solver leaves unsolved are others in a shorter step.
+/// How far the forces of a time step are beyond what they may violate Coulomb's law by, in such limits; zero within it
+/// (no unit). Contact problems that a solver leaves unsolved are others in a shorter step.
 fn violation_of_limit(report: &TimeStepReport) -> f64 {
     let of_limit = report.cone_violation.map_or(0.0, |violation| violation.value / CONE_LIMIT);
     if of_limit > 1.0 { of_limit } else { 0.0 }
 }
 
-/// The energy that projections and the integrator took in a time step of these bodies from these states, in what they may:
-/// `allowed` times the kinetic energy of the bodies and that of lifting them by their size; zero within it (no unit). What
-/// they take adds up, always in one direction, and falls with the length of a step also where contacts begin within it, so
-/// that no error is spared for it. No energy of the whole run: bodies elsewhere, and samples, change no step.
+/// The energy that projections and the integrator took in a time step of these bodies from these states, in what they
+/// may: `allowed` times the kinetic energy of the bodies and that of lifting them by their size; zero within it (no
+/// unit). What they take adds up, always in one direction, and falls with the length of a step also where contacts
+/// begin within it, so that no error is spared for it. No energy of the whole run: bodies elsewhere, and samples,
+/// change no step.
 fn taken_of_limit(
     core: &Core,
     (bodies, start): (&[usize], &[BodyState]),

@@ -1,31 +1,32 @@
 //! Bounces that are too small to resolve, and their end.
 //!
-//! A contact that separates with the speed `w`, while the forces accelerate it back by `a`, rises by `h = w^2/(2a)`. Where
-//! that is below [`NEGLIGIBLE_HEIGHT`] touch distances, its bodies cannot be distinguished from bodies that touch. The
-//! sequence of bounces that follows (2w/a in all for e = 0, and 2w/(a (1 - e)) in general; thesis 3.3) is replaced by its
-//! end: the smallest change of velocities that makes the speeds of all contacts that hold zero, with the friction that
-//! belongs to it (`solve/bounce_friction.rs`). It is booked as energy lost at rest.
+//! A contact that separates with the speed `w`, while the forces accelerate it back by `a`, rises by `h = w^2/(2a)`.
+//! Where that is below [`NEGLIGIBLE_HEIGHT`] touch distances, its bodies cannot be distinguished from bodies that
+//! touch. The sequence of bounces that follows (2w/a in all for e = 0, and 2w/(a (1 - e)) in general; thesis 3.3) is
+//! replaced by its end: the smallest change of velocities that makes the speeds of all contacts that hold zero, with
+//! the friction that belongs to it (`solve/bounce_friction.rs`). It is booked as energy lost at rest.
 //!
-//! A bounce that is small at its contact need not be small elsewhere. A die that rocks on two contacts half a millimetre
-//! apart separates there by a thousandth of what it does at its far corners. Such a bounce is no remainder but a motion: it
-//! goes on. To tell them apart, the energy that the end takes is compared with that of lifting the bodies,
+//! A bounce that is small at its contact need not be small elsewhere. A die that rocks on two contacts half a
+//! millimetre apart separates there by a thousandth of what it does at its far corners. Such a bounce is no remainder
+//! but a motion: it goes on. To tell them apart, the energy that the end takes is compared with that of lifting the
+//! bodies,
 //!
 //! `dE <= m w^2/2 + m a d`,
 //!
-//! with the sum `m` of their masses (kg), the speed `w` (m/s) and acceleration `a` (m/s^2) of the fastest bounce, and the
-//! touch distance `d` (m).
+//! with the sum `m` of their masses (kg), the speed `w` (m/s) and acceleration `a` (m/s^2) of the fastest bounce, and
+//! the touch distance `d` (m).
 //!
-//! Fails where bounces that are not small follow each other without end (restitution of almost 1): such events crowd, and
-//! time steps take over (`crowding.rs`).
+//! Fails where bounces that are not small follow each other without end (restitution of almost 1): such events crowd,
+//! and time steps take over (`crowding.rs`).
 
 use super::hold::Forces;
 use super::resolve::Resolution;
-use crate::SimulationError;
 use crate::collision::contact_set::Touch;
-use crate::core::Core;
+use crate::error::SimulationError;
 use crate::rows::groups::Group;
 use crate::solve::bounce_friction;
-use crate::states_of::{set_states, states_of};
+use crate::tier::core::Core;
+use crate::world::states_of::{set_states, states_of};
 use polhode_dynamics::RigidBody;
 use std::collections::BTreeSet;
 
@@ -97,8 +98,8 @@ impl Resolution<'_> {
         Ok(ended)
     }
 
-    /// Sets the relative velocities of some bounces and of the contacts that hold to zero, unless that takes more energy
-    /// than it may. Returns whether it did.
+    /// Sets the relative velocities of some bounces and of the contacts that hold to zero, unless that takes more
+    /// energy than it may. Returns whether it did.
     fn end_together(
         &mut self,
         group: &Group,

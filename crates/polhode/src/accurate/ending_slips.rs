@@ -1,14 +1,14 @@
 //! Slips that turn while they end.
 //!
-//! A slip that keeps its direction passes through zero smoothly: its component along that direction is the event function
-//! of the location of contact changes, and nothing is lost, whether the contact sticks then or slides back.
+//! A slip that keeps its direction passes through zero smoothly: its component along that direction is the event
+//! function of the location of contact changes, and nothing is lost, whether the contact sticks then or slides back.
 //!
-//! A slip that turns does so at the rate `g / u` and faster, so that the last bit of it takes many steps. If it decelerates
-//! by `a`, it comes to a stop after the distance `u^2 / 2a`. Where that distance is below [`NEGLIGIBLE_TRAVEL`] touch
-//! distances and friction holds the contact afterwards, the bodies cannot be distinguished from bodies that stick: the slip
-//! is replaced by its end, as the last bounces of a contact are, by the smallest change of velocities that makes it zero,
-//! booked as energy lost at rest. The event has the time at which the slip would have ended. A slip that friction would not
-//! hold afterwards goes on.
+//! A slip that turns does so at the rate `g / u` and faster, so that the last bit of it takes many steps. If it
+//! decelerates by `a`, it comes to a stop after the distance `u^2 / 2a`. Where that distance is below
+//! [`NEGLIGIBLE_TRAVEL`] touch distances and friction holds the contact afterwards, the bodies cannot be distinguished
+//! from bodies that stick: the slip is replaced by its end, as the last bounces of a contact are, by the smallest
+//! change of velocities that makes it zero, booked as energy lost at rest. The event has the time at which the slip
+//! would have ended. A slip that friction would not hold afterwards goes on.
 //!
 //! Assumes that the deceleration lasts for the rest, `u / a`: for a body on a floor of friction 0.5 some microseconds.
 
@@ -16,15 +16,15 @@ use super::constrained_step::{ConstrainedStep, StepEndStates};
 use super::hold::Forces;
 use super::motions::Motions;
 use super::resolve::Resolution;
-use crate::SimulationError;
-use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::FrictionMode;
-use crate::core::Core;
+use crate::error::SimulationError;
+use crate::identity::contact_id::ContactId;
 use crate::rows::groups::Group;
 use crate::solve::projection::{self, Removal};
-use crate::states_of::set_states;
+use crate::tier::core::Core;
 use crate::world::World;
+use crate::world::states_of::set_states;
 use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
 
@@ -34,8 +34,8 @@ const NEGLIGIBLE_TRAVEL: f64 = 8.0;
 /// A slip ends soon only if it has become slower than this fraction of its speed at the start of the step (no unit).
 const SLOWED: f64 = 0.5;
 
-/// Slips of two pairs whose times until they end differ by at most this factor end together (no unit): symmetric pairs of a
-/// symmetric scene.
+/// Slips of two pairs whose times until they end differ by at most this factor end together (no unit): symmetric pairs
+/// of a symmetric scene.
 const SAME_END: f64 = 1.0 + 1e-6;
 
 /// Whether a slip of this speed (m/s) ends within a negligible distance when it loses speed at this rate (m/s^2).
@@ -44,8 +44,8 @@ fn ends_at_once(world: &World, states: &[BodyState], id: ContactId, speed: f64, 
     speed > 0.0 && speed * speed <= 2.0 * deceleration * travel
 }
 
-/// The contacts whose slips have become so slow at the end of a step, with these states, that they are worth a look at the
-/// forces: those of pairs of which a slip has turned in the step.
+/// The contacts whose slips have become so slow at the end of a step, with these states, that they are worth a look at
+/// the forces: those of pairs of which a slip has turned in the step.
 pub(super) fn fading_slips(core: &Core, step: &ConstrainedStep, states: &[BodyState]) -> BTreeSet<ContactId> {
     let (mut fading, mut turned) = (BTreeSet::new(), BTreeSet::new());
     for (id, slide) in step.active.sliding() {
@@ -88,7 +88,8 @@ impl Motions {
 }
 
 impl Resolution<'_> {
-    /// Ends the slips of candidates whose way to a stop is negligible under these forces. Returns whether there are any.
+    /// Ends the slips of candidates whose way to a stop is negligible under these forces. Returns whether there are
+    /// any.
     ///
     /// # Errors
     /// When a number is not finite.

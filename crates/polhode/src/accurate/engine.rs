@@ -7,11 +7,11 @@ use super::island::Island;
 use super::motions::{Mode, Motions};
 use super::near_pairs::NearPairs;
 use super::schedule::Schedule;
-use crate::SimulationError;
-use crate::core::Core;
-use crate::observer::Observer;
-use crate::sampling::emit_samples_before;
+use crate::error::SimulationError;
+use crate::report::observer::Observer;
 use crate::tier::Reached;
+use crate::tier::core::Core;
+use crate::tier::sampling::emit_samples_before;
 use polhode_dynamics::BodyState;
 
 /// If no body is integrated and no observer needs samples, energies and finiteness of states are checked once in so
@@ -131,8 +131,8 @@ impl Engine {
     }
 }
 
-/// Whether a kinematic body that an island touches, or that a joint holds to it, stops at `t`, the end of the island's step: then the island may come
-/// to rest.
+/// Whether a kinematic body that an island touches, or that a joint holds to it, stops at `t`, the end of the island's
+/// step: then the island may come to rest.
 pub(super) fn kinematic_member_stops(core: &Core, island: &Island, t: f64) -> bool {
     let drivers = core.world.drivers_of(&island.bodies);
     island

@@ -15,22 +15,22 @@ use super::island::{Island, Step};
 use super::motions::{Mode, Motions};
 use super::pace::{NoAdvance, Pace, StepEnd};
 use super::resolve::Resolution;
-use crate::SimulationError;
 use crate::collision::active_contacts::ActiveContacts;
-use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::{FoundContact, Hold, Touch};
-use crate::core::Core;
+use crate::error::SimulationError;
+use crate::identity::contact_id::ContactId;
 use crate::rows::assembly::free_acceleration;
 use crate::rows::groups::coupled_groups;
 use crate::solve::projection::Projected;
-use crate::states_of::set_states;
+use crate::tier::core::Core;
+use crate::world::states_of::set_states;
 use polhode_contact::aabb_of;
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The tolerated problem that is counted when time steps replace the location of events.
-const UNSOLVED: &str = "no forces were found that satisfy Coulomb's law for accelerations (a slip that presses its own contact \
-                        has several answers or none): time steps answer by its law for velocities";
+const UNSOLVED: &str = "no forces were found that satisfy Coulomb's law for accelerations (a slip that presses its own \
+                        contact has several answers or none): time steps answer by its law for velocities";
 
 impl Engine {
     /// Resolves the event at `t` that was found for these bodies.
@@ -206,7 +206,8 @@ impl Engine {
         })
     }
 
-    /// Projects the held contacts of an island whose motion has ended at `t` (s) after a smooth stage, and checks its bodies.
+    /// Projects the held contacts of an island whose motion has ended at `t` (s) after a smooth stage, and checks its
+    /// bodies.
     fn finish_step(
         &mut self,
         core: &mut Core,
@@ -220,8 +221,8 @@ impl Engine {
             let sticking = island.active.sticking();
             let turns = island.active.held_turns();
             let projected = Projected { touching: held, held, sticking: &sticking, turns: &turns };
-            // Taken now, and not where the stage was booked: the energy of force fields is that of all bodies, and other islands
-            // have ended since.
+            // Taken now, and not where the stage was booked: the energy of force fields is that of all bodies, and
+            // other islands have ended since.
             let balance = core.accounts.books.balance(&core.world, &self.motions.states, &island.bodies);
             self.motions.project_held_contacts(core, &self.schedule, &island.bodies, projected, t, balance)?;
         }
@@ -269,11 +270,12 @@ impl Engine {
         Ok(advance.err())
     }
 
-    /// Whether an impact of two bodies at `t` (s) ends a bounce of this length (s) that is too low to be seen. Its height is
-    /// `w T / 4`, w the speed of approach and T the length. Where a body rocks on its edge, or spins on it, such bounces
-    /// follow each other without an end, whatever the restitution. One that never left the touch distance is not seen; nor
-    /// is one below the error of a stretch of crowded events if forces have turned it round, `a T >= w` with the
-    /// acceleration `a` towards each other. Bodies that go to and fro between others fly without one.
+    /// Whether an impact of two bodies at `t` (s) ends a bounce of this length (s) that is too low to be seen. Its
+    /// height is `w T / 4`, w the speed of approach and T the length. Where a body rocks on its edge, or spins on it,
+    /// such bounces follow each other without an end, whatever the restitution. One that never left the touch distance
+    /// is not seen; nor is one below the error of a stretch of crowded events if forces have turned it round,
+    /// `a T >= w` with the acceleration `a` towards each other. Bodies that go to and fro between others fly without
+    /// one.
     fn ends_unseen_bounce(&self, core: &Core, (a, b): (usize, usize), (t, length_s): (f64, f64)) -> bool {
         let (world, states) = (&core.world, &self.motions.states);
         let touch = world.touch_distance(states, a, b);

@@ -1,14 +1,14 @@
 //! What the tier `accurate` is.
 
+use crate::scene::tier_facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise};
 use crate::solve::cone_violation::CONE_LIMIT;
-use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
 /// Upper bound of a step when none is given, s.
 const LONGEST_STEP_S: f64 = 0.01;
 
-/// What it promises (`crate::scene::promise`): a hundred times the error of a step at the default tolerance. What rounding adds up to in
-/// long runs stays below that, and what is wrong is far above.
+/// What it promises (`crate::scene::promise`): a hundred times the error of a step at the default tolerance. What
+/// rounding adds up to in long runs stays below that, and what is wrong is far above.
 const PROMISE: Promise = Promise {
     overlap: OverlapLimit::OfSize(1e-9),
     joint_gap: Some(1e-9),

@@ -10,15 +10,16 @@
 //! and whose error is negligible, and half as long after a step that it has divided into many parts.
 
 use super::constrained_step::{end_of, step_limit};
-use crate::SimulationError;
 use crate::accounting::books::Received;
-use crate::core::Core;
-use crate::free_stage::{self, Ends};
-use crate::settings::Settings;
+use crate::error::SimulationError;
+use crate::scene::settings::Settings;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::{SnapshotError, content};
-use crate::states_of::states_of;
+use crate::tier::core::Core;
+use crate::tier::free_stage;
+use crate::tier::free_stage::Ends;
 use crate::world::World;
+use crate::world::states_of::states_of;
 use polhode_dynamics::field::{self, Account, Dependence, Field, Wrench};
 use polhode_dynamics::integrated_motion::IntegratedMotion;
 use polhode_dynamics::integrator::{self, AdaptiveExact, Tolerance};

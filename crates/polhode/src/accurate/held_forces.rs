@@ -4,22 +4,22 @@
 //! forces of pivots; a contact that slides along `d` adds `-mu f_n d`. The equations are `chi'' = 0` of all contacts,
 //! `u_T' = 0` of those that stick, and `a_Q = 0` of pivots. Friction of rolling and of spinning adds a moment for each
 //! rotation that is held, with `w' = 0`, and `-c f_n w / |w|` for one that turns. Where they do not determine the
-//! forces, those of least norm are taken (`polhode_response::least_norm_sliding_forces`), and where something slides those
-//! of least norm within the cones of the contacts that stick (`polhode_response::least_forces_in_cones`). Without sliding the
-//! choice affects neither the motion nor the ledger; with sliding it decides what friction takes, and with contacts that slide
-//! in different directions the motion as well.
+//! forces, those of least norm are taken (`polhode_response::least_norm_sliding_forces`), and where something slides
+//! those of least norm within the cones of the contacts that stick (`polhode_response::least_forces_in_cones`). Without
+//! sliding the choice affects neither the motion nor the ledger; with sliding it decides what friction takes, and with
+//! contacts that slide in different directions the motion as well.
 //!
-//! Failure: where no forces lie in the cones, the least ones are taken, with their violation of Coulomb's law. Where masses differ
-//! much, or contacts resist rotations, the least ones are taken without a look at the cones.
+//! Failure: where no forces lie in the cones, the least ones are taken, with their violation of Coulomb's law. Where
+//! masses differ much, or contacts resist rotations, the least ones are taken without a look at the cones.
 
 use crate::collision::active_contacts::ActiveContacts;
-use crate::collision::contact_id::ContactId;
 use crate::collision::contact_modes::ContactModes;
 use crate::collision::friction_mode::FrictionMode;
 use crate::collision::slip_directions::SlipDirections;
 use crate::collision::turn::Turn;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::joint_friction::MOST_ROUNDS_OF_BEARINGS;
+use crate::identity::contact_id::ContactId;
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::push_contact;
 use crate::rows::rotation_row::RotationRow;
@@ -55,8 +55,8 @@ pub(super) struct FrictionContact {
     terms: TangentialKinematics,
     /// The directions in which it may slip.
     slip: SlipDirections,
-    /// What its friction opposes: the direction in which it slides (with a grain another one), and its coefficient; none
-    /// when it sticks.
+    /// What its friction opposes: the direction in which it slides (with a grain another one), and its coefficient;
+    /// none when it sticks.
     sliding: Option<(DVec3, f64)>,
     /// What bounds its friction while it sticks.
     at_rest: FrictionEllipse,
@@ -103,13 +103,15 @@ impl FrictionContact {
 pub(super) struct HeldForces {
     /// Of the contacts, along their normals, N.
     pub(super) normal: Vec<f64>,
-    /// Of the contacts with friction, along tangents, N: the contact with the tangent in the place of its normal, force on A.
+    /// Of the contacts with friction, along tangents, N: the contact with the tangent in the place of its normal, force
+    /// on A.
     pub(super) tangential: Vec<(ContactId, ContactGeometry, f64)>,
     /// Of friction of rolling and spinning, N m, world, on A.
     pub(super) moments: Vec<(ContactId, DVec3)>,
     /// Of the bilateral constraints.
     pub(super) reactions: Vec<(Bilateral, Reaction)>,
-    /// What all of them add up to on each body (body, N, N m), where the sum of the rounded forces would shake light bodies.
+    /// What all of them add up to on each body (body, N, N m), where the sum of the rounded forces would shake light
+    /// bodies.
     pub(super) sums: Option<Vec<(usize, DVec3, DVec3)>>,
     /// Power that the contacts that slide dissipate, W.
     pub(super) dissipation: f64,
@@ -158,8 +160,8 @@ pub(super) fn friction_contacts<'a>(
     contacts.iter().enumerate().filter_map(friction)
 }
 
-/// The forces of `contacts`, of which some have `friction`, and of the bilateral constraints of `bodies` (movable, ascending) at
-/// time `t` (s).
+/// The forces of `contacts`, of which some have `friction`, and of the bilateral constraints of `bodies` (movable,
+/// ascending) at time `t` (s).
 ///
 /// # Errors
 /// When a number is not finite.
@@ -224,8 +226,8 @@ pub(super) fn solve(
     })
 }
 
-/// The least forces with these constant terms of the rows that are held, found again until the loads of bearings stay, and how far
-/// they are from Coulomb's law.
+/// The least forces with these constant terms of the rows that are held, found again until the loads of bearings stay,
+/// and how far they are from Coulomb's law.
 ///
 /// # Errors
 /// When a number is not finite.
@@ -293,8 +295,8 @@ struct StickingCones<'a> {
 
 impl<'a> StickingCones<'a> {
     /// Those of so many contacts, of which these have friction. The rows of contacts that stick follow
-    /// `first_tangent`. None where a contact resists rotations: the forces at one instant (`solve/rotational_friction.rs`)
-    /// are not those of least norm either.
+    /// `first_tangent`. None where a contact resists rotations: the forces at one instant
+    /// (`solve/rotational_friction.rs`) are not those of least norm either.
     fn of(contacts: usize, friction: &'a [FrictionContact], first_tangent: usize) -> Option<Self> {
         if friction.iter().any(|contact| contact.turns.iter().any(Option::is_some)) {
             return None;
@@ -311,8 +313,8 @@ impl<'a> StickingCones<'a> {
         Some(Self { blocks, sticking })
     }
 
-    /// The least forces within the cones that hold what `least` hold: the first `held` rows, with friction along those of
-    /// `sliding`. Where there are none `least` stay, and violate Coulomb's law.
+    /// The least forces within the cones that hold what `least` hold: the first `held` rows, with friction along those
+    /// of `sliding`. Where there are none `least` stay, and violate Coulomb's law.
     ///
     /// # Errors
     /// When a number is not finite.

@@ -4,10 +4,10 @@
 //! force holds; a contact whose bodies accelerate apart breaks. The accelerations are unique, the forces may not be
 //! (erratum E13).
 
-use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::FrictionMode;
 use crate::collision::turn::Turn;
+use crate::identity::contact_id::ContactId;
 use crate::rows::assembly::Assembly;
 use crate::solve::accelerations::{Accelerations, ContactTangent, ContactTurn};
 use crate::solve::cone_violation::{ConeViolation, largest_violation};
@@ -258,9 +258,9 @@ impl Forces {
     }
 }
 
-/// The largest violation of Coulomb's law: of the cones by forces, relative to the largest of them or to `load` (N); and by
-/// contacts that go on sticking although their slips grow, the acceleration of the slip relative to the largest without
-/// contact forces.
+/// The largest violation of Coulomb's law: of the cones by forces, relative to the largest of them or to `load` (N);
+/// and by contacts that go on sticking although their slips grow, the acceleration of the slip relative to the largest
+/// without contact forces.
 fn violation_of(found: &Accelerations, friction: &[Option<ContactFriction>], load: f64) -> Option<ConeViolation> {
     let by_forces = largest_violation(found.contacts.iter().flatten().map(|contact| contact.rubbing), load);
     let sticks = found.contacts.iter().flatten().zip(friction.iter().flatten()).filter(|(_, own)| own.is_held);

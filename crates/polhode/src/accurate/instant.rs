@@ -2,10 +2,10 @@
 
 use super::contact_change::ContactChange;
 use super::pace::NoAdvance;
-use crate::SimulationError;
-use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::{Hold, Touch};
-use crate::core::Core;
+use crate::error::SimulationError;
+use crate::identity::contact_id::ContactId;
+use crate::tier::core::Core;
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -33,8 +33,8 @@ pub(super) struct Instant {
 }
 
 impl Instant {
-    /// The same instant for some of its bodies (ascending) alone, none of whose contacts is known. Of `pairs` and its own
-    /// pairs it has those that concern no other of its movable bodies.
+    /// The same instant for some of its bodies (ascending) alone, none of whose contacts is known. Of `pairs` and its
+    /// own pairs it has those that concern no other of its movable bodies.
     pub(super) fn part(&self, core: &Core, bodies: Vec<usize>, pairs: &[(usize, usize)]) -> Self {
         let concerns = |body: usize| bodies.binary_search(&body).is_ok();
         let is_given = |body: usize| !core.world.bodies[body].moves();

@@ -47,8 +47,8 @@ pub(super) enum Step {
 }
 
 impl Island {
-    /// Bodies (ascending) that begin a step at `t` (s) with these active contacts: the event that ends it is not located
-    /// yet.
+    /// Bodies (ascending) that begin a step at `t` (s) with these active contacts: the event that ends it is not
+    /// located yet.
     pub(super) fn beginning(bodies: Vec<usize>, active: ActiveContacts, t: f64, step: Step) -> Self {
         let change = ContactChange { t: f64::INFINITY, ..ContactChange::default() };
         Self { bodies, active, t, step, due: f64::INFINITY, changes: false, is_unsolved: false, change }

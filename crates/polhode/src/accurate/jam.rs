@@ -10,13 +10,13 @@
 use super::hold::Forces;
 use super::motions::Mode;
 use super::resolve::Resolution;
-use crate::SimulationError;
 use crate::collision::contact_set::Touch;
-use crate::core::Core;
-use crate::event::EventKind;
+use crate::error::SimulationError;
+use crate::report::event::EventKind;
 use crate::rows::groups::Group;
 use crate::solve::frictional_impact::Cause;
 use crate::solve::impact::strike_with_friction;
+use crate::tier::core::Core;
 use polhode_response::impact::ImpactStatus;
 
 /// Most jams of a group at one instant. Each stops the slip of a contact at least.

@@ -1,21 +1,21 @@
 //! When joints break: the first time in a step at which one bears as much as it can.
 //!
-//! The event function is `1 - max(F/F_most, M/M_most)` with the force `F` and the moment `M` of the joint at its anchor, from the forces
-//! that are solved for at the states of the step. It is looked at where the step begins, at eight times and where it ends; the first
-//! crossing is located by the locator of all events. A load that grows beyond the strength and falls again between two looks is not
-//! seen.
+//! The event function is `1 - max(F/F_most, M/M_most)` with the force `F` and the moment `M` of the joint at its
+//! anchor, from the forces that are solved for at the states of the step. It is looked at where the step begins, at
+//! eight times and where it ends; the first crossing is located by the locator of all events. A load that grows beyond
+//! the strength and falls again between two looks is not seen.
 
 use super::constrained_step::ConstrainedStep;
 use super::contact_change::ContactChange;
 use super::hold::Forces;
 use super::locate::PENETRATION_CHECKS;
 use super::step_search::StepSearch;
-use crate::SimulationError;
 use crate::collision::contact_set::Touch;
 use crate::constraint::locator::{Side, close_in};
-use crate::core::Core;
-use crate::frame::JointView;
+use crate::error::SimulationError;
+use crate::report::frame::JointView;
 use crate::solve::joint_loads::{ContactForce, joint_loads, overloaded};
+use crate::tier::core::Core;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;

@@ -1,10 +1,10 @@
 //! Bodies that pass onto a higher face are lifted onto it.
 //!
 //! A body that slides from one face to the next passes over a step of at most the touch distance
-//! (`crate::collision::passing`). It is lifted by the height of the step, along the normal of the higher face and without
-//! a rotation, so that a flat body remains parallel to both faces: tilted by the step over its length, it would sink into
-//! the border of the higher face as it moves on. Two movable bodies share the height in the inverse ratio of their masses.
-//! The energy is booked as that of a projection.
+//! (`crate::collision::passing`). It is lifted by the height of the step, along the normal of the higher face and
+//! without a rotation, so that a flat body remains parallel to both faces: tilted by the step over its length, it would
+//! sink into the border of the higher face as it moves on. Two movable bodies share the height in the inverse ratio of
+//! their masses. The energy is booked as that of a projection.
 //!
 //! Bodies on a pivot are not lifted: the projection of held contacts moves them.
 

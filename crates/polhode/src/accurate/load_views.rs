@@ -1,7 +1,7 @@
 //! Forces of pivots, and forces and moments of joints, at one instant.
 //!
-//! A joint does what its reactions do, what gears and prescribed motions do along its coordinates, and what its stops and its
-//! friction do at levers.
+//! A joint does what its reactions do, what gears and prescribed motions do along its coordinates, and what its stops
+//! and its friction do at levers.
 //!
 //! If constraint rows hold the body, it is the force of these rows. If the motion is reduced to rotation about the
 //! pivot, it follows from Newton's law for the centre of mass, `F = m (a_cm - g) - F_fields - sum +-n f`, with
@@ -10,14 +10,14 @@
 use super::engine::Engine;
 use super::hold::Forces;
 use super::joint_breaks::loads_of;
-use crate::BodyId;
 use crate::collision::contact_set::Touch;
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::Reaction;
-use crate::core::Core;
-use crate::frame::{JointView, PivotView};
+use crate::identity::body_id::BodyId;
+use crate::report::frame::{JointView, PivotView};
 use crate::rows::assembly::free_acceleration;
 use crate::solve::joint_loads::joint_view;
+use crate::tier::core::Core;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::ComplementaritySolver;
 use polhode_spatial::DVec3;

@@ -6,10 +6,10 @@
 //! `chi'' = 0` at every contact. A failure of one of these conditions is called a violation. The event locator
 //! (`crate::constraint::locator`) finds the first one on the dense output of the step, to 1e-13 of the step.
 //!
-//! It looks for (a) and (b) at eight times of a step, and for (c), slips and rotations at its end; where a kinematic body moves, or a
-//! track with one side presses, for all at each of the eight. What begins and ends again between two looks is not seen: a stop or an edge that is crossed twice, or
-//! a force that pulls for less than a step. The error control keeps steps short where motions curve; the penetration that is left is
-//! measured at each sample and reported.
+//! It looks for (a) and (b) at eight times of a step, and for (c), slips and rotations at its end; where a kinematic
+//! body moves, or a track with one side presses, for all at each of the eight. What begins and ends again between two
+//! looks is not seen: a stop or an edge that is crossed twice, or a force that pulls for less than a step. The error
+//! control keeps steps short where motions curve; the penetration that is left is measured at each sample and reported.
 
 use super::constrained_step::ConstrainedStep;
 use super::contact_change::ContactChange;
@@ -18,15 +18,15 @@ use super::hold::Forces;
 use super::motions::Motions;
 use super::pace::Pace;
 use super::step_search::StepSearch;
-use crate::SimulationError;
-use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::Turn;
 use crate::constraint::ContactEvent;
 use crate::constraint::locator::{Side, close_in};
-use crate::core::Core;
+use crate::error::SimulationError;
+use crate::identity::contact_id::ContactId;
 use crate::solve::projection::rate_exceeds_drift;
+use crate::tier::core::Core;
 use crate::world::TOUCH_RELATIVE;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
@@ -167,8 +167,8 @@ impl StepSearch<'_> {
 
     /// The first of some intervals of the step at whose end a held contact has left its features or an open contact
     /// penetrates. Bodies that rock on each other may penetrate and separate again within a step, which a check at its
-    /// end alone would miss. It would also miss that a moving kinematic body, or a car at the top of a loop, loses contact for a short
-    /// time: if one moves, or a track presses, forces are checked too.
+    /// end alone would miss. It would also miss that a moving kinematic body, or a car at the top of a loop, loses
+    /// contact for a short time: if one moves, or a track presses, forces are checked too.
     fn first_violation_interval(&mut self, start: f64, limit: f64) -> Result<Option<(f64, f64)>, SimulationError> {
         let is_moved = |body| !self.core.world.stands_still(body, start, limit);
         let driven = self.step.active.held().iter().flat_map(|id| [id.a, id.b]).any(is_moved)

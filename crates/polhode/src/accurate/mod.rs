@@ -35,6 +35,13 @@
 //! | `present` | the state of a body and the contacts that touch, at the present |
 //! | `projection` | projection of held contacts onto zero separation |
 //! | `saved` | conversion of a run to plain data and back |
+//! | `motions` | the states of all bodies, and how each moves until the next event |
+//! | `schedule` | what is due, and between whom |
+//! | `step_search` | the first time within a step at which its active set ceases to be valid |
+//! | `reduced_step` | a step of an island in reduced coordinates |
+//! | `sampled_poses` | poses of samples within steps |
+//! | `motor_bounds` | where a motor reaches its bound or leaves it |
+//! | `track_ends` | bodies that run off the ends of their tracks |
 
 mod agenda;
 mod constrained_step;

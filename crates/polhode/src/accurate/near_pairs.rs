@@ -1,8 +1,8 @@
 //! Pairs of bodies that may meet, each with the time of its impact (`impact_search.rs` finds them).
 
 use crate::collision::boxes::Boxes;
-use crate::core::Core;
 use crate::snapshot::{SnapshotError, content};
+use crate::tier::core::Core;
 use std::collections::BTreeMap;
 
 /// What is known of a pair that may meet.

@@ -56,8 +56,8 @@ const MEAN_OF_SLIDING_STEPS: u64 = 32;
 /// [`MEAN_OF_SLIDING_STEPS`] for bodies that have passed a stretch of crowded events.
 const MEAN_OF_SLIDING_STEPS_AGAIN: u64 = 16;
 
-/// Mean length of steps with contacts that slide below which time steps follow, as a fraction of the longest step. A slip
-/// that stops takes some ten steps, of which the first are long.
+/// Mean length of steps with contacts that slide below which time steps follow, as a fraction of the longest step. A
+/// slip that stops takes some ten steps, of which the first are long.
 const MEAN_SLIDING_RELATIVE: f64 = 1e-3;
 
 /// Most events of an island within one longest step that are located one by one: some ten times those of an ordinary

@@ -9,9 +9,9 @@
 //! Limit: a penetration that begins and ends between two checks is not found.
 
 use super::step_search::StepSearch;
-use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::Pair;
 use crate::constraint::locator::{Side, close_in};
+use crate::identity::contact_id::ContactId;
 use std::convert::Infallible;
 
 /// Depth at which an open contact counts as penetrating, relative to size: a quarter of what a step aims at

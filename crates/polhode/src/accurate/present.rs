@@ -6,11 +6,12 @@ use super::island::Step;
 use super::motions::{Mode, Motions, Track};
 use super::present_crowds::StepKey;
 use crate::collision::contact_set::{Hold, Touch};
-use crate::core::Core;
-use crate::frame::MotionKind;
-use crate::observer::BodySample;
+use crate::error::SimulationError;
+use crate::report::frame::MotionKind;
+use crate::report::observer::BodySample;
 use crate::rows::groups::{coupled_groups, groups};
-use crate::{Effects, SimulationError};
+use crate::scene::effects::Effects;
+use crate::tier::core::Core;
 use polhode_dynamics::BodyState;
 
 impl Motions {

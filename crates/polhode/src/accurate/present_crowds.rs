@@ -1,8 +1,8 @@
 //! The states of crowded bodies (`crowd_step.rs`) at the present, kept while a program reads them one by one.
 //!
 //! A state within a time step is that of a shorter time step, which all bodies of the crowd make together. It is made
-//! once for each crowd and time, in one buffer of the states of all bodies, so that reading every body costs what reading
-//! all at once does. The cache is no part of the simulation state.
+//! once for each crowd and time, in one buffer of the states of all bodies, so that reading every body costs what
+//! reading all at once does. The cache is no part of the simulation state.
 
 use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
@@ -38,8 +38,8 @@ struct Made {
 pub(super) struct PresentCrowds(Mutex<Made>);
 
 impl PresentCrowds {
-    /// The state of a body of the crowd `step` at `t` (s). Where it has not been made yet, `advance` writes the states of
-    /// the crowd into those of all bodies, which are `all` at first.
+    /// The state of a body of the crowd `step` at `t` (s). Where it has not been made yet, `advance` writes the states
+    /// of the crowd into those of all bodies, which are `all` at first.
     pub(super) fn state(
         &self,
         (body, step): (usize, StepKey),

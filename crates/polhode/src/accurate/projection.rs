@@ -10,13 +10,13 @@
 
 use super::motions::Motions;
 use super::schedule::Schedule;
-use crate::SimulationError;
 use crate::accounting::books::Balance;
-use crate::collision::contact_id::ContactId;
 use crate::constraint::bilateral::Bilateral;
-use crate::core::Core;
+use crate::error::SimulationError;
+use crate::identity::contact_id::ContactId;
 use crate::solve::overlap::Overlaps;
 use crate::solve::projection::{self, Projected};
+use crate::tier::core::Core;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::Pose;
@@ -28,7 +28,8 @@ const PUSH_RELATIVE: f64 = 1e-13;
 
 impl Motions {
     /// Projects contacts of some bodies (ascending) onto zero separation and velocity at `t` (s). Books the change;
-    /// `before` is the balance of the bodies before. If bodies would be pushed into neighbours, their poses are restored.
+    /// `before` is the balance of the bodies before. If bodies would be pushed into neighbours, their poses are
+    /// restored.
     ///
     /// # Errors
     /// When a state is not finite, or an integrator cannot evaluate a neighbour.

@@ -1,11 +1,13 @@
-//! A step of an island in reduced coordinates: the same flat states of bodies at its end and within it as in maximal coordinates.
+//! A step of an island in reduced coordinates: the same flat states of bodies at its end and within it as in maximal
+//! coordinates.
 //!
-//! DOP853 integrates the coordinates of the joints (`crate::reduced`) with the numbers for the ledgers behind them. What comes out is
-//! written as states of bodies, so that all else (sampling, ledgers, snapshots) does not know of it. At both ends of a step these
-//! follow from the coordinates; within it from polynomials through eight times.
+//! DOP853 integrates the coordinates of the joints (`crate::reduced`) with the numbers for the ledgers behind them.
+//! What comes out is written as states of bodies, so that all else (sampling, ledgers, snapshots) does not know of it.
+//! At both ends of a step these follow from the coordinates; within it from polynomials through eight times.
 //!
-//! Errors are those of coordinates and speeds. An error `e` of an angle displaces what hangs on it by `e` times its distance, so that the
-//! angle is allowed the tolerance over the largest distance in sizes of bodies; likewise a displacement and all speeds.
+//! Errors are those of coordinates and speeds. An error `e` of an angle displaces what hangs on it by `e` times its
+//! distance, so that the angle is allowed the tolerance over the largest distance in sizes of bodies; likewise a
+//! displacement and all speeds.
 
 use super::held_forces::HeldForces;
 use super::system::ContactSystem;
@@ -157,8 +159,8 @@ impl ReducedStep {
     }
 }
 
-/// The largest of the speeds that the error of a speed is measured by, m/s, at both ends of a step: of the centre of mass, of points of
-/// the body, and that of a fall over its size.
+/// The largest of the speeds that the error of a speed is measured by, m/s, at both ends of a step: of the centre of
+/// mass, of points of the body, and that of a fall over its size.
 fn speed_of(world: &World, node: &Node, (start, end): (&[f64], &[f64])) -> f64 {
     let size = world.bodies[node.body].size;
     let fall = (world.gravity().length() * size).sqrt();
@@ -172,7 +174,8 @@ fn speed_of(world: &World, node: &Node, (start, end): (&[f64], &[f64])) -> f64 {
     fall.max(speed(start)).max(speed(end))
 }
 
-/// Of each node, how far what hangs on it is from it at the most, in the sizes of those bodies, and at least 1: an upper bound.
+/// Of each node, how far what hangs on it is from it at the most, in the sizes of those bodies, and at least 1: an
+/// upper bound.
 fn reaches(world: &World, tree: &Tree, start: &[f64]) -> Vec<f64> {
     let place = |node: &Node| {
         let numbers = start.get(node.place * WIDTH..node.place * WIDTH + QUATERNION).unwrap_or_default();

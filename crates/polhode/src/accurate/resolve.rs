@@ -8,20 +8,20 @@ use super::hold::{Forces, FoundMode};
 use super::instant::Instant;
 use super::motions::{Mode, Motions};
 use super::schedule::Schedule;
-use crate::SimulationError;
-use crate::body_id::BodyId;
-use crate::collision::contact_id::ContactId;
 use crate::collision::contact_modes::ContactModes;
 use crate::collision::contact_set::{FoundContact, Hold, Pair, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
-use crate::core::Core;
-use crate::event::{Event, EventKind};
+use crate::error::SimulationError;
+use crate::identity::body_id::BodyId;
+use crate::identity::contact_id::ContactId;
+use crate::report::event::{Event, EventKind};
 use crate::rows::groups::{Group, groups};
 use crate::solve::frictional_impact::Restitution;
 use crate::solve::impact::{Struck, impulse_event, raised_energy, strike};
 use crate::solve::open_loads;
 use crate::solve::overlap::is_excess;
 use crate::solve::projection::{self, Projected};
+use crate::tier::core::Core;
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
@@ -38,8 +38,8 @@ const SUSTAINED_SCENE_RELATIVE: f64 = 1e-14;
 /// rest: rounding and the projection of velocities leave such speeds after the last impact.
 const STOPPED_RELATIVE: f64 = 1e-13;
 
-/// Rounding error of a slip as a fraction of the largest speed that the bodies of the instant have had (1e-14 to 1e-11):
-/// that of velocities that cancelled, over some thousand steps.
+/// Rounding error of a slip as a fraction of the largest speed that the bodies of the instant have had (1e-14 to
+/// 1e-11): that of velocities that cancelled, over some thousand steps.
 const SLIP_NOISE: f64 = 1e-13;
 
 /// Component of a slip across its direction at the start of the step that counts as rounding, as a fraction of the
@@ -55,7 +55,8 @@ const LEAST_NORM: &str =
     "normal forces of contacts that slide are not unique, and those of least norm are taken: the motion of";
 
 /// The warning of bearings with friction in a mechanism that has more supports than it needs, before the names.
-const OPEN_LOADS: &str = "loads of bearings with friction are not unique, and the choice of one follows the axes of the world: the motion of";
+const OPEN_LOADS: &str = "loads of bearings with friction are not unique, and the choice of one follows the axes of \
+    the world: the motion of";
 
 /// An impulse below this fraction of the largest impulse of an impact is rounding error. It is not reported as an
 /// event.
@@ -586,8 +587,8 @@ impl Resolution<'_> {
         }
     }
 
-    /// Evaluates every contact of the instant at the current states. One whose features no longer define it keeps its place,
-    /// by which groups know it, but neither holds nor approaches.
+    /// Evaluates every contact of the instant at the current states. One whose features no longer define it keeps its
+    /// place, by which groups know it, but neither holds nor approaches.
     pub(super) fn refresh_kinematics(&mut self) {
         for touch in &mut self.instant.touches {
             let kinematics = self.core.world.kinematics(&self.motions.states, touch.id);

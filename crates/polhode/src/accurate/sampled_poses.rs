@@ -2,22 +2,22 @@
 //!
 //! The dense output of an integrator is of lower order than its step: between the ends of a step, bodies in contact may
 //! overlap by more than they do at its ends. Where they do, the sampled poses are
-//! projected onto touch, by the smallest displacement in the metric of mass. The step, and the states from which the run
-//! continues, stay as they are.
+//! projected onto touch, by the smallest displacement in the metric of mass. The step, and the states from which the
+//! run continues, stay as they are.
 
 use super::island::Step;
 use super::motions::Motions;
-use crate::SimulationError;
-use crate::core::Core;
+use crate::error::SimulationError;
 use crate::solve::overlap::Overlaps;
+use crate::tier::core::Core;
 use polhode_dynamics::BodyState;
 use polhode_response::Delassus;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
 impl Motions {
-    /// These states at `t` (s), with the bodies of integrated islands moved out of each other where they overlap by more
-    /// than a step leaves.
+    /// These states at `t` (s), with the bodies of integrated islands moved out of each other where they overlap by
+    /// more than a step leaves.
     ///
     /// # Errors
     /// When the overlaps cannot be measured or removed.

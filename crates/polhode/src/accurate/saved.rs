@@ -14,17 +14,17 @@ use super::island::{Island, Step};
 use super::motions::{Mode, Motions, Track};
 use super::near_pairs::NearPairs;
 use super::schedule::Schedule;
-use crate::SimulationError;
 use crate::collision::active_contacts::ActiveContacts;
-use crate::collision::contact_id::ContactId;
 use crate::collision::contact_modes::ContactModes;
 use crate::collision::contact_set::{Hold, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::{RotationModes, Turn};
-use crate::core::Core;
+use crate::error::SimulationError;
+use crate::identity::contact_id::ContactId;
 use crate::snapshot::numbers::{self, Contact, read_kinematics, read_states, write_kinematics};
 use crate::snapshot::parts::{restored_flight, restored_id, save_contact, save_flight};
 use crate::snapshot::{SnapshotError, content};
+use crate::tier::core::Core;
 use crate::world::World;
 use polhode_dynamics::Flight;
 use polhode_spatial::DVec3;
@@ -82,8 +82,8 @@ impl Engine {
             engine.motions.insert_island(island);
         }
         engine.rebuild_agenda(core);
-        // A run that had ended goes on to a longer duration: the islands that begin no step at its end begin one. Those that
-        // wait for time steps on the way are unsolved.
+        // A run that had ended goes on to a longer duration: the islands that begin no step at its end begin one. Those
+        // that wait for time steps on the way are unsolved.
         let waits_for_end = |island: &Island| matches!(island.step, Step::Waiting(_)) && !island.is_unsolved;
         if core.t < core.world.scene.duration_s()
             && !engine.goes_on
@@ -311,9 +311,17 @@ fn restored_spins(world: &World, saved: &[(usize, content::Flight)]) -> Result<B
 }
 
 fn save_track(track: &Track) -> content::Track {
-    // The island of a body is known from the list of islands.
-    let Track { mode, island: _, pace, proposed_step_s, speed_scale, rest_booked_s, last_stretch_s, gave_up_splitting } =
-        track;
+    let Track {
+        // The island of a body is known from the list of islands.
+        island: _,
+        mode,
+        pace,
+        proposed_step_s,
+        speed_scale,
+        rest_booked_s,
+        last_stretch_s,
+        gave_up_splitting,
+    } = track;
     content::Track {
         mode: match mode {
             Mode::Fixed => content::Mode::Fixed,

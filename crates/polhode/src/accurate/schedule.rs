@@ -5,7 +5,7 @@
 use super::agenda::{Agenda, Due};
 use super::contacts::Contacts;
 use super::near_pairs::NearPairs;
-use crate::core::Core;
+use crate::tier::core::Core;
 
 /// What is due in a run.
 #[derive(Debug)]

@@ -1,16 +1,17 @@
-//! The first instant: finds touching contacts. That no bodies overlap by more has been checked (`crate::start_overlap`).
+//! The first instant: finds touching contacts. That no bodies overlap by more has been checked
+//! (`crate::run::start_overlap`).
 
 use super::contact_change::ContactChange;
 use super::engine::Engine;
 use super::instant::Instant;
 use super::motions::Mode;
-use crate::SimulationError;
 use crate::collision::boxes::Boxes;
 use crate::collision::contact_set::{Hold, Touch};
-use crate::core::Core;
-use crate::few_digits::length;
+use crate::error::SimulationError;
 use crate::rows::groups::{coupled_groups, groups};
+use crate::scene::few_digits::length;
 use crate::solve::projection;
+use crate::tier::core::Core;
 use polhode_spatial::Still;
 use std::collections::{BTreeMap, BTreeSet};
 

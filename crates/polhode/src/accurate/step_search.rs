@@ -1,9 +1,9 @@
-//! A search within a step of an island: for the first time at which its active set ceases to be valid (`locate.rs`), and for
-//! contacts that penetrate (`penetration.rs`).
+//! A search within a step of an island: for the first time at which its active set ceases to be valid (`locate.rs`),
+//! and for contacts that penetrate (`penetration.rs`).
 
 use super::constrained_step::ConstrainedStep;
-use crate::collision::contact_id::ContactId;
-use crate::core::Core;
+use crate::identity::contact_id::ContactId;
+use crate::tier::core::Core;
 use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
 

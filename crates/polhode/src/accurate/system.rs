@@ -16,16 +16,16 @@
 //! external forces and kinematic bodies. Where contacts have friction, one more follows: the energy lost to it.
 
 use super::held_forces::{self, FrictionContact, HeldForces};
-use crate::Momentum;
 use crate::accounting::books::Received;
 use crate::collision::active_contacts::ActiveContacts;
-use crate::collision::contact_id::ContactId;
 use crate::constraint::bilateral::bilateral_support;
+use crate::identity::contact_id::ContactId;
 use crate::reduced::tree::Tree;
-use crate::smooth_rates::{add, add_outside_rates, free_rates};
+use crate::report::momentum_ledger::Momentum;
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::impact::support;
 use crate::solve::rotational_friction::{moment_support, moment_work};
+use crate::tier::smooth_rates::{add, add_outside_rates, free_rates};
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, WIDTH};

@@ -8,13 +8,16 @@ use super::island::{Island, Step};
 use super::motions::{Mode, Track, book_flight};
 use crate::accounting::Accounts;
 use crate::accounting::books::Received;
-use crate::core::Core;
-use crate::frame::{ContactView, IslandView, JointView, MotionKind, PivotView};
-use crate::observer::{BodySample, Observer};
+use crate::error::SimulationError;
+use crate::identity::body_id::BodyId;
+use crate::report::acceleration::Acceleration;
+use crate::report::frame::{ContactView, IslandView, JointView, MotionKind, PivotView};
+use crate::report::observer::{BodySample, Observer};
 use crate::rows::assembly::free_acceleration;
+use crate::scene::effects::Effects;
 use crate::snapshot::content;
+use crate::tier::core::Core;
 use crate::tier::{Reached, Tier};
-use crate::{Acceleration, BodyId, Effects, SimulationError};
 use polhode_dynamics::BodyState;
 use polhode_response::ComplementaritySolver;
 use polhode_spatial::DVec3;
@@ -277,8 +280,8 @@ impl Tier for Engine {
         content::Tier::Accurate(self.saved())
     }
 
-    /// Where a length grows by the largest factor from step to step, the companion would otherwise make the steps of the
-    /// run.
+    /// Where a length grows by the largest factor from step to step, the companion would otherwise make the steps of
+    /// the run.
     fn save_with_longer_steps(&self, factor: f64) -> content::Tier {
         let mut saved = self.saved();
         for track in &mut saved.tracks {

@@ -4,11 +4,11 @@ use super::contact_change::ContactChange;
 use super::locate::PENETRATION_CHECKS;
 use super::resolve::Resolution;
 use super::step_search::StepSearch;
-use crate::SimulationError;
-use crate::body_id::BodyId;
 use crate::constraint::locator::{Side, close_in};
 use crate::constraint::released::RunOff;
-use crate::event::{Event, EventKind};
+use crate::error::SimulationError;
+use crate::identity::body_id::BodyId;
+use crate::report::event::{Event, EventKind};
 use std::convert::Infallible;
 
 impl StepSearch<'_> {

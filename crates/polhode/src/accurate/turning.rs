@@ -7,7 +7,7 @@ use super::resolve::slip_noise;
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::{RotationModes, Turn};
-use crate::core::Core;
+use crate::tier::core::Core;
 
 impl Motions {
     /// The rotations of a contact that turn in the present states.

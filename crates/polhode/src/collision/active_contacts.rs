@@ -1,10 +1,10 @@
 //! The active contacts of an island, each with its modes.
 
-use super::contact_id::ContactId;
 use super::contact_modes::ContactModes;
 use super::contact_set::Touch;
 use super::friction_mode::{FrictionMode, Slide};
 use super::turn::{RotationModes, Turn};
+use crate::identity::contact_id::ContactId;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 

@@ -4,8 +4,8 @@
 //! boxes are new ([`Boxes::all_pairs`]); when the box of one body is new, it is compared with all others
 //! ([`Boxes::near`]).
 
-use crate::SimulationError;
-use crate::settings::Settings;
+use crate::error::SimulationError;
+use crate::scene::settings::Settings;
 use crate::snapshot::SnapshotError;
 use crate::snapshot::numbers::Vector;
 use crate::world::World;

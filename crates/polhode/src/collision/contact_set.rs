@@ -3,13 +3,13 @@
 //! Bodies and features identify a contact, so that its status is kept from one event to the next while its geometry is
 //! evaluated anew in every state. Between events the set of contacts is frozen; at an event it is detected again.
 
-use super::contact_id::{ContactId, Feature};
 use super::contact_modes::ContactModes;
 use super::friction_mode::{FrictionCoefficients, RotationalFriction};
 use super::turn::Turn;
-use crate::plane_of_motion::PlaneOfMotion;
-use crate::prescribed_state;
+use crate::identity::contact_id::{ContactId, Feature};
 use crate::scene::{FrictionEllipse, GrainOf};
+use crate::world::plane_of_motion::PlaneOfMotion;
+use crate::world::prescribed_state;
 use crate::world::{TOUCH_RELATIVE, World};
 use polhode_contact::{ContactKinematics, Manifold, Shape, TangentialKinematics, counterpart, separation};
 use polhode_dynamics::BodyState;
@@ -66,7 +66,8 @@ pub(crate) struct Touch {
     pub(crate) hold: Hold,
     /// Whether `hold` has been decided; it has not for a contact that has just been found.
     pub(crate) known: bool,
-    /// Whether its features define a contact in the present states; where they do not, `kinematics` are of states before.
+    /// Whether its features define a contact in the present states; where they do not, `kinematics` are of states
+    /// before.
     pub(crate) is_defined: bool,
     pub(crate) modes: ContactModes,
 }
@@ -186,8 +187,8 @@ impl World {
         (coefficients.at_rest.largest() > 0.0 || resists_rotation).then_some(coefficients)
     }
 
-    /// The coefficients of friction of a contact whose tangents are these; none without friction. Where the grain stands
-    /// on end, every direction is across it.
+    /// The coefficients of friction of a contact whose tangents are these; none without friction. Where the grain
+    /// stands on end, every direction is across it.
     pub(crate) fn friction_at(
         &self,
         states: &[BodyState],

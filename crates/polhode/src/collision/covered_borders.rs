@@ -1,23 +1,24 @@
 //! Contacts at the border of a body that is no border of the whole surface.
 //!
-//! A body that lies on several bodies whose surfaces are flush touches each of them up to its border. Where other bodies
-//! continue the surface beyond that border, the whole surface has none, and the contacts at it are left out, as within a
-//! mesh:
+//! A body that lies on several bodies whose surfaces are flush touches each of them up to its border. Where other
+//! bodies continue the surface beyond that border, the whole surface has none, and the contacts at it are left out, as
+//! within a mesh:
 //!
 //! - The crossings of the rim of a disc or ring with an edge. Near the place where the rim is parallel to the edge, the
 //!   direction of the common normal is uncertain.
-//! - Contacts of an edge, a line or a face at one place with two immovable bodies, as where the line of a lying cylinder
-//!   crosses a seam. They lie between other contacts. With friction, the motion would depend on what share of the load
-//!   they take, which mechanics of rigid bodies leaves open; on one plate there are none. Movable bodies need the support
-//!   at their borders.
+//! - Contacts of an edge, a line or a face at one place with two immovable bodies, as where the line of a lying
+//!   cylinder crosses a seam. They lie between other contacts. With friction, the motion would depend on what share of
+//!   the load they take, which mechanics of rigid bodies leaves open; on one plate there are none. Movable bodies need
+//!   the support at their borders.
 //!
-//! A border is covered when the bodies that the lying body touches cover the contact plane all around the contact: each of
-//! some points in the plane, at a distance of `PROBE` times the size of the smaller body, is inside one of them or at its
-//! surface, within the touch distance for crossings and within rounding for seams. A compound may cover the edge of one of its parts alone. Where a body covers the
-//! plane alone and is touched by an edge or a face, it has no border there.
+//! A border is covered when the bodies that the lying body touches cover the contact plane all around the contact: each
+//! of some points in the plane, at a distance of `PROBE` times the size of the smaller body, is inside one of them or
+//! at its surface, within the touch distance for crossings and within rounding for seams. A compound may cover the edge
+//! of one of its parts alone. Where a body covers the plane alone and is touched by an edge or a face, it has no border
+//! there.
 
-use super::contact_id::{ContactId, Feature};
 use super::contact_set::Touch;
+use crate::identity::contact_id::{ContactId, Feature};
 use crate::world::World;
 use polhode_contact::{ContactFeature, DVec3, Side, SurfaceFeature, closest_point};
 use polhode_dynamics::BodyState;
@@ -151,8 +152,8 @@ const fn is_crossing(feature: ContactFeature) -> bool {
     )
 }
 
-/// Whether a body touches by a point that moves with it: a vertex, a sphere or a point of a rim. The load that it takes is
-/// taken by no other contact.
+/// Whether a body touches by a point that moves with it: a vertex, a sphere or a point of a rim. The load that it takes
+/// is taken by no other contact.
 fn is_extreme(feature: Feature, side: Side) -> bool {
     // A stop is on no surface.
     let Feature::Shapes(feature) = feature else { return true };

@@ -1,20 +1,21 @@
 //! The collision envelope of micro-collisions, and their restitution (Mirtich).
 //!
-//! A contact collides where its gap `d` (m) is at most the envelope `eps` and it approaches. Up to the speed of a fall through
-//! the envelope, `v = sqrt(2 g eps)`, the collision is a micro-collision: no impact of the world but one of the many that stand
-//! for a contact force. Its restitution is
+//! A contact collides where its gap `d` (m) is at most the envelope `eps` and it approaches. Up to the speed of a fall
+//! through the envelope, `v = sqrt(2 g eps)`, the collision is a micro-collision: no impact of the world but one of the
+//! many that stand for a contact force. Its restitution is
 //!
 //! `e(d) = e_0 + (1 - e_0) (1 - d/eps)`, from that of the materials, `e_0`, at the border to 1 where the bodies touch:
 //!
-//! a body that is supported sinks through the envelope ever more slowly, by `g h (1 - e)/4` (m/s) for collisions every `h` (s), and
-//! at `d = 0` neither sinks nor rises. 1 at the most, no collision gives energy.
+//! a body that is supported sinks through the envelope ever more slowly, by `g h (1 - e)/4` (m/s) for collisions every
+//! `h` (s), and at `d = 0` neither sinks nor rises. 1 at the most, no collision gives energy.
 //!
 //! Fails where bodies overlap: `e = 1` then, and nothing drives them apart.
 //!
 //! Contacts that stick reverse their slip as well (`solve/reversal.rs`).
 //!
-//! Source: the envelope and its speed, Mirtich 1996, section 3.5, and Mirtich and Canny 1995; the restitution that grows towards touch is
-//! derived here (Mirtich's own micro-collision reverses the velocity, `e = 1`, where friction allows it).
+//! Source: the envelope and its speed, Mirtich 1996, section 3.5, and Mirtich and Canny 1995; the restitution that
+//! grows towards touch is derived here (Mirtich's own micro-collision reverses the velocity, `e = 1`, where friction
+//! allows it).
 
 /// The envelope of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,13 +1,14 @@
 //! Where bodies touch or may touch within a step, as faces with points that are fixed to both bodies.
 //!
-//! The contacts of a pair with nearly one normal form a patch of at most four points. Each point is kept as two anchors, one in
-//! the frame of each body: its separation at other poses is `n . (x_A - x_B)`, exact for a corner that slides on a face. As long as two bodies
-//! with flat faces have hardly moved relative to each other ([`KEPT_RELATIVE`]) their patches are kept, and nothing is searched: in a
-//! stack that stands the narrow phase costs a few dozen operations for each pair. Round bodies are searched at every movement, since their point
-//! of contact wanders over them.
+//! The contacts of a pair with nearly one normal form a patch of at most four points. Each point is kept as two
+//! anchors, one in the frame of each body: its separation at other poses is `n . (x_A - x_B)`, exact for a corner that
+//! slides on a face. As long as two bodies with flat faces have hardly moved relative to each other ([`KEPT_RELATIVE`])
+//! their patches are kept, and nothing is searched: in a stack that stands the narrow phase costs a few dozen
+//! operations for each pair. Round bodies are searched at every movement, since their point of contact wanders over
+//! them.
 //!
-//! Patches are part of the state of a run: which poses they were found at decides their anchors. Failure: patches of bodies whose
-//! faces are strongly curved over the reach are flat.
+//! Patches are part of the state of a run: which poses they were found at decides their anchors. Failure: patches of
+//! bodies whose faces are strongly curved over the reach are flat.
 
 use crate::world::World;
 use polhode_contact::{
@@ -18,22 +19,23 @@ use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose};
 use smallvec::SmallVec;
 
-/// Movement of two bodies relative to each other for which their patches are kept, relative to the size of the smaller one (no
-/// unit, 1e-5 to 1e-3): a corner is then taken that far from where it is, along its face.
+/// Movement of two bodies relative to each other for which their patches are kept, relative to the size of the smaller
+/// one (no unit, 1e-5 to 1e-3): a corner is then taken that far from where it is, along its face.
 const KEPT_RELATIVE: f64 = 2e-4;
 
-/// Contacts up to this distance are found besides those that the bodies may reach in a step, relative to the size of the smaller body
-/// (no unit, 1e-3 to 1e-1): so that patches need not be searched as soon as one body moves a little.
+/// Contacts up to this distance are found besides those that the bodies may reach in a step, relative to the size of
+/// the smaller body (no unit, 1e-3 to 1e-1): so that patches need not be searched as soon as one body moves a little.
 const MARGIN_RELATIVE: f64 = 1e-2;
 
-/// Distance within which points of two searches are one, relative to the size of the smaller body (no unit, 1e-3 to 1e-1).
+/// Distance within which points of two searches are one, relative to the size of the smaller body (no unit, 1e-3 to
+/// 1e-1).
 const SAME_PLACE_RELATIVE: f64 = 2e-2;
 
 /// How much farther than needed patches are searched, so that they last (no unit).
 const REACH_TO_SPARE: f64 = 1.5;
 
-/// Contacts of one normal whose surfaces lie at other heights by more than this, relative to the size of the smaller body, are patches of their own
-/// (no unit, 1e-3 to 5e-2): friction acts in the plane of a patch.
+/// Contacts of one normal whose surfaces lie at other heights by more than this, relative to the size of the smaller
+/// body, are patches of their own (no unit, 1e-3 to 5e-2): friction acts in the plane of a patch.
 const ONE_LEVEL_RELATIVE: f64 = 1e-2;
 
 /// Cosine of the angle between the normals of contacts of one patch: some two degrees.
@@ -171,11 +173,12 @@ pub(crate) struct PairPatches {
     kept: f64,
     /// Size of the smaller body, m.
     size: f64,
-    /// Whether a body is a compound or a mesh: beyond the reach of a search their distance is not known, but that it is larger.
+    /// Whether a body is a compound or a mesh: beyond the reach of a search their distance is not known, but that it is
+    /// larger.
     has_parts: bool,
     smaller: Side,
-    /// The body in whose frame normals are kept: the one that impulses do not move, else the larger one. A load that rocks
-    /// on a floor has the normal of the
+    /// The body in whose frame normals are kept: the one that impulses do not move, else the larger one. A load that
+    /// rocks on a floor has the normal of the
     /// floor.
     base: Side,
     found_at: Option<FoundAt>,
@@ -250,8 +253,9 @@ impl PairPatches {
         ContactGeometry { point: (a + b) * 0.5, normal, separation: normal.dot(a - b), margin: f64::INFINITY }
     }
 
-    /// Where impulses act on the way from the point on A to that on B (no unit): on the surface of the one body that forces move, where it will meet the
-    /// other, else in the middle, as where bodies overlap. A lever of half a gap more would give a ball that is still apart too much spin.
+    /// Where impulses act on the way from the point on A to that on B (no unit): on the surface of the one body that
+    /// forces move, where it will meet the other, else in the middle, as where bodies overlap. A lever of half a gap
+    /// more would give a ball that is still apart too much spin.
     pub(crate) fn acting_part(&self, world: &World, separation: f64) -> f64 {
         match [self.a, self.b].map(|body| world.bodies[body].moves()) {
             [true, false] if separation > 0.0 => 0.0,
@@ -314,8 +318,8 @@ impl PairPatches {
         movement <= self.kept && reach <= found.reach
     }
 
-    /// The impulses of points that were there before: by their features, and those of other features at the same place (where edges of two
-    /// faces nearly coincide, rounding says which of them makes the corner).
+    /// The impulses of points that were there before: by their features, and those of other features at the same place
+    /// (where edges of two faces nearly coincide, rounding says which of them makes the corner).
     fn take_impulses(&mut self, before: &[PatchPoint]) {
         let near = SAME_PLACE_RELATIVE * self.size;
         let mut left: FewContacts<&PatchPoint> = before.iter().collect();
@@ -351,8 +355,8 @@ pub(crate) struct Tools {
 /// A list that is rarely longer than two patches.
 type FewContacts<T> = SmallVec<[T; 2 * PATCH_POINTS]>;
 
-/// Brings patches to these contacts, in the order of their first ones. Those of a patch have one normal, and lie in one plane of body A or of body B, to
-/// `level` (m).
+/// Brings patches to these contacts, in the order of their first ones. Those of a patch have one normal, and lie in one
+/// plane of body A or of body B, to `level` (m).
 fn make_patches(patches: &mut Vec<Patch>, contacts: &[Contact], poses: ((&Pose, &Pose), Side), level: f64) {
     let is_along = |first: &Contact, contact: &Contact| {
         let (normal, apart) = (first.geometry.normal, first.geometry.separation);
@@ -391,8 +395,8 @@ fn make_patches(patches: &mut Vec<Patch>, contacts: &[Contact], poses: ((&Pose, 
     patches.truncate(made);
 }
 
-/// Leaves four contacts of a group: of those in front, the deepest, the farthest from it, and the two farthest from their line on both
-/// sides.
+/// Leaves four contacts of a group: of those in front, the deepest, the farthest from it, and the two farthest from
+/// their line on both sides.
 fn reduce(group: &mut FewContacts<&Contact>, normal: DVec3) {
     if group.len() <= PATCH_POINTS {
         return;
@@ -416,9 +420,9 @@ fn reduce(group: &mut FewContacts<&Contact>, normal: DVec3) {
     *group = chosen.into_iter().map(|number| group[number]).collect();
 }
 
-/// Drops contacts behind others: those that lie higher above another one than aside of it, such as the upper corners of a flat body whose
-/// speed along the floor makes the search reach that far. They bear nothing unless the body turns by more than 45 degrees, and would take
-/// the places of the corners below them.
+/// Drops contacts behind others: those that lie higher above another one than aside of it, such as the upper corners of
+/// a flat body whose speed along the floor makes the search reach that far. They bear nothing unless the body turns by
+/// more than 45 degrees, and would take the places of the corners below them.
 fn keep_those_in_front(group: &mut FewContacts<&Contact>, normal: DVec3) {
     let is_behind = |contact: &&Contact, other: &&Contact| {
         let between = contact.geometry.point - other.geometry.point;
@@ -441,8 +445,8 @@ pub(crate) struct LastingBoxes {
     pub(crate) pairs: Vec<(usize, usize)>,
 }
 
-/// How much larger than needed a box is, relative to the size of its body (no unit): the smaller, the fewer pairs; the larger, the longer
-/// it lasts.
+/// How much larger than needed a box is, relative to the size of its body (no unit): the smaller, the fewer pairs; the
+/// larger, the longer it lasts.
 const ROOM_RELATIVE: f64 = 0.05;
 
 impl LastingBoxes {
@@ -458,8 +462,8 @@ impl LastingBoxes {
         }
     }
 
-    /// Finds the pairs of bodies that may touch in a step in which body `k` moves by at most `travel(k)` (m). Returns whether they may
-    /// be others than before.
+    /// Finds the pairs of bodies that may touch in a step in which body `k` moves by at most `travel(k)` (m). Returns
+    /// whether they may be others than before.
     ///
     /// # Errors
     /// When there are more bodies than the broad phase can number.
@@ -526,7 +530,8 @@ impl LastingBoxes {
     }
 }
 
-/// Brings the records of pairs to a new list of pairs, ascending; those that are no longer near are dropped. `spare` keeps the memory of the list before.
+/// Brings the records of pairs to a new list of pairs, ascending; those that are no longer near are dropped. `spare`
+/// keeps the memory of the list before.
 pub(crate) fn follow_pairs(
     world: &World,
     (records, spare): (&mut Vec<PairPatches>, &mut Vec<PairPatches>),

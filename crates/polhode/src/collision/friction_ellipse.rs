@@ -1,13 +1,14 @@
 //! Coulomb's law with an ellipse in place of the circle: friction along and across a grain.
 //!
-//! In the tangent basis `t_1` (along the grain), `t_2` (across) let `M = diag(mu_1, mu_2)`. The force of friction lies in
-//! `|M^-1 f| <= f_n`, and that of a slip along `d` is the one of largest dissipation,
+//! In the tangent basis `t_1` (along the grain), `t_2` (across) let `M = diag(mu_1, mu_2)`. The force of friction lies
+//! in `|M^-1 f| <= f_n`, and that of a slip along `d` is the one of largest dissipation,
 //!
 //! `f = -f_n M^2 d / |M d|`,
 //!
 //! where the normal of the ellipse points against the slip. It is opposite to the slip along the axes alone. With rows
-//! `s_i t_i`, `s_i = mu_i / m`, `m = max(mu_1, mu_2)`, forces `lambda_i = f_i / s_i` and slips `v_i = s_i u_i` satisfy the
-//! law of a circle with coefficient `m`, work included: `lambda.v = f.u`. Source: docs/REFERENCES.md, Michalowski and Mroz 1978.
+//! `s_i t_i`, `s_i = mu_i / m`, `m = max(mu_1, mu_2)`, forces `lambda_i = f_i / s_i` and slips `v_i = s_i u_i` satisfy
+//! the law of a circle with coefficient `m`, work included: `lambda.v = f.u`. Source: docs/REFERENCES.md, Michalowski
+//! and Mroz 1978.
 
 use crate::scene::FrictionEllipse;
 use polhode_spatial::DVec3;

@@ -1,14 +1,15 @@
 //! Points of patches at a border of a fixed body that other fixed bodies continue: flush surfaces are one surface.
 //!
-//! What slides over flush tiles comes to the side of the next one, and nothing tells a pair of bodies that the tile before covers this side. A
-//! point of a patch is left out if it is at another fixed body on which the other body lies, and if no surface of its own fixed body
-//! around it is free: each of the places that
-//! `covered_borders` probes in the plane of the patch is either not on the own fixed body, or within another one. What covers the point so
-//! reaches farther towards the other body than the point does, so that the patch with it holds that body.
+//! What slides over flush tiles comes to the side of the next one, and nothing tells a pair of bodies that the tile
+//! before covers this side. A point of a patch is left out if it is at another fixed body on which the other body lies,
+//! and if no surface of its own fixed body around it is free: each of the places that
+//! `covered_borders` probes in the plane of the patch is either not on the own fixed body, or within another one. What
+//! covers the point so reaches farther towards the other body than the point does, so that the patch with it holds that
+//! body.
 //!
 //! A body that lies softly has sunk into what bears it, and meets the side of the next one deeper than that. So the
-//! places are lifted by the deepest overlap with the other fixed bodies, along its normal and in the plane of the patch: the foot of a wall that
-//! stands on the floor stays a wall.
+//! places are lifted by the deepest overlap with the other fixed bodies, along its normal and in the plane of the
+//! patch: the foot of a wall that stands on the floor stays a wall.
 //! Failure: a step that is lower than that overlap is no step.
 
 use super::covered_borders::places_around;

@@ -2,6 +2,7 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | `envelope` | the distance from a body within which contacts are looked for |
 //! | `boxes` | swept boxes of moving bodies, and the pairs whose boxes overlap |
 //! | `face_patches` | where bodies may touch within a step: points fixed to both bodies, kept while these hardly move |
 //! | `inner_borders` | points of patches at a border that other bodies continue |
@@ -19,7 +20,6 @@
 
 pub(crate) mod active_contacts;
 pub(crate) mod boxes;
-pub(crate) mod contact_id;
 pub(crate) mod contact_modes;
 pub(crate) mod contact_set;
 mod covered_borders;

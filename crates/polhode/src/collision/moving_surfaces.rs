@@ -1,16 +1,16 @@
 //! Surfaces that move while their shapes do not: belts, tracks of a vehicle, rollers.
 //!
-//! The surface of a body moves at `s` (m/s) in the frame of the body, the same everywhere; the part of it in the tangent
-//! plane of a contact counts. With `w = R_A s_A - R_B s_B` and `P = 1 - n n^T` the slip of the contact gains `P w`, and its
-//! rate
+//! The surface of a body moves at `s` (m/s) in the frame of the body, the same everywhere; the part of it in the
+//! tangent plane of a contact counts. With `w = R_A s_A - R_B s_B` and `P = 1 - n n^T` the slip of the contact gains
+//! `P w`, and its rate
 //!
 //! `(P w)' = P (omega_A x R_A s_A - omega_B x R_B s_B) - n (n'.w) - n' (n.w)`.
 //!
-//! A force `f` of friction on A gives both bodies the power `f.(v_A - v_B) = f.u - f.w` (`v` velocities of the bodies at
-//! the contact, `u` the slip): the drives of the surfaces give `-f.w`. Assumes that a surface moves steadily, and that no
-//! momentum of what moves matters.
+//! A force `f` of friction on A gives both bodies the power `f.(v_A - v_B) = f.u - f.w` (`v` velocities of the bodies
+//! at the contact, `u` the slip): the drives of the surfaces give `-f.w`. Assumes that a surface moves steadily, and
+//! that no momentum of what moves matters.
 
-use super::contact_id::ContactId;
+use crate::identity::contact_id::ContactId;
 use crate::world::World;
 use polhode_contact::{ContactGeometry, TangentialKinematics};
 use polhode_dynamics::BodyState;
@@ -47,8 +47,8 @@ impl World {
         terms.acceleration_bias += in_plane(rate) - n * n_rate.dot(w) - n_rate * n.dot(w);
     }
 
-    /// Work (J) of the drives of surfaces by impulses (N s) on A along tangents, which stand in the place of normals; from
-    /// forces (N), their power, W.
+    /// Work (J) of the drives of surfaces by impulses (N s) on A along tangents, which stand in the place of normals;
+    /// from forces (N), their power, W.
     pub(crate) fn surface_work<'a>(
         &self,
         states: &[BodyState],

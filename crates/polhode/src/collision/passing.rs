@@ -5,8 +5,8 @@
 //! a face at that border (`polhode_contact::Passing`, where the rule stands): the contacts with the plane of
 //! this face take the place of those that would collide.
 
-use super::contact_id::{ContactId, Feature};
 use super::contact_set::FoundContact;
+use crate::identity::contact_id::{ContactId, Feature};
 use crate::world::World;
 use polhode_contact::{ContactKinematics, Moving, Passing};
 use polhode_dynamics::BodyState;

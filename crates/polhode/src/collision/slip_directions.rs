@@ -1,9 +1,9 @@
 //! The directions in which bodies may slip and roll on each other at a contact: two in space, one in planar motion.
 //!
 //! In planar motion the normal `n` of a contact lies in the plane with unit normal `m`, and the bodies slip along
-//! `t = m x n` and roll about `m`; the tangents `(t, m)` and `n` are right-handed. Coulomb's cone `|f_t| <= mu f_n` becomes the interval
-//! `-mu f_n <= f_t <= mu f_n`: of a contact and its mirror image, which it stands for, the forces along `m` cancel, and
-//! those along `t` add up as those along `n` do. Bodies do not spin about normals.
+//! `t = m x n` and roll about `m`; the tangents `(t, m)` and `n` are right-handed. Coulomb's cone `|f_t| <= mu f_n`
+//! becomes the interval `-mu f_n <= f_t <= mu f_n`: of a contact and its mirror image, which it stands for, the forces
+//! along `m` cancel, and those along `t` add up as those along `n` do. Bodies do not spin about normals.
 
 use crate::world::World;
 use polhode_spatial::DVec3;

@@ -1,7 +1,8 @@
-//! Joints that a program adds to a simulation, between bodies as they are then. Those that it takes away are `released.rs`.
+//! Joints that a program adds to a simulation, between bodies as they are then. Those that it takes away are
+//! `released.rs`.
 
 use super::joint::{AddedJoint, WorldJoint};
-use crate::collision::contact_id::{ContactId, Feature};
+use crate::identity::contact_id::{ContactId, Feature};
 use crate::scene::{Joint, Scene, SceneError, Tier};
 use crate::world::World;
 use polhode_dynamics::BodyState;

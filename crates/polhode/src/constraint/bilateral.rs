@@ -5,21 +5,21 @@
 //! | along a direction `d` (unit vector) | `u = d.(v_A + w_A x r_A - v_B - w_B x r_B)` | force `l d` at the point, on A |
 //! | about an axis `n` (a length times a vector) | `u = n.(w_A - w_B)` | moment `l n` on A |
 //!
-//! B bears the opposite; the world as B has no entry. Each row has a gap (m), its rate (m/s), and what its second derivative
-//! contains beside the accelerations of the bodies (m/s^2), here called its bias; a reaction keeps all three at zero. The row
-//! of a tie (`tie.rs`) has a part along each of two coordinates; its reaction here is what it does along the first one. Rows of
-//! rotations are multiplied by a length, so that all rows have one unit. Sources: thesis 3.2, equations 2 and 3; Featherstone
-//! 2008, chapter 8 (rows of joints).
+//! B bears the opposite; the world as B has no entry. Each row has a gap (m), its rate (m/s), and what its second
+//! derivative contains beside the accelerations of the bodies (m/s^2), here called its bias; a reaction keeps all three
+//! at zero. The row of a tie (`tie.rs`) has a part along each of two coordinates; its reaction here is what it does
+//! along the first one. Rows of rotations are multiplied by a length, so that all rows have one unit. Sources: thesis
+//! 3.2, equations 2 and 3; Featherstone 2008, chapter 8 (rows of joints).
 //!
 //! A kinematic member contributes known terms to rates (by its velocity in the states) and to the second derivatives
-//! ([`World::driven_acceleration`]), and does work on the other one ([`World::driven_work`]). Rows are made in `point.rs`, `line.rs` and `perpendicular.rs`, and put together in one file for each
-//! kind of joint.
+//! ([`World::driven_acceleration`]), and does work on the other one ([`World::driven_work`]). Rows are made in
+//! `point.rs`, `line.rs` and `perpendicular.rs`, and put together in one file for each kind of joint.
 
 use super::ConstraintId;
 use super::row::{Action, BilateralRow, Member, Part, RowKind, RowsAt};
 use super::softness::Softness;
-use crate::Momentum;
-use crate::MomentumSum;
+use crate::report::momentum_ledger::Momentum;
+use crate::report::momentum_ledger::MomentumSum;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
@@ -39,8 +39,8 @@ pub(crate) struct Bilateral {
     pub(crate) softness: Option<Softness>,
 }
 
-/// What a constraint does to its first body, and the opposite of what it does to the second: a force at its point (N; an
-/// impulse, N s) and a moment (N m, N m s), world.
+/// What a constraint does to its first body, and the opposite of what it does to the second: a force at its point (N;
+/// an impulse, N s) and a moment (N m, N m s), world.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Reaction {
     pub(crate) force: DVec3,
@@ -99,8 +99,8 @@ impl Bilateral {
         self.rows.first().map_or(0.0, |row| row.multiplier(reaction))
     }
 
-    /// Work of an impulse of this constraint, J, where its rows had the rates of `self` before it and have those of `after`:
-    /// `l (u- + u+)/2` of each row. Directions are orthogonal to each other, and so are axes.
+    /// Work of an impulse of this constraint, J, where its rows had the rates of `self` before it and have those of
+    /// `after`: `l (u- + u+)/2` of each row. Directions are orthogonal to each other, and so are axes.
     pub(crate) fn work(&self, after: &Self, impulse: Reaction) -> f64 {
         let work =
             |(row, after): (&BilateralRow, &BilateralRow)| 0.5 * row.multiplier(impulse) * (row.rate + after.rate);
@@ -191,8 +191,8 @@ impl World {
     }
 }
 
-/// Momentum that reactions of constraints with the world, or with kinematic bodies (N s, N) give to the bodies that they hold, angular about a point: between
-/// movable bodies they cancel.
+/// Momentum that reactions of constraints with the world, or with kinematic bodies (N s, N) give to the bodies that
+/// they hold, angular about a point: between movable bodies they cancel.
 pub(crate) fn bilateral_support<'a>(
     about: DVec3,
     reactions: impl Iterator<Item = (&'a Bilateral, Reaction)>,

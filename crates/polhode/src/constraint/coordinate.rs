@@ -7,17 +7,17 @@
 //! | arc length along a track, height above one | `track.rs` | `track.rs` |
 //! | distance of two points | `abs(p_A - p_B)` | `(p_A - p_B)/abs(p_A - p_B)` at `p_A` |
 //!
-//! `p` are the anchors (m), `e` unit vectors at right angles to the axis, one at the start, and `l` a length of the joint (m) that
-//! gives angles the unit of displacements. A force at a lever stands for the moment about a hinge: the hinge holds its anchor
-//! and adds the opposite force there, so that both together are the moment.
+//! `p` are the anchors (m), `e` unit vectors at right angles to the axis, one at the start, and `l` a length of the
+//! joint (m) that gives angles the unit of displacements. A force at a lever stands for the moment about a hinge: the
+//! hinge holds its anchor and adds the opposite force there, so that both together are the moment.
 //!
-//! Of each value there are the rate `u = row.(v_A - v_B)` and what its second derivative contains beside the accelerations of the
-//! bodies, its bias: centripetal terms `c = w x (w x r)`, `row.(c_A - c_B)`, and those by which the row turns,
-//! `2 (w_B x row).u`, of an angle `l (w_B x n).(w_A - w_B)` too, of a distance `u_across^2 / abs(p_A - p_B)`. Source: Featherstone
-//! 2008, chapters 3 and 8.
+//! Of each value there are the rate `u = row.(v_A - v_B)` and what its second derivative contains beside the
+//! accelerations of the bodies, its bias: centripetal terms `c = w x (w x r)`, `row.(c_A - c_B)`, and those by which
+//! the row turns, `2 (w_B x row).u`, of an angle `l (w_B x n).(w_A - w_B)` too, of a distance
+//! `u_across^2 / abs(p_A - p_B)`. Source: Featherstone 2008, chapters 3 and 8.
 //!
-//! Assumptions: what the joint keeps holds. An angle is known up to whole revolutions. Two points at one place have no direction:
-//! there is no row then.
+//! Assumptions: what the joint keeps holds. An angle is known up to whole revolutions. Two points at one place have no
+//! direction: there is no row then.
 
 pub(crate) use super::coordinate_at::CoordinateAt;
 use super::coordinate_at::{AsMoment, AtLever};
@@ -56,7 +56,8 @@ impl Measured {
         Self::Angle { axis: b.inverse_rotate(axis), of_a: a.inverse_rotate(across), of_b: b.inverse_rotate(across) }
     }
 
-    /// The displacement along an axis of the world (unit vector), zero at the start, fixed in a body with this attitude.
+    /// The displacement along an axis of the world (unit vector), zero at the start, fixed in a body with this
+    /// attitude.
     pub(super) fn displacement(axis: DVec3, b: Rotation) -> Self {
         Self::Displacement { axis: b.inverse_rotate(axis) }
     }
@@ -69,7 +70,8 @@ impl Measured {
         }
     }
 
-    /// The coordinate of these ends. `length` is that of the joint, m; an angle is given within half a revolution of `near` (its arc, m).
+    /// The coordinate of these ends. `length` is that of the joint, m; an angle is given within half a revolution of
+    /// `near` (its arc, m).
     pub(super) fn at(&self, a: &EndKinematics, b: &EndKinematics, length: f64, near: f64) -> Option<CoordinateAt> {
         match *self {
             Self::Angle { axis, of_a, of_b } => Some(angle((axis, of_a, of_b), a, b, length, near)),

@@ -49,8 +49,8 @@ impl CoordinateAt {
         Self { value, rate, bias, point, direction, moment: None, at_second: None }
     }
 
-    /// The rate of the coordinate itself, m/s: of an angle not that of its lever, which contains how fast the anchors part where the
-    /// joint does not hold them yet, and depends on which way across the axis the lever points.
+    /// The rate of the coordinate itself, m/s: of an angle not that of its lever, which contains how fast the anchors
+    /// part where the joint does not hold them yet, and depends on which way across the axis the lever points.
     pub(super) fn own_rate(&self) -> f64 {
         self.moment.map_or(self.rate, |moment| moment.rate)
     }

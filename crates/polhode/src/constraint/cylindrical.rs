@@ -1,4 +1,5 @@
-//! A cylindrical joint: an axis of two bodies that stays one. Free are the rotation about it and the displacement along it.
+//! A cylindrical joint: an axis of two bodies that stays one. Free are the rotation about it and the displacement along
+//! it.
 
 use super::kept::Kept;
 use polhode_spatial::{DVec3, Rotation};

@@ -110,8 +110,8 @@ impl End {
 }
 
 impl EndKinematics {
-    /// The motion of another point (m, world) that moves with the body at this moment. Two bodies whose ends are apart bear
-    /// their forces at one point, so that their angular momentum stays.
+    /// The motion of another point (m, world) that moves with the body at this moment. Two bodies whose ends are apart
+    /// bear their forces at one point, so that their angular momentum stays.
     pub(super) fn at_point(self, point: DVec3) -> Self {
         let way = point - self.point;
         let (arm, holder) = match self.holder {

@@ -8,8 +8,8 @@ pub(super) fn kept(attitudes: (Rotation, Rotation)) -> Kept {
     Kept::point().with_rotation(attitude(DVec3::AXES), attitudes)
 }
 
-/// Pairs of three axes at right angles, of A and of B, that stay perpendicular where bodies do not turn on each other: their rows are
-/// about the three axes.
+/// Pairs of three axes at right angles, of A and of B, that stay perpendicular where bodies do not turn on each other:
+/// their rows are about the three axes.
 pub(super) fn attitude([x, y, z]: [DVec3; 3]) -> [(DVec3, DVec3); 3] {
     [(y, z), (z, x), (x, y)]
 }

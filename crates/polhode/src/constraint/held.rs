@@ -108,8 +108,8 @@ impl World {
         found.into_iter().collect()
     }
 
-    /// Whether joints and pivots of these bodies (ascending) close loops, through the world or kinematic bodies too. Gears and
-    /// prescribed motions close none.
+    /// Whether joints and pivots of these bodies (ascending) close loops, through the world or kinematic bodies too.
+    /// Gears and prescribed motions close none.
     pub(crate) fn has_loops_among(&self, bodies: &[usize]) -> bool {
         // The world is the last place.
         let mut sets = DisjointSets::new(bodies.len() + 1);

@@ -23,7 +23,7 @@ use super::stop::Stop;
 use super::track::Guide;
 use super::tree_joint::TreeJoint;
 use super::{ConstraintId, cylindrical, fixed, hinge, on_track, planar, point, screw, slider, universal};
-use crate::body_id::BodyId;
+use crate::identity::body_id::BodyId;
 use crate::scene::{Coordinate, Joint, JointKind, Motor, TrackHold};
 use polhode_contact::ContactKinematics;
 use polhode_spatial::curve::Curve;
@@ -69,7 +69,8 @@ pub(crate) struct WorldJoint {
 }
 
 impl WorldJoint {
-    /// A joint of a scene with these tracks, where this is how bodies are held at the start. `length` is that of rows of rotation, m.
+    /// A joint of a scene with these tracks, where this is how bodies are held at the start. `length` is that of rows
+    /// of rotation, m.
     pub(crate) fn new(
         (number, joint): (usize, &Joint),
         tracks: &[Arc<Curve>],
@@ -171,8 +172,8 @@ impl WorldJoint {
         if is_first { Order::Same } else { Order::Reversed }
     }
 
-    /// A coordinate where bodies have these poses of their moving frames, and velocities: its value lies within half a revolution of
-    /// the second number, m.
+    /// A coordinate where bodies have these poses of their moving frames, and velocities: its value lies within half a
+    /// revolution of the second number, m.
     pub(super) fn coordinate_at(
         &self,
         (measured, near): (&Measured, f64),
@@ -192,8 +193,8 @@ impl WorldJoint {
         Some((measured.at(&a, &b, self.length, near)?, [a, b]))
     }
 
-    /// The velocity of its first body at its anchor relative to the second one or the world there, and its angular velocity relative to
-    /// that.
+    /// The velocity of its first body at its anchor relative to the second one or the world there, and its angular
+    /// velocity relative to that.
     pub(super) fn slip(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> Velocity {
         let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
         let b = b.at_point(a.point);
@@ -233,8 +234,8 @@ impl WorldJoint {
         }
     }
 
-    /// The rate of a coordinate, rad/s or m/s, where bodies have these poses of their moving frames, and velocities; none of one that
-    /// it does not have.
+    /// The rate of a coordinate, rad/s or m/s, where bodies have these poses of their moving frames, and velocities;
+    /// none of one that it does not have.
     pub(crate) fn rate_of(
         &self,
         coordinate: Option<Coordinate>,

@@ -2,8 +2,8 @@
 
 use super::joint::WorldJoint;
 use super::stop::Stop;
-use crate::collision::contact_id::{ContactId, Feature};
 use crate::collision::contact_set::{FoundContact, Touch};
+use crate::identity::contact_id::{ContactId, Feature};
 use crate::world::World;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
@@ -120,7 +120,8 @@ impl World {
         joint.anchor(motion)
     }
 
-    /// The joint of a contact at a joint, and the force on its first body where this one is on the first body of the contact.
+    /// The joint of a contact at a joint, and the force on its first body where this one is on the first body of the
+    /// contact.
     pub(crate) fn joint_force_of(&self, id: ContactId, force: DVec3) -> Option<(usize, DVec3)> {
         let joint = match id.feature {
             Feature::Shapes(_) => return None,

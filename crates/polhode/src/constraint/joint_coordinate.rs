@@ -1,9 +1,10 @@
 //! The coordinates of a joint: how each is measured, and what acts along it.
 //!
-//! An angle is measured up to whole revolutions. One with limits, which are less than a revolution apart, lies within half a
-//! revolution of their middle. Any other turns on: it lies within half a revolution of the multiple of a quarter of one next
-//! to what it was at the end of the last step. That multiple is part of the state of a run, and all that changes with the revolutions: the
-//! angle is `a + 2 pi k` with the same bits wherever `k` is known from. Springs, servos and samples take the same angle.
+//! An angle is measured up to whole revolutions. One with limits, which are less than a revolution apart, lies within
+//! half a revolution of their middle. Any other turns on: it lies within half a revolution of the multiple of a quarter
+//! of one next to what it was at the end of the last step. That multiple is part of the state of a run, and all that
+//! changes with the revolutions: the angle is `a + 2 pi k` with the same bits wherever `k` is known from. Springs,
+//! servos and samples take the same angle.
 //!
 //! Assumption: an angle without limits turns by less than three eighths of a revolution in a step.
 
@@ -28,7 +29,8 @@ pub(super) struct JointCoordinate {
     pub(super) freedom: Freedom,
 }
 
-/// The coordinates of a joint of bodies with these attitudes, on this track if it is one; `length` is that of its rows of rotation, m.
+/// The coordinates of a joint of bodies with these attitudes, on this track if it is one; `length` is that of its rows
+/// of rotation, m.
 pub(super) fn coordinates(
     joint: &Joint,
     attitudes: (Rotation, Rotation),

@@ -1,5 +1,5 @@
-//! How far joints are from what they keep: displacements in m, rotations in rad, gears and prescribed motions in the unit of their first
-//! coordinate.
+//! How far joints are from what they keep: displacements in m, rotations in rad, gears and prescribed motions in the
+//! unit of their first coordinate.
 
 use super::ConstraintId;
 use super::row::{Action, BilateralRow, RowKind};

@@ -6,10 +6,10 @@
 //! | damper | `-c q'` | damping |
 //! | motor | what its drive asks for, within its bound ([`crate::scene::Motor`]) | external |
 //!
-//! The effort is a moment about the axis of an angle (N m), a force along the line of a displacement or a distance (N), on the first
-//! body; on the second one it is the opposite. How it responds to motions is told in terms of the point and direction of the
-//! coordinate (`coordinate.rs`), which is exact as long as the joint holds. Source: Featherstone 2008, chapter 9 (forces at
-//! joints).
+//! The effort is a moment about the axis of an angle (N m), a force along the line of a displacement or a distance (N),
+//! on the first body; on the second one it is the opposite. How it responds to motions is told in terms of the point
+//! and direction of the coordinate (`coordinate.rs`), which is exact as long as the joint holds. Source: Featherstone
+//! 2008, chapter 9 (forces at joints).
 
 use super::coordinate::{CoordinateAt, Measured};
 use super::joint::WorldJoint;

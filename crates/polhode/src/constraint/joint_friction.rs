@@ -1,30 +1,33 @@
 //! Dry friction of joints, as contacts that a given force presses: shoes of a brake.
 //!
-//! A shoe is pressed by the force `N = T/l`, where `T` is the effort of friction in motion (N m of an angle, N of a displacement)
-//! and `l` the length that gives angles the unit of displacements (`coordinate.rs`; 1 otherwise). It slips along the coordinate, with
-//! the coefficient 1 in motion and `T_b/T` at rest, where `T_b` is the effort of breakaway. So Coulomb's law for it is that of dry
-//! friction, and all that contacts with friction have (modes, events, warm starts, what is booked) holds for joints.
+//! A shoe is pressed by the force `N = T/l`, where `T` is the effort of friction in motion (N m of an angle, N of a
+//! displacement) and `l` the length that gives angles the unit of displacements (`coordinate.rs`; 1 otherwise). It
+//! slips along the coordinate, with the coefficient 1 in motion and `T_b/T` at rest, where `T_b` is the effort of
+//! breakaway. So Coulomb's law for it is that of dry friction, and all that contacts with friction have (modes, events,
+//! warm starts, what is booked) holds for joints.
 //!
-//! A bearing adds `k R` to the effort, where `R` is the force of the joint on the body across the axis and `k` the coefficient times
-//! the radius at which it rubs (times 1 of a displacement). That force follows from the reactions, which are found again with it until
-//! it stays ([`Pressed::renewed`]); what acts at a lever is part of the moment, so that `R` counts the force there too.
+//! A bearing adds `k R` to the effort, where `R` is the force of the joint on the body across the axis and `k` the
+//! coefficient times the radius at which it rubs (times 1 of a displacement). That force follows from the reactions,
+//! which are found again with it until it stays ([`Pressed::renewed`]); what acts at a lever is part of the moment, so
+//! that `R` counts the force there too.
 //!
-//! Its rows: the one along the "normal" acts on no body. It has a compliance `c`, and its constant term is `-c N`, so that its
-//! reaction is `N`. The first tangent is the coordinate; there is no second one, so that its row acts on nothing either.
-//! A force at a lever of the second body stands for the moment about a hinge: its direction is fixed in that body.
+//! Its rows: the one along the "normal" acts on no body. It has a compliance `c`, and its constant term is `-c N`, so
+//! that its reaction is `N`. The first tangent is the coordinate; there is no second one, so that its row acts on
+//! nothing either. A force at a lever of the second body stands for the moment about a hinge: its direction is fixed in
+//! that body.
 //!
-//! A bearing whose friction holds by more than it is pressed, `k` above the levers of its joint, locks itself: no force is found for
-//! it, and the last one is taken.
+//! A bearing whose friction holds by more than it is pressed, `k` above the levers of its joint, locks itself: no force
+//! is found for it, and the last one is taken.
 //!
-//! Sources: thesis 3.4 (contacts with friction); Featherstone 2008, chapter 9 (forces at joints). Assumption: what the joint keeps
-//! holds. Finite forces give no impulse: in impacts joints have no friction.
+//! Sources: thesis 3.4 (contacts with friction); Featherstone 2008, chapter 9 (forces at joints). Assumption: what the
+//! joint keeps holds. Finite forces give no impulse: in impacts joints have no friction.
 
 use super::ConstraintId;
-use super::coordinate_id::CoordinateId;
 use super::joint::WorldJoint;
 use super::joint_coordinate::JointCoordinate;
-use crate::collision::contact_id::{ContactId, Feature};
 use crate::collision::friction_mode::FrictionCoefficients;
+use crate::identity::contact_id::{ContactId, Feature};
+use crate::identity::coordinate_id::CoordinateId;
 use crate::scene::{FrictionEllipse, JointFriction};
 use crate::world::World;
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
@@ -62,8 +65,8 @@ pub(crate) const MOST_ROUNDS_OF_BEARINGS: usize = 60;
 const SAME_LOAD: f64 = 4.0 * f64::EPSILON;
 
 impl Pressed {
-    /// The same where the joint bears these forces (N; impulses over `h`, s, that are N s): the reaction on its first body, and those at
-    /// levers on the first body of the contact. None where nothing changes.
+    /// The same where the joint bears these forces (N; impulses over `h`, s, that are N s): the reaction on its first
+    /// body, and those at levers on the first body of the contact. None where nothing changes.
     pub(crate) fn renewed(&self, forces: impl Fn(usize) -> JointForces, h: f64) -> Option<Self> {
         let Bearing { unloaded, share, axis, sign } = self.bearing?;
         let JointForces { reaction, at_levers } = forces(self.of.joint);
@@ -133,7 +136,8 @@ impl World {
         Some(FrictionCoefficients { at_rest, sliding: FrictionEllipse::circle(1.0) })
     }
 
-    /// The bearings whose load presses their friction among the joints of these bodies: the joint, and its axis in these states.
+    /// The bearings whose load presses their friction among the joints of these bodies: the joint, and its axis in
+    /// these states.
     pub(crate) fn bearings_among(&self, states: &[BodyState], bodies: &[usize]) -> Vec<(ConstraintId, DVec3)> {
         let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
         let mut bearings = Vec::new();
@@ -148,8 +152,8 @@ impl World {
         bearings
     }
 
-    /// What friction of joints takes over a radian, and over the sizes of their bodies, J: the scale of energies where it holds all
-    /// that could move.
+    /// What friction of joints takes over a radian, and over the sizes of their bodies, J: the scale of energies where
+    /// it holds all that could move.
     pub(crate) fn friction_energy_j(&self) -> f64 {
         let of_joint = |joint: &WorldJoint| {
             let span = |place: usize| match joint.friction(place) {

@@ -6,8 +6,8 @@ use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose, Velocity};
 
 impl World {
-    /// What a joint that does this to its first body (a force, N, at its anchor, and a moment, N m), and its springs, dampers and motors,
-    /// give to its bodies, W.
+    /// What a joint that does this to its first body (a force, N, at its anchor, and a moment, N m), and its springs,
+    /// dampers and motors, give to its bodies, W.
     pub(crate) fn power_of_joint(
         &self,
         states: &[BodyState],

@@ -83,8 +83,8 @@ impl Kept {
         displacement + self.rotation.len() + usize::from(self.thread.is_some())
     }
 
-    /// The rows of these ends; `length` is that of rows of rotation, m. Where both are bodies and the point of A stays at that of
-    /// B, the force acts between them; where it slides, at the point of A.
+    /// The rows of these ends; `length` is that of rows of rotation, m. Where both are bodies and the point of A stays
+    /// at that of B, the force acts between them; where it slides, at the point of A.
     pub(super) fn rows_at(&self, mut a: EndKinematics, mut b: EndKinematics, length: f64) -> RowsAt {
         let gap = a.point - b.point;
         let thread = self.thread.as_ref().and_then(|thread| thread.row(&a, &b));

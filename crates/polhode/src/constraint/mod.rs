@@ -12,17 +12,33 @@
 //!
 //! Whoever adds a kind of joint adds one file, its line in the list of `joint.rs`, and its data in `scene/joint.rs`.
 //!
-//! An event function is positive before the event and crosses zero there. Within a step of bodies that hold each other one
-//! locator (`crate::constraint::locator`) finds the time, on the motion of the step; at how many times it looks, and what it does not
-//! see between two of them, `accurate/locate.rs` says. When bodies that are apart meet is found by bounds on their motions, which
-//! overlook nothing (`polhode-contact`).
+//! An event function is positive before the event and crosses zero there. Within a step of bodies that hold each other
+//! one locator (`crate::constraint::locator`) finds the time, on the motion of the step; at how many times it looks,
+//! and what it does not see between two of them, `accurate/locate.rs` says. When bodies that are apart meet is found by
+//! bounds on their motions, which overlook nothing (`polhode-contact`).
+//!
+//! | module | holds |
+//! |---|---|
+//! | `joint`, `kept` | the kinds of joints, and the parts that each keeps of the relative motion |
+//! | `point`, `line`, `perpendicular`, `thread` | the rows that joints are put together from |
+//! | `hinge`, `slider`, `fixed`, `universal`, `cylindrical`, `screw`, `planar`, `on_track` | one kind of joint each |
+//! | `tree_joint` | the kinds whose relative motion has coordinates of its own |
+//! | `coordinate`, `coordinate_at`, `joint_coordinate`, `turns` | coordinates of joints: value, rate, row, revolutions |
+//! | `joint_forces`, `motors`, `joint_power` | springs, dampers and motors along coordinates; what they give |
+//! | `softness`, `soft_rows` | the same as soft rows of a time step |
+//! | `tie`, `ties` | gears and prescribed motions of coordinates |
+//! | `stop`, `joint_friction`, `joint_contacts` | limits and dry friction of coordinates: contacts at joints |
+//! | `track`, `track_frame`, `track_springs` | curves that bodies follow |
+//! | `bilateral`, `row`, `end`, `held` | rows of forces of either sign, their bodies, and whom they hold |
+//! | `breaking`, `released`, `added` | joints that break, let go, or are added by a program |
+//! | `joint_error` | how far joints are from what they keep |
+//! | `locator` | the time of an event within a step |
 
 pub(crate) mod added;
 pub(crate) mod bilateral;
 mod breaking;
 mod coordinate;
 mod coordinate_at;
-pub(crate) mod coordinate_id;
 mod cylindrical;
 mod end;
 mod fixed;
@@ -50,7 +66,6 @@ mod slider;
 mod soft_rows;
 pub(crate) mod softness;
 mod stop;
-pub(crate) mod stop_id;
 mod thread;
 pub(crate) mod tie;
 pub(crate) mod ties;
@@ -61,7 +76,7 @@ pub(crate) mod tree_joint;
 mod turns;
 mod universal;
 
-use crate::collision::contact_id::ContactId;
+use crate::identity::contact_id::ContactId;
 use polhode_contact::ContactKinematics;
 
 /// Identity of a constraint: contacts before pivots, then joints, then ties, each in its own order.

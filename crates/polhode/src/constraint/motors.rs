@@ -1,7 +1,7 @@
 //! Coordinates of joints as a program reads and drives them.
 
 use super::joint::WorldJoint;
-use crate::joint_id::CoordinateSample;
+use crate::report::joint_sample::CoordinateSample;
 use crate::scene::{Coordinate, Drive, Motor};
 use crate::snapshot::{SnapshotError, content};
 use crate::world::World;
@@ -60,7 +60,7 @@ impl World {
         joint: usize,
         coordinate: Coordinate,
         motor: Option<Motor>,
-    ) -> Result<(), crate::SceneError> {
+    ) -> Result<(), crate::scene::SceneError> {
         if let Ok(place) = self.joints.binary_search_by_key(&joint, WorldJoint::number)
             && self.joints[place].set_motor(coordinate, motor)
         {

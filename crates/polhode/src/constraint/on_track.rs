@@ -1,4 +1,5 @@
-//! A joint on a track: what it keeps, and its stops. Free are the displacement along the curve and what of the body does not turn with it.
+//! A joint on a track: what it keeps, and its stops. Free are the displacement along the curve and what of the body
+//! does not turn with it.
 
 use super::kept::Kept;
 use super::stop::Stop;
@@ -9,7 +10,8 @@ use polhode_spatial::curve::Curve;
 use polhode_spatial::{Rotation, UnitVector};
 use std::sync::Arc;
 
-/// The track of a joint whose second body has this attitude at the start; none of another kind, or of a track that does not exist.
+/// The track of a joint whose second body has this attitude at the start; none of another kind, or of a track that does
+/// not exist.
 pub(super) fn guide(joint: &Joint, tracks: &[Arc<Curve>], attitude: Rotation) -> Option<Guide> {
     let JointKind::Track { track, hold, .. } = joint.kind() else { return None };
     let towards = match hold {

@@ -5,9 +5,9 @@
 //!
 //! `gap = l c`, `rate = l n.(w_A - w_B)`, `bias = l (w_A x a x b + a x w_B x b).(w_A - w_B)`
 //!
-//! Source: Featherstone 2008, chapter 8; the derivatives of `c` by the product rule. Joints keep an axis by two such rows, and an
-//! attitude by three. Assumption: the directions are within a right angle of being perpendicular; projection keeps them within
-//! rounding.
+//! Source: Featherstone 2008, chapter 8; the derivatives of `c` by the product rule. Joints keep an axis by two such
+//! rows, and an attitude by three. Assumption: the directions are within a right angle of being perpendicular;
+//! projection keeps them within rounding.
 
 use super::end::EndKinematics;
 use super::row::{BilateralRow, RowKind};

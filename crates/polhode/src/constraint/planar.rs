@@ -1,5 +1,5 @@
-//! A planar joint: a point of one body stays in a plane of the other, and both keep one normal. Free are displacements in the plane
-//! and the rotation about the normal.
+//! A planar joint: a point of one body stays in a plane of the other, and both keep one normal. Free are displacements
+//! in the plane and the rotation about the normal.
 
 use super::kept::Kept;
 use polhode_spatial::{DVec3, Rotation};

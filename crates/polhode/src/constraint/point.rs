@@ -1,7 +1,7 @@
 //! A point of two bodies that stays one: three rows along the axes of the world.
 //!
-//! `gap = p_A - p_B`, `rate = v_A + w_A x r_A - v_B - w_B x r_B`, `bias = w_A x (w_A x r_A) - w_B x (w_B x r_B)` (thesis 3.2,
-//! equations 2 and 3; Featherstone 2008, chapter 8).
+//! `gap = p_A - p_B`, `rate = v_A + w_A x r_A - v_B - w_B x r_B`, `bias = w_A x (w_A x r_A) - w_B x (w_B x r_B)`
+//! (thesis 3.2, equations 2 and 3; Featherstone 2008, chapter 8).
 
 use super::end::EndKinematics;
 use super::row::{BilateralRow, RowKind};

@@ -1,7 +1,8 @@
-//! Joints that hold nothing any more: their bodies have run off the end of a track (`track.rs`), they have broken (`breaking.rs`), or a
-//! program has taken them away.
+//! Joints that hold nothing any more: their bodies have run off the end of a track (`track.rs`), they have broken
+//! (`breaking.rs`), or a program has taken them away.
 //!
-//! Such a joint leaves the joints of the world, and its number is no other one's, until a snapshot from before brings it back.
+//! Such a joint leaves the joints of the world, and its number is no other one's, until a snapshot from before brings
+//! it back.
 
 use super::joint::WorldJoint;
 use crate::scene::SceneError;
@@ -36,8 +37,8 @@ impl World {
         self.make_fields()
     }
 
-    /// Whether two bodies had contacts at joints that hold nothing any more, or of their shapes before a joint was added between
-    /// them. Their shapes do not collide for that.
+    /// Whether two bodies had contacts at joints that hold nothing any more, or of their shapes before a joint was
+    /// added between them. Their shapes do not collide for that.
     pub(crate) fn lost_joint_contacts(&self, pair: (usize, usize)) -> bool {
         let is_added = |number: usize| self.pair_of_joint(number) == Some(pair);
         self.released.values().any(|joint| joint.pair() == pair)

@@ -62,7 +62,8 @@ pub(crate) enum RowKind {
         /// The axis.
         about: DVec3,
     },
-    /// Rotation about an axis, times a length (m, world), with displacement along a direction times a part of it (no unit, world).
+    /// Rotation about an axis, times a length (m, world), with displacement along a direction times a part of it (no
+    /// unit, world).
     Turning {
         /// The direction times its part.
         along: DVec3,

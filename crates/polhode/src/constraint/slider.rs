@@ -1,5 +1,5 @@
-//! A slider: two bodies that do not turn on each other, and a line of one that passes through a point of the other. Free is the
-//! displacement along the line.
+//! A slider: two bodies that do not turn on each other, and a line of one that passes through a point of the other.
+//! Free is the displacement along the line.
 
 use super::fixed::attitude;
 use super::kept::Kept;

@@ -13,8 +13,8 @@ use polhode_dynamics::field::{Dependence, Field};
 use polhode_spatial::{Pose, Velocity};
 
 impl World {
-    /// The numbers, among the fields, of those forces at joints that a step gives as a kick: constant efforts, and those of motors
-    /// that ask for more than their bound in these states. All others are soft rows.
+    /// The numbers, among the fields, of those forces at joints that a step gives as a kick: constant efforts, and
+    /// those of motors that ask for more than their bound in these states. All others are soft rows.
     pub(crate) fn kicks_of_joints(&self, states: &[BodyState], bodies: &[usize]) -> Vec<usize> {
         let own = self.joint_forces_among(bodies);
         own.filter(|(_, force)| force.is_constant(self, states)).map(|(number, _)| number).collect()
@@ -26,8 +26,9 @@ impl World {
         kicks.iter().filter_map(force).any(|force| force.dependence() == Dependence::Velocities)
     }
 
-    /// The other forces at joints of these bodies as soft rows of a step of `h` (s) in the states of its middle; `kicks` are the
-    /// numbers of those that have been given, and `kicked` is by how much the kick has changed the rate of a row (m/s).
+    /// The other forces at joints of these bodies as soft rows of a step of `h` (s) in the states of its middle;
+    /// `kicks` are the numbers of those that have been given, and `kicked` is by how much the kick has changed the rate
+    /// of a row (m/s).
     pub(crate) fn soft_rows(
         &self,
         (states, bodies): (&[BodyState], &[usize]),

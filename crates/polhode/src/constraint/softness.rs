@@ -4,16 +4,17 @@
 //!
 //! `l = h f(q_m, u_m)`, `u_m = (u- + u+)/2`, `q_m = q + h/4 (u+ - u-)`
 //!
-//! with the value `q` in the middle of the step, and the rates `u-` before the kick of fields and `u+` after all impulses. With
-//! `f = -k (q - q0) - c u + e` that is
+//! with the value `q` in the middle of the step, and the rates `u-` before the kick of fields and `u+` after all
+//! impulses. With `f = -k (q - q0) - c u + e` that is
 //!
 //! `l = h e - h k (q - q0) + a_k u- - a_c u- - a u+`, `a_k = h^2 k/4`, `a_c = h c/2`, `a = a_k + a_c`
 //!
-//! a held row of compliance `1/a`. It is the implicit midpoint rule: stable for any stiffness, of second order, and a linear spring
-//! neither gains nor loses energy. Source: the symmetric splitting of Strang 1968; Hairer, Lubich and Wanner 2006, chapter VI.
+//! a held row of compliance `1/a`. It is the implicit midpoint rule: stable for any stiffness, of second order, and a
+//! linear spring neither gains nor loses energy. Source: the symmetric splitting of Strang 1968; Hairer, Lubich and
+//! Wanner 2006, chapter VI.
 //!
-//! A motor that asks for more than its bound in the middle of the step gives its bound: that part of the impulse is known before.
-//! Limit: whether it is at its bound is decided once in a step.
+//! A motor that asks for more than its bound in the middle of the step gives its bound: that part of the impulse is
+//! known before. Limit: whether it is at its bound is decided once in a step.
 
 /// A law of force along a coordinate in the unit of its row: `-k (q - q0) - c u + e`, N.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -94,7 +95,8 @@ impl Softness {
         self.resistance().recip()
     }
 
-    /// The constant term of the row: the rate after the kick less `l_0/a`, with the impulse `l_0` where `u+` is zero, m/s.
+    /// The constant term of the row: the rate after the kick less `l_0/a`, with the impulse `l_0` where `u+` is zero,
+    /// m/s.
     pub(crate) fn constant(&self) -> f64 {
         self.rate - self.impulse(0.0) / self.resistance()
     }
@@ -110,8 +112,8 @@ impl Softness {
         Mean { value: self.value + 0.25 * self.h * (after - before), rate: 0.5 * (before + after) }
     }
 
-    /// The works of its parts, of which `impulse` (N s) is the sum, where this `share` of all impulses of the group is applied:
-    /// the rate then changes by that share of what the whole would change it by.
+    /// The works of its parts, of which `impulse` (N s) is the sum, where this `share` of all impulses of the group is
+    /// applied: the rate then changes by that share of what the whole would change it by.
     pub(crate) fn works(&self, impulse: f64, share: f64) -> SoftWork {
         let after = (self.impulse(0.0) - impulse) / self.resistance();
         let mean = self.mean(after);

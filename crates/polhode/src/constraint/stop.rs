@@ -1,14 +1,15 @@
 //! Stops: limits of the coordinates of joints, as contacts of the two bodies.
 //!
-//! At a stop the coordinate `q` (`coordinate.rs`) has reached its limit. Its separation is `q - q_lower` or `q_upper - q`, and its
-//! row is that of the coordinate. It closes, strikes, holds, presses and opens by the same rules as a contact of two shapes
-//! (thesis 3.4: `0 <= f _|_ chi'' >= 0`); only what touches is different, and it has no friction.
+//! At a stop the coordinate `q` (`coordinate.rs`) has reached its limit. Its separation is `q - q_lower` or
+//! `q_upper - q`, and its row is that of the coordinate. It closes, strikes, holds, presses and opens by the same rules
+//! as a contact of two shapes (thesis 3.4: `0 <= f _|_ chi'' >= 0`); only what touches is different, and it has no
+//! friction.
 //!
-//! Jointed bodies do not collide, so that a pair of bodies has either contacts of its shapes or stops. A joint with the world
-//! has its stops between the body and itself: `ContactId::members` says which bodies a contact has.
+//! Jointed bodies do not collide, so that a pair of bodies has either contacts of its shapes or stops. A joint with the
+//! world has its stops between the body and itself: `ContactId::members` says which bodies a contact has.
 //!
-//! An engine looks at every stop at the start and the end of each step and between them; two crossings between two looks
-//! are not seen.
+//! An engine looks at every stop at the start and the end of each step and between them; two crossings between two
+//! looks are not seen.
 
 use super::coordinate::{CoordinateAt, Measured};
 use super::end::Order;

@@ -1,8 +1,9 @@
 //! The row of a thread: a displacement along an axis that goes with the rotation about it.
 //!
-//! With the displacement `q_d`, the angle `q_a` and the lead `h` (m for each revolution, positive for a right-handed thread) it
-//! keeps `q_d - h/(2 pi) q_a = 0`. Its forces are a force along the axis and the moment `-h/(2 pi)` of it about the axis. The
-//! displacement says which revolution the angle is in. Source: Featherstone 2008, chapter 4 (helical joints).
+//! With the displacement `q_d`, the angle `q_a` and the lead `h` (m for each revolution, positive for a right-handed
+//! thread) it keeps `q_d - h/(2 pi) q_a = 0`. Its forces are a force along the axis and the moment `-h/(2 pi)` of it
+//! about the axis. The displacement says which revolution the angle is in. Source: Featherstone 2008, chapter 4
+//! (helical joints).
 
 use super::coordinate::Measured;
 use super::end::EndKinematics;

@@ -1,22 +1,26 @@
-//! A tie: a row that holds a coordinate of a joint to another coordinate (a gear) or to a function of time (a prescribed motion).
+//! A tie: a row that holds a coordinate of a joint to another coordinate (a gear) or to a function of time (a
+//! prescribed motion).
 //!
 //! | tie | keeps | acts along |
 //! |---|---|---|
 //! | gear | `q_1 - r q_2 = 0` | the first coordinate with `f`, the second one with `-r f` |
 //! | prescribed motion | `q - s(t) = 0` | the coordinate |
 //!
-//! `q` are coordinates measured from the start (rad of an angle, m otherwise; `coordinate.rs`), `r` the ratio. The row is multiplied by
-//! the length of the first joint where its coordinate is an angle, so that it has the unit m. Along an angle acts a moment about the
-//! axis, along a displacement or a distance a force. The function of time is the displacement along x of a *carriage*, a kinematic
-//! body without a shape which nobody sees (`carriages.rs`): so its rates, its acceleration, its work, the times at which it is not
-//! smooth and whether it stands still are those of kinematic bodies.
+//! `q` are coordinates measured from the start (rad of an angle, m otherwise; `coordinate.rs`), `r` the ratio. The row
+//! is multiplied by the length of the first joint where its coordinate is an angle, so that it has the unit m. Along an
+//! angle acts a moment about the axis, along a displacement or a distance a force. The function of time is the
+//! displacement along x of a *carriage*, a kinematic body without a shape which nobody sees (`carriages.rs`): so its
+//! rates, its acceleration, its work, the times at which it is not smooth and whether it stands still are those of
+//! kinematic bodies.
 //!
-//! An angle is known up to whole revolutions, `q = a + 2 pi k`. That of the first coordinate has the `k` next to `r q_2` or `s`. That of
-//! the second one of a gear of two angles is next to what it was at the end of the last step, which is part of the state of a run. Where both have
-//! turned `k_1` and `k_2` times the row keeps `a_1 - r a_2 + 2 pi (k_1 - r k_2)`, the bracket in twice the working precision, so that
-//! it is as exact after a thousand revolutions as at the start.
+//! An angle is known up to whole revolutions, `q = a + 2 pi k`. That of the first coordinate has the `k` next to
+//! `r q_2` or `s`. That of the second one of a gear of two angles is next to what it was at the end of the last step,
+//! which is part of the state of a run. Where both have turned `k_1` and `k_2` times the row keeps
+//! `a_1 - r a_2 + 2 pi (k_1 - r k_2)`, the bracket in twice the working precision, so that it is as exact after a
+//! thousand revolutions as at the start.
 //!
-//! Assumptions: what the joints keep holds; the second angle turns by less than half a revolution in a step. Source: Featherstone 2008, chapter 3 (constraints between joint coordinates).
+//! Assumptions: what the joints keep holds; the second angle turns by less than half a revolution in a step. Source:
+//! Featherstone 2008, chapter 3 (constraints between joint coordinates).
 
 use super::coordinate::CoordinateAt;
 use super::joint::WorldJoint;
@@ -161,7 +165,8 @@ impl Tie {
         Some(within + TAU * turns(last, within))
     }
 
-    /// Its row where bodies have these poses of their moving frames, and velocities; none where a coordinate has no direction.
+    /// Its row where bodies have these poses of their moving frames, and velocities; none where a coordinate has no
+    /// direction.
     pub(super) fn row_at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> Option<RowsAt> {
         let first = self.first.at(Part::First, &motion)?;
         let point = match first.action {

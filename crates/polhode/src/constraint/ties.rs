@@ -1,4 +1,5 @@
-//! The ties of the world (`tie.rs`): made from the gears and prescribed motions of the scene, and found by their bodies.
+//! The ties of the world (`tie.rs`): made from the gears and prescribed motions of the scene, and found by their
+//! bodies.
 
 use super::ConstraintId;
 use super::bilateral::{Bilateral, Reaction};

@@ -1,20 +1,22 @@
 //! A point of a body on a track: a curve fixed in the other body or in the world.
 //!
-//! In the axes of the curve, let `q` be the point of A, `u` its velocity relative to B, `c(s)` its foot on the curve with the tangent `t`
-//! and `k = dt/ds`, and `d = q - c`. From `t.d = 0` follows `s' = t.u / (1 - k.d)`. There are
+//! In the axes of the curve, let `q` be the point of A, `u` its velocity relative to B, `c(s)` its foot on the curve
+//! with the tangent `t` and `k = dt/ds`, and `d = q - c`. From `t.d = 0` follows `s' = t.u / (1 - k.d)`. There are
 //!
 //! | row | gap or value | rate | bias: what its second derivative contains beside accelerations |
 //! |---|---|---|---|
 //! | across, `n`, at right angles to `t` | `n.d` | `n.u` | `c_n - s' (n.k) (t.u)` |
 //! | along, `t` | `s` | `t.u` | `c_t + s' k.u` |
 //!
-//! where `c_n` are the centripetal and Coriolis terms of `line.rs`. On the track, `d = 0`, the first is that of the centripetal force
-//! `m v^2 k`. A track that holds from both sides has two rows across; one that holds from one side has that of its plane as a row, and
-//! the other as a stop (`stop.rs`): it closes, strikes, presses and opens as contacts do, so that a body leaves where its force is zero.
+//! where `c_n` are the centripetal and Coriolis terms of `line.rs`. On the track, `d = 0`, the first is that of the
+//! centripetal force `m v^2 k`. A track that holds from both sides has two rows across; one that holds from one side
+//! has that of its plane as a row, and the other as a stop (`stop.rs`): it closes, strikes, presses and opens as
+//! contacts do, so that a body leaves where its force is zero.
 //!
-//! Sources: thesis, section on penalty methods (the roller coaster); do Carmo 1976, chapter 1; Featherstone 2008, chapter 8. Assumption:
-//! the point stays within the radius of curvature while it is held; away from the track, in flight, the values across are distances from
-//! the nearest place, and the rows along it act on nothing. No memory: the foot depends on the pose alone (`polhode_spatial::curve`).
+//! Sources: thesis, section on penalty methods (the roller coaster); do Carmo 1976, chapter 1; Featherstone 2008,
+//! chapter 8. Assumption: the point stays within the radius of curvature while it is held; away from the track, in
+//! flight, the values across are distances from the nearest place, and the rows along it act on nothing. No memory: the
+//! foot depends on the pose alone (`polhode_spatial::curve`).
 
 use super::coordinate_at::CoordinateAt;
 use super::end::EndKinematics;
@@ -24,15 +26,15 @@ use polhode_spatial::curve::{Curve, CurvePlane, CurvePoint};
 use polhode_spatial::{DVec3, Rotation};
 use std::sync::Arc;
 
-/// Least value of `1 - k.d` (no unit): nearer to a centre of curvature the foot runs along the curve faster than any step follows. Only
-/// points in flight come there.
+/// Least value of `1 - k.d` (no unit): nearer to a centre of curvature the foot runs along the curve faster than any
+/// step follows. Only points in flight come there.
 const LEAST_STRETCH: f64 = 1e-3;
 
 /// A reference direction at an angle to the tangent whose sine is below this is replaced (no unit, 0.01 to 0.5).
 const LEAST_ANGLE: f64 = 0.1;
 
-/// How far beyond an end of a track a body has left it, as a part of its length: rounding of a body that starts at the end (no unit,
-/// 1e-15 to 1e-11).
+/// How far beyond an end of a track a body has left it, as a part of its length: rounding of a body that starts at the
+/// end (no unit, 1e-15 to 1e-11).
 const BEYOND_END: f64 = 1e-13;
 
 /// How many rows a track has that holds from both sides.
@@ -67,8 +69,8 @@ struct Near {
 }
 
 impl Guide {
-    /// The track of a joint that holds its second body, which has this attitude, at a point of the world (m). Of one with one side,
-    /// `towards` points to it (unit vector, world).
+    /// The track of a joint that holds its second body, which has this attitude, at a point of the world (m). Of one
+    /// with one side, `towards` points to it (unit vector, world).
     pub(super) fn new(curve: &Arc<Curve>, origin: DVec3, attitude: Rotation, towards: Option<DVec3>) -> Self {
         let foot = curve.nearest(origin);
         let reference = match (curve.plane(), towards) {

@@ -1,9 +1,9 @@
 //! A body whose axes follow a track: its tangent, or its tangent and a direction at right angles to it.
 //!
-//! On the curve, at the arc length `s`, there are the frame `t`, `n = (m x t)/abs(m x t)` and `b = t x n`, where `m` is a reference
-//! direction: the normal of its plane, or the direction that is up, across which the body then does not lean. A direction `x` fixed in A
-//! stays at right angles to one of them, `y(s)`. With `w = w_A - w_B`, the velocity `u` of the point of A along the curve, `y' = dy/ds`
-//! and a length `l`, which gives the row the unit of displacements,
+//! On the curve, at the arc length `s`, there are the frame `t`, `n = (m x t)/abs(m x t)` and `b = t x n`, where `m` is
+//! a reference direction: the normal of its plane, or the direction that is up, across which the body then does not
+//! lean. A direction `x` fixed in A stays at right angles to one of them, `y(s)`. With `w = w_A - w_B`, the velocity
+//! `u` of the point of A along the curve, `y' = dy/ds` and a length `l`, which gives the row the unit of displacements,
 //!
 //! | what | formula |
 //! |---|---|
@@ -11,9 +11,10 @@
 //! | rate | `l ((x x y).w + (x.y') t.u)`: the row is a moment with a force along the track |
 //! | bias | `l ((w x (w x x)).y - (x x y).(w_B x w) + 2 s' (w x x).y' + s'^2 x.y'' + (x.y') c_t)` |
 //!
-//! where `c_t` is the bias of the row along the track (`track.rs`). The tangent of A stays at right angles to `n` and `b`, and for a whole
-//! frame the `n` of A to `b`. Where the curvature jumps the body would have to begin to turn at once, by an infinite moment: such a curve
-//! is refused. Sources: do Carmo 1976, chapter 1; Featherstone 2008, chapter 8. Assumption: the point is on the track, `d = 0`.
+//! where `c_t` is the bias of the row along the track (`track.rs`). The tangent of A stays at right angles to `n` and
+//! `b`, and for a whole frame the `n` of A to `b`. Where the curvature jumps the body would have to begin to turn at
+//! once, by an infinite moment: such a curve is refused. Sources: do Carmo 1976, chapter 1; Featherstone 2008, chapter
+//! 8. Assumption: the point is on the track, `d = 0`.
 
 use super::end::EndKinematics;
 use super::row::{BilateralRow, RowKind};
@@ -21,8 +22,8 @@ use super::track::Guide;
 use polhode_spatial::curve::CurvePoint;
 use polhode_spatial::{DVec3, Rotation};
 
-/// Least sine of the angle between the reference direction and the track (no unit, 1e-3 to 0.1): where they are parallel no direction is
-/// at right angles to both.
+/// Least sine of the angle between the reference direction and the track (no unit, 1e-3 to 0.1): where they are
+/// parallel no direction is at right angles to both.
 pub(crate) const LEAST_SINE: f64 = 1e-2;
 
 /// What of a body follows the track.

@@ -4,9 +4,9 @@
 //!
 //! `f = -k d - c u`, `V = k d^2/2`, and nothing where `abs(d)` is above the reach
 //!
-//! and the opposite on the other body. Source: thesis, section on penalty methods. What it says of them shows here: a body oscillates
-//! across the track with `omega = sqrt(k/m)`, a stiff spring asks for short steps, a soft one lets the body off the track, and when a
-//! spring is to let go is a choice that no law makes.
+//! and the opposite on the other body. Source: thesis, section on penalty methods. What it says of them shows here: a
+//! body oscillates across the track with `omega = sqrt(k/m)`, a stiff spring asks for short steps, a soft one lets the
+//! body off the track, and when a spring is to let go is a choice that no law makes.
 
 use super::end::EndKinematics;
 use super::joint::WorldJoint;

@@ -1,5 +1,5 @@
-//! Joints by their own coordinates: those kinds of joints whose relative motion has coordinates of its own, in which the motion of
-//! trees can be written (`crate::reduced`).
+//! Joints by their own coordinates: those kinds of joints whose relative motion has coordinates of its own, in which
+//! the motion of trees can be written (`crate::reduced`).
 //!
 //! | kind | coordinates | relative motion of A and B |
 //! |---|---|---|
@@ -59,7 +59,8 @@ pub(crate) const fn is_of_trees(kind: JointKind) -> bool {
 }
 
 impl TreeJoint {
-    /// A joint between ends with these moving frames at the start (no body: the world); none where it is of another kind.
+    /// A joint between ends with these moving frames at the start (no body: the world); none where it is of another
+    /// kind.
     pub(super) fn of(joint: &Joint, ends: [(Option<usize>, Pose); 2]) -> Option<Self> {
         let (free, axis) = match joint.kind() {
             JointKind::Ball => (FreeMotionOfJoint::Ball, DVec3::Z),

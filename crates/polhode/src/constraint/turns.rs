@@ -3,7 +3,7 @@
 
 use super::joint::WorldJoint;
 use super::tie::Tie;
-use crate::SceneError;
+use crate::scene::SceneError;
 use crate::snapshot::SnapshotError;
 use crate::world::World;
 use polhode_dynamics::BodyState;

@@ -14,13 +14,13 @@ use super::held::{HeldJoint, HeldLimit};
 use super::passage::{LEAST_WAY, Middles};
 use super::rules::{OVERLAP_GROWTH, Rules};
 use super::turning::turn;
-use crate::SimulationError;
 use crate::collision::face_patches::{LastingBoxes, PairPatches, Tools, follow_pairs};
 use crate::collision::inner_borders::leave_out_inner_borders;
 use crate::constraint::ConstraintId;
 use crate::constraint::joint::WorldJoint;
-use crate::executor::{Executor, Task};
-use crate::settings::Settings;
+use crate::error::SimulationError;
+use crate::scene::settings::Settings;
+use crate::tier::executor::{Executor, Task};
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::sequential_impulses::MOST_JOINT_ROWS;
@@ -30,7 +30,8 @@ use std::sync::Arc;
 /// Fewest pairs for which a task is worth its start.
 const LEAST_PAIRS: usize = 64;
 
-/// A step shorter than this part of the last one leaves the impulses that the next one starts from as they are (no unit).
+/// A step shorter than this part of the last one leaves the impulses that the next one starts from as they are (no
+/// unit).
 const LEAST_OF_LAST: f64 = 0.5;
 
 /// What a step may not do.
@@ -239,8 +240,8 @@ impl Course {
         leave_out_inner_borders(world, &self.states, &mut self.pairs);
     }
 
-    /// Puts bodies that patches and joints connect into groups, islands in the order of their first bodies. Force fields may couple any bodies: with them
-    /// there is one group.
+    /// Puts bodies that patches and joints connect into groups, islands in the order of their first bodies. Force
+    /// fields may couple any bodies: with them there is one group.
     pub(super) fn make_groups(&mut self, world: &World, rules: &Rules) {
         let bodies = self.states.len();
         let moved: Vec<bool> = (0..bodies).map(|body| world.bodies[body].moves() && !self.resting[body]).collect();
@@ -349,8 +350,9 @@ impl Course {
         }
     }
 
-    /// What a step from these states on has done that it may not: the pair that has come through each other, or whose overlap has grown by more than a part of the smaller one,
-    /// deepest. Bodies are looked at that came elsewhere than at their velocities and under gravity, and those that have come farther than a middle is deep.
+    /// What a step from these states on has done that it may not: the pair that has come through each other, or whose
+    /// overlap has grown by more than a part of the smaller one, deepest. Bodies are looked at that came elsewhere than
+    /// at their velocities and under gravity, and those that have come farther than a middle is deep.
     pub(super) fn fault_since(&mut self, world: &World, before: &[BodyState], rules: &Rules) -> Option<Fault> {
         if self.middles.len() != world.bodies.len() {
             self.middles = world.bodies.iter().map(|body| Middles::of(body.shape.as_ref())).collect();
@@ -388,7 +390,8 @@ impl Course {
         Some(Fault::passage(world, found))
     }
 
-    /// A pair whose overlap has grown by more than a part of the smaller body since these states, or a body that has left its box, with which pairs may be missing.
+    /// A pair whose overlap has grown by more than a part of the smaller body since these states, or a body that has
+    /// left its box, with which pairs may be missing.
     fn growth_since(&self, world: &World, before: &[BodyState], (rules, changes): (&Rules, &[Moved])) -> Option<Fault> {
         let step = rules.h * f64::from(rules.substeps);
         let fall = world.gravity().length() * step * step;
@@ -422,8 +425,8 @@ impl Course {
         deepest.map(|(pair, depth)| Fault::Overlap { pair, depth }).or_else(left)
     }
 
-    /// The impulses of the step go to the points of the patches. Those of a step that a program has cut short do not: they are those of overlaps
-    /// and rounding, and say nothing about the next step.
+    /// The impulses of the step go to the points of the patches. Those of a step that a program has cut short do not:
+    /// they are those of overlaps and rounding, and say nothing about the next step.
     pub(super) fn write_back(&mut self, rules: &Rules) {
         let is_whole = rules.h >= LEAST_OF_LAST * self.last_h;
         if is_whole {
@@ -458,8 +461,8 @@ impl Course {
                 let patch = &mut pair.patches[place.patch];
                 for (point, impulse) in patch.points_mut().iter_mut().zip(group.solver.impulses(number)) {
                     if is_whole {
-                        // The impulse of a blow is over: given again it would leave what the sweeps of a substep do not take back. What bore
-                        // before, and gives way softly, goes on.
+                        // The impulse of a blow is over: given again it would leave what the sweeps of a substep do not
+                        // take back. What bore before, and gives way softly, goes on.
                         let is_new = point.normal_impulse == 0.0;
                         let is_struck = is_new && impulse.rate < -rules.soft.colliding && impulse.total[0] > 0.0;
                         let [along, first, second] = if is_struck { [0.0; 3] } else { impulse.last };
@@ -481,8 +484,8 @@ impl Course {
         }
     }
 
-    /// The deepest overlap of the last step, m, with its pair: where contacts were found at its start, and where they are
-    /// at its end. The second sees what has passed through a
+    /// The deepest overlap of the last step, m, with its pair: where contacts were found at its start, and where they
+    /// are at its end. The second sees what has passed through a
     /// thin body, too.
     pub(super) fn deepest(&self) -> Option<((usize, usize), f64)> {
         let all = self.groups().iter().filter_map(|group| group.report.deepest).chain(self.deepest_after);

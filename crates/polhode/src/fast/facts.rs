@@ -1,7 +1,7 @@
 //! What the tier `fast` is.
 
+use crate::scene::tier_facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise};
-use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
 /// Step when none is given, s: that of a picture.
 const PICTURE_STEP_S: f64 = 1.0 / 60.0;
@@ -12,8 +12,8 @@ pub(super) const SUBSTEPS: u32 = 4;
 /// Order in the step where bodies may collide.
 const ORDER_OF_SUBSTEPS: u32 = 1;
 
-/// What it promises (`crate::scene::promise`): what can be seen, and is not taken for a fault of the scene. Sequential impulses end with
-/// residuals that no limit fits.
+/// What it promises (`crate::scene::promise`): what can be seen, and is not taken for a fault of the scene. Sequential
+/// impulses end with residuals that no limit fits.
 const PROMISE: Promise = Promise {
     overlap: OverlapLimit::OfSize(0.1),
     joint_gap: Some(1e-2),

@@ -1,13 +1,14 @@
 //! A group of islands and its step: what one task computes.
 //!
-//! Groups are filled with whole islands until they have [`FULL`] patches and joints, whatever the number of threads, so that sums have one order.
+//! Groups are filled with whole islands until they have [`FULL`] patches and joints, whatever the number of threads, so
+//! that sums have one order.
 
 use super::held::{Held, HeldJoint, HeldLimit};
 use super::rules::Rules;
 use super::turning::turn;
-use crate::Momentum;
 use crate::collision::face_patches::PairPatches;
-use crate::prescribed_state::{state_at, velocity_of};
+use crate::report::momentum_ledger::Momentum;
+use crate::world::prescribed_state::{state_at, velocity_of};
 use crate::world::{Loads, World};
 use polhode_contact::tangent_basis;
 use polhode_dynamics::{BodyState, RigidBody};
@@ -57,7 +58,8 @@ impl Member {
 
 /// A kinematic body of a patch. Where the patch is on it moves with the other body: a load that a turntable carries, or
 /// that slides over it, is at another place after
-/// each substep. The velocity that the solver has is that of the surface there and then, along the rows of the start of the step.
+/// each substep. The velocity that the solver has is that of the surface there and then, along the rows of the start of
+/// the step.
 #[derive(Debug, Clone, Copy)]
 struct Driver {
     number: u32,
@@ -183,8 +185,9 @@ impl Group {
         self.report.given_j = self.members.iter().map(|member| member.given_j).sum();
     }
 
-    /// Joints and contacts in turns, while both are pushed softly to where they hold. What a contact gives a body its joints pass on, and what they then do
-    /// at the contact it corrects: after one turn a limb that hits the ground would open its joint by as far as it flies in a substep.
+    /// Joints and contacts in turns, while both are pushed softly to where they hold. What a contact gives a body its
+    /// joints pass on, and what they then do at the contact it corrects: after one turn a limb that hits the ground
+    /// would open its joint by as far as it flies in a substep.
     fn sweep_softly(&mut self, stage: SweepStage, order: SweepOrder, rules: &Rules) -> Works {
         self.held.sweep(&mut self.solver, &rules.soft_joints);
         let booked = self.solver.sweep(stage, order, &rules.soft);
@@ -221,8 +224,8 @@ impl Group {
         }
     }
 
-    /// Takes the velocities that impulses have left, and books by bodies what the impulses of the substep did along the mean of the velocities before the
-    /// kick and now.
+    /// Takes the velocities that impulses have left, and books by bodies what the impulses of the substep did along the
+    /// mean of the velocities before the kick and now.
     fn book(&mut self) {
         for (number, member) in (1..).zip(&mut self.members) {
             member.take_velocity(self.solver.body(number));
@@ -351,8 +354,8 @@ impl Group {
         }
     }
 
-    /// The velocity of the surface of a kinematic body `time` (s) after the start of the step, where the patch is when the
-    /// other body has moved on for `ahead` (s).
+    /// The velocity of the surface of a kinematic body `time` (s) after the start of the step, where the patch is when
+    /// the other body has moved on for `ahead` (s).
     fn surface_velocity(&self, given: &Given<'_>, driver: &Driver, (time, ahead): (f64, f64)) -> Velocity {
         let Some(trajectory) = given.world.trajectory(driver.body) else { return Velocity::default() };
         let (now, start) = (state_at(trajectory, given.t + time), &given.states[driver.body]);
@@ -366,8 +369,8 @@ impl Group {
 
     /// Kinematic bodies after a movement: how far they have come. The rows have
     /// a turn to first order: the rest of it at the patch is
-    /// a displacement. Their velocities stay those of the substep: with another one contacts would take or give in the relax stage what a surface is
-    /// accelerated by, after friction has been bounded by the impulses of before.
+    /// a displacement. Their velocities stay those of the substep: with another one contacts would take or give in the
+    /// relax stage what a surface is accelerated by, after friction has been bounded by the impulses of before.
     fn move_drivers(&mut self, given: &Given<'_>, substep: u32) {
         let time = f64::from(substep + 1) * given.rules.h;
         for place in 0..self.drivers.len() {

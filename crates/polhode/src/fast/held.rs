@@ -1,18 +1,18 @@
 //! The joints of a group: their rows in the present poses, and what they give.
 //!
 //! The pivots and joints of the bodies and the limits of their coordinates become joints of
-//! `polhode_response::sequential_impulses`. Rows are found anew after every movement, so that an axis that turns by some degrees in a step is
-//! followed. The impulses of the last substep start the next step.
+//! `polhode_response::sequential_impulses`. Rows are found anew after every movement, so that an axis that turns by
+//! some degrees in a step is followed. The impulses of the last substep start the next step.
 //!
-//! Assumption: no member is kinematic, and no coordinate has forces of its own (`TierFeature::AllOfJoints` refuses these). Failure: loads that need
-//! more rounds than there are sweeps leave gaps, which the certificate tells.
+//! Assumption: no member is kinematic, and no coordinate has forces of its own (`TierFeature::AllOfJoints` refuses
+//! these). Failure: loads that need more rounds than there are sweeps leave gaps, which the certificate tells.
 
-use crate::collision::contact_id::ContactId;
 use crate::constraint::ConstraintId;
 use crate::constraint::joint::pivot_rows;
 use crate::constraint::row::{BilateralRow, Member, RowsAt};
+use crate::identity::contact_id::ContactId;
+use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use crate::world::World;
-use crate::{Momentum, MomentumSum};
 use polhode_dynamics::BodyState;
 use polhode_response::sequential_impulses::{
     BodyImpulse, ImpulseJoint, JointImpulses, JointLaw, JointRow, MOST_JOINT_ROWS, SequentialImpulses, SweepRule, Works,
@@ -48,7 +48,8 @@ enum Source {
     Limit(ContactId),
 }
 
-/// A joint of the solver: what it is of, its identity after the step (none of a limit), and the bodies of its two sides.
+/// A joint of the solver: what it is of, its identity after the step (none of a limit), and the bodies of its two
+/// sides.
 #[derive(Debug, Clone, Copy)]
 struct Known {
     source: Source,

@@ -1,14 +1,16 @@
-//! Impacts of a step as events: one for each point that approached faster than gravity makes it in two steps, and got an impulse.
+//! Impacts of a step as events: one for each point that approached faster than gravity makes it in two steps, and got
+//! an impulse.
 //!
-//! The impulse is that of the whole step; its event is at the end of the step, since the step tells no time within. The change of energy is
-//! `p . (u- + u+) / 2` (J), with the impulse `p` (N s, friction included) and the relative velocities `u` of the point (m/s) at the start and the
-//! end of the step: exact for a point that is struck alone, but for what gravity does in the step; of several that are struck together it is their
-//! share to first order. Source: algebra of kinetic energy, as in `polhode_response::sequential_impulses`.
+//! The impulse is that of the whole step; its event is at the end of the step, since the step tells no time within. The
+//! change of energy is `p . (u- + u+) / 2` (J), with the impulse `p` (N s, friction included) and the relative
+//! velocities `u` of the point (m/s) at the start and the end of the step: exact for a point that is struck alone, but
+//! for what gravity does in the step; of several that are struck together it is their share to first order. Source:
+//! algebra of kinetic energy, as in `polhode_response::sequential_impulses`.
 
 use super::course::Course;
 use super::rules::Rules;
-use crate::BodyId;
-use crate::event::{Event, EventKind};
+use crate::identity::body_id::BodyId;
+use crate::report::event::{Event, EventKind};
 use crate::world::World;
 use polhode_dynamics::BodyState;
 

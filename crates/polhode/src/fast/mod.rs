@@ -1,16 +1,19 @@
 //! The tier `fast`: real time, by substeps of soft contacts and sequential impulses.
 //!
-//! Contacts are found once a step, with a margin for what the bodies may do in it; a contact that is apart lets its bodies close by its separation
-//! (speculative contact), so that fast bodies do not pass through others. The step has substeps of `h` (s), each with these stages:
+//! Contacts are found once a step, with a margin for what the bodies may do in it; a contact that is apart lets its
+//! bodies close by its separation (speculative contact), so that fast bodies do not pass through others. The step has
+//! substeps of `h` (s), each with these stages:
 //!
 //! 1. gravity and forces act on the velocities;
-//! 2. the impulses of the substep before act again, and one sweep over all contacts corrects them, while overlaps are pushed apart softly;
+//! 2. the impulses of the substep before act again, and one sweep over all contacts corrects them, while overlaps are
+//!    pushed apart softly;
 //! 3. the bodies move;
 //! 4. another sweep the other way, without the push, takes out the velocity that it gave.
 //!
-//! Joints are swept before contacts, their rows found anew after every movement. At the end contacts that collided part again with their restitution, and friction. Friction is Coulomb's at each point, in a disc. Sources and formulas:
-//! `polhode_response::sequential_impulses`, docs/contact-methods/fast.md. Failure: none that stops a run; with few substeps tall stacks and large mass
-//! ratios sag, and the residual of the certificate says how much.
+//! Joints are swept before contacts, their rows found anew after every movement. At the end contacts that collided part
+//! again with their restitution, and friction. Friction is Coulomb's at each point, in a disc. Sources and formulas:
+//! `polhode_response::sequential_impulses`, docs/contact-methods/fast.md. Failure: none that stops a run; with few
+//! substeps tall stacks and large mass ratios sag, and the residual of the certificate says how much.
 //!
 //! | module | holds |
 //! |---|---|

@@ -1,15 +1,18 @@
 //! Whether a body has come through the surface of another in a piece of a step, which no overlap at its end may show.
 //!
-//! Looked at are the middles of the convex parts of a body, which lie inside it: where one has crossed the surface of another body on its way
-//! relative to it, or was behind it already, at least its own part has gone through. The way is taken as straight in the frame of the other body. A ring has no such
-//! middle: what is threaded on it is not inside. A body that has come through overlaps by its whole size. Failure: what passes with an end alone is an overlap at the end of the step, or unseen.
+//! Looked at are the middles of the convex parts of a body, which lie inside it: where one has crossed the surface of
+//! another body on its way relative to it, or was behind it already, at least its own part has gone through. The way is
+//! taken as straight in the frame of the other body. A ring has no such middle: what is threaded on it is not inside. A
+//! body that has come through overlaps by its whole size. Failure: what passes with an end alone is an overlap at the
+//! end of the step, or unseen.
 
 use crate::world::World;
 use polhode_contact::{Ray, Shape, aabb_of, closest_point, contains, ray_cast};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose, UnitVector};
 
-/// A middle that has moved by less than this part of its depth below its own surface has not come through another in this piece (no unit, 0.1 to 0.9).
+/// A middle that has moved by less than this part of its depth below its own surface has not come through another in
+/// this piece (no unit, 0.1 to 0.9).
 pub(super) const LEAST_WAY: f64 = 0.5;
 
 /// The middle of a convex part.

@@ -1,23 +1,25 @@
 //! Islands at rest, which the steps leave out until something reaches them.
 //!
-//! Every [`EVERY`] steps each island is looked at whose bodies are slower than a step can tell from rest ([`SLOW`]). Where forces of its contacts, its
-//! joints and their limits hold it (`crate::solve::held_at_rest`: contacts push within their cones of friction, joints by forces of either sign), its velocities are zero from then on, exactly, and what they had is booked as rest. An island that could not be held is
-//! tried again after twice the time. It wakes as a whole where a body that moves may reach one of its own within a step, and by actions of
-//! a program.
+//! Every [`EVERY`] steps each island is looked at whose bodies are slower than a step can tell from rest ([`SLOW`]).
+//! Where forces of its contacts, its joints and their limits hold it (`crate::solve::held_at_rest`: contacts push
+//! within their cones of friction, joints by forces of either sign), its velocities are zero from then on, exactly, and
+//! what they had is booked as rest. An island that could not be held is tried again after twice the time. It wakes as a
+//! whole where a body that moves may reach one of its own within a step, and by actions of a program.
 //!
 //! A pendulum at its turning point is as slow, but no force of its joint bears its weight there: it swings on.
 //!
-//! Assumption: nothing on the bodies depends on time; islands with force fields or beside a body of prescribed motion do not rest.
+//! Assumption: nothing on the bodies depends on time; islands with force fields or beside a body of prescribed motion
+//! do not rest.
 
 use super::course::Course;
 use super::rules::Rules;
-use crate::SimulationError;
-use crate::collision::contact_id::{ContactId, Feature};
 use crate::collision::contact_set::{FoundContact, Touch};
 use crate::collision::face_patches::PairPatches;
 use crate::constraint::joint::WorldJoint;
-use crate::core::Core;
+use crate::error::SimulationError;
+use crate::identity::contact_id::{ContactId, Feature};
 use crate::solve::held_at_rest::HeldAtRest;
+use crate::tier::core::Core;
 use crate::world::World;
 use polhode_contact::{ContactFeature, ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
@@ -140,7 +142,8 @@ fn are_held(course: &Course, core: &Core, island: &[usize]) -> Result<bool, Resp
     Ok(HeldAtRest::of(world, (core.t, &states), island, &touches, &loads)?.is_some())
 }
 
-/// Where a contact of a round body is: its point does not turn with the body, as that of a patch does. Of all others what the patch says.
+/// Where a contact of a round body is: its point does not turn with the body, as that of a patch does. Of all others
+/// what the patch says.
 fn present_geometry(world: &World, states: &[BodyState], id: ContactId, of_patch: ContactGeometry) -> ContactGeometry {
     match id.feature {
         Feature::Shapes(ContactFeature::Smooth { .. }) => {
@@ -166,7 +169,8 @@ fn limits_that_may_press(course: &Course, world: &World, (states, island): (&[Bo
     touches
 }
 
-/// Wakes the islands at rest that a body may reach within a step: the patches are those of the present. Returns whether any did.
+/// Wakes the islands at rest that a body may reach within a step: the patches are those of the present. Returns whether
+/// any did.
 pub(super) fn wake(course: &mut Course, world: &World, rules: &Rules) -> bool {
     if !course.resting.contains(&true) {
         return false;

@@ -1,23 +1,25 @@
 //! The numbers of a step: softness of contacts, substeps, thresholds.
 //!
-//! A contact gives way as a spring whose frequency is an eighth of the rate of substeps (30 Hz with four in 1/60 s), with the damping ratio
-//! [`DAMPING`]; one with a body that does not move is twice as stiff ([`DAMPING_WITH_FIXED`]), as joints are ([`JOINT_DAMPING`]). Nothing here is an
-//! absolute time or length, so that a scene in other units moves as before. Source: docs/REFERENCES.md, Catto 2024, which has 30 Hz, the damping ratio 10
-//! and 3 m/s.
+//! A contact gives way as a spring whose frequency is an eighth of the rate of substeps (30 Hz with four in 1/60 s),
+//! with the damping ratio [`DAMPING`]; one with a body that does not move is twice as stiff ([`DAMPING_WITH_FIXED`]),
+//! as joints are ([`JOINT_DAMPING`]). Nothing here is an absolute time or length, so that a scene in other units moves
+//! as before. Source: docs/REFERENCES.md, Catto 2024, which has 30 Hz, the damping ratio 10 and 3 m/s.
 
 use crate::scene::ContactMethod;
 use crate::world::World;
 use polhode_response::sequential_impulses::{Softness, SweepOrder, SweepRule};
 
-/// By how much overlaps of a pair may grow in a step that finds contacts only once, relative to the smaller body (no unit,
-/// 2e-2 to 1e-1): half of what the tier promises.
+/// By how much overlaps of a pair may grow in a step that finds contacts only once, relative to the smaller body (no
+/// unit, 2e-2 to 1e-1): half of what the tier promises.
 pub(super) const OVERLAP_GROWTH: f64 = 5e-2;
 
-/// Frequency of the spring of a contact as a part of the rate of substeps (no unit): a quarter is the most that is followed.
+/// Frequency of the spring of a contact as a part of the rate of substeps (no unit): a quarter is the most that is
+/// followed.
 const OF_THE_RATE: f64 = 0.125;
 
-/// Damping ratio of a contact (no unit, 5 to 10): overlaps are pushed apart without a bounce. The larger, the less a tall stack sinks before it is borne, and
-/// the longer it swings: a contact forgets `1 / (1 + h w (2 z + h w))` of its impulse in a substep, a thirteenth here.
+/// Damping ratio of a contact (no unit, 5 to 10): overlaps are pushed apart without a bounce. The larger, the less a
+/// tall stack sinks before it is borne, and the longer it swings: a contact forgets `1 / (1 + h w (2 z + h w))` of its
+/// impulse in a substep, a thirteenth here.
 const DAMPING: f64 = 7.5;
 
 /// That of a contact with a body that does not move (no unit): nothing swings on a contact that stands on the ground.
@@ -26,16 +28,19 @@ const DAMPING_WITH_FIXED: f64 = 5.0;
 /// How much stiffer contacts with bodies are that do not move (no unit).
 const WITH_FIXED: f64 = 2.0;
 
-/// Damping ratio of a joint (no unit, 1 to 5): the smaller it is, the faster a gap closes, and the more of its impulse a joint forgets in a substep.
+/// Damping ratio of a joint (no unit, 1 to 5): the smaller it is, the faster a gap closes, and the more of its impulse
+/// a joint forgets in a substep.
 const JOINT_DAMPING: f64 = 2.0;
 
-/// How far overlaps are pushed apart in a step at most, in sizes of the smallest body that moves (no unit, 0.05 to 0.2).
+/// How far overlaps are pushed apart in a step at most, in sizes of the smallest body that moves (no unit, 0.05 to
+/// 0.2).
 const PUSH_OF_SIZE: f64 = 0.1;
 
 /// A contact that approaches more slowly than gravity makes it in this many steps does not bounce (no unit): it rests.
 const RESTING_STEPS: f64 = 2.0;
 
-/// Sweeps of the relax stage with conjugate gradients between them (no unit, 2 to 30): fewer are hardly better than one.
+/// Sweeps of the relax stage with conjugate gradients between them (no unit, 2 to 30): fewer are hardly better than
+/// one.
 const CONJUGATE_SWEEPS: u32 = 8;
 
 /// Pieces of a substep that is divided.
@@ -64,9 +69,9 @@ pub(super) struct Rules {
 }
 
 impl Rules {
-    /// Those of a step of this length (s) in so many substeps, where a whole step has the length `whole_s` (s). The softness of contacts and
-    /// the speed at which overlaps are pushed apart are those of whole steps: a step that a sample or a program cuts short would
-    /// else push with what a whole step may move, in no time.
+    /// Those of a step of this length (s) in so many substeps, where a whole step has the length `whole_s` (s). The
+    /// softness of contacts and the speed at which overlaps are pushed apart are those of whole steps: a step that a
+    /// sample or a program cuts short would else push with what a whole step may move, in no time.
     pub(super) fn new(step_s: f64, whole_s: f64, substeps: u32, world: &World) -> Self {
         let gravity = world.gravity();
         let h = step_s / f64::from(substeps);
@@ -131,11 +136,13 @@ impl Rules {
         if self.substeps > 1 { own } else { own.with_substep(self.h / f64::from(QUARTERS)) }
     }
 
-    /// The orders of both sweeps of a substep: onward and back, in the next one back and onward, and so on from step to step.
+    /// The orders of both sweeps of a substep: onward and back, in the next one back and onward, and so on from step to
+    /// step.
     ///
-    /// What a sweep leaves of an error is no symmetric matrix times it: errors turn as they fade, and the impulses that are carried over make a stack
-    /// swing. A sweep and its adjoint, which goes back, leave a symmetric one, without negative eigenvalues: nothing turns. So the sweeps of a substep are
-    /// adjoint to each other, and those of one kind in two substeps are. Source: docs/REFERENCES.md, Saad 2003, 4.1 (symmetric Gauss-Seidel).
+    /// What a sweep leaves of an error is no symmetric matrix times it: errors turn as they fade, and the impulses that
+    /// are carried over make a stack swing. A sweep and its adjoint, which goes back, leave a symmetric one, without
+    /// negative eigenvalues: nothing turns. So the sweeps of a substep are adjoint to each other, and those of one kind
+    /// in two substeps are. Source: docs/REFERENCES.md, Saad 2003, 4.1 (symmetric Gauss-Seidel).
     pub(super) fn orders(&self, substep: u32) -> [SweepOrder; 2] {
         use SweepOrder::{Back, Onward};
         let is_even = self.substeps_before.wrapping_add(u64::from(substep)).is_multiple_of(2);

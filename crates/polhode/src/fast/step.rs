@@ -1,21 +1,22 @@
 //! A step of all bodies, in its stages (`course.rs`).
 //!
-//! Contacts are those at the start of a step, as far as its velocities can close them. What a hit within the step gives a
-//! body, and where the contact of a round body wanders as it
+//! Contacts are those at the start of a step, as far as its velocities can close them. What a hit within the step gives
+//! a body, and where the contact of a round body wanders as it
 //! turns, is not among these. So the end is compared with the start: where overlaps have grown by
-//! more than a part of the smaller body ([`OVERLAP_GROWTH`](super::rules::OVERLAP_GROWTH)), or one body has come through another (`passage`), the step
-//! is not taken, and is made in pieces, with contacts found anew before each: of one substep, and these of a quarter, [`DIVISIONS`] times at most. What the smallest
-//! pieces do is taken, and told.
+//! more than a part of the smaller body ([`OVERLAP_GROWTH`](super::rules::OVERLAP_GROWTH)), or one body has come
+//! through another (`passage`), the step is not taken, and is made in pieces, with contacts found anew before each: of
+//! one substep, and these of a quarter, [`DIVISIONS`] times at most. What the smallest pieces do is taken, and told.
 
 use super::course::Course;
 use super::rest::wake;
 use super::rules::Rules;
-use crate::SimulationError;
-use crate::executor::Executor;
+use crate::error::SimulationError;
+use crate::tier::executor::Executor;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 
-/// How often a step is divided at most (1 to 4): after three divisions by four a bullet of 1000 m/s flies 26 cm of a step of 1/60 s.
+/// How often a step is divided at most (1 to 4): after three divisions by four a bullet of 1000 m/s flies 26 cm of a
+/// step of 1/60 s.
 const DIVISIONS: u32 = 3;
 
 /// The step of all bodies from `t` (s) by these rules, in pieces where it has to be. `after` is called after each piece
@@ -68,7 +69,8 @@ impl Stepping<'_> {
     }
 }
 
-/// A piece between two times (s) by these rules. Whether it has been taken: states and contacts stay as they are where it has not, since it can be divided.
+/// A piece between two times (s) by these rules. Whether it has been taken: states and contacts stay as they are where
+/// it has not, since it can be divided.
 ///
 /// # Errors
 /// When there are more bodies than the broad phase can number.

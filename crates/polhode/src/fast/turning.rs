@@ -4,19 +4,22 @@
 //! q_1/2 = exp(h w_0 / 2) q_0,  w_1/2 = R_1/2 I^-1 R_1/2^T L,  q_1 = exp(h w_1/2) q_0
 //! ```
 //!
-//! `L` (kg m^2/s, world) does not change without a torque, and the energy stays between `L^2 / 2 I_max` and `L^2 / 2 I_min`: no step makes
-//! the rotation unstable. Source: the midpoint rule on the Lie group, docs/REFERENCES.md, Hairer, Lubich and Wanner, IV.8. Assumption:
-//! less than half a turn in a substep; beyond, the rotation is not followed, but stays bounded.
+//! `L` (kg m^2/s, world) does not change without a torque, and the energy stays between `L^2 / 2 I_max` and
+//! `L^2 / 2 I_min`: no step makes the rotation unstable. Source: the midpoint rule on the Lie group,
+//! docs/REFERENCES.md, Hairer, Lubich and Wanner, IV.8. Assumption: less than half a turn in a substep; beyond, the
+//! rotation is not followed, but stays bounded.
 
 use polhode_dynamics::RigidBody;
 use polhode_spatial::{DQuat, DVec3, Rotation};
 
-/// The square of half the angle of a turn below which the tangent is its series (rad^2): the next term is below rounding.
+/// The square of half the angle of a turn below which the tangent is its series (rad^2): the next term is below
+/// rounding.
 const SMALL_SQUARE: f64 = 1e-3;
 
 /// The rotation after `h` (s) of turning at `w` (rad/s).
 ///
-/// The quaternion is `(1, u tan(x)/x)` normalised, `u = w h / 2`, `x = |u|`: no more than one root and a series for slow turns.
+/// The quaternion is `(1, u tan(x)/x)` normalised, `u = w h / 2`, `x = |u|`: no more than one root and a series for
+/// slow turns.
 fn turned(rotation: Rotation, w: DVec3, h: f64) -> Rotation {
     let half = w * (0.5 * h);
     let square = half.length_squared();
@@ -58,7 +61,8 @@ pub(super) fn turn(rigid: &RigidBody, rotation: Rotation, (momentum, angular): (
 
 #[cfg(test)]
 mod tests {
-    //! Free rotation about the middle axis: the error falls with the square of the step, and the energy does not drift away.
+    //! Free rotation about the middle axis: the error falls with the square of the step, and the energy does not drift
+    //! away.
     use super::*;
     use polhode_spatial::{Inertia, Mass, MassProperties};
 

@@ -1,30 +1,34 @@
 //! A run by micro-collisions: one step, and queries at the present.
 
 use crate::collision::boxes::Boxes;
-use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::Touch;
 use crate::collision::envelope::CollisionEnvelope;
-use crate::core::Core;
-use crate::event::EventKind;
-use crate::fixed_steps::{Continues, SteppedBodies, accelerations_under, contacts_within, next_step_end};
-use crate::frame::{ContactView, IslandView, MotionKind};
-use crate::free_stage::{self, Ends};
-use crate::observer::Observer;
+use crate::error::SimulationError;
+use crate::identity::contact_id::ContactId;
+use crate::report::acceleration::Acceleration;
+use crate::report::event::EventKind;
+use crate::report::frame::{ContactView, IslandView, MotionKind};
+use crate::report::observer::Observer;
 use crate::rows::groups::{Group, groups};
-use crate::sampling::emit_samples_before;
 use crate::snapshot::parts::{restored_id, save_contact};
 use crate::snapshot::{SnapshotError, content};
 use crate::solve::impact::{Struck, impulse_event, strike};
+use crate::tier::core::Core;
+use crate::tier::fixed_steps::{Continues, SteppedBodies, accelerations_under, contacts_within, next_step_end};
+use crate::tier::free_stage;
+use crate::tier::free_stage::Ends;
+use crate::tier::sampling::emit_samples_before;
 use crate::tier::{Reached, Tier};
-use crate::{Acceleration, SimulationError};
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
 use polhode_spatial::DVec3;
 
-/// Depth of the envelope when none is given, relative to the smallest body that moves (dimensionless, 1e-4 to 1e-2): it is not seen.
+/// Depth of the envelope when none is given, relative to the smallest body that moves (dimensionless, 1e-4 to 1e-2): it
+/// is not seen.
 const ENVELOPE_RELATIVE: f64 = 1e-3;
 
-/// Collisions one after the other stop when every speed of approach is below this fraction of the first one (dimensionless).
+/// Collisions one after the other stop when every speed of approach is below this fraction of the first one
+/// (dimensionless).
 const THRESHOLD: f64 = 1e-6;
 
 /// Most collisions of a group in a step; what approaches beyond them is stopped at once.
@@ -171,8 +175,8 @@ impl MicroCollisionEngine {
         }
     }
 
-    /// Integrates the bodies over a step of length `h`. The integrator continues from its own variables if only it has changed
-    /// the states since its last step.
+    /// Integrates the bodies over a step of length `h`. The integrator continues from its own variables if only it has
+    /// changed the states since its last step.
     fn integrate(&mut self, core: &Core, h: f64) -> Result<(), SimulationError> {
         let motion = core.world.free_motion();
         self.bodies.integrate(core, &motion, (h, Continues::Untouched))

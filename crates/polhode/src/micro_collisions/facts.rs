@@ -1,7 +1,7 @@
 //! What the tier `micro-collisions` is.
 
+use crate::scene::tier_facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise, Response};
-use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
 /// Step when none is given, s: a body at rest vibrates by a micrometre.
 const STEP_S: f64 = 1e-3;
@@ -9,7 +9,8 @@ const STEP_S: f64 = 1e-3;
 /// Order in the step where bodies may collide: an impact is in time to a step.
 const ORDER_WITH_CONTACT: u32 = 1;
 
-/// What it promises (`crate::scene::promise`): bodies at rest float within the envelope, and overlap by less than its depth.
+/// What it promises (`crate::scene::promise`): bodies at rest float within the envelope, and overlap by less than its
+/// depth.
 const PROMISE: Promise = Promise {
     overlap: OverlapLimit::OfEnvelope(1.0),
     joint_gap: None,
@@ -28,8 +29,8 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     step_s: STEP_S,
     integrator: Integrator::Rk4,
     integrator_choice: IntegratorChoice::Scene { reason: "exact for a parabola, between two collisions" },
-    // One after the other, as Mirtich strikes them, collisions at several corners lose energy to each other, which the body pays for by
-    // sinking.
+    // One after the other, as Mirtich strikes them, collisions at several corners lose energy to each other, which the
+    // body pays for by sinking.
     impact: ImpactLaw::Reflection,
     contact: ContactMethod::ActiveSet,
     own_response: Some(Response::Impulse),

@@ -1,14 +1,14 @@
 //! Changes of the modes of contacts at the present, with what they do to the ledger.
 //!
-//! A spring that gives way or holds again books what its elastic energy loses as friction; all else that is lost is an error
-//! of the integrator.
+//! A spring that gives way or holds again books what its elastic energy loses as friction; all else that is lost is an
+//! error of the integrator.
 
 use super::contact::{Evaluated, Grip, Push};
 use super::events::{Happening, Passed};
 use super::run::Run;
-use crate::SimulationError;
-use crate::collision::contact_id::ContactId;
-use crate::event::EventKind;
+use crate::error::SimulationError;
+use crate::identity::contact_id::ContactId;
+use crate::report::event::EventKind;
 use polhode_spatial::DVec3;
 
 /// Makes some changes.

@@ -5,30 +5,34 @@
 //! ```text
 //! F_n = normal spring (d, d')                                  never pulls
 //! stick:  T' = k_t u + T min(k_t'/k_t, 0) + n x n' x T         |T| <= mu_s F_n,  force T + c u
-//! yield, slide:  T = mu_s F_n e, then T = mu F_n e,  e' = k_t/(mu F_n) (u - (u.e) e)       u.e > (mu F_n' - mu F_n min(k_t'/k_t, 0))/k_t
-//! regularised:  T = mu F_n u/sqrt(u^2 + u_s^2)                 along a grain: T = F_n (mu^2 u/|mu u|) |u|/sqrt(u^2 + u_s^2), mu a matrix
-//! rolling, spinning:  M = -c F_n w/sqrt(w^2 + w_s^2)           w the part of the relative rotation across, along the normal
+//! yield, slide:  T = mu_s F_n e, then T = mu F_n e,  e' = k_t/(mu F_n) (u - (u.e) e)
+//!               while u.e > (mu F_n' - mu F_n min(k_t'/k_t, 0))/k_t
+//! regularised:  T = mu F_n u/sqrt(u^2 + u_s^2)
+//!               along a grain: T = F_n (mu^2 u/|mu u|) |u|/sqrt(u^2 + u_s^2), mu a matrix
+//! rolling, spinning:  M = -c F_n w/sqrt(w^2 + w_s^2)   w: relative rotation across, along the normal
 //! ```
 //!
-//! While the normal force falls the stiffness k_t of Mindlin falls, and the spring gives up force in proportion; while it rises
-//! the force stays. Either way the elastic energy T^2/(2 k_t) never rises but by work of slip: what it loses, `T^2 |k_t'|/(2 k_t^2)`,
-//! is friction in the annulus of micro-slip. (The common `T = k_t s` creates energy when it is loaded at small and unloaded at
-//! large normal force.) e is the direction of T; the tangent vectors are carried along with the normal.
+//! While the normal force falls the stiffness k_t of Mindlin falls, and the spring gives up force in proportion; while
+//! it rises the force stays. Either way the elastic energy T^2/(2 k_t) never rises but by work of slip: what it loses,
+//! `T^2 |k_t'|/(2 k_t^2)`, is friction in the annulus of micro-slip. (The common `T = k_t s` creates energy when it is
+//! loaded at small and unloaded at large normal force.) e is the direction of T; the tangent vectors are carried along
+//! with the normal.
 //!
 //! **At rest.** A load that comes at once, or a body that stops, swings a spring without damping to twice
-//! what statics asks and more. A spring that holds has a damper c there, critical for the mass that the contact bears (`laws`), and gives way where
-//! the spring alone, whose stretch then creeps to that of statics from one side, reaches mu_s F_n: the damper is gone with the motion, as in
-//! models of bristles. Points of one body slip a little before all of them hold as much as they can: static friction mu_s acts on (`Yield`), with
-//! the damper, until a point has slipped as far as its spring stretches, and kinetic friction mu (`Slide`) until the slip ends. By the damper a
-//! load that exceeds static friction by a part e breaks a contact away after some `(2/w)/e`, w the frequency of its spring.
+//! what statics asks and more. A spring that holds has a damper c there, critical for the mass that the contact bears
+//! (`laws`), and gives way where the spring alone, whose stretch then creeps to that of statics from one side, reaches
+//! mu_s F_n: the damper is gone with the motion, as in models of bristles. Points of one body slip a little before all
+//! of them hold as much as they can: static friction mu_s acts on (`Yield`), with the damper, until a point has slipped
+//! as far as its spring stretches, and kinetic friction mu (`Slide`) until the slip ends. By the damper a load that
+//! exceeds static friction by a part e breaks a contact away after some `(2/w)/e`, w the frequency of its spring.
 //!
-//! The tangential force acts at the middle of the overlap of two bodies that move, so that momentum is kept; against a body
-//! that forces do not move it acts on the undeformed surface of the other one, whose lever is that of the rigid body.
-//! Source: docs/REFERENCES.md, Mindlin and Deresiewicz; Johnson. How it fails: features that no longer define a contact
-//! give no force.
+//! The tangential force acts at the middle of the overlap of two bodies that move, so that momentum is kept; against a
+//! body that forces do not move it acts on the undeformed surface of the other one, whose lever is that of the rigid
+//! body. Source: docs/REFERENCES.md, Mindlin and Deresiewicz; Johnson. How it fails: features that no longer define a
+//! contact give no force.
 
 use super::laws::{ContactLaw, Coulomb, Holding, Resistance};
-use crate::collision::contact_id::ContactId;
+use crate::identity::contact_id::ContactId;
 use crate::world::World;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
@@ -60,7 +64,8 @@ pub(super) enum Grip {
     Yield,
     /// It gives way; `vector` is the direction e.
     Slide,
-    /// A fixed step does not know: `vector` is T of a spring that holds, and the force is cut to Coulomb's limit at rest.
+    /// A fixed step does not know: `vector` is T of a spring that holds, and the force is cut to Coulomb's limit at
+    /// rest.
     Cut,
     /// The same of one that gave way in the step before: to Coulomb's limit of sliding.
     CutSliding,
@@ -141,7 +146,8 @@ pub(super) struct Force {
 }
 
 impl Force {
-    /// With the force on B in the tangent plane (N), the power that friction takes of it (W) and the rate of the vector, and the power of a damper (W).
+    /// With the force on B in the tangent plane (N), the power that friction takes of it (W) and the rate of the
+    /// vector, and the power of a damper (W).
     fn with_tangential(self, (on_b, power, vector_rate): (DVec3, f64, DVec3), damping: f64) -> Self {
         Self {
             on_a: self.on_a - on_b,
@@ -350,8 +356,8 @@ impl ContactSpring {
 /// Part of the expected depth at which the begin of a contact is judged (1e-9 to 1e-3).
 const SMALL_DEPTH: f64 = 1e-6;
 
-/// The direction of sliding turns towards the slip at most at this multiple of the frequency of the normal spring (1 to 20): a spring
-/// that is all but empty would turn at once, which no step could follow.
+/// The direction of sliding turns towards the slip at most at this multiple of the frequency of the normal spring (1 to
+/// 20): a spring that is all but empty would turn at once, which no step could follow.
 const FASTEST_TURN: f64 = 4.0;
 
 /// Slip across the direction of sliding that is rounding, relative to the slip (1e-15 to 1e-12).
@@ -401,8 +407,8 @@ impl Evaluated {
     }
 }
 
-/// Where the forces of a contact act: in the middle of the overlap, or on the undeformed surface of the one body that forces
-/// move.
+/// Where the forces of a contact act: in the middle of the overlap, or on the undeformed surface of the one body that
+/// forces move.
 fn acting_point(world: &World, id: ContactId, kinematics: &ContactKinematics) -> DVec3 {
     let geometry = &kinematics.geometry;
     let moves = |body: usize| world.bodies[body].rigid.is_some();

@@ -1,8 +1,9 @@
-//! Where a step has to end: contacts that begin, end, cease to press, turn, stick or slide, and points that leave their features.
+//! Where a step has to end: contacts that begin, end, cease to press, turn, stick or slide, and points that leave their
+//! features.
 //!
-//! A step freezes which springs there are and their modes, with laws that are continued smoothly past the change of a mode. Each
-//! change has a signal that is positive while nothing happens. Along the dense output of a step all signals are looked at
-//! in [`LOOKS`] equal parts.
+//! A step freezes which springs there are and their modes, with laws that are continued smoothly past the change of a
+//! mode. Each change has a signal that is positive while nothing happens. Along the dense output of a step all signals
+//! are looked at in [`LOOKS`] equal parts.
 //!
 //! | signal | what happens where it becomes negative | force that the frozen step misses |
 //! |---|---|---|
@@ -17,23 +18,24 @@
 //!
 //! A missed force counts beyond what the rounding of positions makes of the spring's force anyway.
 //!
-//! **Which changes end a step.** The impulse of the missed force over the rest of the step is the error of a step that goes on:
-//! `dv = (sum over looks) F dt tr(1/M)`, `dx = dv h`, with the trace of the inverse mass at the point of contact, which bounds it in
-//! every direction. A change ends the step where that is at least its share of what the step may err by anyway, one
-//! part for each signal's contact. It is located by bisection on the dense output, and the step is repeated with that length. Every other
-//! change is made at the end of the step, where it is as good as on time: contacts without load open and close by roundings and
-//! end no step, and neither does a greatest overlap. So do points without load that leave their features and come back (sides
-//! of boxes that slide past each other, unloaded): nothing is missed until other features of the pair overlap.
-//! Such changes cannot crowd: the force after a change grows at most at the rate `k v`, so that a missed impulse worth the
-//! tolerance e of the speed takes a time of `sqrt(2 e)/w`; where a plain damper makes the force jump by `c v`, a time of `e m/c`. The border of
-//! overlap holds no sliding mode: forces jump there in the second derivative of the overlap, and it is crossed at a rate.
+//! **Which changes end a step.** The impulse of the missed force over the rest of the step is the error of a step that
+//! goes on: `dv = (sum over looks) F dt tr(1/M)`, `dx = dv h`, with the trace of the inverse mass at the point of
+//! contact, which bounds it in every direction. A change ends the step where that is at least its share of what the
+//! step may err by anyway, one part for each signal's contact. It is located by bisection on the dense output, and the
+//! step is repeated with that length. Every other change is made at the end of the step, where it is as good as on
+//! time: contacts without load open and close by roundings and end no step, and neither does a greatest overlap. So do
+//! points without load that leave their features and come back (sides of boxes that slide past each other, unloaded):
+//! nothing is missed until other features of the pair overlap. Such changes cannot crowd: the force after a change
+//! grows at most at the rate `k v`, so that a missed impulse worth the tolerance e of the speed takes a time of
+//! `sqrt(2 e)/w`; where a plain damper makes the force jump by `c v`, a time of `e m/c`. The border of overlap holds no
+//! sliding mode: forces jump there in the second derivative of the overlap, and it is crossed at a rate.
 //!
 //! How it fails: two changes of one signal within a part of a step pass unseen.
 
 use super::contact::{ContactSpring, Evaluated, Grip, Push};
 use super::laws::Laws;
 use super::system::SpringSystem;
-use crate::collision::contact_id::ContactId;
+use crate::identity::contact_id::ContactId;
 use polhode_dynamics::DenseStep;
 use polhode_response::penalty::{Damping, NormalSpring};
 use polhode_spatial::DVec3;
@@ -291,8 +293,8 @@ impl Looking<'_, '_> {
         spring.map_or(f64::INFINITY, |spring| spring.force(at.depth, at.rate))
     }
 
-    /// Force of the contacts of a pair that overlap and are neither springs nor watched (N): features that a point has come to which
-    /// has left its own.
+    /// Force of the contacts of a pair that overlap and are neither springs nor watched (N): features that a point has
+    /// come to which has left its own.
     fn unseen(&self, id: ContactId, begun: &mut Begun) -> f64 {
         let (world, states) = (self.system.world, &*self.system.states);
         let is_known = |found: &ContactId| {
@@ -323,13 +325,15 @@ impl Looking<'_, '_> {
         first
     }
 
-    /// Between which times a signal becomes negative first; the start twice where it is so from there on, and has not been heeded.
+    /// Between which times a signal becomes negative first; the start twice where it is so from there on, and has not
+    /// been heeded.
     fn due(&self, what: Happening, place: usize, looks: &[Look]) -> Option<(f64, f64)> {
         let value = |look: &Look| look.signals.get(place).map_or(f64::INFINITY, |signal| signal.value);
         looks.windows(2).enumerate().find_map(|(part, pair)| {
             let [before, after] = pair else { return None };
             let (known, now) = (value(before), value(after));
-            // A point that has left its features leaves them once; a change that has been made where the step begins is not made again.
+            // A point that has left its features leaves them once; a change that has been made where the step begins is
+            // not made again.
             let is_known = if part == 0 && known <= 0.0 {
                 !matches!(what, Happening::Leave(_)) && !self.is_decided(what)
             } else {
@@ -340,8 +344,8 @@ impl Looking<'_, '_> {
         })
     }
 
-    /// Whether a change has been made at the start of the step already and is not to be made again. Where both modes of a spring contradict
-    /// themselves, it slides, and pushes.
+    /// Whether a change has been made at the start of the step already and is not to be made again. Where both modes of
+    /// a spring contradict themselves, it slides, and pushes.
     fn is_decided(&self, what: Happening) -> bool {
         let spring = || self.system.springs.iter().find(|spring| spring.id == what.id());
         let would_be_last = match what {

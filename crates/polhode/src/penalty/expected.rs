@@ -1,27 +1,29 @@
 //! What a contact must be expected to bear, from which the stiffness of a linear spring follows.
 //!
-//! A spring that stops a body gives back its kinetic energy E and the work of the load W on the way: with the greatest overlap d
-//! that is stated, `k d^2/2 = E + W d`. W and E are shared by the points of a pair that are within d of touching. For a
-//! contact that begins
+//! A spring that stops a body gives back its kinetic energy E and the work of the load W on the way: with the greatest
+//! overlap d that is stated, `k d^2/2 = E + W d`. W and E are shared by the points of a pair that are within d of
+//! touching. For a contact that begins
 //!
-//! - W is the weight of the movable bodies whose centres are then not below that of the upper of its bodies: they may rest on it;
-//! - E is `m v^2/2` of the approach v that it begins with (m the reduced mass), and the hardest blow `m_c v_c^2/2` of a third
-//!   body c, which the contact may pass on. `v_c^2 = v^2 + 2 g h` with the speed at the start and the drop h: how far the body falls
-//!   straight down until it meets the one below it, which may fall itself. A kinematic body strikes with the mass of the pair.
+//! - W is the weight of the movable bodies whose centres are then not below that of the upper of its bodies: they may
+//!   rest on it;
+//! - E is `m v^2/2` of the approach v that it begins with (m the reduced mass), and the hardest blow `m_c v_c^2/2` of a
+//!   third body c, which the contact may pass on. `v_c^2 = v^2 + 2 g h` with the speed at the start and the drop h: how
+//!   far the body falls straight down until it meets the one below it, which may fall itself. A kinematic body strikes
+//!   with the mass of the pair.
 //!
 //! Drops are found by boxes aligned with gravity at the start. What has nothing below falls through the height of the
-//! scene at most. Symbols: masses kg, speeds m/s, lengths m. Assumptions: blows come along gravity or at the speeds of the
-//! start. How it fails: a resting contact that is struck by what first rolled, toppled or was thrown elsewhere, or wedges that
-//! multiply a weight, overlaps by more than stated; the report gives both.
+//! scene at most. Symbols: masses kg, speeds m/s, lengths m. Assumptions: blows come along gravity or at the speeds of
+//! the start. How it fails: a resting contact that is struck by what first rolled, toppled or was thrown elsewhere, or
+//! wedges that multiply a weight, overlaps by more than stated; the report gives both.
 
-use crate::collision::contact_id::ContactId;
+use crate::identity::contact_id::ContactId;
 use crate::world::World;
 use polhode_contact::{Aabb, Shape, aabb_of};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::{DQuat, DVec3, Pose, Rotation};
 
-/// Speed of a contact that no weight loads, relative to the greatest speed of the scene (0.01 to 1): one that begins more slowly
-/// would be so soft that it lasts while its bodies move as far as they are long.
+/// Speed of a contact that no weight loads, relative to the greatest speed of the scene (0.01 to 1): one that begins
+/// more slowly would be so soft that it lasts while its bodies move as far as they are long.
 const SLOWEST_APPROACH: f64 = 0.1;
 
 /// Squares of the speeds (m^2/s^2) with which the bodies may strike others, from their states at the start.

@@ -1,12 +1,13 @@
 //! What the tier `penalty` is.
 
+use crate::scene::tier_facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise, Response};
-use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
 /// Longest step when none is given, s.
 const LONGEST_STEP_S: f64 = 0.01;
 
-/// What it promises (`crate::scene::promise`): a blow that was not expected compresses springs by more than they are made for.
+/// What it promises (`crate::scene::promise`): a blow that was not expected compresses springs by more than they are
+/// made for.
 const PROMISE: Promise = Promise {
     overlap: OverlapLimit::OfStatedPenetration(2.0),
     joint_gap: Some(1e-6),

@@ -1,24 +1,24 @@
 //! A group over a longest step by fixed steps, of an integrator that the scene names: `rk4`, `semi-implicit-euler`,
 //! `implicit-midpoint`.
 //!
-//! Nothing is located: at every stage contacts that overlap push, those that do not do not. A tangential spring is cut to
-//! Coulomb's limit at the end of a step (return mapping), and its force at every stage: to that at rest, and once
-//! it has slipped by its stretch to that of sliding, until a step ends within it. The step is that of the scene; without
-//! one it is [`STEPS_PER_CONTACT`] to the half period of the fastest spring near.
+//! Nothing is located: at every stage contacts that overlap push, those that do not do not. A tangential spring is cut
+//! to Coulomb's limit at the end of a step (return mapping), and its force at every stage: to that at rest, and once
+//! it has slipped by its stretch to that of sliding, until a step ends within it. The step is that of the scene;
+//! without one it is [`STEPS_PER_CONTACT`] to the half period of the fastest spring near.
 //!
 //! Explicit steps are stable up to `h w = 2` (semi-implicit Euler) and 2.78 (RK4) on a spring, and a damper's rate
-//! c/m counts as a frequency; a longer step is refused with the step that would do. The implicit midpoint rule has no such
-//! bound: it is solved by Newton's method (`implicit`). Semi-implicit Euler books its work at the start of a step, so that its
-//! numerical error shows in the ledger. Source: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.6 (the cubic polynomial
-//! that gives samples within a step). How it fails: [`SimulationError::StepTooLong`].
+//! c/m counts as a frequency; a longer step is refused with the step that would do. The implicit midpoint rule has no
+//! such bound: it is solved by Newton's method (`implicit`). Semi-implicit Euler books its work at the start of a step,
+//! so that its numerical error shows in the ledger. Source: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.6 (the
+//! cubic polynomial that gives samples within a step). How it fails: [`SimulationError::StepTooLong`].
 
 use super::contact::{ContactSpring, Evaluated, Grip, Push};
 use super::implicit;
 use super::run::{GroupRun, Run, Segment};
 use super::system::SpringSystem;
-use crate::SimulationError;
-use crate::collision::contact_id::ContactId;
-use crate::event::EventKind;
+use crate::error::SimulationError;
+use crate::identity::contact_id::ContactId;
+use crate::report::event::EventKind;
 use crate::scene::Integrator;
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, QUATERNION, WIDTH};
 use polhode_dynamics::{DenseStep, System, rk4};
@@ -30,8 +30,8 @@ const STEPS_PER_CONTACT: f64 = 40.0;
 const BOUND_OF_RK4: f64 = 2.78;
 const BOUND_OF_EULER: f64 = 2.0;
 
-/// A longest step is divided into equal steps up to this much longer than that of the scene (1e-12 to 1e-6): rounding of the
-/// division.
+/// A longest step is divided into equal steps up to this much longer than that of the scene (1e-12 to 1e-6): rounding
+/// of the division.
 const LONGER: f64 = 1e-9;
 
 /// Whether an integrator makes fixed steps.
@@ -87,7 +87,8 @@ fn length(run: &Run<'_>, rate: f64) -> Result<f64, SimulationError> {
 /// Part of the time to the next contact that a step may take before it begins (0.1 to 0.9).
 const CLOSING_PART: f64 = 0.5;
 
-/// The least time (s) in which bodies at their present speeds may come to overlap at a contact near; zero where one does.
+/// The least time (s) in which bodies at their present speeds may come to overlap at a contact near; zero where one
+/// does.
 fn time_to_contact(run: &Run<'_>) -> f64 {
     let world = &run.core.world;
     let of = |spring: &ContactSpring| {

@@ -1,15 +1,15 @@
 //! Which bodies may meet within a longest step.
 //!
 //! Each body has a box that holds it through the step: its box at the start, enlarged by what it may move, at first at
-//! its present velocity and under gravity and fields. Bodies whose boxes overlap, or that fields or joints couple, form a group; fixed
-//! and kinematic bodies join none. Whether bodies have kept to their boxes is looked at afterwards ([`Margins::grow`]); where
-//! one has not, its margin is enlarged and all groups are made and advanced anew. A group's motion depends on its members alone.
-//! How it fails: a box that is not finite is refused by the broad phase.
+//! its present velocity and under gravity and fields. Bodies whose boxes overlap, or that fields or joints couple, form
+//! a group; fixed and kinematic bodies join none. Whether bodies have kept to their boxes is looked at afterwards
+//! ([`Margins::grow`]); where one has not, its margin is enlarged and all groups are made and advanced anew. A group's
+//! motion depends on its members alone. How it fails: a box that is not finite is refused by the broad phase.
 
 use super::run::{Group, GroupRun};
-use crate::SimulationError;
 use crate::collision::boxes::Boxes;
-use crate::core::Core;
+use crate::error::SimulationError;
+use crate::tier::core::Core;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::Still;
 
@@ -114,8 +114,8 @@ fn root(of_body: &[usize], body: usize) -> usize {
 }
 
 impl GroupRun {
-    /// How far a body, by its place in the group, has moved from its state at the start of the run, with its rotation times
-    /// its size (m), at the ends of all steps.
+    /// How far a body, by its place in the group, has moved from its state at the start of the run, with its rotation
+    /// times its size (m), at the ends of all steps.
     fn moved(&self, place: usize, start: &BodyState, size: f64) -> f64 {
         let end = self.ends.get(place).into_iter().copied();
         let within = self.segments.iter().map(|segment| segment.state(place, segment.dense.t0() + segment.dense.h()));

@@ -1,17 +1,17 @@
 //! The implicit midpoint rule on a group with its springs: `y_m = y_0 + h/2 f(y_m)`, `y_1 = 2 y_m - y_0`.
 //!
-//! It is stable however stiff a spring is. The equation is solved by Newton's method, with a matrix of differences that is made
-//! anew when the iteration slows; where it does not converge the step is halved, and both halves are made in turn. The
-//! ledgers are integrated by the same rule. Source: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.7.
-//! The matrix is dense: 13 numbers for each body and 3 for each spring, factorised in their cube. More than [`MOST_BODIES`] that may
-//! meet are refused: [`SimulationError::ImplicitTooLarge`].
+//! It is stable however stiff a spring is. The equation is solved by Newton's method, with a matrix of differences that
+//! is made anew when the iteration slows; where it does not converge the step is halved, and both halves are made in
+//! turn. The ledgers are integrated by the same rule. Source: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.7.
+//! The matrix is dense: 13 numbers for each body and 3 for each spring, factorised in their cube. More than
+//! [`MOST_BODIES`] that may meet are refused: [`SimulationError::ImplicitTooLarge`].
 //! How it fails: a force that no midpoint satisfies leaves no step above [`SMALLEST_PART`] of that asked:
 //! [`SimulationError::StepTooSmall`].
 
 use super::contact::{Grip, SPRING};
 use super::laws::Laws;
 use super::system::SpringSystem;
-use crate::SimulationError;
+use crate::error::SimulationError;
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH};
 use polhode_dynamics::{RigidBody, System};
 

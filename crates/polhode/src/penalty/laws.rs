@@ -1,31 +1,35 @@
-//! The springs of a pair of bodies: from the knobs of the scene, the materials, and what a contact must be expected to bear.
+//! The springs of a pair of bodies: from the knobs of the scene, the materials, and what a contact must be expected to
+//! bear.
 //!
-//! **Linear.** The overlap is not to be deeper than the stated penetration d, [`STATED_DEPTH_RELATIVE`] of the smallest body
-//! that moves when the scene gives none: `k d^2/2 = E + W d` with the energy E and the weight W of [`super::expected`], shared by
-//! the points of the pair that are within d of touching when the contact begins.
+//! **Linear.** The overlap is not to be deeper than the stated penetration d, [`STATED_DEPTH_RELATIVE`] of the smallest
+//! body that moves when the scene gives none: `k d^2/2 = E + W d` with the energy E and the weight W of
+//! [`super::expected`], shared by the points of the pair that are within d of touching when the contact begins.
 //!
 //! **Hertz.** `k = (4/3) E* sqrt(R)` from moduli and radii (`polhode_response::penalty`).
 //!
 //! **Damping** from the restitution of the pair, exact for a lone impact: the effective mass along the normal and, for
 //! Hunt and Crossley, the speed of approach are taken when the contact begins. Below the speed `sqrt(g d)`, at which
-//! weight alone compresses a spring, that speed is taken: a contact at rest has no approach. A restitution below what a damper
-//! reaches gets the strongest damping that is used (`Relation::reachable`).
+//! weight alone compresses a spring, that speed is taken: a contact at rest has no approach. A restitution below what a
+//! damper reaches gets the strongest damping that is used (`Relation::reachable`).
 //!
-//! **At rest.** A contact that begins slower than `v_0 = sqrt(g d)` bounces no higher than its weight compresses it, so that its damping has no restitution to meet:
-//! it is at most critical: the ratio 1 of a plain damper, `a = 2 sqrt(k' m)/F` of Hunt and Crossley's, with the force F and the slope k' of the spring under the
-//! weight that it is made for (at d/2), or under that of m where its stiffness is given. For a restitution of 0.01 and a body alone it would be 35 times as strong,
-//! and in a stack more: a rate of decay by which explicit steps are that much shorter while nothing moves.
+//! **At rest.** A contact that begins slower than `v_0 = sqrt(g d)` bounces no higher than its weight compresses it, so
+//! that its damping has no restitution to meet: it is at most critical: the ratio 1 of a plain damper,
+//! `a = 2 sqrt(k' m)/F` of Hunt and Crossley's, with the force F and the slope k' of the spring under the weight that
+//! it is made for (at d/2), or under that of m where its stiffness is given. For a restitution of 0.01 and a body alone
+//! it would be 35 times as strong, and in a stack more: a rate of decay by which explicit steps are that much shorter
+//! while nothing moves.
 //!
-//! **Holding.** A tangential spring that holds a contact at rest, or one whose static friction is above kinetic, is damped critically,
-//! `c = 2 sqrt(k_t m)`: m is the mass that the contact bears, its share of W/g, or its effective mass where that is more. Static friction becomes
-//! kinetic after a slip of `mu_s F/k_t`, the stretch at which the spring gives way under the load F of the normal damping at rest.
+//! **Holding.** A tangential spring that holds a contact at rest, or one whose static friction is above kinetic, is
+//! damped critically, `c = 2 sqrt(k_t m)`: m is the mass that the contact bears, its share of W/g, or its effective
+//! mass where that is more. Static friction becomes kinetic after a slip of `mu_s F/k_t`, the stretch at which the
+//! spring gives way under the load F of the normal damping at rest.
 //!
 //! Source: docs/REFERENCES.md, Hunt and Crossley. How it fails: a stiffness that is not finite is refused when the
 //! contact begins.
 
 use super::expected::{blows, burden, load_on, reduced_mass};
-use crate::collision::contact_id::ContactId;
 use crate::collision::turn::Turn;
+use crate::identity::contact_id::ContactId;
 use crate::scene::spring_checks::elastic_pair;
 use crate::scene::{PenaltyMethod, SceneError, SpringLaw};
 use crate::world::World;
@@ -38,8 +42,8 @@ use polhode_spatial::DVec3;
 /// feature of a body, and large beside the rounding of its position.
 const STATED_DEPTH_RELATIVE: f64 = 1e-3;
 
-/// Poisson's ratio of a material that gives none, for the ratio of tangential to normal stiffness of linear springs (0 to 0.5:
-/// the ratio of stiffnesses goes from 1 to 2/3).
+/// Poisson's ratio of a material that gives none, for the ratio of tangential to normal stiffness of linear springs (0
+/// to 0.5: the ratio of stiffnesses goes from 1 to 2/3).
 const POISSON_RATIO: f64 = 0.3;
 
 /// The speed of slip of regularised friction when none is given, relative to the speed of the scene.
@@ -66,7 +70,8 @@ pub(super) struct Coulomb {
     pub(super) slip_speed: Option<f64>,
 }
 
-/// Friction of rolling and spinning of a contact, regularised: `M = -c F_n w/sqrt(w^2 + w_s^2)` for each part of the rotation.
+/// Friction of rolling and spinning of a contact, regularised: `M = -c F_n w/sqrt(w^2 + w_s^2)` for each part of the
+/// rotation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Resistance {
     /// c of rolling and of spinning, m.
@@ -95,7 +100,8 @@ pub(super) struct Holding {
     pub(super) damper: f64,
     /// How far it slips before static friction becomes kinetic, m: zero where both are one.
     pub(super) weakening: f64,
-    /// The slip that its damper stops by a force of less than static friction of the load at rest, m/s; zero where both coefficients are one.
+    /// The slip that its damper stops by a force of less than static friction of the load at rest, m/s; zero where both
+    /// coefficients are one.
     pub(super) stopped: f64,
 }
 
@@ -142,7 +148,8 @@ impl Laws {
         self.method.slip_speed_m_s.unwrap_or(if own > 0.0 { own } else { SLIP_SPEED_RELATIVE })
     }
 
-    /// What resists rolling and spinning at a contact: the speed of slip of regularised friction is that of a rotation at the length of the pair.
+    /// What resists rolling and spinning at a contact: the speed of slip of regularised friction is that of a rotation
+    /// at the length of the pair.
     fn resistance(&self, world: &World, id: ContactId) -> Option<Resistance> {
         let [rolling, spinning] = [Turn::Rolling, Turn::Spinning].map(|turn| turn.friction(world, (id.a, id.b)));
         let rate = self.slip_speed(world) / world.turning_length(id.a, id.b);
@@ -222,7 +229,8 @@ impl Laws {
         if is_made_for_load { 0.5 * self.depth_m } else { own_weight() }
     }
 
-    /// The factor `a` (s/m) of Hunt and Crossley's damper with which a contact that carries what its spring is made for is critically damped.
+    /// The factor `a` (s/m) of Hunt and Crossley's damper with which a contact that carries what its spring is made for
+    /// is critically damped.
     fn critical_at_rest(&self, world: &World, spring: &NormalSpring, mass: f64) -> f64 {
         let depth = self.depth_at_rest(world, spring, mass);
         2.0 * (spring.slope(depth) * mass).sqrt() / spring.elastic_force(depth)

@@ -1,15 +1,15 @@
 //! The tier `penalty`: springs and dampers where bodies overlap (thesis 3.1, "Penalty Methods").
 //!
-//! Bodies interpenetrate, and a contact pushes with a force that grows with the overlap; friction is a second spring in the
-//! tangent plane. Nothing is solved for. Stiffness follows from a stated penetration, weights and speeds or from elastic
-//! moduli, damping from restitution, so that nothing is tuned (`laws`).
+//! Bodies interpenetrate, and a contact pushes with a force that grows with the overlap; friction is a second spring in
+//! the tangent plane. Nothing is solved for. Stiffness follows from a stated penetration, weights and speeds or from
+//! elastic moduli, damping from restitution, so that nothing is tuned (`laws`).
 //!
-//! Bodies that may meet within a longest step form a group, which DOP853 integrates under error control with the set of its
-//! springs frozen; a step ends where a contact begins, ends, turns, sticks or slides (`stepping`). An integrator of fixed steps
-//! that the scene names is used literally (`fixed`).
+//! Bodies that may meet within a longest step form a group, which DOP853 integrates under error control with the set of
+//! its springs frozen; a step ends where a contact begins, ends, turns, sticks or slides (`stepping`). An integrator of
+//! fixed steps that the scene names is used literally (`fixed`).
 //!
-//! The ledger: elastic energy of springs is potential energy, dampers are booked as damping, slip and micro-slip as friction.
-//! What a contact holds when its features change under load is booked as the error of the integrator.
+//! The ledger: elastic energy of springs is potential energy, dampers are booked as damping, slip and micro-slip as
+//! friction. What a contact holds when its features change under load is booked as the error of the integrator.
 //!
 //! | module | holds |
 //! |---|---|

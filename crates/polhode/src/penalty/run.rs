@@ -1,20 +1,20 @@
 //! A group of bodies on its way through a longest step: its states, its springs, and what its accounts receive.
 //!
-//! What error-controlled and fixed steps share: which contacts there are at the start of a step, the booking of a step, and
-//! what is measured of it.
+//! What error-controlled and fixed steps share: which contacts there are at the start of a step, the booking of a step,
+//! and what is measured of it.
 
 use super::contact::{ContactSpring, Evaluated};
 use super::events::Peak;
 use super::laws::Laws;
-use super::measures::SpringReport;
 use super::system::SpringSystem;
-use crate::BodyId;
-use crate::SimulationError;
 use crate::accounting::books::{Balance, Books};
-use crate::collision::contact_id::ContactId;
-use crate::core::Core;
-use crate::event::{Event, EventKind};
+use crate::error::SimulationError;
+use crate::identity::body_id::BodyId;
+use crate::identity::contact_id::ContactId;
+use crate::report::event::{Event, EventKind};
+use crate::report::springs::SpringReport;
 use crate::solve::projection::{Projection, Removal, project_positions, project_velocities};
+use crate::tier::core::Core;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::{BodyState, DenseStep, System};
 
@@ -195,8 +195,8 @@ impl<'a> Run<'a> {
         self.measure(h);
     }
 
-    /// Puts the bodies that joints hold back onto them at the end of a step: what the integrator has let them drift. `before` is their
-    /// balance.
+    /// Puts the bodies that joints hold back onto them at the end of a step: what the integrator has let them drift.
+    /// `before` is their balance.
     fn project(&mut self, before: Balance) {
         let world = &self.core.world;
         if !world.has_rows() || world.held_among(&self.done.group.bodies).is_empty() {

@@ -2,8 +2,8 @@
 
 use super::contact::{ContactSpring, Grip, Passage, Push};
 use super::laws::{Coulomb, Holding, Laws, Resistance};
-use super::measures::{SpringImpact, SpringReport};
-use crate::BodyId;
+use crate::identity::body_id::BodyId;
+use crate::report::springs::{SpringImpact, SpringReport};
 use crate::scene::PenaltyMethod;
 use crate::snapshot::parts::{restored_id, save_contact};
 use crate::snapshot::{SnapshotError, springs};

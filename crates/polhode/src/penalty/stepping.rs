@@ -1,9 +1,10 @@
 //! A group over a longest step by DOP853 under error control.
 //!
-//! At the start of each step the contacts that overlap have springs; those near are watched. The step is attempted until its
-//! error is allowed, cut where something happens that it may not pass over (`events`), and then repeated with that length. Errors are allowed in units of
-//! the tolerance: of velocities relative to the fastest body of the group, of positions relative to the penetration that the
-//! springs keep, since a force follows from it. What rounding of positions makes of forces is allowed too.
+//! At the start of each step the contacts that overlap have springs; those near are watched. The step is attempted
+//! until its error is allowed, cut where something happens that it may not pass over (`events`), and then repeated with
+//! that length. Errors are allowed in units of the tolerance: of velocities relative to the fastest body of the group,
+//! of positions relative to the penetration that the springs keep, since a force follows from it. What rounding of
+//! positions makes of forces is allowed too.
 //!
 //! How it fails: [`SimulationError::StepTooSmall`] where springs are so stiff that no step advances time, and
 //! [`SimulationError::TooManyEvents`].
@@ -13,8 +14,8 @@ use super::contact::{ContactSpring, Grip, SPRING};
 use super::events::{Allowed, Happening, Looking, Passed};
 use super::run::{GroupRun, Run, Segment};
 use super::system::{DISSIPATION, DISSIPATIONS, SpringSystem};
-use crate::SimulationError;
-use crate::collision::contact_id::ContactId;
+use crate::error::SimulationError;
+use crate::identity::contact_id::ContactId;
 use polhode_dynamics::error_allowance::{ErrorAllowance, LargestError};
 use polhode_dynamics::state::WIDTH;
 use polhode_dynamics::step_control::REFUSED_FACTOR;
@@ -23,8 +24,8 @@ use polhode_dynamics::{BodyState, Dop853, RigidBody, System};
 /// Steps shorter than this many units in the last place of the time do not advance it.
 const TIME_ULPS: f64 = 4.0;
 
-/// Part of the size of the smaller body by which a pair may move against each other in a step, so that no body passes through
-/// another unseen (0.1 to 0.5).
+/// Part of the size of the smaller body by which a pair may move against each other in a step, so that no body passes
+/// through another unseen (0.1 to 0.5).
 const PASSING: f64 = 0.25;
 
 /// Rounding of a position, in units in its last place, that the error of a step may have (1 to 16).
@@ -76,8 +77,8 @@ fn longest(run: &Run<'_>, t_end: f64) -> f64 {
     })
 }
 
-/// A step times the frequency of a spring (no unit, 1 to 6): in a step that is a thousand times too long the first stages throw
-/// the bodies apart, the later ones see no contact, and the error is that of free flight: none.
+/// A step times the frequency of a spring (no unit, 1 to 6): in a step that is a thousand times too long the first
+/// stages throw the bodies apart, the later ones see no contact, and the error is that of free flight: none.
 const MOST_PHASE: f64 = 4.0;
 
 /// The longest step (s) that sees all springs of the group.
@@ -90,8 +91,8 @@ fn longest_on_springs(run: &Run<'_>) -> f64 {
     MOST_PHASE / run.done.springs.iter().map(frequency).fold(0.0, f64::max)
 }
 
-/// Gives contacts that overlap springs, takes away those whose features have gone, and returns the other contacts near. One that was
-/// found to end at this instant does not begin again.
+/// Gives contacts that overlap springs, takes away those whose features have gone, and returns the other contacts near.
+/// One that was found to end at this instant does not begin again.
 fn settle(run: &mut Run<'_>, done: &[Happening], h: f64) -> Result<Vec<ContactId>, SimulationError> {
     let near = run.near(h);
     let gone: Vec<ContactId> = run.done.springs.iter().map(|spring| spring.id).collect();
@@ -264,7 +265,8 @@ fn sliding_forces(system: &mut SpringSystem<'_>, t: f64, flat: &[f64]) -> Vec<f6
     springs.iter().map(of).collect()
 }
 
-/// The largest error of an attempt in units of what is allowed; `sliding` are the forces of springs that give way, the greater ones of both ends.
+/// The largest error of an attempt in units of what is allowed; `sliding` are the forces of springs that give way, the
+/// greater ones of both ends.
 fn largest_error(
     run: &Run<'_>,
     method: &Dop853,

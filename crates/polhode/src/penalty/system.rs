@@ -1,18 +1,19 @@
 //! The equations of motion of a group of bodies with the springs between them.
 //!
-//! `p' = v`, `q' = w q / 2`, `v' = g + sum F/m`, `L' = sum r x F + M`, with the forces of `contact` at the state of the stage, and the
-//! reactions of joints that leave their rows no acceleration under all of these (`crate::solve::joint_reactions`). Which
-//! springs there are and their modes are frozen. The state is flat: the bodies, four numbers for each spring (its tangential
-//! vector and its slip), and [`TAIL`] numbers for the ledgers: impulses of fixed bodies, weights and fields, each with its moment, energy
-//! lost to dampers and drag, external work, and energy lost to friction.
+//! `p' = v`, `q' = w q / 2`, `v' = g + sum F/m`, `L' = sum r x F + M`, with the forces of `contact` at the state of the
+//! stage, and the reactions of joints that leave their rows no acceleration under all of these
+//! (`crate::solve::joint_reactions`). Which springs there are and their modes are frozen. The state is flat: the
+//! bodies, four numbers for each spring (its tangential vector and its slip), and [`TAIL`] numbers for the ledgers:
+//! impulses of fixed bodies, weights and fields, each with its moment, energy lost to dampers and drag, external work,
+//! and energy lost to friction.
 
 use super::contact::{ContactSpring, Evaluated, Force, Grip, SPRING};
-use crate::Momentum;
 use crate::accounting::books::Received;
-use crate::collision::contact_id::ContactId;
 use crate::constraint::bilateral::bilateral_support;
-use crate::smooth_rates::{add, add_outside_rates, free_rates};
+use crate::identity::contact_id::ContactId;
+use crate::report::momentum_ledger::Momentum;
 use crate::solve::joint_reactions::JointReactions;
+use crate::tier::smooth_rates::{add, add_outside_rates, free_rates};
 use crate::world::{Loads, World};
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, WIDTH};
 use polhode_dynamics::{BodyState, System, state};
@@ -99,8 +100,8 @@ impl SpringSystem<'_> {
         }
     }
 
-    /// Adds the reactions of joints to the rates of bodies and ledgers, where springs do this to the bodies (by their places in the group: N,
-    /// N m). Where they cannot be found the rates are no numbers, and the step is refused.
+    /// Adds the reactions of joints to the rates of bodies and ledgers, where springs do this to the bodies (by their
+    /// places in the group: N, N m). Where they cannot be found the rates are no numbers, and the step is refused.
     fn add_reactions(&self, t: f64, (loads, springs): (&Loads, &[(DVec3, DVec3)]), rates: &mut [f64]) {
         let of_springs = self.bodies.iter().zip(springs).map(|(&body, &(force, moment))| (body, force, moment));
         let Ok(found) = JointReactions::solve(self.world, (t, self.states), self.bodies, &loads.with(of_springs))

@@ -1,16 +1,17 @@
 //! Accelerations of the joints of a tree by articulated inertias.
 //!
-//! Motions are (angular, linear at the centre of mass), forces (moment about the centre of mass, force), in world axes. With the
-//! motion `A_P` of the parent, that of the child is `X A_P + S u' + c`: `X` carries it from one centre of mass to the other, the columns
-//! `S` are what the joint leaves free, `c` is what velocities add.
+//! Motions are (angular, linear at the centre of mass), forces (moment about the centre of mass, force), in world axes.
+//! With the motion `A_P` of the parent, that of the child is `X A_P + S u' + c`: `X` carries it from one centre of mass
+//! to the other, the columns `S` are what the joint leaves free, `c` is what velocities add.
 //!
-//! 1. From the root, velocities (`moving.rs`), `c`, and `p`: what a body would need to keep its velocity, less what acts on it.
-//! 2. From the leaves, with the inertia `I` of a body and all that it carries: `U = I S`, `D = S^T U`, and the parent receives
-//!    `X^T (I - U D^-1 U^T) X` and `X^T (p + (I - U D^-1 U^T) c - U D^-1 S^T p)`.
+//! 1. From the root, velocities (`moving.rs`), `c`, and `p`: what a body would need to keep its velocity, less what
+//!    acts on it.
+//! 2. From the leaves, with the inertia `I` of a body and all that it carries: `U = I S`, `D = S^T U`, and the parent
+//!    receives `X^T (I - U D^-1 U^T) X` and `X^T (p + (I - U D^-1 U^T) c - U D^-1 S^T p)`.
 //! 3. From the root, `u' = -D^-1 (S^T p + U^T (X A_P + c))`.
 //!
-//! A joint that nothing drives bears no force along `S`: springs, dampers and motors act on both bodies and are part of `p`.
-//! Failure: a body without inertia along a free motion gives numbers that are not finite, and the step is refused.
+//! A joint that nothing drives bears no force along `S`: springs, dampers and motors act on both bodies and are part of
+//! `p`. Failure: a body without inertia along a free motion gives numbers that are not finite, and the step is refused.
 //! Source: Featherstone 2008, chapter 7.
 
 use super::moving::Moving;
@@ -121,8 +122,8 @@ pub(crate) struct SupportOfTree {
 }
 
 impl Articulated {
-    /// The rates of the flat state of a tree under these loads on its bodies, and what the world exerts on it, with moments about
-    /// `about` (m, world).
+    /// The rates of the flat state of a tree under these loads on its bodies, and what the world exerts on it, with
+    /// moments about `about` (m, world).
     pub(crate) fn rates(
         &mut self,
         (world, tree): (&World, &Tree),

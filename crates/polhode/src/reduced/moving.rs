@@ -8,7 +8,8 @@
 //! | ball | `R_P Q` | that of the parent |
 //! | slider | `R_P R_0` | that of the parent, displaced by `q` along the axis |
 //!
-//! The centre of mass of the child is at its anchor less `R_C a_C`. Velocities follow from those of the parent in the same way.
+//! The centre of mass of the child is at its anchor less `R_C a_C`. Velocities follow from those of the parent in the
+//! same way.
 
 use super::tree::{Node, Tree};
 use crate::constraint::tree_joint::{FreeMotionOfJoint, JointOfChild};

@@ -5,14 +5,14 @@
 //! (thesis 3.4, equations 15-18). Immovable bodies have no entry (erratum E17). In planar motion a velocity has three
 //! coordinates instead of six, and everything else is the same.
 
-use crate::collision::contact_id::{ContactId, Feature};
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::joint_friction::{JointForces, Pressed};
 use crate::constraint::row::{BilateralRow, Member, RowKind};
 use crate::constraint::softness::Softness;
-use crate::plane_of_motion::PlaneOfMotion;
+use crate::identity::contact_id::{ContactId, Feature};
 use crate::rows::rotation_row::RotationRow;
+use crate::world::plane_of_motion::PlaneOfMotion;
 use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
@@ -203,9 +203,10 @@ impl Assembly {
         Ok(())
     }
 
-    /// Constant terms of the rows of contacts and bilateral constraints in a time step, from those of the contacts, m/s, where the
-    /// kick of fields has changed the rate of a row by `kicked` (m/s). A bilateral constraint that is rigid ends with the opposite of
-    /// its rate before the kick, so that it does no work, and the second half of the step takes back the gap of the first.
+    /// Constant terms of the rows of contacts and bilateral constraints in a time step, from those of the contacts,
+    /// m/s, where the kick of fields has changed the rate of a row by `kicked` (m/s). A bilateral constraint that is
+    /// rigid ends with the opposite of its rate before the kick, so that it does no work, and the second half of the
+    /// step takes back the gap of the first.
     pub(crate) fn step_constants(
         &self,
         of_contacts: impl Iterator<Item = f64>,
@@ -388,15 +389,16 @@ impl Assembly {
         Ok(b)
     }
 
-    /// Sets the constant terms of the rows of contacts that a given force presses: of forces, or of impulses over `h` (s) in a step.
+    /// Sets the constant terms of the rows of contacts that a given force presses: of forces, or of impulses over `h`
+    /// (s) in a step.
     pub(crate) fn press(&self, constants: &mut [f64], h: f64) {
         for (row, Pressed { force, compliance, .. }) in &self.pressed {
             constants[*row] = -compliance * force * h;
         }
     }
 
-    /// Presses bearings by the loads that follow from these forces (N, or impulses over `h`, s) of all rows. Returns whether any
-    /// changes.
+    /// Presses bearings by the loads that follow from these forces (N, or impulses over `h`, s) of all rows. Returns
+    /// whether any changes.
     pub(crate) fn press_by_loads(&mut self, forces: &[f64], h: f64) -> bool {
         if self.pressed.is_empty() {
             return false;
@@ -501,8 +503,8 @@ fn merge(entries: &mut Vec<(usize, [f64; SPACE_WIDTH])>) {
 }
 
 impl World {
-    /// Relative acceleration of the bodies of a contact along the normal of `geometry` (m/s^2) at `t` (s): its terms that
-    /// depend on velocities, `bias`, prescribed accelerations, and those of bodies (body, linear, angular).
+    /// Relative acceleration of the bodies of a contact along the normal of `geometry` (m/s^2) at `t` (s): its terms
+    /// that depend on velocities, `bias`, prescribed accelerations, and those of bodies (body, linear, angular).
     pub(crate) fn relative_acceleration(
         &self,
         (t, states): (f64, &[BodyState]),

@@ -1,8 +1,8 @@
 //! The blocks of contacts with friction: their laws over the rows of an assembly.
 //!
-//! An assembly holds all normal rows first, then those of pivots, then those along tangents, then those of rotations. A law is
-//! stated for the rows of one contact together. Rows along and across a grain are scaled, so that their ellipse of friction
-//! becomes a circle (`crate::collision::friction_ellipse`).
+//! An assembly holds all normal rows first, then those of pivots, then those along tangents, then those of rotations. A
+//! law is stated for the rows of one contact together. Rows along and across a grain are scaled, so that their ellipse
+//! of friction becomes a circle (`crate::collision::friction_ellipse`).
 
 use crate::collision::turn::Turn;
 use crate::rows::resisted_rotation::ResistedRotation;
@@ -54,8 +54,8 @@ pub(crate) fn with_rotations(blocks: Blocks, rotations: &[ResistedRotation]) -> 
     whole
 }
 
-/// The direction, in the rows of a rotation, in which the bodies turn, or begin to turn; none while friction holds them. A
-/// moment opposes it; where nothing presses there is no moment, and the rotation follows its acceleration.
+/// The direction, in the rows of a rotation, in which the bodies turn, or begin to turn; none while friction holds
+/// them. A moment opposes it; where nothing presses there is no moment, and the rotation follows its acceleration.
 pub(crate) fn direction_of(solved: &BlocksSolution, rotation: &ResistedRotation) -> Option<Vec<f64>> {
     if rotation.turns {
         return Some(vec![1.0; rotation.rows.len()]);

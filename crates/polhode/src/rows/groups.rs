@@ -15,7 +15,8 @@ pub(crate) struct Group {
     pub(crate) contacts: Vec<usize>,
 }
 
-/// The groups that `contacts` (index of the contact, body A, body B) form, with all bodies that joints connect to theirs.
+/// The groups that `contacts` (index of the contact, body A, body B) form, with all bodies that joints connect to
+/// theirs.
 pub(crate) fn groups(world: &World, contacts: impl Iterator<Item = (usize, usize, usize)>) -> Vec<Group> {
     joined(world, contacts, &[])
 }

@@ -1,5 +1,5 @@
-//! Constraint rows of groups of bodies: collision detection knows no masses, and the response knows no shapes; here contacts
-//! and bilateral constraints become rows that the response solves for.
+//! Constraint rows of groups of bodies: collision detection knows no masses, and the response knows no shapes; here
+//! contacts and bilateral constraints become rows that the response solves for.
 //!
 //! | module | holds |
 //! |---|---|

@@ -1,7 +1,8 @@
-//! A rotation that friction of rolling or spinning resists, among the rows of a problem: a part of the block of its contact.
+//! A rotation that friction of rolling or spinning resists, among the rows of a problem: a part of the block of its
+//! contact.
 //!
-//! Its rows are angular velocities times a length (`rows/rotation_row.rs`), and its friction `c / l` bounds their reaction
-//! by a part of the normal one, as Coulomb's law bounds that of slip.
+//! Its rows are angular velocities times a length (`rows/rotation_row.rs`), and its friction `c / l` bounds their
+//! reaction by a part of the normal one, as Coulomb's law bounds that of slip.
 
 use crate::collision::turn::Turn;
 use std::ops::Range;

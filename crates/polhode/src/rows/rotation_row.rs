@@ -1,10 +1,11 @@
 //! A row of a rotation: the angular velocity of A relative to B at a contact, along an axis, times a length.
 //!
-//! The length `l` (m) is of the order of the size of the pair. With it the rate `l w` is a velocity (m/s), and the reaction
-//! `M / l` a force (N): rows of rotations and of contacts stand in one problem, whose norms and thresholds would otherwise
-//! add newtons to newton metres and depend on the unit of length. It is a power of two, so that it rounds nothing.
+//! The length `l` (m) is of the order of the size of the pair. With it the rate `l w` is a velocity (m/s), and the
+//! reaction `M / l` a force (N): rows of rotations and of contacts stand in one problem, whose norms and thresholds
+//! would otherwise add newtons to newton metres and depend on the unit of length. It is a power of two, so that it
+//! rounds nothing.
 
-use crate::collision::contact_id::ContactId;
+use crate::identity::contact_id::ContactId;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;

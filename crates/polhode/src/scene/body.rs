@@ -113,8 +113,8 @@ impl Body {
         &self.material
     }
 
-    /// With a surface that moves at this velocity (m/s, frame of the body) while its shape does not: a belt, the tracks of a
-    /// vehicle. At a contact its part in the tangent plane counts, and only friction feels it.
+    /// With a surface that moves at this velocity (m/s, frame of the body) while its shape does not: a belt, the tracks
+    /// of a vehicle. At a contact its part in the tangent plane counts, and only friction feels it.
     pub fn surface_velocity(mut self, velocity: DVec3) -> Self {
         self.surface_velocity = velocity;
         self

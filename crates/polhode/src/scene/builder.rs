@@ -6,8 +6,8 @@ use super::{
     Body, Coordinate, CoordinateMotion, DEFAULT_GRAVITY, Force, Gear, GearEnd, Joint, Method, PairRule, Response,
     Scene, SceneError, Tier, TierFeature, TrackId, force,
 };
-use crate::body_id::BodyId;
-use crate::joint_id::JointId;
+use crate::identity::body_id::BodyId;
+use crate::identity::joint_id::JointId;
 use polhode_spatial::DVec3;
 use polhode_spatial::curve::Curve;
 use std::collections::BTreeSet;
@@ -108,7 +108,8 @@ impl SceneBuilder {
         JointId::new(self.scene.joints.len() - 1)
     }
 
-    /// Adds a track, a curve of the world at the start, and returns its handle, for [`JointKind::Track`](super::JointKind::Track).
+    /// Adds a track, a curve of the world at the start, and returns its handle, for
+    /// [`JointKind::Track`](super::JointKind::Track).
     pub fn add_track(&mut self, curve: Curve) -> TrackId {
         self.scene.tracks.push(Arc::new(curve));
         TrackId::new(self.scene.tracks.len() - 1)
@@ -196,7 +197,9 @@ impl SceneBuilder {
         }
         if scene.method.impact == Some(ImpactLaw::Pulse) && scene.colliding().largest_rotational_friction > 0.0 {
             let what = "impact = \"pulse\" where contacts resist rolling or spinning".to_owned();
-            let instead = "rolling_friction = 0 and spinning_friction = 0, or impact = \"energetic\", \"poisson\" or \"reflection\"".to_owned();
+            let instead = "rolling_friction = 0 and spinning_friction = 0, or impact = \"energetic\", \"poisson\" or \
+                \"reflection\""
+                .to_owned();
             return Err(SceneError::NotYetAvailable { what, instead });
         }
         if let (false, Some(effect)) = (tier.takes(TierFeature::SurfaceEffects), scene.surface_effect())

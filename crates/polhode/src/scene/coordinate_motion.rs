@@ -1,9 +1,10 @@
 //! Prescribed motions of the coordinates of joints: an angle or a displacement as a function of time.
 //!
-//! The coordinate follows `q(t) = s(t) - s(0)` exactly, whatever acts on its bodies (of a distance `q` is what it has grown since the
-//! start): a row of the joint keeps value, rate and acceleration. The force along it is what the drive has to exert; its work is
-//! external work of the ledger. `s` has the kinds of the motions of kinematic bodies ([`crate::scene::motion`]): constant rate, sine, a
-//! table. The velocities of the bodies at the start must have the rate `s'(0)`.
+//! The coordinate follows `q(t) = s(t) - s(0)` exactly, whatever acts on its bodies (of a distance `q` is what it has
+//! grown since the start): a row of the joint keeps value, rate and acceleration. The force along it is what the drive
+//! has to exert; its work is external work of the ledger. `s` has the kinds of the motions of kinematic bodies
+//! ([`crate::scene::motion`]): constant rate, sine, a table. The velocities of the bodies at the start must have the
+//! rate `s'(0)`.
 
 use super::motion::{Interpolation, MotionError, MotionTable, PrescribedMotion};
 use polhode_spatial::{DVec3, Velocity};
@@ -50,12 +51,12 @@ impl CoordinateMotion {
         PrescribedMotion::sine(DVec3::X * amplitude, DVec3::ZERO, frequency_hz, phase).map(Self)
     }
 
-    /// Values (rad, m) at these times (s), with a curve between them. Before the first and after the last one the coordinate
-    /// stands still. Linear interpolation is refused with the scene: its rates jump.
+    /// Values (rad, m) at these times (s), with a curve between them. Before the first and after the last one the
+    /// coordinate stands still. Linear interpolation is refused with the scene: its rates jump.
     ///
     /// # Errors
-    /// When there are fewer than two, not one value for each time, the times do not increase, or a number is not finite or too
-    /// large.
+    /// When there are fewer than two, not one value for each time, the times do not increase, or a number is not finite
+    /// or too large.
     pub fn table(times_s: Vec<f64>, values: &[f64], interpolation: Interpolation) -> Result<Self, MotionError> {
         let positions_m = Some(values.iter().map(|value| DVec3::X * *value).collect());
         PrescribedMotion::table(&MotionTable { times_s, positions_m, orientations: None, interpolation }).map(Self)

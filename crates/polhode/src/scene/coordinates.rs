@@ -1,7 +1,8 @@
 //! In which coordinates joints are integrated, and for which scenes reduced ones are available.
 //!
-//! Reduced coordinates are those of the joints of trees (`crate::reduced`). They need joints with coordinates of their own, no loop, and
-//! nothing that pushes: no contacts, no limits, no dry friction. Gears, prescribed motions and joints that break have constraint rows.
+//! Reduced coordinates are those of the joints of trees (`crate::reduced`). They need joints with coordinates of their
+//! own, no loop, and nothing that pushes: no contacts, no limits, no dry friction. Gears, prescribed motions and joints
+//! that break have constraint rows.
 
 use super::laws::Coordinates;
 use super::{Coordinate, Integrator, Joint, Scene, SceneError, Tier, TierFeature};

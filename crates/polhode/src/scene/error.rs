@@ -1,7 +1,8 @@
 //! Errors of a scene: why it is refused.
 
 use super::MotionError;
-use crate::few_digits::{self, length};
+use crate::scene::few_digits;
+use crate::scene::few_digits::length;
 use polhode_contact::ShapeError;
 use polhode_dynamics::field::FieldError;
 use polhode_response::penalty::SpringError;
@@ -70,9 +71,9 @@ pub enum SceneError {
     /// The velocity of a kinematic body jumps during the run, and it may touch a body that forces move.
     #[error(
         "the motion of body {body} has interpolation = \"linear\", so that its velocity jumps at t = {t_s} s: where it \
-         touches body {other}, that is an impulse of which the table does not say how it passes (as a bounce, a push, or \
-         a slip); use interpolation = \"monotone\" with samples close before and after the turn, or name both bodies in \
-         a [[no_contact]] group"
+         touches body {other}, that is an impulse of which the table does not say how it passes (as a bounce, a push, \
+         or a slip); use interpolation = \"monotone\" with samples close before and after the turn, or name both \
+         bodies in a [[no_contact]] group"
     )]
     MotionJumps {
         /// The kinematic body.
@@ -143,8 +144,8 @@ pub enum SceneError {
     },
     /// Springs after Hertz between two materials without moduli.
     #[error(
-        "law = \"hertz\" needs youngs_modulus_pa and poisson_ratio of material {} or {}, which may meet: one of both may \
-         be left without (it is rigid), or give law = \"linear\"",
+        "law = \"hertz\" needs youngs_modulus_pa and poisson_ratio of material {} or {}, which may meet: one of both \
+         may be left without (it is rigid), or give law = \"linear\"",
         materials[0], materials[1]
     )]
     HertzModulus {
@@ -153,8 +154,9 @@ pub enum SceneError {
     },
     /// Springs after Hertz for a shape without radii of curvature.
     #[error(
-        "law = \"hertz\" needs radii of curvature, and the shape of body {body} has none that it knows: it takes balls, on \
-         balls and on half-spaces, boxes and other polyhedra that do not move by forces; give law = \"linear\""
+        "law = \"hertz\" needs radii of curvature, and the shape of body {body} has none that it knows: it takes \
+         balls, on balls and on half-spaces, boxes and other polyhedra that do not move by forces; give law = \
+         \"linear\""
     )]
     HertzShape {
         /// The body.
@@ -178,8 +180,8 @@ pub enum SceneError {
     },
     /// The velocities of the bodies of a joint would part them at the start.
     #[error(
-        "joint number {number} (counted from 0): its bodies part by {apart_m_s} m/s at the anchor at the start: give them \
-         velocities that agree there, v + w x (anchor - centre of mass)"
+        "joint number {number} (counted from 0): its bodies part by {apart_m_s} m/s at the anchor at the start: give \
+         them velocities that agree there, v + w x (anchor - centre of mass)"
     )]
     JointMoves {
         /// Its number.
@@ -189,8 +191,8 @@ pub enum SceneError {
     },
     /// The angular velocities of the bodies of a joint would turn them out of it at the start.
     #[error(
-        "joint number {number} (counted from 0): its bodies turn on each other by {across_rad_s} rad/s across its axis at \
-         the start: give them angular velocities that differ along the axis alone"
+        "joint number {number} (counted from 0): its bodies turn on each other by {across_rad_s} rad/s across its axis \
+         at the start: give them angular velocities that differ along the axis alone"
     )]
     JointTurns {
         /// Its number.
@@ -200,8 +202,8 @@ pub enum SceneError {
     },
     /// A joint begins beyond a limit of one of its coordinates.
     #[error(
-        "joint {number} begins at a {coordinate} of {start} {unit}, beyond its limits from {lower} to {upper}: limits that contain \
-         the start are needed"
+        "joint {number} begins at a {coordinate} of {start} {unit}, beyond its limits from {lower} to {upper}: limits \
+         that contain the start are needed"
     )]
     JointBeyondLimits {
         /// Its number.
@@ -219,8 +221,8 @@ pub enum SceneError {
     },
     /// A body begins off its track.
     #[error(
-        "joint {number} begins {how}, {} mm away: at most {} mm are taken as digits of a file, and its anchor is moved onto the track; \
-         place the body on it",
+        "joint {number} begins {how}, {} mm away: at most {} mm are taken as digits of a file, and its anchor is moved \
+         onto the track; place the body on it",
         few_digits::number(*distance_mm),
         few_digits::number(*most_mm)
     )]
@@ -244,8 +246,8 @@ pub enum SceneError {
     },
     /// The velocities at the start do not agree with a gear.
     #[error(
-        "gear number {number} (counted from 0): its first joint moves at {found} at the start where the ratio times the rate of the \
-         second one is {needed} (rad/s or m/s): give the bodies velocities that agree"
+        "gear number {number} (counted from 0): its first joint moves at {found} at the start where the ratio times \
+         the rate of the second one is {needed} (rad/s or m/s): give the bodies velocities that agree"
     )]
     GearRate {
         /// Its number.
@@ -265,8 +267,8 @@ pub enum SceneError {
     },
     /// The velocities at the start do not agree with a prescribed motion.
     #[error(
-        "the prescribed motion of joint number {joint} (counted from 0) begins at a rate of {needed}, but its bodies have {found} \
-         (rad/s or m/s): give them velocities that agree"
+        "the prescribed motion of joint number {joint} (counted from 0) begins at a rate of {needed}, but its bodies \
+         have {found} (rad/s or m/s): give them velocities that agree"
     )]
     CoordinateRate {
         /// The number of the joint.
@@ -432,8 +434,8 @@ pub enum SceneError {
     InitialOverlap(Vec<OverlapAtStart>),
     /// A run would have more samples than it can ever write.
     #[error(
-        "a run of duration = {duration_s:e} s with a sample every output.interval = {interval_s:e} s has more than 1e12 \
-         samples: shorten the duration, or lengthen the interval"
+        "a run of duration = {duration_s:e} s with a sample every output.interval = {interval_s:e} s has more than \
+         1e12 samples: shorten the duration, or lengthen the interval"
     )]
     TooManySamples {
         /// The duration, s.

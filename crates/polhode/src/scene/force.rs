@@ -5,7 +5,7 @@
 //! fastened to a fixed body is anchored in the world; any other force on a fixed body has no effect.
 
 use super::{Body, Integrator, SceneError};
-use crate::body_id::BodyId;
+use crate::identity::body_id::BodyId;
 use polhode_dynamics::field::{
     Account, Anchor, AppliedForce, AppliedTorque, Damper, Dependence, Drag, DragLaw, Field, FieldError, ForceResponse,
     Frame, MutualGravity, PointGravity, Signal, Spring, Wrench,

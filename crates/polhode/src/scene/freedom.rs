@@ -1,5 +1,5 @@
-//! What acts along a freedom of a joint: limits, each of them a stop that bodies meet as they meet each other, a spring, a damper,
-//! a motor, and dry friction.
+//! What acts along a freedom of a joint: limits, each of them a stop that bodies meet as they meet each other, a
+//! spring, a damper, a motor, and dry friction.
 
 use thiserror::Error;
 
@@ -195,8 +195,8 @@ impl Motor {
     }
 }
 
-/// Dry friction of a joint along a coordinate: an effort of this size against the motion, and one of at most the effort of
-/// breakaway that holds the coordinate where it is; with a bearing it grows with the force that the joint bears.
+/// Dry friction of a joint along a coordinate: an effort of this size against the motion, and one of at most the effort
+/// of breakaway that holds the coordinate where it is; with a bearing it grows with the force that the joint bears.
 ///
 /// ```
 /// use polhode::scene::JointFriction;
@@ -239,9 +239,9 @@ impl JointFriction {
         }
     }
 
-    /// The same friction with that of a bearing, `coefficient` times the force on it across the axis: of an angle times the radius
-    /// (m) at which it rubs, of a displacement times 1 (`radius` is 1 there). At rest it is larger as breakaway is than the effort. Of
-    /// [`JointFriction::default`] it is all there is.
+    /// The same friction with that of a bearing, `coefficient` times the force on it across the axis: of an angle times
+    /// the radius (m) at which it rubs, of a displacement times 1 (`radius` is 1 there). At rest it is larger as
+    /// breakaway is than the effort. Of [`JointFriction::default`] it is all there is.
     ///
     /// # Errors
     /// When the coefficient or the radius is negative or not finite.
@@ -251,7 +251,8 @@ impl JointFriction {
         Ok(Self { arm: coefficient * radius, ..self })
     }
 
-    /// Of a bearing: the effort for each newton on it across the axis, m of an angle, a coefficient otherwise; zero without one.
+    /// Of a bearing: the effort for each newton on it across the axis, m of an angle, a coefficient otherwise; zero
+    /// without one.
     pub const fn arm(&self) -> f64 {
         self.arm
     }

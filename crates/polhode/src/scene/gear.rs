@@ -1,16 +1,17 @@
 //! Gears: coordinates of two joints that move together.
 //!
-//! With the coordinates `q_1` and `q_2` (rad of an angle, m otherwise), measured from the start, a gear keeps `q_1 = r q_2`. Of two
-//! hinges `r` is the ratio of their rates: that of two wheels in mesh is `-n_2/n_1` with their numbers of teeth, that of two pulleys
-//! under one belt `n_2/n_1`. Of a slider and a hinge (rack and pinion) it is a length, the displacement for each radian; of two ropes
-//! -1 is one rope over a pulley without mass. The forces of a gear act along both coordinates, `f` along the first one and `-r f` along
-//! the second one, do no work together, and may have either sign: there is no play.
+//! With the coordinates `q_1` and `q_2` (rad of an angle, m otherwise), measured from the start, a gear keeps
+//! `q_1 = r q_2`. Of two hinges `r` is the ratio of their rates: that of two wheels in mesh is `-n_2/n_1` with their
+//! numbers of teeth, that of two pulleys under one belt `n_2/n_1`. Of a slider and a hinge (rack and pinion) it is a
+//! length, the displacement for each radian; of two ropes -1 is one rope over a pulley without mass. The forces of a
+//! gear act along both coordinates, `f` along the first one and `-r f` along the second one, do no work together, and
+//! may have either sign: there is no play.
 //!
-//! Sources: Featherstone 2008, chapter 3 (constraints between joint coordinates). The convention, the first coordinate from the second
-//! one, is that of MuJoCo (`equality/joint`), URDF (`mimic`) and Drake (`AddCouplerConstraint`).
+//! Sources: Featherstone 2008, chapter 3 (constraints between joint coordinates). The convention, the first coordinate
+//! from the second one, is that of MuJoCo (`equality/joint`), URDF (`mimic`) and Drake (`AddCouplerConstraint`).
 
 use super::Coordinate;
-use crate::joint_id::JointId;
+use crate::identity::joint_id::JointId;
 use thiserror::Error;
 
 /// Why a gear is refused.
@@ -19,7 +20,8 @@ use thiserror::Error;
 pub enum GearError {
     /// Its ratio is zero or not finite.
     #[error(
-        "ratio of a gear is {0}: a finite number other than 0 is needed; with 0 the first joint would not move, which a fixed joint says"
+        "ratio of a gear is {0}: a finite number other than 0 is needed; with 0 the first joint would not move, which \
+         a fixed joint says"
     )]
     Ratio(f64),
 }

@@ -1,13 +1,13 @@
 //! Joints: what holds two bodies, or a body and the world, together.
 //!
-//! A joint is given by a point of the world at the start, its anchor, which stays one point of both bodies. A joint between
-//! bodies that no force moves, or of a body with itself, is refused. One of two bodies may be kinematic: it drives the other one,
-//! and its work is in the ledger. Jointed bodies do not collide with each other.
+//! A joint is given by a point of the world at the start, its anchor, which stays one point of both bodies. A joint
+//! between bodies that no force moves, or of a body with itself, is refused. One of two bodies may be kinematic: it
+//! drives the other one, and its work is in the ledger. Jointed bodies do not collide with each other.
 
 use super::freedom::{Coordinate, Freedom, Limits, LimitsError};
 use super::strength::Strength;
 use super::track::{TrackEnds, TrackHold, TrackId};
-use crate::body_id::BodyId;
+use crate::identity::body_id::BodyId;
 use polhode_spatial::{DVec3, UnitVector};
 
 /// What a joint leaves free.
@@ -50,8 +50,8 @@ pub enum JointKind {
         /// The normal of the plane at the start, world. The plane is fixed in the other body or in the world.
         normal: UnitVector,
     },
-    /// All motions that keep the distance of the anchor of the body from one of the other body, or of the world: a rod without
-    /// mass.
+    /// All motions that keep the distance of the anchor of the body from one of the other body, or of the world: a rod
+    /// without mass.
     Rod {
         /// The anchor of the other body at the start, world, m.
         to: DVec3,
@@ -173,7 +173,8 @@ impl Joint {
         Self::new(JointKind::Hinge { axis }, body, anchor)
     }
 
-    /// A rope of this length (m) from a point of a body to a point of the world (m), at the start. It holds them when taut.
+    /// A rope of this length (m) from a point of a body to a point of the world (m), at the start. It holds them when
+    /// taut.
     ///
     /// # Errors
     /// When the length is not positive.

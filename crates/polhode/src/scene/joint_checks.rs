@@ -1,5 +1,5 @@
-//! Checks of the joints of a scene: that their bodies exist and can be held, that they do not part at the start, and that the
-//! method solves for them.
+//! Checks of the joints of a scene: that their bodies exist and can be held, that they do not part at the start, and
+//! that the method solves for them.
 
 use super::{
     Coordinate, Freedom, Integrator, IntegratorChoice, Joint, JointKind, Response, Scene, SceneError, Tier, TierFeature,
@@ -8,15 +8,16 @@ use crate::constraint::joint::{HeldBody, WorldJoint};
 use crate::constraint::row::RowKind;
 use polhode_spatial::{Motion, Pose, Velocity};
 
-/// Relative velocity at a joint at the start, relative to the parts of the speeds of its bodies there, and of prescribed motions to their greatest
-/// speed in the run, of which that at the start is a part to the digits of a phase: more than a file's digits is a contradiction (no unit,
-/// 1e-12 to 1e-6).
+/// Relative velocity at a joint at the start, relative to the parts of the speeds of its bodies there, and of
+/// prescribed motions to their greatest speed in the run, of which that at the start is a part to the digits of a
+/// phase: more than a file's digits is a contradiction (no unit, 1e-12 to 1e-6).
 pub(super) const JOINT_VELOCITY_RELATIVE: f64 = 1e-9;
 
 /// Cosine of the angle of two axes below which they are at right angles (no unit, 1e-12 to 1e-6): the digits of a file.
 const RIGHT_ANGLE: f64 = 1e-9;
 
-/// How far a distance at the start may be beyond its limit, relative to itself: the digits of a file (no unit, 1e-15 to 1e-9).
+/// How far a distance at the start may be beyond its limit, relative to itself: the digits of a file (no unit, 1e-15 to
+/// 1e-9).
 const START_AT_LIMIT: f64 = 1e-12;
 
 impl Scene {
@@ -37,11 +38,12 @@ impl Scene {
         Ok(())
     }
 
-    /// Takes a joint that a program adds to a simulation by this tier, between bodies as they are then. Returns it at its place: of a
-    /// track on it.
+    /// Takes a joint that a program adds to a simulation by this tier, between bodies as they are then. Returns it at
+    /// its place: of a track on it.
     ///
     /// # Errors
-    /// As [`SceneBuilder::build`](super::SceneBuilder::build), but that its bodies may move as it does not allow: it stops them.
+    /// As [`SceneBuilder::build`](super::SceneBuilder::build), but that its bodies may move as it does not allow: it
+    /// stops them.
     pub(crate) fn take_joint(&mut self, joint: &Joint, tier: Tier) -> Result<Joint, SceneError> {
         let number = self.joints.len();
         self.check_joint(number, joint)?;
@@ -181,8 +183,8 @@ impl Scene {
         (pose, Velocity::new(linear, angular))
     }
 
-    /// The speed (m/s) and rate of turning (rad/s) that the digits of a velocity at the start are relative to: its own, or the greatest of a
-    /// prescribed motion in the run.
+    /// The speed (m/s) and rate of turning (rad/s) that the digits of a velocity at the start are relative to: its own,
+    /// or the greatest of a prescribed motion in the run.
     pub(super) fn speeds_for_rounding(&self, body: usize) -> [f64; 2] {
         let own = &self.bodies[body];
         if let Some(motion) = own.motion() {
@@ -203,7 +205,8 @@ impl Scene {
         WorldJoint::new((number, joint), &self.tracks, held, 1.0)
     }
 
-    /// Checks that the velocities at the start are what a joint leaves free: the rates of its rows are zero to rounding.
+    /// Checks that the velocities at the start are what a joint leaves free: the rates of its rows are zero to
+    /// rounding.
     fn check_joint_velocity(&self, number: usize, joint: &Joint) -> Result<(), SceneError> {
         let motion = |body: usize| self.motion_at_start(body);
         let world_joint = self.joint_at_start(number, joint);
@@ -241,8 +244,8 @@ fn check_limits(number: usize, joint: &Joint) -> Result<(), SceneError> {
         let Some(freedom) = joint.freedom(coordinate) else { continue };
         if !own.contains(&coordinate) {
             return Err(refused(
-                "something acts along a coordinate that it does not leave free: a hinge has an angle, a slider a displacement, a \
-                 cylindrical joint both, a rope a distance",
+                "something acts along a coordinate that it does not leave free: a hinge has an angle, a slider a \
+                 displacement, a cylindrical joint both, a rope a distance",
             ));
         }
         let Some(limits) = freedom.limits() else { continue };

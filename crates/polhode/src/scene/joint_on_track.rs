@@ -1,6 +1,7 @@
 //! Joints on tracks at the start: whether the track can hold the body as asked, and that the anchor lies on it.
 //!
-//! Within the digits of a file the anchor is moved onto the track, or of a track with one side into its plane; more is refused.
+//! Within the digits of a file the anchor is moved onto the track, or of a track with one side into its plane; more is
+//! refused.
 
 use super::{Follows, Joint, JointKind, OneSide, Scene, SceneError, TrackEnds, TrackHold, TrackSprings};
 use crate::constraint::track_frame::LEAST_SINE;
@@ -8,8 +9,8 @@ use polhode_spatial::DVec3;
 use polhode_spatial::curve::{Curve, CurvePlane, CurvePoint};
 use std::sync::Arc;
 
-/// How far the anchor may be off the track at the start, as a part of the length of the track: the digits of a file (no unit, 1e-12 to
-/// 1e-6).
+/// How far the anchor may be off the track at the start, as a part of the length of the track: the digits of a file (no
+/// unit, 1e-12 to 1e-6).
 const START_OFF_TRACK: f64 = 1e-9;
 
 /// Curvature times length of a track below which its end is straight (no unit, 1e-12 to 1e-6): rounding.
@@ -77,8 +78,8 @@ impl Scene {
                 check_one_side(joint, side).map_err(refused)?;
                 let across = normals(curve, &foot, side).ok_or_else(|| {
                     refused(
-                        "its track has one side but lies in no plane, or the side points along the track or out of its plane: a curve in \
-                         a plane, with a direction in that plane across the track, is needed",
+                        "its track has one side but lies in no plane, or the side points along the track or out of its \
+                         plane: a curve in a plane, with a direction in that plane across the track, is needed",
                     )
                 })?;
                 let (beside, height) = (across.normal.dot(way), across.up.dot(way));
@@ -136,8 +137,9 @@ fn check_frame(curve: &Curve, follows: Follows, ends: TrackEnds) -> Result<(), &
     let goes_on_straight = ends == TrackEnds::Straight && !curve.is_closed();
     if curve.curvature_jump().is_some() || (goes_on_straight && bends_at_ends()) {
         return Err(
-            "the curvature of its track jumps, so that a body that turns with it would begin to turn at once: a clothoid between the \
-             parts is needed, or a joint at each of two points of the body in the place of one that follows the tangent",
+            "the curvature of its track jumps, so that a body that turns with it would begin to turn at once: a \
+             clothoid between the parts is needed, or a joint at each of two points of the body in the place of one \
+             that follows the tangent",
         );
     }
     let is_along = |reference: DVec3| {

@@ -126,8 +126,8 @@ pub enum ContactMethod {
     LeastForce,
     /// The exact complementarity problem by the active set.
     ActiveSet,
-    /// The thesis's heuristic of section 3.4 in its three stages, each told: no contact vanishes; those that the forces of
-    /// least sum open do; those forces themselves.
+    /// The thesis's heuristic of section 3.4 in its three stages, each told: no contact vanishes; those that the forces
+    /// of least sum open do; those forces themselves.
     Heuristic,
     /// The guesses of section 3.4: which contacts vanish is tried, one set after the other, until forces fit.
     Guesses,
@@ -151,16 +151,17 @@ impl ContactMethod {
     }
 }
 
-/// How bodies that touch act on each other. The members by impulses are models that the thesis tries first (section 3.3) and
-/// rejects: they are wrong, each in its own way, and the tier `thesis` has them. Without a tier [`Response::Impulse`] asks for the
-/// tier `micro-collisions`, in which it holds bodies up.
+/// How bodies that touch act on each other. The members by impulses are models that the thesis tries first (section
+/// 3.3) and rejects: they are wrong, each in its own way, and the tier `thesis` has them. Without a tier
+/// [`Response::Impulse`] asks for the tier `micro-collisions`, in which it holds bodies up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Response {
     /// By forces that keep contacts from closing, and by impulses where bodies approach.
     #[default]
     Constraint,
-    /// By impulses alone, where bodies approach. In the tier `thesis` a resting body falls freely between two steps: it sinks.
+    /// By impulses alone, where bodies approach. In the tier `thesis` a resting body falls freely between two steps: it
+    /// sinks.
     Impulse,
     /// By impulses where bodies approach, after which bodies that overlap are moved apart. Lifting a body gives it
     /// energy: it never comes to rest.

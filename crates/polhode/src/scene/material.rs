@@ -60,13 +60,13 @@ impl Material {
         Ok(Self { restitution, ..self })
     }
 
-    /// The same material with a grain: `direction`, of any length, in the frame of each body that is made of it, and the
-    /// coefficients of friction along and across it. They are both static and kinetic. Where the grain stands on end,
-    /// along the normal of a contact, every direction of slip is across it.
+    /// The same material with a grain: `direction`, of any length, in the frame of each body that is made of it, and
+    /// the coefficients of friction along and across it. They are both static and kinetic. Where the grain stands on
+    /// end, along the normal of a contact, every direction of slip is across it.
     ///
     /// # Errors
-    /// When a coefficient is not finite and positive, one is more than 1000 times the other, or the direction is zero or
-    /// not finite.
+    /// When a coefficient is not finite and positive, one is more than 1000 times the other, or the direction is zero
+    /// or not finite.
     pub fn with_grain(self, direction: DVec3, friction: FrictionEllipse) -> Result<Self, SceneError> {
         friction.check(&self.name)?;
         let grain = Some(Grain::new(&self.name, direction)?);
@@ -107,8 +107,8 @@ impl Material {
         Ok(Self { rolling_friction: rolling, spinning_friction: spinning, ..self })
     }
 
-    /// The same material with Young's modulus (Pa) and Poisson's ratio, for springs after Hertz; without them a material is
-    /// rigid.
+    /// The same material with Young's modulus (Pa) and Poisson's ratio, for springs after Hertz; without them a
+    /// material is rigid.
     ///
     /// # Errors
     /// When the modulus is not positive and finite, or the ratio is outside [0, 0.5].
@@ -157,8 +157,8 @@ impl Material {
         self.static_friction
     }
 
-    /// The direction of the grain in the frame of the body, a unit vector; none without a grain. Of a pair of materials:
-    /// in the frame of the body whose grain it is.
+    /// The direction of the grain in the frame of the body, a unit vector; none without a grain. Of a pair of
+    /// materials: in the frame of the body whose grain it is.
     pub fn grain_direction(&self) -> Option<DVec3> {
         self.grain.map(|grain| grain.direction)
     }

@@ -10,8 +10,8 @@ use super::laws::{
 };
 use super::penalty::PenaltyMethod;
 use super::promise::PromiseChanges;
-use crate::tier::facts::{IntegratorChoice, TierFacts, TierFeature};
-use crate::tier::list::Tier;
+use crate::scene::tier_facts::{IntegratorChoice, TierFacts, TierFeature};
+use crate::scene::tiers::Tier;
 use polhode_response::RestitutionLaw;
 
 /// Most substeps of a step: beyond, a shorter step costs no more.

@@ -25,13 +25,20 @@
 //! | `penalty` | [`PenaltyMethod`]: the springs of the tier `penalty`; `spring_checks` says when they are refused |
 //! | `promise` | [`Promise`]: how far a run may be from its scene and still end well |
 //! | `pairs` | how many pairs of bodies may collide |
+//! | `settings` | the method, completed by the defaults of its tier |
+//! | `tiers` | [`Tier`]: the list of the tiers |
+//! | `tier_facts` | [`TierFacts`]: what a tier is |
+//! | `effects` | [`Effects`](crate::Effects): which effects a run simulates |
+//! | `few_digits` | numbers and lengths as messages say them |
 //! | `error` | [`SceneError`]: why a scene is refused |
 
 mod body;
 mod builder;
 mod coordinate_motion;
 mod coordinates;
+pub(crate) mod effects;
 mod error;
+pub(crate) mod few_digits;
 mod force;
 mod freedom;
 mod gear;
@@ -48,13 +55,14 @@ mod pairs;
 mod penalty;
 mod promise;
 mod restitution;
+pub(crate) mod settings;
 pub(crate) mod spring_checks;
 mod strength;
 mod tie_checks;
+pub(crate) mod tier_facts;
+pub(crate) mod tiers;
 mod track;
 
-pub use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
-pub use crate::tier::list::Tier;
 pub use body::{Body, BodyMass};
 pub use builder::SceneBuilder;
 pub use coordinate_motion::CoordinateMotion;
@@ -83,9 +91,11 @@ pub use polhode_response::RestitutionLaw;
 pub use promise::{OverlapLimit, Promise, PromiseChanges};
 pub use restitution::RestitutionSpeed;
 pub use strength::Strength;
+pub use tier_facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
+pub use tiers::Tier;
 pub use track::{Follows, OneSide, TrackEnds, TrackHold, TrackId, TrackSprings};
 
-use crate::body_id::BodyId;
+use crate::identity::body_id::BodyId;
 use polhode_spatial::DVec3;
 use polhode_spatial::curve::Curve;
 use std::sync::Arc;
@@ -252,8 +262,8 @@ impl Scene {
         combined
     }
 
-    /// Checks that no kinematic body whose velocity jumps during the run may touch a body that forces move: contacts would
-    /// need an impulse, of which the table of a motion does not say how it passes.
+    /// Checks that no kinematic body whose velocity jumps during the run may touch a body that forces move: contacts
+    /// would need an impulse, of which the table of a motion does not say how it passes.
     ///
     /// # Errors
     /// With the first such body.
@@ -296,8 +306,8 @@ impl Scene {
         (1..self.bodies.len()).any(|body| self.may_collide(body - 1, body)) || self.colliding().count > 0
     }
 
-    /// Whether two bodies may collide: forces move at least one, both have a shape, no joint holds them together, and no
-    /// `no_contact` group names both.
+    /// Whether two bodies may collide: forces move at least one, both have a shape, no joint holds them together, and
+    /// no `no_contact` group names both.
     pub(crate) fn may_collide(&self, a: usize, b: usize) -> bool {
         let (body_a, body_b) = (&self.bodies[a], &self.bodies[b]);
         a != b

@@ -1,5 +1,5 @@
-//! The number of pairs of bodies that may collide, their largest restitution and friction, and whether friction of each has
-//! one grain at most, without a loop over all pairs.
+//! The number of pairs of bodies that may collide, their largest restitution and friction, and whether friction of each
+//! has one grain at most, without a loop over all pairs.
 //!
 //! Bodies form a class when they have the same material and the same `no_contact` groups and are all fixed or all
 //! movable. The number of pairs of two materials is the product of the numbers of their bodies, less the pairs of two
@@ -233,8 +233,9 @@ const fn among(count: usize) -> usize {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 mod tests {
+    use crate::identity::body_id::BodyId;
+    use crate::scene::{Body, Scene};
     use crate::scene::{Material, PairRule};
-    use crate::{Body, BodyId, Scene};
     use polhode_contact::Shape;
     use polhode_mesh::primitives::solid_box;
     use polhode_spatial::{DVec3, Mass, SplitMix64};

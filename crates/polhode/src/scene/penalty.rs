@@ -88,8 +88,8 @@ impl PenaltyMethod {
         Ok(())
     }
 
-    /// Whether friction of a pair of this material is regularised: as named, or because it has a grain, along which a spring has no
-    /// direction of its own.
+    /// Whether friction of a pair of this material is regularised: as named, or because it has a grain, along which a
+    /// spring has no direction of its own.
     pub(crate) fn is_regularised(&self, material: &Material) -> bool {
         self.friction.unwrap_or_default() == SpringFriction::Regularised || material.grain().is_some()
     }

@@ -9,12 +9,13 @@
 //! | violation of Coulomb's law | the largest force | 1e-5 | 1e-5 | - | - | - | - |
 //! | loads off Newton's law over a step | their sum | - | 1e-9 | - | - | - | - |
 //!
-//! A scene may set others ([`PromiseChanges`]). Where a tolerance of the method is above a limit it is the limit. What the
-//! rounding of coordinates makes of a distance is added to its limit: it is told, and is no failure. `crate::promise` holds a run to
-//! its promise.
+//! A scene may set others ([`PromiseChanges`]). Where a tolerance of the method is above a limit it is the limit. What
+//! the rounding of coordinates makes of a distance is added to its limit: it is told, and is no failure.
+//! `crate::tier::promise` holds a run to its promise.
 //!
-//! The numbers are choices, in steps of what each tier is for: `accurate` leaves a hundred times what its tolerance of 1e-11 does in
-//! a step; `stepped` what cannot be seen; `fast` what can be seen and is not taken for a fault of the scene.
+//! The numbers are choices, in steps of what each tier is for: `accurate` leaves a hundred times what its tolerance of
+//! 1e-11 does in a step; `stepped` what cannot be seen; `fast` what can be seen and is not taken for a fault of the
+//! scene.
 
 use super::SceneError;
 
@@ -32,18 +33,18 @@ use super::SceneError;
 pub struct Promise {
     /// How deep two bodies may overlap.
     pub overlap: OverlapLimit,
-    /// How far a joint may be from what it keeps: relative to the size of its smaller body, and in rad where it keeps a rotation.
-    /// None: the tier has no joints.
+    /// How far a joint may be from what it keeps: relative to the size of its smaller body, and in rad where it keeps a
+    /// rotation. None: the tier has no joints.
     pub joint_gap: Option<f64>,
     /// Energy that projections, and the method, may give or take in a run, relative to its largest energy.
     pub energy: f64,
     /// Residual of the solution of any problem (natural map, relative). None: the tier solves none to a residual.
     pub residual: Option<f64>,
-    /// By how much forces of friction may violate Coulomb's law, relative to the largest force of their problem. None: the tier
-    /// does not measure it.
+    /// By how much forces of friction may violate Coulomb's law, relative to the largest force of their problem. None:
+    /// the tier does not measure it.
     pub friction: Option<f64>,
-    /// By how much the loads that a step tells may be off Newton's law of a body, relative to the sum of their magnitudes. None: the tier
-    /// makes no such steps.
+    /// By how much the loads that a step tells may be off Newton's law of a body, relative to the sum of their
+    /// magnitudes. None: the tier makes no such steps.
     pub loads: Option<f64>,
     /// Estimated error of the run, relative to the size of a body. None: it is told, and not held against the run.
     pub error: Option<f64>,
@@ -55,7 +56,8 @@ pub struct Promise {
 pub enum OverlapLimit {
     /// This part of the size of the smaller one.
     OfSize(f64),
-    /// So many times the penetration that the springs of the scene are made for; not limited where the springs are given.
+    /// So many times the penetration that the springs of the scene are made for; not limited where the springs are
+    /// given.
     OfStatedPenetration(f64),
     /// So many times the depth of the collision envelope.
     OfEnvelope(f64),

@@ -6,11 +6,12 @@
 //! | [`RestitutionSpeed::Yield`] | `e` up to `v_y`, `e (v/v_y)^(-1/4)` above | metals that yield: Johnson's law of plastic impact |
 //! | [`RestitutionSpeed::Slope`] | `e - a v`, not below 0 | a line through measured points |
 //!
-//! with the speed of approach `v` (m/s), the yield speed `v_y` (m/s) and the slope `a` (s/m). None rises with speed, and
-//! all stay in [0, 1], so that no impact gains energy. Of two materials the larger value at the speed counts, as without speed.
+//! with the speed of approach `v` (m/s), the yield speed `v_y` (m/s) and the slope `a` (s/m). None rises with speed,
+//! and all stay in [0, 1], so that no impact gains energy. Of two materials the larger value at the speed counts, as
+//! without speed.
 //!
-//! Assumption: the speed is that of each contact along its normal at the beginning of the impact. Fails where bodies that hit
-//! at several contacts share their speed unevenly: each contact has the restitution of its own.
+//! Assumption: the speed is that of each contact along its normal at the beginning of the impact. Fails where bodies
+//! that hit at several contacts share their speed unevenly: each contact has the restitution of its own.
 //!
 //! Source: Johnson 1985, section 11.5 (the exponent -1/4).
 

@@ -22,8 +22,8 @@ impl Scene {
     /// Checks that springs can do what the materials ask.
     ///
     /// # Errors
-    /// When a restitution is not one, springs along the contact have a grain, regularised friction has a static coefficient of its own, a joint
-    /// has a limit, or bodies have no moduli or no radii of curvature for Hertz's law.
+    /// When a restitution is not one, springs along the contact have a grain, regularised friction has a static
+    /// coefficient of its own, a joint has a limit, or bodies have no moduli or no radii of curvature for Hertz's law.
     pub(super) fn check_springs(&self) -> Result<(), SceneError> {
         let method = self.method.penalty.unwrap_or_default();
         let taken = [Integrator::Dop853, Integrator::Rk4, Integrator::SemiImplicitEuler, Integrator::ImplicitMidpoint];
@@ -62,7 +62,8 @@ impl Scene {
             if method.is_regularised(&material) && at_rest != kinetic {
                 return Err(SceneError::NotYetAvailable {
                     what: format!(
-                        "static friction above kinetic (`{}` on `{}`) where friction of springs is regularised, which does not stick",
+                        "static friction above kinetic (`{}` on `{}`) where friction of springs is regularised, which \
+                         does not stick",
                         self.bodies[a].material.name(),
                         self.bodies[b].material.name()
                     ),
@@ -95,7 +96,8 @@ impl Scene {
         Ok(())
     }
 
-    /// The smallest restitution of materials that may meet and what a damped spring reaches instead; none where all are reached.
+    /// The smallest restitution of materials that may meet and what a damped spring reaches instead; none where all are
+    /// reached.
     pub(crate) fn restitution_out_of_reach(&self) -> Option<[f64; 2]> {
         let method = self.method.penalty.unwrap_or_default();
         let all = self.material_pairs().into_iter().map(|(a, b)| self.pair_material(a, b).restitution());

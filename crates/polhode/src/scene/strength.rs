@@ -1,12 +1,14 @@
 //! The strength of a joint: the load at which it breaks.
 //!
-//! A joint breaks when the force that it bears reaches its greatest force, or the moment at its anchor its greatest moment: what
-//! [`Simulation::joint_loads`](crate::Simulation::joint_loads) tells. From then on it is gone; its bodies still do not collide with each
-//! other. Breaking takes no energy. Tier `accurate` locates the time; a time step breaks it at its end.
+//! A joint breaks when the force that it bears reaches its greatest force, or the moment at its anchor its greatest
+//! moment: what [`Simulation::joint_loads`](crate::Simulation::joint_loads) tells. From then on it is gone; its bodies
+//! still do not collide with each other. Breaking takes no energy. Tier `accurate` locates the time; a time step breaks
+//! it at its end.
 //!
-//! In an impact the load is infinite for no time, and what a real joint does then depends on how long the impact lasts. Impulses
-//! therefore break a joint only if it has a greatest impulse: the impact is resolved with the joint whole, and if the force impulse at
-//! the anchor has reached that bound, it is gone afterwards. Time steps do not ask for impulses of impacts.
+//! In an impact the load is infinite for no time, and what a real joint does then depends on how long the impact lasts.
+//! Impulses therefore break a joint only if it has a greatest impulse: the impact is resolved with the joint whole, and
+//! if the force impulse at the anchor has reached that bound, it is gone afterwards. Time steps do not ask for impulses
+//! of impacts.
 
 use super::freedom::FreedomError;
 

@@ -1,5 +1,5 @@
-//! Checks of the gears of a scene and of the prescribed motions of its joints: that their joints have such coordinates, and that the
-//! velocities at the start agree with them.
+//! Checks of the gears of a scene and of the prescribed motions of its joints: that their joints have such coordinates,
+//! and that the velocities at the start agree with them.
 
 use super::joint_checks::JOINT_VELOCITY_RELATIVE;
 use super::{Coordinate, CoordinateMotion, Gear, GearEnd, Scene, SceneError};
@@ -40,10 +40,13 @@ impl Scene {
             match (end.coordinate, own) {
                 (None, [one]) => Ok((end, *one)),
                 (Some(named), _) if own.contains(&named) => Ok((end, named)),
-                (None, [_, _, ..]) => Err(refused("a joint of it has two coordinates: name the one that it takes hold of")),
+                (None, [_, _, ..]) => Err(refused(
+                    "a joint of it has two coordinates: name the one that it takes hold \
+                    of",
+                )),
                 _ => Err(refused(
-                    "a joint of it does not have such a coordinate: a hinge or a screw has an angle, a slider a displacement, a \
-                     cylindrical joint both, a rope a distance",
+                    "a joint of it does not have such a coordinate: a hinge or a screw has an angle, a slider a \
+                     displacement, a cylindrical joint both, a rope a distance",
                 )),
             }
         });
@@ -68,7 +71,8 @@ impl Scene {
         let coordinate = end.coordinate.unwrap_or(Coordinate::Angle);
         if !own.kind().coordinates().contains(&coordinate) {
             return Err(refused(
-                "it does not have that coordinate: a hinge or a screw has an angle, a slider a displacement, a cylindrical joint both",
+                "it does not have that coordinate: a hinge or a screw has an angle, a slider a displacement, a \
+                 cylindrical joint both",
             ));
         }
         if twice {
@@ -79,7 +83,8 @@ impl Scene {
         }
         if motion.along_x().jump_between(0.0, self.duration_s).is_some() {
             return Err(refused(
-                "its rate jumps within the run, which would take an infinite force: `monotone` or `spline` interpolation is needed",
+                "its rate jumps within the run, which would take an infinite force: `monotone` or `spline` \
+                 interpolation is needed",
             ));
         }
         let pose = motion.along_x().initial_pose(&polhode_spatial::Pose::IDENTITY);

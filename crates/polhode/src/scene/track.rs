@@ -4,7 +4,7 @@ use polhode_spatial::UnitVector;
 
 /// The handle of a track of a scene: its number in the order in which tracks were added, from 0.
 ///
-/// [`SceneBuilder::add_track`](crate::SceneBuilder::add_track) returns it.
+/// [`SceneBuilder::add_track`](crate::scene::SceneBuilder::add_track) returns it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct TrackId(usize);
 
@@ -14,7 +14,7 @@ impl TrackId {
         Self(number)
     }
 
-    /// Its number, which is its place in [`Scene::tracks`](crate::Scene::tracks).
+    /// Its number, which is its place in [`Scene::tracks`](crate::scene::Scene::tracks).
     pub const fn index(self) -> usize {
         self.0
     }
@@ -39,10 +39,12 @@ pub enum Follows {
     /// A point: the body turns about it freely.
     #[default]
     Point,
-    /// The tangent too: the direction of the body along the track at the start stays along it, and the body rolls about it freely.
+    /// The tangent too: the direction of the body along the track at the start stays along it, and the body rolls about
+    /// it freely.
     Tangent,
-    /// The tangent, and a direction at right angles to it: the body does not turn against the track. The body does not lean sideways
-    /// against `up` (world at the start), which is nowhere along the track; without it, against the normal of the plane of the track.
+    /// The tangent, and a direction at right angles to it: the body does not turn against the track. The body does not
+    /// lean sideways against `up` (world at the start), which is nowhere along the track; without it, against the
+    /// normal of the plane of the track.
     Frame {
         /// The direction; none for the normal of the plane.
         up: Option<UnitVector>,

@@ -1,6 +1,6 @@
 //! Errors of snapshots: why bytes cannot be read, or a simulation refuses to restore them.
 
-use crate::Effects;
+use crate::scene::effects::Effects;
 use thiserror::Error;
 
 /// Why bytes are not a snapshot, or why a snapshot does not belong to a simulation.

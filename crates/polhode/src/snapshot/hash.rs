@@ -3,8 +3,8 @@
 //! `h <- (h xor byte) * 1099511628211`. Source: docs/REFERENCES.md, Fowler, Noll and Vo. It distinguishes scenes that
 //! differ by accident; it does not protect against a scene that is made to have a given hash.
 
-use crate::Scene;
 use crate::constraint::joint::AddedJoint;
+use crate::scene::Scene;
 use std::fmt::{self, Write};
 
 /// A hash FNV-1a in progress.
@@ -38,9 +38,9 @@ impl Write for Fnv1a {
     }
 }
 
-/// Hash of a whole scene but for its duration: of its debug text, which has every number with all its digits. A field that
-/// the program defines is hashed by its own debug text. How long a run is changes nothing before its end. Joints that a program has
-/// added depend on where their bodies were.
+/// Hash of a whole scene but for its duration: of its debug text, which has every number with all its digits. A field
+/// that the program defines is hashed by its own debug text. How long a run is changes nothing before its end. Joints
+/// that a program has added depend on where their bodies were.
 pub(super) fn of_scene(scene: &Scene, added: &[AddedJoint]) -> u64 {
     let mut hash = Fnv1a::default();
     let scene = Scene { duration_s: 0.0, ..scene.clone() };

@@ -24,7 +24,8 @@ pub(crate) mod springs;
 pub use error::SnapshotError;
 
 use crate::constraint::joint::AddedJoint;
-use crate::{Effects, Scene};
+use crate::scene::Scene;
+use crate::scene::effects::Effects;
 use content::Content;
 use serde::{Deserialize, Serialize};
 

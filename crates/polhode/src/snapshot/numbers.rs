@@ -1,10 +1,10 @@
 //! Vectors, states and contacts as plain numbers that keep their bits.
 
 use super::SnapshotError;
-use crate::Momentum;
-use crate::collision::contact_id;
-use crate::constraint::coordinate_id::CoordinateId;
-use crate::constraint::stop_id::StopId;
+use crate::identity::contact_id;
+use crate::identity::coordinate_id::CoordinateId;
+use crate::identity::stop_id::StopId;
+use crate::report::momentum_ledger::Momentum;
 use polhode_contact::{ContactFeature, ContactGeometry, ContactKinematics, Side, SurfaceFeature};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::state::WIDTH;

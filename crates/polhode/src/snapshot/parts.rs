@@ -2,7 +2,7 @@
 
 use super::numbers::{Contact, read_state};
 use super::{SnapshotError, content};
-use crate::collision::contact_id::{ContactId, Feature};
+use crate::identity::contact_id::{ContactId, Feature};
 use crate::world::World;
 use polhode_dynamics::{Flight, RigidBody};
 use polhode_spatial::DVec3;

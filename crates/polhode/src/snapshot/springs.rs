@@ -16,7 +16,8 @@ pub(crate) struct Penalty {
     pub(crate) measured: SpringReport,
 }
 
-/// What the stiffness of springs follows from: penetration (m), speed (m/s), and for each body the square of the speed of its blows.
+/// What the stiffness of springs follows from: penetration (m), speed (m/s), and for each body the square of the speed
+/// of its blows.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct SpringLaws {
     pub(crate) depth_m: f64,
@@ -34,8 +35,8 @@ pub(crate) struct ContactSpring {
     pub(crate) is_plain: bool,
     pub(crate) damping: f64,
     pub(crate) tangential: f64,
-    /// Damper of a tangential spring that holds (N s/m), the slip (m) that makes its friction kinetic, the slip (m/s) that it stops; and what of
-    /// the second is done.
+    /// Damper of a tangential spring that holds (N s/m), the slip (m) that makes its friction kinetic, the slip (m/s)
+    /// that it stops; and what of the second is done.
     pub(crate) holding: [f64; 3],
     pub(crate) slipped: f64,
     /// At rest, sliding.

@@ -1,19 +1,19 @@
 //! Contact forces at one instant: the complementarity problem of accelerations, with Coulomb's law where contacts have
 //! friction.
 //!
-//! Without friction it is `0 <= f _|_ G f + b >= 0` (thesis 3.4), solved by the active set that begins with the contacts that
-//! hold already.
+//! Without friction it is `0 <= f _|_ G f + b >= 0` (thesis 3.4), solved by the active set that begins with the
+//! contacts that hold already.
 //!
 //! A contact without slip sticks (`u_T' = 0`, `|f_t| <= mu_s f_n`) or begins to slide against the direction of its
 //! force; one that slides along `d` bears `-mu f_n d`; every contact satisfies `0 <= f_n _|_ chi'' >= 0`. Where static
 //! and kinetic friction differ, the contacts that cannot stick under the static coefficient slide under the kinetic
 //! one, and the problem is solved again until no further contact begins to slide.
 
-use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::{Hold, Touch};
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::collision::turn::Turn;
 use crate::constraint::joint_friction::MOST_ROUNDS_OF_BEARINGS;
+use crate::identity::contact_id::ContactId;
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{direction_of, push_held, with_rotations};
 use crate::rows::frictional_contact::{Frictional, Sliding};
@@ -34,8 +34,8 @@ use polhode_response::{
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
 
-/// The residual that counts as solved where something slides (no unit, 1e-12 to 1e-9): errors of steps are larger. Where
-/// nothing slides the answer may put bodies to rest for good, and is asked for to rounding.
+/// The residual that counts as solved where something slides (no unit, 1e-12 to 1e-9): errors of steps are larger.
+/// Where nothing slides the answer may put bodies to rest for good, and is asked for to rounding.
 const ACCEPTED_SLIDING: f64 = 1e-10;
 
 /// Directions (unit vectors) that differ by less count as one where slips begin (1e-5 to 1e-3): just beyond static
@@ -82,7 +82,8 @@ pub(crate) struct ContactTangent {
     pub(crate) sliding: Option<DVec3>,
     /// Whether the solver found that it slides, or slides already.
     pub(crate) slides: bool,
-    /// Whether friction holds it. A contact that touches without pressing is not held: friction of no force holds nothing.
+    /// Whether friction holds it. A contact that touches without pressing is not held: friction of no force holds
+    /// nothing.
     pub(crate) is_held: bool,
     /// Its normal and its tangential force.
     pub(crate) rubbing: RubbingForce,
@@ -161,7 +162,8 @@ impl Accelerations {
         let (problem, start) = (&assembly.problem, WarmStart::new(held));
         let usual = *solver.settings();
         if !assembly.bilaterals().is_empty() {
-            // Accelerations of joints are differences of centripetal terms, whatever the forces are that follow from them.
+            // Accelerations of joints are differences of centripetal terms, whatever the forces are that follow from
+            // them.
             let noise_floor = usual.noise_floor.max(world.acceleration_rounding(states, bodies));
             solver.set_settings(SolverSettings { noise_floor, ..usual });
         }
@@ -353,8 +355,8 @@ enum Choice {
     DecidesMotion,
 }
 
-/// The solution with these modes of contacts and rotations, and whether the motion depends on the choice of forces where they are
-/// exact.
+/// The solution with these modes of contacts and rotations, and whether the motion depends on the choice of forces
+/// where they are exact.
 fn of_modes(
     of: (&World, &[BodyState], &[Touch]),
     assembly: &Assembly,
@@ -373,8 +375,8 @@ fn of_modes(
     Ok((of_no_slip(of, assembly, (blocks, delassus, constants), frictional)?, None))
 }
 
-/// The solution where some contacts slide: the least forces with which every contact holds, or none of these and those of
-/// the cone problem.
+/// The solution where some contacts slide: the least forces with which every contact holds, or none of these and those
+/// of the cone problem.
 fn of_slips(
     of: (&World, &[BodyState], &[Touch]),
     assembly: &Assembly,
@@ -482,8 +484,8 @@ fn turning(assembly: &Assembly, law: &ResistedRotation, solved: &BlocksSolution)
     assembly.of_rotations(&of_rows).map(|(row, part)| row.axis * part).sum::<DVec3>().try_normalize()
 }
 
-/// What friction does at a contact, from the solution of all rows: its normal row and its first tangential one. A force of
-/// at most `rounding` (N) is none.
+/// What friction does at a contact, from the solution of all rows: its normal row and its first tangential one. A force
+/// of at most `rounding` (N) is none.
 fn contact_tangent(
     solved: &BlocksSolution,
     (normal, first): (usize, usize),
@@ -517,8 +519,8 @@ fn contact_tangent(
     }
 }
 
-/// Gives contacts that slide the whole rate of their slip along its direction: their row is along what friction opposes,
-/// which with a grain is another one.
+/// Gives contacts that slide the whole rate of their slip along its direction: their row is along what friction
+/// opposes, which with a grain is another one.
 fn complete_slips(
     (world, t, states): (&World, f64, &[BodyState]),
     (contacts, frictional): (&[Touch], &[Option<Frictional>]),
@@ -569,9 +571,9 @@ fn contact_solution(solved: &BlocksSolution, rows: usize) -> ContactSolution {
     }
 }
 
-/// Lets contacts slide whose slips grow by more than rounding, so that their forces are found as those of contacts that slide.
-/// The cone problem of heavy bodies on light ones is solved only to the rounding of the heavy ones' forces, and would let
-/// bodies that slide together slide on each other. Returns whether there are any.
+/// Lets contacts slide whose slips grow by more than rounding, so that their forces are found as those of contacts that
+/// slide. The cone problem of heavy bodies on light ones is solved only to the rounding of the heavy ones' forces, and
+/// would let bodies that slide together slide on each other. Returns whether there are any.
 fn begin_exactly(frictional: &mut [Option<Frictional>], found: &Accelerations) -> bool {
     let least = SLIDING_ROUNDING * (STICKING_ACCELERATION * found.scale + found.rounding);
     let mut any = false;

@@ -1,14 +1,16 @@
-//! The end of bounces that are too small to resolve (`accurate/ending_bounces.rs`), with the friction that belongs to it.
+//! The end of bounces that are too small to resolve (`accurate/ending_bounces.rs`), with the friction that belongs to
+//! it.
 //!
-//! Bounces that end at once at a speed `w` would have lasted for `T = 2 w / (a (1 - e))` and pressed by `m (a T - w)` in
-//! that time. The contact that takes their place presses by `m a T`. The difference `m w` is the impulse `p = -m w` (N s)
-//! along the normal that ends them, a pull. If the contact slides, friction takes `mu m w` too much from its slip in that
-//! time. The end of the bounces gives it back: with an impulse `p` along the normal goes one of
+//! Bounces that end at once at a speed `w` would have lasted for `T = 2 w / (a (1 - e))` and pressed by `m (a T - w)`
+//! in that time. The contact that takes their place presses by `m a T`. The difference `m w` is the impulse `p = -m w`
+//! (N s) along the normal that ends them, a pull. If the contact slides, friction takes `mu m w` too much from its slip
+//! in that time. The end of the bounces gives it back: with an impulse `p` along the normal goes one of
 //!
 //! `-mu p t`
 //!
 //! with the direction `t` of the slip, as by Coulomb's law. End and held contact together then obey this law, and the
-//! slip after the time `T` is that after the bounces. The energy is booked as friction, which takes it again within `T`.
+//! slip after the time `T` is that after the bounces. The energy is booked as friction, which takes it again within
+//! `T`.
 //!
 //! The impulses along the normals make all normal velocities zero, those along the tangents included; both are found in
 //! rounds. Without a contact that slides with friction one round is all.
@@ -19,17 +21,18 @@
 //! rolling and spinning, whose moments of friction are smaller by their length than those of the slip. Where the rounds
 //! do not converge, as where a slip presses its own contact, nothing is given back.
 
-use crate::collision::contact_id::ContactId;
+use crate::identity::contact_id::ContactId;
 use crate::rows::assembly::{TangentRow, apply_impulses};
 use crate::solve::projection::{Removal, RemovedVelocities, project_velocities};
-use crate::states_of::{set_states, states_of};
 use crate::world::World;
+use crate::world::states_of::{set_states, states_of};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 
-/// Rounds have converged when the impulses along tangents change by less than this part of them (no unit, 1e-5 to 1e-2): above
-/// the error with which the impulses of contacts that depend on each other are found. They are some 1e-5 m/s.
+/// Rounds have converged when the impulses along tangents change by less than this part of them (no unit, 1e-5 to
+/// 1e-2): above the error with which the impulses of contacts that depend on each other are found. They are some 1e-5
+/// m/s.
 const SETTLED_IMPULSES: f64 = 1e-4;
 
 /// Most rounds: a coupling of a half takes fourteen.

@@ -1,27 +1,28 @@
 //! The poses at which closed loops of joints are closed, next to those that bodies have within a time step.
 //!
-//! The rows of a closed loop may depend on each other: a four-bar of hinges has three rows more than it can bear, as long as it
-//! lies in its plane. After half a step of free flight its joints are open by some `h^2`, and by as much the bodies have left the
-//! plane. There the same rows are independent, by some `h^2` of their size, and together they hold the mechanism fast. Where they
-//! depend is a property of the closed loop: so the rows are those of the poses at which it is closed.
+//! The rows of a closed loop may depend on each other: a four-bar of hinges has three rows more than it can bear, as
+//! long as it lies in its plane. After half a step of free flight its joints are open by some `h^2`, and by as much the
+//! bodies have left the plane. There the same rows are independent, by some `h^2` of their size, and together they hold
+//! the mechanism fast. Where they depend is a property of the closed loop: so the rows are those of the poses at which
+//! it is closed.
 //!
-//! Method: with the rows `J` of the closed poses and the masses of the present ones, impulses `M (v+ - v-) = J^T p` such that
-//! `J (v+ + v-) = 0`. Constant terms are the rates of the same rows, so that rows that depend on each other never contradict
-//! each other. They do no work; the closed poses follow from those in the middle of the step alone, so that a step is still its
-//! own inverse: its error is of the third order. Arms of forces are those of the closed poses, so that forces between two
-//! bodies change the angular momentum by some `h^3`, which is booked.
+//! Method: with the rows `J` of the closed poses and the masses of the present ones, impulses `M (v+ - v-) = J^T p`
+//! such that `J (v+ + v-) = 0`. Constant terms are the rates of the same rows, so that rows that depend on each other
+//! never contradict each other. They do no work; the closed poses follow from those in the middle of the step alone, so
+//! that a step is still its own inverse: its error is of the third order. Arms of forces are those of the closed poses,
+//! so that forces between two bodies change the angular momentum by some `h^3`, which is booked.
 //!
-//! Assumption: closed poses are found by the projection of `projection.rs`. Trees of joints have no rows that depend on each other
-//! there; they keep the rows of their present poses.
+//! Assumption: closed poses are found by the projection of `projection.rs`. Trees of joints have no rows that depend on
+//! each other there; they keep the rows of their present poses.
 //! Source: the projection of Hairer, Lubich and Wanner 2006, IV.4, in its symmetric form, V.4.1 (docs/REFERENCES.md).
 
 use super::projection::project_positions;
 use crate::constraint::bilateral::{Bilateral, Reaction, bilateral_support};
+use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use crate::rows::assembly::Assembly;
 use crate::rows::groups::coupled_groups;
-use crate::states_of::{set_states, states_of};
 use crate::world::World;
-use crate::{Momentum, MomentumSum};
+use crate::world::states_of::{set_states, states_of};
 use polhode_dynamics::BodyState;
 use polhode_response::{LeastNormHold, ResponseError};
 use polhode_spatial::{DVec3, Pose};
@@ -34,8 +35,8 @@ pub(crate) struct ClosedLoops {
 }
 
 impl ClosedLoops {
-    /// Those next to the poses of these bodies (movable, ascending), of each group that joints connect for itself. The states
-    /// are the same afterwards.
+    /// Those next to the poses of these bodies (movable, ascending), of each group that joints connect for itself. The
+    /// states are the same afterwards.
     ///
     /// # Errors
     /// When a number is not finite.
@@ -70,7 +71,8 @@ impl ClosedLoops {
         })
     }
 
-    /// The least reactions of these bodies that do the same as these ones, which are those of all their bilateral constraints.
+    /// The least reactions of these bodies that do the same as these ones, which are those of all their bilateral
+    /// constraints.
     ///
     /// # Errors
     /// When a number is not finite.
@@ -100,8 +102,8 @@ impl ClosedLoops {
         Ok(reactions)
     }
 
-    /// What reactions between bodies change their momentum by because their arms are those of the closed poses, angular about a
-    /// point (m, world).
+    /// What reactions between bodies change their momentum by because their arms are those of the closed poses, angular
+    /// about a point (m, world).
     pub(crate) fn stray_momentum<'a>(
         &self,
         states: &[BodyState],

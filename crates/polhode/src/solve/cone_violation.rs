@@ -1,14 +1,14 @@
 //! How far forces or impulses of contacts are from Coulomb's law.
 //!
 //! The violation of a contact with the normal force `f_n` and the tangential force `f_t` is the larger of
-//! `|f_t| - mu max(f_n, 0)` and `-f_n`, relative to the largest force of its problem (no unit). It is zero to rounding for
-//! a contact that obeys the law, also where `f_n = 0`: such a contact bears no tangential force. With a grain `|f_t|` is the
-//! length in units of the largest coefficient (`collision/friction_ellipse.rs`).
+//! `|f_t| - mu max(f_n, 0)` and `-f_n`, relative to the largest force of its problem (no unit). It is zero to rounding
+//! for a contact that obeys the law, also where `f_n = 0`: such a contact bears no tangential force. With a grain
+//! `|f_t|` is the length in units of the largest coefficient (`collision/friction_ellipse.rs`).
 
-/// Most that forces and impulses may violate Coulomb's law by, relative to the largest of their problem (no unit, 1e-6 to
-/// 1e-4). Time steps solve for impulses to a tenth of it. Where a face bears just what friction allows, the least change that
-/// takes out what a solver left (`sticking_forces.rs`) may carry one of its contacts beyond its cone by some 1e-6, although all
-/// of them together bear the load.
+/// Most that forces and impulses may violate Coulomb's law by, relative to the largest of their problem (no unit, 1e-6
+/// to 1e-4). Time steps solve for impulses to a tenth of it. Where a face bears just what friction allows, the least
+/// change that takes out what a solver left (`sticking_forces.rs`) may carry one of its contacts beyond its cone by
+/// some 1e-6, although all of them together bear the load.
 pub(crate) const CONE_LIMIT: f64 = 1e-5;
 
 /// The violation of a pair of bodies.
@@ -48,8 +48,8 @@ impl RubbingForce {
     }
 }
 
-/// The largest violation of some contacts; `scale` is a force (N, N s) that the largest of theirs counts as at least. None if
-/// all obey the law exactly.
+/// The largest violation of some contacts; `scale` is a force (N, N s) that the largest of theirs counts as at least.
+/// None if all obey the law exactly.
 pub(crate) fn largest_violation(
     forces: impl Iterator<Item = RubbingForce> + Clone,
     scale: f64,
@@ -64,8 +64,8 @@ pub(crate) fn largest_violation(
 mod tests {
     use super::{RubbingForce, largest_violation};
 
-    /// What touches without pressing bears no tangential force: any is a violation, of the size of the force itself. Within
-    /// the cone, and at its edge, there is none.
+    /// What touches without pressing bears no tangential force: any is a violation, of the size of the force itself.
+    /// Within the cone, and at its edge, there is none.
     #[test]
     fn a_force_along_the_surface_without_one_against_it_is_a_violation() {
         let force = |normal: f64, tangential: f64| RubbingForce { pair: (0, 1), normal, tangential, friction: 0.5 };

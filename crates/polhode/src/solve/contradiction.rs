@@ -1,21 +1,22 @@
 //! Whether gears and prescribed motions of joints contradict each other, or the joints.
 //!
-//! The rows `J a + b = 0` of joints and ties, with `b` their terms of velocities and of prescribed accelerations (m/s^2), have a
-//! solution if `b` is in the range of `J`, which is that of `G = J M^-1 J^T`. The forces `f` of least norm that come nearest to
-//! `G f = -b` leave a residual where it is not. Free accelerations do not matter: `J a` is in that range.
+//! The rows `J a + b = 0` of joints and ties, with `b` their terms of velocities and of prescribed accelerations
+//! (m/s^2), have a solution if `b` is in the range of `J`, which is that of `G = J M^-1 J^T`. The forces `f` of least
+//! norm that come nearest to `G f = -b` leave a residual where it is not. Free accelerations do not matter: `J a` is in
+//! that range.
 //!
-//! Limit: where a mechanism passes a singular position the rank is that of rounding, and a motion that is driven through it may be
-//! told to contradict itself there, as it does.
+//! Limit: where a mechanism passes a singular position the rank is that of rounding, and a motion that is driven
+//! through it may be told to contradict itself there, as it does.
 
-use crate::SimulationError;
 use crate::constraint::ConstraintId;
-use crate::core::Core;
+use crate::error::SimulationError;
 use crate::rows::assembly::Assembly;
+use crate::tier::core::Core;
 use polhode_dynamics::BodyState;
 use polhode_response::{LeastNormHold, ResponseError};
 
-/// A residual of accelerations beyond this fraction of the largest term is a contradiction (no unit, 1e-9 to 1e-4): far above
-/// rounding, and far below what two different motions ask for.
+/// A residual of accelerations beyond this fraction of the largest term is a contradiction (no unit, 1e-9 to 1e-4): far
+/// above rounding, and far below what two different motions ask for.
 const CONTRADICTION: f64 = 1e-6;
 
 /// Refuses bodies at `t` (s) whose gears and prescribed motions contradict each other or their joints.

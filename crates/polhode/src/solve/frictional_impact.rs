@@ -1,18 +1,19 @@
 //! Impacts of a group in which contacts have friction.
 //!
-//! The contacts are struck by the laws of `polhode_response::impact::friction`: one contact alone by Stronge's energetic
-//! restitution along Routh's path of slip, stick and reversal; several together, as a contact and its mirror image in planar
-//! motion, by the cone problem of their velocities
-//! after generalised reflection, one after the other where the scene asks for propagation, as springs where it asks for pulse. The coefficient is that of
-//! kinetic friction. Friction of rolling and of spinning gives impulses of moments, bounded by its length times the normal
-//! impulse: a contact with it is struck by the cone problem, also alone. A scene may name another law for one contact alone without it ([`polhode_response::RestitutionLaw`]).
+//! The contacts are struck by the laws of `polhode_response::impact::friction`: one contact alone by Stronge's
+//! energetic restitution along Routh's path of slip, stick and reversal; several together, as a contact and its mirror
+//! image in planar motion, by the cone problem of their velocities
+//! after generalised reflection, one after the other where the scene asks for propagation, as springs where it asks for
+//! pulse. The coefficient is that of kinetic friction. Friction of rolling and of spinning gives impulses of moments,
+//! bounded by its length times the normal impulse: a contact with it is struck by the cone problem, also alone. A scene
+//! may name another law for one contact alone without it ([`polhode_response::RestitutionLaw`]).
 //!
 //! An impact without a collision has the same impulses, but no approach: contacts slide, and no finite forces satisfy
 //! Coulomb's law (Painleve).
 
-use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::Touch;
 use crate::collision::turn::Turn;
+use crate::identity::contact_id::ContactId;
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{push_contact, push_held, with_rotations};
 use crate::rows::resisted_rotation::ResistedRotation;
@@ -126,8 +127,8 @@ pub(crate) fn solve(
     let reactions = blocks.reactions_in_rows(&struck.impulses);
     let velocities_after = blocks.velocities_in_rows(&struck.velocities_after);
     let by_friction: f64 = struck.friction_work.iter().sum();
-    // Contacts of the cone problem are at zero to its residual: the energy is that of what the impulses really do. They act
-    // along the rows. Where curves are nearly parallel, the rate of their separation is less exact than these.
+    // Contacts of the cone problem are at zero to its residual: the energy is that of what the impulses really do. They
+    // act along the rows. Where curves are nearly parallel, the rate of their separation is less exact than these.
     let given = delassus.times(&reactions)?;
     for (velocity, touch) in before.iter_mut().zip(contacts) {
         *velocity = rate_of_separation(world, states, touch);
@@ -160,15 +161,15 @@ pub(crate) fn rate_of_separation(world: &World, states: &[BodyState], touch: &To
     geometry.normal.dot(touch.id.relative(at_point))
 }
 
-/// What friction took of the change of energy of an impact, J; negative when energy is lost. Works of impulses that act together
-/// are those along the straight way from the velocities before to those after. Where one of the two would give energy along
-/// that way, although both together take some, what was lost is the other's.
+/// What friction took of the change of energy of an impact, J; negative when energy is lost. Works of impulses that act
+/// together are those along the straight way from the velocities before to those after. Where one of the two would give
+/// energy along that way, although both together take some, what was lost is the other's.
 const fn share_of_friction(by_friction: f64, energy_change: f64) -> f64 {
     if energy_change < 0.0 { by_friction.clamp(energy_change, 0.0) } else { by_friction }
 }
 
-/// Velocities that are zero but for rounding (m/s) are zero: whether a contact that rests counts as bearing or as open at the
-/// first step of a solver must not depend on the directions of the world.
+/// Velocities that are zero but for rounding (m/s) are zero: whether a contact that rests counts as bearing or as open
+/// at the first step of a solver must not depend on the directions of the world.
 fn take_out_rounding(velocities: &mut [f64], rounding: f64) {
     for velocity in velocities.iter_mut().filter(|velocity| velocity.abs() <= rounding) {
         *velocity = 0.0;
@@ -259,8 +260,8 @@ fn rotations_of(
     Ok(found)
 }
 
-/// Adds the rows along the tangents of contacts with friction. Returns the block of each contact and those of pivots, and
-/// the velocities of all rows before the impact, m/s.
+/// Adds the rows along the tangents of contacts with friction. Returns the block of each contact and those of pivots,
+/// and the velocities of all rows before the impact, m/s.
 fn blocks_of(
     assembly: &mut Assembly,
     world: &World,

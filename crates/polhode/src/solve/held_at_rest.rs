@@ -1,7 +1,7 @@
 //! Forces that hold bodies at rest, of any number of contacts, without a matrix of their rows.
 //!
-//! All contacts are asked to stick; the forces are those of `standing.rs`, which balance to rounding and lie in the cones of static
-//! friction. None where no such forces were found: the bodies may move.
+//! All contacts are asked to stick; the forces are those of `standing.rs`, which balance to rounding and lie in the
+//! cones of static friction. None where no such forces were found: the bodies may move.
 
 use super::accelerations::{FreeMotion, blocks_of};
 use super::standing::standing;
@@ -23,8 +23,8 @@ pub(crate) struct HeldAtRest {
 }
 
 impl HeldAtRest {
-    /// Those of contacts that stick, between `bodies` (movable, ascending, at rest) at `t` (s) under these loads; none where none
-    /// were found that hold all of them.
+    /// Those of contacts that stick, between `bodies` (movable, ascending, at rest) at `t` (s) under these loads; none
+    /// where none were found that hold all of them.
     ///
     /// # Errors
     /// When a number is not finite.

@@ -1,11 +1,12 @@
 //! Impacts: the impact law acts on approaching contacts, together with all contacts connected to them.
 
-use crate::body_id::BodyId;
-use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::Touch;
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, Reaction, apply_reactions, bilateral_support};
-use crate::event::{Event, EventKind};
+use crate::identity::body_id::BodyId;
+use crate::identity::contact_id::ContactId;
+use crate::report::event::{Event, EventKind};
+use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use crate::rows::assembly::{Assembly, apply_impulses};
 use crate::rows::groups::Group;
 use crate::rows::many_contacts::{MANY_CONTACTS, furthest_out};
@@ -13,9 +14,8 @@ use crate::scene::{ImpactLaw, PropagationOrder};
 use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use crate::solve::frictional_impact::{self, Cause, FrictionalImpact, Restitution, rate_of_separation};
 use crate::solve::rotational_friction::{apply_moments, moment_support, moment_work};
-use crate::states_of::{set_states, states_of};
 use crate::world::World;
-use crate::{Momentum, MomentumSum};
+use crate::world::states_of::{set_states, states_of};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{self, Application, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus};
@@ -141,8 +141,8 @@ fn largest_speed(world: &World, states: &[BodyState], bodies: &[usize]) -> f64 {
 /// momenta by many digits.
 const GAIN_ROUNDING: f64 = 1e-6;
 
-/// Contacts that approach by less than this part of the fastest one after an impact do not approach (no unit, 1e-13 to 1e-10): the
-/// residual of its problem.
+/// Contacts that approach by less than this part of the fastest one after an impact do not approach (no unit, 1e-13 to
+/// 1e-10): the residual of its problem.
 const LEFT_APPROACHING: f64 = 1e-10;
 
 /// What energy impulses have added to bodies, beyond the work of prescribed motions and of surfaces that move.
@@ -317,8 +317,8 @@ pub(crate) fn strike_with_friction(
     }
 }
 
-/// The order in which propagation strikes contacts, of this many rows with those of joints after them; none for that of their
-/// keys, and for another law.
+/// The order in which propagation strikes contacts, of this many rows with those of joints after them; none for that of
+/// their keys, and for another law.
 fn in_order(world: &World, law: ImpactLaw, members: &[Touch], rows: usize) -> Option<Vec<usize>> {
     if law != ImpactLaw::Propagation {
         return None;
@@ -332,7 +332,8 @@ fn in_order(world: &World, law: ImpactLaw, members: &[Touch], rows: usize) -> Op
             depth(x).total_cmp(&depth(y)).then(x.cmp(&y))
         }),
         PropagationOrder::Random { seed } => {
-            // The velocities before tell one impact from another, so that a run continues from a snapshot with the same order.
+            // The velocities before tell one impact from another, so that a run continues from a snapshot with the same
+            // order.
             let mixed = members
                 .iter()
                 .fold(seed, |mixed, touch| SplitMix64::new(mixed ^ touch.kinematics.separation_rate.to_bits()).bits());
@@ -346,8 +347,8 @@ fn in_order(world: &World, law: ImpactLaw, members: &[Touch], rows: usize) -> Op
     Some(order)
 }
 
-/// The outcome of an impact of the contacts at some places among all contacts, of which the others had no impulse and have these
-/// rates of separation (m/s).
+/// The outcome of an impact of the contacts at some places among all contacts, of which the others had no impulse and
+/// have these rates of separation (m/s).
 fn among(outcome: &mut ImpactOutcome, places: &[usize], rates: &[f64]) {
     let spread = |of_some: &[f64], mut of_all: Vec<f64>| {
         let (of_contacts, of_pivots) = of_some.split_at(places.len().min(of_some.len()));
@@ -376,8 +377,8 @@ fn outer_of_many(members: &[Touch]) -> Vec<bool> {
     taken
 }
 
-/// Takes of each pair the contact that still approaches fastest with these rates of separation, faster than `slow` (m/s). Returns
-/// whether there is any.
+/// Takes of each pair the contact that still approaches fastest with these rates of separation, faster than `slow`
+/// (m/s). Returns whether there is any.
 fn take_fastest(members: &[Touch], rates: &[f64], slow: f64, taken: &mut [bool]) -> bool {
     let mut any = false;
     for of_pair in pairs(members) {

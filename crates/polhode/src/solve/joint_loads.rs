@@ -1,12 +1,12 @@
-//! What joints bear, from the forces of all rows of a group: their reactions, what gears and prescribed motions do along their
-//! coordinates, and what their stops and their friction do at levers.
+//! What joints bear, from the forces of all rows of a group: their reactions, what gears and prescribed motions do
+//! along their coordinates, and what their stops and their friction do at levers.
 
-use crate::JointId;
-use crate::collision::contact_id::ContactId;
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::ties::LoadOfTie;
-use crate::frame::JointView;
+use crate::identity::contact_id::ContactId;
+use crate::identity::joint_id::JointId;
+use crate::report::frame::JointView;
 use crate::rows::assembly::Assembly;
 use crate::world::World;
 use polhode_dynamics::BodyState;
@@ -21,7 +21,8 @@ pub(crate) struct ContactForce {
     pub(crate) force: DVec3,
 }
 
-/// What the joints of a group bear, by their numbers, from the forces of all rows of its assembly and those of its contacts.
+/// What the joints of a group bear, by their numbers, from the forces of all rows of its assembly and those of its
+/// contacts.
 pub(crate) fn joint_loads(
     world: &World,
     states: &[BodyState],
@@ -33,8 +34,8 @@ pub(crate) fn joint_loads(
     views
 }
 
-/// Adds what the reactions of constraints and the forces of contacts do at joints (N, or impulses, N s). Soft rows are springs and motors,
-/// which are no part of what a joint bears.
+/// Adds what the reactions of constraints and the forces of contacts do at joints (N, or impulses, N s). Soft rows are
+/// springs and motors, which are no part of what a joint bears.
 pub(crate) fn add_joint_loads<'a>(
     views: &mut BTreeMap<usize, JointView>,
     world: &World,

@@ -1,8 +1,8 @@
-//! Reactions of bilateral constraints alone, under loads that are given: `G l = -b` with `G = J M^-1 J^T` and the constant terms b of
-//! the accelerations of their rows.
+//! Reactions of bilateral constraints alone, under loads that are given: `G l = -b` with `G = J M^-1 J^T` and the
+//! constant terms b of the accelerations of their rows.
 //!
-//! What else acts on the bodies (springs, fields) is among the loads. Large trees of joints are eliminated first, as everywhere.
-//! Where rows depend on each other the least reactions are taken. How it fails: a state that is not finite.
+//! What else acts on the bodies (springs, fields) is among the loads. Large trees of joints are eliminated first, as
+//! everywhere. Where rows depend on each other the least reactions are taken. How it fails: a state that is not finite.
 
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::rows::assembly::Assembly;

@@ -9,12 +9,12 @@ use polhode_response::sparse::HeldForest;
 /// From so many rows of joints on they are eliminated first (15 to 60).
 const LEAST_ROWS_OF_TREES: usize = 24;
 
-/// The same where some of them close loops (60 to 200): the rows of a mechanism may depend on each other, and which of them do is
-/// seen best among all of them.
+/// The same where some of them close loops (60 to 200): the rows of a mechanism may depend on each other, and which of
+/// them do is seen best among all of them.
 const LEAST_ROWS_WITH_LOOPS: usize = 100;
 
-/// The trees of the joints of an assembly; none where they have few rows, where they have no factors, and where gears couple more than
-/// two bodies by a row.
+/// The trees of the joints of an assembly; none where they have few rows, where they have no factors, and where gears
+/// couple more than two bodies by a row.
 pub(crate) fn trees_of(assembly: &Assembly) -> Option<HeldForest> {
     let rows = assembly.joint_rows();
     if rows.len() < LEAST_ROWS_OF_TREES || !assembly.problem.is_of_pairs() {

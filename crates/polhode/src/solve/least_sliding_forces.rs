@@ -20,12 +20,12 @@ use polhode_spatial::DVec3;
 use std::ops::Range;
 
 /// A tangential force exceeds what friction bears from this much above it on, relative to it (no unit, 1e-11 to 1e-10):
-/// bodies of one material that slide together hold each other with forces exactly at the limit, and errors of steps must
-/// not decide whether they slide on each other.
+/// bodies of one material that slide together hold each other with forces exactly at the limit, and errors of steps
+/// must not decide whether they slide on each other.
 const EXCEEDED: f64 = 5e-11;
 
-/// A moment of tangential forces about the centre of pressure counts as none below this part of what they could have (no
-/// unit, 1e-12 to 1e-6).
+/// A moment of tangential forces about the centre of pressure counts as none below this part of what they could have
+/// (no unit, 1e-12 to 1e-6).
 const NO_MOMENT: f64 = 1e-9;
 
 /// Normals whose components differ by less count as equal (no unit, 1e-14 to 1e-9): the rounding of attitudes.
@@ -137,9 +137,10 @@ struct StickingContact {
     tangents: Vec<DVec3>,
 }
 
-/// Shares the tangential force of each pair of bodies among its contacts in proportion to their normal forces, where they
-/// have one normal and the force has no moment about the centre of pressure: least forces are shared evenly, and would
-/// leave the cones of contacts with small normal forces although those of all contacts together can bear the force.
+/// Shares the tangential force of each pair of bodies among its contacts in proportion to their normal forces, where
+/// they have one normal and the force has no moment about the centre of pressure: least forces are shared evenly, and
+/// would leave the cones of contacts with small normal forces although those of all contacts together can bear the
+/// force.
 fn share_by_pressure(contacts: &[Touch], sticking: &[StickingContact], forces: &mut [f64]) {
     let pair = |one: &StickingContact| (contacts[one.contact].id.a, contacts[one.contact].id.b);
     for of_pair in sticking.chunk_by(|x, y| pair(x) == pair(y)) {

@@ -1,5 +1,5 @@
-//! What the rows of a group are solved for, in all tiers: forces at one instant, impulses of impacts, and the removal of drift.
-//! Whether there is friction is decided here, and nowhere above.
+//! What the rows of a group are solved for, in all tiers: forces at one instant, impulses of impacts, and the removal
+//! of drift. Whether there is friction is decided here, and nowhere above.
 //!
 //! | module | holds |
 //! |---|---|
@@ -17,6 +17,7 @@
 //! | `joint_reactions` | reactions of joints alone, under loads that are given |
 //! | `open_loads` | bearings whose load statics leaves open |
 //! | `cone_violation` | how far forces are from Coulomb's law |
+//! | `reversal` | the micro-collision of contacts that stick reverses the slip too (Mirtich) |
 
 pub(crate) mod accelerations;
 pub(crate) mod bounce_friction;

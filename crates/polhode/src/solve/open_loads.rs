@@ -1,12 +1,14 @@
 //! Bearings whose load statics leaves open.
 //!
-//! A mechanism with more supports than it needs (three cranks of a parallelogram) moves in the same way with many loads of its joints.
-//! Where a bearing rubs, its friction follows from its load, and the motion from the choice among them: that has to be told. The
-//! choice itself is of least norm in the rows, whose scales follow the directions of the world.
+//! A mechanism with more supports than it needs (three cranks of a parallelogram) moves in the same way with many loads
+//! of its joints. Where a bearing rubs, its friction follows from its load, and the motion from the choice among them:
+//! that has to be told. The choice itself is of least norm in the rows, whose scales follow the directions of the
+//! world.
 //!
-//! Method: `x` is a force across the axis of the bearing, and `y` the least reactions of all joints that do what `x` does. If the
-//! load is determined, all reactions that do the same have the same force there, so that `x.y = x.x`. Source: the row space
-//! projection of Golub and Van Loan 2013, 5.5 (docs/REFERENCES.md). Assumption: contacts beside the joints bear nothing of it.
+//! Method: `x` is a force across the axis of the bearing, and `y` the least reactions of all joints that do what `x`
+//! does. If the load is determined, all reactions that do the same have the same force there, so that `x.y = x.x`.
+//! Source: the row space projection of Golub and Van Loan 2013, 5.5 (docs/REFERENCES.md). Assumption: contacts beside
+//! the joints bear nothing of it.
 
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::Reaction;
@@ -16,8 +18,8 @@ use polhode_dynamics::BodyState;
 use polhode_response::{LeastNormHold, ResponseError};
 use polhode_spatial::DVec3;
 
-/// The part of a force that other joints may bear as well from which on the load counts as open (no unit, 1e-5 to 1e-2): rounding
-/// gives some 1e-6.
+/// The part of a force that other joints may bear as well from which on the load counts as open (no unit, 1e-5 to
+/// 1e-2): rounding gives some 1e-6.
 const OPEN_PART: f64 = 1e-4;
 
 /// Whether the load of a bearing with friction among the joints of these bodies (movable, ascending) is not determined.

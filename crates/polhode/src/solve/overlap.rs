@@ -5,20 +5,20 @@
 //! together. This is repeated with newly detected contacts, since normals turn with the bodies. A contact point may
 //! jump to another part of its features, as that of a ball within a ring. The contact then remains among the rows at
 //! its old point too, with its separation updated by the displacement of the bodies: otherwise the rounds would
-//! oscillate. Velocities are unchanged. A round moves bodies by at most `sqrt(d r)`, with the largest penetration d and the
-//! size r; the next round removes the remainder.
+//! oscillate. Velocities are unchanged. A round moves bodies by at most `sqrt(d r)`, with the largest penetration d and
+//! the size r; the next round removes the remainder.
 //!
-//! Pivots and joints of the bodies are rows of the same problem, whose gaps stay zero to first order. A displacement `d` opens
-//! them by some `d^2/r`, so that rounds go on until they are closed too.
+//! Pivots and joints of the bodies are rows of the same problem, whose gaps stay zero to first order. A displacement
+//! `d` opens them by some `d^2/r`, so that rounds go on until they are closed too.
 
-use crate::collision::contact_id::ContactId;
 use crate::constraint::bilateral::Bilateral;
+use crate::identity::contact_id::ContactId;
 use crate::rows::assembly::{Assembly, largest_change};
 use crate::rows::friction_blocks::push_held;
 use crate::rows::groups::groups;
 use crate::solve::jointed::trees_of;
-use crate::states_of::states_of;
 use crate::world::World;
+use crate::world::states_of::states_of;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::sparse::{BodySettings, BodySolver};
@@ -36,8 +36,8 @@ const LEFT_OVERLAP_RELATIVE: f64 = 2.5e-13;
 /// Fraction of the rounding of two poses (eight units in the last place) that may remain: two such units.
 const LEFT_ROUNDING: f64 = 0.25;
 
-/// What the solver may leave of what a round leaves anyway, in units of the largest displacement (no unit, 1e-4 to 1e-2): it is many
-/// times the overlap where layers push each other.
+/// What the solver may leave of what a round leaves anyway, in units of the largest displacement (no unit, 1e-4 to
+/// 1e-2): it is many times the overlap where layers push each other.
 const SHARE_OF_ROUND: f64 = 1e-2;
 
 /// From so many contacts in a group on their overlaps are removed in the displacements of bodies (48 to 200).
@@ -222,16 +222,17 @@ fn move_out(
     Ok(fallbacks)
 }
 
-/// How exactly a round is worth being solved, relative to its largest overlap (no unit). What turning normals leave of an overlap
-/// `d` of bodies of size `r` is about `d^2 / r`, and what may be left is a part of `r`: the next round removes either.
+/// How exactly a round is worth being solved, relative to its largest overlap (no unit). What turning normals leave of
+/// an overlap `d` of bodies of size `r` is about `d^2 / r`, and what may be left is a part of `r`: the next round
+/// removes either.
 fn accuracy(world: &World, rows: &[Overlap]) -> f64 {
     let part = |row: &Overlap| -row.geometry.separation / world.pair_size(row.id.a, row.id.b);
     let deepest = rows.iter().map(part).fold(LEFT_OVERLAP_RELATIVE, f64::max);
     SHARE_OF_ROUND * deepest.max(LEFT_OVERLAP_RELATIVE / deepest).min(1.0)
 }
 
-/// The forces that remove many overlaps, found in the displacements of bodies: without a matrix of their rows, which grows with
-/// the square of their number. None for few, or where they are not found.
+/// The forces that remove many overlaps, found in the displacements of bodies: without a matrix of their rows, which
+/// grows with the square of their number. None for few, or where they are not found.
 fn forces_of_many(assembly: &Assembly, separations: &[f64], accuracy: f64) -> Result<Option<Vec<f64>>, ResponseError> {
     let contacts = assembly.problem.len() - assembly.bilaterals().iter().map(|own| own.rows.len()).sum::<usize>();
     if contacts < MANY_OVERLAPS || !assembly.problem.is_of_pairs() {

@@ -1,20 +1,21 @@
-//! Projection: held contacts back onto zero separation and zero relative velocity, bilateral constraints onto zero gaps.
+//! Projection: held contacts back onto zero separation and zero relative velocity, bilateral constraints onto zero
+//! gaps.
 //!
 //! Positions: Newton on the separations in the metric of mass, `dq = M^-1 J^T l`, `G l = -separation`; velocities:
 //! `dv = M^-1 J^T l`, `G l = -J v`. Both are the smallest changes that satisfy the constraints. Neither acts on the
 //! motion as a force. The ledger books their change of energy.
 
-use crate::collision::contact_id::ContactId;
 use crate::collision::turn::Turn;
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, Reaction, apply_reactions};
+use crate::identity::contact_id::ContactId;
 use crate::rows::assembly::{Assembly, TangentRow, apply_impulses, largest_change};
 use crate::rows::rotation_row::RotationRow;
 use crate::solve::jointed::trees_of;
 use crate::solve::overlap::Overlaps;
 use crate::solve::rotational_friction::{apply_moments, moment_work};
-use crate::states_of::{set_states, states_of};
 use crate::world::World;
+use crate::world::states_of::{set_states, states_of};
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::sparse::HeldForest;
@@ -26,8 +27,8 @@ use std::collections::BTreeMap;
 /// distance, so that the second step already reaches rounding error.
 const MAX_NEWTON_STEPS: usize = 3;
 
-/// The same of bilateral constraints alone, which time steps leave open by up to a thousandth of a size. The steps converge quadratically;
-/// where bodies move by as much as their size in a step, there may be no closed pose.
+/// The same of bilateral constraints alone, which time steps leave open by up to a thousandth of a size. The steps
+/// converge quadratically; where bodies move by as much as their size in a step, there may be no closed pose.
 const MAX_CLOSING_STEPS: usize = 8;
 
 /// A separation beyond this fraction of the pair's size is not drift: the contact point has jumped (for example, a
@@ -109,9 +110,9 @@ pub(crate) struct Projected<'a> {
 }
 
 /// Projects touching contacts of a group of bodies onto zero separation, then removes the relative velocities of the
-/// held ones and the slips of those that stick. All are remainders of a step within `tolerance` or of the touch distance.
-/// Contacts whose point has jumped are not projected. Remaining penetration is removed with all contacts of the group's
-/// pairs.
+/// held ones and the slips of those that stick. All are remainders of a step within `tolerance` or of the touch
+/// distance. Contacts whose point has jumped are not projected. Remaining penetration is removed with all contacts of
+/// the group's pairs.
 ///
 /// # Errors
 /// When the state is not finite.
@@ -128,7 +129,8 @@ pub(crate) fn project(
         let is_contact = |constraint: &ConstraintId| constraint.contact().is_some();
         let contradict = done.jumped.is_empty() && done.unconverged.iter().any(is_contact);
         if contradict {
-            // Contacts that cannot all have zero separation: the body stands on two levels. Only penetration is removed.
+            // Contacts that cannot all have zero separation: the body stands on two levels. Only penetration is
+            // removed.
             set_states(states, bodies, &start);
             done.moved_m = 0.0;
         }
@@ -474,8 +476,8 @@ fn cancel(
     Ok((multipliers, true))
 }
 
-/// The same where trees of joints are eliminated first; none where that would change more than is allowed, or does not cancel
-/// the values.
+/// The same where trees of joints are eliminated first; none where that would change more than is allowed, or does not
+/// cancel the values.
 fn cancel_by_trees(
     world: &World,
     assembly: &Assembly,

@@ -1,13 +1,14 @@
 //! The micro-collision of contacts that stick: it reverses the slip too (Mirtich).
 //!
-//! What rests on a slope slips freely between two collisions. Collisions that only stopped the slip would let it creep, by
-//! `g h sin(slope)/2` (m/s) for one every `h` (s). Mirtich gives a micro-collision the impulse that reverses the whole velocity of
-//! the contact, `p = -2 K^-1 u`, where that is in the cone of friction, and the impulse of an ordinary collision where not. The body
-//! then goes uphill as long as downhill.
+//! What rests on a slope slips freely between two collisions. Collisions that only stopped the slip would let it creep,
+//! by `g h sin(slope)/2` (m/s) for one every `h` (s). Mirtich gives a micro-collision the impulse that reverses the
+//! whole velocity of the contact, `p = -2 K^-1 u`, where that is in the cone of friction, and the impulse of an
+//! ordinary collision where not. The body then goes uphill as long as downhill.
 //!
-//! Here, for any number of contacts: with `p_0` the impulses that stop all contacts that carry (the cone problem without restitution)
-//! and stick them, `p = (1 + e) p_0` and `u+ = u_0 + e (u_0 - u-)`. `e` is the largest restitution of those contacts, that of the nearest, which is 1 where
-//! bodies touch (`collision/envelope.rs`): there this is Mirtich's rule, and no corner sinks below touch. `p` is in all cones with `p_0`; the energy changes by `1 - e^2`
+//! Here, for any number of contacts: with `p_0` the impulses that stop all contacts that carry (the cone problem
+//! without restitution) and stick them, `p = (1 + e) p_0` and `u+ = u_0 + e (u_0 - u-)`. `e` is the largest restitution
+//! of those contacts, that of the nearest, which is 1 where bodies touch (`collision/envelope.rs`): there this is
+//! Mirtich's rule, and no corner sinks below touch. `p` is in all cones with `p_0`; the energy changes by `1 - e^2`
 //! times what a stop takes.
 //!
 //! It does not apply where a contact slips, carries with a velocity left, or would be left approaching.
@@ -16,8 +17,8 @@
 
 use polhode_response::{MultipleFrictionalImpact, MultipleImpact, MultipleImpactStatus, ResponseError};
 
-/// The impact that reverses the velocities of all contacts that carry, of blocks of which the first `contacts` are contacts; none
-/// where one of them does not stick.
+/// The impact that reverses the velocities of all contacts that carry, of blocks of which the first `contacts` are
+/// contacts; none where one of them does not stick.
 ///
 /// # Errors
 /// Those of [`MultipleFrictionalImpact::resolve`].

@@ -10,14 +10,14 @@
 //! Leine and Glocker 2003. Assumptions: the contact is a point, moments of friction do not depend on the speed, and
 //! the impulse of a moment at an impact is bounded by the same length times the normal impulse.
 //!
-//! Method: rotations are rows `l w` of the block of their contact, with a length `l` of the pair: their reactions `M / l` are
-//! forces, and their friction is the number `c / l` (`rows/rotation_row.rs`, `rows/resisted_rotation.rs`). The solver finds slip, rolling and
-//! spinning together ([`polhode_response::friction::Law::Resist`]). A rotation that turns already has one row, along
-//! its direction.
+//! Method: rotations are rows `l w` of the block of their contact, with a length `l` of the pair: their reactions
+//! `M / l` are forces, and their friction is the number `c / l` (`rows/rotation_row.rs`, `rows/resisted_rotation.rs`).
+//! The solver finds slip, rolling and spinning together ([`polhode_response::friction::Law::Resist`]). A rotation that
+//! turns already has one row, along its direction.
 
-use crate::collision::contact_id::ContactId;
+use crate::identity::contact_id::ContactId;
+use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use crate::world::World;
-use crate::{Momentum, MomentumSum};
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 

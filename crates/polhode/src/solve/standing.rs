@@ -1,12 +1,13 @@
 //! Bodies at rest with many contacts: forces that hold all of them, found without a matrix of their rows.
 //!
-//! Coulomb's law of many contacts is solved in the accelerations of bodies (`polhode_response::sparse`). Where nothing slides
-//! in that answer, or where the law has an answer in which something does but forces within the cones balance all the same
-//! (`polhode_response::friction::Structure`: those of the greatest reserve of friction), these are made to balance to rounding and are the certificate of rest: they
-//! lie in the cones of static friction, and what they leave on each body is rounding of the forces on that body.
+//! Coulomb's law of many contacts is solved in the accelerations of bodies (`polhode_response::sparse`). Where nothing
+//! slides in that answer, or where the law has an answer in which something does but forces within the cones balance
+//! all the same (`polhode_response::friction::Structure`: those of the greatest reserve of friction), these are made to
+//! balance to rounding and are the certificate of rest: they lie in the cones of static friction, and what they leave
+//! on each body is rounding of the forces on that body.
 //!
-//! Memory and time grow with contacts and bodies. Failure: none where no forces were found; the caller then asks the methods
-//! for few contacts.
+//! Memory and time grow with contacts and bodies. Failure: none where no forces were found; the caller then asks the
+//! methods for few contacts.
 
 use super::sticking_forces::{HoldingForces, MOST_FRICTION_NEEDED};
 use crate::collision::contact_set::Touch;
@@ -19,16 +20,16 @@ use polhode_response::sparse::{BodySettings, BodySolver};
 use polhode_response::{Blocks, BlocksSolution, Method, ResponseError, SolverStatus};
 use polhode_spatial::DVec3;
 
-/// From so many contacts on bodies at rest are held by the forces found here (50 to 300): of fewer the matrix of all rows is
-/// small, and its forces are the least ones.
+/// From so many contacts on bodies at rest are held by the forces found here (50 to 300): of fewer the matrix of all
+/// rows is small, and its forces are the least ones.
 const LEAST_CONTACTS: usize = 100;
 
-/// What the forces may leave on a body, relative to the sum of the magnitudes of the forces on it (no unit, 1e-14 to 1e-12):
-/// rounding of a few hundred terms.
+/// What the forces may leave on a body, relative to the sum of the magnitudes of the forces on it (no unit, 1e-14 to
+/// 1e-12): rounding of a few hundred terms.
 const BALANCED_RELATIVE: f64 = 1e-13;
 
-/// Whether bodies are held by the forces found here: none of them moves, and contacts are many; in planar motion each counts
-/// as two, as it does in space.
+/// Whether bodies are held by the forces found here: none of them moves, and contacts are many; in planar motion each
+/// counts as two, as it does in space.
 pub(super) fn is_for_many(world: &World, states: &[BodyState], assembly: &Assembly, contacts: &[Touch]) -> bool {
     let is_still = |body: &BodyState| body.linear_velocity == DVec3::ZERO && body.angular_momentum == DVec3::ZERO;
     let each_for = if world.plane.is_some() { 2 } else { 1 };
@@ -36,8 +37,8 @@ pub(super) fn is_for_many(world: &World, states: &[BodyState], assembly: &Assemb
     are_many && assembly.bodies().iter().all(|&body| is_still(&states[body]))
 }
 
-/// Forces with which none of the bodies moves, as a solution; none where there are none, or a joint has friction. `free` are the accelerations of the
-/// bodies without contact forces, `constants` those of the rows.
+/// Forces with which none of the bodies moves, as a solution; none where there are none, or a joint has friction.
+/// `free` are the accelerations of the bodies without contact forces, `constants` those of the rows.
 ///
 /// # Errors
 /// When a number is not finite.

@@ -1,10 +1,11 @@
 //! Forces of contacts of which none slides yet.
 //!
-//! The least forces with which every contact holds and sticks are an answer if they lie in the cones of static friction,
-//! exact to rounding at any ratio of masses. Where they do not, bodies at rest are asked for forces in the cones that add up
-//! to the same on every body, those of the greatest reserve of friction (`polhode_response::friction::Structure`), and all others for those of Coulomb's law.
-//! What these methods leave is taken out by the least change, with residuals of twice the working precision: large forces
-//! that cancel on a light body then leave no more than its own weight is rounded by.
+//! The least forces with which every contact holds and sticks are an answer if they lie in the cones of static
+//! friction, exact to rounding at any ratio of masses. Where they do not, bodies at rest are asked for forces in the
+//! cones that add up to the same on every body, those of the greatest reserve of friction
+//! (`polhode_response::friction::Structure`), and all others for those of Coulomb's law. What these methods leave is
+//! taken out by the least change, with residuals of twice the working precision: large forces that cancel on a light
+//! body then leave no more than its own weight is rounded by.
 
 use crate::collision::contact_set::Touch;
 use crate::rows::assembly::Assembly;
@@ -25,16 +26,16 @@ use std::ops::Range;
 /// (1e-13 to 1e-9).
 pub(crate) const STICKING_ACCELERATION: f64 = 1e-11;
 
-/// Accelerations of contacts that stick up to this many times the limit of rounding are the residual of the solver (10 to
-/// 1e4).
+/// Accelerations of contacts that stick up to this many times the limit of rounding are the residual of the solver (10
+/// to 1e4).
 pub(crate) const SLIDING_ROUNDING: f64 = 1e3;
 
-/// Convex programmes of the cone problem at an instant at which nothing slides yet (8 to 64): without its answer the motion
-/// cannot begin.
+/// Convex programmes of the cone problem at an instant at which nothing slides yet (8 to 64): without its answer the
+/// motion cannot begin.
 const CORRECTIONS: u32 = 32;
 
-/// The part of friction that bodies at rest may need (no unit): 1, and the accuracy of that part. Forces that leave the cones of
-/// all of it are refused afterwards.
+/// The part of friction that bodies at rest may need (no unit): 1, and the accuracy of that part. Forces that leave the
+/// cones of all of it are refused afterwards.
 pub(super) const MOST_FRICTION_NEEDED: f64 = 1.0 + 1e-6;
 
 /// Rounding error of a sum of terms, in units in the last place of the sum of their magnitudes (4 to 64).
@@ -45,8 +46,8 @@ const FORCE_ROUNDING_UNITS: f64 = 16.0;
 pub(super) struct HoldingForces {
     /// Of all rows, N.
     pub(super) forces: Vec<f64>,
-    /// The largest acceleration of a row that they leave, relative to the largest without forces. At large ratios of masses
-    /// that of forces of twice the working precision, of which these are the rounded ones.
+    /// The largest acceleration of a row that they leave, relative to the largest without forces. At large ratios of
+    /// masses that of forces of twice the working precision, of which these are the rounded ones.
     pub(super) residual: f64,
     /// Whether that is rounding.
     pub(super) is_balanced: bool,
@@ -134,10 +135,10 @@ pub(crate) fn rounding_of(delassus: &Delassus, forces: &[f64]) -> f64 {
     FORCE_ROUNDING_UNITS * f64::EPSILON * (0..delassus.len()).map(terms).fold(0.0, f64::max)
 }
 
-/// The solution where nothing slides yet. The least forces with which every contact holds and sticks are an answer if they
-/// lie in the cones of static friction, exact to rounding at any ratio of masses. Bodies at rest stay at rest if any forces
-/// can hold them: where friction jams them against each other Coulomb's law has answers that move them as well. The slow
-/// methods of the cone problem are for what nothing holds.
+/// The solution where nothing slides yet. The least forces with which every contact holds and sticks are an answer if
+/// they lie in the cones of static friction, exact to rounding at any ratio of masses. Bodies at rest stay at rest if
+/// any forces can hold them: where friction jams them against each other Coulomb's law has answers that move them as
+/// well. The slow methods of the cone problem are for what nothing holds.
 pub(crate) fn of_no_slip(
     of: (&World, &[BodyState], &[Touch]),
     assembly: &Assembly,
@@ -171,8 +172,8 @@ pub(crate) fn of_no_slip(
     refined(of, assembly, problem, frictional, solved)
 }
 
-/// Forces within the cones under which no contact moves, if there are any; `least` are forces that hold every contact, within
-/// the cones or not.
+/// Forces within the cones under which no contact moves, if there are any; `least` are forces that hold every contact,
+/// within the cones or not.
 fn in_equilibrium(
     of: (&World, &[BodyState], &[Touch]),
     assembly: &Assembly,

@@ -1,18 +1,18 @@
-//! The steps that are compared with two of half their length: every [`EVERY`]-th, for those up to the next one, and each that is
-//! divided at impacts or where slip ends, for itself (`crate::error_estimate`).
+//! The steps that are compared with two of half their length: every [`EVERY`]-th, for those up to the next one, and
+//! each that is divided at impacts or where slip ends, for itself (`crate::tier::error_estimate`).
 
 use super::engine::SteppedEngine;
 use super::island_steps::advance_islands;
 use super::islands::Island;
-use crate::core::Core;
 use crate::error::SimulationError;
-use crate::error_estimate::EVERY;
+use crate::tier::core::Core;
+use crate::tier::error_estimate::EVERY;
 use crate::time_stepping::TimeStepReport;
 use polhode_dynamics::BodyState;
 
 impl SteppedEngine {
-    /// Compares the steps of some islands, which began with these states, with the same in two halves. The present states are
-    /// those after the steps.
+    /// Compares the steps of some islands, which began with these states, with the same in two halves. The present
+    /// states are those after the steps.
     ///
     /// # Errors
     /// When the state or a contact problem of a half is no longer finite.

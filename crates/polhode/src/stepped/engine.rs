@@ -10,26 +10,29 @@ use super::track_ends::let_go_at_ends_of_tracks;
 use super::unexpected::Unexpected;
 use crate::accounting::books::Received;
 use crate::accounting::long_steps::Movement;
-use crate::collision::contact_id::{ContactId, Feature};
 use crate::collision::contact_set::{FoundContact, Touch};
-use crate::core::Core;
-use crate::error_estimate::{EVERY, ErrorEstimate};
-use crate::event::{Event, EventKind};
-use crate::frame::{ContactView, IslandView, JointView, MotionKind};
-use crate::observer::Observer;
+use crate::error::SimulationError;
+use crate::identity::body_id::BodyId;
+use crate::identity::contact_id::{ContactId, Feature};
+use crate::report::acceleration::Acceleration;
+use crate::report::event::{Event, EventKind};
+use crate::report::frame::{ContactView, IslandView, JointView, MotionKind};
+use crate::report::observer::Observer;
 use crate::rows::assembly::free_acceleration;
 use crate::rows::groups::coupled_groups;
-use crate::sampling::emit_samples_before;
+use crate::scene::effects::Effects;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::parts::{restored_flight, restored_forces, restored_id, save_contact, save_flight};
 use crate::snapshot::{SnapshotError, content};
 use crate::solve::contradiction::refuse_contradictions;
 use crate::solve::held_at_rest::HeldAtRest;
-use crate::states_of::{set_states, states_of};
+use crate::tier::core::Core;
+use crate::tier::error_estimate::{EVERY, ErrorEstimate};
+use crate::tier::sampling::emit_samples_before;
 use crate::tier::{Reached, Tier};
 use crate::time_stepping::{NO_WORK_J, TimeStepReport, TimeStepper, given_by_gravity};
+use crate::world::states_of::{set_states, states_of};
 use crate::world::{Loads, World};
-use crate::{Acceleration, BodyId, Effects, SimulationError};
 use polhode_dynamics::{BodyState, Flight};
 use polhode_response::ResponseError;
 use polhode_spatial::DVec3;
@@ -261,7 +264,8 @@ impl SteppedEngine {
         Ok((resting, islands))
     }
 
-    /// Advances the islands of these pairs over a step, again where a body has met one that was not expected in its way.
+    /// Advances the islands of these pairs over a step, again where a body has met one that was not expected in its
+    /// way.
     ///
     /// # Errors
     /// When a number is not finite, or joints contradict each other.
@@ -313,8 +317,8 @@ impl SteppedEngine {
         Ok(())
     }
 
-    /// Ends the last of the motion of bodies that a step has left slower than it can tell from rest, where forces of their
-    /// contacts hold them: each group of bodies that touch each other for itself. `pairs` touch.
+    /// Ends the last of the motion of bodies that a step has left slower than it can tell from rest, where forces of
+    /// their contacts hold them: each group of bodies that touch each other for itself. `pairs` touch.
     ///
     /// # Errors
     /// When a number is not finite.
@@ -361,7 +365,8 @@ impl SteppedEngine {
         Ok(())
     }
 
-    /// Makes the steps of islands that rest, which change nothing: with all effects their contacts and forces are found in each.
+    /// Makes the steps of islands that rest, which change nothing: with all effects their contacts and forces are found
+    /// in each.
     fn repeat_rest(&self, core: &Core, resting: &[Island], interval: (f64, f64)) -> Result<(), SimulationError> {
         let (mut states, mut stepper) = (self.states.clone(), self.stepper.clone());
         let of = (&mut stepper, &mut states[..]);

@@ -1,11 +1,11 @@
 //! What the tier `stepped` is.
 
+use crate::scene::tier_facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise};
 use crate::solve::cone_violation::CONE_LIMIT;
-use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
-/// Step when none is given, s. A body of some tenths of a metre that has fallen for a second moves by about a hundredth of
-/// its size in one step; bounces that last less than two steps have speeds below 0.02 m/s.
+/// Step when none is given, s. A body of some tenths of a metre that has fallen for a second moves by about a hundredth
+/// of its size in one step; bounces that last less than two steps have speeds below 0.02 m/s.
 const TIME_STEP_S: f64 = 1e-3;
 
 /// Order in the step of time steps between changes of contact.

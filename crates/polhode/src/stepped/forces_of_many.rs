@@ -1,8 +1,9 @@
 //! Present forces of many contacts, in the accelerations of bodies: no matrix of all rows is formed.
 //!
-//! Contacts that stick have the cone of their static coefficient, those that slide the force `-mu f_n` along their slip. Where
-//! contacts are redundant the forces are some of those that are possible, not the least ones: their sum on each body, and the
-//! accelerations, are unique as far as Coulomb's law makes them so. Memory and time grow with contacts and bodies.
+//! Contacts that stick have the cone of their static coefficient, those that slide the force `-mu f_n` along their
+//! slip. Where contacts are redundant the forces are some of those that are possible, not the least ones: their sum on
+//! each body, and the accelerations, are unique as far as Coulomb's law makes them so. Memory and time grow with
+//! contacts and bodies.
 
 use super::instant_forces::{BodyAcceleration, PresentForces, forces_on};
 use crate::collision::contact_set::Touch;
@@ -18,8 +19,8 @@ use polhode_response::sparse::{BodySettings, BodySolver};
 use polhode_response::{Blocks, Law, ResponseError, SolverStatus};
 use polhode_spatial::DVec3;
 
-/// The forces of `contacts`, with their modes, between `bodies` (movable, ascending) at `t` (s) under these loads; none where they
-/// were not found.
+/// The forces of `contacts`, with their modes, between `bodies` (movable, ascending) at `t` (s) under these loads; none
+/// where they were not found.
 ///
 /// # Errors
 /// When a number is not finite.

@@ -1,7 +1,7 @@
 //! Forces of contacts at one instant, with the accelerations that they give.
 
 use crate::collision::contact_set::Touch;
-use crate::frame::JointView;
+use crate::report::frame::JointView;
 use crate::solve::joint_loads::ContactForce;
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;

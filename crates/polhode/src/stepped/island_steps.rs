@@ -1,15 +1,15 @@
 //! The time steps of the islands of one step, by the executor that the program gave.
 //!
-//! Islands are divided into as many parts, in their order, as the executor runs at once. Each part has copies of the states
-//! and of the stepper; what it did is put together in the order of the islands. An island reads no state of another one, so
-//! that the result has the same bits for any number of parts. States of bodies that no island moves (kinematic ones) are left
-//! anywhere within the step: the caller prescribes them.
+//! Islands are divided into as many parts, in their order, as the executor runs at once. Each part has copies of the
+//! states and of the stepper; what it did is put together in the order of the islands. An island reads no state of
+//! another one, so that the result has the same bits for any number of parts. States of bodies that no island moves
+//! (kinematic ones) are left anywhere within the step: the caller prescribes them.
 
 use super::islands::Island;
-use crate::executor::{Executor, Task};
-use crate::states_of::{set_states, states_of};
+use crate::tier::executor::{Executor, Task};
 use crate::time_stepping::{TimeStepReport, TimeStepper};
 use crate::world::World;
+use crate::world::states_of::{set_states, states_of};
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 

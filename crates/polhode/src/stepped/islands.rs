@@ -87,7 +87,8 @@ fn swept_box(world: &World, states: &[BodyState], body: usize, (t, h): (f64, f64
     swept.and_then(|aabb| aabb.inflated(travel)).unwrap_or(Aabb::UNBOUNDED)
 }
 
-/// How far a body that is free may travel within `h` (s), m; impulses included. Zero where it does not move or follows a motion.
+/// How far a body that is free may travel within `h` (s), m; impulses included. Zero where it does not move or follows
+/// a motion.
 pub(super) fn travel_of(world: &World, states: &[BodyState], body: usize, h: f64) -> f64 {
     let own = &world.bodies[body];
     if !own.moves() {

@@ -1,16 +1,17 @@
 //! What joints bear in time steps, and the joints that break at the end of a step.
 //!
-//! They bear what the step has applied, divided by its length (`crate::time_stepping`): with the velocities of the same run that
-//! is Newton's law. Before the first step they bear what the law of the steps gives at the instant. A joint breaks by what it
-//! bears without impulses of impacts, which break by their own strength; what the others bear then shows in the next step.
+//! They bear what the step has applied, divided by its length (`crate::time_stepping`): with the velocities of the same
+//! run that is Newton's law. Before the first step they bear what the law of the steps gives at the instant. A joint
+//! breaks by what it bears without impulses of impacts, which break by their own strength; what the others bear then
+//! shows in the next step.
 
 use super::engine::{SteppedEngine, joined};
 use super::instant_forces::PresentForces;
-use crate::SimulationError;
 use crate::constraint::joint::WorldJoint;
-use crate::core::Core;
-use crate::frame::JointView;
+use crate::error::SimulationError;
+use crate::report::frame::JointView;
 use crate::solve::joint_loads::{joint_view, overloaded};
+use crate::tier::core::Core;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};

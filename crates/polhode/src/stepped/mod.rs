@@ -2,8 +2,8 @@
 //! step.
 //!
 //! Every step finds the pairs whose swept boxes overlap, joins their bodies to islands, and advances each island by the
-//! time step of Moreau and Jean (`crate::time_stepping`), split at the first 32 of its impacts. Bodies in no island are in free
-//! flight; kinematic bodies follow their prescribed motions. Events are not located to rounding and no step is
+//! time step of Moreau and Jean (`crate::time_stepping`), split at the first 32 of its impacts. Bodies in no island are
+//! in free flight; kinematic bodies follow their prescribed motions. Events are not located to rounding and no step is
 //! repeated, so that every step succeeds. The error decreases with the step. Penetration that a step leaves is removed
 //! by a projection and booked.
 //!
@@ -20,6 +20,8 @@
 //! | `instant_forces` | what forces and accelerations at one instant are |
 //! | `present_forces` | forces and accelerations at one instant, for queries |
 //! | `forces_of_many` | the same of many contacts with friction |
+//! | `track_ends` | bodies that run off the ends of their tracks |
+//! | `unexpected` | pairs of bodies that met within a step although they were not expected to |
 
 mod comparison;
 mod engine;

@@ -1,5 +1,5 @@
-//! The forces of contacts at one instant, and the accelerations that they give, by the law that the steps obey: with the
-//! friction of contacts that stick or slide. They are queries; no step uses them.
+//! The forces of contacts at one instant, and the accelerations that they give, by the law that the steps obey: with
+//! the friction of contacts that stick or slide. They are queries; no step uses them.
 
 use super::forces_of_many::forces_of_many;
 use super::instant_forces::{BodyAcceleration, PresentForces, forces_on};
@@ -7,16 +7,16 @@ use crate::collision::contact_modes::ContactModes;
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::{RotationModes, Turn};
-use crate::core::Core;
 use crate::solve::accelerations::Accelerations;
 use crate::solve::joint_loads::joint_loads;
+use crate::tier::core::Core;
 use crate::time_stepping::LEAST_IN_BODIES;
 use polhode_dynamics::BodyState;
 use polhode_response::{ComplementaritySolver, ResponseError};
 use polhode_spatial::DVec3;
 
-/// A slip below this part of the speed that gravity gives in a step is none (no unit, 1e-6 to 1e-4): steps leave contacts
-/// that stick with the residual of their problem, at most 1e-6 of it.
+/// A slip below this part of the speed that gravity gives in a step is none (no unit, 1e-6 to 1e-4): steps leave
+/// contacts that stick with the residual of their problem, at most 1e-6 of it.
 pub(super) const STICKING_RELATIVE: f64 = 1e-5;
 
 impl PresentForces {

@@ -1,23 +1,23 @@
 //! Islands that rest, which the steps leave out until something comes near them.
 //!
-//! Bodies at rest whose contacts have forces that hold all of them (`crate::solve::held_at_rest`) stay at rest. Likewise, a step
-//! that begins and ends with all bodies of an island at rest, in the same poses, ends so again as long as nothing else
-//! changes: its contacts, their forces and what holds the bodies are the same. Such an island is not stepped again. It keeps
-//! its states, contacts and forces; its weight and what bears it are entered in the books. It is stepped again as soon as
-//! another body may touch one of its own within a step, or a program acts.
+//! Bodies at rest whose contacts have forces that hold all of them (`crate::solve::held_at_rest`) stay at rest.
+//! Likewise, a step that begins and ends with all bodies of an island at rest, in the same poses, ends so again as long
+//! as nothing else changes: its contacts, their forces and what holds the bodies are the same. Such an island is not
+//! stepped again. It keeps its states, contacts and forces; its weight and what bears it are entered in the books. It
+//! is stepped again as soon as another body may touch one of its own within a step, or a program acts.
 //!
-//! Every few steps each group of bodies that touch each other is looked at whose speeds are no more than a step leaves of rest:
-//! where forces hold it, it rests from then on, and its motion is entered in the books as ended.
+//! Every few steps each group of bodies that touch each other is looked at whose speeds are no more than a step leaves
+//! of rest: where forces hold it, it rests from then on, and its motion is entered in the books as ended.
 //!
-//! Assumption: nothing on the bodies depends on time. Islands with force fields, joints, or beside them a body of prescribed
-//! motion or with a moving surface, are always stepped.
+//! Assumption: nothing on the bodies depends on time. Islands with force fields, joints, or beside them a body of
+//! prescribed motion or with a moving surface, are always stepped.
 //!
-//! Simulating all effects ([`Effects::All`](crate::Effects)) makes the steps of these islands, too, to find their contacts and
-//! forces anew, and goes on from what was there before: the motion has the same bits.
+//! Simulating all effects ([`Effects::All`](crate::Effects)) makes the steps of these islands, too, to find their
+//! contacts and forces anew, and goes on from what was there before: the motion has the same bits.
 
 use super::islands::{Island, travel_of};
-use crate::Momentum;
 use crate::accounting::books::Books;
+use crate::report::momentum_ledger::Momentum;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DisjointSets;
@@ -86,8 +86,9 @@ impl Resting {
         self.changed();
     }
 
-    /// These pairs, which may touch in a step of `h` (s), without those that a resting body cannot: two such bodies that do not
-    /// touch, and one beside a body that is too far away to reach it. So what passes a pile does not wake it.
+    /// These pairs, which may touch in a step of `h` (s), without those that a resting body cannot: two such bodies
+    /// that do not touch, and one beside a body that is too far away to reach it. So what passes a pile does not wake
+    /// it.
     pub(super) fn without_idle_pairs(
         &self,
         world: &World,
@@ -130,8 +131,8 @@ impl Resting {
     }
 }
 
-/// The groups of bodies of an island that touch each other, by pairs that touch, with the pairs of the island that are of each and
-/// of it with bodies that do not move.
+/// The groups of bodies of an island that touch each other, by pairs that touch, with the pairs of the island that are
+/// of each and of it with bodies that do not move.
 pub(super) fn touching_groups(world: &World, island: &Island, touching: &[(usize, usize)]) -> Vec<Island> {
     let place = |body: usize| island.bodies.binary_search(&body).ok();
     let mut sets = DisjointSets::new(island.bodies.len());

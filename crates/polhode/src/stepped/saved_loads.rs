@@ -1,6 +1,7 @@
-//! The loads of joints over the last step as plain data, for snapshots: of each joint its number, force (N) and moment (N m).
+//! The loads of joints over the last step as plain data, for snapshots: of each joint its number, force (N) and moment
+//! (N m).
 
-use crate::frame::JointView;
+use crate::report::frame::JointView;
 use crate::solve::joint_loads::joint_view;
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;

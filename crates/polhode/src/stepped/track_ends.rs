@@ -1,10 +1,11 @@
-//! Bodies that run off the ends of their tracks: at the end of the step in which they do, an error of the first order in its length.
+//! Bodies that run off the ends of their tracks: at the end of the step in which they do, an error of the first order
+//! in its length.
 
-use crate::SimulationError;
-use crate::body_id::BodyId;
 use crate::constraint::released::RunOff;
-use crate::core::Core;
-use crate::event::{Event, EventKind};
+use crate::error::SimulationError;
+use crate::identity::body_id::BodyId;
+use crate::report::event::{Event, EventKind};
+use crate::tier::core::Core;
 use polhode_dynamics::BodyState;
 
 /// Joints whose bodies have run off the ends of their tracks at `t` (s) hold nothing any more.

@@ -1,8 +1,9 @@
 //! Pairs of bodies that met within a step although they were not expected to.
 //!
-//! The pairs of a step are those whose boxes overlap, enlarged by twice the way that each body makes by itself ([`travel_of`]). A body
-//! that a faster one strikes goes farther, and may meet one beyond that. Such bodies are known after the step: those that went out of
-//! their boxes. Where one of them overlaps a body at the end that it was no pair with, the step is made again with that pair.
+//! The pairs of a step are those whose boxes overlap, enlarged by twice the way that each body makes by itself
+//! ([`travel_of`]). A body that a faster one strikes goes farther, and may meet one beyond that. Such bodies are known
+//! after the step: those that went out of their boxes. Where one of them overlaps a body at the end that it was no pair
+//! with, the step is made again with that pair.
 
 use super::islands::{Island, IslandSearch, travel_of};
 use crate::solve::overlap::{Overlaps, displacement};

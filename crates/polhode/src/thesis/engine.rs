@@ -5,24 +5,27 @@ use super::system::LoadedBodies;
 use crate::accounting::books::Received;
 use crate::accounting::long_steps::Movement;
 use crate::collision::boxes::Boxes;
-use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::Touch;
-use crate::core::Core;
-use crate::error_estimate::{EVERY, ErrorEstimate};
-use crate::event::EventKind;
-use crate::fixed_steps::{Continues, SteppedBodies, accelerations_under, contacts_within, next_step_end};
-use crate::frame::{ContactView, IslandView, MotionKind};
-use crate::free_stage::{self, Ends};
-use crate::observer::Observer;
+use crate::error::SimulationError;
+use crate::identity::contact_id::ContactId;
+use crate::report::acceleration::Acceleration;
+use crate::report::event::EventKind;
+use crate::report::frame::{ContactView, IslandView, MotionKind};
+use crate::report::momentum_ledger::Momentum;
+use crate::report::observer::Observer;
 use crate::rows::assembly::Assembly;
 use crate::rows::groups::{Group, groups};
-use crate::sampling::emit_samples_before;
 use crate::scene::{ContactMethod, Response};
 use crate::snapshot::parts::save_contact;
 use crate::snapshot::{SnapshotError, content};
 use crate::solve::impact::{impulse_event, strike, support};
+use crate::tier::core::Core;
+use crate::tier::error_estimate::{EVERY, ErrorEstimate};
+use crate::tier::fixed_steps::{Continues, SteppedBodies, accelerations_under, contacts_within, next_step_end};
+use crate::tier::free_stage;
+use crate::tier::free_stage::Ends;
+use crate::tier::sampling::emit_samples_before;
 use crate::tier::{Reached, Tier};
-use crate::{Acceleration, Momentum, SimulationError};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::Wrench;
 use polhode_response::impact::{ImpactOutcome, ImpactSettings};
@@ -422,7 +425,8 @@ fn tell_stage(core: &mut Core, stage: LeastForceStage) {
     match stage {
         LeastForceStage::GuessOfVanishing => core.accounts.warn(
             core.t,
-            "the heuristic took contacts for vanishing, those that the forces of least sum open, and found forces (stage 2)",
+            "the heuristic took contacts for vanishing, those that the forces of least sum open, and found forces \
+             (stage 2)",
         ),
         LeastForceStage::LeastSum => core.accounts.warn_of_tolerated(
             core.t,
@@ -433,8 +437,8 @@ fn tell_stage(core: &mut Core, stage: LeastForceStage) {
     }
 }
 
-/// Forces of a method of the thesis with the bound on the error of the accelerations, or exact ones where it found none: the
-/// bound in the certificate needs forces under which no contact closes.
+/// Forces of a method of the thesis with the bound on the error of the accelerations, or exact ones where it found
+/// none: the bound in the certificate needs forces under which no contact closes.
 fn guessed_or_exact(
     core: &mut Core,
     assembly: &Assembly,

@@ -1,7 +1,7 @@
 //! What the tier `thesis` is.
 
+use crate::scene::tier_facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise};
-use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
 /// Step when none is given, s.
 const THESIS_STEP_S: f64 = 0.01;

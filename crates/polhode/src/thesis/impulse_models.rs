@@ -7,16 +7,16 @@
 //! | `impulse-unconditional` | impulses wherever bodies overlap | at a contact that separates the impulse pulls: bodies stay caught (Video 04) |
 //!
 //! The impulse at a contact is that of equation (14), `j = -(1 + e) u/G`, u the rate of separation (m/s), G the inverse
-//! mass seen by the contact (1/kg). Its change of energy is `-(1 - e^2) u^2/(2 G)` for either sign of u, so that pulling
-//! takes energy as pushing does. Bodies are moved along the normal of the deepest contact of each pair, each by its
-//! share of the inverse masses; the ledger has the energy of that as taken by projection, with a negative sign.
+//! mass seen by the contact (1/kg). Its change of energy is `-(1 - e^2) u^2/(2 G)` for either sign of u, so that
+//! pulling takes energy as pushing does. Bodies are moved along the normal of the deepest contact of each pair, each by
+//! its share of the inverse masses; the ledger has the energy of that as taken by projection, with a negative sign.
 
 use crate::collision::contact_set::Touch;
 use crate::constraint::ConstraintId;
-use crate::core::Core;
 use crate::rows::assembly::{Assembly, apply_impulses};
 use crate::rows::groups::Group;
 use crate::solve::projection::Projection;
+use crate::tier::core::Core;
 use crate::world::World;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::ResponseError;

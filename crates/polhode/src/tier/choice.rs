@@ -1,5 +1,5 @@
-//! Which tier runs a scene that names none: the most accurate one, unless its estimated processor time is more than a user
-//! waits for.
+//! Which tier runs a scene that names none: the most accurate one, unless its estimated processor time is more than a
+//! user waits for.
 //!
 //! The processor time of tier `accurate` for bodies that tumble in a heap is estimated by
 //!
@@ -7,27 +7,29 @@
 //!
 //! with the rows of contacts `r` that all of them would have at once (no unit), the time `s` (s) in which they move
 //! ([`MOVING_S`]), and the constants of a fit ([`SECONDS_OF_A_ROW`], [`GROWTH`]). A body counts
-//! [`CONTACTS_OF_ROUND`] contacts if it is round and [`CONTACTS_OF_FLAT`] if not, each of one row, and of three with friction.
-//! Source: measured on drops of balls and of boxes into a bin, with friction and without; `cargo xtask tier-costs` measures
-//! them again and prints the fit. Heaps of boxes take up to twice as long as estimated, balls without friction a tenth, and
-//! another machine differs besides: the estimate tells minutes from hours.
+//! [`CONTACTS_OF_ROUND`] contacts if it is round and [`CONTACTS_OF_FLAT`] if not, each of one row, and of three with
+//! friction. Source: measured on drops of balls and of boxes into a bin, with friction and without;
+//! `cargo xtask tier-costs` measures them again and prints the fit. Heaps of boxes take up to twice as long as
+//! estimated, balls without friction a tenth, and another machine differs besides: the estimate tells minutes from
+//! hours.
 //!
-//! A scene keeps tier `accurate` whatever the estimate where it asks for what only this tier has (a tolerance, an integrator),
-//! and where all of its bodies are certified at rest at the start, which costs nothing until something touches them.
+//! A scene keeps tier `accurate` whatever the estimate where it asks for what only this tier has (a tolerance, an
+//! integrator), and where all of its bodies are certified at rest at the start, which costs nothing until something
+//! touches them.
 //!
-//! Failure: none; what is neither a heap nor at rest, as many balls that never meet, is estimated too high, and a scene may name
-//! its tier.
+//! Failure: none; what is neither a heap nor at rest, as many balls that never meet, is estimated too high, and a scene
+//! may name its tier.
 
-use super::facts::TierFeature;
-use super::list::Tier;
+use crate::scene::tier_facts::TierFeature;
+use crate::scene::tiers::Tier;
 use crate::scene::{Body, Geometry, Scene};
 use polhode_contact::Shape;
 
 /// Processor time that a user waits for, s.
 const PATIENCE_S: f64 = 60.0;
 
-/// For how long bodies count as moving, s: two metres of fall take 0.6 s, and settling about as long again. The duration does not
-/// count, so that a run that is continued beyond its end stays in its tier.
+/// For how long bodies count as moving, s: two metres of fall take 0.6 s, and settling about as long again. The
+/// duration does not count, so that a run that is continued beyond its end stays in its tier.
 const MOVING_S: f64 = 2.0;
 
 /// Processor time for a second of a heap with one row of contacts, s: the fit of `cargo xtask tier-costs`.
@@ -150,8 +152,8 @@ impl Estimate {
         }
         let Self { bodies, rows } = self;
         format!(
-            "estimated at {} s of processor time if all of {bodies} bodies tumble in a heap for {MOVING_S} s, with some {rows} \
-             rows of contact",
+            "estimated at {} s of processor time if all of {bodies} bodies tumble in a heap for {MOVING_S} s, with \
+             some {rows} rows of contact",
             two_digits(self.seconds())
         )
     }
@@ -164,8 +166,8 @@ fn two_digits(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    //! A scene that names its tier has it; a few bodies, or any number that never touch, have the most accurate one; many that
-    //! tumble have the one whose time they end in, unless the scene asks for what only the other has.
+    //! A scene that names its tier has it; a few bodies, or any number that never touch, have the most accurate one;
+    //! many that tumble have the one whose time they end in, unless the scene asks for what only the other has.
     #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
     use super::*;
     use crate::scene::{Material, Method, SceneBuilder};

@@ -1,14 +1,16 @@
 //! Contacts that close within a step without a bounce: one complementarity problem at its start.
 //!
-//! With the gap `g` (m) of a contact, the rates `u-` before and `u+` after the impulses `p` (N s), and the length h of the step (s):
+//! With the gap `g` (m) of a contact, the rates `u-` before and `u+` after the impulses `p` (N s), and the length h of
+//! the step (s):
 //!
 //! `0 <= p _|_ u+ + g/h >= 0`:
 //!
-//! a contact that would close within the step is slowed down so that its gap closes at its end. All contacts that may close are rows,
-//! also those that close only because others deflect their bodies; friction obeys Coulomb's law with the velocities after the impulses.
-//! Without this problem the bodies would overlap in the middle of the step by half of the way by which they approach within it.
-//! Impulses give no energy (`row_at_start` in `sustained.rs`). A contact whose gap is closed is stopped by the next step; so a blow
-//! arrives in two parts. Source: docs/REFERENCES.md, Moreau 1988; the gaps after Stewart and Trinkle 1996.
+//! a contact that would close within the step is slowed down so that its gap closes at its end. All contacts that may
+//! close are rows, also those that close only because others deflect their bodies; friction obeys Coulomb's law with
+//! the velocities after the impulses. Without this problem the bodies would overlap in the middle of the step by half
+//! of the way by which they approach within it. Impulses give no energy (`row_at_start` in `sustained.rs`). A contact
+//! whose gap is closed is stopped by the next step; so a blow arrives in two parts. Source: docs/REFERENCES.md, Moreau
+//! 1988; the gaps after Stewart and Trinkle 1996.
 //!
 //! Assumption: normals hardly turn within a step. What their turning leaves is removed at its end.
 
@@ -24,7 +26,8 @@ use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 
 impl TimeStepper {
-    /// Slows down the contacts that would close within a substep faster than sustained ones, and updates velocities and contacts.
+    /// Slows down the contacts that would close within a substep faster than sustained ones, and updates velocities and
+    /// contacts.
     ///
     /// # Errors
     /// When a number is not finite.

@@ -13,8 +13,8 @@
 //! (`last_forces.rs`); the order in which bodies are eliminated is kept while they stay coupled, and follows from
 //! them: it changes no bit.
 //!
-//! Where one does not come to the residual asked for, the other is tried, unless the rows are too many for their matrix, and the
-//! better answer is taken. What is left is told.
+//! Where one does not come to the residual asked for, the other is tried, unless the rows are too many for their
+//! matrix, and the better answer is taken. What is left is told.
 
 use super::last_forces::LastForces;
 use crate::rows::assembly::Assembly;
@@ -34,15 +34,16 @@ const MOST_ROWS_IN_PLACE: usize = 400;
 /// The same in the steps of heaps, which have many such groups (60 to 150).
 const MOST_ROWS_IN_HEAPS: usize = 100;
 
-/// Reactions whose violation of Coulomb's law is beyond this part of its limit are solved for to rounding (no unit, 0.01 to 1).
+/// Reactions whose violation of Coulomb's law is beyond this part of its limit are solved for to rounding (no unit,
+/// 0.01 to 1).
 const SHARE_OF_CONE_LIMIT: f64 = 0.1;
 
 /// Most sweeps of block Gauss-Seidel after all other methods of the solver have failed. The error that remains is part
 /// of the error estimate of a stretch of crowded events.
 const LAST_SWEEPS: u32 = 100;
 
-/// The largest residual of a step's problem with which no other way is tried (no unit, 1e-9 to 1e-7): velocities are then wrong
-/// by at most about this fraction of the speed that gravity gives in a step.
+/// The largest residual of a step's problem with which no other way is tried (no unit, 1e-9 to 1e-7): velocities are
+/// then wrong by at most about this fraction of the speed that gravity gives in a step.
 pub(super) const EXACT_ENOUGH: f64 = 1e-8;
 
 /// As exactly as rounding allows where that is found soon, else as exactly as is accepted.
@@ -111,8 +112,8 @@ impl ConeSolvers {
     }
 }
 
-/// Whether a problem of so many contacts is solved in the velocities of bodies. Soft rows have no place there yet, nor have rows of
-/// gears between more than two bodies.
+/// Whether a problem of so many contacts is solved in the velocities of bodies. Soft rows have no place there yet, nor
+/// have rows of gears between more than two bodies.
 pub(super) fn is_for_bodies(assembly: &Assembly, contacts: usize) -> bool {
     contacts >= LEAST_IN_BODIES && assembly.problem.compliances().is_empty() && assembly.problem.is_of_pairs()
 }
@@ -141,8 +142,8 @@ enum System<'a> {
 }
 
 impl ConeProblem<'_> {
-    /// Solves it with these laws; `violation` is how far reactions are from Coulomb's law. A further solve starts from the answer of
-    /// the one before.
+    /// Solves it with these laws; `violation` is how far reactions are from Coulomb's law. A further solve starts from
+    /// the answer of the one before.
     ///
     /// # Errors
     /// When a number is not finite.
@@ -236,8 +237,8 @@ fn solve_for_rows(
 ) -> Result<BlocksSolution, ResponseError> {
     let exact = exact();
     let settings = FrictionSettings { acceptance: EXACT_ENOUGH, ..exact };
-    // A slip or a rate of turning that is much faster than contacts approach hides what is left of their reactions in the
-    // residual.
+    // A slip or a rate of turning that is much faster than contacts approach hides what is left of their reactions in
+    // the residual.
     let has_rotations = blocks.laws().iter().any(|law| law.resists_rotation());
     let mut solved = blocks.solve(delassus, constants, start, if has_rotations { &exact } else { &settings })?;
     let is_off = violation(&solved.reactions).is_some_and(|found| found.value > SHARE_OF_CONE_LIMIT * CONE_LIMIT);
@@ -252,15 +253,16 @@ fn solve_for_rows(
 
 #[cfg(test)]
 mod tests {
-    //! With the matrix of all rows and in the velocities of bodies: the same motion of one pile, some of whose cubes move.
+    //! With the matrix of all rows and in the velocities of bodies: the same motion of one pile, some of whose cubes
+    //! move.
     #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
     use super::*;
-    use crate::pivot_form::PivotRows;
     use crate::rows::assembly::TangentRow;
     use crate::rows::friction_blocks::push_contact;
     use crate::scene::Material;
+    use crate::scene::{Body, Geometry, Scene};
     use crate::world::World;
-    use crate::{Body, Geometry, Scene};
+    use crate::world::pivot_form::PivotRows;
     use polhode_contact::Shape;
     use polhode_dynamics::BodyState;
     use polhode_mesh::solid_box;

@@ -1,4 +1,5 @@
-//! Rows of the contacts of one pair of bodies that are made consistent with each other, by the terms of `rigid_terms.rs`.
+//! Rows of the contacts of one pair of bodies that are made consistent with each other, by the terms of
+//! `rigid_terms.rs`.
 
 use super::rigid_terms::{Term, make_rigid, make_tangential_terms_rigid};
 use super::row::Row;
@@ -12,8 +13,8 @@ const FLUSH_NORMAL: f64 = 1e-12;
 /// 3e-2): faces that lean a little on each other press at several points, whose rows would contradict each other.
 const NEARLY_FLUSH_NORMAL: f64 = 1e-2;
 
-/// The normals of the contacts of a pair whose terms are to be those of a rigid motion, at most so far from the first one
-/// (no unit); none where there is nothing to contradict, or a contact without friction.
+/// The normals of the contacts of a pair whose terms are to be those of a rigid motion, at most so far from the first
+/// one (no unit); none where there is nothing to contradict, or a contact without friction.
 fn flush_normals(of_pair: &[Row], most: f64) -> Option<Vec<DVec3>> {
     let normals: Vec<DVec3> = of_pair.iter().map(|row| row.kinematics.geometry.normal).collect();
     let first = *normals.first()?;
@@ -23,8 +24,8 @@ fn flush_normals(of_pair: &[Row], most: f64) -> Option<Vec<DVec3>> {
     is_flush.then_some(normals)
 }
 
-/// Makes the terms of the contacts with friction of a pair, one of many, consistent: contacts whose normals are nearly the same
-/// become those of one patch, with one pair of tangents, and their rows along these act in one plane.
+/// Makes the terms of the contacts with friction of a pair, one of many, consistent: contacts whose normals are nearly
+/// the same become those of one patch, with one pair of tangents, and their rows along these act in one plane.
 pub(super) fn make_consistent(of_pair: &mut [Row]) {
     let is_isotropic = |row: &Row| row.friction.is_none_or(|friction| friction.is_isotropic());
     if flush_normals(of_pair, FLUSH_NORMAL).is_some() && !of_pair.iter().all(is_isotropic) {

@@ -1,12 +1,12 @@
 //! The contacts that may act within a step, with their kinematics at its start.
 
 use super::drift;
-use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::{FoundContact, Touch};
+use crate::identity::contact_id::ContactId;
 use crate::rows::assembly::free_acceleration;
 use crate::solve::joint_reactions::JointReactions;
-use crate::states_of::{set_states, states_of};
 use crate::world::World;
+use crate::world::states_of::{set_states, states_of};
 use polhode_contact::{ContactKinematics, Shape};
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
@@ -24,8 +24,8 @@ const STANDING_RELATIVE: f64 = 1e-11;
 /// Safety factor on the distance within which contacts are detected: impulses of other contacts may double a speed.
 const REACH_FACTOR: f64 = 2.0;
 
-/// Cosine of the angle by which the normal of a contact turns at most within a step (no unit, 0.2 to 0.8): what turns by a radian in
-/// a step is warned of.
+/// Cosine of the angle by which the normal of a contact turns at most within a step (no unit, 0.2 to 0.8): what turns
+/// by a radian in a step is warned of.
 const NORMAL_OF_ONE_CONTACT: f64 = 0.5;
 
 /// The length of a step, and the height of bounces that it need not resolve.
@@ -48,11 +48,11 @@ pub(super) struct NearContact {
     pub(super) acceleration: f64,
     /// Speed of approach up to which the contact counts as sustained, m/s.
     pub(super) resting_speed: f64,
-    /// Speed of approach up to which its bounces are lower than those that need be resolved, m/s; zero where only the step length
-    /// decides.
+    /// Speed of approach up to which its bounces are lower than those that need be resolved, m/s; zero where only the
+    /// step length decides.
     pub(super) unseen_speed: f64,
-    /// Whether it closes at the end of the step, where it will bounce. Nothing presses it before; what its time is wrong by, it
-    /// penetrates.
+    /// Whether it closes at the end of the step, where it will bounce. Nothing presses it before; what its time is
+    /// wrong by, it penetrates.
     pub(super) is_awaited: bool,
     /// By how much less than its gap it may approach within the step, m (`repeated.rs`).
     pub(super) kept_off: f64,
@@ -71,15 +71,15 @@ impl NearContact {
         changes
     }
 
-    /// Whether these kinematics later in the step are those of the same contact: its normal has hardly turned. Where a rim or a vertex
-    /// has passed an edge, the direction from one to the other is no normal of the surfaces.
+    /// Whether these kinematics later in the step are those of the same contact: its normal has hardly turned. Where a
+    /// rim or a vertex has passed an edge, the direction from one to the other is no normal of the surfaces.
     pub(super) fn is_same(&self, later: &ContactKinematics) -> bool {
         let (before, after) = (self.kinematics.geometry.normal, later.geometry.normal);
         before.dot(after) >= NORMAL_OF_ONE_CONTACT * before.length() * after.length()
     }
 
-    /// Whether the contact would be stopped within a step of `h` (s) by the problem in its middle, and leave an overlap of more than
-    /// this (m).
+    /// Whether the contact would be stopped within a step of `h` (s) by the problem in its middle, and leave an overlap
+    /// of more than this (m).
     pub(super) fn overlaps_in_middle(&self, h: f64, allowed: f64) -> bool {
         let rate = self.kinematics.separation_rate;
         rate < 0.0 && self.kinematics.geometry.separation.max(0.0) + 0.5 * h * rate < -allowed
@@ -93,8 +93,9 @@ impl NearContact {
     }
 
     /// Whether the impact law acts on the contact at the start of a step of `h`: it closes within `instant` (s), or it
-    /// closes later in the step and has restitution. Without restitution it would be stopped before it touches, and so is one whose
-    /// bounce would be too low to be seen: of bodies that lean on each other each such bounce makes the next step shorter.
+    /// closes later in the step and has restitution. Without restitution it would be stopped before it touches, and so
+    /// is one whose bounce would be too low to be seen: of bodies that lean on each other each such bounce makes the
+    /// next step shorter.
     pub(super) fn is_struck(&self, world: &World, h: f64, instant: f64) -> bool {
         let bounces = || world.restitution_of(self.id) > 0.0;
         let is_seen = self.kinematics.separation_rate < -self.unseen_speed;
@@ -222,8 +223,8 @@ pub(super) fn near_contacts(
     near
 }
 
-/// Takes the accelerations that joints give, too, where a contact of bodies that they hold may bounce: the time of its impact follows
-/// from it.
+/// Takes the accelerations that joints give, too, where a contact of bodies that they hold may bounce: the time of its
+/// impact follows from it.
 pub(super) fn foresee_with_joints(
     world: &World,
     states: &[BodyState],
@@ -262,8 +263,8 @@ pub(super) fn foresee_with_joints(
     }
 }
 
-/// Marks the contacts of bodies that joints hold which bounce at the end of a step of `h` (s), where `left` (s) are left of the
-/// whole one. Those of bodies in flight close there to rounding, or are closed by what presses them.
+/// Marks the contacts of bodies that joints hold which bounce at the end of a step of `h` (s), where `left` (s) are
+/// left of the whole one. Those of bodies in flight close there to rounding, or are closed by what presses them.
 pub(super) fn await_impacts(world: &World, near: &mut [NearContact], (h, left): (f64, f64), instant: f64) {
     for contact in near {
         let closes = contact.impact_time(left).is_some_and(|time| time > instant && (time - h).abs() <= instant);
@@ -272,8 +273,8 @@ pub(super) fn await_impacts(world: &World, near: &mut [NearContact], (h, left): 
     }
 }
 
-/// Removes the touching contacts at borders that other touching bodies cover: whether a surface is of one body or of several that
-/// are flush makes no difference.
+/// Removes the touching contacts at borders that other touching bodies cover: whether a surface is of one body or of
+/// several that are flush makes no difference.
 fn remove_covered_borders(world: &World, states: &[BodyState], near: &mut Vec<NearContact>) {
     if !near.iter().any(|contact| world.may_be_at_border(contact.id)) {
         return;

@@ -8,15 +8,16 @@
 use super::report::TimeStepReport;
 use super::step::TimeStepper;
 use crate::solve::overlap::displacement;
-use crate::states_of::{set_states, states_of};
 use crate::world::World;
+use crate::world::states_of::{set_states, states_of};
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 
 impl TimeStepper {
     /// The same stepper, which resolves bounces higher than this fraction of a body's size: if both step lengths lost a
-    /// bounce, the estimate would not show it. Lower ones strike nothing, however short the steps are: the shorter the steps of bodies
-    /// that lean on each other, the lower the bounces that could be followed, and each of them makes the next step shorter.
+    /// bounce, the estimate would not show it. Lower ones strike nothing, however short the steps are: the shorter the
+    /// steps of bodies that lean on each other, the lower the bounces that could be followed, and each of them makes
+    /// the next step shorter.
     pub(crate) fn following_bounces(mut self, height_relative: f64) -> Self {
         self.unseen_bounce = height_relative;
         self

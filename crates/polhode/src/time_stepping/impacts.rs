@@ -4,14 +4,14 @@
 //! ([`super::contacts::RESTING_STEPS`]) and closes at once, or within the step if it has restitution. It includes all
 //! touching contacts connected to it, as at an impact of the accurate tier. This is repeated with the new velocities
 //! until no contact closes. Bodies bounce before they meet, by at most the travel of one step, so an impact never
-//! leaves a penetration. Contacts without restitution that close later in the step are slowed down so that their gaps close
-//! at its end (`closing.rs`).
+//! leaves a penetration. Contacts without restitution that close later in the step are slowed down so that their gaps
+//! close at its end (`closing.rs`).
 
 use super::contacts::{FreeAccelerations, NearContact, foresee_with_joints, kinematics_at_point, touch};
 use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Substep, TimeStepper};
-use crate::collision::contact_id::ContactId;
 use crate::collision::contact_set::Touch;
+use crate::identity::contact_id::ContactId;
 use crate::rows::groups::{Group, groups};
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::frictional_impact::Restitution;
@@ -96,8 +96,9 @@ impl TimeStepper {
     }
 }
 
-/// Settings under which a contact that approaches as slowly as a sustained one does not approach: it stays closed to the step that
-/// follows. For laws that ask which contacts approach, one that rests to the accuracy of the step would else be struck as well.
+/// Settings under which a contact that approaches as slowly as a sustained one does not approach: it stays closed to
+/// the step that follows. For laws that ask which contacts approach, one that rests to the accuracy of the step would
+/// else be struck as well.
 fn settings_for(group: &Group, near: &[NearContact]) -> ImpactSettings {
     let largest = |value: fn(&NearContact) -> f64| {
         group.contacts.iter().filter_map(|&index| near.get(index)).map(value).fold(0.0, f64::max)

@@ -1,9 +1,9 @@
 //! The change of velocities by force fields over a step that may be longer than the time in which they act.
 //!
-//! In the middle of the step, after half of the flight, let `F` be the force of a field there, `K` and `D` its responses
-//! to displacement and velocity (`polhode_dynamics::field::response`), and `dv` the change of the velocities by the
-//! kick. With the gravity `g` of the flight the whole change over the step is `dv + g h`, so that the force acts at
-//! positions `a h (dv + g h/2)` further on and at velocities that lie at the part `s` of that change:
+//! In the middle of the step, after half of the flight, let `F` be the force of a field there, `K` and `D` its
+//! responses to displacement and velocity (`polhode_dynamics::field::response`), and `dv` the change of the velocities
+//! by the kick. With the gravity `g` of the flight the whole change over the step is `dv + g h`, so that the force acts
+//! at positions `a h (dv + g h/2)` further on and at velocities that lie at the part `s` of that change:
 //!
 //! `(M + h a h K + h s D) dv = h (F - a h K (g h/2) - (s - 1/2) D g h)`
 //!
@@ -13,8 +13,8 @@
 //! | s | `1/(1 - e^-z) - 1/z`, z = `h D/M` | the decay under linear drag is exact, `e^-z`, also to the speed of a fall |
 //! | s, quadratic drag | 1/2 | the decay without other forces is exact, `1/(1 + h c v/m)` |
 //!
-//! Constraints change the velocities by `c` in the same step; where `c` is known from a first solution (`step.rs`), the whole change is
-//! `dv + c + g h`, and the right-hand side has `-(h a h K + h s D) c` besides.
+//! Constraints change the velocities by `c` in the same step; where `c` is known from a first solution (`step.rs`), the
+//! whole change is `dv + c + g h`, and the right-hand side has `-(h a h K + h s D) c` besides.
 //!
 //! Both parts leave the step of second order. The matrix is symmetric and positive definite; conjugate gradients with M
 //! as preconditioner solve for `dv` in as many rounds as there are independent stiff directions, or nearly.
@@ -22,10 +22,10 @@
 //! A spring that pulls outwards at an arm turns the body back; that stiffness is implicit in the same way, as a bound.
 //!
 //! Assumes that the direction of a spring does not turn by much in a step; where it does, energy may change, and the
-//! ledger shows it. The impulses of contacts come after the kick, and `c` is that of one solution before: a body that a stiff spring
-//! presses against another one bears the spring's force less the part `(x/(1 + x))^2`, `x = a h^2 K/M`.
+//! ledger shows it. The impulses of contacts come after the kick, and `c` is that of one solution before: a body that a
+//! stiff spring presses against another one bears the spring's force less the part `(x/(1 + x))^2`, `x = a h^2 K/M`.
 
-use crate::states_of::set_states;
+use crate::world::states_of::set_states;
 use crate::world::{World, largest_eigenvalue as largest};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::{Account, Decay, ForceResponse, ResponseEnd};
@@ -249,8 +249,8 @@ impl<'a> ImplicitKick<'a> {
         self.bodies.iter().zip(values).map(of).collect()
     }
 
-    /// The changes of velocity by the impulses `h F` of the fields (about the origins of the frames), beside those that constraints
-    /// are known to make.
+    /// The changes of velocity by the impulses `h F` of the fields (about the origins of the frames), beside those that
+    /// constraints are known to make.
     pub(super) fn solve(&self, forces: &[Twist], by_constraints: &[Twist]) -> Vec<Twist> {
         let mut residual = forces.to_vec();
         for element in &self.elements {

@@ -1,22 +1,23 @@
 //! Force fields as one kick: the wrenches in the middle of the step, over its whole length.
 //!
 //! Springs that are stiff in the step, and drag and dampers, act by `implicit_kick.rs`. Other fields that depend on
-//! velocities are evaluated twice, at the velocity before the kick and at that with half the kick, so that the kick is of
-//! order 2; beside motors that give their bound they are evaluated once.
+//! velocities are evaluated twice, at the velocity before the kick and at that with half the kick, so that the kick is
+//! of order 2; beside motors that give their bound they are evaluated once.
 //!
-//! What constraints do in the same step belongs to the velocity in its middle: drag on a pendulum acts at the velocity that the joint
-//! leaves it. So where a field resists motion and something is held, the step solves for its constraints twice, and the second kick
-//! knows how they have changed the velocities the first time ([`Kick::is_resisting`]). Without, such a step is of order 1.
+//! What constraints do in the same step belongs to the velocity in its middle: drag on a pendulum acts at the velocity
+//! that the joint leaves it. So where a field resists motion and something is held, the step solves for its constraints
+//! twice, and the second kick knows how they have changed the velocities the first time ([`Kick::is_resisting`]).
+//! Without, such a step is of order 1.
 //!
-//! Kick and impulses of constraints act together in the middle of the step. At one pose the kinetic energy is quadratic in
-//! the momenta, so that a wrench (F, T) over h does the work `h (F.v + T.w)` exactly, at the mean of the velocities before the
-//! kick and after the impulses (`shared_work.rs`).
+//! Kick and impulses of constraints act together in the middle of the step. At one pose the kinetic energy is quadratic
+//! in the momenta, so that a wrench (F, T) over h does the work `h (F.v + T.w)` exactly, at the mean of the velocities
+//! before the kick and after the impulses (`shared_work.rs`).
 
 use super::implicit_kick::{Difference, ImplicitKick, Twist, change_velocities};
 use crate::accounting::books::{Books, Received};
-use crate::states_of::{set_states, states_of};
+use crate::report::momentum_ledger::{Momentum, MomentumSum};
+use crate::world::states_of::{set_states, states_of};
 use crate::world::{Loads, World};
-use crate::{Momentum, MomentumSum};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::{Account, Dependence};
 use polhode_spatial::{DVec3, Velocity};
@@ -39,8 +40,8 @@ pub(super) struct Kick {
 }
 
 impl Kick {
-    /// Kicks `bodies` by the fields at `t`, the middle of a step of `h` (s), in which constraints are known to change the velocities by
-    /// this much (none: nothing is known of them).
+    /// Kicks `bodies` by the fields at `t`, the middle of a step of `h` (s), in which constraints are known to change
+    /// the velocities by this much (none: nothing is known of them).
     pub(super) fn of(
         world: &World,
         states: &mut [BodyState],
@@ -69,7 +70,8 @@ impl Kick {
         let mut loads = world.kick_loads_on(t, states, bodies, kicks);
         let (mut accounts, mut is_resisting) = (None, false);
         if world.are_motors_at_bounds(kicks) {
-            // What they give is known before. At velocities that no joint has held yet they would ask for something else.
+            // What they give is known before. At velocities that no joint has held yet they would ask for something
+            // else.
             accounts = Some(wrenches(world, t, states, (bodies, kicks)));
         } else if world.free_motion().dependence() == Dependence::Velocities {
             is_resisting = true;
@@ -115,8 +117,8 @@ impl Kick {
         self.is_resisting
     }
 
-    /// Momentum and work of the fields over the step of `h` (s), in the states after all impulses; moments about the point of
-    /// the books.
+    /// Momentum and work of the fields over the step of `h` (s), in the states after all impulses; moments about the
+    /// point of the books.
     pub(super) fn received(
         &self,
         world: &World,

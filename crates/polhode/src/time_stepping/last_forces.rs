@@ -1,11 +1,11 @@
 //! The forces of the last step at contacts and bilateral constraints: what the next step starts from.
 //!
-//! Contacts are found again by their identity. Forces (N) are impulses over the length of their step, so that steps of other
-//! lengths start from them too. They are part of the state of a run: solutions are the same to the residual of the solver,
-//! but not to the last bit, wherever they start.
+//! Contacts are found again by their identity. Forces (N) are impulses over the length of their step, so that steps of
+//! other lengths start from them too. They are part of the state of a run: solutions are the same to the residual of
+//! the solver, but not to the last bit, wherever they start.
 
-use crate::collision::contact_id::{ContactId, Feature};
 use crate::constraint::ConstraintId;
+use crate::identity::contact_id::{ContactId, Feature};
 use crate::rows::assembly::Assembly;
 use crate::snapshot::SnapshotError;
 use crate::snapshot::content;
@@ -39,8 +39,8 @@ impl LastForces {
         self.by_pair.get(&(id.a, id.b))?.get(&id.feature)
     }
 
-    /// The reactions of all rows of an assembly, the first of which are these contacts, in a step of `h` (s); none where no
-    /// force is known.
+    /// The reactions of all rows of an assembly, the first of which are these contacts, in a step of `h` (s); none
+    /// where no force is known.
     pub(super) fn start(&self, assembly: &Assembly, contacts: usize, h: f64) -> Option<Vec<f64>> {
         let mut start = vec![0.0; assembly.problem.len()];
         for (row, start) in start.iter_mut().enumerate().take(contacts) {

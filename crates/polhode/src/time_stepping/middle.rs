@@ -1,13 +1,13 @@
 //! The middle of a time step, where its impulses act, and what is done about slips that end within the step.
 
 use super::kick::Kick;
-use crate::collision::contact_id::ContactId;
+use crate::identity::contact_id::ContactId;
 
 /// What is done about slips that end within a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Stops<'a> {
-    /// Those whose static friction exceeds the kinetic one are looked for. When one is found, the report names it and the step has to be
-    /// made again in two parts.
+    /// Those whose static friction exceeds the kinetic one are looked for. When one is found, the report names it and
+    /// the step has to be made again in two parts.
     Sought,
     /// The same, of all contacts: where friction that holds at the end of the step would gain energy.
     SoughtOfAll,

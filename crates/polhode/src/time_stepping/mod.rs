@@ -4,27 +4,41 @@
 //! One step of length h advances bodies that may touch, with all their touching and nearly touching contacts:
 //!
 //! 1. At its start, the contacts that may close within the step are detected (`contacts.rs`).
-//! 2. Contacts that approach fast enough to count as impacts, close within the step and bounce are resolved at the present
-//!    positions by the scene's impact law, together with all contacts connected to them (`impacts.rs`). Others that close within
-//!    the step are slowed down so that their gaps close at its end (`closing.rs`).
-//! 3. The bodies move in free flight for h/2 ([`drift`], exact). Force fields act as one kick of length h (`kick.rs`), stiff ones and
-//!    drag implicitly (`implicit_kick.rs`).
+//! 2. Contacts that approach fast enough to count as impacts, close within the step and bounce are resolved at the
+//!    present positions by the scene's impact law, together with all contacts connected to them (`impacts.rs`). Others
+//!    that close within the step are slowed down so that their gaps close at its end (`closing.rs`).
+//! 3. The bodies move in free flight for h/2 ([`drift`], exact). Force fields act as one kick of length h (`kick.rs`),
+//!    stiff ones and drag implicitly (`implicit_kick.rs`).
 //!    One complementarity problem over all contacts that press or would close gives the contact impulses `p` over the
 //!    whole step (`sustained.rs`): `0 <= p _|_ u+ + r >= 0`.
 //! 4. The bodies move in free flight for the other h/2.
-//! 5. While bodies overlap by more than a part of what is promised, the step is made again with better rows (`repeated.rs`). Remaining
-//!    penetration is removed (`projection.rs`).
+//! 5. While bodies overlap by more than a part of what is promised, the step is made again with better rows
+//!    (`repeated.rs`). Remaining penetration is removed (`projection.rs`).
 //!
 //! Accuracy: flight has no error from the step; between changes of contact the composition is symmetric, of order 2 in
 //! h; an impact occurs early by at most h, an error of order 1, unless the step is split there
 //! ([`TimeStepper::advance`]).
 //!
 //! Energy is never gained at contacts: drifts conserve it, the impulses of stage 3 change it by exactly
-//! `sum p.(u- + u+)/2` (`shared_work.rs`), and r is chosen so that no term of it is positive; in stage 2 the impact laws ensure it.
-//! Source: docs/REFERENCES.md, Moreau 1988, Jean 1999; the energy of Moreau's midpoint rule after Acary 2016.
+//! `sum p.(u- + u+)/2` (`shared_work.rs`), and r is chosen so that no term of it is positive; in stage 2 the impact
+//! laws ensure it. Source: docs/REFERENCES.md, Moreau 1988, Jean 1999; the energy of Moreau's midpoint rule after Acary
+//! 2016.
 //!
-//! Assumes that no body is thinner than the motion within a step. Limit: what repeated steps leave of overlaps is removed and
-//! reported.
+//! Assumes that no body is thinner than the motion within a step. Limit: what repeated steps leave of overlaps is
+//! removed and reported.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `step`, `repeated`, `made` | one time step, steps that are split at impacts, and steps that are made again |
+//! | `contacts`, `closing`, `impacts` | stages 1 and 2: contacts that may close, and those that bounce |
+//! | `kick`, `implicit_kick`, `middle` | stage 3: forces over the step, and where its impulses act |
+//! | `sustained`, `sustained_friction`, `step_rows`, `row` | the rows of contacts and joints over the step |
+//! | `consistent_rows`, `rigid_terms` | rows of one pair of bodies that do not contradict each other |
+//! | `cone_problem`, `solved_group` | who solves them, and the impulses of a group |
+//! | `last_forces` | the forces of the last step, from which the next begins |
+//! | `projection`, `closed_joints` | stage 5: what is left of penetration and of gaps of joints |
+//! | `shared_work`, `told_loads`, `newton_law` | work of the impulses; loads as they are told, and their defect |
+//! | `halving`, `report` | the error by step halving; the report of a step |
 
 mod closed_joints;
 mod closing;

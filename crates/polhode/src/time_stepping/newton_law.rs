@@ -1,18 +1,19 @@
 //! How far what a step tells of its loads is from Newton's law.
 //!
-//! Newton's law over a step, for each body: `m (v_end - v_start) = m g h + K + sum p`, with the kick of fields `K` and the
-//! impulses `p` as they are told: of contacts, of joints, of springs and motors at joints. The defect is told in relation to the sum of the
-//! magnitudes of these terms, the weight among them. It sees what was applied and not told, told and not applied, or told
-//! of another body. Of moments it says nothing.
+//! Newton's law over a step, for each body: `m (v_end - v_start) = m g h + K + sum p`, with the kick of fields `K` and
+//! the impulses `p` as they are told: of contacts, of joints, of springs and motors at joints. The defect is told in
+//! relation to the sum of the magnitudes of these terms, the weight among them. It sees what was applied and not told,
+//! told and not applied, or told of another body. Of moments it says nothing.
 
 use super::kick::Kick;
 use super::report::TimeStepReport;
-use crate::collision::contact_id::Feature;
+use crate::identity::contact_id::Feature;
 use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
-/// The largest defect of Newton's law among these bodies (no unit), where they had these states before a step of `h` (s).
+/// The largest defect of Newton's law among these bodies (no unit), where they had these states before a step of `h`
+/// (s).
 pub(super) fn newton_residual(
     world: &World,
     (before, after): (&[BodyState], &[BodyState]),

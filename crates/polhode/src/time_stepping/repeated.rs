@@ -1,41 +1,44 @@
 //! A step that is made again with better rows, while bodies overlap at its end.
 //!
-//! The rows of a step's problems are those of features that are near each other at its start, linear in the motion. Bodies that
-//! turn within the step, or that others deflect, may meet at features that were not among them, or sooner than their rows say. So the
-//! step is looked at from its end: where bodies overlap there by more than [`SHARE_OF_SIZE`] of the smaller one,
+//! The rows of a step's problems are those of features that are near each other at its start, linear in the motion.
+//! Bodies that turn within the step, or that others deflect, may meet at features that were not among them, or sooner
+//! than their rows say. So the step is looked at from its end: where bodies overlap there by more than
+//! [`SHARE_OF_SIZE`] of the smaller one,
 //!
 //! - features that are no rows yet become rows, with their gap at the start;
-//! - a row of a gap `g` whose contact ends with the overlap `d` may close by `g - d` only, as in a secant method: turning by an
-//!   angle `w h` makes it wrong by `(w h)^2` of the size, and every further step with it by `w h` times what was left.
+//! - a row of a gap `g` whose contact ends with the overlap `d` may close by `g - d` only, as in a secant method:
+//!   turning by an angle `w h` makes it wrong by `(w h)^2` of the size, and every further step with it by `w h` times
+//!   what was left.
 //!
-//! and the step is made again from its start. Rows that are added, and gaps that become smaller, take energy at most, where moving
-//! bodies out of each other would give some. What is left after [`MOST_TIMES`] is removed and told.
+//! and the step is made again from its start. Rows that are added, and gaps that become smaller, take energy at most,
+//! where moving bodies out of each other would give some. What is left after [`MOST_TIMES`] is removed and told.
 
 use super::contacts::{FreeAccelerations, NearContact, Span, kinematics_at_point, near_contact};
 use super::drift;
 use super::middle::Stops;
 use super::report::TimeStepReport;
 use super::step::{Substep, TimeStepper};
-use crate::collision::contact_id::ContactId;
-use crate::states_of::{set_states, states_of};
+use crate::identity::contact_id::ContactId;
 use crate::world::World;
+use crate::world::states_of::{set_states, states_of};
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 use std::collections::BTreeMap;
 
-/// The overlap at the end of a step, as a part of the size of the smaller body, that is removed by moving the bodies (no unit, 1e-5
-/// to 5e-4): half of what the tier promises (1e-3).
+/// The overlap at the end of a step, as a part of the size of the smaller body, that is removed by moving the bodies
+/// (no unit, 1e-5 to 5e-4): half of what the tier promises (1e-3).
 pub(crate) const SHARE_OF_SIZE: f64 = 5e-4;
 
 /// How often a step is made again (2 to 8).
 const MOST_TIMES: usize = 4;
 
-/// The parts of a step after which features that meet are looked for, where those at its end cannot be: bodies have then passed them.
+/// The parts of a step after which features that meet are looked for, where those at its end cannot be: bodies have
+/// then passed them.
 const PARTS: [f64; 3] = [0.5, 0.25, 0.125];
 
 impl TimeStepper {
-    /// Makes a step of some bodies with these contacts and pairs, several times where bodies overlap at its end. Where slips end
-    /// within it, the states are those at its start.
+    /// Makes a step of some bodies with these contacts and pairs, several times where bodies overlap at its end. Where
+    /// slips end within it, the states are those at its start.
     ///
     /// # Errors
     /// When a number is not finite; the states are then those at its start.
@@ -82,8 +85,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Makes the contacts of a step such that these overlaps at its end (m), each of a contact, become smaller, and sets the states
-    /// to those at its start. Returns whether anything has changed.
+    /// Makes the contacts of a step such that these overlaps at its end (m), each of a contact, become smaller, and
+    /// sets the states to those at its start. Returns whether anything has changed.
     fn improve(
         &self,
         states: &mut [BodyState],

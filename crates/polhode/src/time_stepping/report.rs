@@ -2,7 +2,7 @@
 
 use super::told_loads::ToldLoads;
 use crate::accounting::books::Books;
-use crate::collision::contact_id::ContactId;
+use crate::identity::contact_id::ContactId;
 use crate::solve::cone_violation::ConeViolation;
 use polhode_contact::ContactGeometry;
 use polhode_spatial::DVec3;
@@ -65,7 +65,8 @@ pub(crate) struct TimeStepReport {
     pub(crate) contacts: usize,
     /// What joints have been given.
     pub(crate) told: ToldLoads,
-    /// How far what is told of forces is from Newton's law, the largest of any body and step (no unit; `told_loads.rs`).
+    /// How far what is told of forces is from Newton's law, the largest of any body and step (no unit;
+    /// `told_loads.rs`).
     pub(crate) newton_residual: f64,
     /// Steps made.
     pub(crate) steps: u64,

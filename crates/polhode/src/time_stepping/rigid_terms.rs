@@ -5,8 +5,8 @@
 //! differ from those of a rigid motion by a part of order `h w^2 d` (`w` angular velocity, `d` distance of the
 //! contacts), so that the rows contradict each other a little.
 //! Coulomb's law then has a solution only in which some corners slip or part by that little, with forces at the edge of
-//! their cones. Here `r` is replaced by that of the nearest rigid motion: with the mean normal `n`, the distances `d_i` of
-//! the points from their mean and `r_i` (m/s),
+//! their cones. Here `r` is replaced by that of the nearest rigid motion: with the mean normal `n`, the distances `d_i`
+//! of the points from their mean and `r_i` (m/s),
 //!
 //! `r_i' = m + w x d_i`,  `m = mean r_i`,  `w_n = sum n.(d_i x r_i) / sum |d_i|^2`, `w_T` by least squares of `n.r_i`.
 //!
@@ -21,12 +21,12 @@ const SMALL: f64 = 1e-4;
 /// Points whose spread in a direction is below this fraction of that in the other determine no turn about it (no unit).
 const IN_LINE: f64 = 1e-12;
 
-/// The weight of normal terms of contacts that press, against those along tangents, in the nearest rigid motion; its inverse
-/// is that of the others (no unit, 1e5 to 1e7).
+/// The weight of normal terms of contacts that press, against those along tangents, in the nearest rigid motion; its
+/// inverse is that of the others (no unit, 1e5 to 1e7).
 const PRESSING: f64 = 1e6;
 
-/// What is added to the moments of the points about each axis, relative to all (no unit): points in a line, or one alone,
-/// determine no turn about it.
+/// What is added to the moments of the points about each axis, relative to all (no unit): points in a line, or one
+/// alone, determine no turn about it.
 const NO_TURN: f64 = 1e-12;
 
 /// A contact: its point (m) and its term `r` along the normal and in the tangent plane, m/s.
@@ -37,7 +37,8 @@ pub(super) struct Term {
     pub(super) tangential: DVec3,
 }
 
-/// Replaces the terms of the contacts of a pair, with a common normal `n` (unit vector), by those of the nearest rigid motion.
+/// Replaces the terms of the contacts of a pair, with a common normal `n` (unit vector), by those of the nearest rigid
+/// motion.
 pub(super) fn make_rigid(n: DVec3, terms: &mut [Term]) {
     let count = terms.len() as f64;
     let centre = terms.iter().map(|term| term.point).sum::<DVec3>() / count;
@@ -63,8 +64,8 @@ pub(super) fn make_rigid(n: DVec3, terms: &mut [Term]) {
     }
 }
 
-/// Replaces the terms along the tangents of the contacts of a pair, whose normals may be any, by those of the rigid motion that
-/// is nearest to them among those with the normal terms of contacts that press.
+/// Replaces the terms along the tangents of the contacts of a pair, whose normals may be any, by those of the rigid
+/// motion that is nearest to them among those with the normal terms of contacts that press.
 pub(super) fn make_tangential_terms_rigid(contacts: &[(DVec3, bool)], terms: &mut [Term]) {
     let centre = terms.iter().map(|term| term.point).sum::<DVec3>() / terms.len() as f64;
     let [mut vv, mut vw, mut ww] = [DMat3::ZERO; 3];
@@ -97,8 +98,8 @@ pub(super) fn make_tangential_terms_rigid(contacts: &[(DVec3, bool)], terms: &mu
     }
 }
 
-/// Mean and gradient of the linear function of places in the plane that is nearest to the normal terms; none for points in a
-/// line.
+/// Mean and gradient of the linear function of places in the plane that is nearest to the normal terms; none for points
+/// in a line.
 fn nearest_plane(n: DVec3, terms: &[Term], flat: impl Fn(DVec3) -> DVec3) -> Option<(f64, DVec3)> {
     let x = n.any_orthonormal_vector();
     let y = n.cross(x);

@@ -2,23 +2,23 @@
 //!
 //! Fields give the momentum `K` as one kick in the middle of a step, constraints then `P`. The bodies move half of the
 //! step with the velocities `v-` before both and half of it with those after both, `v+`, so that a field does the work
-//! `K.(v- + v+)/2` along the way that they go, and constraints `P.(v- + v+)/2`: at one pose these add up to the change of the
-//! kinetic energy. Booked in the order in which they act, a field would do `K.(v- + K/2M)` instead, and the integrator would
-//! seem to lose or gain `K.P/2M`: a body that rests under a spring would gain `K^2/2M` in each step and lose it at its contact,
-//! and a motor would do work on the parts of its effort that the joint takes.
+//! `K.(v- + v+)/2` along the way that they go, and constraints `P.(v- + v+)/2`: at one pose these add up to the change
+//! of the kinetic energy. Booked in the order in which they act, a field would do `K.(v- + K/2M)` instead, and the
+//! integrator would seem to lose or gain `K.P/2M`: a body that rests under a spring would gain `K^2/2M` in each step
+//! and lose it at its contact, and a motor would do work on the parts of its effort that the joint takes.
 //!
-//! So all rates "before" are those before the kick: those from which restitution, the bounds without gain of energy and the
-//! works of rows follow. What is measured in the order of action (`P.(v- + K/M + v+)/2`) shares `P.du/2` with the kick, where
-//! `du` is the change of the rate of its row by the kick.
+//! So all rates "before" are those before the kick: those from which restitution, the bounds without gain of energy and
+//! the works of rows follow. What is measured in the order of action (`P.(v- + K/M + v+)/2`) shares `P.du/2` with the
+//! kick, where `du` is the change of the rate of its row by the kick.
 //!
-//! Contacts give no energy: where their work in this order would, it is zero. Source: the symmetric splitting of Strang 1968
-//! (docs/REFERENCES.md).
+//! Contacts give no energy: where their work in this order would, it is zero. Source: the symmetric splitting of Strang
+//! 1968 (docs/REFERENCES.md).
 
 use super::implicit_kick::Twist;
 use super::kick::Kick;
-use crate::collision::contact_id::ContactId;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::row::{BilateralRow, Member};
+use crate::identity::contact_id::ContactId;
 use crate::solve::closed_loops::ClosedLoops;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;

@@ -1,10 +1,10 @@
 //! The impulses of one group of bodies over a step: what they give and take, and how they are applied.
 //!
 //! Energy in the order of action is `sum p.(u + u+)/2`, with the rates `u` after the kick and `u+` after all impulses
-//! (`shared_work.rs`). Where it grows with the impulses, because a slip turns within the step, they are shortened together:
-//! a part `s` of them changes it by `s l + s^2 q`. Where no part takes energy, because a slip turns against a spring, the step is divided
-//! where that slip stops. How it fails: where the slip has been stopped and no part takes energy, none is applied, and the step says that
-//! its problem was not solved.
+//! (`shared_work.rs`). Where it grows with the impulses, because a slip turns within the step, they are shortened
+//! together: a part `s` of them changes it by `s l + s^2 q`. Where no part takes energy, because a slip turns against a
+//! spring, the step is divided where that slip stops. How it fails: where the slip has been stopped and no part takes
+//! energy, none is applied, and the step says that its problem was not solved.
 
 use super::contacts::{NearContact, kinematics_at_point};
 use super::kick::Kick;
@@ -12,15 +12,15 @@ use super::report::{Stop, TimeStepReport};
 use super::row::Row;
 use super::shared_work::Kicked;
 use super::sustained_friction::{SustainedMoment, TangentialImpulse};
-use crate::collision::contact_id::ContactId;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::softness::SoftWork;
+use crate::identity::contact_id::ContactId;
 use crate::rows::groups::Group;
 use crate::solve::closed_loops::ClosedLoops;
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::impact::{Gain, apply_with_gain};
-use crate::states_of::{set_states, states_of};
 use crate::world::World;
+use crate::world::states_of::{set_states, states_of};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_spatial::CompensatedSum;
@@ -60,8 +60,9 @@ impl Found {
 }
 
 impl SolvedGroup {
-    /// Change of kinetic energy in the order of action, J, `sum p.(u + u+)/2` with the rates `u` after the kick and the present
-    /// ones of the bodies: where large impulses cancel, these differ by rounding from the solution of the problem.
+    /// Change of kinetic energy in the order of action, J, `sum p.(u + u+)/2` with the rates `u` after the kick and the
+    /// present ones of the bodies: where large impulses cancel, these differ by rounding from the solution of the
+    /// problem.
     pub(super) fn energy_change(&self, world: &World, states: &[BodyState], rows: &[Row], near: &[NearContact]) -> f64 {
         let parts = self.group.contacts.iter().zip(&self.impulses).filter(|(_, p)| **p > 0.0);
         let change = |(&index, &p): (&usize, &f64)| {
@@ -118,8 +119,9 @@ impl SolvedGroup {
         self.reactions.iter().filter_map(works).fold(SoftWork::default(), |sum, one| sum + one)
     }
 
-    /// Applies the impulses. Those that would add energy are shortened, all by one factor, until they add none: the terms r of their
-    /// rows are then shorter. Where no part of them takes energy, none is applied, and their share is 0.
+    /// Applies the impulses. Those that would add energy are shortened, all by one factor, until they add none: the
+    /// terms r of their rows are then shorter. Where no part of them takes energy, none is applied, and their share is
+    /// 0.
     pub(super) fn apply(
         &mut self,
         world: &World,
@@ -155,7 +157,8 @@ impl SolvedGroup {
         }
     }
 
-    /// The residual of no impulses: the largest rate by which a row is not kept, relative to the largest rate, term and fall of the rows. What rounding leaves of rows that press on each other between walls is none.
+    /// The residual of no impulses: the largest rate by which a row is not kept, relative to the largest rate, term and
+    /// fall of the rows. What rounding leaves of rows that press on each other between walls is none.
     fn residual_of_none(&self, rows: &[Row]) -> f64 {
         let members = || self.group.contacts.iter().map(|&index| &rows[index]);
         let closing = members().filter(|row| row.closes(row.kinematics.separation_rate));

@@ -11,15 +11,15 @@ use super::made::Made;
 use super::middle::{Middle, Problem, Stops};
 use super::newton_law::newton_residual;
 use super::report::{Stop, TimeStepReport};
-use crate::Momentum;
-use crate::MomentumSum;
 use crate::accounting::books::Received;
-use crate::collision::contact_id::{ContactId, Feature};
+use crate::identity::contact_id::{ContactId, Feature};
+use crate::report::momentum_ledger::Momentum;
+use crate::report::momentum_ledger::MomentumSum;
 use crate::scene::ImpactLaw;
 use crate::snapshot::{SnapshotError, content};
 use crate::solve::overlap::Overlaps;
-use crate::states_of::states_of;
 use crate::world::World;
+use crate::world::states_of::states_of;
 use polhode_dynamics::BodyState;
 use polhode_response::{ComplementaritySolver, Delassus, ResponseError};
 use polhode_spatial::DVec3;
@@ -123,9 +123,9 @@ impl TimeStepper {
         }
     }
 
-    /// The same stepper for heaps: where an island has many contacts its step is not split at impacts. Those without restitution
-    /// are resolved together, by the problem of the step, which leaves no contact approaching at its end: a step that is split
-    /// at each of them would solve a problem of all contacts every time.
+    /// The same stepper for heaps: where an island has many contacts its step is not split at impacts. Those without
+    /// restitution are resolved together, by the problem of the step, which leaves no contact approaching at its end: a
+    /// step that is split at each of them would solve a problem of all contacts every time.
     pub(crate) fn for_heaps(mut self) -> Self {
         self.heaps = Heaps::Together;
         self.cones = ConeSolvers::with_sweeps(ROUNDS_OF_SWEEPS);
@@ -322,8 +322,9 @@ impl TimeStepper {
         Ok(Made { report, struck: start, pairs: near_pairs, overlaps })
     }
 
-    /// Kicks the bodies by the fields. Where these resist motion, they do that at the velocity that constraints leave the bodies: a
-    /// first solution shows it, and is taken back. Nothing when slips end within the step, which the report then names.
+    /// Kicks the bodies by the fields. Where these resist motion, they do that at the velocity that constraints leave
+    /// the bodies: a first solution shows it, and is taken back. Nothing when slips end within the step, which the
+    /// report then names.
     fn kick(
         &mut self,
         world: &World,

@@ -1,4 +1,5 @@
-//! The rows of a time step's problems: in its middle and at its start (`sustained.rs`, `closing.rs` have their equations).
+//! The rows of a time step's problems: in its middle and at its start (`sustained.rs`, `closing.rs` have their
+//! equations).
 
 use super::cone_problem::LEAST_IN_BODIES;
 use super::consistent_rows::{make_consistent, remove_contradictions};
@@ -104,8 +105,9 @@ fn row_in_middle(
     Row { contact, problem, kinematics, rate_before, bound, least_bound: rate_before, half_fall, rounding, friction }
 }
 
-/// The row of a contact in the problem at the start of a step of `h` (s): it may approach as fast as closes its gap. All such bounds
-/// are at least zero, so that the impulses `p` with `p.(u+ + r) = 0` give no energy: `p.(u- + u+)/2 = -r.p - p.G p/2`.
+/// The row of a contact in the problem at the start of a step of `h` (s): it may approach as fast as closes its gap.
+/// All such bounds are at least zero, so that the impulses `p` with `p.(u+ + r) = 0` give no energy:
+/// `p.(u- + u+)/2 = -r.p - p.G p/2`.
 fn row_at_start(
     world: &World,
     states: &[BodyState],

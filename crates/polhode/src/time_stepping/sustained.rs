@@ -1,8 +1,9 @@
 //! The impulses of sustained contacts over a step: one complementarity problem at velocity level.
 //!
-//! In the middle of the step, after a free flight of h/2, let `chi` be the separation of a contact, `u-` its rate before the
-//! kick of fields and `u+` after all impulses, `a` the part of `chi''` that is due to neither. Flight for the other half
-//! gives `chi_end = chi + h/2 u+ + h^2/8 a` and `u_end = u+ + h/2 a`. A contact must not penetrate at the end:
+//! In the middle of the step, after a free flight of h/2, let `chi` be the separation of a contact, `u-` its rate
+//! before the kick of fields and `u+` after all impulses, `a` the part of `chi''` that is due to neither. Flight for
+//! the other half gives `chi_end = chi + h/2 u+ + h^2/8 a` and `u_end = u+ + h/2 a`. A contact must not penetrate at
+//! the end:
 //!
 //! `0 <= p _|_ u+ + r >= 0`,  `r = max(2 chi/h + h/4 a, h/2 a, u-)`:
 //!
@@ -20,12 +21,14 @@
 //!
 //! Friction adds the rows of `sustained_friction.rs`.
 //!
-//! A row of a bilateral constraint is held at `u+ = -u-`: its impulse does no work, and the second half of the step takes back
-//! the gap that the first has opened, but for its curvature (of order `h^3`), which the projection at the end of the step
-//! removes (`projection.rs`). Rows of closed loops are those of their closed poses (`crate::solve::closed_loops`).
+//! A row of a bilateral constraint is held at `u+ = -u-`: its impulse does no work, and the second half of the step
+//! takes back the gap that the first has opened, but for its curvature (of order `h^3`), which the projection at the
+//! end of the step removes (`projection.rs`). Rows of closed loops are those of their closed poses
+//! (`crate::solve::closed_loops`).
 //!
-//! Rows of the problem: contacts that would penetrate at the end, and touching contacts; of pairs with many contacts only some of
-//! them (`rows/many_contacts.rs`). Contacts that close because of the impulses are added until there are none.
+//! Rows of the problem: contacts that would penetrate at the end, and touching contacts; of pairs with many contacts
+//! only some of them (`rows/many_contacts.rs`). Contacts that close because of the impulses are added until there are
+//! none.
 
 use super::cone_problem::{LEAST_IN_BODIES, is_for_bodies};
 use super::contacts::{NearContact, with_rate_at_point};
@@ -47,8 +50,8 @@ use crate::solve::impact::support;
 use crate::solve::joint_loads::ContactForce;
 use crate::solve::jointed::trees_of;
 use crate::solve::rotational_friction::{moment_support, moment_work};
-use crate::states_of::{set_states, states_of};
 use crate::world::World;
+use crate::world::states_of::{set_states, states_of};
 use polhode_dynamics::BodyState;
 use polhode_response::{ResponseError, SolverSettings, SolverStatus, WarmStart};
 use polhode_spatial::DVec3;
@@ -61,8 +64,8 @@ enum Held {
 }
 
 impl TimeStepper {
-    /// Finds and applies the impulses of a step in its middle, after the first half of the free flight. The report names
-    /// slips that end within the step; then nothing has been booked.
+    /// Finds and applies the impulses of a step in its middle, after the first half of the free flight. The report
+    /// names slips that end within the step; then nothing has been booked.
     /// `slips` are the speeds of slip of `near` at the start of the step
     /// ([`slips_at_start`](super::contacts::slips_at_start)). Returns the contacts (by index) that carry an impulse.
     ///
@@ -138,7 +141,8 @@ impl TimeStepper {
         }
     }
 
-    /// The slips that end within the step, whatever static friction holds, of groups no part of whose impulses takes energy.
+    /// The slips that end within the step, whatever static friction holds, of groups no part of whose impulses takes
+    /// energy.
     fn stops_of_lost(
         &mut self,
         world: &World,
@@ -157,9 +161,9 @@ impl TimeStepper {
         Ok(stops)
     }
 
-    /// Which rows are in the problem of a step of `h` (s) from the beginning. In a heap, and where joints hold (`holds`), the
-    /// contacts that bore a force in the last step are among them: without, they would be found again one layer after the other, each
-    /// by a problem of its own; what presses a limit of a joint may be far away.
+    /// Which rows are in the problem of a step of `h` (s) from the beginning. In a heap, and where joints hold
+    /// (`holds`), the contacts that bore a force in the last step are among them: without, they would be found again
+    /// one layer after the other, each by a problem of its own; what presses a limit of a joint may be far away.
     fn first_choice(
         &self,
         world: &World,
@@ -255,8 +259,8 @@ impl TimeStepper {
     }
 }
 
-/// The part of the impulses of an inexact solution that adds no energy: scaled by s with `p.u + s p.G p/2 <= 0` they do not, where u
-/// is the mean of the rates before and after the kick.
+/// The part of the impulses of an inexact solution that adds no energy: scaled by s with `p.u + s p.G p/2 <= 0` they do
+/// not, where u is the mean of the rates before and after the kick.
 fn share_without_gain(assembly: &Assembly, members: &[&Row], impulses: &[f64]) -> Result<f64, ResponseError> {
     let product = |a: &[f64]| impulses.iter().zip(a).map(|(p, a)| p * a).sum::<f64>();
     let mean = |row: &&Row| 0.5 * (row.rate_before + row.kinematics.separation_rate);
@@ -290,9 +294,9 @@ fn thin_out(near: &[NearContact], rows: &[Row], taken: &mut [bool]) {
     }
 }
 
-/// Adds the rows that close with the present velocities; of pairs with many contacts the one that closes most. Among many rows
-/// those are added, too, that are as near to closing as the worst one is beyond it: they would close next. Returns whether
-/// any closes.
+/// Adds the rows that close with the present velocities; of pairs with many contacts the one that closes most. Among
+/// many rows those are added, too, that are as near to closing as the worst one is beyond it: they would close next.
+/// Returns whether any closes.
 fn add_closing(world: &World, states: &[BodyState], near: &[NearContact], rows: &[Row], taken: &mut [bool]) -> bool {
     // Impulses have moved nothing: the contact is where it was.
     let rate = |row: &Row| with_rate_at_point(world, states, near[row.contact].id, row.kinematics).separation_rate;

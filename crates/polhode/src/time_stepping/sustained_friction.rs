@@ -1,22 +1,22 @@
 //! Friction of sustained contacts over a step, at velocity level.
 //!
-//! In the middle of the step, after a free flight of h/2, let `u-` be the slip of a contact before the kick of fields and `u+`
-//! after all impulses, `a` the part of its rate that is due to neither. The slip at the end is `u+ + r` with `r = h/2 a`.
-//! Coulomb's law holds for that slip and the impulses of the step: it is zero where `|p_t| <= mu p_n` can make it zero, and
-//! opposite to `p_t = -mu p_n u / |u|` otherwise. A body that rests on a slope ends exactly where it began: `u- = r`,
-//! `u+ = -r`, and the ways of both halves of the step cancel.
+//! In the middle of the step, after a free flight of h/2, let `u-` be the slip of a contact before the kick of fields
+//! and `u+` after all impulses, `a` the part of its rate that is due to neither. The slip at the end is `u+ + r` with
+//! `r = h/2 a`. Coulomb's law holds for that slip and the impulses of the step: it is zero where `|p_t| <= mu p_n` can
+//! make it zero, and opposite to `p_t = -mu p_n u / |u|` otherwise. A body that rests on a slope ends exactly where it
+//! began: `u- = r`, `u+ = -r`, and the ways of both halves of the step cancel.
 //!
-//! Without a kick impulses that stick do the work `p_t.(u- + u+)/2 = -(|u-|^2 - |r|^2) / 2G`. So that none is gained, `r` is shortened to
-//! the length of `u-` where it is longer.
+//! Without a kick impulses that stick do the work `p_t.(u- + u+)/2 = -(|u-|^2 - |r|^2) / 2G`. So that none is gained,
+//! `r` is shortened to the length of `u-` where it is longer.
 //!
 //! A contact without slip at the start of the step bears up to its static coefficient. If it slides nevertheless, the
 //! problem is solved again with its kinetic one. A contact that slips at the start has the kinetic coefficient. Where
 //! the static one is larger, a slip that passes through zero within the step would be turned round by a load that
-//! static friction bears. Under the load and the kinetic friction against the slip `u0` at the start the slip is linear in
-//! time, `u(s) = u0 + s d`, and vanishes at the part `s = -u0.d/|d|^2` of the step: the step is made in two parts there
-//! ([`Stop`]). The change `d` is that of a second solution, in which all slips are pushed on along their directions at the start:
-//! it has what joints, springs and other contacts give. The impulse that ends the first part without slip is within the static cone,
-//! and the second part begins without slip.
+//! static friction bears. Under the load and the kinetic friction against the slip `u0` at the start the slip is linear
+//! in time, `u(s) = u0 + s d`, and vanishes at the part `s = -u0.d/|d|^2` of the step: the step is made in two parts
+//! there ([`Stop`]). The change `d` is that of a second solution, in which all slips are pushed on along their
+//! directions at the start: it has what joints, springs and other contacts give. The impulse that ends the first part
+//! without slip is within the static cone, and the second part begins without slip.
 //!
 //! Friction of rolling and of spinning holds the relative rotation of the bodies after the impulses at zero, or
 //! resists it by a moment of its largest size (`crate::solve::rotational_friction`).
@@ -26,12 +26,12 @@ use super::contacts::kinematics_at_point;
 use super::middle::Stops;
 use super::report::Stop;
 use super::shared_work::Kicked;
-use crate::collision::contact_id::ContactId;
 use crate::collision::friction_mode::FrictionCoefficients;
 use crate::collision::slip_directions::SlipDirections;
 use crate::collision::turn::Turn;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::joint_friction::MOST_ROUNDS_OF_BEARINGS;
+use crate::identity::contact_id::ContactId;
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{push_contact, push_held, with_rotations};
 use crate::rows::resisted_rotation::ResistedRotation;
@@ -50,8 +50,8 @@ use std::ops::Range;
 /// the residual of the solver, at most that which is accepted (`cone_problem.rs`).
 const STICKING_RELATIVE: f64 = 1e-5;
 
-/// How much faster than anything in a step slips are pushed on, to find where they stop (no unit, 10 to 1000): no friction turns them then,
-/// and the residual of the solver is that much larger in relation to the slips.
+/// How much faster than anything in a step slips are pushed on, to find where they stop (no unit, 10 to 1000): no
+/// friction turns them then, and the residual of the solver is that much larger in relation to the slips.
 const BEYOND_TURNING: f64 = 100.0;
 
 /// Friction of a contact in the middle of a step.
@@ -177,8 +177,9 @@ impl TangentialRow {
         !self.sticks && x * u + y * v <= STICKING_RELATIVE * self.given * libm::hypot(x, y)
     }
 
-    /// The same with the whole change of its slip, which may gain energy, and faster by `offset` (m/s) along the slip at the start: a
-    /// slip that does not turn then, so that friction is the kinetic one against it to the end of the step.
+    /// The same with the whole change of its slip, which may gain energy, and faster by `offset` (m/s) along the slip
+    /// at the start: a slip that does not turn then, so that friction is the kinetic one against it to the end of the
+    /// step.
     fn slipping_on(self, offset: f64) -> Self {
         let half_change = self.offset_along_slip(offset);
         Self { half_change: [0, 1].map(|axis: usize| self.whole_change[axis] + half_change[axis]), ..self }
@@ -191,7 +192,8 @@ impl TangentialRow {
         if self.sticks || length == 0.0 { [0.0; 2] } else { [x, y].map(|part| offset * part / length) }
     }
 
-    /// At which part of the step (0 to 1) its slip passes through zero if it has changed to `end` (m/s) at the end, linear in time.
+    /// At which part of the step (0 to 1) its slip passes through zero if it has changed to `end` (m/s) at the end,
+    /// linear in time.
     fn stops_at(&self, end: [f64; 2]) -> Option<f64> {
         let [x, y] = self.slip_at_start();
         let [dx, dy] = [end[0] - x, end[1] - y];
@@ -206,8 +208,8 @@ impl TangentialRow {
         [self.coefficients.at_rest, self.coefficients.sliding].into_iter().all(FrictionEllipse::is_circle)
     }
 
-    /// The same as one of the contacts of a patch, which have these tangents (unit vectors, world), at this point of its
-    /// plane (m, world). `approach` is the part of the relative velocity along its own normal (m/s, world).
+    /// The same as one of the contacts of a patch, which have these tangents (unit vectors, world), at this point of
+    /// its plane (m, world). `approach` is the part of the relative velocity along its own normal (m/s, world).
     pub(super) fn on_patch(self, tangents: [DVec3; 2], point: DVec3, approach: DVec3) -> Self {
         let offset = point - self.along[0].along.point;
         let vector = |[x, y]: [f64; 2]| self.along[0].along.normal * x + self.along[1].along.normal * y;
@@ -264,8 +266,8 @@ impl TangentialRow {
         self.sticks && self.coefficients.sliding.is_below(self.coefficients.at_rest)
     }
 
-    /// The axes of its rows of rotation of each kind that friction resists, times their length (m), with that friction (no
-    /// unit).
+    /// The axes of its rows of rotation of each kind that friction resists, times their length (m), with that friction
+    /// (no unit).
     fn rotations(&self) -> impl Iterator<Item = (Turn, f64, Vec<DVec3>)> + '_ {
         let basis = self.along.map(|row| row.along.normal);
         let of = move |(turn, friction): (Turn, &Option<f64>)| {
@@ -314,8 +316,8 @@ impl TangentialImpulse {
         self.row.along.iter().zip(self.impulse).map(|(row, impulse)| row.along.normal * impulse).sum()
     }
 
-    /// The relative velocity of the bodies where its rows act, in the present states, m/s; beside those along its tangents
-    /// its components are of no use.
+    /// The relative velocity of the bodies where its rows act, in the present states, m/s; beside those along its
+    /// tangents its components are of no use.
     fn slip(&self, world: &World, states: &[BodyState]) -> Option<DVec3> {
         let slip = world.tangential_kinematics(states, self.id())?.slip_velocity;
         let Some(offset) = self.row.offset else { return Some(slip) };
@@ -324,8 +326,8 @@ impl TangentialImpulse {
         Some(slip + approach + world.relative_rotation(states, self.id()).cross(offset))
     }
 
-    /// Energy lost to friction in the order of action, J: `-p.(u + u+)/2` with the slips after the kick and, in the present
-    /// states, after all impulses.
+    /// Energy lost to friction in the order of action, J: `-p.(u + u+)/2` with the slips after the kick and, in the
+    /// present states, after all impulses.
     pub(super) fn lost_j(&self, world: &World, states: &[BodyState]) -> Option<f64> {
         let slip = self.slip(world, states)?;
         let along = self.row.along.iter().zip(self.row.slip).zip(self.impulse);
@@ -396,8 +398,8 @@ fn violation_of(friction: &[Option<TangentialRow>], rows: &[Range<usize>], react
     largest_violation(friction.iter().enumerate().filter_map(rubbing), 0.0)
 }
 
-/// Solves for the impulses of contacts whose normal rows `assembly` holds, and of its bilateral constraints, with these constant
-/// terms (m/s).
+/// Solves for the impulses of contacts whose normal rows `assembly` holds, and of its bilateral constraints, with these
+/// constant terms (m/s).
 ///
 /// # Errors
 /// When a number is not finite.
@@ -530,8 +532,8 @@ fn turned(
     turned.map(|(place, _)| place).collect()
 }
 
-/// Where the slips of these contacts (by place) pass through zero within the step, and the factorisations of the solve that tells it:
-/// with all slips pushed on along their directions at the start, so that friction is kinetic to the end.
+/// Where the slips of these contacts (by place) pass through zero within the step, and the factorisations of the solve
+/// that tells it: with all slips pushed on along their directions at the start, so that friction is kinetic to the end.
 fn stops_of(
     turned: &[usize],
     assembly: &mut Assembly,
@@ -585,8 +587,8 @@ fn blocks(friction: &[Option<TangentialRow>], rows: &[Range<usize>]) -> Blocks {
 }
 
 /// Gives contacts that slide although static friction holds them their kinetic coefficient. Returns whether there are
-/// any. A contact at the limit of its cone without slip does not slide: where several contacts share a load that friction
-/// bears, the part of each is not determined.
+/// any. A contact at the limit of its cone without slip does not slide: where several contacts share a load that
+/// friction bears, the part of each is not determined.
 fn slide_under_static_friction(
     friction: &mut [Option<TangentialRow>],
     rows: &[Range<usize>],

@@ -1,13 +1,13 @@
 //! What a step has applied, as it is told: the loads of joints.
 //!
-//! Loads are impulses of the step; divided by its length they are its mean forces. A joint is told what its rows, its stops and its
-//! friction have given, the rest that was projected out of its velocities with them. Impulses of the impact law are kept apart: they
-//! grow beyond all bounds as forces of shorter and shorter steps.
+//! Loads are impulses of the step; divided by its length they are its mean forces. A joint is told what its rows, its
+//! stops and its friction have given, the rest that was projected out of its velocities with them. Impulses of the
+//! impact law are kept apart: they grow beyond all bounds as forces of shorter and shorter steps.
 
-use crate::collision::contact_id::Feature;
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, Reaction};
-use crate::frame::JointView;
+use crate::identity::contact_id::Feature;
+use crate::report::frame::JointView;
 use crate::solve::joint_loads::{ContactForce, add_joint_loads};
 use crate::world::World;
 use polhode_dynamics::BodyState;

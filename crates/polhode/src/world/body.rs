@@ -1,8 +1,8 @@
 //! One body of the model: mass properties, shape and prescribed motion in its moving frame.
 
-use crate::pivot_form::{HeldPoint, PivotForm};
-use crate::prescribed_state;
 use crate::scene::{Body, Geometry, SceneError, Trajectory};
+use crate::world::pivot_form::{HeldPoint, PivotForm};
+use crate::world::prescribed_state;
 use polhode_contact::{Shape, ShapeError};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_mesh::{SolidMesh, convexity};

@@ -1,12 +1,14 @@
-//! Carriages: kinematic bodies without a shape whose displacements along x are the prescribed motions of joint coordinates.
+//! Carriages: kinematic bodies without a shape whose displacements along x are the prescribed motions of joint
+//! coordinates.
 //!
-//! They follow the bodies of the scene, nobody sees them, and they count as removed but for their motion. A carriage is a body so that
-//! all that holds for kinematic bodies holds for prescribed coordinates: states at every stage, accelerations, the work on others, the
-//! times at which a motion is not smooth, whether it stands still (`prescribed.rs`).
+//! They follow the bodies of the scene, nobody sees them, and they count as removed but for their motion. A carriage is
+//! a body so that all that holds for kinematic bodies holds for prescribed coordinates: states at every stage,
+//! accelerations, the work on others, the times at which a motion is not smooth, whether it stands still
+//! (`prescribed.rs`).
 
 use super::body::WorldBody;
-use crate::pivot_form::PivotForm;
 use crate::scene::{Body, Scene, SceneError};
+use crate::world::pivot_form::PivotForm;
 
 /// Adds the carriages of a scene to it. Returns their bodies for the model.
 ///

@@ -186,7 +186,8 @@ impl World {
         self.field_wrenches_on(t, states, bodies, is_kick, swing).unwrap_or_else(|| self.loads(t, states))
     }
 
-    /// Whether a step gives the field of this number as a kick: all but the forces at joints that are not among `kicks`.
+    /// Whether a step gives the field of this number as a kick: all but the forces at joints that are not among
+    /// `kicks`.
     fn is_kick(&self, number: usize, kicks: &[usize]) -> bool {
         let at_joints = self.first_joint_force..self.first_joint_force + self.joint_forces.len();
         !at_joints.contains(&number) || kicks.contains(&number)

@@ -11,16 +11,27 @@
 //! | `rates` | how fast fields and rotations change the motion |
 //! | `tolerances` | the distances that count as touch, overlap and rounding |
 //! | `steered`, `steering` | motions that a program has given kinematic bodies |
+//! | `prescribed`, `prescribed_state` | states of kinematic bodies as functions of time |
+//! | `pivot_form` | how a body is held at its pivot |
+//! | `plane_of_motion` | the plane of a planar motion |
+//! | `states_of` | the states of some bodies among those of all |
+//! | `body_queries` | [`BodyQueries`](crate::BodyQueries): nearest body, rays, overlaps, distances |
 //! | `reported` | bodies as samples and reports show them |
 
 mod body;
+pub(crate) mod body_queries;
 mod carriages;
 mod energy;
 mod field_index;
 mod forces;
 mod model;
+pub(crate) mod pivot_form;
+pub(crate) mod plane_of_motion;
+mod prescribed;
+pub(crate) mod prescribed_state;
 mod rates;
 mod reported;
+pub(crate) mod states_of;
 pub(crate) mod steered;
 mod steering;
 mod tolerances;

@@ -9,17 +9,17 @@ use super::body::WorldBody;
 use super::carriages::add_carriages;
 use super::field_index::{FieldBuffers, FieldIndex};
 use super::steered::Steered;
-use crate::collision::contact_id::Feature;
 use crate::collision::envelope::CollisionEnvelope;
 use crate::collision::narrow_phase::NarrowPhase;
-use crate::constraint::coordinate_id::CoordinateId;
 use crate::constraint::joint::{AddedJoint, HeldBody, WorldJoint, row_length};
 use crate::constraint::joint_forces::JointForce;
-use crate::constraint::stop_id::StopId;
 use crate::constraint::tie::Tie;
-use crate::pivot_form::{PivotForm, PivotRows};
-use crate::plane_of_motion::PlaneOfMotion;
+use crate::identity::contact_id::Feature;
+use crate::identity::coordinate_id::CoordinateId;
+use crate::identity::stop_id::StopId;
 use crate::scene::{Body, Coordinate, Joint, Motor, MovingFrames, Scene, SceneError};
+use crate::world::pivot_form::{PivotForm, PivotRows};
+use crate::world::plane_of_motion::PlaneOfMotion;
 use polhode_dynamics::field::{Field, Wrench};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::DVec3;
@@ -83,7 +83,8 @@ pub(crate) struct World {
     pub(crate) joints_of: BTreeMap<usize, Vec<usize>>,
     /// The kinematic bodies that joints and ties hold, ascending.
     pub(crate) joint_drivers: Vec<usize>,
-    /// Joints that hold nothing any more, by their numbers: they have broken, or their bodies have run off the ends of their tracks.
+    /// Joints that hold nothing any more, by their numbers: they have broken, or their bodies have run off the ends of
+    /// their tracks.
     pub(crate) released: BTreeMap<usize, WorldJoint>,
     /// The poses of bodies at which a program has added joints, by their numbers.
     pub(crate) added_joints: Vec<AddedJoint>,
@@ -139,8 +140,8 @@ pub(crate) struct World {
     pub(super) start_potential_j: f64,
     /// The plane of the motion, when the motion is planar.
     pub(crate) plane: Option<PlaneOfMotion>,
-    /// Elastic energy of the springs at contacts at present, J: of the tier `penalty`, which keeps it here for whoever sums
-    /// energies.
+    /// Elastic energy of the springs at contacts at present, J: of the tier `penalty`, which keeps it here for whoever
+    /// sums energies.
     pub(crate) contact_energy_j: f64,
 }
 

@@ -70,8 +70,8 @@ impl World {
 }
 
 impl World {
-    /// The energy that the fields at `t` (s) would give the bodies, each along its size and over one radian, J: the scale for
-    /// bodies that forces press against others, and that hold still.
+    /// The energy that the fields at `t` (s) would give the bodies, each along its size and over one radian, J: the
+    /// scale for bodies that forces press against others, and that hold still.
     pub(crate) fn pressing_energy_j(&self, t: f64, states: &[BodyState]) -> f64 {
         if self.fields.is_empty() {
             return 0.0;

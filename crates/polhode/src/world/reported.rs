@@ -2,10 +2,10 @@
 
 use super::body::WorldBody;
 use super::model::World;
-use crate::Acceleration;
-use crate::body_id::BodyId;
-use crate::body_sample::{BodySample, ReportedBody};
-use crate::prescribed_state;
+use crate::identity::body_id::BodyId;
+use crate::report::acceleration::Acceleration;
+use crate::report::body_sample::{BodySample, ReportedBody};
+use crate::world::prescribed_state;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::{DVec3, Pose, Velocity};
 

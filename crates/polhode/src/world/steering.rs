@@ -2,9 +2,9 @@
 
 use super::World;
 use super::steered::Steered;
-use crate::prescribed_state::state_at;
 use crate::scene::MotionError;
 use crate::snapshot::{SnapshotError, content};
+use crate::world::prescribed_state::state_at;
 use polhode_dynamics::BodyState;
 
 impl World {

@@ -38,8 +38,8 @@ impl World {
         }
     }
 
-    /// The length (m) that makes velocities of rotations of a pair on each other: the largest power of two that is not above
-    /// the pair's size.
+    /// The length (m) that makes velocities of rotations of a pair on each other: the largest power of two that is not
+    /// above the pair's size.
     pub(crate) fn turning_length(&self, a: usize, b: usize) -> f64 {
         let (_, exponent) = libm::frexp(self.pair_size(a, b));
         libm::scalbn(1.0, exponent - 1)

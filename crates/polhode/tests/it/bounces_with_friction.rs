@@ -1,9 +1,9 @@
 //! Bounces that come to rest while the body slides: friction takes `mu` times what the floor presses, no more.
 //!
 //! A ball is thrown along a rough floor, bounces ever lower and at last rolls and slides on it. As long as it slides,
-//! friction changes its velocity along the floor by `mu` times the change across it, which is `g t` once the bounces have
-//! ended: `v = v_0 - mu g t`, and `w = 5/2 mu g t / r`. The last of the infinitely many bounces are replaced by their end,
-//! which therefore must give back the friction that the held contact takes in their place.
+//! friction changes its velocity along the floor by `mu` times the change across it, which is `g t` once the bounces
+//! have ended: `v = v_0 - mu g t`, and `w = 5/2 mu g t / r`. The last of the infinitely many bounces are replaced by
+//! their end, which therefore must give back the friction that the held contact takes in their place.
 
 use crate::support::{accurate, ball, floor, run};
 use polhode::scene::Material;

@@ -1,5 +1,6 @@
-//! Joints that break: at the time at which their load reaches their strength, as closed forms say; what they held flies on from there;
-//! breaking takes no energy; impulses of impacts break those that have a greatest impulse; a snapshot from before makes them whole.
+//! Joints that break: at the time at which their load reaches their strength, as closed forms say; what they held flies
+//! on from there; breaking takes no energy; impulses of impacts break those that have a greatest impulse; a snapshot
+//! from before makes them whole.
 
 use crate::checks::assert_closes;
 use crate::joints::{inertia, rod};
@@ -61,8 +62,8 @@ fn a_weld_breaks_when_its_load_is_its_strength() {
     }
 }
 
-/// A rod that falls from level about its end: of a thin one the force of the hinge is 2.5 m g sin along it and m g cos / 4 across it. Where that
-/// reaches the strength the rod flies off with the velocity that it has there.
+/// A rod that falls from level about its end: of a thin one the force of the hinge is 2.5 m g sin along it and m g cos
+/// / 4 across it. Where that reaches the strength the rod flies off with the velocity that it has there.
 #[test]
 fn a_falling_rod_breaks_its_hinge_where_newton_says() {
     let (mass, length) = (1.5, 0.8);
@@ -111,8 +112,8 @@ fn what_is_behind_a_broken_weld_stays_together() {
     assert_closes(&report);
 }
 
-/// A ball strikes a plate that a weld holds: with a greatest impulse below that of the impact the plate is free afterwards, after an
-/// impact with the weld whole; without one it stays.
+/// A ball strikes a plate that a weld holds: with a greatest impulse below that of the impact the plate is free
+/// afterwards, after an impact with the weld whole; without one it stays.
 #[test]
 fn an_impulse_breaks_what_has_a_greatest_impulse() {
     let fly = |weld: Strength| {

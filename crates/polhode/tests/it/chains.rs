@@ -1,7 +1,8 @@
-//! Long chains: trees of joints that are eliminated link by link hold what hangs on them, whatever its mass, and lose no energy.
+//! Long chains: trees of joints that are eliminated link by link hold what hangs on them, whatever its mass, and lose
+//! no energy.
 //!
-//! Oracles are statics (nothing accelerates; the forces themselves are tested in `polhode-response`) and conservation of energy. Chains are so long that the
-//! joints are not solved for through the matrix of their rows.
+//! Oracles are statics (nothing accelerates; the forces themselves are tested in `polhode-response`) and conservation
+//! of energy. Chains are so long that the joints are not solved for through the matrix of their rows.
 
 use crate::joints::{assert_held, down, rod};
 use crate::support::run;
@@ -16,8 +17,8 @@ const G: f64 = 9.81;
 /// Length of a link, m.
 const LINK: f64 = 0.1;
 
-/// A chain of rods of these masses and angles that hangs at the origin, by hinges along y and ball joints in turn, in steps of `step`
-/// (s) for `duration` (s).
+/// A chain of rods of these masses and angles that hangs at the origin, by hinges along y and ball joints in turn, in
+/// steps of `step` (s) for `duration` (s).
 pub(crate) fn chain(tier: Tier, links: &[(f64, f64)], (step, duration): (f64, f64)) -> SceneBuilder {
     let method = Method { tier: Some(tier), step_s: Some(step), ..Method::default() };
     let mut builder = Scene::builder("chain").method(method).duration_s(duration).gravity(DVec3::Z * -G);
@@ -65,8 +66,8 @@ fn a_chain_that_swings_keeps_its_energy() {
     assert_held(&report);
 }
 
-/// A chain of forty links that hangs by both ends, a loop with the world, keeps its energy and stays together: by all but the last
-/// joint as a tree.
+/// A chain of forty links that hangs by both ends, a loop with the world, keeps its energy and stays together: by all
+/// but the last joint as a tree.
 #[test]
 fn a_chain_that_hangs_by_both_ends_keeps_its_energy() {
     let links: Vec<(f64, f64)> = (0..40).map(|k| (1.0, -1.2 + 0.06 * (f64::from(k) + 0.5))).collect();
@@ -77,9 +78,9 @@ fn a_chain_that_hangs_by_both_ends_keeps_its_energy() {
     assert_held(&report);
 }
 
-/// A bridge of thirty planks on hinges that hangs by both ends has rows that depend on each other: beside the trees some are zero but for
-/// rounding, of either sign. A ball falls on it: contacts, friction and joints are solved together, and what is told of the
-/// answer is its error, not rounding across the plane in which all moves.
+/// A bridge of thirty planks on hinges that hangs by both ends has rows that depend on each other: beside the trees
+/// some are zero but for rounding, of either sign. A ball falls on it: contacts, friction and joints are solved
+/// together, and what is told of the answer is its error, not rounding across the plane in which all moves.
 #[test]
 fn a_bridge_whose_rows_depend_on_each_other_bears_a_ball() {
     let method = Method { tier: Some(Tier::Stepped), step_s: Some(0.005), ..Method::default() };

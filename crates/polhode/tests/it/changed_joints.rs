@@ -1,5 +1,5 @@
-//! Joints that a program adds to a simulation and takes away: what was held flies as a free body, what is caught swings from there, both
-//! ledgers close, and a snapshot goes on with the same bits on either side of the change.
+//! Joints that a program adds to a simulation and takes away: what was held flies as a free body, what is caught swings
+//! from there, both ledgers close, and a snapshot goes on with the same bits on either side of the change.
 
 use crate::checks::{assert_closes, particle};
 use crate::joints::{Pendulum, down, inertia, integrate, rod};
@@ -46,7 +46,8 @@ fn action(error: SimulationError) -> ActionError {
     }
 }
 
-/// Free bodies fly in closed form: on the parabola of the velocity that the hinge left, with the rate of turning that it had.
+/// Free bodies fly in closed form: on the parabola of the velocity that the hinge left, with the rate of turning that
+/// it had.
 #[test]
 fn a_pendulum_whose_hinge_is_removed_flies_as_a_free_body() {
     for (method, _) in methods() {
@@ -102,7 +103,8 @@ fn a_body_that_a_new_hinge_catches_swings_like_a_pendulum() {
     }
 }
 
-/// A snapshot from before the removal brings the joint back, one from after it has none, and both go on with the same bits.
+/// A snapshot from before the removal brings the joint back, one from after it has none, and both go on with the same
+/// bits.
 #[test]
 fn a_snapshot_goes_on_across_a_removal() {
     for (method, _) in methods() {
@@ -156,7 +158,8 @@ fn a_motor_comes_back_with_its_joint() {
     }
 }
 
-/// A snapshot with a joint that was added belongs to a simulation to which the same joint was added, between bodies at the same places.
+/// A snapshot with a joint that was added belongs to a simulation to which the same joint was added, between bodies at
+/// the same places.
 #[test]
 fn a_snapshot_goes_on_with_a_joint_that_was_added() {
     for (method, _) in methods() {
@@ -187,7 +190,8 @@ fn a_snapshot_goes_on_with_a_joint_that_was_added() {
     }
 }
 
-/// A hinge whose stop bears a load is removed: contacts at the joint go with it, and a snapshot of that moment can be restored.
+/// A hinge whose stop bears a load is removed: contacts at the joint go with it, and a snapshot of that moment can be
+/// restored.
 #[test]
 fn stops_go_with_their_joint() {
     for (method, within) in methods() {
@@ -213,8 +217,8 @@ fn stops_go_with_their_joint() {
     }
 }
 
-/// Two balls rest on each other; a weld joins them, and later lets go: they do not collide with each other, and the lower one still bears
-/// both while they are one.
+/// Two balls rest on each other; a weld joins them, and later lets go: they do not collide with each other, and the
+/// lower one still bears both while they are one.
 #[test]
 fn bodies_that_a_joint_joins_do_not_collide() {
     for (method, _) in methods() {
@@ -344,7 +348,8 @@ fn joints_that_the_tier_does_not_have_are_refused() {
     assert_closes(&simulation.run().unwrap());
 }
 
-/// Steps of a length end there, at events, or where the tier's own steps do; what is reported on the way changes nothing.
+/// Steps of a length end there, at events, or where the tier's own steps do; what is reported on the way changes
+/// nothing.
 #[test]
 fn steps_of_a_length_end_where_they_are_asked_to() {
     for (method, _) in methods() {

@@ -1,9 +1,9 @@
 //! What the tests of forces, pivots and integrators share: bodies, runs that must end, and ledgers that must close.
 
 use crate::support::brick;
+use polhode::Flow;
 use polhode::dynamics::integrator::Method as Integrator;
 use polhode::mesh::Amount;
-use polhode::observer::Flow;
 use polhode::scene::Method;
 use polhode::spatial::{DVec3, Density, Inertia, Mass, MassProperties, Pose, Velocity};
 use polhode::{Body, BodySample, Event, Observer, Recorder, RunReport, Scene, Simulation, SimulationError};

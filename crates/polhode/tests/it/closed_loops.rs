@@ -1,6 +1,6 @@
-//! Closed loops of joints move in time steps, and the error is of the second order in the step: four-bars, loops in space and
-//! loops in flight, whatever the principal axes of their bodies and the attitude of the whole. Rows of such loops depend on each
-//! other; counted as independent by what a step opens them, they held the mechanism fast.
+//! Closed loops of joints move in time steps, and the error is of the second order in the step: four-bars, loops in
+//! space and loops in flight, whatever the principal axes of their bodies and the attitude of the whole. Rows of such
+//! loops depend on each other; counted as independent by what a step opens them, they held the mechanism fast.
 
 use crate::checks::assert_closes;
 use crate::support::{accurate, brick, run};
@@ -21,7 +21,8 @@ fn bar(name: &str, place: DVec3, turn: DVec3) -> Body {
     Body::movable(name, properties).pose(Pose::new(Rotation::from_rotation_vector(turn), place))
 }
 
-/// A crank, a coupler and a rocker with the world, in this attitude as a whole; with bodies for the frame too if it flies.
+/// A crank, a coupler and a rocker with the world, in this attitude as a whole; with bodies for the frame too if it
+/// flies.
 fn four_bar(method: Method, attitude: Rotation, flies: bool) -> Scene {
     let at = |x: f64, z: f64| attitude.rotate(DVec3::new(x, 0.0, z));
     let axis = UnitVector::new(attitude.rotate(DVec3::Y)).unwrap();
@@ -44,7 +45,8 @@ fn four_bar(method: Method, attitude: Rotation, flies: bool) -> Scene {
         .unwrap()
 }
 
-/// A crank on a hinge, a coupler between two balls, of which one is a universal joint, and a rocker on a hinge of another axis.
+/// A crank on a hinge, a coupler between two balls, of which one is a universal joint, and a rocker on a hinge of
+/// another axis.
 fn in_space(method: Method) -> Scene {
     let mut scene = Scene::builder("loop in space").method(method).duration_s(DURATION_S);
     let crank = scene.add_body(bar("crank", DVec3::new(0.05, 0.02, 0.15), DVec3::new(0.3, 0.5, 0.7)));
@@ -99,8 +101,8 @@ fn a_loop_in_space_moves_as_it_does_exactly() {
     assert_second_order(in_space);
 }
 
-/// Two shafts and a universal joint between them, the first of which is driven: `tan a_2 = cos b tan a_1`. Nothing touches, and
-/// nothing is approximate or warned of; rows that only rounding fills are no problem without a solution.
+/// Two shafts and a universal joint between them, the first of which is driven: `tan a_2 = cos b tan a_1`. Nothing
+/// touches, and nothing is approximate or warned of; rows that only rounding fills are no problem without a solution.
 #[test]
 fn driven_shafts_with_a_universal_joint_warn_of_nothing() {
     let bend: f64 = 0.6;

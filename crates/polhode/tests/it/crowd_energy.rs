@@ -11,9 +11,9 @@ const STEP_S: f64 = 0.01;
 /// What the integrator may lose, J: 1e-4 of the 100 J that the spring stores. It is of second order in the step.
 const SMALL_J: f64 = 1e-2;
 
-/// A smooth brick of 1 kg slides at 1 m/s over the floor, while a spring of 100 N presses it down. In each step the spring
-/// gives it 1 N s and the floor takes it back. Booked one after the other, the integrator would gain 0.5 J in each of the
-/// ten steps and the impacts lose it; neither does.
+/// A smooth brick of 1 kg slides at 1 m/s over the floor, while a spring of 100 N presses it down. In each step the
+/// spring gives it 1 N s and the floor takes it back. Booked one after the other, the integrator would gain 0.5 J in
+/// each of the ten steps and the impacts lose it; neither does.
 #[test]
 fn a_spring_that_presses_a_body_on_the_floor_gives_the_integrator_nothing() {
     let center = DVec3::Z * 0.05;
@@ -41,7 +41,8 @@ fn a_spring_that_presses_a_body_on_the_floor_gives_the_integrator_nothing() {
     assert!(ledger.closure_relative() < 1e-12);
 }
 
-/// What the rod on a pivot may give the integrator, J: some 1e-8 J are measured, and the order of action would show 3e-2 J.
+/// What the rod on a pivot may give the integrator, J: some 1e-8 J are measured, and the order of action would show
+/// 3e-2 J.
 const OF_INTEGRATOR_J: f64 = 1e-6;
 
 /// What its impacts may take, J: 1.2e-5 J are measured, of the same 3e-2 J.

@@ -31,9 +31,9 @@ fn dominoes(count: usize) -> Scene {
     scene.duration_s(1.5).method(accurate()).build().unwrap()
 }
 
-/// Dominoes that lean on each other strike each other again and again, ever more weakly. While time steps followed each bounce
-/// that their length could resolve, shorter steps found more bounces, each of which made the next step shorter still: ten
-/// dominoes and the run beside them took 76,000 steps, and a minute. They all fall, and come to rest.
+/// Dominoes that lean on each other strike each other again and again, ever more weakly. While time steps followed each
+/// bounce that their length could resolve, shorter steps found more bounces, each of which made the next step shorter
+/// still: ten dominoes and the run beside them took 76,000 steps, and a minute. They all fall, and come to rest.
 #[test]
 fn dominoes_that_bounce_make_the_steps_of_their_crowd_ever_shorter() {
     let scene = dominoes(10);

@@ -1,5 +1,5 @@
-//! Joints to kinematic bodies: a crank drives a slider, and a pivot that moves drives a pendulum, as closed forms and the
-//! equations in angles say. The work of the kinematic body is what the energy of the others changes by.
+//! Joints to kinematic bodies: a crank drives a slider, and a pivot that moves drives a pendulum, as closed forms and
+//! the equations in angles say. The work of the kinematic body is what the energy of the others changes by.
 
 use crate::checks::assert_closes;
 use crate::joints::{assert_held, down, inertia, integrate, rod};
@@ -191,7 +191,8 @@ fn a_driven_linkage_that_is_struck_closes_its_ledgers() {
     }
 }
 
-/// Two kinematic bodies, or one and the world, hold nothing; one whose velocity jumps would need a force without a bound.
+/// Two kinematic bodies, or one and the world, hold nothing; one whose velocity jumps would need a force without a
+/// bound.
 #[test]
 fn joints_that_drive_nothing_or_jump_are_refused() {
     let still = || PrescribedMotion::constant_velocity(Velocity::ZERO).unwrap();
@@ -215,8 +216,8 @@ fn joints_that_drive_nothing_or_jump_are_refused() {
     assert!(matches!(shaken(motion, 0.0, &joint).build(), Err(SceneError::JointMoves { number: 0, .. })));
 }
 
-/// A crank at rest that a program sets turning takes its linkage along at once, as if it had turned from the start; then it is
-/// turned back smoothly to where it began. What the program and the crank do closes the ledgers.
+/// A crank at rest that a program sets turning takes its linkage along at once, as if it had turned from the start;
+/// then it is turned back smoothly to where it began. What the program and the crank do closes the ledgers.
 #[test]
 fn a_program_steers_a_crank() {
     let still = PrescribedMotion::constant_velocity(Velocity::ZERO).unwrap();

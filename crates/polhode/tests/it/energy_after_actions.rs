@@ -1,5 +1,5 @@
-//! Energies are sums over what is there: after any order of adding, removing, stopping and moving bodies, in every tier,
-//! the energy that a simulation reports is that of the bodies it has.
+//! Energies are sums over what is there: after any order of adding, removing, stopping and moving bodies, in every
+//! tier, the energy that a simulation reports is that of the bodies it has.
 
 use crate::support::{ball, floor};
 use polhode::scene::{Attachment, Force, Method, Tier};

@@ -1,6 +1,6 @@
-//! The tier `fast` obeys the laws of physics to the order of its steps: flight is exact, slides stop where they should, stacks stand, nothing
-//! is lifted by sliding or passes through a plate, momentum is kept, the ledger closes, and its motion has the same bits for any number of threads and
-//! when it goes on from a snapshot.
+//! The tier `fast` obeys the laws of physics to the order of its steps: flight is exact, slides stop where they should,
+//! stacks stand, nothing is lifted by sliding or passes through a plate, momentum is kept, the ledger closes, and its
+//! motion has the same bits for any number of threads and when it goes on from a snapshot.
 
 use crate::checks::assert_closes;
 use crate::snapshots::check_restored_runs;
@@ -43,8 +43,8 @@ fn flight_is_exact() {
     }
 }
 
-/// A box that slides at 3 m/s on friction 0.5 stops after `v^2 / (2 mu g)`; the error falls with the step. While it slides it is not lifted: the
-/// convex model of friction would lift it at `mu v`.
+/// A box that slides at 3 m/s on friction 0.5 stops after `v^2 / (2 mu g)`; the error falls with the step. While it
+/// slides it is not lifted: the convex model of friction would lift it at `mu v`.
 #[test]
 fn a_slide_stops_and_does_not_float() {
     let exact = 9.0 / (2.0 * 0.5 * G);
@@ -64,7 +64,8 @@ fn a_slide_stops_and_does_not_float() {
     assert!(errors[0] < 0.03 && errors[1] < 0.5 * errors[0] + 1e-4, "{errors:?}");
 }
 
-/// A ball that falls from a metre with restitution 0.5 rises to a quarter of it, to the speed that gravity gives in a step or two.
+/// A ball that falls from a metre with restitution 0.5 rises to a quarter of it, to the speed that gravity gives in a
+/// step or two.
 #[test]
 fn a_bounce_reaches_its_height() {
     let ball = ball("ball", 1.0, 0.1, DVec3::Z * 1.1, DVec3::ZERO).material(elastic(0.5));
@@ -102,7 +103,8 @@ fn a_shot_does_not_pass_a_thin_plate() {
     assert!(position(&report, 1).z > 0.0, "{}", position(&report, 1));
 }
 
-/// Two bodies that hit each other away from everything keep their momentum, and their angular momentum to the order of the step.
+/// Two bodies that hit each other away from everything keep their momentum, and their angular momentum to the order of
+/// the step.
 #[test]
 fn momentum_is_kept() {
     let one = brick("one", DVec3::new(0.3, 0.2, 0.1), DVec3::ZERO).velocity(Velocity::new(DVec3::X * 2.0, DVec3::Y));
@@ -188,7 +190,8 @@ fn what_is_not_taken_is_refused() {
     assert!(error.to_string().contains("static friction"), "{error}");
 }
 
-/// A stack comes to rest: forces that hold it are found, and from then on its velocities are zero, exactly, until a ball falls on it.
+/// A stack comes to rest: forces that hold it are found, and from then on its velocities are zero, exactly, until a
+/// ball falls on it.
 #[test]
 fn what_rests_is_exactly_still_until_it_is_hit() {
     let mut scene = Scene::builder("rest").method(fast(1.0 / 60.0)).duration_s(20.0).body(floor().material(rough(0.5)));
@@ -219,16 +222,18 @@ fn pyramid(rows: u32) -> SceneBuilder {
     scene
 }
 
-/// A pyramid of twenty rows comes to rest: after six seconds no body moves, exactly. (With sweeps that all went the same way, and contacts that forget
-/// less of their impulses, the stack swung on what it carried over from step to step, for ever.)
+/// A pyramid of twenty rows comes to rest: after six seconds no body moves, exactly. (With sweeps that all went the
+/// same way, and contacts that forget less of their impulses, the stack swung on what it carried over from step to
+/// step, for ever.)
 #[test]
 fn a_pyramid_of_twenty_rows_comes_to_rest() {
     let report = run(pyramid(20));
     assert!(report.bodies.iter().all(|body| body.state.velocity.is_zero()), "{:?}", report.energy);
 }
 
-/// A pyramid of forty rows sinks until its contacts bear it, and hardly farther: its top is never lower than three hundredths below where it comes to. (It
-/// was, by seven hundredths, when all sweeps went the same way and contacts forgot more of their impulses.)
+/// A pyramid of forty rows sinks until its contacts bear it, and hardly farther: its top is never lower than three
+/// hundredths below where it comes to. (It was, by seven hundredths, when all sweeps went the same way and contacts
+/// forgot more of their impulses.)
 #[test]
 fn a_tall_pyramid_sinks_hardly_farther_than_it_sags() {
     const ROWS: u32 = 40;
@@ -243,8 +248,8 @@ fn a_tall_pyramid_sinks_hardly_farther_than_it_sags() {
     assert!(largest < 1.03 * last, "{sinks:?}");
 }
 
-/// A sample a moment after the end of a step, by the rounding of its time, shows the velocities of that step. (Overlaps were pushed
-/// apart by as much as in a whole step, in no time: a body that slid at 10 m/s was shown at 1e11 m/s.)
+/// A sample a moment after the end of a step, by the rounding of its time, shows the velocities of that step. (Overlaps
+/// were pushed apart by as much as in a whole step, in no time: a body that slid at 10 m/s was shown at 1e11 m/s.)
 #[test]
 fn a_sample_just_after_a_step_shows_the_velocities_of_the_step() {
     let slider = brick("slider", DVec3::ONE, DVec3::Z * 0.5).velocity(Velocity::new(DVec3::X * 10.0, DVec3::ZERO));
@@ -261,8 +266,9 @@ fn a_sample_just_after_a_step_shows_the_velocities_of_the_step() {
     }
 }
 
-/// A thin slab that slides fast lies on its four lower corners. (In a step it moves farther than it is thick, so that the search found its
-/// upper corners too; two of them took the places of lower ones, and it sank by a third of its thickness.)
+/// A thin slab that slides fast lies on its four lower corners. (In a step it moves farther than it is thick, so that
+/// the search found its upper corners too; two of them took the places of lower ones, and it sank by a third of its
+/// thickness.)
 #[test]
 fn a_thin_slab_that_slides_fast_does_not_sink() {
     let slab = brick("slab", DVec3::new(1.0, 0.5, 0.1), DVec3::Z * 0.05).material(rough(0.1));
@@ -272,7 +278,8 @@ fn a_thin_slab_that_slides_fast_does_not_sink() {
     assert!((position(&report, 1).z - 0.05).abs() < 2e-4, "{}", position(&report, 1));
 }
 
-/// With conjugate gradients between sweeps (`contact = "nncg"`) a tall stack is nearer to the law, step by step, and sags less.
+/// With conjugate gradients between sweeps (`contact = "nncg"`) a tall stack is nearer to the law, step by step, and
+/// sags less.
 #[test]
 fn conjugate_gradients_leave_a_smaller_residual_of_a_tall_stack() {
     let of = |contact: Option<ContactMethod>| {
@@ -289,7 +296,8 @@ fn conjugate_gradients_leave_a_smaller_residual_of_a_tall_stack() {
     assert!(conjugate.0 < 0.7 * plain.0 && conjugate.1 < plain.1, "{conjugate:?} {plain:?}");
 }
 
-/// A ball that bounces is told as impacts: each at the end of the step in which it came, with the impulse and the loss of `(1 - e^2) m v^2 / 2`.
+/// A ball that bounces is told as impacts: each at the end of the step in which it came, with the impulse and the loss
+/// of `(1 - e^2) m v^2 / 2`.
 #[test]
 fn impacts_are_events() {
     let (speed, restitution) = (3.0, 0.5);

@@ -1,7 +1,8 @@
-//! The tier `fast` where bodies meet fast: a bounce has friction, by the law of single impacts; what is shot at a wall does not end beyond it, or the run
-//! says so.
+//! The tier `fast` where bodies meet fast: a bounce has friction, by the law of single impacts; what is shot at a wall
+//! does not end beyond it, or the run says so.
 //!
-//! Oracles: the impact of a ball with friction in closed form, the tier `accurate`, and which side of a wall a body is on.
+//! Oracles: the impact of a ball with friction in closed form, the tier `accurate`, and which side of a wall a body is
+//! on.
 
 use crate::fast_joints::fast;
 use crate::support::{ball, brick, floor};
@@ -20,8 +21,8 @@ fn run(scene: SceneBuilder) -> RunReport {
     Simulation::new(&scene.build().unwrap()).unwrap().run().unwrap()
 }
 
-/// A ball that hits a floor obliquely gets the spin at which it rolls, or all that friction gives: `p = min(m s/(1 + m r^2/I), mu (1 + e) m v)`
-/// against the slip s.
+/// A ball that hits a floor obliquely gets the spin at which it rolls, or all that friction gives:
+/// `p = min(m s/(1 + m r^2/I), mu (1 + e) m v)` against the slip s.
 #[test]
 fn a_ball_bounces_with_friction() {
     let radius = 0.1;
@@ -72,7 +73,8 @@ fn an_eccentric_bounce_is_that_of_a_single_impact() {
     }
 }
 
-/// Plates, rods and compounds that are shot at walls and floors at 10 to 2000 m/s do not end beyond them, or the run is degraded.
+/// Plates, rods and compounds that are shot at walls and floors at 10 to 2000 m/s do not end beyond them, or the run is
+/// degraded.
 #[test]
 fn what_is_shot_at_a_wall_is_before_it_or_told() {
     let part = |x: f64| Shape::sphere(0.05).unwrap().translated(DVec3::X * x).unwrap();

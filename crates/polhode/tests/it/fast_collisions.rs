@@ -1,7 +1,8 @@
-//! The tier `fast` where an impact is that of more than one row: a bounce of bodies that joints hold, friction without restitution, seams of flush
-//! tiles, floors that are accelerated, and limits in loops.
+//! The tier `fast` where an impact is that of more than one row: a bounce of bodies that joints hold, friction without
+//! restitution, seams of flush tiles, floors that are accelerated, and limits in loops.
 //!
-//! Oracles: the impact of bodies that are held together in closed form, the tier `accurate`, to the order of the step, and Coulomb's law.
+//! Oracles: the impact of bodies that are held together in closed form, the tier `accurate`, to the order of the step,
+//! and Coulomb's law.
 
 use crate::fast_joints::fast;
 use crate::support::{ball, brick, floor};
@@ -26,8 +27,8 @@ fn place(report: &RunReport, body: usize) -> DVec3 {
     report.bodies[body].state.pose.translation
 }
 
-/// A ball with another one welded on top of it falls upright on a floor: both leave at `-e` times the speed of approach, whatever hangs on the one that is
-/// struck.
+/// A ball with another one welded on top of it falls upright on a floor: both leave at `-e` times the speed of
+/// approach, whatever hangs on the one that is struck.
 #[test]
 fn what_a_joint_holds_bounces_with_what_is_struck() {
     for (restitution, above) in [(0.5, 1.0), (1.0, 1.0), (1.0, 30.0), (0.8, 1000.0), (0.0, 5.0)] {
@@ -46,7 +47,8 @@ fn what_a_joint_holds_bounces_with_what_is_struck() {
     }
 }
 
-/// Two rods on a hinge, one of which hits a rough floor with its end: as in the tier `accurate`, the better the shorter the step is.
+/// Two rods on a hinge, one of which hits a rough floor with its end: as in the tier `accurate`, the better the shorter
+/// the step is.
 #[test]
 fn a_jointed_rod_that_hits_a_rough_floor_moves_as_in_the_accurate_tier() {
     let end = |method: Method, (friction, restitution): (f64, f64)| {
@@ -72,7 +74,8 @@ fn a_jointed_rod_that_hits_a_rough_floor_moves_as_in_the_accurate_tier() {
     }
 }
 
-/// A brick that hits a rough floor with a corner or flat, without restitution: slip turns, and may end, along the impulse.
+/// A brick that hits a rough floor with a corner or flat, without restitution: slip turns, and may end, along the
+/// impulse.
 #[test]
 fn friction_of_an_impact_without_restitution_is_that_of_the_whole_impact() {
     let end = |method: Method, turn: DVec3, friction: f64| {
@@ -104,7 +107,8 @@ fn tiles(length: f64, count: u32, turn: Rotation) -> SceneBuilder {
     scene
 }
 
-/// What slides over flush tiles does not trip at their seams, whatever it is and however they are turned about the vertical.
+/// What slides over flush tiles does not trip at their seams, whatever it is and however they are turned about the
+/// vertical.
 #[test]
 fn flush_tiles_are_one_surface() {
     let shapes = [
@@ -148,7 +152,8 @@ fn a_wall_on_the_floor_is_no_seam() {
     }
 }
 
-/// Friction on a floor that is accelerated is `mu` times what presses there: the surface that a contact sees does not change within a substep.
+/// Friction on a floor that is accelerated is `mu` times what presses there: the surface that a contact sees does not
+/// change within a substep.
 #[test]
 fn a_floor_that_falls_away_gives_no_more_friction_than_its_load() {
     let end = |method: Method| {

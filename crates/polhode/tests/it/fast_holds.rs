@@ -1,7 +1,7 @@
 //! The tier `fast` keeps what holds a scene together: what has parts lies on what is below it, whatever the gap that it
 //! falls through; symmetric blows turn
-//! nothing; a smooth level floor gives no horizontal momentum; a load stays on a turntable to the order of the substeps;
-//! joints hold whatever hangs on them;
+//! nothing; a smooth level floor gives no horizontal momentum; a load stays on a turntable to the order of the
+//! substeps; joints hold whatever hangs on them;
 //!
 //! Oracles: statics, symmetry, and the circle of a body that is carried. The last substep of a fall is not followed
 //! exactly, so that heights have the order of a step.
@@ -72,7 +72,8 @@ fn a_symmetric_blow_turns_nothing() {
     }
 }
 
-/// What rests or slides on a smooth level floor, a half-space or a table, gets no horizontal momentum; a smooth stack stands.
+/// What rests or slides on a smooth level floor, a half-space or a table, gets no horizontal momentum; a smooth stack
+/// stands.
 #[test]
 fn a_smooth_level_floor_gives_no_horizontal_momentum() {
     let table = || {

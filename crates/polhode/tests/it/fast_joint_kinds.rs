@@ -1,6 +1,6 @@
-//! Every kind of joint in the tier `fast`: two bodies that it holds move as in the tier `accurate`, with an error of the first order in the step, keep
-//! their momentum to rounding, and move the same in a turned and moved world. Islands of joints do not know of each other, and the motion has the same
-//! bits for any number of threads.
+//! Every kind of joint in the tier `fast`: two bodies that it holds move as in the tier `accurate`, with an error of
+//! the first order in the step, keep their momentum to rounding, and move the same in a turned and moved world. Islands
+//! of joints do not know of each other, and the motion has the same bits for any number of threads.
 
 use crate::fast_joints::{fast, run};
 use crate::support::{accurate, brick, run_even_degraded};
@@ -98,7 +98,8 @@ fn every_kind_moves_the_same_in_a_turned_and_moved_world() {
     for ((name, home), (_, away)) in kinds(Pose::IDENTITY).into_iter().zip(kinds(world)) {
         let home = run(pair(&home, Pose::IDENTITY, fast(0.01)));
         let away = run(pair(&away, world, fast(0.01)));
-        // The rows of rotations are perpendicular pairs of axes that lie otherwise in the bodies: errors of the joint act on each other to the second order.
+        // The rows of rotations are perpendicular pairs of axes that lie otherwise in the bodies: errors of the joint
+        // act on each other to the second order.
         let certificate = &home.certificate;
         let gap = certificate.max_joint_error_m.unwrap() / 0.1 + certificate.max_joint_error_rad.unwrap();
         let allowed = 1e-10 + gap * gap;

@@ -1,6 +1,6 @@
-//! Islands with joints come to rest in the tier `fast` where forces of their contacts, joints and limits hold them, and not where none do: a pendulum of
-//! an amplitude that a step can hardly tell from rest swings on. At rest all velocities are zero, joints bear what hangs at them, and what reaches
-//! one body wakes its whole island.
+//! Islands with joints come to rest in the tier `fast` where forces of their contacts, joints and limits hold them, and
+//! not where none do: a pendulum of an amplitude that a step can hardly tell from rest swings on. At rest all
+//! velocities are zero, joints bear what hangs at them, and what reaches one body wakes its whole island.
 
 use crate::fast_joints::{fast, pendulum, run};
 use crate::friction::rough;

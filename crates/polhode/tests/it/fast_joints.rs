@@ -1,8 +1,10 @@
-//! Joints in the tier `fast` obey mechanics to the order of its steps: pendulums keep their period, chains and linkages hold together and gain no
-//! energy, limits stop and do not pull, a figure of jointed limbs comes to lie; what hangs at rest bears its weight. The motion has the same bits
-//! for any number of threads and when it goes on from a snapshot. What the tier does not take is refused by name.
+//! Joints in the tier `fast` obey mechanics to the order of its steps: pendulums keep their period, chains and linkages
+//! hold together and gain no energy, limits stop and do not pull, a figure of jointed limbs comes to lie; what hangs at
+//! rest bears its weight. The motion has the same bits for any number of threads and when it goes on from a snapshot.
+//! What the tier does not take is refused by name.
 //!
-//! Oracles are closed forms (the period of a pendulum of any amplitude by the arithmetic-geometric mean) and conservation of energy.
+//! Oracles are closed forms (the period of a pendulum of any amplitude by the arithmetic-geometric mean) and
+//! conservation of energy.
 
 use crate::chains::chain;
 use crate::checks::assert_closes;
@@ -37,7 +39,8 @@ fn agm(mut x: f64, mut y: f64) -> f64 {
     x
 }
 
-/// Period of a pendulum of this inertia about its axis (kg m^2) and moment of weight (N m) that is let go at an angle (rad), s.
+/// Period of a pendulum of this inertia about its axis (kg m^2) and moment of weight (N m) that is let go at an angle
+/// (rad), s.
 fn period(inertia: f64, weight: f64, angle: f64) -> f64 {
     std::f64::consts::TAU * (inertia / weight).sqrt() / agm(1.0, (0.5 * angle).cos())
 }
@@ -53,7 +56,8 @@ pub(crate) fn pendulum(joint: impl Fn(BodyId) -> Joint, angle: f64) -> SceneBuil
     Scene::builder("pendulum").gravity(DVec3::Z * -G).body(body).joint(joint(BodyId::new(0)))
 }
 
-/// After a quarter of its period a pendulum is at its lowest point; how far it is from there falls at least with the first power of the step.
+/// After a quarter of its period a pendulum is at its lowest point; how far it is from there falls at least with the
+/// first power of the step.
 #[test]
 fn a_pendulum_keeps_its_period_to_the_order_of_the_step() {
     let angle = 1.0;
@@ -111,7 +115,8 @@ fn a_four_bar_keeps_its_period() {
     assert!(coarse < 0.03 && fine < 0.6 * coarse, "{coarse} {fine}");
 }
 
-/// A chain of twenty links that falls from the horizontal holds together: no joint opens by more than a twentieth of a link, and no energy is made.
+/// A chain of twenty links that falls from the horizontal holds together: no joint opens by more than a twentieth of a
+/// link, and no energy is made.
 #[test]
 fn a_chain_of_twenty_links_holds() {
     let links = [(1.0, 1.5); 20];
@@ -133,7 +138,8 @@ fn a_joint_bears_what_hangs_at_it() {
     assert!(loads[0].moment_n_m.length() < 1e-6, "{loads:?}");
 }
 
-/// A rod at a hinge with limits falls onto its limit and lies there; a stone at a rope falls freely until the rope is taut.
+/// A rod at a hinge with limits falls onto its limit and lies there; a stone at a rope falls freely until the rope is
+/// taut.
 #[test]
 fn limits_stop_and_do_not_pull() {
     let limits = Limits::new(-0.5, 0.5).unwrap();
@@ -191,8 +197,9 @@ fn a_ragdoll_holds_together_and_lies() {
     assert!(report.bodies[1].state.velocity.linear.length() < 0.5, "{:?}", report.bodies[1]);
 }
 
-/// A single fall shows little of how well joints hold where limbs hit the ground: it depends on the last bits. Of eight figures, with steps that are alike, the
-/// median of the largest gap is within a sixth of what a limb at 4 m/s flies in a step.
+/// A single fall shows little of how well joints hold where limbs hit the ground: it depends on the last bits. Of eight
+/// figures, with steps that are alike, the median of the largest gap is within a sixth of what a limb at 4 m/s flies in
+/// a step.
 #[test]
 fn joints_of_figures_that_fall_hold() {
     let gap = |figure: u32| {

@@ -1,6 +1,6 @@
-//! Methods with fixed steps tell the truth: what comes to rest within a step is held by static friction, drag and springs
-//! are stable at any step, a run whose energy the integrator has changed is degraded and says which step would do,
-//! queries answer by the law that the steps obey, and every tier judges a start in the same way.
+//! Methods with fixed steps tell the truth: what comes to rest within a step is held by static friction, drag and
+//! springs are stable at any step, a run whose energy the integrator has changed is degraded and says which step would
+//! do, queries answer by the law that the steps obey, and every tier judges a start in the same way.
 
 use crate::checks::{assert_closes, particle};
 use crate::friction::sticky;
@@ -37,9 +37,9 @@ fn way(scene: &SceneBuilder, report: &RunReport, along: DVec3) -> f64 {
     (report.bodies.last().unwrap().state.pose.translation - start).dot(along)
 }
 
-/// A box thrown up an incline of 30 degrees stops after `v^2/(2 g (sin + mu_k cos))` = 0.060 m and stays where the static
-/// coefficient holds it, at steps from half a millisecond to a fiftieth of a second and in any direction. Where the
-/// static one does not hold it, it slides back with the kinetic one, to the order of the step.
+/// A box thrown up an incline of 30 degrees stops after `v^2/(2 g (sin + mu_k cos))` = 0.060 m and stays where the
+/// static coefficient holds it, at steps from half a millisecond to a fiftieth of a second and in any direction. Where
+/// the static one does not hold it, it slides back with the kinetic one, to the order of the step.
 #[test]
 fn a_slip_that_ends_within_a_step_is_held_by_static_friction() {
     let slope = 30f64.to_radians();
@@ -99,9 +99,9 @@ fn drag_is_exact_at_any_step() {
     }
 }
 
-/// A spring to the world or between the centres of two bodies, with and without damping, is stable at any step, however stiff:
-/// `k h^2/m` from a tenth to 1e8. The energy swings by at most a third, and does not grow; where it swings by more than a
-/// thousandth the run is degraded.
+/// A spring to the world or between the centres of two bodies, with and without damping, is stable at any step, however
+/// stiff: `k h^2/m` from a tenth to 1e8. The energy swings by at most a third, and does not grow; where it swings by
+/// more than a thousandth the run is degraded.
 #[test]
 fn springs_are_stable_at_any_step() {
     for strength in [0.1, 1.0, 5.0, 20.0, 1e3, 1e8] {
@@ -227,8 +227,8 @@ fn every_tier_refuses_a_start_with_overlap() {
     assert!(refused.iter().all(|said| *said == refused[0] && said.contains("0.02")), "{refused:?}");
 }
 
-/// A fall of half a metre in two steps of 5 s ends far from where it should: the run warns of the step, of the body and of
-/// the time, names the step that would do, and its certificate estimates an error and holds the penetration and the
+/// A fall of half a metre in two steps of 5 s ends far from where it should: the run warns of the step, of the body and
+/// of the time, names the step that would do, and its certificate estimates an error and holds the penetration and the
 /// projection that the ledger has booked.
 #[test]
 fn a_step_that_is_too_long_is_told() {

@@ -1,5 +1,5 @@
-//! Force fields in tier `stepped` on bodies that contacts or joints hold: field and reactions act together in a step, so that what
-//! is held stays where it is, a field does work on the way that its body goes, and joints do none.
+//! Force fields in tier `stepped` on bodies that contacts or joints hold: field and reactions act together in a step,
+//! so that what is held stays where it is, a field does work on the way that its body goes, and joints do none.
 
 use crate::checks::{assert_closes, heavy_brick};
 use crate::friction::rough;
@@ -30,7 +30,8 @@ fn box_on_floor(friction: f64) -> SceneBuilder {
     Scene::builder("box").method(stepped(0.01)).duration_s(1.0).body(ground).body(body)
 }
 
-/// The motor of constant effort does the work that its rod gains; it turned a tenth of it into losses of the projection before.
+/// The motor of constant effort does the work that its rod gains; it turned a tenth of it into losses of the projection
+/// before.
 #[test]
 fn a_motor_on_a_hinge_does_the_work_that_its_rod_gains() {
     let (mass, length) = (1.4, 0.8);
@@ -74,8 +75,8 @@ fn assert_rests(report: &RunReport, what: &str) {
     assert_closes(report);
 }
 
-/// A box that rests on the floor stays there under a force that its contacts bear, and nothing does work: pressed down, lifted
-/// by less than its weight, pushed by less than friction bears.
+/// A box that rests on the floor stays there under a force that its contacts bear, and nothing does work: pressed down,
+/// lifted by less than its weight, pushed by less than friction bears.
 #[test]
 fn a_box_rests_under_a_force_that_its_contacts_bear() {
     for (what, force) in [
@@ -131,9 +132,9 @@ fn a_force_does_no_work_on_a_body_that_a_wall_stops() {
     assert!(report.ledger.impact.value().abs() < 1e-13, "{:?}", report.ledger);
 }
 
-/// A force that depends on velocities acts on what joints hold at the velocity that they leave it: a rod on a hinge in air, and on a
-/// spring with a damper, goes to its accurate motion with the square of the step. (It was the first power: drag acted at the velocity
-/// of a free fall over half of the step.)
+/// A force that depends on velocities acts on what joints hold at the velocity that they leave it: a rod on a hinge in
+/// air, and on a spring with a damper, goes to its accurate motion with the square of the step. (It was the first
+/// power: drag acted at the velocity of a free fall over half of the step.)
 #[test]
 fn drag_and_dampers_on_what_a_joint_holds_are_of_second_order() {
     let [linear, quadratic] = [DragLaw::Linear, DragLaw::Quadratic].map(|law| Force::Drag {

@@ -93,8 +93,8 @@ fn bricks_of_huge_friction_stand() {
 }
 
 /// A box that falls flat on the floor and spins about the vertical rubs with each corner in another direction. How the
-/// corners share the impact is not determined, but it must not depend on which of them comes first: the same box, turned
-/// by half a turn in its own frame, moves on in the same way.
+/// corners share the impact is not determined, but it must not depend on which of them comes first: the same box,
+/// turned by half a turn in its own frame, moves on in the same way.
 #[test]
 fn impacts_of_redundant_corners_do_not_depend_on_their_order() {
     let (size, half_a_turn) = (DVec3::new(0.4, 0.3, 0.2), std::f64::consts::PI);
@@ -116,9 +116,9 @@ fn impacts_of_redundant_corners_do_not_depend_on_their_order() {
     }
 }
 
-/// A box turns over on the edge of another one until the slip of its corner ends. The step that ends there evaluates the
-/// direction of a slip that is no larger than the errors of its stages: it missed the end by 1e-3 m/s, which a projection
-/// had to take away. The state is that of a pile of boxes before that step.
+/// A box turns over on the edge of another one until the slip of its corner ends. The step that ends there evaluates
+/// the direction of a slip that is no larger than the errors of its stages: it missed the end by 1e-3 m/s, which a
+/// projection had to take away. The state is that of a pile of boxes before that step.
 #[test]
 fn a_step_that_ends_where_a_slip_ends_finds_that_end() {
     let (material, size) = (rough(0.5), DVec3::splat(0.4));
@@ -173,9 +173,9 @@ fn a_wall_that_friction_holds_in_many_ways_is_at_rest() {
     }
 }
 
-/// A bridge on a slope, two pillars of eight bricks with a deck across them: it gives way at many joints at once, for which
-/// the first few convex programmes of the cone problem and Newton's method from them found no forces, so that the run ended
-/// before it began.
+/// A bridge on a slope, two pillars of eight bricks with a deck across them: it gives way at many joints at once, for
+/// which the first few convex programmes of the cone problem and Newton's method from them found no forces, so that the
+/// run ended before it began.
 #[test]
 fn a_bridge_that_gives_way_at_many_joints_begins_to_fall() {
     let (material, size) = (rough(0.588), DVec3::new(0.25, 0.12, 0.0625));

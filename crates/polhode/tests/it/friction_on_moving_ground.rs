@@ -177,10 +177,10 @@ fn box_under_rolling_balls_is_pulled() {
     }
 }
 
-/// A rough box that a wall pushes at constant speed, which friction may lift or press down by up to `mu_w P`: the push `P` and
-/// what the floor bears are not unique, but with `P = mu N` friction takes between `mu W s/(1 + mu_w mu)` and
-/// `mu W s/(1 - mu_w mu)` over the way s. The ledger once had 0.10 J of 0.39 at least, and less than none: forces of least
-/// norm let the wall lift the box by more than its friction bears.
+/// A rough box that a wall pushes at constant speed, which friction may lift or press down by up to `mu_w P`: the push
+/// `P` and what the floor bears are not unique, but with `P = mu N` friction takes between `mu W s/(1 + mu_w mu)` and
+/// `mu W s/(1 - mu_w mu)` over the way s. The ledger once had 0.10 J of 0.39 at least, and less than none: forces of
+/// least norm let the wall lift the box by more than its friction bears.
 #[test]
 fn a_wall_that_pushes_a_rough_box_lifts_it_by_no_more_than_its_friction() {
     let (speed, duration, edge) = (0.5, 0.5, 0.1);

@@ -1,6 +1,6 @@
-//! Gears: wheels in mesh, rack and pinion, a rope over a pulley and a planetary gear move as Newton's law with the ratio says; their
-//! forces do no work together; the angles keep their ratio to rounding through many revolutions, whatever the ratio; a run goes on
-//! from a snapshot with the same bits; and what cannot be a gear is refused.
+//! Gears: wheels in mesh, rack and pinion, a rope over a pulley and a planetary gear move as Newton's law with the
+//! ratio says; their forces do no work together; the angles keep their ratio to rounding through many revolutions,
+//! whatever the ratio; a run goes on from a snapshot with the same bits; and what cannot be a gear is refused.
 
 use crate::checks::assert_closes;
 use crate::support::{accurate, run};
@@ -97,7 +97,8 @@ fn angles_keep_their_ratio_through_many_revolutions() {
     }
 }
 
-/// Rack and pinion: a torque on the pinion of radius `r` moves the rack, `a = (T/r) / (m + I/r^2)`; and a rack that falls turns it.
+/// Rack and pinion: a torque on the pinion of radius `r` moves the rack, `a = (T/r) / (m + I/r^2)`; and a rack that
+/// falls turns it.
 #[test]
 fn a_pinion_moves_a_rack() {
     let radius = 0.1;
@@ -150,8 +151,8 @@ fn a_rope_over_a_pulley_is_a_gear_of_ratio_minus_one() {
     }
 }
 
-/// A planetary gear in free space: sun and planet are hinged to a carrier that nothing holds, so that a body is at both joints. The
-/// angular momentum stays, and so does the energy.
+/// A planetary gear in free space: sun and planet are hinged to a carrier that nothing holds, so that a body is at both
+/// joints. The angular momentum stays, and so does the energy.
 #[test]
 fn a_gear_on_a_free_carrier_keeps_the_angular_momentum() {
     let ratio = -1.7;
@@ -239,7 +240,8 @@ fn what_is_no_gear_is_refused() {
     assert!(refused(build(gear(first, first), 2.0)).contains("itself"));
     let of_distance = gear(first, second).between(Coordinate::Angle, Coordinate::Displacement);
     assert!(refused(build(of_distance, 2.0)).contains("does not have such a coordinate"));
-    assert!(
-        matches!(build(gear(first, second), 1.0), Err(SceneError::GearRate { found, needed, .. }) if found == 1.0 && needed == 2.0)
-    );
+    assert!(matches!(
+        build(gear(first, second), 1.0),
+        Err(SceneError::GearRate { found, needed, .. }) if found == 1.0 && needed == 2.0
+    ));
 }

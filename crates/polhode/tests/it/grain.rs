@@ -22,7 +22,8 @@ fn stepped() -> Method {
     Method { tier: Some(Tier::Stepped), step_s: Some(1e-3), ..Method::default() }
 }
 
-/// A box with a grain on a slope of friction 1: the coefficients of the pair are the square roots of those of the grain.
+/// A box with a grain on a slope of friction 1: the coefficients of the pair are the square roots of those of the
+/// grain.
 fn sledge(turn: Rotation, velocity: DVec3, heading: f64, grain: &Material) -> SceneBuilder {
     let size = DVec3::new(0.8, 0.5, 0.1);
     let mut bodies =
@@ -77,8 +78,8 @@ fn sledge_slides_along_its_runners_alone() {
     }
 }
 
-/// An oblique slide turns towards the runners as the equations of the ellipse say; the energy that friction takes is all
-/// that the sledge had, and it does not turn round.
+/// An oblique slide turns towards the runners as the equations of the ellipse say; the energy that friction takes is
+/// all that the sledge had, and it does not turn round.
 #[test]
 fn oblique_slides_deflect() {
     let (along, across) = (0.2, 0.5);
@@ -101,8 +102,8 @@ fn oblique_slides_deflect() {
     }
 }
 
-/// A grain that is tilted out of the plane acts along its projection, with the same coefficients; one on end gives every
-/// direction the coefficient across it.
+/// A grain that is tilted out of the plane acts along its projection, with the same coefficients; one on end gives
+/// every direction the coefficient across it.
 #[test]
 fn tilted_grain_acts_along_its_projection() {
     let (along, across) = (0.1, 0.6);
@@ -122,8 +123,8 @@ fn tilted_grain_acts_along_its_projection() {
     assert_eq!(down(DVec3::Z), 0.0);
 }
 
-/// A push along the grain that static friction just bears moves nothing; a billionth more and the box slides with kinetic
-/// friction. Static friction may have an ellipse of its own or be one number.
+/// A push along the grain that static friction just bears moves nothing; a billionth more and the box slides with
+/// kinetic friction. Static friction may have an ellipse of its own or be one number.
 #[test]
 fn static_friction_along_a_grain_is_its_own() {
     let kinetic = FrictionEllipse { along: 0.04, across: 0.36 };
@@ -193,8 +194,8 @@ fn directions_of_axes_do_not_matter() {
     }
 }
 
-/// A sledge thrown on the snow: the impulse of the impact lies in the ellipse, opposes the slip as the ellipse says, and
-/// costs energy.
+/// A sledge thrown on the snow: the impulse of the impact lies in the ellipse, opposes the slip as the ellipse says,
+/// and costs energy.
 #[test]
 fn impacts_know_the_grain() {
     let (along, across) = (0.1, 0.3);

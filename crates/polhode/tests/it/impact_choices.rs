@@ -1,8 +1,9 @@
-//! Where the impulses of an impact are not unique, and the motion afterwards depends on them, the choice is one of the bodies and
-//! not of the world: copies of a scene that are turned, or whose bodies have another order, move alike.
+//! Where the impulses of an impact are not unique, and the motion afterwards depends on them, the choice is one of the
+//! bodies and not of the world: copies of a scene that are turned, or whose bodies have another order, move alike.
 //!
-//! A block rests on a rough floor with four corners, which a blow off its centre makes slide: three of their normal impulses follow
-//! from the fourth, and each corner has the friction of its own. Turned by any angle the velocities after the blow are the same.
+//! A block rests on a rough floor with four corners, which a blow off its centre makes slide: three of their normal
+//! impulses follow from the fourth, and each corner has the friction of its own. Turned by any angle the velocities
+//! after the blow are the same.
 
 use crate::support::{accurate, ball, brick, run};
 use polhode::contact::Shape;
@@ -10,7 +11,8 @@ use polhode::scene::Material;
 use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
 use polhode::{Body, Effects, Scene};
 
-/// A blow: size of the block, place of its centre across the way of the ball, height of the ball, its speed, friction, restitution.
+/// A blow: size of the block, place of its centre across the way of the ball, height of the ball, its speed, friction,
+/// restitution.
 type Blow = (DVec3, f64, f64, f64, f64, f64);
 
 /// Velocities of the block after a blow in a world that is turned, turned back; the bodies in this order.

@@ -1,5 +1,5 @@
-//! The models of contact that the thesis tries first (section 3.3) have the faults that it describes, in its own figures,
-//! and the ledger shows what they do to the energy.
+//! The models of contact that the thesis tries first (section 3.3) have the faults that it describes, in its own
+//! figures, and the ledger shows what they do to the energy.
 
 use crate::support::{ball, elastic, floor, run_even_degraded};
 use polhode::scene::{Method, Response, Tier};
@@ -65,8 +65,8 @@ fn ball_at_rest_is_given_energy_by_lifting() {
     assert!((given - 300.0 * GRAVITY * fall_m).abs() < 1e-9, "{given} J");
 }
 
-/// A ball that a step of 0.03 s lets into the floor by 13 cm is caught there when impulses act on it while it leaves, and
-/// bounces off when they do not.
+/// A ball that a step of 0.03 s lets into the floor by 13 cm is caught there when impulses act on it while it leaves,
+/// and bounces off when they do not.
 #[test]
 fn bouncing_ball_is_caught_by_impulses_that_pull() {
     let top_after = |record: &Recorder| {

@@ -99,8 +99,8 @@ fn rattle(pose: Pose) -> (RunReport, RunReport) {
     (run(&scene, Effects::Planned).0, run(&scene, Effects::All).0)
 }
 
-/// A box that falls on the floor and rattles keeps the promises of its run up to 10 km from the origin, with friction and
-/// without: what separations far away are rounded by is no penetration.
+/// A box that falls on the floor and rattles keeps the promises of its run up to 10 km from the origin, with friction
+/// and without: what separations far away are rounded by is no penetration.
 #[test]
 fn a_box_far_from_the_origin_keeps_what_its_run_promises() {
     for away in [3e2, 1e3, 3e3, 1e4] {

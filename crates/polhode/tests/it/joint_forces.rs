@@ -1,5 +1,5 @@
-//! Springs, dampers and motors at the coordinates of joints: oscillations, decays and servos as closed forms say; between two bodies
-//! they are internal, so that momentum stays; what they do on the bodies is booked where it belongs.
+//! Springs, dampers and motors at the coordinates of joints: oscillations, decays and servos as closed forms say;
+//! between two bodies they are internal, so that momentum stays; what they do on the bodies is booked where it belongs.
 
 use crate::checks::assert_closes;
 use crate::joints::{inertia, rod};
@@ -38,7 +38,8 @@ fn at_angle(angle: f64) -> DVec3 {
     DVec3::new(angle.cos(), 0.0, -angle.sin()) * (0.5 * ROD.1)
 }
 
-/// A torsion spring swings a rod about the angle at which it is at rest, beyond a revolution too; in time steps to their order.
+/// A torsion spring swings a rod about the angle at which it is at rest, beyond a revolution too; in time steps to
+/// their order.
 #[test]
 fn a_torsion_spring_swings_a_rod_harmonically() {
     let (stiffness, rest) = (7.0, 0.6);
@@ -101,8 +102,8 @@ fn a_slider_on_a_spring_with_a_damper_oscillates_with_decay() {
     assert_closes(&report);
 }
 
-/// A servo of velocity with a bounded torque speeds a rod up evenly while it is at its bound, and exponentially from then on; its work is
-/// external, and equals the energy of the rod.
+/// A servo of velocity with a bounded torque speeds a rod up evenly while it is at its bound, and exponentially from
+/// then on; its work is external, and equals the energy of the rod.
 #[test]
 fn a_servo_of_velocity_reaches_its_target_within_its_torque() {
     let (target, gain, most, duration) = (3.0, 2.0, 1.5, 2.0);
@@ -123,9 +124,9 @@ fn a_servo_of_velocity_reaches_its_target_within_its_torque() {
     assert_closes(&report);
 }
 
-/// In time steps whether a motor is at its bound does not depend on how the scene is turned: a servo of rate lifts a rod under gravity
-/// and leaves its bound. (It was decided by the rate of a lever across the axis, which the fall of the anchor in half of a step was part
-/// of, and the lever points anywhere: copies left the bound steps apart.)
+/// In time steps whether a motor is at its bound does not depend on how the scene is turned: a servo of rate lifts a
+/// rod under gravity and leaves its bound. (It was decided by the rate of a lever across the axis, which the fall of
+/// the anchor in half of a step was part of, and the lever points anywhere: copies left the bound steps apart.)
 #[test]
 fn a_turned_servo_leaves_its_bound_in_the_same_step() {
     let (mass, length) = ROD;
@@ -148,8 +149,8 @@ fn a_turned_servo_leaves_its_bound_in_the_same_step() {
     }
 }
 
-/// A servo of position holds a rod against its weight where its torque equals the moment of the weight, in both tiers; the
-/// rod that it holds does not move.
+/// A servo of position holds a rod against its weight where its torque equals the moment of the weight, in both tiers;
+/// the rod that it holds does not move.
 #[test]
 fn a_servo_of_position_holds_a_rod_against_its_weight() {
     let (stiffness, damping) = (60.0, 12.0);
@@ -166,8 +167,8 @@ fn a_servo_of_position_holds_a_rod_against_its_weight() {
     }
 }
 
-/// A motor between two bodies in free space turns them against each other: momentum and angular momentum stay zero, and the
-/// work of the motor is their energy.
+/// A motor between two bodies in free space turns them against each other: momentum and angular momentum stay zero, and
+/// the work of the motor is their energy.
 #[test]
 fn a_motor_between_two_bodies_is_internal() {
     let bodies =
@@ -232,8 +233,8 @@ fn forces_that_no_joint_can_have_are_refused() {
     assert!(matches!(refused, Err(SceneError::Joint { number: 0, .. })));
 }
 
-/// A program reads a coordinate and changes its motor while the simulation runs: the rod follows, a snapshot keeps the motor, and taking
-/// the motor away leaves the rod to itself.
+/// A program reads a coordinate and changes its motor while the simulation runs: the rod follows, a snapshot keeps the
+/// motor, and taking the motor away leaves the rod to itself.
 #[test]
 fn a_program_drives_a_joint() {
     for (method, allowed) in [(accurate(), 1e-9), (stepped(1e-2), 1e-3)] {
@@ -274,8 +275,8 @@ fn a_program_drives_a_joint() {
     }
 }
 
-/// A motor on a light hub that a weld holds gives its bound, whichever way the hub would turn under it alone: the wheel begins as its
-/// moment says.
+/// A motor on a light hub that a weld holds gives its bound, whichever way the hub would turn under it alone: the wheel
+/// begins as its moment says.
 #[test]
 fn a_bounded_servo_on_a_light_hub_turns_its_wheel() {
     let servo = Motor::new(Drive::Velocity { velocity: 50.0, gain: 40.0 }).unwrap().at_most(150.0).unwrap();
@@ -294,8 +295,8 @@ fn a_bounded_servo_on_a_light_hub_turns_its_wheel() {
     }
 }
 
-/// A torsion spring goes on being wound beyond half a turn, whichever way, and so does the angle that samples tell; a snapshot on the
-/// way keeps the count.
+/// A torsion spring goes on being wound beyond half a turn, whichever way, and so does the angle that samples tell; a
+/// snapshot on the way keeps the count.
 #[test]
 fn a_torsion_spring_is_wound_beyond_half_a_turn() {
     let (stiffness, most, duration_s) = (7.0, 5.0, 1.6);
@@ -343,8 +344,8 @@ fn a_servo_arrives_beyond_half_a_turn() {
     }
 }
 
-/// A servo of position without damping, at its bound most of the time: arcs of constant acceleration and of a harmonic motion, where
-/// the effort has corners. After twenty and a half swings the body passes the target as these say.
+/// A servo of position without damping, at its bound most of the time: arcs of constant acceleration and of a harmonic
+/// motion, where the effort has corners. After twenty and a half swings the body passes the target as these say.
 #[test]
 fn a_servo_leaves_its_bound_where_its_effort_has_a_corner() {
     let (mass, target, stiffness, most) = (1.0, 0.436, 1710.0, 345.0);
@@ -366,8 +367,8 @@ fn a_servo_leaves_its_bound_where_its_effort_has_a_corner() {
     assert!((state.velocity.linear.x - amplitude * frequency).abs() < 1e-9, "{:?}", state.velocity);
 }
 
-/// A rod on a hinge strikes a body on a slider with a spring. Until then each moved on its own: what the spring has done by then is
-/// its potential energy, and no projection of the rod takes it.
+/// A rod on a hinge strikes a body on a slider with a spring. Until then each moved on its own: what the spring has
+/// done by then is its potential energy, and no projection of the rod takes it.
 #[test]
 fn a_blow_on_a_body_with_a_spring_leaves_the_ledger_closed() {
     let spring = Freedom::default().with_spring(2000.0, -0.02).unwrap();

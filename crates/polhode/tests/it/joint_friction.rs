@@ -1,5 +1,5 @@
-//! Dry friction of joints: what moves comes to rest where the closed form says, sticks there, and starts again at the effort of
-//! breakaway; what friction takes is the loss of the bodies, and between two bodies it is internal.
+//! Dry friction of joints: what moves comes to rest where the closed form says, sticks there, and starts again at the
+//! effort of breakaway; what friction takes is the loss of the bodies, and between two bodies it is internal.
 
 use crate::checks::{assert_closes, heavy_brick};
 use crate::joints::{inertia, rod};
@@ -40,8 +40,8 @@ fn first(recorder: &Recorder, kind: EventKind) -> Option<&Event> {
     recorder.events.iter().find(|event| event.kind == kind)
 }
 
-/// A rod that spins on a hinge slows evenly, and stops after the angle at which friction has taken its energy; in time steps within
-/// their error.
+/// A rod that spins on a hinge slows evenly, and stops after the angle at which friction has taken its energy; in time
+/// steps within their error.
 #[test]
 fn a_spinning_rod_stops_after_the_angle_of_its_energy() {
     let (torque, rate) = (0.7, 3.0);
@@ -64,8 +64,8 @@ fn a_spinning_rod_stops_after_the_angle_of_its_energy() {
     }
 }
 
-/// A pendulum swings once and sticks where its weight, at the turning point, is less than friction bears. The turning point solves
-/// `m g d (cos b - cos a) = T (a + b)`.
+/// A pendulum swings once and sticks where its weight, at the turning point, is less than friction bears. The turning
+/// point solves `m g d (cos b - cos a) = T (a + b)`.
 #[test]
 fn a_pendulum_sticks_at_the_turning_point_that_friction_holds() {
     let (torque, start) = (2.2, 1.3);
@@ -90,8 +90,8 @@ fn a_pendulum_sticks_at_the_turning_point_that_friction_holds() {
     }
 }
 
-/// What a joint does is told: a rough hinge that holds a pendulum off its lowest place bears its weight, and the moment of it; a stop
-/// does the same; while it swings the force is that of Newton's law for its centre.
+/// What a joint does is told: a rough hinge that holds a pendulum off its lowest place bears its weight, and the moment
+/// of it; a stop does the same; while it swings the force is that of Newton's law for its centre.
 #[test]
 fn joint_loads_are_those_of_statics_and_of_the_swing() {
     let (weight, angle) = (ROD.0 * G, 0.9_f64);
@@ -121,7 +121,8 @@ fn joint_loads_are_those_of_statics_and_of_the_swing() {
     assert!((load.force_n.dot(-along) - pull).abs() < 1e-9 * weight, "{load:?} for {pull}");
 }
 
-/// A torque that grows moves a rod when it exceeds the effort of breakaway, not before; from then on friction is that of motion.
+/// A torque that grows moves a rod when it exceeds the effort of breakaway, not before; from then on friction is that
+/// of motion.
 #[test]
 fn a_growing_torque_starts_a_rod_at_breakaway() {
     let (effort, breakaway, growth) = (0.5, 0.8, 0.4);
@@ -149,8 +150,8 @@ fn a_growing_torque_starts_a_rod_at_breakaway() {
     assert_closes(&report);
 }
 
-/// Two bodies in free space that turn on a rough hinge against each other come to turn together; momentum stays, and friction has
-/// taken the energy of their relative motion.
+/// Two bodies in free space that turn on a rough hinge against each other come to turn together; momentum stays, and
+/// friction has taken the energy of their relative motion.
 #[test]
 fn friction_between_two_bodies_is_internal() {
     for (method, allowed) in [(accurate(), 1e-11), (stepped(1e-3), 1e-6)] {
@@ -207,8 +208,8 @@ fn a_bead_slides_only_under_more_than_its_friction() {
     }
 }
 
-/// A rod that spins on a bearing of radius `r` with the coefficient `mu` is slowed by the force that turns its centre: with
-/// `k = mu r` and `R = m d sqrt(w^4 + w'^2)` that is `w' = -c w^2`, `c = k m d/sqrt(I^2 - (k m d)^2)`.
+/// A rod that spins on a bearing of radius `r` with the coefficient `mu` is slowed by the force that turns its centre:
+/// with `k = mu r` and `R = m d sqrt(w^4 + w'^2)` that is `w' = -c w^2`, `c = k m d/sqrt(I^2 - (k m d)^2)`.
 #[test]
 fn a_bearing_slows_a_rod_by_the_load_of_its_spin() {
     let (coefficient, radius, rate) = (0.3, 0.05, 6.0);
@@ -274,8 +275,8 @@ fn a_snapshot_keeps_joints_that_slip_or_stick() {
     }
 }
 
-/// A bearing that locks itself is left to time steps. A snapshot among them was refused, because the contact of a joint with the world
-/// is between a body and itself; then the error of such a stretch was not known.
+/// A bearing that locks itself is left to time steps. A snapshot among them was refused, because the contact of a joint
+/// with the world is between a body and itself; then the error of such a stretch was not known.
 #[test]
 fn a_snapshot_among_time_steps_keeps_a_joint_with_the_world() {
     let turning = Velocity::new(DVec3::Y.cross(DVec3::X * (0.5 * ROD.1)) * 6.0, DVec3::Y * 6.0);
@@ -325,8 +326,8 @@ fn friction_that_no_joint_can_have_is_refused() {
     assert!(error.to_string().contains("neither an effort nor a bearing"), "{error}");
 }
 
-/// Friction is a finite force: an impact lasts for no time, so that a rough hinge takes the same impulse as a smooth one, to the
-/// rounding of the solution, however large its friction is.
+/// Friction is a finite force: an impact lasts for no time, so that a rough hinge takes the same impulse as a smooth
+/// one, to the rounding of the solution, however large its friction is.
 #[test]
 fn impacts_take_no_friction_of_joints() {
     let struck = |freedom: Freedom| {
@@ -345,8 +346,8 @@ fn impacts_take_no_friction_of_joints() {
     }
 }
 
-/// A cab that comes to a stop within a step, at any part of it, stays where breakaway holds its weight, though friction in motion would
-/// not: `v^2/(2 (g + F/m))` above where it was.
+/// A cab that comes to a stop within a step, at any part of it, stays where breakaway holds its weight, though friction
+/// in motion would not: `v^2/(2 (g + F/m))` above where it was.
 #[test]
 fn a_cab_that_stops_within_a_step_stays() {
     let (effort, breakaway, step_s) = (2.5, 12.5, 1e-2);
@@ -366,7 +367,8 @@ fn a_cab_that_stops_within_a_step_stays() {
     }
 }
 
-/// A parallelogram of so many parallel cranks, of which the first one rubs in its bearing, turned about the vertical by this angle.
+/// A parallelogram of so many parallel cranks, of which the first one rubs in its bearing, turned about the vertical by
+/// this angle.
 fn cranks(count: usize, turn: f64) -> Scene {
     let attitude = Rotation::from_rotation_vector(DVec3::Z * turn);
     let at = |x: f64, z: f64| attitude.rotate(DVec3::new(x, 0.0, z));
@@ -389,8 +391,8 @@ fn cranks(count: usize, turn: f64) -> Scene {
     scene.build().unwrap()
 }
 
-/// With a third crank the load of the first one's bearing is one of many, and so is the motion, without a word: turned about the
-/// vertical the scene moved differently. With two cranks there is one load, and nothing to say.
+/// With a third crank the load of the first one's bearing is one of many, and so is the motion, without a word: turned
+/// about the vertical the scene moved differently. With two cranks there is one load, and nothing to say.
 #[test]
 fn friction_of_a_bearing_whose_load_is_not_unique_turns_with_the_world_unsaid() {
     for turn in [0.0, 1.0, 2.0] {

@@ -1,5 +1,5 @@
-//! Each kind of joint leaves free what it says, and nothing else: closed forms, and equations in the coordinates that are free.
-//! All of them keep their bodies together to rounding and do no work.
+//! Each kind of joint leaves free what it says, and nothing else: closed forms, and equations in the coordinates that
+//! are free. All of them keep their bodies together to rounding and do no work.
 
 use crate::checks::assert_closes;
 use crate::support::{accurate, brick, run};
@@ -35,7 +35,8 @@ fn held(builder: SceneBuilder) -> RunReport {
     report
 }
 
-/// A body on a slider falls along its axis by `g sin(slope) t^2/2`, without a rotation, although it hangs beside the axis.
+/// A body on a slider falls along its axis by `g sin(slope) t^2/2`, without a rotation, although it hangs beside the
+/// axis.
 #[test]
 fn slider_leaves_the_way_along_its_axis() {
     let axis = unit(DVec3::new(0.6, 0.48, -0.64));
@@ -226,8 +227,8 @@ fn axes_of_a_universal_joint_are_at_right_angles() {
     assert!(matches!(built, Err(SceneError::Joint { number: 0, .. })));
 }
 
-/// A nut on a screw that stands upright falls with `g/(1 + I/(m p^2))`, `p` the displacement for each radian, and turns by its thread
-/// the way that its hand says, beyond revolutions too; its energy stays. In both tiers.
+/// A nut on a screw that stands upright falls with `g/(1 + I/(m p^2))`, `p` the displacement for each radian, and turns
+/// by its thread the way that its hand says, beyond revolutions too; its energy stays. In both tiers.
 #[test]
 fn a_nut_falls_on_a_screw() {
     for lead in [0.12, -0.05] {

@@ -1,5 +1,5 @@
-//! Limits of joints are stops: bodies strike them with their restitution, rest against them and leave them as closed forms say, and
-//! ropes hold what hangs on them only while they are taut. Stops conserve what contacts conserve.
+//! Limits of joints are stops: bodies strike them with their restitution, rest against them and leave them as closed
+//! forms say, and ropes hold what hangs on them only while they are taut. Stops conserve what contacts conserve.
 
 use crate::checks::assert_closes;
 use crate::joints::{assert_held, down, inertia, integrate, rod};
@@ -55,8 +55,8 @@ fn a_slider_goes_to_and_fro_between_elastic_stops() {
     }
 }
 
-/// A body on a vertical slider bounces on its lower stop as a ball does on a floor, `t_n = t_1 + 2 v/g (e + e^2 + ...)`, and comes to
-/// rest on it.
+/// A body on a vertical slider bounces on its lower stop as a ball does on a floor,
+/// `t_n = t_1 + 2 v/g (e + e^2 + ...)`, and comes to rest on it.
 #[test]
 fn a_slider_bounces_on_its_stop_and_comes_to_rest() {
     let (height, e) = (0.4, 0.5);
@@ -81,8 +81,8 @@ fn a_slider_bounces_on_its_stop_and_comes_to_rest() {
     }
 }
 
-/// A level rod on a hinge falls onto a stop: it arrives with the energy of its fall, loses `1 - e^2` of it, and the stop holds it in
-/// the end by the moment of its weight.
+/// A level rod on a hinge falls onto a stop: it arrives with the energy of its fall, loses `1 - e^2` of it, and the
+/// stop holds it in the end by the moment of its weight.
 #[test]
 fn a_pendulum_strikes_its_stop_with_the_energy_of_its_fall() {
     let (own, stop, e) = ((1.3, 0.6), 0.7, 0.4);
@@ -105,8 +105,8 @@ fn a_pendulum_strikes_its_stop_with_the_energy_of_its_fall() {
     }
 }
 
-/// Two bodies on a hinge in free space strike their elastic stops again and again: momentum, angular momentum and energy stay, and
-/// the angle keeps within its range. Which of the two is named first does not matter.
+/// Two bodies on a hinge in free space strike their elastic stops again and again: momentum, angular momentum and
+/// energy stay, and the angle keeps within its range. Which of the two is named first does not matter.
 #[test]
 fn stops_between_two_bodies_conserve_momentum_and_energy() {
     let at = |first: usize, second: usize| {
@@ -165,8 +165,8 @@ impl System for PointPendulum {
     }
 }
 
-/// A ball on a rope falls freely until the rope is taut, loses its velocity along the rope, and then swings on it as on a rod of that
-/// length.
+/// A ball on a rope falls freely until the rope is taut, loses its velocity along the rope, and then swings on it as on
+/// a rod of that length.
 #[test]
 fn a_rope_holds_only_while_it_is_taut() {
     let (offset, length, duration) = (0.5, 0.8, 1.3);
@@ -187,8 +187,8 @@ fn a_rope_holds_only_while_it_is_taut() {
     assert_closes(&report);
 }
 
-/// Two balls in free space on a slack elastic rope: when it becomes taut they exchange momentum, and energy and angular momentum
-/// stay.
+/// Two balls in free space on a slack elastic rope: when it becomes taut they exchange momentum, and energy and angular
+/// momentum stay.
 #[test]
 fn an_elastic_rope_between_two_bodies_conserves() {
     let bodies = [
@@ -332,8 +332,8 @@ fn a_pose_beyond_a_limit_is_refused() {
     assert!(matches!(put(0.6), Err(SimulationError::Action(ActionError::BeyondLimits(_)))));
 }
 
-/// A flap that swings between elastic limits of its hinge keeps its energy in time steps, though the hinge bends its way: what a step is
-/// wrong by in the time of an impact takes nothing.
+/// A flap that swings between elastic limits of its hinge keeps its energy in time steps, though the hinge bends its
+/// way: what a step is wrong by in the time of an impact takes nothing.
 #[test]
 fn a_flap_swings_between_elastic_limits_without_a_loss() {
     for (rate, step_s) in [(2.0, 1e-2), (10.0, 1e-3)] {

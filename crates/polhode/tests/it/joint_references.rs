@@ -1,6 +1,6 @@
-//! Machines of links with reference values that were derived or computed elsewhere: a chain of four rods (the thesis's Figure 5,
-//! hung and let go level; equations of Lagrange integrated in 80-bit numbers) and Bricard's loop of six hinges, which is
-//! overconstrained and moves nevertheless (a quadrature).
+//! Machines of links with reference values that were derived or computed elsewhere: a chain of four rods (the thesis's
+//! Figure 5, hung and let go level; equations of Lagrange integrated in 80-bit numbers) and Bricard's loop of six
+//! hinges, which is overconstrained and moves nevertheless (a quadrature).
 
 use crate::checks::assert_closes;
 use crate::support::{accurate, run};
@@ -52,8 +52,8 @@ fn chain_of_four_rods_falls_as_the_equations_of_lagrange_say() {
     }
 }
 
-/// Six hinges on the edges of a cube: 30 rows hold 30 velocities, and one motion is left. The corner opposite to the ground link
-/// passes where the quadrature of its one equation says.
+/// Six hinges on the edges of a cube: 30 rows hold 30 velocities, and one motion is left. The corner opposite to the
+/// ground link passes where the quadrature of its one equation says.
 #[test]
 fn bricard_loop_moves_as_its_one_equation_says() {
     let corners = [[0, 0, 0], [1, 0, 0], [1, -1, 0], [1, -1, 1], [0, -1, 1], [0, 0, 1]]

@@ -1,4 +1,5 @@
-//! Joints: bodies that a ball joint or a hinge holds together move as the equations in their angles say, and stay together.
+//! Joints: bodies that a ball joint or a hinge holds together move as the equations in their angles say, and stay
+//! together.
 //!
 //! Oracles are the equations of motion in angles, integrated to rounding, and closed forms. No joint does work:
 //! the energy stays, the ledger closes, and what projections take is rounding.
@@ -14,7 +15,8 @@ use polhode::{Body, BodyId, BodySample, Effects, RunReport, Scene, SceneBuilder,
 
 const G: f64 = 9.81;
 
-/// A uniform rod with its centre at `center`, along a direction in the plane y = 0 that is turned by `angle` from -z towards x.
+/// A uniform rod with its centre at `center`, along a direction in the plane y = 0 that is turned by `angle` from -z
+/// towards x.
 pub(crate) fn rod(name: &str, (mass, length): (f64, f64), center: DVec3, angle: f64) -> Body {
     let size = DVec3::new(0.02, 0.02, length);
     let attitude = Rotation::from_rotation_vector(DVec3::Y * -angle);
@@ -145,8 +147,8 @@ fn ball_joint_with_the_world_is_a_pivot() {
     assert!((joint.velocity.angular - pivot.velocity.angular).length() < 1e-7);
 }
 
-/// A parallelogram of four bars, one of them the world, closed by four hinges: five rows each, three of them redundant. Its
-/// coupler stays level, and its cranks swing as one pendulum.
+/// A parallelogram of four bars, one of them the world, closed by four hinges: five rows each, three of them redundant.
+/// Its coupler stays level, and its cranks swing as one pendulum.
 #[test]
 fn overconstrained_four_bar_swings_as_one_pendulum() {
     let (crank, span) = ((0.8, 0.3), (1.7, 0.5));
@@ -248,8 +250,8 @@ fn joints_that_cannot_hold_are_refused() {
     assert!(matches!(by(splitting), Err(SceneError::JointsWithIntegrator { .. })));
 }
 
-/// Tier `stepped` takes joints: the double pendulum converges to that of the equations with the square of the step, no joint
-/// does work, and the bodies stay together.
+/// Tier `stepped` takes joints: the double pendulum converges to that of the equations with the square of the step, no
+/// joint does work, and the bodies stay together.
 #[test]
 fn time_steps_of_jointed_bodies_are_of_second_order() {
     let (rods, angles, duration) = ([(1.0, 1.0), (1.0, 0.7)], [1.2, 0.4], 0.5);
@@ -267,8 +269,8 @@ fn time_steps_of_jointed_bodies_are_of_second_order() {
     assert!(fine < 1e-3 && (3.0..5.5).contains(&(coarse / fine)), "{coarse:e} {fine:e}");
 }
 
-/// A chain of five rods that hangs level and falls on a rough floor: contacts crowd, and joints hold through impacts and time
-/// steps. Energy only falls, and the rods end together on the floor.
+/// A chain of five rods that hangs level and falls on a rough floor: contacts crowd, and joints hold through impacts
+/// and time steps. Energy only falls, and the rods end together on the floor.
 #[test]
 fn a_chain_that_falls_on_a_rough_floor_stays_together() {
     for tier in [Tier::Accurate, Tier::Stepped] {
@@ -316,8 +318,8 @@ fn a_chain_that_falls_on_a_rough_floor_stays_together() {
     }
 }
 
-/// An impulse on one of two jointed rods moves both, as the equations in the angles say: `M q' = p l` at the tip of the lower
-/// one. The pose of a jointed body cannot be set away from its joint.
+/// An impulse on one of two jointed rods moves both, as the equations in the angles say: `M q' = p l` at the tip of the
+/// lower one. The pose of a jointed body cannot be set away from its joint.
 #[test]
 fn a_program_strikes_a_jointed_body() {
     let rods = [(1.5, 0.4), (0.5, 0.6)];
@@ -344,8 +346,8 @@ fn a_program_strikes_a_jointed_body() {
     assert!((total(before) - total(after)).abs() < 1e-11, "{before:?} {after:?}");
 }
 
-/// Where the lower rod of a double pendulum is taken away the upper one goes on as a pendulum alone, with the velocity that it has;
-/// its joint goes with the rod. The state goes through a snapshot bit by bit, before and after.
+/// Where the lower rod of a double pendulum is taken away the upper one goes on as a pendulum alone, with the velocity
+/// that it has; its joint goes with the rod. The state goes through a snapshot bit by bit, before and after.
 #[test]
 fn a_joint_goes_with_a_body_that_is_removed() {
     let rods = [(1.0, 0.5), (0.7, 0.4)];
@@ -374,8 +376,9 @@ fn a_joint_goes_with_a_body_that_is_removed() {
     assert!((one.translation - wanted).length() < 1e-9, "{:?} {wanted:?}", one.translation);
 }
 
-/// A rod that hangs at a pivot and a second one at its end move as the double pendulum, and the ledgers of energy and of momentum
-/// close, in the tier of fixed steps too, where the motion of a body on a pivot alone is reduced to a rotation.
+/// A rod that hangs at a pivot and a second one at its end move as the double pendulum, and the ledgers of energy and
+/// of momentum close, in the tier of fixed steps too, where the motion of a body on a pivot alone is reduced to a
+/// rotation.
 #[test]
 fn a_joint_to_a_body_on_a_pivot_closes_the_ledgers() {
     let (rods, angles, t) = ([(1.0, 0.5), (0.7, 0.4)], [1.1, 0.6], 0.5);
@@ -398,8 +401,8 @@ fn a_joint_to_a_body_on_a_pivot_closes_the_ledgers() {
     }
 }
 
-/// A body that touches nothing rests with the one that a joint holds it to: an arm whose foot stands on the floor stays where it is.
-/// It once fell through the floor with its foot, since nothing that it touched held it.
+/// A body that touches nothing rests with the one that a joint holds it to: an arm whose foot stands on the floor stays
+/// where it is. It once fell through the floor with its foot, since nothing that it touched held it.
 #[test]
 fn what_a_joint_holds_to_a_resting_body_rests_with_it() {
     for fall in [0.0, 0.05] {
@@ -416,8 +419,9 @@ fn what_a_joint_holds_to_a_resting_body_rests_with_it() {
     }
 }
 
-/// What a joint bears and how bodies begin to move are those of all bodies that joints connect, also where nothing touches: of two rods
-/// that hang at each other the upper hinge bears both, and let go level the first one begins with 9/7 and the second with -3/7 of g/l (thin rods).
+/// What a joint bears and how bodies begin to move are those of all bodies that joints connect, also where nothing
+/// touches: of two rods that hang at each other the upper hinge bears both, and let go level the first one begins with
+/// 9/7 and the second with -3/7 of g/l (thin rods).
 #[test]
 fn jointed_bodies_bear_and_begin_together() {
     let own = (1.0, 1.0);

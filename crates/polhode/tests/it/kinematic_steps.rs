@@ -129,8 +129,8 @@ fn pile_in_a_shaken_bin_goes_through_crowding() {
     }
 }
 
-/// The same pile in a bin that a program moves about, also within its stretches of crowded events, whose companion is moved
-/// with it: nothing leaves the bin, and a run restored from a snapshot continues with the same bits.
+/// The same pile in a bin that a program moves about, also within its stretches of crowded events, whose companion is
+/// moved with it: nothing leaves the bin, and a run restored from a snapshot continues with the same bits.
 #[test]
 fn pile_in_a_steered_bin_stays_in_it() {
     let scene = shaken_bin(16).method(accurate()).build().unwrap();

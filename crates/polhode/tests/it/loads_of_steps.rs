@@ -1,5 +1,6 @@
-//! Loads that time steps tell are what they applied: with the velocities of the same run, those of joints and contacts obey Newton's law
-//! for every body over every step, where bodies land, slide, roll and stand, and for loops; after a snapshot they are the same.
+//! Loads that time steps tell are what they applied: with the velocities of the same run, those of joints and contacts
+//! obey Newton's law for every body over every step, where bodies land, slide, roll and stand, and for loops; after a
+//! snapshot they are the same.
 
 use crate::support::{brick, floor};
 use polhode::scene::{Coordinate, Freedom, Joint, JointKind, Limits, Material, Method, Tier};
@@ -13,8 +14,8 @@ fn rough(body: Body) -> Body {
     body.material(Material::new("rough").with_friction(0.6).unwrap().with_restitution(0.3).unwrap())
 }
 
-/// A trunk on two legs with knees, one of which has a limit and the other damping, that falls onto a rough floor, and a closed loop of
-/// a rod between the feet.
+/// A trunk on two legs with knees, one of which has a limit and the other damping, that falls onto a rough floor, and a
+/// closed loop of a rod between the feet.
 fn walker() -> Scene {
     let method = Method { tier: Some(Tier::Stepped), step_s: Some(STEP_S), ..Method::default() };
     let mut scene = Scene::builder("walker").method(method).duration_s(0.6);

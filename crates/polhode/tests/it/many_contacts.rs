@@ -1,7 +1,7 @@
 //! Bodies that lie on hundreds of contacts move as those that lie on a few.
 //!
-//! The rim of a dense mesh has a contact at every vertex. Impacts and time steps begin with some of them and add what closes;
-//! the motion of a rigid body that keeps flat does not depend on which of them bear the load.
+//! The rim of a dense mesh has a contact at every vertex. Impacts and time steps begin with some of them and add what
+//! closes; the motion of a rigid body that keeps flat does not depend on which of them bear the load.
 
 use crate::checks::assert_closes;
 use crate::friction::{on_slope, rough};
@@ -14,9 +14,10 @@ use std::f64::consts::TAU;
 
 const G: f64 = 9.81;
 
-/// A flat ring of points falls flat on a rough floor while it moves along. The impact (without restitution) takes `mu` times the
-/// speed of the fall from its velocity, and friction slows it by `mu g` until it rests: `x = v h_t + (v - mu u)^2/(2 mu g)`, with
-/// `u = sqrt(2 g h)` and the time of the fall `h_t = u/g`. 4 points and many do the same.
+/// A flat ring of points falls flat on a rough floor while it moves along. The impact (without restitution) takes `mu`
+/// times the speed of the fall from its velocity, and friction slows it by `mu g` until it rests:
+/// `x = v h_t + (v - mu u)^2/(2 mu g)`, with `u = sqrt(2 g h)` and the time of the fall `h_t = u/g`. 4 points and many
+/// do the same.
 #[test]
 fn a_rim_of_many_points_slides_as_far_as_one_of_few() {
     let (friction, height, speed) = (0.3, 0.05, 1.0);

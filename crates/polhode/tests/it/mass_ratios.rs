@@ -75,8 +75,8 @@ fn light_box_under_a_heavy_one_slides_down_a_slope() {
 /// Size of the boxes of a stack, m.
 const FLAT: DVec3 = DVec3::new(1.0, 0.6, 0.2);
 
-/// A stack of boxes of these masses (the lowest first) at rest on a rough slope (rad), each turned by `twist` (rad) about the
-/// normal to the one below it. Whether it is at rest after the first instant, and the residual of its forces.
+/// A stack of boxes of these masses (the lowest first) at rest on a rough slope (rad), each turned by `twist` (rad)
+/// about the normal to the one below it. Whether it is at rest after the first instant, and the residual of its forces.
 fn rests(masses: &[f64], (angle, azimuth, twist): (f64, f64, f64)) -> (bool, f64) {
     let (plane, material) = (slope(angle, azimuth), rough(0.5));
     let boxes = masses.iter().enumerate().map(|(level, &mass)| {
@@ -99,9 +99,9 @@ fn rests(masses: &[f64], (angle, azimuth, twist): (f64, f64, f64)) -> (bool, f64
     (still && simulation.time() >= 1e-3, simulation.frame().certificate.max_residual)
 }
 
-/// Stacks of boxes whose masses rise, fall or alternate by factors up to 1e6 are put to rest at once on slopes on which the
-/// least forces leave the cones of friction. (From a ratio of 1e4 those with heavy boxes on light ones were not, and stood by
-/// slow time steps; residuals were up to 8 eps times the ratio.)
+/// Stacks of boxes whose masses rise, fall or alternate by factors up to 1e6 are put to rest at once on slopes on which
+/// the least forces leave the cones of friction. (From a ratio of 1e4 those with heavy boxes on light ones were not,
+/// and stood by slow time steps; residuals were up to 8 eps times the ratio.)
 #[test]
 fn stacks_of_unlike_boxes_rest_on_slopes_at_once() {
     for exponent in [0, 2, 4, 6] {
@@ -118,8 +118,8 @@ fn stacks_of_unlike_boxes_rest_on_slopes_at_once() {
     }
 }
 
-/// A stack with a heavy box on top stands as long as gravity through its centre of mass meets its base, to a thousandth of the
-/// slope's tangent, and falls beyond, at every mass ratio.
+/// A stack with a heavy box on top stands as long as gravity through its centre of mass meets its base, to a thousandth
+/// of the slope's tangent, and falls beyond, at every mass ratio.
 #[test]
 fn a_stack_stands_until_its_weight_leaves_the_base() {
     for exponent in [0, 2, 4, 6] {
@@ -133,9 +133,9 @@ fn a_stack_stands_until_its_weight_leaves_the_base() {
     }
 }
 
-/// Boxes of one material that lie on each other slide down a slope as one, by `g (sin - mu cos)`, and none on another, whichever
-/// of them is heavy: from rest, and with a speed. (With a heavy box on light ones they slid on each other, by up to 9e-4 of the
-/// way.)
+/// Boxes of one material that lie on each other slide down a slope as one, by `g (sin - mu cos)`, and none on another,
+/// whichever of them is heavy: from rest, and with a speed. (With a heavy box on light ones they slid on each other, by
+/// up to 9e-4 of the way.)
 #[test]
 fn stacks_of_unlike_boxes_slide_as_one() {
     let (friction, duration_s): (f64, f64) = (0.3, 0.4);
@@ -172,9 +172,9 @@ fn stacks_of_unlike_boxes_slide_as_one() {
 
 /// A heavy box that falls tilted onto a light plate, on which it rocks and slides, loses energy and no number. (Steps
 /// became as short as the spacing of times, and the bounds of the motion within them were infinite: the run ended in an
-/// error at ratios of 1e5 and 1e6, by some units in the last place of the mass.) The heavy box's impulses cancel on the plate,
-/// whose velocities they change by their rounding: the books close to that, some units in the last place for each unit of the ratio
-/// of masses.
+/// error at ratios of 1e5 and 1e6, by some units in the last place of the mass.) The heavy box's impulses cancel on the
+/// plate, whose velocities they change by their rounding: the books close to that, some units in the last place for
+/// each unit of the ratio of masses.
 #[test]
 fn a_heavy_box_that_falls_tilted_on_a_light_plate_comes_to_an_end() {
     for ratio in [1e3, 1e5, 1e6] {

@@ -1,5 +1,6 @@
-//! The tier `micro-collisions`: impulses alone hold bodies up, within the envelope; a body that slides stops where Coulomb's law
-//! for the mean force says; the ledger closes, no collision gives energy, and a run continues from a snapshot with the same bits.
+//! The tier `micro-collisions`: impulses alone hold bodies up, within the envelope; a body that slides stops where
+//! Coulomb's law for the mean force says; the ledger closes, no collision gives energy, and a run continues from a
+//! snapshot with the same bits.
 
 use crate::support::{ball, elastic, floor, run};
 use polhode::mesh::solid_box;
@@ -26,7 +27,8 @@ fn sliding_box(friction: f64, speed: f64) -> SceneBuilder {
     Scene::builder("slide").method(impulse()).body(floor().material(material)).body(body)
 }
 
-/// `response = "impulse"` without a tier is this tier; with tier thesis it is the thesis's first try, and another is refused.
+/// `response = "impulse"` without a tier is this tier; with tier thesis it is the thesis's first try, and another is
+/// refused.
 #[test]
 fn the_response_selects_the_tier() {
     let tier = |method: Method| {
@@ -48,8 +50,8 @@ fn the_response_selects_the_tier() {
     }
 }
 
-/// A ball that lies on the floor neither sinks nor rises out of the envelope in ten seconds, ten thousand collisions; the
-/// mean of its impulses carries its weight.
+/// A ball that lies on the floor neither sinks nor rises out of the envelope in ten seconds, ten thousand collisions;
+/// the mean of its impulses carries its weight.
 #[test]
 fn a_ball_at_rest_stays_in_the_envelope() {
     for start_m in [0.0, 0.5 * ENVELOPE_M, 20.0 * ENVELOPE_M] {
@@ -79,7 +81,8 @@ fn a_ball_at_rest_stays_in_the_envelope() {
     }
 }
 
-/// A box that slides at 2 m/s stops after v^2/(2 mu g), to the part of it that a tenth of a second of uneven collisions makes.
+/// A box that slides at 2 m/s stops after v^2/(2 mu g), to the part of it that a tenth of a second of uneven collisions
+/// makes.
 #[test]
 fn a_box_stops_where_the_mean_of_friction_says() {
     let (friction, speed) = (0.4, 2.0);
@@ -119,8 +122,9 @@ fn a_run_continues_with_the_same_bits() {
     }
 }
 
-/// A box that sticks on a slope of 20 degrees does not creep: a micro-collision gives back the slip of the flight before it, uphill
-/// (Mirtich 1996, section 3.5). By stopping the slip alone it would creep by g h sin(slope)/2, 1.7 mm in this second.
+/// A box that sticks on a slope of 20 degrees does not creep: a micro-collision gives back the slip of the flight
+/// before it, uphill (Mirtich 1996, section 3.5). By stopping the slip alone it would creep by g h sin(slope)/2, 1.7 mm
+/// in this second.
 #[test]
 fn a_box_that_sticks_on_a_slope_does_not_creep() {
     let (sin, cos) = 20f64.to_radians().sin_cos();

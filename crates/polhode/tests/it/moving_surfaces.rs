@@ -69,8 +69,8 @@ fn belt_slides_under_a_box_that_is_stopped() {
     assert_closes(&report);
 }
 
-/// A block with tracks drives off at `mu g` until its tracks no longer slip, and keeps that speed; turned, it drives where
-/// its tracks point.
+/// A block with tracks drives off at `mu g` until its tracks no longer slip, and keeps that speed; turned, it drives
+/// where its tracks point.
 #[test]
 fn tracks_drive_a_vehicle() {
     let heading = Rotation::from_rotation_vector(DVec3::Z * 0.8);
@@ -87,7 +87,8 @@ fn tracks_drive_a_vehicle() {
     assert_closes(&report);
 }
 
-/// A ball set on a belt slips and then rolls: the speed of its centre is that of a ball on a floor that moves as a whole.
+/// A ball set on a belt slips and then rolls: the speed of its centre is that of a ball on a floor that moves as a
+/// whole.
 #[test]
 fn ball_on_a_belt_comes_to_roll() {
     let (radius, k, speed) = (0.1, 0.4, 1.4);

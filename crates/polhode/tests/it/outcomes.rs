@@ -1,8 +1,8 @@
 //! How runs end: a run that has not kept what its method promises says so, with bodies and time.
 
 use crate::support::{accurate, ball, brick, elastic, floor, run, run_even_degraded};
+use polhode::Flow;
 use polhode::contact::Shape;
-use polhode::observer::Flow;
 use polhode::scene::{Joint, Method, OverlapLimit, PromiseChanges, Tier};
 use polhode::spatial::{DVec3, Mass, UnitVector};
 use polhode::{Body, BodyId, BodySample, Effects, Observer, Outcome, RunReport, Scene, SceneBuilder, Simulation};
@@ -95,8 +95,9 @@ fn proposed_step(report: &RunReport) -> f64 {
     report.warnings[0].split("a step of ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap()
 }
 
-/// Tiers of fixed steps have limits too: beyond a hundredth of the ball its run is degraded, and the warning names the bodies, the limit
-/// and a step that may do. How deep the ball is when its step ends is chance: the second proposal at the latest does.
+/// Tiers of fixed steps have limits too: beyond a hundredth of the ball its run is degraded, and the warning names the
+/// bodies, the limit and a step that may do. How deep the ball is when its step ends is chance: the second proposal at
+/// the latest does.
 #[test]
 fn a_tier_of_fixed_steps_degrades_a_run_whose_bodies_overlap() {
     let report = ball_of_the_thesis(0.01, PromiseChanges::default());
@@ -114,8 +115,8 @@ fn a_tier_of_fixed_steps_degrades_a_run_whose_bodies_overlap() {
     assert_eq!(report.outcome, Outcome::Completed, "{:?}", report.warnings);
 }
 
-/// A scene sets the limits that its run is held to, wider or narrower ones; the plan tells them, and a limit that is not positive is
-/// refused.
+/// A scene sets the limits that its run is held to, wider or narrower ones; the plan tells them, and a limit that is
+/// not positive is refused.
 #[test]
 fn a_scene_sets_its_own_promise() {
     let overlap = |limit: f64| PromiseChanges { overlap: Some(limit), ..PromiseChanges::default() };

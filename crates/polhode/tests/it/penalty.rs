@@ -1,5 +1,6 @@
-//! Springs of the tier `penalty` against closed forms: Hertz's impacts of two balls and of a ball on a rigid plane (Chung and
-//! Ooi 2011, tests 1 and 2), restitution by both dampers, gross slip and sticking (tests 3 to 7), and the ledger.
+//! Springs of the tier `penalty` against closed forms: Hertz's impacts of two balls and of a ball on a rigid plane
+//! (Chung and Ooi 2011, tests 1 and 2), restitution by both dampers, gross slip and sticking (tests 3 to 7), and the
+//! ledger.
 
 use polhode::contact::Shape;
 use polhode::mesh::solid_sphere;
@@ -140,8 +141,8 @@ fn gross_slip_is_that_of_rigid_bodies() {
     }
 }
 
-/// A linear spring that sticks throughout: the slip is that of an oscillator on the tangential spring, with 2/7 of the mass, over
-/// the half period of the normal spring.
+/// A linear spring that sticks throughout: the slip is that of an oscillator on the tangential spring, with 2/7 of the
+/// mass, over the half period of the normal spring.
 #[test]
 fn sticking_is_an_oscillator() {
     let alloy = Material::new("alloy").with_restitution(1.0).unwrap().with_friction(1e9).unwrap();
@@ -156,7 +157,8 @@ fn sticking_is_an_oscillator() {
     near("spin", w, spin - 2.5 * change / radius, TOLERANCE);
 }
 
-/// Chung and Ooi, test 7: two equal balls that spin against each other do not slip on each other: they keep their spins.
+/// Chung and Ooi, test 7: two equal balls that spin against each other do not slip on each other: they keep their
+/// spins.
 #[test]
 fn balls_that_roll_on_each_other_keep_their_spins() {
     let copper = Material::new("copper").with_restitution(1.0).unwrap().with_friction(0.4).unwrap();
@@ -179,8 +181,8 @@ fn bouncing(method: Method, duration_s: f64) -> Scene {
     Scene::builder("bouncing").method(method).duration_s(duration_s).body(wall(&rubber)).body(own).build().unwrap()
 }
 
-/// Fixed steps of their own length reach the restitution to a few hundredths, and their ledger closes; a step that no explicit
-/// method can follow is refused with one that would do, and the implicit rule takes it.
+/// Fixed steps of their own length reach the restitution to a few hundredths, and their ledger closes; a step that no
+/// explicit method can follow is refused with one that would do, and the implicit rule takes it.
 #[test]
 fn fixed_steps_are_followed_or_refused() {
     let by = |integrator, step_s| Method { integrator: Some(integrator), step_s, ..method(PenaltyMethod::default()) };
@@ -198,7 +200,8 @@ fn fixed_steps_are_followed_or_refused() {
     Simulation::new(&bouncing(by(Integrator::ImplicitMidpoint, Some(1e-3)), 0.02)).unwrap().run().unwrap();
 }
 
-/// The implicit step has one matrix of all bodies that may meet: a row of more than 64 balls about to touch is refused, a short one is not.
+/// The implicit step has one matrix of all bodies that may meet: a row of more than 64 balls about to touch is refused,
+/// a short one is not.
 #[test]
 fn implicit_steps_of_many_bodies_are_refused() {
     const STEP: f64 = 1e-4;
@@ -258,8 +261,8 @@ fn weight_compresses_a_spring() {
     assert!(report.ledger.closure_relative() < 1e-12);
 }
 
-/// A restitution that no damper reaches, 0 of every material among them, gets the strongest damping, and the report says what is
-/// reached; the overlap stays within that stated, and comes near it.
+/// A restitution that no damper reaches, 0 of every material among them, gets the strongest damping, and the report
+/// says what is reached; the overlap stays within that stated, and comes near it.
 #[test]
 fn restitution_out_of_reach_is_told() {
     for damping in [SpringDamping::HuntCrossley, SpringDamping::Plain] {

@@ -1,4 +1,5 @@
-//! Springs at contacts beside what else a scene may ask for: joints, rolling friction, a grain, and faces that touch side by side.
+//! Springs at contacts beside what else a scene may ask for: joints, rolling friction, a grain, and faces that touch
+//! side by side.
 
 use polhode::contact::Shape;
 use polhode::mesh::{solid_box, solid_sphere};
@@ -143,8 +144,9 @@ fn a_belt_carries_a_block() {
     }
 }
 
-/// With static friction above kinetic a block stays on a slope between both angles, and slides there by kinetic friction once it does. Its weight comes
-/// at once, so that the spring along the slope bears up to twice its share at first: the slope is less than half as steep as static friction holds.
+/// With static friction above kinetic a block stays on a slope between both angles, and slides there by kinetic
+/// friction once it does. Its weight comes at once, so that the spring along the slope bears up to twice its share at
+/// first: the slope is less than half as steep as static friction holds.
 #[test]
 fn static_friction_holds_what_stands() {
     let (kinetic, at_rest, slope) = (0.1, 0.8, 0.25_f64);
@@ -164,7 +166,8 @@ fn static_friction_holds_what_stands() {
     assert!((slides / expected - 1.0).abs() < 5e-3, "{slides} instead of {expected}");
 }
 
-/// A block that slides across a grain goes where the tier `accurate` sends it, the nearer the slower the regularised slip.
+/// A block that slides across a grain goes where the tier `accurate` sends it, the nearer the slower the regularised
+/// slip.
 #[test]
 fn a_grain_turns_a_slide() {
     let planks = Material::new("planks");

@@ -1,5 +1,5 @@
-//! Springs at contacts that rest: static friction holds as much as statics asks, whatever springs do before they are at rest; and what
-//! touches without load costs no events.
+//! Springs at contacts that rest: static friction holds as much as statics asks, whatever springs do before they are at
+//! rest; and what touches without load costs no events.
 
 use polhode::contact::Shape;
 use polhode::mesh::{solid_box, solid_sphere};
@@ -51,8 +51,8 @@ fn on_slope(slope: f64, material: &Material, size: DVec3, (speed, duration): (f6
     end(&run(scene.body(floor(material)).body(own)), 1)
 }
 
-/// A block that is set down stays up to the angle of static friction, whatever kinetic friction is: its corners do not bear alike, and its weight
-/// comes at once. Beyond that angle it slides as kinetic friction lets it.
+/// A block that is set down stays up to the angle of static friction, whatever kinetic friction is: its corners do not
+/// bear alike, and its weight comes at once. Beyond that angle it slides as kinetic friction lets it.
 #[test]
 fn static_friction_holds_up_to_its_angle() {
     let thousandth = |size: DVec3| 1e-3 * size.min_element();
@@ -74,7 +74,8 @@ fn static_friction_holds_up_to_its_angle() {
     }
 }
 
-/// A block that slides up a slope stops after `v^2/(2 g (sin + mu cos))` and stays there, where static friction holds it and kinetic friction does not.
+/// A block that slides up a slope stops after `v^2/(2 g (sin + mu cos))` and stays there, where static friction holds
+/// it and kinetic friction does not.
 #[test]
 fn a_block_that_stops_on_a_slope_stays() {
     for (slope, kinetic, at_rest, speed) in [(0.52_f64, 0.4, 0.7, 1.0), (0.52, 0.4, 0.61, 0.4), (0.3, 0.1, 0.4, 1.0)] {
@@ -99,7 +100,8 @@ fn fixed_steps_hold_by_static_friction() {
     assert!(slides > 0.5 * expected && slides < expected, "{slides} of {expected} m/s");
 }
 
-/// Two cards that lean on each other at an angle a from upright stand on feet whose friction is above `tan(a)/2`, which statics asks.
+/// Two cards that lean on each other at an angle a from upright stand on feet whose friction is above `tan(a)/2`, which
+/// statics asks.
 #[test]
 fn cards_that_lean_stand() {
     let size = DVec3::new(0.004, 0.2, 0.3);
@@ -120,8 +122,8 @@ fn cards_that_lean_stand() {
     }
 }
 
-/// Two boxes stand side by side on a floor and touch without load; elsewhere a ball rolls, whose blow their springs are made for. Nothing happens, with
-/// and without friction, and the run costs as many steps as its springs ask, not more.
+/// Two boxes stand side by side on a floor and touch without load; elsewhere a ball rolls, whose blow their springs are
+/// made for. Nothing happens, with and without friction, and the run costs as many steps as its springs ask, not more.
 #[test]
 fn what_touches_without_load_ends_no_steps() {
     for friction in [0.0, 0.5] {
@@ -139,7 +141,8 @@ fn what_touches_without_load_ends_no_steps() {
             assert!(away.length() < 1e-4, "{friction}: {away}");
         }
         let springs = report.springs.unwrap();
-        // Three bodies with steps of no less than 4 times the reciprocal frequency, of which dampers at rest make shorter ones.
+        // Three bodies with steps of no less than 4 times the reciprocal frequency, of which dampers at rest make
+        // shorter ones.
         assert!(report.steps as f64 <= 4.0 * springs.fastest_rad_s, "{friction}: {} steps", report.steps);
     }
 }

@@ -1,8 +1,9 @@
 //! Planar motion with friction: bodies that slide, tip, fall and roll in a plane move there as they do in space, in any
-//! attitude of the world and in its mirror image; and bodies that leave the plane, or may be wedged out of it, are left in space.
+//! attitude of the world and in its mirror image; and bodies that leave the plane, or may be wedged out of it, are left
+//! in space.
 //!
-//! In the plane Coulomb's cone is an interval, and a contact stands for its mirror image too. That changes the numbers that are
-//! solved for, and must not change the motion: 1e-12 of positions (m) and attitudes (rad) over a second.
+//! In the plane Coulomb's cone is an interval, and a contact stands for its mirror image too. That changes the numbers
+//! that are solved for, and must not change the motion: 1e-12 of positions (m) and attitudes (rad) over a second.
 
 use crate::checks::{assert_closes, heavy_brick};
 use crate::support::{accurate, ball, run};
@@ -208,8 +209,8 @@ fn the_plane_may_lie_anywhere() {
     }
 }
 
-/// A spin about another axis than the normal of the plane, a push across it and a floor that is steeper on one side lead out of the
-/// plane: the plan leaves them in space.
+/// A spin about another axis than the normal of the plane, a push across it and a floor that is steeper on one side
+/// lead out of the plane: the plan leaves them in space.
 #[test]
 fn what_leaves_the_plane_is_in_space() {
     let material = rough(0.3, 0.0);
@@ -225,8 +226,8 @@ fn what_leaves_the_plane_is_in_space() {
     }
 }
 
-/// Edges of two pyramids may touch with normals that lean out of the plane, between which friction wedges bodies: with friction they
-/// are left in space, without it they are reduced.
+/// Edges of two pyramids may touch with normals that lean out of the plane, between which friction wedges bodies: with
+/// friction they are left in space, without it they are reduced.
 #[test]
 fn bodies_that_may_be_wedged_are_in_space() {
     let points = [(1.0, 0.0), (-0.5, 0.8), (-0.5, -0.8)].map(|(x, y)| DVec3::new(x, y, -0.25));

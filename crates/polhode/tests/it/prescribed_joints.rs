@@ -1,6 +1,6 @@
-//! Prescribed motions of joint coordinates: the coordinate follows its function of time to rounding, whatever acts on the bodies; the
-//! work of the drive is what the energy of the bodies changes by; the moment of the drive is Newton's; and what contradicts itself is
-//! refused or told.
+//! Prescribed motions of joint coordinates: the coordinate follows its function of time to rounding, whatever acts on
+//! the bodies; the work of the drive is what the energy of the bodies changes by; the moment of the drive is Newton's;
+//! and what contradicts itself is refused or told.
 
 use crate::checks::assert_closes;
 use crate::support::{accurate, run};
@@ -70,7 +70,8 @@ fn an_angle_follows_its_function_of_time() {
     }
 }
 
-/// At a sine the moment of the drive is that of inertia and weight: `I q'' + ...`, and its work is booked as external work.
+/// At a sine the moment of the drive is that of inertia and weight: `I q'' + ...`, and its work is booked as external
+/// work.
 #[test]
 fn the_moment_of_the_drive_is_newtons() {
     let (amplitude, frequency) = (0.5, 0.8);
@@ -162,9 +163,10 @@ fn what_cannot_be_followed_is_refused() {
     let refused = |scene: SceneBuilder| scene.build().map(|_| ()).unwrap_err();
     let steady = || CoordinateMotion::rate(2.0).unwrap();
     let error = refused(build(1.0, Coordinate::Angle, steady()));
-    assert!(
-        matches!(error, SceneError::CoordinateRate { found, needed, .. } if (found - 1.0).abs() < 1e-12 && needed == 2.0)
-    );
+    assert!(matches!(
+        error,
+        SceneError::CoordinateRate { found, needed, .. } if (found - 1.0).abs() < 1e-12 && needed == 2.0
+    ));
     assert!(
         refused(build(2.0, Coordinate::Displacement, steady())).to_string().contains("does not have that coordinate")
     );

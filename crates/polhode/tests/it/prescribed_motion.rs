@@ -507,8 +507,9 @@ fn heights(times: &[f64], heights: &[f64], interpolation: Interpolation) -> Pres
         .unwrap()
 }
 
-/// Two equal samples are a hold: the body stands still between them, whatever follows. (A spline rises to 42.8 m between
-/// two samples at 3 m before a fast drop.) The spline's overshoot is found, and monotone and linear tables have none.
+/// Two equal samples are a hold: the body stands still between them, whatever follows. (A spline rises to 42.8 m
+/// between two samples at 3 m before a fast drop.) The spline's overshoot is found, and monotone and linear tables have
+/// none.
 #[test]
 fn a_hold_before_a_fast_drop_stands_still() {
     let (times, samples) = ([0.0, 5.0, 5.05], [3.0, 3.0, 1.0]);

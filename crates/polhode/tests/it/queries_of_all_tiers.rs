@@ -1,5 +1,5 @@
-//! Every query of a simulation, in every tier, on one scene whose answers are known: a box rests on a floor, a ball flies
-//! and a ball hangs on a spring. What a tier does not compute is absent and not zero.
+//! Every query of a simulation, in every tier, on one scene whose answers are known: a box rests on a floor, a ball
+//! flies and a ball hangs on a spring. What a tier does not compute is absent and not zero.
 
 use crate::support::{ball, brick, floor};
 use polhode::contact::Ray;
@@ -29,7 +29,8 @@ fn simulation(tier: Tier) -> Simulation {
 #[test]
 fn every_query_answers_in_every_tier() {
     for tier in [Tier::Accurate, Tier::Stepped, Tier::Thesis, Tier::Fast] {
-        // Soft contacts sag by the square of a step times gravity, and a fixed number of sweeps leaves a part of the forces.
+        // Soft contacts sag by the square of a step times gravity, and a fixed number of sweeps leaves a part of the
+        // forces.
         let is_soft = tier == Tier::Fast;
         let (place, force) = if is_soft { (1e-5, 1e-2) } else { (1e-11, 1e-9) };
         let mut simulation = simulation(tier);

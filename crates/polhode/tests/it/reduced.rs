@@ -1,5 +1,6 @@
-//! Reduced coordinates give the motion of maximal ones: of trees of all kinds of joints that they take, hung from the world and free, with
-//! springs, dampers and motors; the ledger closes, and scenes for which there are none are refused with the reason.
+//! Reduced coordinates give the motion of maximal ones: of trees of all kinds of joints that they take, hung from the
+//! world and free, with springs, dampers and motors; the ledger closes, and scenes for which there are none are refused
+//! with the reason.
 
 use crate::chains::chain;
 use crate::checks::assert_closes;
@@ -24,8 +25,8 @@ fn link(name: &str, size: DVec3, center: DVec3) -> Body {
     Body::movable(name, solid).pose(polhode::spatial::Pose::from_translation(center))
 }
 
-/// Six bodies: a trunk with two branches of two and one of a single body, on hinges, ball joints and sliders with springs, dampers and a
-/// servo. The trunk hangs from the world, or moves freely and turns with all it bears.
+/// Six bodies: a trunk with two branches of two and one of a single body, on hinges, ball joints and sliders with
+/// springs, dampers and a servo. The trunk hangs from the world, or moves freely and turns with all it bears.
 fn tree(coordinates: Coordinates, is_free: bool) -> SceneBuilder {
     let velocity = |at: DVec3| {
         let turning = DVec3::new(0.4, -0.3, 0.5);
@@ -62,8 +63,8 @@ fn tree(coordinates: Coordinates, is_free: bool) -> SceneBuilder {
     if is_free { scene } else { scene.joint(Joint::ball(body(0), DVec3::new(0.0, 0.0, 0.4))) }
 }
 
-/// The largest difference of places (m) and velocities (m/s), those of attitudes and angular velocities times the size of a body, at all
-/// samples of two runs, and their reports.
+/// The largest difference of places (m) and velocities (m/s), those of attitudes and angular velocities times the size
+/// of a body, at all samples of two runs, and their reports.
 fn compared(of: impl Fn(Coordinates) -> SceneBuilder) -> (f64, [RunReport; 2]) {
     let runs = [Coordinates::Maximal, Coordinates::Reduced].map(|coordinates| {
         let scene = of(coordinates).build().unwrap();

@@ -204,7 +204,10 @@ fn kinematic_motions_that_are_not_finite() {
         let error = refused(&mut simulation, |own| own.add_body(elsewhere.pose(turned)));
         let is_motion = |source: &MotionError| !source.to_string().is_empty();
         assert!(
-            matches!(&error, SimulationError::Scene(SceneError::Motion { body, source }) if body == "wall" && is_motion(source)),
+            matches!(
+                &error,
+                SimulationError::Scene(SceneError::Motion { body, source }) if body == "wall" && is_motion(source)
+            ),
             "{error}"
         );
         let added = Body::kinematic("wall", motion).geometry(shape()).pose(Pose::from_translation(DVec3::splat(10.0)));

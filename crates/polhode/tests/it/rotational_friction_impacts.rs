@@ -1,6 +1,6 @@
-//! Impacts against friction of rolling and spinning: whatever strikes, with whatever restitution, loses energy and gains none,
-//! in the row of impacts as in that of friction, and the run ends as completed. Impacts of bodies on pivots, too, where the
-//! pivot leaves the contact no freedom.
+//! Impacts against friction of rolling and spinning: whatever strikes, with whatever restitution, loses energy and
+//! gains none, in the row of impacts as in that of friction, and the run ends as completed. Impacts of bodies on
+//! pivots, too, where the pivot leaves the contact no freedom.
 
 use crate::checks::assert_closes;
 use crate::support::{accurate, ball, brick, floor, run, run_even_degraded};
@@ -49,7 +49,8 @@ fn assert_takes_energy(report: &RunReport, initial_j: f64, what: &str) {
     assert_closes(report);
 }
 
-/// Bodies of all shapes are thrown at the floor, with any restitution, also onto edges and corners: each impact takes energy.
+/// Bodies of all shapes are thrown at the floor, with any restitution, also onto edges and corners: each impact takes
+/// energy.
 #[test]
 fn friction_of_rolling_gives_no_energy_at_impacts() {
     for seed in 0..60 {
@@ -76,8 +77,9 @@ fn friction_of_rolling_gives_no_energy_at_impacts() {
     }
 }
 
-/// Two bodies are thrown together onto the floor: several contacts, struck together or in order. Each impact is resolved, and
-/// takes energy; where contacts crowd afterwards, projections may take more than is promised, which is not asked here.
+/// Two bodies are thrown together onto the floor: several contacts, struck together or in order. Each impact is
+/// resolved, and takes energy; where contacts crowd afterwards, projections may take more than is promised, which is
+/// not asked here.
 #[test]
 fn several_contacts_with_friction_of_rolling_give_no_energy() {
     for seed in 0..12 {
@@ -108,8 +110,8 @@ fn several_contacts_with_friction_of_rolling_give_no_energy() {
     }
 }
 
-/// A ball on a pivot through its centre touches the floor, which can do nothing to it but turn it, and another ball is thrown
-/// at it. Its contact with the floor is part of the impact, and the pivot leaves it no freedom along the normal.
+/// A ball on a pivot through its centre touches the floor, which can do nothing to it but turn it, and another ball is
+/// thrown at it. Its contact with the floor is part of the impact, and the pivot leaves it no freedom along the normal.
 #[test]
 fn contact_that_a_pivot_leaves_no_freedom_is_no_error() {
     for law in [ImpactLaw::Simultaneous, ImpactLaw::Propagation] {
@@ -138,7 +140,8 @@ fn contact_that_a_pivot_leaves_no_freedom_is_no_error() {
     }
 }
 
-/// The law `pulse` strikes contacts with friction, and refuses those that resist rolling or spinning as well, when the scene is built.
+/// The law `pulse` strikes contacts with friction, and refuses those that resist rolling or spinning as well, when the
+/// scene is built.
 #[test]
 fn pulse_refuses_contacts_that_resist_rotations() {
     let scene = |rolling: f64, spinning: f64| {

@@ -1,8 +1,8 @@
 //! Piles with friction in time steps, solved in the velocities of bodies.
 //!
-//! From some fifty contacts in a group on, a time step forms no matrix of all its contacts, and starts from the forces of the
-//! step before. Shown is that this is the same mechanics: what stands, stands; what slides as one, slides as mechanics
-//! says; momentum is accounted for; neither the order of bodies nor an interruption changes the motion.
+//! From some fifty contacts in a group on, a time step forms no matrix of all its contacts, and starts from the forces
+//! of the step before. Shown is that this is the same mechanics: what stands, stands; what slides as one, slides as
+//! mechanics says; momentum is accounted for; neither the order of bodies nor an interruption changes the motion.
 
 use crate::checks::assert_closes;
 use crate::snapshots::check_restored_runs;
@@ -15,8 +15,9 @@ use polhode::{Body, Effects, Recorder, RunReport, Scene, SceneBuilder, Simulatio
 const G: f64 = 9.81;
 const STEP_S: f64 = 1.0 / 60.0;
 const FRICTION: f64 = 0.5;
-/// Friction of a smoother floor, and of cubes on it, `sqrt(0.5 * 0.08)`: a pyramid slides there as one. On a floor as rough as the
-/// cubes all its contacts would be at the limit of sticking, where a residual of 1e-6 leaves slips of its root.
+/// Friction of a smoother floor, and of cubes on it, `sqrt(0.5 * 0.08)`: a pyramid slides there as one. On a floor as
+/// rough as the cubes all its contacts would be at the limit of sticking, where a residual of 1e-6 leaves slips of its
+/// root.
 const SMOOTHER: f64 = 0.08;
 const SLIDING_FRICTION: f64 = 0.2;
 /// Edge of a cube, m, and the distance of those beside each other.
@@ -75,8 +76,8 @@ fn run_any(scene: &SceneBuilder) -> (RunReport, Recorder) {
     (report, recorder)
 }
 
-/// 21 cubes stand for a second of 60 steps, to the last bit: forces that hold them are found at the start, so that no step solves
-/// for any.
+/// 21 cubes stand for a second of 60 steps, to the last bit: forces that hold them are found at the start, so that no
+/// step solves for any.
 #[test]
 fn a_pyramid_stands_exactly() {
     let (report, recorder) = run_any(&on_a_floor(pyramid(6), 1.0));
@@ -101,8 +102,8 @@ fn a_pyramid_slides_as_one() {
     }
 }
 
-/// A cube is thrown out of a pyramid: energy is never gained, momentum and energy are accounted for (every run here checks
-/// that), and what contacts leave of Coulomb's law is below the promise.
+/// A cube is thrown out of a pyramid: energy is never gained, momentum and energy are accounted for (every run here
+/// checks that), and what contacts leave of Coulomb's law is below the promise.
 #[test]
 fn a_pyramid_that_is_hit_gains_no_energy() {
     let (report, _) = run(&on_a_floor(hit(5), 0.4));
@@ -112,8 +113,8 @@ fn a_pyramid_that_is_hit_gains_no_energy() {
     assert!(report.certificate.max_friction_violation_of_limit < 1.0, "{:?}", report.certificate);
 }
 
-/// The same bodies in another order move the same, as far as the residual of a step lets them. The pyramid slides as one: where
-/// bodies are wedged friction may hold them in several ways, and the order decides which of them is found.
+/// The same bodies in another order move the same, as far as the residual of a step lets them. The pyramid slides as
+/// one: where bodies are wedged friction may hold them in several ways, and the order decides which of them is found.
 #[test]
 fn the_order_of_bodies_changes_no_motion() {
     let along = Velocity::new(DVec3::new(1.0, 0.5, 0.0), DVec3::ZERO);
@@ -132,8 +133,8 @@ fn the_order_of_bodies_changes_no_motion() {
     }
 }
 
-/// A run that goes on from a snapshot has the bits of one that was never stopped: the forces that a step starts from are part of
-/// it.
+/// A run that goes on from a snapshot has the bits of one that was never stopped: the forces that a step starts from
+/// are part of it.
 #[test]
 fn restored_piles_go_on_with_the_same_bits() {
     let scene = on_a_floor(hit(5), 0.15).method(stepped(STEP_S)).build().unwrap();

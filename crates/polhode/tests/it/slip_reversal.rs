@@ -1,8 +1,9 @@
 //! A slip that reverses passes through zero without a loss, and one that ends does so at its instant.
 //!
-//! A sledge of mass M on ice is pulled by F, and a load of mass m slides forward on it at first. Friction slows the load by
-//! `mu g` and pulls the sledge by `mu m g`, until the sledge has caught up: `v_0 - mu g t = (F + mu m g) t / M`. From then on
-//! the load slides back and gains `mu g`, since the sledge accelerates by more than friction can follow.
+//! A sledge of mass M on ice is pulled by F, and a load of mass m slides forward on it at first. Friction slows the
+//! load by `mu g` and pulls the sledge by `mu m g`, until the sledge has caught up:
+//! `v_0 - mu g t = (F + mu m g) t / M`. From then on the load slides back and gains `mu g`, since the sledge
+//! accelerates by more than friction can follow.
 
 use crate::friction::{lying, on_slope, rough};
 use crate::support::{accurate, brick, floor, run};

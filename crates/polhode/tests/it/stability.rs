@@ -1,8 +1,8 @@
 //! How far bodies at rest are from moving, against closed forms; and rest of hundreds of bodies, certified at t = 0.
 //!
-//! A box on a slope, one that tips, a tower, a plank that leans on a block: the friction that each needs, the push that each
-//! bears, and what begins to move. A pyramid of 210 cubes rests with forces that carry its weight, and nothing is computed
-//! after its start.
+//! A box on a slope, one that tips, a tower, a plank that leans on a block: the friction that each needs, the push that
+//! each bears, and what begins to move. A pyramid of 210 cubes rests with forces that carry its weight, and nothing is
+//! computed after its start.
 
 use polhode::contact::Shape;
 use polhode::mesh::solid_box;
@@ -46,8 +46,8 @@ fn push(stability: &Stability, direction: DVec3) -> f64 {
     found.and_then(|push| push.of_weight).unwrap()
 }
 
-/// On a slope of angle a with friction mu a box needs `tan a / mu` of its friction, and slides when the slope is tilted to
-/// `atan mu`: by `atan mu - a` downhill, by `atan mu + a` uphill.
+/// On a slope of angle a with friction mu a box needs `tan a / mu` of its friction, and slides when the slope is tilted
+/// to `atan mu`: by `atan mu - a` downhill, by `atan mu + a` uphill.
 #[test]
 fn a_box_on_a_slope_needs_the_tangent_of_its_angle() {
     let (angle, friction) = (0.2_f64, 0.4_f64);
@@ -107,8 +107,9 @@ fn a_tower_of_cubes_tips_as_one() {
 }
 
 /// A plank of length L and thickness t at an angle a to the ground leans on the smooth face of a block. It presses the
-/// block with `F = W (L cos a - t sin a)/(2 L sin a)`; the ground bears F by friction under the plank, whose weight is W, and
-/// under the block of weight V: of friction mu the part `max(F/W, F/V)/mu` is needed, and the one that needs it slides.
+/// block with `F = W (L cos a - t sin a)/(2 L sin a)`; the ground bears F by friction under the plank, whose weight is
+/// W, and under the block of weight V: of friction mu the part `max(F/W, F/V)/mu` is needed, and the one that needs it
+/// slides.
 #[test]
 fn a_plank_that_leans_on_a_block() {
     let (length, thickness, angle, friction) = (2.0, 0.1, 1.1_f64, 0.7);
@@ -171,8 +172,8 @@ fn pyramid(base: u32, friction: f64) -> Scene {
     scene.build().unwrap()
 }
 
-/// A pyramid of 210 cubes stands: forces within the cones carry it, at the start and to the end, and it takes no steps on the
-/// way. No fallback is needed, and no body moves at all.
+/// A pyramid of 210 cubes stands: forces within the cones carry it, at the start and to the end, and it takes no steps
+/// on the way. No fallback is needed, and no body moves at all.
 #[test]
 fn a_pyramid_of_hundreds_rests_from_the_start() {
     let scene = pyramid(20, 0.5);
@@ -196,8 +197,8 @@ fn a_pyramid_of_hundreds_rests_from_the_start() {
     assert!(!moved);
 }
 
-/// It needs hardly any friction, and what it bears across is that of its tallest column: half a width over the height of its
-/// centre of mass, 0.2 m over 0.2 + (n - 1) 0.4/3.
+/// It needs hardly any friction, and what it bears across is that of its tallest column: half a width over the height
+/// of its centre of mass, 0.2 m over 0.2 + (n - 1) 0.4/3.
 #[test]
 fn margins_of_a_pyramid() {
     let scene = pyramid(6, 0.5);

@@ -1,5 +1,5 @@
-//! Kinematic bodies that a program steers: the motion is that of a scene that prescribes the same, in every rigid tier; what the
-//! body does to others is booked; a snapshot keeps it; what cannot be is refused.
+//! Kinematic bodies that a program steers: the motion is that of a scene that prescribes the same, in every rigid tier;
+//! what the body does to others is booked; a snapshot keeps it; what cannot be is refused.
 
 use crate::checks::{assert_closes, heavy_brick};
 use crate::support::{ball, elastic, floor};
@@ -23,7 +23,8 @@ fn slab(motion: PrescribedMotion) -> Body {
     Body::kinematic("slab", motion).geometry(shape).pose(Pose::from_translation(DVec3::Z * -0.1))
 }
 
-/// All tiers but that of springs, whose stiffness follows from the speeds at the start: a body that is steered later meets others.
+/// All tiers but that of springs, whose stiffness follows from the speeds at the start: a body that is steered later
+/// meets others.
 fn rigid_tiers() -> impl Iterator<Item = Tier> {
     Tier::ALL.into_iter().filter(|tier| *tier != Tier::Penalty)
 }
@@ -62,8 +63,8 @@ fn apart(one: &Recorder, other: &Recorder) -> f64 {
     pairs.map(distance).fold(0.0, f64::max)
 }
 
-/// A velocity that is set at the start is the constant velocity of a scene, in every rigid tier: a slab that rises under a ball
-/// in flight and strikes it.
+/// A velocity that is set at the start is the constant velocity of a scene, in every rigid tier: a slab that rises
+/// under a ball in flight and strikes it.
 #[test]
 fn a_velocity_is_the_constant_motion_of_a_scene() {
     let velocity = Velocity::new(DVec3::new(0.1, 0.0, 1.5), DVec3::Z * 0.3);
@@ -81,8 +82,8 @@ fn a_velocity_is_the_constant_motion_of_a_scene() {
     }
 }
 
-/// A pose that is reached within a time is a table of two samples, in every rigid tier, and its work is the weight times the
-/// height: from rest to rest the kinetic energy does not change.
+/// A pose that is reached within a time is a table of two samples, in every rigid tier, and its work is the weight
+/// times the height: from rest to rest the kinetic energy does not change.
 #[test]
 fn a_pose_is_a_table_of_two_samples() {
     // So slow that the load stays on the slab.
@@ -119,8 +120,8 @@ fn a_pose_is_a_table_of_two_samples() {
     }
 }
 
-/// A slab that rises with a load and is halted leaves the load its speed: it flies on by `v^2/2g`. The load that lies on a
-/// slab wakes when the slab moves, and rests again where it stands.
+/// A slab that rises with a load and is halted leaves the load its speed: it flies on by `v^2/2g`. The load that lies
+/// on a slab wakes when the slab moves, and rests again where it stands.
 #[test]
 fn a_halted_lift_leaves_its_load_the_speed() {
     let speed = 1.2;
@@ -145,8 +146,8 @@ fn a_halted_lift_leaves_its_load_the_speed() {
     assert!((report.ledger.external.value() - external).abs() < 1e-10, "{:?} {external}", report.ledger.external);
 }
 
-/// A new target before the last one is reached changes neither pose nor velocity nor acceleration at that instant, and the
-/// body ends exactly at the new one.
+/// A new target before the last one is reached changes neither pose nor velocity nor acceleration at that instant, and
+/// the body ends exactly at the new one.
 #[test]
 fn a_new_target_is_taken_smoothly() {
     let load = heavy_brick("load", 2.0, DVec3::splat(0.4), DVec3::Z * 0.2);
@@ -175,8 +176,8 @@ fn a_new_target_is_taken_smoothly() {
     assert!(end.pose.rotation.angle_to(Rotation::from_rotation_vector(DVec3::Z * -0.3)) < 1e-15);
 }
 
-/// A snapshot holds what the program has said: the run goes on with the same bits. A snapshot of an earlier time brings the
-/// motion of the scene back.
+/// A snapshot holds what the program has said: the run goes on with the same bits. A snapshot of an earlier time brings
+/// the motion of the scene back.
 #[test]
 fn a_snapshot_keeps_the_motion() {
     for tier in rigid_tiers() {
@@ -204,8 +205,8 @@ fn a_snapshot_keeps_the_motion() {
     }
 }
 
-/// A steered body passes through others only as they let it: a wall that a program moves pushes what it meets, also what
-/// flies apart from it at the time of the command.
+/// A steered body passes through others only as they let it: a wall that a program moves pushes what it meets, also
+/// what flies apart from it at the time of the command.
 #[test]
 fn a_steered_body_meets_what_it_did_not_touch() {
     let load = ball("ball", 1.0, RADIUS, DVec3::Z * (RADIUS + 0.5), DVec3::ZERO).material(elastic(0.0));

@@ -333,10 +333,10 @@ fn landing_box_begins_contact_and_rests() {
     assert!((report.ledger.impact.value() - G * 0.2).abs() < 1e-9, "all of the fall is lost");
 }
 
-/// A box falls on a corner and tumbles, until one edge rests and the other is struck. The generalised reflection lifts the edge that
-/// rests, so that the motion differs from that of the law `simultaneous` from there on. In time steps it tends to that of the accurate
-/// tier by the same law. (Where the edge that rests approached by the error of a step, it was struck too: the limit was the motion of
-/// the law `simultaneous`, 2.2 mm away, whatever the step.)
+/// A box falls on a corner and tumbles, until one edge rests and the other is struck. The generalised reflection lifts
+/// the edge that rests, so that the motion differs from that of the law `simultaneous` from there on. In time steps it
+/// tends to that of the accurate tier by the same law. (Where the edge that rests approached by the error of a step, it
+/// was struck too: the limit was the motion of the law `simultaneous`, 2.2 mm away, whatever the step.)
 #[test]
 fn an_edge_that_rests_is_not_struck_with_the_one_that_lands() {
     let tilt = Rotation::from_rotation_vector(DVec3::new(0.3, 0.4, 0.1));
@@ -360,8 +360,9 @@ fn an_edge_that_rests_is_not_struck_with_the_one_that_lands() {
     assert!(error < 1e-4, "{error:e}");
 }
 
-/// A can lands nearly flat without a bounce: its rim is struck at one place, then, within the same step, at others that run round it,
-/// and the other side throws it up. A step that stopped all of the rim at once left it lying: 0.036 m lower, and told an error of 3e-4.
+/// A can lands nearly flat without a bounce: its rim is struck at one place, then, within the same step, at others that
+/// run round it, and the other side throws it up. A step that stopped all of the rim at once left it lying: 0.036 m
+/// lower, and told an error of 3e-4.
 #[test]
 fn a_can_that_lands_nearly_flat_is_thrown_up_by_the_other_side_of_its_rim() {
     let (size, tilt) = (0.146, Rotation::from_rotation_vector(DVec3::new(0.19, 0.1, 0.0)));

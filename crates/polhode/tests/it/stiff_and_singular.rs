@@ -85,8 +85,8 @@ fn radial_fall_ends_where_the_force_is_singular() {
     }
 }
 
-/// A spin in a medium so viscous that it falls by half within microseconds. A longer step overflows: it is refused, and a shorter
-/// one made. The spin is that of `I w' = -c w^2`.
+/// A spin in a medium so viscous that it falls by half within microseconds. A longer step overflows: it is refused, and
+/// a shorter one made. The spin is that of `I w' = -c w^2`.
 #[test]
 fn a_step_that_overflows_under_stiff_drag_is_refused() {
     let (drag, spin, duration) = (1.5, 25.0, 2e-3);
@@ -107,8 +107,8 @@ fn a_step_that_overflows_under_stiff_drag_is_refused() {
     assert!(off.abs() < 1e-9, "{off:e}");
 }
 
-/// A force that grows from nothing presses a box on a floor, without gravity: there is no energy at all, and what rounding leaves is
-/// compared with what the force would do.
+/// A force that grows from nothing presses a box on a floor, without gravity: there is no energy at all, and what
+/// rounding leaves is compared with what the force would do.
 #[test]
 fn energies_are_those_of_forces_where_nothing_moves() {
     let signal = Signal::polynomial(vec![0.0, 1.0]).unwrap();

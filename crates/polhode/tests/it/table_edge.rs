@@ -35,10 +35,10 @@ fn plate_mesh(half: DVec3) -> Shape {
     Shape::triangle_mesh((0..8).map(corner).collect(), triangles).unwrap()
 }
 
-/// A capsule or cylinder that lies along the edge of a table slides over it without friction. It holds on to the edge with
-/// its whole length until the edge would have to pull. By energy, `v^2 = v0^2 + 2 g r (1 - cos b)` at the angle `b` about
-/// the edge, and the force is zero where `v^2 = g r cos b`: its horizontal velocity is `sqrt(g r cos^3 b)` from there on,
-/// and it does not turn. The edge may be one of a box, of a mesh, or of parts of a compound.
+/// A capsule or cylinder that lies along the edge of a table slides over it without friction. It holds on to the edge
+/// with its whole length until the edge would have to pull. By energy, `v^2 = v0^2 + 2 g r (1 - cos b)` at the angle
+/// `b` about the edge, and the force is zero where `v^2 = g r cos b`: its horizontal velocity is `sqrt(g r cos^3 b)`
+/// from there on, and it does not turn. The edge may be one of a box, of a mesh, or of parts of a compound.
 #[test]
 fn a_body_that_lies_along_an_edge_holds_on_to_it_until_the_edge_would_have_to_pull() {
     let (g, radius, speed): (f64, f64, f64) = (9.81, 0.03, 0.2);

@@ -1,5 +1,6 @@
-//! Islands on several threads: the whole state of a run, accounts and warm starts with it, has the same bits for any number
-//! of threads, and for an executor that runs tasks in another order. Islands share a floor and a moving platform.
+//! Islands on several threads: the whole state of a run, accounts and warm starts with it, has the same bits for any
+//! number of threads, and for an executor that runs tasks in another order. Islands share a floor and a moving
+//! platform.
 
 use crate::stepped::stepped;
 use crate::support::{ball, brick, floor};
@@ -85,8 +86,8 @@ fn end_by(scene: &Scene, executor: Arc<dyn Executor>) -> (Vec<u8>, String) {
     (simulation.snapshot().to_bytes(), format!("{:?} {:?}", report.ledger, report.certificate))
 }
 
-/// Checks that the whole state of a scene's end, accounts with it, has the same bits with two, three and eight threads, and backwards,
-/// as with one.
+/// Checks that the whole state of a scene's end, accounts with it, has the same bits with two, three and eight threads,
+/// and backwards, as with one.
 #[track_caller]
 pub(crate) fn check_threads(scene: &Scene) {
     let one = end_by(scene, Arc::new(OneThread));

@@ -1,5 +1,6 @@
-//! The tier of a scene that names none: a wall that stands is certified at rest at the start and keeps tier `accurate`, whatever it would
-//! cost to tumble; the same wall with a ball thrown at it, or with its bricks in the air, is run in tier `stepped`.
+//! The tier of a scene that names none: a wall that stands is certified at rest at the start and keeps tier `accurate`,
+//! whatever it would cost to tumble; the same wall with a ball thrown at it, or with its bricks in the air, is run in
+//! tier `stepped`.
 
 use crate::support::{ball, brick, floor};
 use polhode::scene::{Material, Tier};

@@ -1,6 +1,6 @@
-//! What touches without pressing is held by no friction, at once or later: `|f_t| <= mu f_n` at `f_n = 0`. Bodies beside
-//! walls, in corners of walls and on walls after an impact without restitution fall freely, whatever their shape and their
-//! friction; no force violates the cones, which the certificate says.
+//! What touches without pressing is held by no friction, at once or later: `|f_t| <= mu f_n` at `f_n = 0`. Bodies
+//! beside walls, in corners of walls and on walls after an impact without restitution fall freely, whatever their shape
+//! and their friction; no force violates the cones, which the certificate says.
 
 use crate::friction::rough;
 use crate::support::{accurate, ball, brick, run};
@@ -34,9 +34,9 @@ fn assert_fell(report: &RunReport, start: DVec3, velocity: DVec3) {
     assert!(report.certificate.max_friction_violation_of_limit <= 1.0, "{:?}", report.certificate);
 }
 
-/// A box and a ball beside one wall and in the corner of two, at rest at first or gliding along the wall. In a corner of
-/// friction 1 and more forces within the cones can hold what rests: the normal force of each wall balances the friction of the
-/// other one.
+/// A box and a ball beside one wall and in the corner of two, at rest at first or gliding along the wall. In a corner
+/// of friction 1 and more forces within the cones can hold what rests: the normal force of each wall balances the
+/// friction of the other one.
 #[test]
 fn bodies_beside_walls_fall_freely() {
     let walls = [wall("wall", DVec3::X), wall("other wall", DVec3::Y)];

@@ -1,6 +1,7 @@
-//! Tracks: a point of a body follows a curve. Beads on circles and cycloids have the periods of pendulums, a car on a hill leaves it where
-//! the force of a track that only pushes is zero (JT-10 of the reference catalogue, and the same with other numbers), and lands where its
-//! parabola meets the track again. A track does no work, so that energy stays, and no point leaves it.
+//! Tracks: a point of a body follows a curve. Beads on circles and cycloids have the periods of pendulums, a car on a
+//! hill leaves it where the force of a track that only pushes is zero (JT-10 of the reference catalogue, and the same
+//! with other numbers), and lands where its parabola meets the track again. A track does no work, so that energy stays,
+//! and no point leaves it.
 
 use crate::checks::{assert_closes, complete_elliptic, root};
 use crate::support::{accurate, ball, brick, run};
@@ -108,7 +109,8 @@ fn bend_down_a_slope(then: &[Bend]) -> Curve {
     Curve::path(DVec3::ZERO, down, DVec3::Z, &[&bends, then].concat()).unwrap()
 }
 
-/// On curves of all kinds, in the plane and in space, energy stays to 1e-12 of what moves, and the point on the track to 1e-12 m.
+/// On curves of all kinds, in the plane and in space, energy stays to 1e-12 of what moves, and the point on the track
+/// to 1e-12 m.
 #[test]
 fn energy_stays_and_no_point_leaves_its_track() {
     let curves = [
@@ -149,7 +151,8 @@ fn leaves_at(curve: Curve, place: DVec3, velocity: DVec3, duration_s: f64) -> Op
     Some((event.point, simulation.body(BodyId::new(0)).velocity.linear.length()))
 }
 
-/// JT-10: a car on a circular hill, pushed off the top, leaves it where `cos a = 2/3 + v0^2/(3 g R)`; above `sqrt(g R)` at the top.
+/// JT-10: a car on a circular hill, pushed off the top, leaves it where `cos a = 2/3 + v0^2/(3 g R)`; above `sqrt(g R)`
+/// at the top.
 #[test]
 fn a_car_leaves_a_round_hill_where_the_force_is_zero() {
     for (radius, speed) in [(10.0, 3.0), (10.0, 0.5), (4.0, 2.0), (0.7, 2.0), (10.0, 9.9)] {
@@ -184,8 +187,8 @@ fn a_car_leaves_a_quartic_hill_where_the_force_is_zero() {
     }
 }
 
-/// JT-10: on the parabola `z = -x^2/(2 p)`, the path of a throw with `sqrt(g p)`, a car that is slower at the apex never leaves, and one
-/// that is faster leaves there.
+/// JT-10: on the parabola `z = -x^2/(2 p)`, the path of a throw with `sqrt(g p)`, a car that is slower at the apex
+/// never leaves, and one that is faster leaves there.
 #[test]
 fn a_car_leaves_a_parabola_at_its_apex_or_never() {
     for p in [1.0, 0.37] {
@@ -205,8 +208,8 @@ fn a_car_leaves_a_parabola_at_its_apex_or_never() {
     }
 }
 
-/// JT-10: on `z = cos x` with 3.1 m/s at a crest it never leaves, and presses as the centripetal force says; with more than `sqrt(g)` it
-/// leaves at the crest.
+/// JT-10: on `z = cos x` with 3.1 m/s at a crest it never leaves, and presses as the centripetal force says; with more
+/// than `sqrt(g)` it leaves at the crest.
 #[test]
 fn a_car_on_a_wave_presses_as_its_curvature_says() {
     let wave = || {
@@ -235,8 +238,9 @@ fn a_car_on_a_wave_presses_as_its_curvature_says() {
     assert!(point.x < 1e-9, "{point}");
 }
 
-/// JT-10: a bead that starts at the bottom of a loop with `v^2 = 4 g R` leaves it at the angle with the cosine -2/3; with `5 g R` it is just
-/// held at the top, and with a little less it is not: the height of fall `h = 5/2 R`. Other radii and speeds: `cos a = (2 - v^2/(g R))/3`.
+/// JT-10: a bead that starts at the bottom of a loop with `v^2 = 4 g R` leaves it at the angle with the cosine -2/3;
+/// with `5 g R` it is just held at the top, and with a little less it is not: the height of fall `h = 5/2 R`. Other
+/// radii and speeds: `cos a = (2 - v^2/(g R))/3`.
 #[test]
 fn a_bead_leaves_a_loop_where_the_force_is_zero() {
     for (radius, share) in [(1.0_f64, 4.0_f64), (2.5, 3.0), (0.4, 4.9)] {
@@ -266,7 +270,8 @@ fn a_bead_leaves_a_loop_where_the_force_is_zero() {
     }
 }
 
-/// A car that leaves a wave at a crest lands where its parabola meets the wave again, and bounces as the restitution says.
+/// A car that leaves a wave at a crest lands where its parabola meets the wave again, and bounces as the restitution
+/// says.
 #[test]
 fn a_car_lands_where_its_parabola_meets_the_track() {
     let (speed, restitution) = (4.0, 0.5);
@@ -287,8 +292,8 @@ fn a_car_lands_where_its_parabola_meets_the_track() {
     assert_closes(&report);
 }
 
-/// A body that runs off the end of an open track is free from then on; so it is in time steps, a step later. One that meets a stop there
-/// bounces.
+/// A body that runs off the end of an open track is free from then on; so it is in time steps, a step later. One that
+/// meets a stop there bounces.
 #[test]
 fn a_body_runs_off_the_end_of_its_track() {
     let slope = Curve::line(DVec3::Z * 3.0, DVec3::new(4.0, 0.0, 0.0)).unwrap();
@@ -364,8 +369,8 @@ fn rough_car(curve: Curve, hold: TrackHold, coefficient: f64, place: DVec3, velo
     scene.body(bead(place, velocity)).joint(joint.along(Coordinate::Displacement, rough(coefficient)))
 }
 
-/// On a straight track friction is that of a box on a ramp: `a = g (sin - mu cos)` down, and up it stops after `v^2/(2 g (sin + mu cos))`
-/// and stays where the angle is below that of friction.
+/// On a straight track friction is that of a box on a ramp: `a = g (sin - mu cos)` down, and up it stops after
+/// `v^2/(2 g (sin + mu cos))` and stays where the angle is below that of friction.
 #[test]
 fn friction_on_a_straight_track_is_that_of_a_ramp() {
     let down = DVec3::new(0.8, 0.0, -0.6);
@@ -395,7 +400,8 @@ fn friction_on_a_straight_track_is_that_of_a_ramp() {
     }
 }
 
-/// On an upright circle friction follows the load: `m a = -m g sin - mu abs(N) sign(v)`, `N = m g cos + m v^2/R`, integrated here on its own.
+/// On an upright circle friction follows the load: `m a = -m g sin - mu abs(N) sign(v)`, `N = m g cos + m v^2/R`,
+/// integrated here on its own.
 #[test]
 fn friction_on_a_circle_is_that_of_its_load() {
     let (radius, coefficient) = (1.3, 0.15);
@@ -444,8 +450,9 @@ fn time_steps_on_a_track_are_of_second_order() {
     }
 }
 
-/// The thesis's trouble: springs in the place of the track. A body across a straight track oscillates with `sqrt(k/m)`; a stiffer spring
-/// costs more steps; and one that pulls never lets go where a track would, while one with a reach lets go too late.
+/// The thesis's trouble: springs in the place of the track. A body across a straight track oscillates with `sqrt(k/m)`;
+/// a stiffer spring costs more steps; and one that pulls never lets go where a track would, while one with a reach lets
+/// go too late.
 #[test]
 fn springs_in_the_place_of_a_track_oscillate_and_do_not_let_go_in_time() {
     let springs = |stiffness: f64, reach: f64| TrackHold::Springs(TrackSprings { stiffness, damping: 0.0, reach });
@@ -503,8 +510,9 @@ fn turning(q: DQuat) -> Rotation {
     Rotation::from_wxyz([q.w, q.x, q.y, q.z]).unwrap()
 }
 
-/// A long car that follows the tangent, or the frame, of a clothoid bend, a closed spline in space and a helix: it keeps its energy, and its
-/// axis the direction of the track. On a circle its moment of inertia adds to its mass, `T = T_0 sqrt(1 + I/(m R^2))`.
+/// A long car that follows the tangent, or the frame, of a clothoid bend, a closed spline in space and a helix: it
+/// keeps its energy, and its axis the direction of the track. On a circle its moment of inertia adds to its mass,
+/// `T = T_0 sqrt(1 + I/(m R^2))`.
 #[test]
 fn a_car_turns_with_its_track() {
     let helix = Coil { advance: 0.4, turns: 9.0 };
@@ -590,7 +598,8 @@ fn time_steps_leave_a_hill_and_land() {
     assert!(errors[2] < 1e-3, "{errors:?}");
 }
 
-/// A track fixed in a body moves with it: a bead on a ring that swings on a hinge keeps energy, and between two bodies momentum stays.
+/// A track fixed in a body moves with it: a bead on a ring that swings on a hinge keeps energy, and between two bodies
+/// momentum stays.
 #[test]
 fn a_track_moves_with_the_body_that_it_is_fixed_in() {
     let (radius, place) = (0.5, DVec3::new(0.0, 0.5, 0.0));

@@ -1,7 +1,8 @@
 //! Bits do not depend on the units of length and time.
 //!
-//! With lengths times `4^k` and times times `2^k` accelerations stay, and every number of a run is multiplied by a power of
-//! two, exactly: a norm or a threshold that adds newtons to newton metres, or metres to anything else, would show.
+//! With lengths times `4^k` and times times `2^k` accelerations stay, and every number of a run is multiplied by a
+//! power of two, exactly: a norm or a threshold that adds newtons to newton metres, or metres to anything else, would
+//! show.
 
 use crate::support::{accurate, floor, run_even_degraded};
 use polhode::contact::Shape;

@@ -1,6 +1,6 @@
 //! Displacement of a body by a prescribed motion, with its first and second time derivatives.
 
-use crate::acceleration::Acceleration;
+use crate::report::acceleration::Acceleration;
 use polhode_spatial::{DVec3, Rotation, Velocity};
 
 /// Displacement of a body's own origin (m) and rotation by a motion at one time, with their derivatives, world.

@@ -1,6 +1,6 @@
 //! Where a motion through samples leaves the range of two neighbouring samples.
 
-use crate::few_digits::number;
+use crate::scene::few_digits::number;
 use std::fmt;
 
 /// The farthest that a coordinate of a table comes from the range of the two samples before and after it.
@@ -27,8 +27,8 @@ impl fmt::Display for Excursion {
         let [value, beyond, t] = [self.value, self.beyond, self.t_s].map(number);
         write!(
             f,
-            "it leaves the range of its samples between sample {sample} and sample {}: {coordinate} = {value} {unit} at \
-             t = {t} s, {beyond} {unit} beyond both",
+            "it leaves the range of its samples between sample {sample} and sample {}: {coordinate} = {value} {unit} \
+             at t = {t} s, {beyond} {unit} beyond both",
             sample + 1
         )
     }

@@ -14,7 +14,7 @@
 //! Before the first and after the last sample of a table the body stands still.
 //!
 //! A constant velocity moves the body itself. A conveyor belt, whose surface moves while its shape stays in place, is
-//! a body with a [`surface_velocity`](crate::Body::surface_velocity).
+//! a body with a [`surface_velocity`](crate::scene::Body::surface_velocity).
 //!
 //! | module | holds |
 //! |---|---|
@@ -47,7 +47,7 @@ pub use interpolation::Interpolation;
 pub(crate) use table::Departure;
 pub use table::{MotionTable, SampledOrientations};
 
-use crate::acceleration::Acceleration;
+use crate::report::acceleration::Acceleration;
 use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Rotation, Velocity};
 use sine::Sine;
 use std::sync::Arc;
@@ -129,8 +129,8 @@ impl PrescribedMotion {
     }
 
     /// The first time on the way from `from` to `to` (s, in either order), strictly between them, at which the motion
-    /// is not smooth: a sample of a table, where the third derivatives jump, or the velocities with linear interpolation.
-    /// The other motions are smooth.
+    /// is not smooth: a sample of a table, where the third derivatives jump, or the velocities with linear
+    /// interpolation. The other motions are smooth.
     pub fn corner_between(&self, from: f64, to: f64) -> Option<f64> {
         match &self.0 {
             Kind::Constant(..) | Kind::Sine(_) => None,

@@ -1,7 +1,7 @@
 //! Monotone interpolation: rates at the samples with which polynomials of degree five stay between their samples.
 //!
-//! Each coordinate is treated alone. Between two samples that are the step `d` and the time h apart, with the velocities
-//! v0, v1 and accelerations a0, a1 at its ends, the polynomial has the Bezier coefficients
+//! Each coordinate is treated alone. Between two samples that are the step `d` and the time h apart, with the
+//! velocities v0, v1 and accelerations a0, a1 at its ends, the polynomial has the Bezier coefficients
 //!
 //! ```text
 //! b0 = 0   b1 = h v0/5   b2 = 2 h v0/5 + h^2 a0/20   b3 = d - 2 h v1/5 + h^2 a1/20   b4 = d - h v1/5   b5 = d
@@ -9,16 +9,16 @@
 //!
 //! It is monotone if they are in order, from 0 to d (variation diminishing). The rates of the spline are kept at both
 //! ends of every interval where they are. Where they are not, the velocity of both ends is limited to between zero and
-//! 5/4 of the smaller slope on either side, and is zero at a sample where the slopes differ in sign; then the acceleration
-//! is limited to what leaves the coefficients on both sides in order:
+//! 5/4 of the smaller slope on either side, and is zero at a sample where the slopes differ in sign; then the
+//! acceleration is limited to what leaves the coefficients on both sides in order:
 //!
 //! ```text
 //! -4 v <= h a   and   8 v + h a <= 10 s    on the side after the sample, with the slope s = d/h
 //! h a <= 4 v    and   8 v - h a <= 10 s    on the side before it
 //! ```
 //!
-//! (for s >= 0; with all signs reversed otherwise). Zero always satisfies them. Limiting a sample may spoil the interval
-//! on its other side, whose other end is limited then, too: each sample is limited at most once.
+//! (for s >= 0; with all signs reversed otherwise). Zero always satisfies them. Limiting a sample may spoil the
+//! interval on its other side, whose other end is limited then, too: each sample is limited at most once.
 //!
 //! Source: docs/REFERENCES.md, Fritsch and Carlson 1980 (the idea, for cubics); Farin 2002 for Bezier coefficients.
 

@@ -38,7 +38,7 @@ use super::interpolation::Interpolation;
 use super::monotone;
 use super::polynomial::{Jet, Quintic, knot_rates};
 use super::turning;
-use crate::acceleration::Acceleration;
+use crate::report::acceleration::Acceleration;
 use polhode_spatial::{DVec3, MotionBounds, Pose, Rotation, Velocity};
 
 /// The orientations of a table.
@@ -285,8 +285,8 @@ impl SampledCurve {
         bounds
     }
 
-    /// The farthest that the curve comes from the range of two neighbouring samples, in the largest of its coordinates of
-    /// one unit; positions before orientations. None where it stays within, but for rounding.
+    /// The farthest that the curve comes from the range of two neighbouring samples, in the largest of its coordinates
+    /// of one unit; positions before orientations. None where it stays within, but for rounding.
     pub(super) fn excursion(&self) -> Option<Excursion> {
         const POSITION: [&str; 3] = ["x", "y", "z"];
         const TURN: [&str; 3] = ["the rotation vector's x", "the rotation vector's y", "the rotation vector's z"];
@@ -322,8 +322,8 @@ impl SampledCurve {
         farthest
     }
 
-    /// The first sample strictly between the times `from` and `to` (s, `from < to`) at which the velocity jumps, by more
-    /// than the digits of the samples leave open: its time, s. Only linear interpolation has any.
+    /// The first sample strictly between the times `from` and `to` (s, `from < to`) at which the velocity jumps, by
+    /// more than the digits of the samples leave open: its time, s. Only linear interpolation has any.
     pub(super) fn jump_between(&self, from: f64, to: f64) -> Option<f64> {
         if self.interpolation != Interpolation::Linear {
             return None;

@@ -1,0 +1,27 @@
+//! What a run tells: plain values, for programs, files and viewers.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`run_report`] | [`RunReport`](crate::RunReport), [`Outcome`](crate::Outcome), [`Certificate`](crate::Certificate) |
+//! | `broken_promise` | [`BrokenPromise`](crate::BrokenPromise): a limit that a run has exceeded |
+//! | [`ledger`], [`momentum_ledger`] | [`Ledger`](crate::Ledger), [`MomentumLedger`](crate::MomentumLedger): energy and momentum, booked by cause |
+//! | `energy` | [`Energy`](crate::Energy) of a scene |
+//! | [`event`] | [`Event`](crate::Event), [`EventKind`](crate::EventKind) |
+//! | [`observer`] | [`Observer`](crate::Observer), [`Recorder`](crate::Recorder): who receives samples and events |
+//! | [`frame`] | [`Frame`](crate::Frame): poses, contacts, forces and islands at one time |
+//! | `body_sample`, `acceleration` | a body at one time |
+//! | `joint_sample` | a joint at one time |
+//! | `springs` | [`SpringReport`](crate::SpringReport): the springs of a run by tier `penalty` |
+
+pub(crate) mod acceleration;
+pub(crate) mod body_sample;
+pub(crate) mod broken_promise;
+pub(crate) mod energy;
+pub mod event;
+pub mod frame;
+pub(crate) mod joint_sample;
+pub mod ledger;
+pub mod momentum_ledger;
+pub mod observer;
+pub mod run_report;
+pub(crate) mod springs;

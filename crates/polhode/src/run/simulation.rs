@@ -1,0 +1,627 @@
+//! A simulation: a scene that a program advances in time, queries and changes.
+
+use crate::accounting::Accounts;
+use crate::accounting::last_sample::LastSample;
+use crate::error::SimulationError;
+use crate::identity::body_id::BodyId;
+use crate::identity::joint_id::JointId;
+use crate::plan::decisions::Findings;
+use crate::plan::decisions::Plan;
+use crate::plan::free_method;
+use crate::plan::planar;
+use crate::plan::planar::PlanarFinding;
+use crate::report::acceleration::Acceleration;
+use crate::report::frame::{ContactView, Frame, IslandView, JointView, MotionKind, PivotView};
+use crate::report::joint_sample::CoordinateSample;
+use crate::report::joint_sample::JointSample;
+use crate::report::momentum_ledger::Momentum;
+use crate::report::observer::{BodySample, Flow, Observer, Unobserved};
+use crate::report::run_report::{Energy, Outcome, PlanChange, RunReport};
+use crate::run::companion::Companion;
+use crate::run::engines;
+use crate::run::stability::Stability;
+use crate::run::{singular_force, stability, start_overlap};
+use crate::scene::Scene;
+use crate::scene::effects::Effects;
+use crate::scene::settings::Settings;
+use crate::scene::{Coordinate, Integrator};
+use crate::snapshot;
+use crate::snapshot::content;
+use crate::snapshot::content::Content;
+use crate::snapshot::{Snapshot, SnapshotError};
+use crate::tier::choice;
+use crate::tier::choice::{Candidate, TierChoice};
+use crate::tier::core::Core;
+use crate::tier::executor::{Executor, OneThread};
+use crate::tier::joint_samples::joint_samples;
+use crate::tier::sampling::{emit_sample, frame};
+use crate::tier::{Reached, Tier};
+use crate::world::body_queries::BodyQueries;
+use crate::world::pivot_form::PivotRows;
+use crate::world::plane_of_motion::PlaneOfMotion;
+use crate::world::{World, WorldBody};
+use polhode_contact::QueryError;
+use polhode_response::ComplementaritySolver;
+use std::sync::Arc;
+
+/// A step is extended to the end of the run when less than this fraction of a step would remain: the rounding of a sum
+/// of equal steps must not leave a tiny step.
+const LEFT_OVER_RELATIVE: f64 = 1e-9;
+
+/// How a step ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum StepEnd {
+    /// At its full length.
+    Planned,
+    /// At an event: an impact, or a change of contacts.
+    Event,
+}
+
+/// A step that has been made.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct StepOutcome {
+    /// Time reached, s.
+    pub t_s: f64,
+    /// How the step ended.
+    pub end: StepEnd,
+}
+
+impl StepOutcome {
+    /// Whether the step ended at an event.
+    pub fn is_event(&self) -> bool {
+        self.end == StepEnd::Event
+    }
+}
+
+/// A scene that is advanced in time.
+///
+/// ```
+/// use polhode::contact::Shape;
+/// use polhode::mesh::solid_box;
+/// use polhode::spatial::{DVec3, Mass, Pose, UnitVector};
+/// use polhode::{Body, Scene, Simulation};
+/// let brick = Body::movable("brick", solid_box(DVec3::ONE, Mass::new(2.0)?)?)
+///     .geometry(Shape::cuboid(DVec3::ONE)?.into())
+///     .pose(Pose::from_translation(DVec3::Z * 0.75));
+/// let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
+/// let scene = Scene::builder("drop").body(floor).body(brick).build()?;
+/// let mut simulation = Simulation::new(&scene)?;
+/// let brick = simulation.body_id("brick").ok_or("no brick")?;
+/// simulation.advance_to(0.1)?;
+/// assert!((simulation.body(brick).velocity.linear.z + 0.981).abs() < 1e-14);
+/// simulation.advance_to(0.5)?;
+/// assert_eq!(simulation.contacts().len(), 4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Simulation {
+    scene: Scene,
+    pub(crate) plan: Plan,
+    pub(crate) core: Core,
+    pub(crate) tier: Box<dyn Tier>,
+    pub(crate) plan_changes: Vec<PlanChange>,
+    plan_at_start: Plan,
+    plane_at_start: Option<PlaneOfMotion>,
+    /// Whether the end of the scene's duration has been reached.
+    ended: bool,
+    /// The run that estimates the error of stretches of crowded events.
+    pub(crate) companion: Companion<Self>,
+}
+
+impl Simulation {
+    /// Prepares a simulation of the effects that the plan chooses: derives the plan, finds the contacts of the start
+    /// and checks that no bodies overlap.
+    ///
+    /// # Errors
+    /// When bodies overlap at the start, a force is not finite there, or the solver finds no contact forces.
+    pub fn new(scene: &Scene) -> Result<Self, SimulationError> {
+        Self::with_effects(scene, Effects::Planned)
+    }
+
+    /// As [`Simulation::new`], with these effects.
+    ///
+    /// # Errors
+    /// See [`Simulation::new`].
+    pub fn with_effects(scene: &Scene, effects: Effects) -> Result<Self, SimulationError> {
+        // The method or the duration may have been replaced after the scene was built.
+        scene.check_times()?;
+        match choice::choose(scene) {
+            Candidate::Decided(choice) => Self::in_tier(scene, effects, choice),
+            Candidate::IfAllRest(resting, other) => {
+                // Bodies that do not touch fall: their tier is not begun in vain.
+                let begun = Self::in_tier(scene, effects, other)?;
+                if begun.tier.touching_pairs() < begun.core.world.movable.len() {
+                    return Ok(begun);
+                }
+                // The first instant is resolved with the first step, whose events are for the observer of the run: that
+                // of another simulation tells.
+                let mut trial = Self::in_tier(scene, effects, resting.clone())?;
+                if trial.step().is_ok() && trial.all_rest() {
+                    Self::in_tier(scene, effects, resting)
+                } else {
+                    Ok(begun)
+                }
+            }
+        }
+    }
+
+    /// Whether every body that forces move is at rest.
+    fn all_rest(&self) -> bool {
+        let motions = self.tier.motions(&self.core);
+        self.core.world.movable.iter().all(|&body| motions.get(body) == Some(&MotionKind::Rest))
+    }
+
+    /// Prepares a simulation by this tier.
+    fn in_tier(scene: &Scene, effects: Effects, tier: TierChoice) -> Result<Self, SimulationError> {
+        let mut settings = Settings::resolve(scene.method(), tier.tier);
+        let (mut world, mut states) = World::new(scene, PivotRows::of(&settings, effects))?;
+        if let Some(error) = singular_force::not_finite(&world, 0.0, &states) {
+            return Err(error);
+        }
+        let separated = start_overlap::judge(&world, &settings, &mut states)?;
+        let choice = free_method::choose(&world, &states, &settings);
+        settings.integrator = choice.integrator;
+        let planar = match effects {
+            Effects::Planned => planar::find(&world, &states, &settings),
+            Effects::All => PlanarFinding::off("the run simulates all effects: every body moves in space"),
+        };
+        world.confine_to_plane(planar.plane, &mut states);
+        let accounts = Accounts::open(&world, &states, settings.promise);
+        let (solver, last_sample) = (ComplementaritySolver::default(), LastSample::default());
+        let executor = Arc::new(OneThread);
+        let stated_depth_m = f64::INFINITY;
+        let mut core =
+            Core { world, settings, effects, t: 0.0, accounts, solver, executor, stated_depth_m, last_sample };
+        for what in separated.into_iter().chain(scene.warnings()) {
+            core.accounts.warn(0.0, what);
+        }
+        let engine = engines::begun(&mut core, states)?;
+        let touching_pairs = engine.touching_pairs();
+        let findings = Findings { t_s: 0.0, touching_pairs, tier_reason: tier.reason, choice, planar };
+        let plan = Plan::derive(&core.world, &settings, effects, &findings);
+        Ok(Self {
+            scene: scene.clone(),
+            plan_at_start: plan.clone(),
+            plane_at_start: core.world.plane,
+            plan,
+            core,
+            tier: engine,
+            plan_changes: Vec::new(),
+            ended: false,
+            companion: Companion::None,
+        })
+    }
+
+    /// The plan.
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// Time reached, s.
+    pub fn time(&self) -> f64 {
+        self.core.t
+    }
+
+    /// Whether the end of the scene's duration has been reached.
+    pub fn has_ended(&self) -> bool {
+        self.ended
+    }
+
+    /// Lets `executor` compute what does not depend on each other: in tier `stepped` the islands of a step, and the
+    /// margins of [`Simulation::stability`]. Both have the same bits for every executor. At first it is the thread of
+    /// the caller ([`OneThread`]).
+    pub fn set_executor(&mut self, executor: Arc<dyn Executor>) {
+        self.core.executor = executor;
+    }
+
+    /// Makes one step, which ends at the first event in it. A step ends exactly at the end of the scene's duration;
+    /// further calls make steps beyond it.
+    ///
+    /// # Errors
+    /// See [`SimulationError`].
+    pub fn step(&mut self) -> Result<StepOutcome, SimulationError> {
+        self.step_observed(&mut Unobserved)
+    }
+
+    /// As [`Simulation::step`], with an observer of samples and events.
+    ///
+    /// # Errors
+    /// See [`SimulationError`].
+    pub fn step_observed(&mut self, observer: &mut dyn Observer) -> Result<StepOutcome, SimulationError> {
+        let (t, duration) = (self.core.t, self.scene.duration_s());
+        let stride = self.tier.stride(&self.core);
+        let left_over = duration - t - stride <= LEFT_OVER_RELATIVE * self.core.settings.step_s;
+        let limit = if !self.ended && left_over { duration } else { t + stride };
+        // Beyond the end of the run the stride of bodies at rest is infinite.
+        let limit = if limit.is_finite() { limit } else { t + self.core.settings.step_s };
+        self.advance(limit, observer)
+    }
+
+    /// Makes one step of at most this length (s), which ends at the first event in it; no longer one than the tier
+    /// would make. In the tier `accurate` the motion does not depend on it, to the last bit.
+    ///
+    /// # Errors
+    /// When the length is not positive and finite, or too small to change the time; then nothing has changed. See also
+    /// [`SimulationError`].
+    pub fn step_within(&mut self, length_s: f64, observer: &mut dyn Observer) -> Result<StepOutcome, SimulationError> {
+        let (now_s, t_s) = (self.core.t, self.core.t + length_s);
+        if !(t_s.is_finite() && t_s > now_s) {
+            return Err(SimulationError::TimeInThePast { t_s, now_s });
+        }
+        let limit = t_s.min(now_s + self.tier.stride(&self.core));
+        // A step ends exactly at the end of the duration.
+        self.advance(if self.ended { limit } else { limit.min(self.scene.duration_s()) }, observer)
+    }
+
+    /// Advances exactly to a time (s). In the tier `accurate` the motion does not depend on the times at which it is
+    /// called, to the last bit. The tiers of fixed steps shorten a step, so that the motion is the same to the error of
+    /// a step.
+    ///
+    /// # Errors
+    /// When the time is not finite or lies in the past; then nothing has changed. See also [`SimulationError`].
+    pub fn advance_to(&mut self, t_s: f64) -> Result<(), SimulationError> {
+        self.advance_to_observed(t_s, &mut Unobserved)
+    }
+
+    /// As [`Simulation::advance_to`], with an observer of samples and events, which may stop it after a step: the time
+    /// reached is then before `t_s`.
+    ///
+    /// # Errors
+    /// See [`Simulation::advance_to`].
+    pub fn advance_to_observed(&mut self, t_s: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
+        if !(t_s.is_finite() && t_s >= self.core.t) {
+            return Err(SimulationError::TimeInThePast { t_s, now_s: self.core.t });
+        }
+        loop {
+            // A step ends exactly at the end of the duration, also when a program advances past it.
+            let limit = if self.ended { t_s } else { t_s.min(self.scene.duration_s()) };
+            let step = self.advance(limit, observer)?;
+            let is_stopped = observer.progress(step.t_s) == Flow::Stop;
+            if is_stopped || (step.t_s >= t_s && !step.is_event()) {
+                return Ok(());
+            }
+        }
+    }
+
+    /// Advances to a limit of time (s) or to the first event before it.
+    fn advance(&mut self, limit: f64, observer: &mut dyn Observer) -> Result<StepOutcome, SimulationError> {
+        if self.core.accounts.is_unsampled() {
+            let (t, states) = (self.core.t, self.tier.states(&self.core));
+            emit_sample(&*self.tier, &mut self.core, &states, t, observer)?;
+        }
+        let reached = self.tier.advance(&mut self.core, limit, observer);
+        let reached =
+            reached.map_err(|error| singular_force::explained(error, &self.core, &self.tier.states(&self.core)))?;
+        let t = self.core.t;
+        if !self.ended && t >= self.scene.duration_s() && reached == Reached::Limit {
+            self.ended = true;
+            let states = self.tier.states(&self.core);
+            self.core.accounts.observe(&self.core.world, &states, t)?;
+            emit_sample(&*self.tier, &mut self.core, &states, t, observer)?;
+        }
+        self.accompany();
+        let end = if reached == Reached::Event { StepEnd::Event } else { StepEnd::Planned };
+        Ok(StepOutcome { t_s: t, end })
+    }
+
+    /// Runs to the end of the scene's duration and returns the report. A run that has not kept the promise of its tier
+    /// ends with [`Outcome::Degraded`].
+    ///
+    /// # Errors
+    /// See [`SimulationError`].
+    pub fn run(&mut self) -> Result<RunReport, SimulationError> {
+        self.run_observed(&mut Unobserved)
+    }
+
+    /// As [`Simulation::run`], with an observer of samples and events, which may stop the run.
+    ///
+    /// # Errors
+    /// See [`SimulationError`].
+    pub fn run_observed(&mut self, observer: &mut dyn Observer) -> Result<RunReport, SimulationError> {
+        let mut outcome = Outcome::Completed;
+        while !self.ended {
+            let step = self.step_observed(observer)?;
+            if observer.progress(step.t_s) == Flow::Stop && !self.ended {
+                outcome = Outcome::Stopped;
+                break;
+            }
+        }
+        self.report(outcome)
+    }
+
+    /// The handle of the body with this name; none if there is no such body, or it has been removed.
+    pub fn body_id(&self, name: &str) -> Option<BodyId> {
+        let named = |body: &WorldBody| !body.removed && body.name == name;
+        self.core.world.bodies.iter().position(named).map(BodyId::new)
+    }
+
+    /// Pose and velocity of a body at the present. A handle of another simulation with more bodies gives the last body.
+    pub fn body(&self, body: BodyId) -> BodySample {
+        let index = body.index().min(self.core.world.bodies.len().saturating_sub(1));
+        self.tier.sample(&self.core, index)
+    }
+
+    /// Poses and velocities of all bodies at the present, by [`BodyId::index`].
+    pub fn bodies(&self) -> Vec<BodySample> {
+        let mut samples = self.tier.samples(&self.core);
+        samples.truncate(self.core.world.shown());
+        samples
+    }
+
+    /// Contacts that touch at the present, with their forces. Single forces may not be unique ([`ContactView`]).
+    pub fn contacts(&self) -> Vec<ContactView> {
+        self.tier.contacts(&self.core, self.core.t, &self.tier.states(&self.core))
+    }
+
+    /// Forces of the pivots at the present, in the order of the bodies. Only the tier `accurate` computes them.
+    ///
+    /// ```
+    /// use polhode::mesh::solid_box;
+    /// use polhode::spatial::{DVec3, Mass, Pose};
+    /// use polhode::{Body, Scene, Simulation};
+    /// // A pendulum of 2 kg that hangs at rest.
+    /// let rod = Body::movable("rod", solid_box(DVec3::new(0.1, 0.1, 1.0), Mass::new(2.0)?)?).pivot(DVec3::Z * 0.5);
+    /// let scene = Scene::builder("pendulum").body(rod.pose(Pose::IDENTITY)).build()?;
+    /// let simulation = Simulation::new(&scene)?;
+    /// assert!((simulation.pivots()[0].force_n - DVec3::Z * 19.62).length() < 1e-14);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn pivots(&self) -> Vec<PivotView> {
+        self.tier.pivots(&self.core, self.core.t, &self.tier.states(&self.core))
+    }
+
+    /// Forces and moments of the joints at the present, in the order of their handles; by the law of time steps in tier
+    /// `stepped`, none in tier `thesis`.
+    ///
+    /// ```
+    /// use polhode::mesh::solid_box;
+    /// use polhode::scene::{Joint, JointKind};
+    /// use polhode::spatial::{DVec3, Mass};
+    /// use polhode::{Body, Scene, Simulation};
+    /// // A beam of 2 kg and 1 m is fixed at its end: the joint bears its weight, and the moment of it.
+    /// let mut builder = Scene::builder("cantilever");
+    /// let beam = builder.add_body(Body::movable("beam", solid_box(DVec3::new(1.0, 0.1, 0.1), Mass::new(2.0)?)?));
+    /// let scene = builder.joint(Joint::new(JointKind::Fixed, beam, DVec3::X * -0.5)).build()?;
+    /// let load = Simulation::new(&scene)?.joint_loads()[0];
+    /// assert!((load.force_n - DVec3::Z * 19.62).length() < 1e-12);
+    /// assert!((load.moment_n_m - DVec3::Y * -9.81).length() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn joint_loads(&self) -> Vec<JointView> {
+        self.tier.joint_loads(&self.core, self.core.t, &self.tier.states(&self.core))
+    }
+
+    /// The joints at the present, in the order of their handles: coordinates, loads and powers.
+    pub fn joints(&self) -> Vec<JointSample> {
+        joint_samples(&*self.tier, &self.core, self.core.t, &self.tier.states(&self.core))
+    }
+
+    /// A coordinate of a joint at the present; none of one that the joint does not have, or of a joint that was removed
+    /// with a body.
+    pub fn coordinate(&self, joint: JointId, coordinate: Coordinate) -> Option<CoordinateSample> {
+        self.core.world.coordinate_of(&self.tier.states(&self.core), joint.index(), coordinate)
+    }
+
+    /// Whether a joint is there: it has not been removed, with a body either, and has not let go.
+    pub fn has_joint(&self, joint: JointId) -> bool {
+        self.core.world.pair_of_joint(joint.index()).is_some()
+    }
+
+    /// The islands at the present: bodies that move together or rest together.
+    pub fn islands(&self) -> Vec<IslandView> {
+        self.tier.islands(&self.core)
+    }
+
+    /// Everything that a viewer draws, at the present.
+    pub fn frame(&self) -> Frame {
+        frame(&*self.tier, &self.core, self.core.t, &self.tier.states(&self.core))
+    }
+
+    /// Energies at the present.
+    pub fn energy(&self) -> Energy {
+        self.core.accounts.books.clone().observe(&self.core.world, &self.tier.states(&self.core))
+    }
+
+    /// Momentum at the present; the angular part is about the point of the momentum ledger.
+    pub fn momentum(&self) -> Momentum {
+        let mut books = self.core.accounts.books.clone();
+        books.observe(&self.core.world, &self.tier.states(&self.core));
+        books.ledger.momentum.current
+    }
+
+    /// Accelerations of all bodies at the present, by [`BodyId::index`].
+    ///
+    /// # Errors
+    /// When the contact forces cannot be found.
+    pub fn accelerations(&mut self) -> Result<Vec<Acceleration>, SimulationError> {
+        let mut accelerations = self.tier.accelerations(&mut self.core)?;
+        accelerations.truncate(self.core.world.shown());
+        Ok(accelerations)
+    }
+
+    /// How far the bodies at rest are from moving at the present: how far friction may fall, and how far the scene may
+    /// be tilted or its bodies pushed, before the first of them moves; and what begins to move then.
+    ///
+    /// ```
+    /// use polhode::contact::Shape;
+    /// use polhode::mesh::solid_box;
+    /// use polhode::scene::Material;
+    /// use polhode::spatial::{DVec3, Mass, Pose, UnitVector};
+    /// use polhode::{Body, Scene, Simulation};
+    /// // A box of 1 m x 1 m x 4 m on a floor of friction 0.5 tips before it slides: at a push of 1/4 of its weight.
+    /// let wood = Material::new("wood").with_friction(0.5)?;
+    /// let size = DVec3::new(1.0, 1.0, 4.0);
+    /// let column = Body::movable("column", solid_box(size, Mass::new(2.0)?)?)
+    ///     .geometry(Shape::cuboid(size)?.into())
+    ///     .pose(Pose::from_translation(DVec3::Z * 2.0));
+    /// let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
+    /// let scene = Scene::builder("column").body(floor.material(wood.clone())).body(column.material(wood)).build()?;
+    /// let stability = Simulation::new(&scene)?.stability()?;
+    /// let push = stability.worst_push().ok_or("gravity acts")?;
+    /// assert!(push.of_weight.is_some_and(|part| (part - 0.25).abs() < 1e-8));
+    /// assert_eq!(stability.friction.needed, Some(0.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// When rows cannot be made of the contacts.
+    pub fn stability(&self) -> Result<Stability, SimulationError> {
+        let states = self.tier.states(&self.core);
+        stability::of_contacts(&self.core, &states, &self.tier.contacts(&self.core, self.core.t, &states))
+    }
+
+    /// Geometric queries about the bodies at the present: nearest body, rays, overlaps, distances. [`BodyQueries`] has
+    /// an example.
+    ///
+    /// # Errors
+    /// When a pose is not finite.
+    pub fn queries(&self) -> Result<BodyQueries<'_>, QueryError> {
+        BodyQueries::new(&self.core.world, &self.tier.states(&self.core))
+    }
+
+    /// A snapshot: everything from which [`Simulation::restore`] continues the run with the same bits.
+    ///
+    /// It holds a hash of the scene, not the scene itself.
+    pub fn snapshot(&self) -> Snapshot {
+        Snapshot::new(self.content())
+    }
+
+    /// The content of a snapshot.
+    pub(crate) fn content(&self) -> Content {
+        let change = |change: &PlanChange| content::PlanChange {
+            t_s: change.t_s,
+            action: change.action.clone(),
+            changes: change.changes.clone(),
+        };
+        Content {
+            scene: self.scene.name().to_owned(),
+            scene_hash: snapshot::scene_hash(self.core.world.scene_and_joints()),
+            all_effects: self.core.effects == Effects::All,
+            t: self.core.t,
+            ended: self.ended,
+            applied: self.core.world.applied(),
+            steered: self.core.world.steered(),
+            motors: self.core.world.motors(),
+            released: self.core.world.released.keys().copied().collect(),
+            turns: self.core.world.turns(),
+            in_plane: self.core.world.plane.is_some(),
+            integrator: self.core.settings.integrator.name().to_owned(),
+            plan: self.plan.save(&self.plan_at_start),
+            plan_changes: self.plan_changes.iter().map(change).collect(),
+            accounts: self.core.accounts.save(),
+            tier: self.tier.save(),
+            companion: self.companion.save(),
+        }
+    }
+
+    /// Restores a snapshot of a simulation of the same scene, with the same effects, the same bodies added and
+    /// removed, and the same joints added. The motion, samples, events and report that follow have the same bits as
+    /// those that followed the snapshot. The scene may have another duration: a run that has ended goes on to a longer
+    /// one.
+    ///
+    /// # Errors
+    /// When the snapshot is of another scene or other effects, or contradicts itself; the simulation is then as it was.
+    pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), SimulationError> {
+        let content = snapshot.content_for(self.core.world.scene_and_joints(), self.core.effects)?;
+        let companion = self.restored_companion(&content.companion)?;
+        *self = Self { companion, ..self.twin(content, self.core.settings)? };
+        Ok(())
+    }
+
+    /// The simulation of the same scene, with these settings, that continues from this content. It is a companion.
+    ///
+    /// # Errors
+    /// When the content contradicts itself.
+    pub(crate) fn twin(&self, content: &Content, mut settings: Settings) -> Result<Self, SimulationError> {
+        let mut world = self.core.world.clone();
+        world.replace_applied(&content.applied)?;
+        world.replace_steered(&content.steered)?;
+        // Joints that have let go have motors too.
+        world.replace_released(&[])?;
+        world.replace_motors(&content.motors)?;
+        world.replace_released(&content.released)?;
+        world.replace_turns(&content.turns)?;
+        world.plane = self.plane_at_start.filter(|_| content.in_plane);
+        settings.integrator = Integrator::from_name(&content.integrator)
+            .map_err(|_| SnapshotError::Invalid("it names an integrator that does not exist"))?;
+        let plan = self.plan_at_start.restored(content.plan.as_ref(), settings.integrator)?;
+        let accounts = Accounts::restored(&content.accounts, world.bodies.len(), settings.promise)?;
+        let solver = ComplementaritySolver::default();
+        let (executor, last_sample) = (self.core.executor.clone(), LastSample::default());
+        let (effects, t, stated_depth_m) = (self.core.effects, content.t, f64::INFINITY);
+        let mut core = Core { world, settings, effects, t, accounts, solver, executor, stated_depth_m, last_sample };
+        let tier = engines::restored(&mut core, &content.tier)?;
+        // A scene with a longer duration goes on.
+        let ended = content.ended && core.t >= self.scene.duration_s();
+        let change = |change: &content::PlanChange| PlanChange {
+            t_s: change.t_s,
+            action: change.action.clone(),
+            changes: change.changes.clone(),
+        };
+        Ok(Self {
+            scene: self.scene.clone(),
+            plan,
+            core,
+            tier,
+            plan_changes: content.plan_changes.iter().map(change).collect(),
+            plan_at_start: self.plan_at_start.clone(),
+            plane_at_start: self.plane_at_start,
+            ended,
+            companion: Companion::Itself,
+        })
+    }
+
+    /// The report of the run up to the present, which goes on: its ledgers, its certificate and its warnings.
+    ///
+    /// # Errors
+    /// When what holds at present cannot be measured.
+    pub fn report_so_far(&mut self) -> Result<RunReport, SimulationError> {
+        self.report(if self.ended { Outcome::Completed } else { Outcome::Stopped })
+    }
+
+    /// The report of the run up to the present.
+    fn report(&mut self, outcome: Outcome) -> Result<RunReport, SimulationError> {
+        self.bring_companion();
+        let mut accounts = self.core.accounts.clone();
+        if let Companion::Lost(reason) = &self.companion {
+            accounts.warn(
+                self.core.t,
+                format!(
+                    "the error of stretches of crowded events is not known: the run that estimates it ended: {reason}"
+                ),
+            );
+        }
+        let crowding_error = self.crowding_error();
+        if let Some(unknown) = crowding_error.and_then(|error| self.unknown_motion(&error)) {
+            accounts.warn(self.core.t, unknown);
+        }
+        self.tier.book_present(&self.core, &mut accounts)?;
+        let mut report = RunReport {
+            scene: self.scene.name().to_owned(),
+            plan: self.plan.clone(),
+            outcome,
+            duration_s: self.scene.duration_s(),
+            simulated_s: self.core.t,
+            steps: 0,
+            events: 0,
+            energy: Energy::default(),
+            ledger: crate::report::ledger::Ledger::default(),
+            certificate: crate::report::run_report::Certificate::default(),
+            broken: Vec::new(),
+            warnings: Vec::new(),
+            crowded: Vec::new(),
+            crowding_error,
+            plan_changes: self.plan_changes.clone(),
+            tolerated: Vec::new(),
+            choices: Vec::new(),
+            springs: None,
+            bodies: Vec::new(),
+        };
+        let (states, limits) = (self.tier.states(&self.core), self.core.limits());
+        accounts.fill(&self.core.world, &states, &limits, &mut report);
+        self.tier.fill(&mut report);
+        Ok(report)
+    }
+}

@@ -1,0 +1,114 @@
+//! Finds the singular force that has made a run fail.
+//!
+//! A force field may be singular: a point attracts with mu/d^2, which is infinite at the point, and no motion can be
+//! integrated through it. What fails first is then a step, a search or an energy, and its message does not name the
+//! cause. This module evaluates the forces of the scene one by one at the present states, and names the one that is not
+//! finite or far too strong for the step.
+
+use crate::error::SimulationError;
+use crate::scene::Force;
+use crate::tier::core::Core;
+use crate::world::World;
+use polhode_dynamics::field::Wrench;
+use polhode_dynamics::integrator::IntegrationError;
+use polhode_dynamics::{BodyState, RigidBody};
+
+/// A force counts as the cause when alone it would move the body, from rest, by more than this many times the size of
+/// the body within the longest step (dimensionless, 1 to 1e6). A force that steps of that length resolve moves the body
+/// by a fraction of its size.
+const SIZES_PER_STEP: f64 = 1e3;
+
+/// The first force of the scene that is not finite on a body in these states at `t` (s).
+pub(crate) fn not_finite(world: &World, t: f64, states: &[BodyState]) -> Option<SimulationError> {
+    let mut found = None;
+    for_each_wrench(world, t, states, |force, body, wrench| {
+        if found.is_none() && !is_finite(wrench) {
+            found = Some(SimulationError::ForceNotFinite {
+                t_s: t,
+                body: name(world, body),
+                force: describe(world, force),
+            });
+        }
+    });
+    found
+}
+
+/// The error that names the force which has caused `error`, if a force has at these states; else `error` itself.
+pub(crate) fn explained(error: SimulationError, core: &Core, states: &[BodyState]) -> SimulationError {
+    if !may_be_caused_by_a_force(&error) || core.world.scene.forces().is_empty() {
+        return error;
+    }
+    let (world, t) = (&core.world, core.t);
+    if let Some(cause) = not_finite(world, t, states) {
+        return cause;
+    }
+    let mut strongest: Option<(f64, usize, usize, Wrench)> = None;
+    for_each_wrench(world, t, states, |force, body, wrench| {
+        let inverse_mass = world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass);
+        let travel = wrench.force.length() * inverse_mass * core.settings.step_s * core.settings.step_s;
+        let sizes = travel / world.bodies[body].size;
+        if sizes > SIZES_PER_STEP && strongest.is_none_or(|(largest, ..)| sizes > largest) {
+            strongest = Some((sizes, force, body, wrench));
+        }
+    });
+    strongest.map_or(error, |(_, force, body, wrench)| SimulationError::SingularForce {
+        t_s: t,
+        body: name(world, body),
+        force: describe(world, force),
+        force_n: wrench.force.length(),
+    })
+}
+
+/// Whether a singular force may cause such an error.
+fn may_be_caused_by_a_force(error: &SimulationError) -> bool {
+    match error {
+        SimulationError::StepTooSmall { .. }
+        | SimulationError::EnergyOverflow { .. }
+        | SimulationError::Diverged { .. }
+        | SimulationError::ImpactSearch { .. } => true,
+        SimulationError::Integration { source, .. } => {
+            matches!(source, IntegrationError::StepTooSmall { .. } | IntegrationError::NotFinite { .. })
+        }
+        _ => false,
+    }
+}
+
+/// Calls `visit` with the index of every force of the scene, the index of every movable body, and the wrench of that
+/// force on that body.
+fn for_each_wrench(world: &World, t: f64, states: &[BodyState], mut visit: impl FnMut(usize, usize, Wrench)) {
+    let own = world.movable_states(states);
+    for (number, force) in world.scene.forces().iter().enumerate() {
+        // A force whose fields cannot be made was refused when the scene was built.
+        let Ok(fields) = force.fields(world) else { continue };
+        let mut wrenches = vec![Wrench::default(); own.len()];
+        for field in &fields {
+            field.add_wrenches(t, world.free_motion().bodies(), &own, &mut wrenches);
+        }
+        for (&body, wrench) in world.movable.iter().zip(wrenches) {
+            if world.bodies[body].moves() && states[body].is_finite() {
+                visit(number, body, wrench);
+            }
+        }
+    }
+}
+
+fn is_finite(wrench: Wrench) -> bool {
+    wrench.force.is_finite() && wrench.torque.is_finite()
+}
+
+fn name(world: &World, body: usize) -> String {
+    world.bodies[body].name.clone()
+}
+
+/// A force as a message names it: its index in the scene, counted from 0, and its kind.
+fn describe(world: &World, number: usize) -> String {
+    let kind = match world.scene.forces().get(number) {
+        Some(Force::PointGravity { center, .. }) => format!("point gravity towards {center} m"),
+        Some(Force::MutualGravity { .. }) => "mutual gravity".to_owned(),
+        Some(Force::Applied { .. }) => "an applied force and torque".to_owned(),
+        Some(Force::Drag { .. }) => "drag".to_owned(),
+        Some(Force::Spring { .. }) => "a spring".to_owned(),
+        Some(Force::Field(_)) | None => "a field that the program defines".to_owned(),
+    };
+    format!("force number {number} ({kind}; forces are counted from 0)")
+}

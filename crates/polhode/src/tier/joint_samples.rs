@@ -1,0 +1,28 @@
+//! The joints of a simulation at one time.
+
+use crate::constraint::joint::WorldJoint;
+use crate::identity::joint_id::JointId;
+use crate::report::joint_sample::JointSample;
+use crate::scene::Coordinate;
+use crate::tier::Tier;
+use crate::tier::core::Core;
+use polhode_dynamics::BodyState;
+
+/// The joints at `t` (s), when the bodies have these states, in the order of their handles. Those that broke or were
+/// removed are left out.
+pub(crate) fn joint_samples(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) -> Vec<JointSample> {
+    let world = &core.world;
+    if world.joints.is_empty() {
+        return Vec::new();
+    }
+    let loads = tier.joint_loads(core, t, states);
+    let sample = |joint: &WorldJoint| {
+        let number = joint.number();
+        let coordinates = Coordinate::ALL.into_iter();
+        let coordinates = coordinates.filter_map(|own| Some((own, world.coordinate_of(states, number, own)?)));
+        let load = loads.iter().find(|load| load.joint.index() == number).copied();
+        let power_w = load.map(|load| world.power_of_joint(states, joint, (load.force_n, load.moment_n_m)));
+        JointSample { joint: JointId::new(number), coordinates: coordinates.collect(), load, power_w }
+    };
+    world.joints.iter().map(sample).collect()
+}

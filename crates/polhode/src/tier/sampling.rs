@@ -1,0 +1,88 @@
+//! Samples and frames of the motion between two events, for the observer.
+
+use crate::error::SimulationError;
+use crate::report::frame::Frame;
+use crate::report::observer::Observer;
+use crate::tier::Tier;
+use crate::tier::core::Core;
+use crate::tier::joint_samples::joint_samples;
+use polhode_dynamics::BodyState;
+use std::sync::Arc;
+
+/// The frame at `t` (s), when the bodies have these states.
+pub(crate) fn frame(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) -> Frame {
+    let sample = |(body, state)| core.world.sample(body, state);
+    let mut books = core.accounts.books.clone();
+    let energy = books.observe(&core.world, states);
+    Frame {
+        t_s: t,
+        bodies: states.iter().take(core.world.shown()).enumerate().map(sample).collect(),
+        motions: shown(core, tier.motions(core)),
+        contacts: tier.contacts(core, t, states),
+        joint_loads: tier.joint_loads(core, t, states),
+        islands: tier.islands(core),
+        energy,
+        ledger: books.ledger,
+        certificate: core.accounts.certificate_now(&books.ledger),
+        steps: core.accounts.steps(),
+    }
+}
+
+/// Those of the bodies that are shown.
+fn shown<T>(core: &Core, mut of_bodies: Vec<T>) -> Vec<T> {
+    of_bodies.truncate(core.world.shown());
+    of_bodies
+}
+
+/// Gives the observer a sample of the states at `t` (s), unless it already has one of that time, and a frame if it
+/// wants frames.
+///
+/// # Errors
+/// When the penetration of the sample cannot be measured.
+pub(crate) fn emit_sample(
+    tier: &dyn Tier,
+    core: &mut Core,
+    states: &[BodyState],
+    t: f64,
+    observer: &mut dyn Observer,
+) -> Result<(), SimulationError> {
+    if observer.wants_samples() || observer.wants_frames() {
+        for overlap in core.overlaps_of(t, states)?.to_vec() {
+            core.accounts.measures.note_sample(overlap);
+        }
+    }
+    let emitted = core.accounts.emit_sample(&core.world, states, t, observer);
+    if emitted && observer.wants_energies() {
+        observer.energy(t, &core.accounts.books.clone().observe(&core.world, states));
+    }
+    if emitted && observer.wants_joints() {
+        observer.joints(t, &joint_samples(tier, core, t, states));
+    }
+    if emitted && observer.wants_frames() {
+        observer.frame(&frame(tier, core, t, states));
+    }
+    Ok(())
+}
+
+/// Gives the observer all samples that are due before `until` (s). `states_at` evaluates the states within the present
+/// steps of the tier; it returns `None` when it has already passed the time of the sample.
+///
+/// # Errors
+/// As `states_at`.
+pub(crate) fn emit_samples_before<T: Tier>(
+    until: f64,
+    tier: &mut T,
+    core: &mut Core,
+    observer: &mut dyn Observer,
+    mut states_at: impl FnMut(&mut T, &mut Core, f64) -> Result<Option<Arc<Vec<BodyState>>>, SimulationError>,
+) -> Result<(), SimulationError> {
+    loop {
+        let t = core.accounts.next_sample_s(&core.world);
+        if t >= until {
+            return Ok(());
+        }
+        if let Some(states) = states_at(tier, core, t)? {
+            emit_sample(tier, core, &states, t, observer)?;
+        }
+    }
+}
