@@ -86,7 +86,7 @@
 //! |---|---|---|
 //! | scene | collects bodies, forces and method, and checks them | `scene/builder.rs` |
 //! | settings | completes the method by the defaults of its tier | `scene/settings.rs` |
-//! | world | puts bodies into their moving frames, makes force fields | `world` |
+//! | model | puts bodies into their moving frames, makes force fields | `model` |
 //! | findings | chooses the integrator; measures whether the motion is planar | `plan/free_method.rs`, `plan/planar.rs` |
 //! | plan | decides which effects are simulated, and says why | `plan/decisions.rs` |
 //! | simulation | makes the tier, and lets it advance to a time or to the next event | `run/simulation.rs`, `tier/mod.rs` |
@@ -120,7 +120,7 @@
 //! | [`mod@report`] | what a run tells: [`RunReport`], [`Ledger`], [`Certificate`], [`Event`], [`Frame`], [`Observer`] |
 //! | [`mod@scene`] | [`Scene`], [`Body`], [`Geometry`]; materials, forces, prescribed motions, methods, and the list of tiers |
 //! | `snapshot` | [`Snapshot`]: a simulation at one time as bytes |
-//! | `world` | bodies in their moving frames, and the forces on them |
+//! | `model` | bodies in their moving frames, and the forces on them |
 //! | `collision` | boxes, narrow phase and contacts of a pair |
 //! | `constraint` | what holds bodies together: identities, rows and reactions of pivots and joints, location of events |
 //! | `reduced` | trees of joints in the coordinates of the joints |
@@ -144,6 +144,7 @@ pub mod error;
 mod fast;
 mod identity;
 mod micro_collisions;
+mod model;
 mod penalty;
 pub mod plan;
 pub mod prelude;
@@ -158,11 +159,11 @@ mod stepped;
 mod thesis;
 mod tier;
 mod time_stepping;
-mod world;
 
 pub use error::SimulationError;
 pub use identity::body_id::BodyId;
 pub use identity::joint_id::JointId;
+pub use model::body_queries::BodyQueries;
 pub use plan::decisions::{Decision, Effect, EffectDecision, Plan};
 pub use report::acceleration::Acceleration;
 pub use report::body_sample::BodySample;
@@ -187,7 +188,6 @@ pub use scene::effects::Effects;
 pub use scene::{ApproximateParts, Body, Geometry, Scene, SceneBuilder, SceneError};
 pub use snapshot::{Snapshot, SnapshotError};
 pub use tier::executor::{Executor, OneThread, Task};
-pub use world::body_queries::BodyQueries;
 
 pub use polhode_contact as contact;
 pub use polhode_dynamics as dynamics;

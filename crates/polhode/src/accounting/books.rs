@@ -1,9 +1,9 @@
 //! The books of a run: every change of energy and momentum is entered into the ledger where it happens.
 
+use crate::model::Model;
 use crate::report::energy::Energy;
 use crate::report::ledger::Ledger;
 use crate::report::momentum_ledger::Momentum;
-use crate::world::World;
 use polhode_dynamics::field::Account;
 use polhode_dynamics::momentum::{angular_momentum_about, linear_momentum};
 use polhode_dynamics::{BodyState, RigidBody};
@@ -95,16 +95,16 @@ impl Balance {
 
 impl Books {
     /// Opens the books at the state given.
-    pub(crate) fn open(world: &World, states: &[BodyState]) -> Self {
-        let about = world.initial_center_of_mass();
-        let totals = Totals::of(world, states, about);
+    pub(crate) fn open(model: &Model, states: &[BodyState]) -> Self {
+        let about = model.initial_center_of_mass();
+        let totals = Totals::of(model, states, about);
         let (kinetic, potential) = (totals.kinetic.value(), totals.potential.value());
         let initial_j = kinetic + potential;
         let mut books = Self {
             ledger: Ledger { initial_j, current_j: initial_j, ..Ledger::default() },
-            initial_potential_j: world.start_potential(),
+            initial_potential_j: model.start_potential(),
         };
-        books.note_scale(world, kinetic, potential);
+        books.note_scale(model, kinetic, potential);
         books.ledger.momentum.about = about;
         books.ledger.momentum.initial = totals.momentum.value();
         books.note_momentum(&totals);
@@ -138,10 +138,10 @@ impl Books {
     }
 
     /// Energy and momentum of these bodies now.
-    pub(crate) fn balance(&self, world: &World, states: &[BodyState], bodies: &[usize]) -> Balance {
+    pub(crate) fn balance(&self, model: &Model, states: &[BodyState], bodies: &[usize]) -> Balance {
         Balance {
-            energy_j: energy_of(world, states, bodies),
-            momentum: momentum_of(world, states, bodies.iter().copied(), self.ledger.momentum.about),
+            energy_j: energy_of(model, states, bodies),
+            momentum: momentum_of(model, states, bodies.iter().copied(), self.ledger.momentum.about),
         }
     }
 
@@ -211,8 +211,8 @@ impl Books {
 
     /// Books a body that a program has added, with its energy and momentum. Its present position counts as its initial
     /// one.
-    pub(crate) fn added(&mut self, world: &World, states: &[BodyState], body: usize) {
-        let own = self.balance_of(world, states, body);
+    pub(crate) fn added(&mut self, model: &Model, states: &[BodyState], body: usize) {
+        let own = self.balance_of(model, states, body);
         self.ledger.external.add(own.energy_j);
         self.ledger.momentum.program.add(own.momentum);
     }
@@ -224,16 +224,16 @@ impl Books {
     }
 
     /// Books a body that a program removes, with its energy and momentum.
-    pub(crate) fn removed(&mut self, world: &World, states: &[BodyState], body: usize) {
-        let own = self.balance_of(world, states, body);
+    pub(crate) fn removed(&mut self, model: &Model, states: &[BodyState], body: usize) {
+        let own = self.balance_of(model, states, body);
         self.ledger.external.add(-own.energy_j);
         self.ledger.momentum.program.add(Momentum::default() - own.momentum);
     }
 
     /// Energy and momentum of one body, without the energy of fields.
-    fn balance_of(&self, world: &World, states: &[BodyState], body: usize) -> Balance {
-        let (kinetic, potential) = world.energies(body, &states[body]);
-        let momentum = momentum_of(world, states, [body].into_iter(), self.ledger.momentum.about);
+    fn balance_of(&self, model: &Model, states: &[BodyState], body: usize) -> Balance {
+        let (kinetic, potential) = model.energies(body, &states[body]);
+        let momentum = momentum_of(model, states, [body].into_iter(), self.ledger.momentum.about);
         Balance { energy_j: kinetic + potential, momentum }
     }
 
@@ -258,13 +258,13 @@ impl Books {
     }
 
     /// Books `dt` seconds of rest in equilibrium: the support balances the weight and the forces.
-    pub(crate) fn equilibrium(&mut self, world: &World, states: &[BodyState], body: usize, dt: f64) {
+    pub(crate) fn equilibrium(&mut self, model: &Model, states: &[BodyState], body: usize, dt: f64) {
         let about = self.ledger.momentum.about;
-        let gravity = gravity_at(world, states, body, about, dt);
+        let gravity = gravity_at(model, states, body, about, dt);
         let mut fields = Momentum::default();
-        if world.has_fields() {
+        if model.has_fields() {
             // Forces on bodies that rest are the same at all times.
-            let given = given_by_fields(world, 0.0, states, &[body], about).fields;
+            let given = given_by_fields(model, 0.0, states, &[body], about).fields;
             fields = Momentum { linear: given.linear * dt, angular: given.angular * dt };
         }
         self.ledger.momentum.gravity.add(gravity);
@@ -275,13 +275,13 @@ impl Books {
     /// The weight of bodies that rest, with its moment, N and N m.
     pub(crate) fn weight_of(
         &self,
-        world: &World,
+        model: &Model,
         states: &[BodyState],
         bodies: impl Iterator<Item = usize>,
     ) -> Momentum {
         let about = self.ledger.momentum.about;
         let mut sum = crate::report::momentum_ledger::MomentumSum::default();
-        bodies.for_each(|body| sum.add(gravity_at(world, states, body, about, 1.0)));
+        bodies.for_each(|body| sum.add(gravity_at(model, states, body, about, 1.0)));
         sum.value()
     }
 
@@ -293,22 +293,22 @@ impl Books {
     }
 
     /// Records energies and momenta now: the totals, and the scales for the closure of the ledger.
-    pub(crate) fn observe(&mut self, world: &World, states: &[BodyState]) -> Energy {
-        let totals = Totals::of(world, states, self.ledger.momentum.about);
+    pub(crate) fn observe(&mut self, model: &Model, states: &[BodyState]) -> Energy {
+        let totals = Totals::of(model, states, self.ledger.momentum.about);
         let (kinetic_j, potential) = (totals.kinetic.value(), totals.potential.value());
         self.ledger.current_j = kinetic_j + potential;
-        self.note_scale(world, kinetic_j, potential);
+        self.note_scale(model, kinetic_j, potential);
         self.note_momentum(&totals);
-        let potential_j = world.start_potential() + potential;
+        let potential_j = model.start_potential() + potential;
         let initial_j = self.initial_potential_j + self.ledger.initial_j;
         Energy { initial_j, final_j: kinetic_j + potential_j, kinetic_j, potential_j }
     }
 
-    fn note_scale(&mut self, world: &World, kinetic: f64, potential: f64) {
+    fn note_scale(&mut self, model: &Model, kinetic: f64, potential: f64) {
         let scale = kinetic + potential.abs();
         // In a scene at rest this scale is zero; its potential energy is used instead.
-        let scale = if scale == 0.0 { world.start_potential().abs() } else { scale };
-        self.ledger.scale_j = self.ledger.scale_j.max(scale).max(world.friction_energy_j());
+        let scale = if scale == 0.0 { model.start_potential().abs() } else { scale };
+        self.ledger.scale_j = self.ledger.scale_j.max(scale).max(model.friction_energy_j());
     }
 
     fn note_momentum(&mut self, totals: &Totals) {
@@ -344,18 +344,18 @@ struct Totals {
 
 impl Totals {
     /// Of these states; angular momenta and distances are about a point (m).
-    fn of(world: &World, states: &[BodyState], about: DVec3) -> Self {
+    fn of(model: &Model, states: &[BodyState], about: DVec3) -> Self {
         let mut totals = Self::default();
         for (index, state) in states.iter().enumerate() {
-            let (kinetic, potential) = world.energies(index, state);
+            let (kinetic, potential) = model.energies(index, state);
             totals.kinetic.add(kinetic);
             totals.potential.add(potential);
-            let body = &world.bodies[index];
+            let body = &model.bodies[index];
             let distance = (state.pose.translation - about).length();
             if body.moves() {
                 totals.extent = totals.extent.max(distance + body.size);
             }
-            if let Some(rigid) = body.rigid.as_ref().filter(|_| world.carries_momentum(index)) {
+            if let Some(rigid) = body.rigid.as_ref().filter(|_| model.carries_momentum(index)) {
                 let linear = linear_momentum(rigid, state);
                 let angular = angular_momentum_about(about, rigid, state);
                 totals.momentum.add(Momentum { linear, angular });
@@ -364,40 +364,40 @@ impl Totals {
                 totals.angular += state.angular_momentum.length() + distance * magnitude;
             }
         }
-        totals.potential.add(world.field_energy(states));
-        if world.contact_energy_j != 0.0 {
-            totals.potential.add(world.contact_energy_j);
+        totals.potential.add(model.field_energy(states));
+        if model.contact_energy_j != 0.0 {
+            totals.potential.add(model.contact_energy_j);
         }
         totals
     }
 }
 
 /// Momentum from gravity to a body at rest over `dt` seconds.
-pub(crate) fn gravity_at(world: &World, states: &[BodyState], body: usize, about: DVec3, dt: f64) -> Momentum {
-    if !world.carries_momentum(body) {
+pub(crate) fn gravity_at(model: &Model, states: &[BodyState], body: usize, about: DVec3, dt: f64) -> Momentum {
+    if !model.carries_momentum(body) {
         return Momentum::default();
     }
-    let mass = world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
-    let linear = world.gravity() * (mass * dt);
+    let mass = model.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
+    let linear = model.gravity() * (mass * dt);
     Momentum { linear, angular: (states[body].pose.translation - about).cross(linear) }
 }
 
 /// Rates at which force fields act on some bodies: momentum (N, N m), dissipation by drag and external work (W).
-pub(crate) fn given_by_fields(world: &World, t: f64, states: &[BodyState], bodies: &[usize], about: DVec3) -> Received {
+pub(crate) fn given_by_fields(model: &Model, t: f64, states: &[BodyState], bodies: &[usize], about: DVec3) -> Received {
     let mut sum = crate::report::momentum_ledger::MomentumSum::default();
     let mut received = Received::default();
     for account in [Account::Potential, Account::Damping, Account::External] {
-        if !world.has_fields_of(account) {
+        if !model.has_fields_of(account) {
             continue;
         }
-        let wrenches = world.wrenches_of(account, t, states, bodies);
+        let wrenches = model.wrenches_of(account, t, states, bodies);
         let mut power = 0.0;
         for &body in bodies {
-            let Some(rigid) = &world.bodies[body].rigid else { continue };
+            let Some(rigid) = &model.bodies[body].rigid else { continue };
             let (wrench, state) = (wrenches.of(body), &states[body]);
             let velocity = rigid.center_of_mass_velocity(state);
             power += wrench.force.dot(velocity.linear) + wrench.torque.dot(velocity.angular);
-            if world.carries_momentum(body) {
+            if model.carries_momentum(body) {
                 let arm = state.pose.translation - about;
                 sum.add(Momentum { linear: wrench.force, angular: wrench.torque + arm.cross(wrench.force) });
             }
@@ -409,28 +409,28 @@ pub(crate) fn given_by_fields(world: &World, t: f64, states: &[BodyState], bodie
 }
 
 /// Total energy of these bodies, and of the force fields on all bodies, J.
-fn energy_of(world: &World, states: &[BodyState], bodies: &[usize]) -> f64 {
+fn energy_of(model: &Model, states: &[BodyState], bodies: &[usize]) -> f64 {
     let sum: CompensatedSum = bodies
         .iter()
         .flat_map(|&body| {
-            let (kinetic, potential) = world.energies(body, &states[body]);
+            let (kinetic, potential) = model.energies(body, &states[body]);
             [kinetic, potential]
         })
-        .chain([world.field_energy(states)])
+        .chain([model.field_energy(states)])
         .collect();
     sum.value()
 }
 
 /// Momentum of these bodies, the angular part about a point.
 pub(crate) fn momentum_of(
-    world: &World,
+    model: &Model,
     states: &[BodyState],
     bodies: impl Iterator<Item = usize>,
     about: DVec3,
 ) -> Momentum {
     let mut sum = crate::report::momentum_ledger::MomentumSum::default();
-    for body in bodies.filter(|&body| world.carries_momentum(body)) {
-        if let Some(rigid) = &world.bodies[body].rigid {
+    for body in bodies.filter(|&body| model.carries_momentum(body)) {
+        if let Some(rigid) = &model.bodies[body].rigid {
             sum.add(Momentum {
                 linear: linear_momentum(rigid, &states[body]),
                 angular: angular_momentum_about(about, rigid, &states[body]),

@@ -5,8 +5,8 @@
 //! size in a step may pass another body, and one that turns by a radian may turn a corner through it, without a
 //! contact. Only steps in which a body may touch another one count: a flight alone is exact at any step.
 
+use crate::model::Model;
 use crate::snapshot::content;
-use crate::world::World;
 use polhode_dynamics::BodyState;
 
 /// The angle by which a body may turn in one step, rad: within it the chord is the arc to a twentieth.
@@ -35,16 +35,16 @@ pub(crate) struct Movement {
 impl Movement {
     /// That of a body between two states, in a step from `t` over `h` (s). The rotation is the faster one of both.
     pub(crate) fn between(
-        world: &World,
+        model: &Model,
         body: usize,
         (start, end): (&BodyState, &BodyState),
         (t, h): (f64, f64),
     ) -> Self {
         let way = (end.pose.translation - start.pose.translation).length();
-        let rates = [start, end].map(|state| world.velocity(body, state).angular.length());
-        let size = world.bodies[body].size;
+        let rates = [start, end].map(|state| model.velocity(body, state).angular.length());
+        let size = model.bodies[body].size;
         let (travel, turn) = (way / size, h * rates[0].max(rates[1]));
-        let falls = (2.0 * size / world.gravity().length()).sqrt();
+        let falls = (2.0 * size / model.gravity().length()).sqrt();
         let enough_s = falls.min(h / travel.max(turn / LARGEST_TURN_OF_STEP));
         Self { body, t: t + h, step_s: h, travel, turn, enough_s }
     }
@@ -87,10 +87,10 @@ impl LongSteps {
     }
 
     /// The warning, if a step was too long.
-    pub(crate) fn warning(&self, world: &World) -> Option<String> {
+    pub(crate) fn warning(&self, model: &Model) -> Option<String> {
         let worst = self.worst?;
         let Movement { body, t, step_s, travel, turn, enough_s } = worst;
-        let name = &world.bodies[body].name;
+        let name = &model.bodies[body].name;
         let moved = if travel >= turn / LARGEST_TURN_OF_STEP {
             format!("{name} moved by {travel:.3} times its size")
         } else {

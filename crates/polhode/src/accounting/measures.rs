@@ -4,11 +4,11 @@ use super::long_steps::LongSteps;
 use super::numerical_loss::{FixedStep, LEFT_BY_SHORTER_STEP, NumericalLoss};
 use super::occurrences::Occurrences;
 use crate::identity::body_id::BodyId;
+use crate::model::Model;
 use crate::report::broken_promise::BrokenPromise;
 use crate::report::ledger::Ledger;
 use crate::report::run_report::{Certificate, PairAt};
 use crate::snapshot::{SnapshotError, content};
-use crate::world::World;
 use polhode_spatial::CompensatedSum;
 
 /// Limits of the whole scene.
@@ -267,11 +267,11 @@ impl Measures {
     }
 
     /// The limits that were exceeded.
-    pub(crate) fn exceeded(&self, world: &World, ledger: &Ledger, limits: &Limits) -> Vec<BrokenPromise> {
-        let mut exceeded: Vec<BrokenPromise> = self.lengths_exceeded(world, limits).collect();
-        exceeded.extend(self.energies_exceeded(world, ledger, limits));
+    pub(crate) fn exceeded(&self, model: &Model, ledger: &Ledger, limits: &Limits) -> Vec<BrokenPromise> {
+        let mut exceeded: Vec<BrokenPromise> = self.lengths_exceeded(model, limits).collect();
+        exceeded.extend(self.energies_exceeded(model, ledger, limits));
         if let Some(worst) = self.friction.exceeded() {
-            let (value, allowed, names) = (worst.value, worst.allowed, names(world, &worst));
+            let (value, allowed, names) = (worst.value, worst.allowed, names(model, &worst));
             let what = format!(
                 "friction of {names} exceeded Coulomb's law by {value:e} of the largest force, the promised limit is \
                  {allowed:e}"
@@ -300,7 +300,7 @@ impl Measures {
     /// Overlaps, gaps of joints and displacements by projections beyond their limits.
     fn lengths_exceeded<'a>(
         &'a self,
-        world: &'a World,
+        model: &'a Model,
         limits: &'a Limits,
     ) -> impl Iterator<Item = BrokenPromise> + 'a {
         let measured = [
@@ -313,11 +313,11 @@ impl Measures {
             let worst = quantity.exceeded()?;
             let Measure { pair, value, allowed, .. } = worst;
             let of_size = if unit == "m" {
-                format!(", {:.1e} of the size of the smaller one", value / world.pair_size(pair.0, pair.1))
+                format!(", {:.1e} of the size of the smaller one", value / model.pair_size(pair.0, pair.1))
             } else {
                 String::new()
             };
-            let names = names(world, &worst);
+            let names = names(model, &worst);
             let what = format!(
                 "{whose}{names} {what} {value:.3e} {unit}{of_size}; the promised limit is {allowed:.3e} {unit}"
             );
@@ -326,11 +326,11 @@ impl Measures {
     }
 
     /// Energies beyond their limits.
-    fn energies_exceeded(&self, world: &World, ledger: &Ledger, limits: &Limits) -> Vec<BrokenPromise> {
+    fn energies_exceeded(&self, model: &Model, ledger: &Ledger, limits: &Limits) -> Vec<BrokenPromise> {
         let scale = ledger.scale_j.max(limits.smallest_energy_j);
         let beyond = |sum: f64, relative: f64, worst: &Worst| {
             let allowed = relative * scale;
-            worst.worst.filter(|_| sum.abs() > allowed).map(|worst| (worst, names(world, &worst), allowed))
+            worst.worst.filter(|_| sum.abs() > allowed).map(|worst| (worst, names(model, &worst), allowed))
         };
         let broken = |what: String, sum: f64, limit: f64, worst: &Measure| {
             BrokenPromise::exceeding(what, sum.abs(), limit).at(worst.t).of(worst.pair)
@@ -379,8 +379,8 @@ impl Measures {
 }
 
 /// The bodies of a measure, as warnings name them.
-fn names(world: &World, measure: &Measure) -> String {
-    world.pair_names(measure.pair.0, measure.pair.1)
+fn names(model: &Model, measure: &Measure) -> String {
+    model.pair_names(measure.pair.0, measure.pair.1)
 }
 
 /// Energy relative to the largest of the run.

@@ -27,6 +27,7 @@ use crate::constraint::joint_error::JointError;
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
 use crate::report::energy::Energy;
 use crate::report::event::Event;
 use crate::report::event::EventKind;
@@ -37,7 +38,6 @@ use crate::scene::{ImpactLaw, Promise};
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::impact::raised_energy;
 use crate::time_stepping::{ImpulseKind, TimeStepReport};
-use crate::world::World;
 use books::Books;
 use measures::{Limits, Measure, Measures};
 use occurrences::Occurrences;
@@ -72,9 +72,9 @@ pub(crate) struct Accounts {
 
 impl Accounts {
     /// Opens the accounts of a run with this promise at the states given.
-    pub(crate) fn open(world: &World, states: &[BodyState], promise: Promise) -> Self {
+    pub(crate) fn open(model: &Model, states: &[BodyState], promise: Promise) -> Self {
         Self {
-            books: Books::open(world, states),
+            books: Books::open(model, states),
             certificate: Certificate::default(),
             promise,
             measures: Measures::default(),
@@ -139,12 +139,12 @@ impl Accounts {
     }
 
     /// Records how far the joints are from what they keep in these states at `t` (s).
-    fn note_joints(&mut self, world: &World, states: &[BodyState], t: f64) {
+    fn note_joints(&mut self, model: &Model, states: &[BodyState], t: f64) {
         let promised = self.promise.joint_gap.unwrap_or(f64::INFINITY);
-        for JointError { pair, apart_m, turned_rad } in world.joint_errors(states) {
+        for JointError { pair, apart_m, turned_rad } in model.joint_errors(states) {
             self.measures.has_joints = true;
             let (a, b) = pair;
-            let allowed = promised * world.pair_size(a, b) + world.penetration_rounding(states, a, b);
+            let allowed = promised * model.pair_size(a, b) + model.penetration_rounding(states, a, b);
             self.measures.joint_gap.note(Measure { t, pair, value: apart_m, allowed });
             self.measures.joint_rotation.note(Measure { t, pair, value: turned_rad, allowed: promised });
         }
@@ -168,7 +168,7 @@ impl Accounts {
     }
 
     /// Records a time step: its books, its certificate, and its impacts as events.
-    pub(crate) fn note_time_step(&mut self, world: &World, t: f64, states: &[BodyState], report: &TimeStepReport) {
+    pub(crate) fn note_time_step(&mut self, model: &Model, t: f64, states: &[BodyState], report: &TimeStepReport) {
         self.books.enter(&report.books);
         self.note_residual_of_steps(t, report.residual);
         self.certificate.factorisations += report.factorisations;
@@ -178,7 +178,7 @@ impl Accounts {
         }
         self.note_loads(t, report.newton_residual);
         if report.raises_energy {
-            let law = world.scene.method().restitution_law.unwrap_or_default().name();
+            let law = model.scene.method().restitution_law.unwrap_or_default().name();
             self.warn(t, raised_energy(law));
         }
         for given in &report.impulses {
@@ -193,14 +193,14 @@ impl Accounts {
                 impulse: given.impulse,
                 energy_change_j,
             };
-            self.add_contact_event(world, states, event, given.id);
+            self.add_contact_event(model, states, event, given.id);
         }
     }
 
     /// Adds an event at a contact point. If the contact also represents its mirror image, the event is reported at both
     /// points.
-    pub(crate) fn add_contact_event(&mut self, world: &World, states: &[BodyState], event: Event, id: ContactId) {
-        let Some(aside) = world.mirrored(states, id) else {
+    pub(crate) fn add_contact_event(&mut self, model: &Model, states: &[BodyState], event: Event, id: ContactId) {
+        let Some(aside) = model.mirrored(states, id) else {
             self.add_event(event);
             return;
         };
@@ -224,7 +224,7 @@ impl Accounts {
     /// Records the outcome of an impact of some bodies by a law in the certificate.
     pub(crate) fn note_impact(
         &mut self,
-        world: &World,
+        model: &Model,
         t: f64,
         law: ImpactLaw,
         bodies: &[usize],
@@ -256,7 +256,7 @@ impl Accounts {
                 ),
             ),
             ImpactStatus::NotSolved => {
-                let (names, residual) = (world.names_of(bodies), outcome.residual);
+                let (names, residual) = (model.names_of(bodies), outcome.residual);
                 let what = format!("an impact of {names} by {law} was not solved: the residual stays at {residual:e}");
                 self.note_unsolved(t, what);
             }
@@ -274,17 +274,17 @@ impl Accounts {
     ///
     /// # Errors
     /// When a state or the energy is not finite.
-    pub(crate) fn observe(&mut self, world: &World, states: &[BodyState], t: f64) -> Result<Energy, SimulationError> {
-        check_finite(world, states, t)?;
-        let energy = self.books.observe(world, states);
+    pub(crate) fn observe(&mut self, model: &Model, states: &[BodyState], t: f64) -> Result<Energy, SimulationError> {
+        check_finite(model, states, t)?;
+        let energy = self.books.observe(model, states);
         let ledger = &mut self.books.ledger;
         // Where hardly anything has moved yet, energies are compared with what forces would do: nearly no run asks for
         // it.
         if ledger.numerical.value().abs() > self.measures.numerical.relative() * ledger.scale_j {
-            ledger.scale_j = ledger.scale_j.max(world.pressing_energy_j(t, states));
+            ledger.scale_j = ledger.scale_j.max(model.pressing_energy_j(t, states));
         }
-        self.measures.numerical.note(world, (t, states), ledger, self.promise.energy);
-        self.note_joints(world, states, t);
+        self.measures.numerical.note(model, (t, states), ledger, self.promise.energy);
+        self.note_joints(model, states, t);
         if energy.final_j.is_finite() { Ok(energy) } else { Err(SimulationError::EnergyOverflow { t_s: t }) }
     }
 
@@ -323,8 +323,8 @@ impl Accounts {
     }
 
     /// Time of the next output sample, s.
-    pub(crate) fn next_sample_s(&self, world: &World) -> f64 {
-        self.next_sample as f64 * world.scene.output_interval_s()
+    pub(crate) fn next_sample_s(&self, model: &Model) -> f64 {
+        self.next_sample as f64 * model.scene.output_interval_s()
     }
 
     /// Whether no sample has been sent yet.
@@ -342,12 +342,12 @@ impl Accounts {
     /// Sends the observer the states at `t` (s), unless it has had a sample of that time. Returns whether it was sent.
     pub(crate) fn emit_sample(
         &mut self,
-        world: &World,
+        model: &Model,
         states: &[BodyState],
         t: f64,
         observer: &mut dyn Observer,
     ) -> bool {
-        while self.next_sample_s(world) <= t {
+        while self.next_sample_s(model) <= t {
             self.next_sample += 1;
         }
         if self.last_sample_s == Some(t) {
@@ -357,32 +357,32 @@ impl Accounts {
         if !observer.wants_samples() {
             return true;
         }
-        let shown = states.iter().take(world.shown()).enumerate();
-        let samples: Vec<_> = shown.map(|(body, state)| world.sample(body, state)).collect();
+        let shown = states.iter().take(model.shown()).enumerate();
+        let samples: Vec<_> = shown.map(|(body, state)| model.sample(body, state)).collect();
         observer.sample(t, &samples);
         true
     }
 
     /// Writes the accounts into the report of a run that ends with these states, and compares them with these limits.
-    pub(crate) fn fill(&mut self, world: &World, states: &[BodyState], limits: &Limits, report: &mut RunReport) {
-        report.energy = self.books.observe(world, states);
+    pub(crate) fn fill(&mut self, model: &Model, states: &[BodyState], limits: &Limits, report: &mut RunReport) {
+        report.energy = self.books.observe(model, states);
         report.ledger = self.books.ledger;
-        self.measures.numerical.note(world, (report.simulated_s, states), &report.ledger, self.promise.energy);
+        self.measures.numerical.note(model, (report.simulated_s, states), &report.ledger, self.promise.energy);
         report.certificate = self.certificate_now(&report.ledger);
         report.tolerated = self.tolerated.list().to_vec();
         report.choices = self.choices.list().to_vec();
-        report.broken = self.measures.exceeded(world, &report.ledger, limits);
+        report.broken = self.measures.exceeded(model, &report.ledger, limits);
         report.broken.extend(self.error_beyond_promise(report.certificate.estimated_error, limits));
         if self.measures.long_steps.degrade(report.certificate.estimated_error) || !report.broken.is_empty() {
             report.outcome = Outcome::Degraded;
         }
         report.warnings = report.broken.iter().map(BrokenPromise::to_string).collect();
-        report.warnings.extend(self.measures.long_steps.warning(world));
+        report.warnings.extend(self.measures.long_steps.warning(model));
         report.warnings.extend(self.warnings.texts());
         report.steps = self.steps;
         report.events = self.event_count;
         report.crowded.clone_from(&self.crowded.0);
-        report.bodies = world.named_samples(states);
+        report.bodies = model.named_samples(states);
     }
 }
 
@@ -403,9 +403,9 @@ impl Accounts {
 ///
 /// # Errors
 /// When a state is not.
-pub(crate) fn check_finite(world: &World, states: &[BodyState], t: f64) -> Result<(), SimulationError> {
+pub(crate) fn check_finite(model: &Model, states: &[BodyState], t: f64) -> Result<(), SimulationError> {
     match states.iter().position(|state| !state.is_finite()) {
-        Some(body) => Err(SimulationError::Diverged { body: world.bodies[body].name.clone(), t_s: t }),
+        Some(body) => Err(SimulationError::Diverged { body: model.bodies[body].name.clone(), t_s: t }),
         None => Ok(()),
     }
 }

@@ -9,10 +9,10 @@
 //! what the order describes, the fastest rates of the forces give it: an oscillation of rate w over the time T loses
 //! about `w T (w h)^p`, a decay of rate c about `(c h)^p`.
 
+use crate::model::{Model, Rates};
 use crate::report::broken_promise::BrokenPromise;
 use crate::report::ledger::Ledger;
 use crate::snapshot::content;
-use crate::world::{Rates, World};
 use polhode_dynamics::BodyState;
 
 /// Beyond this part of the energy a loss no longer follows the order of the method (no unit).
@@ -57,19 +57,19 @@ pub(crate) struct FixedStep {
 
 impl NumericalLoss {
     /// Compares the loss in the ledger at `t` (s) with its limit, relative to the largest energy.
-    pub(crate) fn note(&mut self, world: &World, (t, states): (f64, &[BodyState]), ledger: &Ledger, limit: f64) {
+    pub(crate) fn note(&mut self, model: &Model, (t, states): (f64, &[BodyState]), ledger: &Ledger, limit: f64) {
         let lost = ledger.numerical.value();
         // Nearly all steps of all runs end here, without a sum over the bodies.
         if lost.abs() <= self.relative * ledger.scale_j {
             return;
         }
-        let scale = ledger.scale_j.max(world.lifting_energy_j());
-        let relative = (lost.abs() - POTENTIAL_ROUNDING * world.start_potential().abs()) / scale;
+        let scale = ledger.scale_j.max(model.lifting_energy_j());
+        let relative = (lost.abs() - POTENTIAL_ROUNDING * model.start_potential().abs()) / scale;
         if relative > self.relative {
             (self.energy_j, self.relative) = (lost, relative);
         }
         if relative > limit && self.first.is_none() {
-            self.first = Some(First { t, rates: world.fastest_rates(states) });
+            self.first = Some(First { t, rates: model.fastest_rates(states) });
         }
     }
 
@@ -141,7 +141,7 @@ fn part(relative: f64) -> String {
 mod tests {
     //! A loss within the promise is not told; one beyond it is, with both.
     use super::{First, NumericalLoss};
-    use crate::world::Rates;
+    use crate::model::Rates;
 
     #[test]
     fn a_loss_beyond_what_is_promised_is_told() {

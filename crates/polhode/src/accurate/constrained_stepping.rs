@@ -22,10 +22,10 @@ use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::friction_mode::Slide;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::contradiction::refuse_contradictions;
 use crate::tier::core::Core;
-use crate::world::World;
 use polhode_dynamics::error_allowance::{ErrorAllowance, LargestError};
 use polhode_dynamics::field::Wrench;
 use polhode_dynamics::integrated_motion::OVERHANG;
@@ -175,7 +175,7 @@ impl Motions {
     ) -> Attempted {
         let about = core.accounts.books.ledger.momentum.about;
         let mut scratch = std::mem::take(&mut self.scratch);
-        let mut system = ContactSystem::new(&core.world, &mut scratch, bodies, active, about);
+        let mut system = ContactSystem::new(&core.model, &mut scratch, bodies, active, about);
         let attempted = self.attempt(core, &mut system, (t, h));
         let refused = |error: &f64| *error > 1.0 || error.is_nan();
         let mut slip_time_s = f64::INFINITY;
@@ -222,8 +222,8 @@ impl Motions {
             scratch[body] = ahead;
         }
         let time = |(id, slide): (ContactId, Slide)| {
-            let slip = core.world.tangential_kinematics(&self.states, id)?.slip_velocity;
-            let change = core.world.tangential_kinematics(scratch, id)?.slip_velocity - slip;
+            let slip = core.model.tangential_kinematics(&self.states, id)?.slip_velocity;
+            let change = core.model.tangential_kinematics(scratch, id)?.slip_velocity - slip;
             (slip.length() > slide.zero_speed()).then(|| h * slip.length() / change.length())
         };
         active.sliding().filter_map(time).fold(f64::INFINITY, f64::min)
@@ -245,7 +245,7 @@ impl Motions {
         if step.estimates_error() {
             *worst = Some(worst.unwrap_or(0.0).max(error));
         }
-        let rigid = |body: usize| core.world.bodies[body].rigid.as_ref();
+        let rigid = |body: usize| core.model.bodies[body].rigid.as_ref();
         let motion = |(index, &body): (usize, &usize)| dense.body_motion(index * WIDTH, rigid(body)?);
         let motions = bodies.iter().enumerate().map(motion).collect();
         let spins = bodies.iter().map(|&body| self.free_spin(core, body, active.held(), t)).collect();
@@ -267,7 +267,7 @@ impl Motions {
     /// its rounding.
     fn free_spin(&mut self, core: &Core, body: usize, held: &[ContactId], t: f64) -> Option<Flight> {
         let is_held = held.iter().any(|id| id.a == body || id.b == body);
-        if is_held || core.settings.named_integrator.is_some() || !core.world.is_loaded_without_torque(body) {
+        if is_held || core.settings.named_integrator.is_some() || !core.model.is_loaded_without_torque(body) {
             return None;
         }
         let state = self.states[body];
@@ -278,7 +278,7 @@ impl Motions {
         if let Some(spin) = self.spins.get(&body).filter(|spin| gives_this_attitude(spin)) {
             return Some(*spin);
         }
-        let rigid = core.world.bodies[body].rigid.as_ref()?;
+        let rigid = core.model.bodies[body].rigid.as_ref()?;
         let spin = Flight::new(rigid, t, &state, DVec3::ZERO);
         self.spins.insert(body, spin);
         Some(spin)
@@ -293,7 +293,7 @@ impl Motions {
     ) -> Result<(MethodStep, Option<f64>), ResponseError> {
         let step = StageMethod::of(&core.settings).attempt(system, (t, h), system.pack())?;
         let error = match &step {
-            MethodStep::Reduced(step) => Some(step.error(&core.world, core.settings.tolerance)),
+            MethodStep::Reduced(step) => Some(step.error(&core.model, core.settings.tolerance)),
             step => step.embedded().map(|method| self.error_of(core, method, system, (t, h))),
         };
         Ok((step, error))
@@ -310,7 +310,7 @@ impl Motions {
         let loads = system.loads_at(t + h, ends.iter().copied());
         // What velocities change of a load, as of drag, no rounding of poses does; in an attempt that overflows it is
         // beyond all bounds.
-        let by_poses = core.world.has_loads_of_velocities().then(|| {
+        let by_poses = core.model.has_loads_of_velocities().then(|| {
             let of = |(&body, end): (&usize, &BodyState)| BodyState { pose: end.pose, ..self.states[body] };
             system.loads_at(t + h, bodies.iter().zip(&ends).map(of).collect::<Vec<_>>().into_iter())
         });
@@ -346,7 +346,7 @@ impl Motions {
         }
         let about = core.accounts.books.ledger.momentum.about;
         let mut scratch = std::mem::take(&mut self.scratch);
-        let mut system = ContactSystem::new(&core.world, &mut scratch, &step.bodies, &step.active, about);
+        let mut system = ContactSystem::new(&core.model, &mut scratch, &step.bodies, &step.active, about);
         let attempt = self.attempt(core, &mut system, (step.t, t_next - step.t));
         self.restore_scratch(core, scratch, &step.bodies);
         let (made, _) = attempt.map_err(|source| Core::response_error(step.t, source))?;
@@ -360,12 +360,12 @@ impl Motions {
 /// the forces at the end give it over its size. The largest error counts, not the mean, so that further bodies do not
 /// loosen the error control.
 fn allowance(core: &Core, body: usize, state: &BodyState, rates: &[f64], end: &[f64], load: Wrench) -> ErrorAllowance {
-    let world: &World = &core.world;
+    let model: &Model = &core.model;
     let tolerance = STEP_SHARE * core.settings.tolerance;
-    let length = world.bodies[body].size;
-    let velocity = world.velocity(body, state);
-    let gravity_speed = (world.gravity().length() * length).sqrt();
-    let rigid = world.bodies[body].rigid.as_ref();
+    let length = model.bodies[body].size;
+    let velocity = model.velocity(body, state);
+    let gravity_speed = (model.gravity().length() * length).sqrt();
+    let rigid = model.bodies[body].rigid.as_ref();
     let moment = rigid.map_or(0.0, |rigid| rigid.moments().max_element());
     let inverse_mass = rigid.map_or(0.0, RigidBody::inverse_mass);
     let size = |of: &[f64], first: usize| DVec3::new(of[first], of[first + 1], of[first + 2]).length();
@@ -396,7 +396,7 @@ fn allowance(core: &Core, body: usize, state: &BodyState, rates: &[f64], end: &[
 /// `force` (N) and `moment` (N m), and that of fields, which the rounding of poses changes by `fields` (N, N m).
 /// Shorter steps do not reduce it.
 fn rounding(core: &Core, body: usize, ([force, moment], fields): ([f64; 2], [f64; 2]), h: f64) -> ErrorAllowance {
-    let Some(rigid) = &core.world.bodies[body].rigid else { return ErrorAllowance::default() };
+    let Some(rigid) = &core.model.bodies[body].rigid else { return ErrorAllowance::default() };
     let inverse_moment = 1.0 / rigid.moments().min_element();
     let speed = (DIRECTION_ROUNDING * force).max(fields[0]) * h;
     let spin = (DIRECTION_ROUNDING * moment).max(fields[1]) * h;

@@ -15,7 +15,7 @@
 //! islands finds this, and the steps of both parts end there.
 
 use super::crowd_step::Crowd;
-use crate::world::World;
+use crate::model::Model;
 use polhode_contact::{Shape, separation};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DisjointSets, Velocity};
@@ -39,12 +39,12 @@ pub(super) struct CrowdPart {
 
 impl CrowdPart {
     /// The parts into which it falls in these states within its step, in the order of their first bodies.
-    pub(super) fn divided(self, world: &World, states: &[BodyState]) -> Vec<Self> {
+    pub(super) fn divided(self, model: &Model, states: &[BodyState]) -> Vec<Self> {
         let Self { bodies, mut pairs, crowd, refused } = self;
         let place = |body: usize| bodies.binary_search(&body).ok();
-        pairs.retain(|&pair| may_touch_within(world, states, pair, crowd.step_s));
+        pairs.retain(|&pair| may_touch_within(model, states, pair, crowd.step_s));
         let mut sets = DisjointSets::new(bodies.len());
-        let coupled = |&body: &usize| world.couplings_of(body).flatten().map(move |&other| (body, other));
+        let coupled = |&body: &usize| model.couplings_of(body).flatten().map(move |&other| (body, other));
         for (a, b) in pairs.iter().copied().chain(bodies.iter().flat_map(coupled)) {
             if let (Some(a), Some(b)) = (place(a), place(b)) {
                 sets.join(a, b);
@@ -67,24 +67,24 @@ impl CrowdPart {
 
 /// Whether two bodies in these states may touch within `h` (s). Bodies without a shape, and those whose motion is
 /// prescribed, always may.
-pub(super) fn may_touch_within(world: &World, states: &[BodyState], (a, b): (usize, usize), h: f64) -> bool {
-    if !world.joint_contacts_of_pair((a, b)).is_empty() {
+pub(super) fn may_touch_within(model: &Model, states: &[BodyState], (a, b): (usize, usize), h: f64) -> bool {
+    if !model.joint_contacts_of_pair((a, b)).is_empty() {
         return true;
     }
-    let Some((shape_a, shape_b)) = world.shapes(a, b) else { return true };
-    if [a, b].iter().any(|&body| world.trajectory(body).is_some()) {
+    let Some((shape_a, shape_b)) = model.shapes(a, b) else { return true };
+    if [a, b].iter().any(|&body| model.trajectory(body).is_some()) {
         return true;
     }
     let turn = |shape: &Shape, velocity: Velocity, body: usize| match shape {
         Shape::Sphere(_) => 0.0,
-        _ => velocity.angular.length() * world.bodies[body].size,
+        _ => velocity.angular.length() * model.bodies[body].size,
     };
-    let [velocity_a, velocity_b] = [a, b].map(|body| world.velocity(body, &states[body]));
+    let [velocity_a, velocity_b] = [a, b].map(|body| model.velocity(body, &states[body]));
     let speed = (velocity_a.linear - velocity_b.linear).length()
         + turn(shape_a, velocity_a, a)
         + turn(shape_b, velocity_b, b)
-        + world.gravity().length() * h;
-    let way = world.touch_distance(states, a, b) + SWEEP_FACTOR * h * speed;
+        + model.gravity().length() * h;
+    let way = model.touch_distance(states, a, b) + SWEEP_FACTOR * h * speed;
     separation(shape_a, &states[a].pose, shape_b, &states[b].pose) <= way
 }
 
@@ -93,9 +93,9 @@ mod tests {
     //! A crowd falls into the parts whose bodies may touch each other within the step, and no pair is lost.
     #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
     use super::*;
+    use crate::model::pivot_form::PivotRows;
     use crate::scene::Material;
     use crate::scene::{Body, Scene};
-    use crate::world::pivot_form::PivotRows;
     use polhode_mesh::solid_sphere;
     use polhode_spatial::{DVec3, Mass, Pose, UnitVector};
 
@@ -104,7 +104,7 @@ mod tests {
     const GAP_M: f64 = 1e-3;
 
     /// Balls on a floor in a row, which move along it with these speeds (m/s).
-    fn row_of_balls(speeds: &[f64], friction: f64) -> (World, Vec<BodyState>) {
+    fn row_of_balls(speeds: &[f64], friction: f64) -> (Model, Vec<BodyState>) {
         let material = Material::new("rubber").with_friction(friction).unwrap();
         let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
         let mut scene = Scene::builder("row").body(floor.material(material.clone()));
@@ -115,17 +115,17 @@ mod tests {
             let velocity = Velocity::new(DVec3::X * speed, DVec3::ZERO);
             scene = scene.body(ball.pose(Pose::from_translation(place)).velocity(velocity).material(material.clone()));
         }
-        World::new(&scene.build().unwrap(), PivotRows::default()).unwrap()
+        Model::new(&scene.build().unwrap(), PivotRows::default()).unwrap()
     }
 
     /// The bodies and the number of pairs of each part of the row within `h` (s).
     fn parts(speeds: &[f64], friction: f64, h: f64) -> Vec<(Vec<usize>, usize)> {
-        let (world, states) = row_of_balls(speeds, friction);
+        let (model, states) = row_of_balls(speeds, friction);
         let bodies: Vec<usize> = (1..=speeds.len()).collect();
         let pairs = (0..=speeds.len()).flat_map(|a| (a + 1..=speeds.len()).map(move |b| (a, b))).collect();
         let crowd = Crowd { until: 1.0, step_s: h, number: 0, spare_error: 0.0 };
         let whole = CrowdPart { bodies, pairs, crowd, refused: 0 };
-        whole.divided(&world, &states).into_iter().map(|part| (part.bodies, part.pairs.len())).collect()
+        whole.divided(&model, &states).into_iter().map(|part| (part.bodies, part.pairs.len())).collect()
     }
 
     /// Balls that may meet within the step stay together; a shorter step parts them, and each keeps its floor.

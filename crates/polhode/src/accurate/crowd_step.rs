@@ -4,9 +4,9 @@
 //! do not change the step. Only the search for impacts of other islands takes each body along a line at constant
 //! angular velocity.
 
+use crate::model::Model;
+use crate::model::states_of::set_states;
 use crate::time_stepping::{TimeStepReport, TimeStepper};
-use crate::world::World;
-use crate::world::states_of::set_states;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 use polhode_spatial::{ConstantVelocity, Motion, MotionBounds, Pose, Still, Velocity};
@@ -66,7 +66,7 @@ impl CrowdStep {
     /// When it is not possible; the states are those at the start of the step then.
     pub(super) fn advance_to(
         &self,
-        world: &World,
+        model: &Model,
         bodies: &[usize],
         t: f64,
         states: &mut [BodyState],
@@ -76,7 +76,7 @@ impl CrowdStep {
             return Ok(self.report.clone());
         }
         set_states(states, bodies, &self.start);
-        world.prescribe_members(&self.pairs, self.t, states);
+        model.prescribe_members(&self.pairs, self.t, states);
         let mut stepper = self.stepper.clone();
         let about = stepper.about();
         if t <= self.t {
@@ -87,7 +87,7 @@ impl CrowdStep {
         let parts = [(self.t, h.min(half)), (self.t + half, h - half)];
         let mut report = TimeStepReport::new(about);
         for &(from, span) in parts.iter().filter(|(_, span)| *span > 0.0) {
-            report.append(stepper.advance(world, states, bodies, &self.pairs, (from, span))?);
+            report.append(stepper.advance(model, states, bodies, &self.pairs, (from, span))?);
         }
         Ok(report)
     }

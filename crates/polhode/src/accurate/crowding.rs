@@ -30,12 +30,12 @@ use super::motions::{Mode, Motions};
 use super::pace::{NoAdvance, Pace};
 use crate::collision::active_contacts::ActiveContacts;
 use crate::error::SimulationError;
+use crate::model::Model;
+use crate::model::states_of::{set_states, states_of};
 use crate::solve::cone_violation::CONE_LIMIT;
 use crate::solve::overlap::Overlaps;
 use crate::tier::core::Core;
 use crate::time_stepping::{TimeStepReport, TimeStepper};
-use crate::world::World;
-use crate::world::states_of::{set_states, states_of};
 use polhode_contact::aabb_of;
 use polhode_dynamics::BodyState;
 use polhode_response::{Delassus, ResponseError};
@@ -132,13 +132,13 @@ fn stepper(core: &Core) -> TimeStepper {
 /// # Errors
 /// When it is not possible.
 fn time_step(
-    world: &World,
+    model: &Model,
     stepper: &mut TimeStepper,
     states: &mut [BodyState],
     (bodies, pairs): (&[usize], &[(usize, usize)]),
     (t, h): (f64, f64),
 ) -> Result<(TimeStepReport, f64), ResponseError> {
-    stepper.advance_with_estimate(world, states, bodies, pairs, (t, h))
+    stepper.advance_with_estimate(model, states, bodies, pairs, (t, h))
 }
 
 /// The warning of a stretch of crowded events.
@@ -202,7 +202,7 @@ impl Engine {
         let whole = CrowdPart { bodies: instant.bodies.clone(), pairs: pairs.clone(), crowd, refused: 0 };
         let mut states = std::mem::take(&mut self.motions.scratch);
         set_states(&mut states, &instant.bodies, &states_of(&self.motions.states, &instant.bodies));
-        let parts = whole.divided(&core.world, &states);
+        let parts = whole.divided(&core.model, &states);
         self.motions.restore_scratch(core, states, &instant.bodies);
         let (mut staying, leaving): (Vec<_>, Vec<_>) =
             parts.into_iter().partition(|part| self.motions.belongs_to_stretch(&part.bodies, t));
@@ -243,7 +243,7 @@ impl Engine {
             let mut joins = BTreeSet::new();
             for &body in &instant.bodies {
                 for other in self.schedule.near_boxes(core, body) {
-                    if core.world.bodies[other].moves() && instant.bodies.binary_search(&other).is_err() {
+                    if core.model.bodies[other].moves() && instant.bodies.binary_search(&other).is_err() {
                         if !self.motions.may_join(core, (body, other), (t, h), &mut seen)? {
                             continue;
                         }
@@ -251,8 +251,8 @@ impl Engine {
                     }
                     pairs.insert((body.min(other), body.max(other)));
                 }
-                pairs.extend(core.world.joint_contact_partners(body).map(|other| (body.min(other), body.max(other))));
-                let coupled = core.world.couplings_of(body).flatten();
+                pairs.extend(core.model.joint_contact_partners(body).map(|other| (body.min(other), body.max(other))));
+                let coupled = core.model.couplings_of(body).flatten();
                 joins.extend(coupled.copied().filter(|other| instant.bodies.binary_search(other).is_err()));
             }
             if joins.is_empty() {
@@ -273,7 +273,7 @@ impl Engine {
     /// Sets the bounding box of a body of a crowd: the region it may reach within `h` seconds.
     fn set_crowd_box(&mut self, core: &Core, body: usize, h: f64) {
         let travel = reach(core, &self.motions.states, body, h);
-        let shape = core.world.bodies[body].shape.as_ref();
+        let shape = core.model.bodies[body].shape.as_ref();
         let aabb =
             shape.map(|shape| aabb_of(shape, &self.motions.states[body].pose).and_then(|aabb| aabb.inflated(travel)));
         self.schedule.set_box(body, aabb.and_then(Result::ok));
@@ -283,15 +283,15 @@ impl Engine {
     /// move in it. The removal is booked but is not measured as drift.
     fn remove_overlap_at_end(&mut self, core: &mut Core, instant: &Instant) -> Result<(), SimulationError> {
         let failed = |source: ResponseError| Core::response_error(instant.t, source);
-        let overlaps = Overlaps::find(&core.world, &self.motions.states, &instant.pairs);
+        let overlaps = Overlaps::find(&core.model, &self.motions.states, &instant.pairs);
         if !overlaps.is_excess {
             return Ok(());
         }
         let deepest = overlaps.deepest;
-        let before = core.accounts.books.balance(&core.world, &self.motions.states, &instant.bodies);
+        let before = core.accounts.books.balance(&core.model, &self.motions.states, &instant.bodies);
         let (of, problem) = ((&instant.bodies[..], &instant.pairs[..]), (&mut core.solver, &mut Delassus::default()));
-        overlaps.remove(&core.world, &mut self.motions.states, of, problem).map_err(failed)?;
-        let after = core.accounts.books.balance(&core.world, &self.motions.states, &instant.bodies);
+        overlaps.remove(&core.model, &mut self.motions.states, of, problem).map_err(failed)?;
+        let after = core.accounts.books.balance(&core.model, &self.motions.states, &instant.bodies);
         let taken_j = core.accounts.books.projection(before, after, 0.0);
         if let Some(id) = deepest {
             core.note_crowd_projection(instant.t, (id.a, id.b), taken_j);
@@ -417,7 +417,7 @@ impl Motions {
         let mut scratch = std::mem::take(&mut self.scratch);
         let start = states_of(&scratch, bodies);
         let of = (bodies, pairs.as_slice());
-        let made = time_step(&core.world, &mut before.clone(), &mut scratch, of, (t, end - t));
+        let made = time_step(&core.model, &mut before.clone(), &mut scratch, of, (t, end - t));
         let states = states_of(&scratch, bodies);
         self.restore_scratch(core, scratch, bodies);
         let (report, _) = made.map_err(|source| Core::response_error(t, source))?;
@@ -443,7 +443,7 @@ impl Motions {
         let state = seen.get(&other).copied().unwrap_or(self.states[other]);
         let mut states = std::mem::take(&mut self.scratch);
         (states[body], states[other]) = (self.states[body], state);
-        let joins = may_touch_within(&core.world, &states, (body, other), h);
+        let joins = may_touch_within(&core.model, &states, (body, other), h);
         self.restore_scratch(core, states, &[body, other]);
         Ok(joins)
     }
@@ -460,7 +460,7 @@ impl Motions {
             return Ok((step.states.clone(), step.report.clone()));
         }
         let mut scratch = std::mem::take(&mut self.scratch);
-        let made = step.advance_to(&core.world, bodies, t, &mut scratch);
+        let made = step.advance_to(&core.model, bodies, t, &mut scratch);
         let states = states_of(&scratch, bodies);
         self.restore_scratch(core, scratch, bodies);
         made.map(|report| (states, report)).map_err(|source| Core::response_error(step.t, source))
@@ -492,7 +492,7 @@ fn attempt(
         let mut stepper = before.clone();
         // The length is the difference of the rounded ends, so that the step can be repeated from them exactly.
         let end = if h >= limit - t { limit } else { t + h };
-        let made = time_step(&core.world, &mut stepper, states, (bodies, pairs), (t, end - t));
+        let made = time_step(&core.model, &mut stepper, states, (bodies, pairs), (t, end - t));
         let (report, error) = made.map_err(|source| Core::response_error(t, source))?;
         let even = EVEN_SHARE * core.settings.crowd_error_allowed() * h / longest;
         let allowed = even.max(SHARE_OF_SPARE * crowd.spare_error);
@@ -520,7 +520,7 @@ fn attempt(
         set_states(states, bodies, start);
         let crowd = Crowd { step_s: h, ..*crowd };
         let shorter = CrowdPart { bodies: bodies.clone(), pairs: pairs.clone(), crowd, refused };
-        let parts = shorter.divided(&core.world, states);
+        let parts = shorter.divided(&core.model, states);
         if parts.len() > 1 {
             return Ok(Attempted::Divided(parts));
         }
@@ -547,10 +547,10 @@ fn taken_of_limit(
 ) -> f64 {
     let taken = &report.books.ledger;
     let taken_j = taken.projection.value().abs() + taken.numerical.value().abs();
-    let gravity = core.world.gravity().length();
+    let gravity = core.model.gravity().length();
     let energy = |(&body, state): (&usize, &BodyState)| {
-        let size = core.world.bodies[body].size;
-        core.world.bodies[body]
+        let size = core.model.bodies[body].size;
+        core.model.bodies[body]
             .rigid
             .as_ref()
             .map_or(0.0, |rigid| rigid.kinetic_energy(state) + rigid.mass() * gravity * size)
@@ -562,8 +562,8 @@ fn taken_of_limit(
 
 /// How far a body in these states may travel within `h` (s), m.
 fn reach(core: &Core, states: &[BodyState], body: usize, h: f64) -> f64 {
-    let speed = core.world.point_speed(states, body) + core.world.gravity().length() * h;
-    core.world.touch_distance(states, body, body) + SWEEP_FACTOR * h * speed
+    let speed = core.model.point_speed(states, body) + core.model.gravity().length() * h;
+    core.model.touch_distance(states, body, body) + SWEEP_FACTOR * h * speed
 }
 
 /// The error of a time step that ends at `t` (s) with a large remaining penetration in one of `pairs`.
@@ -574,16 +574,16 @@ fn no_way_out(
     pairs: &[(usize, usize)],
     t: f64,
 ) -> Option<SimulationError> {
-    let overlap = |&(a, b): &(usize, usize)| Some((-core.world.separation_without_memory(states, a, b)?, (a, b)));
-    let is_large = |&(depth, (a, b)): &(f64, (usize, usize))| depth > NO_WAY_OUT * core.world.pair_size(a, b);
+    let overlap = |&(a, b): &(usize, usize)| Some((-core.model.separation_without_memory(states, a, b)?, (a, b)));
+    let is_large = |&(depth, (a, b)): &(f64, (usize, usize))| depth > NO_WAY_OUT * core.model.pair_size(a, b);
     // The remaining penetration bounds that of all pairs, and is usually zero.
-    let smallest = pairs.iter().map(|&(a, b)| core.world.pair_size(a, b)).fold(f64::INFINITY, f64::min);
+    let smallest = pairs.iter().map(|&(a, b)| core.model.pair_size(a, b)).fold(f64::INFINITY, f64::min);
     if report.left_penetration_m <= NO_WAY_OUT * smallest {
         return None;
     }
     let deepest = pairs.iter().filter_map(overlap).filter(is_large).max_by(|x, y| x.0.total_cmp(&y.0));
     deepest.map(|(overlap_m, (a, b))| {
-        let [body_a, body_b] = [a, b].map(|body| core.world.bodies[body].name.clone());
+        let [body_a, body_b] = [a, b].map(|body| core.model.bodies[body].name.clone());
         SimulationError::NoWayOut { t_s: t, body_a, body_b, overlap_m }
     })
 }

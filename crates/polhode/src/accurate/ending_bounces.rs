@@ -23,10 +23,10 @@ use super::hold::Forces;
 use super::resolve::Resolution;
 use crate::collision::contact_set::Touch;
 use crate::error::SimulationError;
+use crate::model::states_of::{set_states, states_of};
 use crate::rows::groups::Group;
 use crate::solve::bounce_friction;
 use crate::tier::core::Core;
-use crate::world::states_of::{set_states, states_of};
 use polhode_dynamics::RigidBody;
 use std::collections::BTreeSet;
 
@@ -59,14 +59,14 @@ impl Resolution<'_> {
         let is_open = |i: &usize| candidates.binary_search(i).is_err() && !going_on.contains(i);
         for contact in group.contacts.iter().copied().filter(is_open) {
             let touch = self.instant.touches[contact];
-            let restitution = self.core.world.restitution_of(touch.id);
+            let restitution = self.core.model.restitution_of(touch.id);
             let speed = touch.kinematics.separation_rate;
-            let acceleration = forces.relative_acceleration(&self.core.world, &self.motions.states, &touch);
+            let acceleration = forces.relative_acceleration(&self.core.model, &self.motions.states, &touch);
             if restitution >= 1.0 || speed <= 0.0 || acceleration >= 0.0 {
                 continue;
             }
             let height = speed * speed / (-2.0 * acceleration);
-            let touch_distance = self.core.world.touch_distance(&self.motions.states, touch.id.a, touch.id.b);
+            let touch_distance = self.core.model.touch_distance(&self.motions.states, touch.id.a, touch.id.b);
             if height <= NEGLIGIBLE_HEIGHT * touch_distance {
                 let rest = self.instant.t + 2.0 * speed / (-acceleration * (1.0 - restitution));
                 bounces.push(SmallBounce { contact, speed, lifting: -acceleration * touch_distance, rest });
@@ -112,14 +112,14 @@ impl Resolution<'_> {
         let fastest = contacts.iter().map(|&i| self.instant.touches[i]).max_by(|x, y| speed(x).total_cmp(&speed(y)));
         let Some(fastest) = fastest else { return Ok(false) };
         let start = states_of(&self.motions.states, &group.bodies);
-        let before = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &group.bodies);
+        let before = self.core.accounts.books.balance(&self.core.model, &self.motions.states, &group.bodies);
         let largest = |of: fn(&SmallBounce) -> f64| bounces.iter().map(of).fold(0.0, f64::max);
         let w = largest(|bounce| bounce.speed);
-        let ended = bounce_friction::end_bounces(&self.core.world, &mut self.motions.states, &group.bodies, (&ids, w))
+        let ended = bounce_friction::end_bounces(&self.core.model, &mut self.motions.states, &group.bodies, (&ids, w))
             .map_err(|source| Core::response_error(self.instant.t, source))?;
-        let after = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &group.bodies);
+        let after = self.core.accounts.books.balance(&self.core.model, &self.motions.states, &group.bodies);
         let taken = before.lost_until(after, ended.work_j) - ended.friction_j;
-        let mass = |&body: &usize| self.core.world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
+        let mass = |&body: &usize| self.core.model.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
         let mass = group.bodies.iter().map(mass).sum::<f64>();
         if taken > mass * (0.5 * w * w + largest(|bounce| bounce.lifting)) {
             set_states(&mut self.motions.states, &group.bodies, &start);

@@ -20,11 +20,11 @@ use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::FrictionMode;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
+use crate::model::states_of::set_states;
 use crate::rows::groups::Group;
 use crate::solve::projection::{self, Removal};
 use crate::tier::core::Core;
-use crate::world::World;
-use crate::world::states_of::set_states;
 use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
 
@@ -39,8 +39,8 @@ const SLOWED: f64 = 0.5;
 const SAME_END: f64 = 1.0 + 1e-6;
 
 /// Whether a slip of this speed (m/s) ends within a negligible distance when it loses speed at this rate (m/s^2).
-fn ends_at_once(world: &World, states: &[BodyState], id: ContactId, speed: f64, deceleration: f64) -> bool {
-    let travel = NEGLIGIBLE_TRAVEL * world.touch_distance(states, id.a, id.b);
+fn ends_at_once(model: &Model, states: &[BodyState], id: ContactId, speed: f64, deceleration: f64) -> bool {
+    let travel = NEGLIGIBLE_TRAVEL * model.touch_distance(states, id.a, id.b);
     speed > 0.0 && speed * speed <= 2.0 * deceleration * travel
 }
 
@@ -49,10 +49,10 @@ fn ends_at_once(world: &World, states: &[BodyState], id: ContactId, speed: f64, 
 pub(super) fn fading_slips(core: &Core, step: &ConstrainedStep, states: &[BodyState]) -> BTreeSet<ContactId> {
     let (mut fading, mut turned) = (BTreeSet::new(), BTreeSet::new());
     for (id, slide) in step.active.sliding() {
-        let Some(terms) = core.world.tangential_kinematics(states, id) else { continue };
+        let Some(terms) = core.model.tangential_kinematics(states, id) else { continue };
         let speed = terms.slip_velocity.length();
         let deceleration = (slide.speed - speed) / (step.end - step.t);
-        if speed < SLOWED * slide.speed && ends_at_once(&core.world, states, id, speed, deceleration) {
+        if speed < SLOWED * slide.speed && ends_at_once(&core.model, states, id, speed, deceleration) {
             fading.insert(id);
             if slide.direction_of(terms.slip_velocity) != slide.direction {
                 turned.insert((id.a, id.b));
@@ -78,7 +78,7 @@ impl Motions {
         set_states(&mut states, &step.bodies, &repeated.states);
         let misses = |id: &ContactId| {
             let Some(FrictionMode::Sliding(slide)) = step.active.modes(*id).friction else { return false };
-            let terms = core.world.tangential_kinematics(&states, *id);
+            let terms = core.model.tangential_kinematics(&states, *id);
             terms.is_some_and(|terms| !slide.has_vanished(terms.slip_velocity))
         };
         let misses = stopping.iter().any(misses);
@@ -109,10 +109,10 @@ impl Resolution<'_> {
                 }
                 continue;
             };
-            let Some(terms) = self.core.world.tangential_kinematics(&self.motions.states, touch.id) else { continue };
+            let Some(terms) = self.core.model.tangential_kinematics(&self.motions.states, touch.id) else { continue };
             let (speed, deceleration) = (terms.slip_velocity.length(), -friction.growth_along(direction));
             let fades = self.instant.change.fading.contains(&touch.id);
-            if fades && ends_at_once(&self.core.world, &self.motions.states, touch.id, speed, deceleration) {
+            if fades && ends_at_once(&self.core.model, &self.motions.states, touch.id, speed, deceleration) {
                 ending.push((touch.id, speed / deceleration));
             }
         }
@@ -130,10 +130,10 @@ impl Resolution<'_> {
         let ids: Vec<_> = members.iter().map(|touch| touch.id).collect();
         self.motions.end_flights(self.core, self.instant.t, &group.bodies);
         let sliding: Vec<BodyState> = group.bodies.iter().map(|&body| self.motions.states[body]).collect();
-        let before = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &group.bodies);
+        let before = self.core.accounts.books.balance(&self.core.model, &self.motions.states, &group.bodies);
         let of = (&ids[..], &sticking[..], &[][..]);
         let slowed = projection::project_velocities(
-            &self.core.world,
+            &self.core.model,
             &mut self.motions.states,
             &group.bodies,
             of,
@@ -151,7 +151,7 @@ impl Resolution<'_> {
             self.refresh_kinematics();
             return holds;
         }
-        let after = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &group.bodies);
+        let after = self.core.accounts.books.balance(&self.core.model, &self.motions.states, &group.bodies);
         self.core.accounts.books.rest(before, after, slowed.work_j);
         let end = self.instant.t + soonest;
         self.instant.slip_ends.extend(newly.into_iter().map(|id| (id, end)));

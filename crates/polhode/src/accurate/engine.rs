@@ -38,7 +38,7 @@ impl Engine {
     /// # Errors
     /// When bodies overlap at the start.
     pub(crate) fn new(core: &mut Core, states: Vec<BodyState>) -> Result<Self, SimulationError> {
-        let count = core.world.bodies.len();
+        let count = core.model.bodies.len();
         let mut engine = Self {
             motions: Motions::new(core, states),
             schedule: Schedule {
@@ -117,7 +117,7 @@ impl Engine {
         self.schedule.expect_corner(core, body, t);
         let rests = |body: &usize| matches!(self.motions.tracks[*body].mode, Mode::Rest);
         let resting: Vec<usize> = self.schedule.contacts.partners(body).filter(rests).collect();
-        if resting.is_empty() || core.world.allows_rest(body, t) {
+        if resting.is_empty() || core.model.allows_rest(body, t) {
             return Ok(Reached::Limit);
         }
         self.resolve_event(core, t, &resting).map(|()| Reached::Event)
@@ -134,12 +134,12 @@ impl Engine {
 /// Whether a kinematic body that an island touches, or that a joint holds to it, stops at `t`, the end of the island's
 /// step: then the island may come to rest.
 pub(super) fn kinematic_member_stops(core: &Core, island: &Island, t: f64) -> bool {
-    let drivers = core.world.drivers_of(&island.bodies);
+    let drivers = core.model.drivers_of(&island.bodies);
     island
         .active
         .held()
         .iter()
         .flat_map(|id| [id.a, id.b])
         .chain(drivers)
-        .any(|body| !core.world.stands_still(body, island.t, t) && core.world.allows_rest(body, t))
+        .any(|body| !core.model.stands_still(body, island.t, t) && core.model.allows_rest(body, t))
 }

@@ -19,11 +19,11 @@ use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set::{FoundContact, Hold, Touch};
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
+use crate::model::states_of::set_states;
 use crate::rows::assembly::free_acceleration;
 use crate::rows::groups::coupled_groups;
 use crate::solve::projection::Projected;
 use crate::tier::core::Core;
-use crate::world::states_of::set_states;
 use polhode_contact::aabb_of;
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
@@ -124,7 +124,7 @@ impl Engine {
         found_for: &[usize],
     ) -> Result<Vec<usize>, SimulationError> {
         let mut affected = BTreeSet::new();
-        let mut open: Vec<usize> = found_for.iter().copied().filter(|&b| core.world.bodies[b].moves()).collect();
+        let mut open: Vec<usize> = found_for.iter().copied().filter(|&b| core.model.bodies[b].moves()).collect();
         while let Some(body) = open.pop() {
             if !affected.insert(body) {
                 continue;
@@ -132,14 +132,14 @@ impl Engine {
             if let Some(island) = self.motions.island_of(body) {
                 open.extend(island.bodies.iter().copied());
             }
-            for coupled in core.world.couplings_of(body) {
+            for coupled in core.model.couplings_of(body) {
                 open.extend(coupled.iter().copied());
             }
             let mut partners: Vec<usize> = self.schedule.partners(core, body).collect();
             partners.sort_unstable();
             partners.dedup();
             for other in partners {
-                if !core.world.bodies[other].moves() || affected.contains(&other) {
+                if !core.model.bodies[other].moves() || affected.contains(&other) {
                     continue;
                 }
                 let pair = (body.min(other), body.max(other));
@@ -158,7 +158,7 @@ impl Engine {
         t: f64,
         bodies: Vec<usize>,
     ) -> Result<Instant, SimulationError> {
-        core.world.prescribe(t, &mut self.motions.states);
+        core.model.prescribe(t, &mut self.motions.states);
         let mut change = ContactChange { t, ..ContactChange::default() };
         let firsts: BTreeSet<usize> = bodies.iter().filter_map(|&body| self.motions.tracks[body].island).collect();
         let mut ended = Vec::with_capacity(firsts.len());
@@ -183,14 +183,14 @@ impl Engine {
             self.finish_step(core, &island, is_smooth, t)?;
         }
         let mut pairs = BTreeSet::new();
-        let concerns = |other: usize| bodies.binary_search(&other).is_ok() || !core.world.bodies[other].moves();
+        let concerns = |other: usize| bodies.binary_search(&other).is_ok() || !core.model.bodies[other].moves();
         for &body in &bodies {
             let partners = self.schedule.partners(core, body);
             pairs.extend(partners.filter(|&other| concerns(other)).map(|o| (body.min(o), body.max(o))));
         }
         let known = pairs.iter().flat_map(|&pair| self.schedule.contacts.of_pair(pair)).copied();
         let touches = known.filter_map(|touch| {
-            let kinematics = core.world.kinematics(&self.motions.states, touch.id)?;
+            let kinematics = core.model.kinematics(&self.motions.states, touch.id)?;
             Some(Touch { kinematics, is_defined: true, ..touch })
         });
         Ok(Instant {
@@ -223,7 +223,7 @@ impl Engine {
             let projected = Projected { touching: held, held, sticking: &sticking, turns: &turns };
             // Taken now, and not where the stage was booked: the energy of force fields is that of all bodies, and
             // other islands have ended since.
-            let balance = core.accounts.books.balance(&core.world, &self.motions.states, &island.bodies);
+            let balance = core.accounts.books.balance(&core.model, &self.motions.states, &island.bodies);
             self.motions.project_held_contacts(core, &self.schedule, &island.bodies, projected, t, balance)?;
         }
         self.motions.check(core, &island.bodies, island.active.held(), t)
@@ -243,7 +243,7 @@ impl Engine {
         let mut pace = self.motions.pace_of(core, &moving);
         let end = match found_for {
             &[a, b]
-                if core.world.scene.pair_material(a, b).restitution() >= 1.0
+                if core.model.scene.pair_material(a, b).restitution() >= 1.0
                     && !self.ends_unseen_bounce(core, (a, b), (instant.t, instant.t - pace.started_at())) =>
             {
                 StepEnd::AtElasticImpact
@@ -277,9 +277,9 @@ impl Engine {
     /// `a T >= w` with the acceleration `a` towards each other. Bodies that go to and fro between others fly without
     /// one.
     fn ends_unseen_bounce(&self, core: &Core, (a, b): (usize, usize), (t, length_s): (f64, f64)) -> bool {
-        let (world, states) = (&core.world, &self.motions.states);
-        let touch = world.touch_distance(states, a, b);
-        let touches = world.contacts_of_pair(states, a, b, touch);
+        let (model, states) = (&core.model, &self.motions.states);
+        let touch = model.touch_distance(states, a, b);
+        let touches = model.contacts_of_pair(states, a, b, touch);
         let approach = |touch: &FoundContact| -touch.kinematics.separation_rate;
         let Some(fastest) = touches.iter().max_by(|x, y| approach(x).total_cmp(&approach(y))) else { return true };
         let height = 0.25 * approach(fastest) * length_s;
@@ -287,24 +287,24 @@ impl Engine {
             return true;
         }
         let is_turned = || -self.free_separation_rate_change(core, t, fastest) * length_s >= approach(fastest);
-        height <= core.settings.crowding_tolerance * world.pair_size(a, b) && is_turned()
+        height <= core.settings.crowding_tolerance * model.pair_size(a, b) && is_turned()
     }
 
     /// `chi''` of a contact at `t` (s) without contact forces, m/s^2.
     fn free_separation_rate_change(&self, core: &Core, t: f64, contact: &FoundContact) -> f64 {
-        let (world, states, id) = (&core.world, &self.motions.states, contact.id);
+        let (model, states, id) = (&core.model, &self.motions.states, contact.id);
         let members = id.members().map(|(body, _)| body);
-        let movable: Vec<usize> = members.filter(|&body| world.bodies[body].moves()).collect();
-        let loads = world.loads_on(t, states, &movable);
+        let movable: Vec<usize> = members.filter(|&body| model.bodies[body].moves()).collect();
+        let loads = model.loads_on(t, states, &movable);
         let geometry = &contact.kinematics.geometry;
         let at_point = |body: usize| {
             if !movable.contains(&body) {
                 return DVec3::ZERO;
             }
-            let (linear, angular) = free_acceleration(world, states, &loads, body);
+            let (linear, angular) = free_acceleration(model, states, &loads, body);
             linear + angular.cross(geometry.point - states[body].pose.translation)
         };
-        let driven = world.prescribed_acceleration_of(t, states, id, geometry);
+        let driven = model.prescribed_acceleration_of(t, states, id, geometry);
         geometry.normal.dot(id.relative(at_point)) + contact.kinematics.acceleration_bias + driven
     }
 
@@ -327,9 +327,9 @@ impl Engine {
         }
         for &body in &bodies {
             self.motions.scratch[body] = self.motions.states[body];
-            self.motions.tracks[body].speed_scale = speed_scale.max(core.world.point_speed(&self.motions.states, body));
+            self.motions.tracks[body].speed_scale = speed_scale.max(core.model.point_speed(&self.motions.states, body));
             if !self.motions.states[body].is_finite() {
-                return Err(SimulationError::Diverged { body: core.world.bodies[body].name.clone(), t_s: t });
+                return Err(SimulationError::Diverged { body: core.model.bodies[body].name.clone(), t_s: t });
             }
         }
         let is = |mode: fn(&Mode) -> bool| -> Vec<usize> {
@@ -341,7 +341,7 @@ impl Engine {
         let held = held.filter(|(_, touch)| moved(touch.id.a) || moved(touch.id.b));
         let held = held.map(|(index, touch)| (index, touch.id.a, touch.id.b));
         let mut firsts = Vec::new();
-        for group in coupled_groups(&core.world, held, &constrained) {
+        for group in coupled_groups(&core.model, held, &constrained) {
             let active: ActiveContacts = group.contacts.iter().map(|&i| &touches[i]).collect();
             // Slips that end take short steps, whose length says nothing about the motion afterwards.
             if !change.stopping.is_empty() && !active.slides() {
@@ -351,7 +351,7 @@ impl Engine {
             }
             firsts.extend(self.begin_island(core, group.bodies, active, t)?);
         }
-        for group in coupled_groups(&core.world, std::iter::empty(), &stepped) {
+        for group in coupled_groups(&core.model, std::iter::empty(), &stepped) {
             firsts.extend(self.begin_island(core, group.bodies, ActiveContacts::default(), t)?);
         }
         Ok(firsts)
@@ -408,7 +408,7 @@ impl Engine {
         for first in self.motions.waiting_islands() {
             let Some(island) = self.motions.take_island(first) else { continue };
             let (bodies, t) = (island.bodies.clone(), island.t);
-            core.world.prescribe(t, &mut self.motions.states);
+            core.model.prescribe(t, &mut self.motions.states);
             let step = self.first_step(core, &bodies, &island.active, t)?;
             self.motions.insert_island(Island { step, ..island });
             self.look_ahead(core, &bodies, &[first], t)?;
@@ -422,7 +422,7 @@ impl Engine {
     /// When no step is possible.
     pub(super) fn next_step(&mut self, core: &mut Core, first: usize, t: f64) -> Result<(), SimulationError> {
         let Some(mut island) = self.remove_island(first) else { return Ok(()) };
-        core.world.prescribe(t, &mut self.motions.states);
+        core.model.prescribe(t, &mut self.motions.states);
         let balance = self.motions.end_motion(core, &mut island, t)?;
         self.finish_step(core, &island, balance, t)?;
         let Island { bodies, mut active, step, .. } = island;
@@ -450,7 +450,7 @@ impl Engine {
                 self.motions.free_or_constrained(core, &bodies, t, next)?
             }
             _ => {
-                active.renew_directions(&core.world, &self.motions.states);
+                active.renew_directions(&core.model, &self.motions.states);
                 self.first_step(core, &bodies, &active, t)?
             }
         };
@@ -503,15 +503,15 @@ impl Engine {
 impl Motions {
     /// Whether two bodies touch at `t`.
     pub(super) fn touch_at(&mut self, core: &Core, (a, b): (usize, usize), t: f64) -> Result<bool, SimulationError> {
-        let Some((shape_a, shape_b)) = core.world.shapes(a, b) else { return Ok(false) };
+        let Some((shape_a, shape_b)) = core.model.shapes(a, b) else { return Ok(false) };
         let (state_a, state_b) = (self.state_at(core, a, t)?, self.state_at(core, b, t)?);
         let mut states = std::mem::take(&mut self.scratch);
         (states[a], states[b]) = (state_a, state_b);
-        let reach = core.world.touch_distance(&states, a, b);
+        let reach = core.model.touch_distance(&states, a, b);
         let boxes = aabb_of(shape_a, &state_a.pose).and_then(|aabb| aabb.inflated(reach));
         // A shape without a bounding box may be anywhere.
         let apart = boxes.is_ok_and(|a| aabb_of(shape_b, &state_b.pose).is_ok_and(|b| !a.overlaps(&b)));
-        let touch = !apart && !core.world.contacts_of_pair(&states, a, b, reach).is_empty();
+        let touch = !apart && !core.model.contacts_of_pair(&states, a, b, reach).is_empty();
         self.restore_scratch(core, states, &[a, b]);
         Ok(touch)
     }
@@ -529,24 +529,24 @@ impl Motions {
             }
             Step::Free(step) => {
                 let about = core.accounts.books.ledger.momentum.about;
-                free_end(&core.world, step, &island.bodies, &self.states, about, t)?
+                free_end(&core.model, step, &island.bodies, &self.states, about, t)?
             }
             Step::Crowd(step) => {
                 let (states, report) = self.crowd_end(core, step, &island.bodies, t)?;
                 set_states(&mut self.states, &island.bodies, &states);
-                core.world.count_turns(&self.states, &island.bodies)?;
+                core.model.count_turns(&self.states, &island.bodies)?;
                 core.note_crowd_step(t, &self.states, &report);
                 return Ok(false);
             }
             Step::Waiting(_) => return Ok(false),
         };
-        let before = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
+        let before = core.accounts.books.balance(&core.model, &self.states, &island.bodies);
         for (&body, mut state) in island.bodies.iter().zip(states) {
-            core.world.keep_in_plane(body, &mut state);
+            core.model.keep_in_plane(body, &mut state);
             self.states[body] = state;
         }
-        core.world.count_turns(&self.states, &island.bodies)?;
-        let integrated = core.accounts.books.balance(&core.world, &self.states, &island.bodies);
+        core.model.count_turns(&self.states, &island.bodies)?;
+        let integrated = core.accounts.books.balance(&core.model, &self.states, &island.bodies);
         core.accounts.books.smooth_stage(before, integrated, received);
         Ok(true)
     }
@@ -555,15 +555,15 @@ impl Motions {
     fn check(&mut self, core: &mut Core, bodies: &[usize], held: &[ContactId], t: f64) -> Result<(), SimulationError> {
         for &body in bodies {
             if !self.states[body].is_finite() {
-                return Err(SimulationError::Diverged { body: core.world.bodies[body].name.clone(), t_s: t });
+                return Err(SimulationError::Diverged { body: core.model.bodies[body].name.clone(), t_s: t });
             }
             self.tracks[body].speed_scale =
-                self.tracks[body].speed_scale.max(core.world.point_speed(&self.states, body));
+                self.tracks[body].speed_scale.max(core.model.point_speed(&self.states, body));
         }
         // The separation of a contact point measures penetration only while the point lies on its features. Held
         // contacts satisfy this; other contacts are measured when they are detected.
         for &id in held {
-            if let Some(kinematics) = core.world.kinematics(&self.states, id) {
+            if let Some(kinematics) = core.model.kinematics(&self.states, id) {
                 core.note_contact(t, &self.states, (id.a, id.b), &kinematics);
             }
         }
@@ -572,7 +572,7 @@ impl Motions {
 
     /// The pace of the slowest of some movable bodies.
     pub(super) fn pace_of(&self, core: &Core, bodies: &[usize]) -> Pace {
-        let paces = bodies.iter().filter(|&&body| core.world.bodies[body].moves()).map(|&body| self.tracks[body].pace);
+        let paces = bodies.iter().filter(|&&body| core.model.bodies[body].moves()).map(|&body| self.tracks[body].pace);
         paces.reduce(Pace::slower).unwrap_or_default()
     }
 }

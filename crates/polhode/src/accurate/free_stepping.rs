@@ -12,14 +12,14 @@
 use super::constrained_step::{end_of, step_limit};
 use crate::accounting::books::Received;
 use crate::error::SimulationError;
+use crate::model::Model;
+use crate::model::states_of::states_of;
 use crate::scene::settings::Settings;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::{SnapshotError, content};
 use crate::tier::core::Core;
 use crate::tier::free_stage;
 use crate::tier::free_stage::Ends;
-use crate::world::World;
-use crate::world::states_of::states_of;
 use polhode_dynamics::field::{self, Account, Dependence, Field, Wrench};
 use polhode_dynamics::integrated_motion::IntegratedMotion;
 use polhode_dynamics::integrator::{self, AdaptiveExact, Tolerance};
@@ -87,7 +87,7 @@ impl FreeStep {
         let mut step = Self::unstarted(core, bodies, t);
         step.start = states_of(states, bodies);
         step.present = step.start.clone();
-        let motion = Self::motion(&step.rigid, &step.fields, &core.world);
+        let motion = Self::motion(&step.rigid, &step.fields, &core.model);
         step.integrator.start(&motion, t, &step.start);
         step.advance(core)?;
         Ok(step)
@@ -95,11 +95,11 @@ impl FreeStep {
 
     /// No step yet of these bodies, at `t` (s).
     fn unstarted(core: &Core, bodies: &[usize], t: f64) -> Self {
-        let world = &core.world;
-        let rigid: Vec<RigidBody> = bodies.iter().filter_map(|&body| world.bodies[body].rigid).collect();
-        let slots: Vec<usize> = bodies.iter().filter_map(|&body| world.slot(body)).collect();
-        let own = Restricted { fields: world.shared_fields(), all: world.shared_rigid(), slots };
-        let fields: Vec<Box<dyn Field>> = if world.has_fields() { vec![Box::new(own)] } else { Vec::new() };
+        let model = &core.model;
+        let rigid: Vec<RigidBody> = bodies.iter().filter_map(|&body| model.bodies[body].rigid).collect();
+        let slots: Vec<usize> = bodies.iter().filter_map(|&body| model.slot(body)).collect();
+        let own = Restricted { fields: model.shared_fields(), all: model.shared_rigid(), slots };
+        let fields: Vec<Box<dyn Field>> = if model.has_fields() { vec![Box::new(own)] } else { Vec::new() };
         let integrator: Box<dyn integrator::Integrator> = if core.settings.splits_by_choice() {
             Box::new(AdaptiveExact::new(tolerance(&core.settings)).limited_to(MOST_SPLITTINGS))
         } else {
@@ -137,7 +137,7 @@ impl FreeStep {
         (step.from, step.end, step.own_step_s) = (saved.from, saved.end, saved.own_step_s);
         step.start = read_states(&saved.start, bodies.len())?;
         step.present = read_states(&saved.present, bodies.len())?;
-        let motion = Self::motion(&step.rigid, &step.fields, &core.world);
+        let motion = Self::motion(&step.rigid, &step.fields, &core.model);
         let refused = SnapshotError::Invalid("the variables of an integrator do not fit its bodies");
         step.integrator.restore(&motion, &saved.integrator).map_err(|_| refused.clone())?;
         let is_within = t <= step.end && step.from <= step.integrator.time();
@@ -159,14 +159,14 @@ impl FreeStep {
         Ok(self)
     }
 
-    fn motion<'a>(rigid: &'a [RigidBody], fields: &'a [Box<dyn Field>], world: &World) -> FreeMotion<'a> {
-        FreeMotion::new(rigid, world.gravity(), fields)
+    fn motion<'a>(rigid: &'a [RigidBody], fields: &'a [Box<dyn Field>], model: &Model) -> FreeMotion<'a> {
+        FreeMotion::new(rigid, model.gravity(), fields)
     }
 
     fn advance(&mut self, core: &mut Core) -> Result<(), SimulationError> {
         let mut h = if adapts_step(core) { self.own_step_s } else { step_limit(core, (&[], &[]), self.t) };
         self.from = self.integrator.time();
-        let motion = Self::motion(&self.rigid, &self.fields, &core.world);
+        let motion = Self::motion(&self.rigid, &self.fields, &core.model);
         loop {
             self.end = end_of(core, (&[], &[]), self.t, h);
             match self.integrator.step(&motion, self.end - self.t) {
@@ -193,9 +193,9 @@ impl FreeStep {
 
     /// Polynomials for the motions of the bodies, if some may collide.
     fn polynomials(&mut self, core: &Core) -> Result<Vec<Option<Piecewise>>, SimulationError> {
-        let world = &core.world;
-        let collides = |body: usize| world.bodies[body].shape.is_some();
-        if !world.may_collide_at_all() || !self.bodies.iter().any(|&body| collides(body)) {
+        let model = &core.model;
+        let collides = |body: usize| model.bodies[body].shape.is_some();
+        if !model.may_collide_at_all() || !self.bodies.iter().any(|&body| collides(body)) {
             return Ok(Vec::new());
         }
         let speeds = self.bodies.iter().zip(&self.rigid).zip(&self.start).filter(|((body, _), _)| collides(**body));
@@ -203,7 +203,7 @@ impl FreeStep {
         let (t, end) = (self.t, self.end);
         // If the count is not a number, one polynomial is made.
         let count = (((end - t) * turning / TURN_OF_POLYNOMIAL).ceil().clamp(1.0, MOST_POLYNOMIALS) as u32).max(1);
-        let mut sample = |t: f64| self.states_at(world, t);
+        let mut sample = |t: f64| self.states_at(model, t);
         let time = |k: u32| if k == count { end } else { t + (end - t) * (f64::from(k) / f64::from(count)) };
         let parts = (0..count).map(|k| DenseStep::through(time(k), time(k + 1) - time(k), &mut sample));
         let parts = parts.collect::<Result<Vec<_>, _>>()?;
@@ -218,8 +218,8 @@ impl FreeStep {
     ///
     /// # Errors
     /// When the integrator cannot evaluate them.
-    pub(super) fn states_at(&mut self, world: &World, t: f64) -> Result<Vec<BodyState>, SimulationError> {
-        let motion = Self::motion(&self.rigid, &self.fields, world);
+    pub(super) fn states_at(&mut self, model: &Model, t: f64) -> Result<Vec<BodyState>, SimulationError> {
+        let motion = Self::motion(&self.rigid, &self.fields, model);
         let mut states = self.start.clone();
         // The integrator's own sum of steps may differ from the island's time by a rounding, at both ends of a step.
         self.integrator
@@ -232,7 +232,7 @@ impl FreeStep {
     ///
     /// # Errors
     /// When the integrator cannot evaluate them.
-    pub(super) fn parts_until(&mut self, world: &World, t: f64) -> Result<Vec<(f64, Vec<BodyState>)>, SimulationError> {
+    pub(super) fn parts_until(&mut self, model: &Model, t: f64) -> Result<Vec<(f64, Vec<BodyState>)>, SimulationError> {
         let (start, end) = (self.from, self.integrator.time());
         let share = if end > start { ((t - start) / (end - start)).clamp(0.0, 1.0) } else { 1.0 };
         let count = (share * f64::from(self.integrator.inner_steps())).ceil().max(1.0) as u32;
@@ -241,7 +241,7 @@ impl FreeStep {
         for k in 1..=count {
             let at = if k == count { t } else { start + (t - start) * (f64::from(k) / f64::from(count)) };
             // At the end of the step the integrator has its states.
-            let states = if at >= end { self.integrator.states().to_vec() } else { self.states_at(world, at)? };
+            let states = if at >= end { self.integrator.states().to_vec() } else { self.states_at(model, at)? };
             parts.push((at, states));
         }
         Ok(parts)
@@ -251,8 +251,8 @@ impl FreeStep {
     ///
     /// # Errors
     /// When the integrator cannot evaluate it.
-    pub(super) fn set_present(&mut self, world: &World, t: f64) -> Result<(), SimulationError> {
-        self.present = if t == self.t { self.start.clone() } else { self.states_at(world, t)? };
+    pub(super) fn set_present(&mut self, model: &Model, t: f64) -> Result<(), SimulationError> {
+        self.present = if t == self.t { self.start.clone() } else { self.states_at(model, t)? };
         Ok(())
     }
 
@@ -317,7 +317,7 @@ impl Field for Restricted {
 
 /// Whether the length of the steps adapts to the motion.
 fn adapts_step(core: &Core) -> bool {
-    core.settings.splits_by_choice() && !core.settings.step_is_given && !core.world.may_collide_at_all()
+    core.settings.splits_by_choice() && !core.settings.step_is_given && !core.model.may_collide_at_all()
 }
 
 fn tolerance(settings: &Settings) -> Tolerance {
@@ -369,14 +369,14 @@ impl Motion for Piecewise {
 /// # Errors
 /// When the integrator cannot evaluate them.
 pub(super) fn free_end(
-    world: &World,
+    model: &Model,
     step: &mut FreeStep,
     bodies: &[usize],
     states: &[BodyState],
     about: DVec3,
     t: f64,
 ) -> Result<(Vec<BodyState>, Received), SimulationError> {
-    let parts = step.parts_until(world, t)?;
+    let parts = step.parts_until(model, t)?;
     let mut received = Received::default();
     let mut ends = [states.to_vec(), states.to_vec()];
     for pair in parts.windows(2) {
@@ -385,7 +385,7 @@ pub(super) fn free_end(
             (ends[0][body], ends[1][body]) = (start[k], end[k]);
         }
         let stage = Ends { t: [*t0, *t1], states: [&ends[0], &ends[1]] };
-        received += free_stage::received(world, stage, bodies, about);
+        received += free_stage::received(model, stage, bodies, about);
     }
     Ok((parts.into_iter().next_back().map(|(_, states)| states).unwrap_or_default(), received))
 }

@@ -20,13 +20,13 @@ use crate::collision::turn::Turn;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::identity::contact_id::ContactId;
+use crate::model::{Loads, Model};
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::push_contact;
 use crate::rows::rotation_row::RotationRow;
 use crate::scene::FrictionEllipse;
 use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use crate::solve::jointed::trees_of;
-use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::sparse::{BesideForest, HeldForest};
@@ -121,7 +121,7 @@ pub(super) struct HeldForces {
 
 /// The contacts with friction among active contacts.
 pub(super) fn friction_contacts<'a>(
-    world: &'a World,
+    model: &'a Model,
     states: &'a [BodyState],
     contacts: &'a [(ContactId, ContactKinematics)],
     active: &'a ActiveContacts,
@@ -130,8 +130,8 @@ pub(super) fn friction_contacts<'a>(
     let friction = move |(contact, (id, kinematics)): (usize, &(ContactId, ContactKinematics))| {
         let ContactModes { friction, rotation: modes } = active.modes(*id);
         let mode = friction?;
-        let terms = world.tangential_kinematics(states, *id)?;
-        let coefficients = world.friction_at(states, *id, terms.basis);
+        let terms = model.tangential_kinematics(states, *id)?;
+        let coefficients = model.friction_at(states, *id, terms.basis);
         let at_rest = coefficients.map_or_else(FrictionEllipse::default, |own| own.at_rest);
         let sliding = match mode {
             FrictionMode::Sticking => None,
@@ -140,20 +140,20 @@ pub(super) fn friction_contacts<'a>(
                 Some(ellipse.opposed(terms.basis, slide.direction_of(terms.slip_velocity)))
             }
         };
-        let rotation = if resist { world.relative_rotation(states, *id) } else { DVec3::ZERO };
+        let rotation = if resist { model.relative_rotation(states, *id) } else { DVec3::ZERO };
         let turns = Turn::ALL.map(|turn| {
             let turning = match modes.get(turn)? {
                 FrictionMode::Sticking => None,
                 FrictionMode::Sliding(slide) => {
                     let direction = slide.direction_of(turn.part(rotation, kinematics.geometry.normal));
-                    Some((direction, turn.coefficient(world, (id.a, id.b))?))
+                    Some((direction, turn.coefficient(model, (id.a, id.b))?))
                 }
             };
             Some(ResistedTurn { turn, turning })
         });
         let geometry = kinematics.geometry;
-        let turning_length = world.turning_length(id.a, id.b);
-        let slip = world.slip_directions();
+        let turning_length = model.turning_length(id.a, id.b);
+        let slip = model.slip_directions();
         let id = *id;
         Some(FrictionContact { contact, id, geometry, terms, slip, sliding, at_rest, rotation, turning_length, turns })
     };
@@ -166,7 +166,7 @@ pub(super) fn friction_contacts<'a>(
 /// # Errors
 /// When a number is not finite.
 pub(super) fn solve(
-    world: &World,
+    model: &Model,
     (t, states): (f64, &[BodyState]),
     bodies: &[usize],
     contacts: &[(ContactId, ContactKinematics)],
@@ -174,7 +174,7 @@ pub(super) fn solve(
     loads: &Loads,
 ) -> Result<HeldForces, ResponseError> {
     let rows = contacts.iter().map(|(id, kinematics)| (*id, kinematics.geometry));
-    let mut assembly = Assembly::new(world, states, bodies, rows)?;
+    let mut assembly = Assembly::new(model, states, bodies, rows)?;
     let sticking = friction.iter().filter(|contact| contact.sliding.is_none());
     let sticking: Vec<TangentRow> = sticking.flat_map(FrictionContact::tangent_rows).collect();
     assembly.push_tangents(states, sticking.into_iter())?;
@@ -187,9 +187,9 @@ pub(super) fn solve(
     let turning = friction.iter().flat_map(|contact| contact.turning().map(|(row, mu)| (row, contact.contact, mu)));
     let turning: Vec<_> = turning.collect();
     assembly.push_rotations(turning.iter().map(|&(row, ..)| row))?;
-    let free = assembly.free_accelerations(world, states, loads);
+    let free = assembly.free_accelerations(model, states, loads);
     let kinematics = contacts.iter().map(|(id, kinematics)| (*id, kinematics));
-    let mut constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
+    let mut constants = assembly.acceleration_constants(model, t, states, &free, kinematics)?;
     let slides = slides.iter().map(|&(_, normal, coefficient)| (normal, coefficient));
     let turning = turning.iter().map(|&(_, normal, coefficient)| (normal, coefficient));
     let sliding = slides.chain(turning).enumerate().map(|(k, (normal, coefficient))| SlidingRow {

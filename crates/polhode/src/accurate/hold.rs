@@ -8,10 +8,10 @@ use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::FrictionMode;
 use crate::collision::turn::Turn;
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
 use crate::rows::assembly::Assembly;
 use crate::solve::accelerations::{Accelerations, ContactTangent, ContactTurn};
 use crate::solve::cone_violation::{ConeViolation, largest_violation};
-use crate::world::World;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::{ComplementaritySolver, ContactSolution, ResponseError, SolverStatus};
 use polhode_spatial::DVec3;
@@ -92,20 +92,20 @@ impl Forces {
     /// # Errors
     /// When the problem is not finite.
     pub(super) fn solve(
-        world: &World,
+        model: &Model,
         t: f64,
         states: &[BodyState],
         bodies: &[usize],
         contacts: &[Touch],
         solver: &mut ComplementaritySolver,
     ) -> Result<Self, ResponseError> {
-        let loads = world.loads_on(t, states, bodies);
+        let loads = model.loads_on(t, states, bodies);
         let load = bodies.iter().map(|&body| {
-            let mass = world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
-            mass * world.gravity().length() + loads.of(body).force.length()
+            let mass = model.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
+            mass * model.gravity().length() + loads.of(body).force.length()
         });
         let load = load.fold(0.0, f64::max);
-        let found = Accelerations::solve(world, (t, states), bodies, contacts, &loads, solver)?;
+        let found = Accelerations::solve(model, (t, states), bodies, contacts, &loads, solver)?;
         let opening = OPENING_RELATIVE * found.scale;
         let friction = found.contacts.iter().map(|contact| {
             contact.map(|contact| {
@@ -216,17 +216,17 @@ impl Forces {
 
     /// Relative acceleration under these forces along the normal of another contact of these bodies, which was not part
     /// of the problem, m/s^2.
-    pub(super) fn relative_acceleration(&self, world: &World, states: &[BodyState], touch: &Touch) -> f64 {
+    pub(super) fn relative_acceleration(&self, model: &Model, states: &[BodyState], touch: &Touch) -> f64 {
         let geometry = &touch.kinematics.geometry;
         let at = (self.t, states);
         let along = (geometry, touch.kinematics.acceleration_bias);
-        world.relative_acceleration(at, touch.id, along, self.accelerations())
+        model.relative_acceleration(at, touch.id, along, self.accelerations())
     }
 
     /// Bodies in equilibrium: net force and net moment are negligible against the sums of their magnitudes.
-    pub(super) fn balanced_bodies(&self, world: &World, states: &[BodyState], contacts: &[Touch]) -> BTreeSet<usize> {
-        let mut force_sums = vec![0.0; world.bodies.len()];
-        let mut moment_sums = vec![0.0; world.bodies.len()];
+    pub(super) fn balanced_bodies(&self, model: &Model, states: &[BodyState], contacts: &[Touch]) -> BTreeSet<usize> {
+        let mut force_sums = vec![0.0; model.bodies.len()];
+        let mut moment_sums = vec![0.0; model.bodies.len()];
         for (index, (touch, normal)) in contacts.iter().zip(&self.solution.forces).enumerate() {
             let force = self.friction(index).map_or(*normal, |friction| normal + friction.force.length());
             for (body, _) in touch.id.members() {
@@ -243,12 +243,12 @@ impl Forces {
         }
         self.accelerations()
             .filter(|&(body, linear, angular)| {
-                world.bodies[body].rigid.as_ref().is_some_and(|rigid| {
-                    let weight = rigid.mass() * world.gravity().length();
+                model.bodies[body].rigid.as_ref().is_some_and(|rigid| {
+                    let weight = rigid.mass() * model.gravity().length();
                     let net_force = rigid.mass() * linear.length();
                     let rotation = states[body].pose.rotation;
                     let net_moment = (rigid.inertia() * rotation.inverse_rotate(angular)).length();
-                    let weight_moment = weight * world.bodies[body].size;
+                    let weight_moment = weight * model.bodies[body].size;
                     net_force <= EQUILIBRIUM_RELATIVE * (force_sums[body] + weight)
                         && net_moment <= EQUILIBRIUM_RELATIVE * (moment_sums[body] + weight_moment)
                 })

@@ -65,7 +65,7 @@ impl Motions {
         match &self.tracks[body].mode {
             Mode::Fixed | Mode::Rest => still(),
             Mode::Prescribed => {
-                core.world.trajectory(body).map_or_else(still, |trajectory| BodyMotion::Within(trajectory))
+                core.model.trajectory(body).map_or_else(still, |trajectory| BodyMotion::Within(trajectory))
             }
             Mode::Flight(flight) => BodyMotion::Flight(flight),
             Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => match self.island_of(body).map(|own| &own.step) {
@@ -87,7 +87,7 @@ impl Motions {
     /// Whether the time steps of one crowd handle this pair.
     fn is_within_crowd(&self, core: &Core, a: usize, b: usize) -> bool {
         let crowded = |body: usize| matches!(self.tracks[body].mode, Mode::Crowded(_));
-        let given = |body: usize| !core.world.bodies[body].moves();
+        let given = |body: usize| !core.model.bodies[body].moves();
         match (crowded(a), crowded(b)) {
             (true, true) => self.tracks[a].island == self.tracks[b].island,
             (true, false) => given(b),
@@ -100,7 +100,7 @@ impl Motions {
     fn is_still(&self, core: &Core, body: usize, (start, end): (f64, f64)) -> bool {
         match &self.tracks[body].mode {
             Mode::Fixed | Mode::Rest => true,
-            Mode::Prescribed => core.world.stands_still(body, start, end),
+            Mode::Prescribed => core.model.stands_still(body, start, end),
             Mode::Flight(_) | Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => false,
         }
     }
@@ -108,8 +108,8 @@ impl Motions {
     /// Whether two bodies penetrate measurably at `t` (s) if they continue their present motion.
     fn penetrates_at(&self, core: &Core, (a, b): (usize, usize), t: f64) -> bool {
         let [pose_a, pose_b] = [a, b].map(|body| self.motion(core, body).get().pose(t));
-        core.world.shapes(a, b).is_some_and(|(shape_a, shape_b)| {
-            separation(shape_a, &pose_a, shape_b, &pose_b) < -PENETRATING_RELATIVE * core.world.pair_size(a, b)
+        core.model.shapes(a, b).is_some_and(|(shape_a, shape_b)| {
+            separation(shape_a, &pose_a, shape_b, &pose_b) < -PENETRATING_RELATIVE * core.model.pair_size(a, b)
         })
     }
 
@@ -120,7 +120,7 @@ impl Motions {
         (a, b): (usize, usize),
         (start, end): (f64, f64),
     ) -> Result<Option<f64>, SimulationError> {
-        let Some((shape_a, shape_b)) = core.world.shapes(a, b) else { return Ok(None) };
+        let Some((shape_a, shape_b)) = core.model.shapes(a, b) else { return Ok(None) };
         let (motion_a, motion_b) = (self.motion(core, a), self.motion(core, b));
         let (motion_a, motion_b) = (motion_a.get(), motion_b.get());
         let is_held = self.are_held(a, b);
@@ -131,8 +131,8 @@ impl Motions {
         };
         let failed = |source| SimulationError::ImpactSearch {
             t_s: start,
-            body_a: core.world.bodies[a].name.clone(),
-            body_b: core.world.bodies[b].name.clone(),
+            body_a: core.model.bodies[a].name.clone(),
+            body_b: core.model.bodies[b].name.clone(),
             source,
         };
         let has_parts =
@@ -184,13 +184,13 @@ impl Schedule {
 
     /// The time up to which the boxes of kinematic bodies are valid, s; infinite without such bodies.
     pub(super) fn end_of_kinematic_boxes(&self, core: &Core, t: f64) -> f64 {
-        let bounds = !core.world.prescribed().is_empty() && self.near.flight_end > t;
+        let bounds = !core.model.prescribed().is_empty() && self.near.flight_end > t;
         if bounds { self.near.flight_end } else { f64::INFINITY }
     }
 
     /// Sets the end of validity of the boxes of flights and kinematic bodies that begin at `t`.
     pub(super) fn begin_flight_boxes(&mut self, core: &Core, t: f64) {
-        if self.near.flight_end <= t && core.world.may_collide_at_all() {
+        if self.near.flight_end <= t && core.model.may_collide_at_all() {
             self.near.flight_end = Self::next_flight_end(core, t);
             self.agenda.add(self.near.flight_end, Due::FlightBoxes);
         }
@@ -208,7 +208,7 @@ impl Schedule {
         t: f64,
     ) -> Result<(), SimulationError> {
         let flies = |body: usize| matches!(motions.tracks[body].mode, Mode::Flight(_) | Mode::Prescribed);
-        let collides = |body: usize| core.world.bodies[body].shape.is_some();
+        let collides = |body: usize| core.model.bodies[body].shape.is_some();
         let flying: Vec<usize> = (0..motions.tracks.len()).filter(|&body| collides(body) && flies(body)).collect();
         if flying.is_empty() {
             // The next flight that begins sets a new end.
@@ -232,7 +232,7 @@ impl Schedule {
         bodies: &[usize],
         t: f64,
     ) -> Result<(), SimulationError> {
-        if !core.world.may_collide_at_all() {
+        if !core.model.may_collide_at_all() {
             return Ok(());
         }
         let mut near = std::mem::replace(&mut self.near.boxes, Boxes::new(&core.settings, 0));
@@ -245,8 +245,8 @@ impl Schedule {
                     motions.island_of(body).map_or((t, t), |own| (own.t, own.end()))
                 }
             };
-            let margin = core.world.touch_distance(&motions.states, body, body);
-            near.set(&core.world, body, motions.motion(core, body).get(), interval, margin);
+            let margin = core.model.touch_distance(&motions.states, body, body);
+            near.set(&core.model, body, motions.motion(core, body).get(), interval, margin);
         }
         // Pairs of a body and its partner; sorted below.
         let mut found: Vec<(usize, usize)> = Vec::new();
@@ -254,14 +254,14 @@ impl Schedule {
         if bodies.len() < MANY_NEW_BOXES {
             for &body in bodies {
                 let own = moves(body);
-                near.near(&core.world, body, |other| {
+                near.near(&core.model, body, |other| {
                     if own || moves(other) {
                         found.push((body, other));
                     }
                 });
             }
         } else {
-            near.all_pairs(&core.world, |a, b| {
+            near.all_pairs(&core.model, |a, b| {
                 if moves(a) || moves(b) {
                     let both = [(a, b), (b, a)].into_iter();
                     found.extend(both.filter(|(body, _)| bodies.binary_search(body).is_ok()));
@@ -370,7 +370,7 @@ impl Schedule {
                 let retry = pace.retry_time(longest).min(until);
                 let is_postponed = pace.is_backing_off() && pace.is_stall(found, longest);
                 if is_postponed && !motions.penetrates_at(core, (a, b), retry) {
-                    let names = core.world.pair_names(a, b);
+                    let names = core.model.pair_names(a, b);
                     core.accounts.tolerate(found, format!("an impact of {names} was postponed for a short time"));
                     retry
                 } else {
@@ -392,7 +392,7 @@ impl Schedule {
     /// Bodies that may collide with `body` and whose boxes overlap its box.
     pub(super) fn near_boxes(&self, core: &Core, body: usize) -> Vec<usize> {
         let mut found = Vec::new();
-        self.near.boxes.near(&core.world, body, |other| found.push(other));
+        self.near.boxes.near(&core.model, body, |other| found.push(other));
         found
     }
 }
@@ -410,8 +410,8 @@ pub(super) enum Search {
 fn is_fast(core: &Core, bodies: [(usize, &dyn Motion); 2], (start, end): (f64, f64)) -> bool {
     let speed = bodies.map(|(body, motion)| {
         let bounds = motion.bounds(start, end);
-        bounds.speed + bounds.angular_speed * core.world.bodies[body].size
+        bounds.speed + bounds.angular_speed * core.model.bodies[body].size
     });
     let between = (end - start) / f64::from(PENETRATION_CHECKS);
-    (speed[0] + speed[1]) * between > FAST * core.world.pair_size(bodies[0].0, bodies[1].0)
+    (speed[0] + speed[1]) * between > FAST * core.model.pair_size(bodies[0].0, bodies[1].0)
 }

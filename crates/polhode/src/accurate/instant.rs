@@ -37,7 +37,7 @@ impl Instant {
     /// own pairs it has those that concern no other of its movable bodies.
     pub(super) fn part(&self, core: &Core, bodies: Vec<usize>, pairs: &[(usize, usize)]) -> Self {
         let concerns = |body: usize| bodies.binary_search(&body).is_ok();
-        let is_given = |body: usize| !core.world.bodies[body].moves();
+        let is_given = |body: usize| !core.model.bodies[body].moves();
         let is_own =
             |&(a, b): &(usize, usize)| (concerns(a) && (concerns(b) || is_given(b))) || (is_given(a) && concerns(b));
         let own: BTreeSet<_> = self.pairs.iter().chain(pairs).copied().filter(is_own).collect();
@@ -65,7 +65,7 @@ impl Instant {
         let held = |touch: &&Touch| touch.hold == Hold::Held;
         let touch = self.touches.iter().find(held).or(self.touches.first());
         let point = touch.map_or(DVec3::ZERO, |touch| touch.kinematics.geometry.point);
-        let name = |body: usize| core.world.bodies[body].name.clone();
+        let name = |body: usize| core.model.bodies[body].name.clone();
         let touching = touch.map(|touch| [touch.id.a, touch.id.b]);
         // Without a contact, the bodies of the event are named.
         let members = touching

@@ -51,9 +51,9 @@ impl Resolution<'_> {
         for &body in &group.bodies {
             self.motions.book_flight(self.core, body, self.instant.t);
         }
-        let loads = self.core.world.loads_on(self.instant.t, &self.motions.states, &group.bodies);
+        let loads = self.core.model.loads_on(self.instant.t, &self.motions.states, &group.bodies);
         let law = (self.core.settings.impact, Cause::Jam(self.instant.t, &loads));
-        let struck = strike_with_friction(&self.core.world, &mut self.motions.states, &group.bodies, &touches, law)
+        let struck = strike_with_friction(&self.core.model, &mut self.motions.states, &group.bodies, &touches, law)
             .map_err(|source| Core::response_error(self.instant.t, source))?;
         if matches!(struck.outcome.status, ImpactStatus::NoApproach | ImpactStatus::NotSolved) {
             return Ok(false);

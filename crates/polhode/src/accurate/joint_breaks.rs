@@ -31,7 +31,7 @@ pub(super) fn loads_of(
         let geometry = &touch.kinematics.geometry;
         ContactForce { id: touch.id, point: geometry.point, force: geometry.normal * *normal + tangential }
     });
-    joint_loads(&core.world, states, (&forces.assembly, &forces.solution.forces), contacts)
+    joint_loads(&core.model, states, (&forces.assembly, &forces.solution.forces), contacts)
 }
 
 impl StepSearch<'_> {
@@ -44,7 +44,7 @@ impl StepSearch<'_> {
         found: Option<ContactChange>,
         limit: f64,
     ) -> Result<Option<ContactChange>, SimulationError> {
-        if !self.core.world.may_break_among(&self.step.bodies) {
+        if !self.core.model.may_break_among(&self.step.bodies) {
             return Ok(found);
         }
         let (start, end) = (self.step.t, found.as_ref().map_or(limit, |change| change.t));
@@ -82,18 +82,18 @@ impl StepSearch<'_> {
 
     /// The joints that bear as much as they can at a time of the step.
     fn overloaded_at(&mut self, t: f64) -> Result<Vec<usize>, SimulationError> {
-        self.step.states_at(&self.core.world, t, self.states);
+        self.step.states_at(&self.core.model, t, self.states);
         let touches: Vec<Touch> = held_touches(self.core, self.step, self.states);
         let mut solver = std::mem::take(&mut self.core.solver);
-        let forces = Forces::solve(&self.core.world, t, self.states, &self.step.bodies, &touches, &mut solver);
+        let forces = Forces::solve(&self.core.model, t, self.states, &self.step.bodies, &touches, &mut solver);
         self.core.solver = solver;
         let forces = forces.map_err(|source| Core::response_error(t, source))?;
-        Ok(overloaded(&self.core.world, &loads_of(self.core, self.states, (&forces, &touches))))
+        Ok(overloaded(&self.core.model, &loads_of(self.core, self.states, (&forces, &touches))))
     }
 }
 
 /// The held contacts of a step in these states, with their modes.
 fn held_touches(core: &Core, step: &ConstrainedStep, states: &[BodyState]) -> Vec<Touch> {
-    let touch = |&id| Some(Touch::held(id, core.world.kinematics(states, id)?, step.active.modes(id)));
+    let touch = |&id| Some(Touch::held(id, core.model.kinematics(states, id)?, step.active.modes(id)));
     step.active.held().iter().filter_map(touch).collect()
 }

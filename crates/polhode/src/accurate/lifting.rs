@@ -23,22 +23,22 @@ impl Resolution<'_> {
             let touches = self.instant.touches.iter().filter(of_pair);
             let Some(&deepest) = touches.min_by(|x, y| separation(x).total_cmp(&separation(y))) else { continue };
             let depth = -separation(&deepest);
-            let inverse_mass = |body: usize| match &self.core.world.bodies[body].rigid {
-                Some(rigid) if self.core.world.bodies[body].moves() => RigidBody::mass(rigid).recip(),
+            let inverse_mass = |body: usize| match &self.core.model.bodies[body].rigid {
+                Some(rigid) if self.core.model.bodies[body].moves() => RigidBody::mass(rigid).recip(),
                 _ => 0.0,
             };
             let (of_a, of_b) = (inverse_mass(a), inverse_mass(b));
             let bodies: Vec<usize> = [(a, of_a), (b, of_b)].iter().filter(|(_, m)| *m > 0.0).map(|(i, _)| *i).collect();
-            let has_pivot = self.core.world.bilaterals(&self.motions.states, &bodies).next().is_some();
-            if depth <= self.core.world.rounding(&self.motions.states, a, b) || bodies.is_empty() || has_pivot {
+            let has_pivot = self.core.model.bilaterals(&self.motions.states, &bodies).next().is_some();
+            if depth <= self.core.model.rounding(&self.motions.states, a, b) || bodies.is_empty() || has_pivot {
                 continue;
             }
             self.motions.end_flights(self.core, self.instant.t, &bodies);
-            let before = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &bodies);
+            let before = self.core.accounts.books.balance(&self.core.model, &self.motions.states, &bodies);
             let rise = deepest.kinematics.geometry.normal * (depth / (of_a + of_b));
             self.motions.states[a].pose.translation += rise * of_a;
             self.motions.states[b].pose.translation -= rise * of_b;
-            let after = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &bodies);
+            let after = self.core.accounts.books.balance(&self.core.model, &self.motions.states, &bodies);
             let farthest = Some(ConstraintId::Contact(deepest.id));
             let done = Projection { moved_m: depth, farthest, ..Projection::default() };
             self.core.book_lift(self.instant.t, &self.motions.states, &done, (before, after));

@@ -26,28 +26,28 @@ use std::collections::BTreeMap;
 impl Engine {
     /// The force of every pivot at `t` (s) at these states.
     pub(super) fn pivot_views(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<PivotView> {
-        let world = &core.world;
-        let is_turning = |body: &usize| world.bodies[*body].rigid.as_ref().is_some_and(RigidBody::is_pivoted);
-        let turning: Vec<usize> = world.movable.iter().copied().filter(is_turning).collect();
-        if turning.is_empty() && !world.has_rows() {
+        let model = &core.model;
+        let is_turning = |body: &usize| model.bodies[*body].rigid.as_ref().is_some_and(RigidBody::is_pivoted);
+        let turning: Vec<usize> = model.movable.iter().copied().filter(is_turning).collect();
+        if turning.is_empty() && !model.has_rows() {
             return Vec::new();
         }
-        let loads = world.loads(t, states);
+        let loads = model.loads(t, states);
         let mut needed: BTreeMap<usize, DVec3> = BTreeMap::new();
         let newton = |body: usize, linear: DVec3, angular: DVec3| {
-            let mass = world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
-            let of_center = world.reported_acceleration(body, &states[body], linear, angular).linear;
-            (of_center - world.gravity()) * mass - loads.of(body).force
+            let mass = model.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
+            let of_center = model.reported_acceleration(body, &states[body], linear, angular).linear;
+            (of_center - model.gravity()) * mass - loads.of(body).force
         };
         for &body in &turning {
-            let (linear, angular) = free_acceleration(world, states, &loads, body);
+            let (linear, angular) = free_acceleration(model, states, &loads, body);
             needed.insert(body, newton(body, linear, angular));
         }
         let mut by_rows: Vec<PivotView> = Vec::new();
         let mut solver = ComplementaritySolver::default();
         for (group, members) in self.present_groups(core, states) {
-            let Ok(forces) = Forces::solve(world, t, states, &group, &members, &mut solver) else {
-                let unknown = group.iter().filter(|body| is_turning(body) || world.is_held_by_rows(**body));
+            let Ok(forces) = Forces::solve(model, t, states, &group, &members, &mut solver) else {
+                let unknown = group.iter().filter(|body| is_turning(body) || model.is_held_by_rows(**body));
                 needed.extend(unknown.map(|&body| (body, DVec3::NAN)));
                 continue;
             };
@@ -68,7 +68,7 @@ impl Engine {
                 force_n: force,
             }));
         }
-        let place = |body: usize| world.pivot(states, body).map_or(states[body].pose.translation, |pivot| pivot.point);
+        let place = |body: usize| model.pivot(states, body).map_or(states[body].pose.translation, |pivot| pivot.point);
         let view = |(body, force_n)| PivotView { body: BodyId::new(body), point_m: place(body), force_n };
         let mut views: Vec<PivotView> = needed.into_iter().map(view).chain(by_rows).collect();
         views.sort_by_key(|view| view.body);
@@ -77,18 +77,18 @@ impl Engine {
 
     /// What every joint does at `t` (s) at these states.
     pub(super) fn joint_views(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<JointView> {
-        let world = &core.world;
+        let model = &core.model;
         let mut views: BTreeMap<usize, JointView> = BTreeMap::new();
-        if world.joints.is_empty() {
+        if model.joints.is_empty() {
             return Vec::new();
         }
         let mut solver = ComplementaritySolver::default();
         for (group, members) in self.present_groups(core, states) {
             let none = (DVec3::NAN, DVec3::NAN);
-            let Ok(forces) = Forces::solve(world, t, states, &group, &members, &mut solver) else {
-                let joints = group.iter().filter_map(|body| world.joints_of.get(body)).flatten();
-                for joint in joints.map(|&place| &world.joints[place]) {
-                    let (number, point_m) = (joint.number(), world.anchor_of(states, joint));
+            let Ok(forces) = Forces::solve(model, t, states, &group, &members, &mut solver) else {
+                let joints = group.iter().filter_map(|body| model.joints_of.get(body)).flatten();
+                for joint in joints.map(|&place| &model.joints[place]) {
+                    let (number, point_m) = (joint.number(), model.anchor_of(states, joint));
                     views.insert(number, joint_view(number, point_m, none));
                 }
                 continue;

@@ -25,9 +25,9 @@ use crate::constraint::ContactEvent;
 use crate::constraint::locator::{Side, close_in};
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
+use crate::model::TOUCH_RELATIVE;
 use crate::solve::projection::rate_exceeds_drift;
 use crate::tier::core::Core;
-use crate::world::TOUCH_RELATIVE;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
@@ -91,7 +91,7 @@ impl StepSearch<'_> {
         let mut pairs: Vec<_> = self.tolerated.iter().map(|id: &ContactId| (id.a, id.b)).collect();
         pairs.dedup();
         for (a, b) in pairs {
-            let names = self.core.world.pair_names(a, b);
+            let names = self.core.model.pair_names(a, b);
             self.core.accounts.tolerate(
                 self.step.t,
                 format!("contacts of {names} that no longer hold were self.tolerated for a short time"),
@@ -100,7 +100,7 @@ impl StepSearch<'_> {
         match violated {
             Some(violated) => self.locate_change(violated).map(Some),
             None if found.is_none() && limit >= self.step.end => {
-                self.step.states_at(&self.core.world, self.step.end, self.states);
+                self.step.states_at(&self.core.model, self.step.end, self.states);
                 let fading = fading_slips(self.core, self.step, self.states);
                 let any = !fading.is_empty();
                 Ok(any.then(|| ContactChange { t: self.step.end, fading, ..ContactChange::default() }))
@@ -117,7 +117,7 @@ impl StepSearch<'_> {
         loop {
             let Some(closing) = self.closing_time(violated) else {
                 let stopping = stopping_contacts(self.core, self.step, violated, self.states);
-                self.step.states_at(&self.core.world, violated, self.states);
+                self.step.states_at(&self.core.model, violated, self.states);
                 let settling: BTreeSet<_> = settled(self.core, self.step, violated, self.states).collect();
                 if !(stopping.is_empty() && settling.is_empty()) {
                     return Ok(ContactChange { t: violated, stopping, settling, ..ContactChange::default() });
@@ -128,7 +128,7 @@ impl StepSearch<'_> {
                 }
                 return breaking(self.core, self.step, violated, self.states);
             };
-            self.step.states_at(&self.core.world, closing, self.states);
+            self.step.states_at(&self.core.model, closing, self.states);
             if closing >= violated || self.penetrating().is_none() {
                 return Ok(at(closing));
             }
@@ -154,7 +154,7 @@ impl StepSearch<'_> {
         loop {
             violated = self.first_violation_in((valid, violated))?;
             // Another pair may have begun to overlap earlier.
-            self.step.states_at(&self.core.world, violated, self.states);
+            self.step.states_at(&self.core.model, violated, self.states);
             if !self.penetrates_undetected() {
                 return Ok(Some(violated));
             }
@@ -170,10 +170,10 @@ impl StepSearch<'_> {
     /// end alone would miss. It would also miss that a moving kinematic body, or a car at the top of a loop, loses
     /// contact for a short time: if one moves, or a track presses, forces are checked too.
     fn first_violation_interval(&mut self, start: f64, limit: f64) -> Result<Option<(f64, f64)>, SimulationError> {
-        let is_moved = |body| !self.core.world.stands_still(body, start, limit);
+        let is_moved = |body| !self.core.model.stands_still(body, start, limit);
         let driven = self.step.active.held().iter().flat_map(|id| [id.a, id.b]).any(is_moved)
-            || self.core.world.drivers_of(&self.step.bodies).any(is_moved)
-            || self.step.active.held().iter().any(|&id| self.core.world.is_side_of_track(id));
+            || self.core.model.drivers_of(&self.step.bodies).any(is_moved)
+            || self.step.active.held().iter().any(|&id| self.core.model.is_side_of_track(id));
         let first_check = start + (limit - start) / f64::from(PENETRATION_CHECKS);
         if let Some(interval) = self.approach_interval((start, first_check)) {
             return Ok(Some(interval));
@@ -181,7 +181,7 @@ impl StepSearch<'_> {
         let mut before = start;
         for k in 1..=PENETRATION_CHECKS {
             let t = start + (limit - start) * (f64::from(k) / f64::from(PENETRATION_CHECKS));
-            self.step.states_at(&self.core.world, t, self.states);
+            self.step.states_at(&self.core.model, t, self.states);
             // Contact points may leave their features long before other contacts penetrate.
             let mut held = self.step.active.held().iter().filter(|id| !self.tolerated.contains(id));
             if k < PENETRATION_CHECKS && held.any(|&id| held_kinematics(self.core, self.states, id).is_none()) {
@@ -207,13 +207,13 @@ impl StepSearch<'_> {
     /// The contacts that violate the active set at time `t` of the step, without the tolerated ones. Only the first
     /// kind of violation found is returned.
     fn violations(&mut self, t: f64) -> Result<Vec<ContactId>, SimulationError> {
-        self.step.states_at(&self.core.world, t, self.states);
+        self.step.states_at(&self.core.model, t, self.states);
         let mut touches = Vec::with_capacity(self.step.active.held().len());
         let mut left = Vec::new();
         for &id in self.step.active.held() {
             let is_tolerated = self.tolerated.contains(&id);
             let kinematics = if is_tolerated {
-                self.core.world.kinematics(self.states, id)
+                self.core.model.kinematics(self.states, id)
             } else {
                 held_kinematics(self.core, self.states, id)
             };
@@ -278,7 +278,7 @@ impl StepSearch<'_> {
 
     /// Whether this violation is present at a time.
     fn is_violated(&mut self, violation: Violation, t: f64) -> Result<bool, SimulationError> {
-        self.step.states_at(&self.core.world, t, self.states);
+        self.step.states_at(&self.core.model, t, self.states);
         match violation {
             Violation::Leaves(id) => {
                 let is_held = self.step.active.holds(id) && !self.tolerated.contains(&id);
@@ -290,7 +290,7 @@ impl StepSearch<'_> {
                 .any(|id| !self.tolerated.contains(&id))),
             Violation::Breaks => {
                 let touches = self.step.active.held().iter().map(|&id| {
-                    let kinematics = self.core.world.kinematics(self.states, id)?;
+                    let kinematics = self.core.model.kinematics(self.states, id)?;
                     Some(held_touch(self.step, id, kinematics))
                 });
                 match touches.collect::<Option<Vec<_>>>() {
@@ -308,17 +308,17 @@ impl StepSearch<'_> {
     /// When a contact that had a gap at the start of the step closes within it: the time of zero separation, which is
     /// before the time at which the penetration is detected.
     fn closing_time(&mut self, violated: f64) -> Option<f64> {
-        self.step.states_at(&self.core.world, violated, self.states);
+        self.step.states_at(&self.core.model, violated, self.states);
         // Also a tolerated contact may close.
         let tolerated = std::mem::take(&mut self.tolerated);
         let penetrating = self.penetrating();
         self.tolerated = tolerated;
         let id = penetrating?;
-        let touch = TOUCH_RELATIVE * self.core.world.pair_size(id.a, id.b);
+        let touch = TOUCH_RELATIVE * self.core.model.pair_size(id.a, id.b);
         let start = self.step.t;
         let mut separation = |t: f64| {
-            self.step.states_at(&self.core.world, t, self.states);
-            self.core.world.kinematics(self.states, id).map(|kinematics| ContactEvent::Closing.value(&kinematics))
+            self.step.states_at(&self.core.model, t, self.states);
+            self.core.model.kinematics(self.states, id).map(|kinematics| ContactEvent::Closing.value(&kinematics))
         };
         if separation(start)? <= touch {
             return None;
@@ -352,7 +352,7 @@ fn slips<'a>(
     step: &'a ConstrainedStep,
     states: &'a [BodyState],
 ) -> impl Iterator<Item = (ContactId, Slide, DVec3)> + 'a {
-    let slip = |(id, slide)| Some((id, slide, core.world.tangential_kinematics(states, id)?.slip_velocity));
+    let slip = |(id, slide)| Some((id, slide, core.model.tangential_kinematics(states, id)?.slip_velocity));
     step.active.sliding().filter_map(slip)
 }
 
@@ -384,15 +384,15 @@ fn settled<'a>(
     states: &'a [BodyState],
 ) -> impl Iterator<Item = (ContactId, Turn)> + 'a {
     step.active.turning().filter_map(move |(id, turn, slide)| {
-        let normal = core.world.kinematics(states, id)?.geometry.normal;
-        let part = turn.part(core.world.relative_rotation(states, id), normal);
+        let normal = core.model.kinematics(states, id)?.geometry.normal;
+        let part = turn.part(core.model.relative_rotation(states, id), normal);
         has_stopped(step, t, &slide, part).then_some((id, turn))
     })
 }
 
 /// If a slip has just vanished at `t` (s), all contacts whose slips vanish then; none if it has only turned.
 fn stopping_contacts(core: &Core, step: &ConstrainedStep, t: f64, states: &mut [BodyState]) -> BTreeSet<ContactId> {
-    step.states_at(&core.world, t, states);
+    step.states_at(&core.model, t, states);
     if stopped(core, step, t, states).next().is_none() {
         return BTreeSet::new();
     }
@@ -427,11 +427,11 @@ fn sliding(touches: &[Touch]) -> impl Iterator<Item = ContactId> + '_ {
 /// The kinematics of a held contact, if its point lies on its features and has not jumped to a point at which the
 /// bodies approach or separate.
 fn held_kinematics(core: &Core, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
-    let tolerance = TOUCH_RELATIVE * core.world.pair_size(id.a, id.b);
-    let kinematics = core.world.kinematics(states, id)?;
+    let tolerance = TOUCH_RELATIVE * core.model.pair_size(id.a, id.b);
+    let kinematics = core.model.kinematics(states, id)?;
     let is_on_features = ContactEvent::Leaving.value(&kinematics) >= -tolerance;
-    let stays = !rate_exceeds_drift(&core.world, states, id, &kinematics, core.settings.step_error())
-        && (is_on_features || core.world.holds_beyond_border(states, id));
+    let stays = !rate_exceeds_drift(&core.model, states, id, &kinematics, core.settings.step_error())
+        && (is_on_features || core.model.holds_beyond_border(states, id));
     stays.then_some(kinematics)
 }
 
@@ -448,13 +448,13 @@ fn breaking(
     let mut openings = Vec::with_capacity(2);
     let (mut departing, mut slipping, mut turning) = (BTreeSet::new(), BTreeMap::new(), BTreeMap::new());
     for t in [violated, late] {
-        step.states_at(&core.world, t, states);
+        step.states_at(&core.model, t, states);
         let contacts: Vec<Touch> = step
             .active
             .held()
             .iter()
             .filter_map(|&id| {
-                let kinematics = core.world.kinematics(states, id)?;
+                let kinematics = core.model.kinematics(states, id)?;
                 Some(held_touch(step, id, kinematics))
             })
             .collect();
@@ -473,7 +473,7 @@ fn breaking(
     let change = ContactChange { t: violated, departing, slipping, turning, ..ContactChange::default() };
     // Where kinetic friction is below static friction, the slip accelerates at once.
     let is_sudden = |id: &ContactId| {
-        core.world.friction_of(*id).is_some_and(|friction| friction.sliding.is_below(friction.at_rest))
+        core.model.friction_of(*id).is_some_and(|friction| friction.sliding.is_below(friction.at_rest))
     };
     let any = !(change.departing.is_empty() && change.slipping.is_empty());
     if !any || begins_to_turn || second <= first || change.slipping.keys().any(is_sudden) {
@@ -496,7 +496,7 @@ fn forces_of(
     states: &[BodyState],
     contacts: &[Touch],
 ) -> Result<Forces, SimulationError> {
-    let forces = Forces::solve(&core.world, t, states, &step.bodies, contacts, &mut core.solver)
+    let forces = Forces::solve(&core.model, t, states, &step.bodies, contacts, &mut core.solver)
         .map_err(|source| Core::response_error(t, source))?;
     if !forces.jams {
         core.accounts.note_solve(t, &forces.solution.report)?;

@@ -9,9 +9,9 @@ use super::state_cache::StateCache;
 use crate::accounting::books::{Books, Received, gravity_at};
 use crate::collision::active_contacts::ActiveContacts;
 use crate::error::SimulationError;
+use crate::model::Model;
 use crate::scene::Integrator;
 use crate::tier::core::Core;
-use crate::world::World;
 use polhode_dynamics::integrator::IntegrationError;
 use polhode_dynamics::{BodyState, Flight};
 use std::collections::BTreeMap;
@@ -60,7 +60,7 @@ impl Track {
     /// A new body at the present.
     pub(super) fn new(core: &Core, body: usize) -> Self {
         Self {
-            mode: if core.world.trajectory(body).is_some() { Mode::Prescribed } else { Mode::Fixed },
+            mode: if core.model.trajectory(body).is_some() { Mode::Prescribed } else { Mode::Fixed },
             island: None,
             pace: Pace::starting_at(core.t),
             proposed_step_s: core.settings.step_s,
@@ -109,7 +109,7 @@ impl Motions {
     pub(super) fn set_present(&mut self, core: &Core) -> Result<(), SimulationError> {
         for island in self.islands.values_mut() {
             if let Step::Free(step) = &mut island.step {
-                step.set_present(&core.world, core.t)?;
+                step.set_present(&core.model, core.t)?;
             }
         }
         Ok(())
@@ -136,7 +136,7 @@ impl Motions {
         // The memory of the last states is reused, unless a caller still holds it.
         let states = Arc::make_mut(&mut cache.states);
         self.write_states_at(core, t, states)?;
-        core.accounts.observe(&core.world, states, t)?;
+        core.accounts.observe(&core.model, states, t)?;
         self.observed_s = t;
         cache.t = self.islands.is_empty().then_some(t);
         self.state_cache = cache;
@@ -176,7 +176,7 @@ impl Motions {
 
     /// Restores the copy of the states after it was used for these bodies and for kinematic ones.
     pub(super) fn restore_scratch(&mut self, core: &Core, mut scratch: Vec<BodyState>, bodies: &[usize]) {
-        for &body in bodies.iter().chain(core.world.prescribed()) {
+        for &body in bodies.iter().chain(core.model.prescribed()) {
             scratch[body] = self.states[body];
         }
         self.scratch = scratch;
@@ -190,7 +190,7 @@ impl Motions {
         if let Mode::Flight(flight) = &self.tracks[body].mode {
             return Ok(flight.state(t));
         }
-        if let Some(state) = core.world.prescribed_state(body, t) {
+        if let Some(state) = core.model.prescribed_state(body, t) {
             return Ok(state);
         }
         let Some(first) = self.tracks[body].island else { return Ok(self.states[body]) };
@@ -252,23 +252,23 @@ impl Motions {
             _ => None,
         });
         Flight::write_states(flights, t, states);
-        core.world.prescribe(t, states);
+        core.model.prescribe(t, states);
     }
 
     /// Mode of a body that no contact holds.
     pub(super) fn free_mode(&self, core: &Core, body: usize, t: f64) -> Option<Mode> {
-        let world = &core.world;
-        let rigid = world.bodies[body].rigid.as_ref()?;
+        let model = &core.model;
+        let rigid = model.bodies[body].rigid.as_ref()?;
         Some(match core.settings.integrator {
-            _ if world.is_held_by_rows(body) => Mode::Constrained,
-            _ if core.settings.flies() && !world.is_loaded(body) => {
+            _ if model.is_held_by_rows(body) => Mode::Constrained,
+            _ if core.settings.flies() && !model.is_loaded(body) => {
                 // In planar motion the rotation is about a principal axis; rounding errors of the axis must not grow.
-                let record = if world.plane.is_some() { Flight::steady } else { Flight::new };
-                Mode::Flight(Box::new(record(rigid, t, &self.states[body], world.free_acceleration(body))))
+                let record = if model.plane.is_some() { Flight::steady } else { Flight::new };
+                Mode::Flight(Box::new(record(rigid, t, &self.states[body], model.free_acceleration(body))))
             }
             Integrator::Dop853 => Mode::Constrained,
             // Bodies coupled to bodies that may be in contact are integrated with them.
-            _ if world.may_collide_at_all() && world.is_coupled(body) => Mode::Constrained,
+            _ if model.may_collide_at_all() && model.is_coupled(body) => Mode::Constrained,
             _ if self.tracks[body].gave_up_splitting => Mode::Constrained,
             _ => Mode::Stepped,
         })
@@ -312,7 +312,7 @@ impl Motions {
     /// Books the flight of a body up to `t`, if it is in free flight.
     pub(super) fn book_flight(&mut self, core: &mut Core, body: usize, t: f64) {
         if let Mode::Flight(flight) = &self.tracks[body].mode {
-            book_flight(&core.world, &mut core.accounts.books, (body, flight), t, &mut self.states);
+            book_flight(&core.model, &mut core.accounts.books, (body, flight), t, &mut self.states);
         }
     }
 
@@ -320,7 +320,7 @@ impl Motions {
     pub(super) fn book_rest(&mut self, core: &mut Core, body: usize, t: f64) {
         let track = &mut self.tracks[body];
         if matches!(track.mode, Mode::Rest) && t > track.rest_booked_s {
-            core.accounts.books.equilibrium(&core.world, &self.states, body, t - track.rest_booked_s);
+            core.accounts.books.equilibrium(&core.model, &self.states, body, t - track.rest_booked_s);
         }
         track.rest_booked_s = t;
     }
@@ -328,7 +328,7 @@ impl Motions {
 
 /// Books a flight up to `t`, with the energy error of its record. Sets the body's state to that at `t`.
 pub(super) fn book_flight(
-    world: &World,
+    model: &Model,
     books: &mut Books,
     (body, flight): (usize, &Flight),
     t: f64,
@@ -336,13 +336,13 @@ pub(super) fn book_flight(
 ) {
     let (start, dt) = (*flight.start(), t - flight.t0());
     states[body] = start;
-    let before = books.balance(world, states, &[body]);
+    let before = books.balance(model, states, &[body]);
     // The mean position of the flight, for the moment of the weight. The fall along gravity does not change this
     // moment.
     states[body].pose.translation += start.linear_velocity * (0.5 * dt);
-    let gravity = gravity_at(world, states, body, books.ledger.momentum.about, dt);
+    let gravity = gravity_at(model, states, body, books.ledger.momentum.about, dt);
     states[body] = flight.state(t);
-    let after = books.balance(world, states, &[body]);
+    let after = books.balance(model, states, &[body]);
     books.smooth_stage(before, after, Received { gravity, ..Received::default() });
 }
 
@@ -354,14 +354,14 @@ pub(super) fn write_states(
     states: &mut [BodyState],
 ) -> Result<(), SimulationError> {
     match &mut island.step {
-        Step::Constrained(step) => step.states_at(&core.world, t, states),
+        Step::Constrained(step) => step.states_at(&core.model, t, states),
         Step::Free(step) => {
-            for (&body, state) in island.bodies.iter().zip(step.states_at(&core.world, t)?) {
+            for (&body, state) in island.bodies.iter().zip(step.states_at(&core.model, t)?) {
                 states[body] = state;
             }
         }
         Step::Crowd(step) => {
-            step.advance_to(&core.world, &island.bodies, t, states)
+            step.advance_to(&core.model, &island.bodies, t, states)
                 .map_err(|source| Core::response_error(step.t, source))?;
         }
         Step::Waiting(_) => {}

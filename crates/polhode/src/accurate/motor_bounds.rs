@@ -18,12 +18,12 @@ use std::convert::Infallible;
 /// The first time of a step (s) at which a motor of its bodies reaches its bound or leaves it; none where that is
 /// hardly after its start. `states` are overwritten.
 pub(super) fn corner_within(core: &Core, step: &ConstrainedStep, states: &mut [BodyState]) -> Option<f64> {
-    if !core.world.has_bounded_motors_among(&step.bodies) {
+    if !core.model.has_bounded_motors_among(&step.bodies) {
         return None;
     }
     let mut phases = |t: f64| {
-        step.states_at(&core.world, t, states);
-        core.world.phases_of_motors(states, &step.bodies)
+        step.states_at(&core.model, t, states);
+        core.model.phases_of_motors(states, &step.bodies)
     };
     let (start, length) = (step.t, step.end - step.t);
     let (mut before, mut own) = (start, phases(start));

@@ -55,7 +55,7 @@ impl NearPairs {
     /// # Errors
     /// When they name a body that does not exist.
     pub(super) fn restored(core: &Core, saved: &content::NearPairs) -> Result<Self, SnapshotError> {
-        let bodies = core.world.bodies.len();
+        let bodies = core.model.bodies.len();
         let is_list = |(body, list): (usize, &Vec<usize>)| {
             list.is_sorted_by(|x, y| x < y) && list.iter().all(|&other| other < bodies && other != body)
         };
@@ -69,7 +69,7 @@ impl NearPairs {
             }
             watches.insert((a, b), Watch { until, impact });
         }
-        let boxes = Boxes::restored(&core.world, &core.settings, &saved.boxes)?;
+        let boxes = Boxes::restored(&core.model, &core.settings, &saved.boxes)?;
         Ok(Self { boxes, watches, partners: saved.partners.clone(), flight_end: saved.flight_end })
     }
 

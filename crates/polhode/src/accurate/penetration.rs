@@ -71,15 +71,15 @@ impl StepSearch<'_> {
     /// The penetrations of the group's touching pairs, in their order.
     fn penetrations(&self) -> impl Iterator<Item = Penetration> + '_ {
         let of_pair = move |pair| self.penetration_of_pair(pair);
-        self.step.watched_pairs(&self.core.world).into_iter().map(of_pair)
+        self.step.watched_pairs(&self.core.model).into_iter().map(of_pair)
     }
 
     fn penetration_of_pair(&self, (a, b): (usize, usize)) -> Penetration {
         let depth =
-            PENETRATING_RELATIVE * self.core.world.pair_size(a, b) + self.core.world.rounding(self.states, a, b);
+            PENETRATING_RELATIVE * self.core.model.pair_size(a, b) + self.core.model.rounding(self.states, a, b);
         // The same reach as in the resolution of the event, so that both find the same contacts.
-        let reach = self.core.world.touch_distance(self.states, a, b);
-        let Some(pair) = self.core.world.penetrating_pair(self.states, (a, b), reach, depth) else {
+        let reach = self.core.model.touch_distance(self.states, a, b);
+        let Some(pair) = self.core.model.penetrating_pair(self.states, (a, b), reach, depth) else {
             return Penetration { contact: None, excess_depths: 0.0 };
         };
         let Pair { separation, contacts, .. } = pair;
@@ -96,7 +96,7 @@ impl StepSearch<'_> {
             return Penetration { contact, excess_depths: 0.0 };
         }
         let held = self.step.active.held().iter().filter(|id| (id.a, id.b) == (a, b));
-        let held = held.filter_map(|&id| Some(self.core.world.kinematics(self.states, id)?.geometry.separation));
+        let held = held.filter_map(|&id| Some(self.core.model.kinematics(self.states, id)?.geometry.separation));
         let found = contacts.iter().map(|touch| touch.kinematics.geometry.separation);
         let shown = held.chain(found).fold(0.0, f64::min);
         Penetration { contact, excess_depths: (shown - separation) / depth }
@@ -104,26 +104,26 @@ impl StepSearch<'_> {
 
     /// Whether a contact had a gap at the start of the step.
     fn was_clear(&self, id: ContactId, depth: f64) -> bool {
-        self.core.world.kinematics(self.start, id).is_some_and(|k| k.geometry.separation > depth)
+        self.core.model.kinematics(self.start, id).is_some_and(|k| k.geometry.separation > depth)
     }
 
     /// Whether two bodies overlapped at the start of the step. If one has passed into the other since then, its nearest
     /// features may be on the far side, where there was never a gap.
     fn overlapped(&self, (a, b): (usize, usize), depth: f64) -> bool {
-        self.core.world.separation_without_memory(self.start, a, b).is_some_and(|separation| separation < -depth)
+        self.core.model.separation_without_memory(self.start, a, b).is_some_and(|separation| separation < -depth)
     }
 
     /// An interval from `start` at whose end a contact penetrates that approaches at `start` and would close before
     /// `end` (s). If it separated again before the next check, the penetration would be missed. It is checked after the
     /// predicted time to closing, and after two, four, eight times as long.
     pub(super) fn approach_interval(&mut self, (start, end): (f64, f64)) -> Option<(f64, f64)> {
-        self.step.states_at(&self.core.world, start, self.states);
+        self.step.states_at(&self.core.model, start, self.states);
         let mut closing = Vec::new();
-        for (a, b) in self.step.watched_pairs(&self.core.world) {
-            let travel = (self.core.world.point_speed(self.start, a) + self.core.world.point_speed(self.start, b))
+        for (a, b) in self.step.watched_pairs(&self.core.model) {
+            let travel = (self.core.model.point_speed(self.start, a) + self.core.model.point_speed(self.start, b))
                 * (end - start);
-            let reach = travel + self.core.world.touch_distance(self.states, a, b);
-            let contacts = self.core.world.contacts_of_pair(self.states, a, b, reach);
+            let reach = travel + self.core.model.touch_distance(self.states, a, b);
+            let contacts = self.core.model.contacts_of_pair(self.states, a, b, reach);
             let open = contacts.iter().filter(|touch| !self.step.active.holds(touch.id));
             let wait = open.filter_map(|touch| {
                 let (gap, rate) = (touch.kinematics.geometry.separation, touch.kinematics.separation_rate);
@@ -135,7 +135,7 @@ impl StepSearch<'_> {
         for (wait, pair) in closing {
             let mut t = start + wait;
             while t > start && t < end {
-                self.step.states_at(&self.core.world, t, self.states);
+                self.step.states_at(&self.core.model, t, self.states);
                 if self.penetrates(pair) {
                     return Some((start, t));
                 }
@@ -149,7 +149,7 @@ impl StepSearch<'_> {
     /// have left its features, and nothing else shows where the penetration began.
     pub(super) fn contact_penetrating_within(&mut self, interval: (f64, f64)) -> Option<f64> {
         let closed_in = close_in(interval, |t| {
-            self.step.states_at(&self.core.world, t, self.states);
+            self.step.states_at(&self.core.model, t, self.states);
             let penetration = self.first_penetration();
             Ok::<_, Infallible>(match penetration.contact {
                 Some(_) => Side::Here,

@@ -24,7 +24,7 @@ impl Motions {
         if let Mode::Flight(flight) = &self.tracks[body].mode {
             return flight.state(t);
         }
-        if let Some(state) = core.world.prescribed_state(body, t) {
+        if let Some(state) = core.model.prescribed_state(body, t) {
             return state;
         }
         let start = self.states[body];
@@ -37,7 +37,7 @@ impl Motions {
                 let key = StepKey::new(island.first().unwrap_or(body), step.t, step.end);
                 self.present_crowds.state((body, key), t, &self.states, |states| {
                     // As in `Engine::states`.
-                    let _ = step.advance_to(&core.world, &island.bodies, t, states);
+                    let _ = step.advance_to(&core.model, &island.bodies, t, states);
                 })
             }
             Step::Waiting(_) => None,
@@ -54,8 +54,8 @@ impl Motions {
     /// A body in this state as it is reported.
     pub(super) fn sample_in(&self, core: &Core, body: usize, state: &BodyState) -> BodySample {
         match &self.tracks[body].mode {
-            Mode::Flight(flight) => core.world.sample_of(body, flight.body(), state),
-            _ => core.world.sample(body, state),
+            Mode::Flight(flight) => core.model.sample_of(body, flight.body(), state),
+            _ => core.model.sample(body, state),
         }
     }
 }
@@ -63,7 +63,7 @@ impl Motions {
 impl Engine {
     /// The touching contacts of the last evaluation, evaluated in these states.
     pub(super) fn present_contacts(&self, core: &Core, states: &[BodyState]) -> Vec<Touch> {
-        let present = |touch: &Touch| Some(Touch { kinematics: core.world.kinematics(states, touch.id)?, ..*touch });
+        let present = |touch: &Touch| Some(Touch { kinematics: core.model.kinematics(states, touch.id)?, ..*touch });
         self.schedule.contacts.all().filter_map(present).collect()
     }
 
@@ -86,14 +86,14 @@ impl Engine {
         };
         let kept = contacts.iter().enumerate().filter(|(_, touch)| sustained(touch));
         let mut found: Vec<(Vec<usize>, Vec<Touch>)> =
-            groups(&core.world, kept.map(|(index, touch)| (index, touch.id.a, touch.id.b)))
+            groups(&core.model, kept.map(|(index, touch)| (index, touch.id.a, touch.id.b)))
                 .into_iter()
                 .map(|group| (group.bodies, group.contacts.iter().map(|&i| contacts[i]).collect()))
                 .collect();
         // A pivoted body without contacts is a group of its own, and so are jointed ones together.
-        for &body in &core.world.held_by_rows {
+        for &body in &core.model.held_by_rows {
             if !found.iter().any(|(bodies, _)| bodies.binary_search(&body).is_ok()) {
-                found.push((core.world.with_jointed(vec![body]), Vec::new()));
+                found.push((core.model.with_jointed(vec![body]), Vec::new()));
             }
         }
         found
@@ -101,22 +101,22 @@ impl Engine {
 
     /// Bodies that move together, and those that rest together: each ascending, in the order of their first bodies.
     pub(super) fn present_islands(&self, core: &Core) -> Vec<Vec<usize>> {
-        let world = &core.world;
+        let model = &core.model;
         let joins = |contacts: &[&Touch], bodies: &[usize]| {
             let contacts = contacts.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b));
-            coupled_groups(world, contacts, bodies).into_iter().map(|group| group.bodies).collect::<Vec<_>>()
+            coupled_groups(model, contacts, bodies).into_iter().map(|group| group.bodies).collect::<Vec<_>>()
         };
         if !self.begun {
             let held: Vec<Touch> =
                 self.present_groups(core, &self.motions.states).into_iter().flat_map(|(_, held)| held).collect();
             let loaded =
-                world.movable.iter().copied().filter(|&body| world.bodies[body].moves() && world.is_loaded(body));
+                model.movable.iter().copied().filter(|&body| model.bodies[body].moves() && model.is_loaded(body));
             return joins(&held.iter().collect::<Vec<_>>(), &loaded.collect::<Vec<_>>());
         }
         let rests = |body: usize| matches!(self.motions.tracks[body].mode, Mode::Rest);
         let connects = |touch: &&Touch| touch.hold == Hold::Held && rests(touch.id.a) && rests(touch.id.b);
         let connecting: Vec<&Touch> = self.schedule.contacts.all().filter(connects).collect();
-        let resting: Vec<usize> = world.movable.iter().copied().filter(|&body| rests(body)).collect();
+        let resting: Vec<usize> = model.movable.iter().copied().filter(|&body| rests(body)).collect();
         let mut found = joins(&connecting, &resting);
         found.extend(self.motions.islands.values().map(|island| island.bodies.clone()));
         found.sort_unstable();
@@ -133,7 +133,7 @@ impl Engine {
         };
         let mut kinds: Vec<MotionKind> = self.motions.tracks.iter().map(kind).collect();
         if !self.begun {
-            for body in (0..kinds.len()).filter(|&body| core.world.bodies[body].moves()) {
+            for body in (0..kinds.len()).filter(|&body| core.model.bodies[body].moves()) {
                 kinds[body] = MotionKind::Flight;
             }
             for body in self.present_islands(core).into_iter().flatten() {
@@ -155,14 +155,14 @@ impl Engine {
             .enumerate()
             .filter(|(_, touch)| touch.hold == Hold::Held && (rest(touch.id.a) || rest(touch.id.b)))
             .map(|(index, touch)| (index, touch.id.a, touch.id.b));
-        for group in groups(&core.world, resting) {
+        for group in groups(&core.model, resting) {
             let mut pairs: Vec<_> = group.contacts.iter().map(|&i| (known[i].id.a, known[i].id.b)).collect();
             pairs.dedup();
             let mut contacts = Vec::with_capacity(group.contacts.len());
             for (a, b) in pairs {
-                let reach = core.world.touch_distance(&self.motions.states, a, b);
+                let reach = core.model.touch_distance(&self.motions.states, a, b);
                 contacts.extend(
-                    core.world.contacts_of_pair(&self.motions.states, a, b, reach).into_iter().map(Touch::from),
+                    core.model.contacts_of_pair(&self.motions.states, a, b, reach).into_iter().map(Touch::from),
                 );
             }
             for touch in &mut contacts {
@@ -172,7 +172,7 @@ impl Engine {
                 }
             }
             let forces =
-                Forces::solve(&core.world, core.t, &self.motions.states, &group.bodies, &contacts, &mut core.solver)
+                Forces::solve(&core.model, core.t, &self.motions.states, &group.bodies, &contacts, &mut core.solver)
                     .map_err(|source| Core::response_error(core.t, source))?;
             core.accounts.note_solve(core.t, &forces.solution.report)?;
         }

@@ -10,8 +10,8 @@ use super::motions::{Mode, Track};
 use super::pace::Pace;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
 use crate::tier::core::Core;
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
 
@@ -26,10 +26,10 @@ impl Engine {
         }
         let mut found_for: BTreeSet<usize> = bodies.iter().copied().collect();
         // An immovable body affects the bodies it touches.
-        for &body in bodies.iter().filter(|&&body| !core.world.bodies[body].moves()) {
+        for &body in bodies.iter().filter(|&&body| !core.model.bodies[body].moves()) {
             found_for.extend(self.schedule.contacts.partners(body));
             // Time steps of crowds were made with the motion that it had: it may come near any of them.
-            if core.world.trajectory(body).is_some() {
+            if core.model.trajectory(body).is_some() {
                 found_for.extend(
                     (0..self.motions.tracks.len())
                         .filter(|&other| matches!(self.motions.tracks[other].mode, Mode::Crowded(_))),
@@ -57,15 +57,15 @@ impl Engine {
     /// When an impact or the contact forces cannot be solved.
     pub(super) fn resume_bodies(&mut self, core: &mut Core, moved: &[usize]) -> Result<(), SimulationError> {
         let Some(mut instant) = self.interrupted.take() else { return Ok(()) };
-        let gone = |body: usize| core.world.bodies[body].removed;
-        instant.bodies.retain(|&body| core.world.bodies[body].moves());
+        let gone = |body: usize| core.model.bodies[body].removed;
+        instant.bodies.retain(|&body| core.model.bodies[body].moves());
         instant.pairs.retain(|&(a, b)| !gone(a) && !gone(b));
         instant.touches.retain(|touch| !gone(touch.id.a) && !gone(touch.id.b));
         for &body in &instant.bodies {
             self.motions.scratch[body] = self.motions.states[body];
             self.motions.tracks[body].pace = Pace::starting_at(instant.t);
             self.motions.tracks[body].proposed_step_s = core.settings.step_s;
-            instant.speed_scale = instant.speed_scale.max(core.world.point_speed(&self.motions.states, body));
+            instant.speed_scale = instant.speed_scale.max(core.model.point_speed(&self.motions.states, body));
         }
         for &body in moved {
             self.find_touched(core, &mut instant, body)?;
@@ -74,7 +74,7 @@ impl Engine {
         let t = instant.t;
         self.continue_motion(core, instant)?;
         // A body that no force moves makes no step, but its box is new.
-        let unmoved: Vec<usize> = moved.iter().copied().filter(|&body| !core.world.bodies[body].moves()).collect();
+        let unmoved: Vec<usize> = moved.iter().copied().filter(|&body| !core.model.bodies[body].moves()).collect();
         for &body in &unmoved {
             self.schedule.expect_corner(core, body, t);
         }
@@ -88,7 +88,7 @@ impl Engine {
 
     /// Adds the bodies that a body touches at its new pose to the instant.
     fn find_touched(&mut self, core: &mut Core, instant: &mut Instant, body: usize) -> Result<(), SimulationError> {
-        let others = (0..core.world.bodies.len()).filter(|&other| core.world.scene.may_collide(body, other));
+        let others = (0..core.model.bodies.len()).filter(|&other| core.model.scene.may_collide(body, other));
         let mut pairs: BTreeSet<(usize, usize)> = instant.pairs.iter().copied().collect();
         for other in others.collect::<Vec<_>>() {
             let pair = (body.min(other), body.max(other));
@@ -96,7 +96,7 @@ impl Engine {
                 continue;
             }
             pairs.insert(pair);
-            if core.world.bodies[other].moves() && instant.bodies.binary_search(&other).is_err() {
+            if core.model.bodies[other].moves() && instant.bodies.binary_search(&other).is_err() {
                 let mut more = self.affected_bodies(core, instant.t, &[other])?;
                 more.retain(|body| instant.bodies.binary_search(body).is_err());
                 let more = self.end_islands(core, instant.t, more)?;
@@ -117,22 +117,22 @@ impl Engine {
         let body = self.motions.states.len();
         self.motions.states.push(state);
         self.motions.scratch.push(state);
-        let size = core.world.bodies[body].size;
+        let size = core.model.bodies[body].size;
         self.motions.tracks.push(Track::new(core, body));
         self.motions.tracks[body].speed_scale =
-            core.world.point_speed(&self.motions.states, body).max((core.world.gravity().length() * size).sqrt());
+            core.model.point_speed(&self.motions.states, body).max((core.model.gravity().length() * size).sqrt());
         self.schedule.contacts.make_room();
         self.schedule.near.make_room();
     }
 
     /// Forgets the contacts of a pair that are there no more, after a joint between its bodies was added or taken away.
-    pub(super) fn change_contacts_of_joint(&mut self, world: &World, pair: (usize, usize)) {
-        let stays = |contact: ContactId| (contact.a, contact.b) != pair || world.may_have(contact);
+    pub(super) fn change_contacts_of_joint(&mut self, model: &Model, pair: (usize, usize)) {
+        let stays = |contact: ContactId| (contact.a, contact.b) != pair || model.may_have(contact);
         let touches = self.schedule.contacts.of_pair(pair).iter().filter(|touch| stays(touch.id)).copied().collect();
         self.schedule.contacts.set(pair, touches);
         if let Some(instant) = &mut self.interrupted {
             instant.touches.retain(|touch| stays(touch.id));
-            instant.pairs.retain(|&own| own != pair || world.may_touch(own));
+            instant.pairs.retain(|&own| own != pair || model.may_touch(own));
         }
     }
 

@@ -14,10 +14,10 @@ use crate::accounting::books::Balance;
 use crate::constraint::bilateral::Bilateral;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
 use crate::solve::overlap::Overlaps;
 use crate::solve::projection::{self, Projected};
 use crate::tier::core::Core;
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::Pose;
 use std::collections::BTreeSet;
@@ -44,16 +44,16 @@ impl Motions {
     ) -> Result<(), SimulationError> {
         let start: Vec<Pose> = bodies.iter().map(|&body| self.states[body].pose).collect();
         let how = (core.settings.step_error(), &mut core.solver);
-        let mut done = projection::project(&core.world, &mut self.states, bodies, projected, how)
+        let mut done = projection::project(&core.model, &mut self.states, bodies, projected, how)
             .map_err(|source| Core::response_error(t, source))?;
-        let pushes = |body: &usize| done.moved_m > PUSH_RELATIVE * core.world.bodies[*body].size;
+        let pushes = |body: &usize| done.moved_m > PUSH_RELATIVE * core.model.bodies[*body].size;
         if bodies.iter().any(pushes)
             && self.restore_poses_if_pushed(core, schedule, bodies, &start, projected.touching, t)?
         {
             done.moved_m = 0.0;
             done.unconverged.retain(|constraint| constraint.contact().is_none());
         }
-        let after = core.accounts.books.balance(&core.world, &self.states, bodies);
+        let after = core.accounts.books.balance(&core.model, &self.states, bodies);
         core.book_projection(t, &self.states, &done, (before, after));
         Ok(())
     }
@@ -78,7 +78,7 @@ impl Motions {
         let mut others: Vec<usize> = pairs.iter().flat_map(|&(a, b)| [a, b]).collect();
         others.sort_unstable();
         others.dedup();
-        others.retain(|body| bodies.binary_search(body).is_err() && core.world.bodies[*body].moves());
+        others.retain(|body| bodies.binary_search(body).is_err() && core.model.bodies[*body].moves());
         let beside = others.iter().map(|&other| self.state_at(core, other, t)).collect::<Result<Vec<_>, _>>()?;
         let mut states = std::mem::take(&mut self.scratch);
         for (&other, state) in others.iter().zip(beside) {
@@ -87,13 +87,13 @@ impl Motions {
         for &body in bodies {
             states[body] = self.states[body];
         }
-        let now = Overlaps::find(&core.world, &states, &pairs);
+        let now = Overlaps::find(&core.model, &states, &pairs);
         for (&body, pose) in bodies.iter().zip(start) {
             states[body].pose = *pose;
         }
         let restores = now.is_excess
-            && Overlaps::find(&core.world, &states, &pairs).deepest_m < now.deepest_m
-            && all_touch(&core.world, &states, bodies, touching);
+            && Overlaps::find(&core.model, &states, &pairs).deepest_m < now.deepest_m
+            && all_touch(&core.model, &states, bodies, touching);
         if restores {
             for (&body, pose) in bodies.iter().zip(start) {
                 self.states[body].pose = *pose;
@@ -106,14 +106,14 @@ impl Motions {
 }
 
 /// Whether all these contacts touch, and the pivots of these bodies are within the touch distance of their anchors.
-fn all_touch(world: &World, states: &[BodyState], bodies: &[usize], contacts: &[ContactId]) -> bool {
+fn all_touch(model: &Model, states: &[BodyState], bodies: &[usize], contacts: &[ContactId]) -> bool {
     let touches = |&id: &ContactId| {
-        let kinematics = world.kinematics(states, id);
-        kinematics.is_some_and(|kinematics| kinematics.geometry.separation <= world.touch_distance(states, id.a, id.b))
+        let kinematics = model.kinematics(states, id);
+        kinematics.is_some_and(|kinematics| kinematics.geometry.separation <= model.touch_distance(states, id.a, id.b))
     };
     let is_in_place = |bilateral: Bilateral| {
         let (a, b) = bilateral.id.bodies();
-        bilateral.gap() <= world.touch_distance(states, a, b)
+        bilateral.gap() <= model.touch_distance(states, a, b)
     };
-    contacts.iter().all(touches) && world.bilaterals(states, bodies).all(is_in_place)
+    contacts.iter().all(touches) && model.bilaterals(states, bodies).all(is_in_place)
 }

@@ -12,9 +12,9 @@
 use super::held_forces::HeldForces;
 use super::system::ContactSystem;
 use crate::constraint::tree_joint::FreeMotionOfJoint;
+use crate::model::Model;
 use crate::reduced::Articulated;
 use crate::reduced::tree::{Node, Tree};
-use crate::world::World;
 use polhode_dynamics::error_allowance::{ErrorAllowance, LargestError};
 use polhode_dynamics::integrator::dop853::STEP_SHARE;
 use polhode_dynamics::state::{LINEAR_VELOCITY, QUATERNION, WIDTH};
@@ -56,7 +56,7 @@ impl System for ReducedSystem<'_, '_> {
         let Self { bodies, tree, passes } = self;
         let loads = bodies.loads_of_tree(t, tree, state);
         let (own, tail) = rates.split_at_mut(tree.numbers);
-        let support = passes.rates((bodies.world(), tree), &loads, state, own, bodies.about());
+        let support = passes.rates((bodies.model(), tree), &loads, state, own, bodies.about());
         bodies.outside_rates(t, &HeldForces::default(), tail);
         for (number, value) in
             tail.iter_mut().zip(support.force.to_array().into_iter().chain(support.moment.to_array()))
@@ -77,9 +77,9 @@ impl ReducedStep {
         (t, h): (f64, f64),
         start: Vec<f64>,
     ) -> Result<Option<Self>, ResponseError> {
-        let Some(tree) = Tree::of(system.world(), system.bodies()) else { return Ok(None) };
+        let Some(tree) = Tree::of(system.model(), system.bodies()) else { return Ok(None) };
         system.set_states(&start);
-        let mut flat = tree.coordinates(system.world(), system.states());
+        let mut flat = tree.coordinates(system.model(), system.states());
         flat.extend(std::iter::repeat_n(0.0, system.tail()));
         let mut method = Dop853::new(flat.len());
         let mut reduced = ReducedSystem { bodies: system, tree: &tree, passes: Articulated::default() };
@@ -117,9 +117,9 @@ impl ReducedStep {
     }
 
     /// The largest error of its coordinates and speeds, relative to what the tolerance (no unit) allows.
-    pub(super) fn error(&self, world: &World, tolerance: f64) -> f64 {
+    pub(super) fn error(&self, model: &Model, tolerance: f64) -> f64 {
         let allowed = STEP_SHARE * tolerance;
-        let reaches = reaches(world, &self.tree, &self.start);
+        let reaches = reaches(model, &self.tree, &self.start);
         let mut largest = LargestError::default();
         // What rounding alone leaves of a number is no error of the method.
         let end = self.method.end_state();
@@ -129,8 +129,8 @@ impl ReducedStep {
             largest.include(self.method.error_of(numbers), allowed.max(rounding));
         };
         for (node, reach) in self.tree.nodes.iter().zip(reaches) {
-            let size = world.bodies[node.body].size;
-            let speed = speed_of(world, node, (&self.start, &self.end));
+            let size = model.bodies[node.body].size;
+            let speed = speed_of(model, node, (&self.start, &self.end));
             let (q, u) = (node.first_q..node.first_q + node.coordinates(), node.u());
             let (length, angle) = (allowed * size / reach, allowed / reach);
             let (rate, turning) = (allowed * speed / reach, allowed * speed / (size * reach));
@@ -161,13 +161,13 @@ impl ReducedStep {
 
 /// The largest of the speeds that the error of a speed is measured by, m/s, at both ends of a step: of the centre of
 /// mass, of points of the body, and that of a fall over its size.
-fn speed_of(world: &World, node: &Node, (start, end): (&[f64], &[f64])) -> f64 {
-    let size = world.bodies[node.body].size;
-    let fall = (world.gravity().length() * size).sqrt();
+fn speed_of(model: &Model, node: &Node, (start, end): (&[f64], &[f64])) -> f64 {
+    let size = model.bodies[node.body].size;
+    let fall = (model.gravity().length() * size).sqrt();
     let speed = |flat: &[f64]| {
         let state = flat.as_chunks::<WIDTH>().0.get(node.place).map(BodyState::from_array);
         state.map_or(0.0, |state| {
-            let velocity = world.velocity(node.body, &state);
+            let velocity = model.velocity(node.body, &state);
             velocity.linear.length().max(velocity.angular.length() * size)
         })
     };
@@ -176,12 +176,12 @@ fn speed_of(world: &World, node: &Node, (start, end): (&[f64], &[f64])) -> f64 {
 
 /// Of each node, how far what hangs on it is from it at the most, in the sizes of those bodies, and at least 1: an
 /// upper bound.
-fn reaches(world: &World, tree: &Tree, start: &[f64]) -> Vec<f64> {
+fn reaches(model: &Model, tree: &Tree, start: &[f64]) -> Vec<f64> {
     let place = |node: &Node| {
         let numbers = start.get(node.place * WIDTH..node.place * WIDTH + QUATERNION).unwrap_or_default();
         DVec3::from_slice(if numbers.len() < QUATERNION { &[0.0; QUATERNION] } else { numbers })
     };
-    let size = |node: &Node| world.bodies[node.body].size;
+    let size = |node: &Node| model.bodies[node.body].size;
     let mut reaches = vec![1.0_f64; tree.nodes.len()];
     let mut least: Vec<f64> = tree.nodes.iter().map(size).collect();
     for (own, node) in tree.nodes.iter().enumerate().rev() {
@@ -196,7 +196,7 @@ fn reaches(world: &World, tree: &Tree, start: &[f64]) -> Vec<f64> {
 /// The flat state of bodies from one of coordinates; the signs of quaternions are those of `last`.
 fn of_bodies(system: &ContactSystem<'_>, tree: &Tree, flat: &[f64], last: &[f64]) -> Vec<f64> {
     let mut bodies = vec![0.0; system.bodies().len() * WIDTH];
-    tree.states(system.world(), flat, |node, state| {
+    tree.states(system.model(), flat, |node, state| {
         bodies[node.place * WIDTH..(node.place + 1) * WIDTH].copy_from_slice(&state.to_array());
     });
     bodies.extend_from_slice(flat.get(tree.numbers..).unwrap_or_default());

@@ -119,8 +119,8 @@ impl Resolution<'_> {
                 found.extend(self.instant.touches.iter().filter(|touch| (touch.id.a, touch.id.b) == (a, b)).copied());
                 continue;
             }
-            let reach = self.core.world.touch_distance(&self.motions.states, a, b);
-            let Pair { separation, contacts, is_passing } = self.core.world.pair(&self.motions.states, a, b, reach);
+            let reach = self.core.model.touch_distance(&self.motions.states, a, b);
+            let Pair { separation, contacts, is_passing } = self.core.model.pair(&self.motions.states, a, b, reach);
             // The overlap of two bodies may be larger than the penetration of each contact.
             let rate = contacts.iter().fold(0.0, |rate, contact| contact.kinematics.separation_rate.min(rate));
             self.core.note_separation(self.instant.t, &self.motions.states, (a, b), (separation, rate));
@@ -136,7 +136,7 @@ impl Resolution<'_> {
             }));
         }
         found.sort_by_key(|touch| touch.id);
-        self.core.world.remove_covered_borders(&self.motions.states, &mut found);
+        self.core.model.remove_covered_borders(&self.motions.states, &mut found);
         self.instant.touches = found;
         // A contact point outside its features measures no penetration, nor does one with the plane of a face that the
         // bodies are about to pass onto.
@@ -151,7 +151,7 @@ impl Resolution<'_> {
 
     /// Applies the impact law to every group in which a contact approaches.
     fn strike_approaching(&mut self) -> Result<(), SimulationError> {
-        for group in groups(&self.core.world, self.instant.numbered()) {
+        for group in groups(&self.core.model, self.instant.numbered()) {
             if group.contacts.iter().any(|&i| self.approaches(&self.instant.touches[i])) {
                 self.strike_group(&group)?;
             }
@@ -171,7 +171,7 @@ impl Resolution<'_> {
         let law = self.core.settings.impact;
         let settings = ImpactSettings::default();
         let struck = strike(
-            &self.core.world,
+            &self.core.model,
             &mut self.motions.states,
             group,
             &self.instant.touches,
@@ -185,9 +185,9 @@ impl Resolution<'_> {
             return Err(SimulationError::ContactSolve { t_s: self.instant.t, residual: outcome.residual });
         }
         self.book_struck(&group.contacts, &struck, EventKind::Impact);
-        self.core.accounts.note_impact(&self.core.world, self.instant.t, law, &group.bodies, outcome);
+        self.core.accounts.note_impact(&self.core.model, self.instant.t, law, &group.bodies, outcome);
         if outcome.status == ImpactStatus::LimitReached {
-            let names = self.core.world.names_of(&group.bodies);
+            let names = self.core.model.names_of(&group.bodies);
             let what = format!("an impact of {names} by {} was not resolved within its limit", law.name());
             self.core.accounts.note_unsolved(self.instant.t, what);
         }
@@ -198,13 +198,13 @@ impl Resolution<'_> {
     pub(super) fn book_struck(&mut self, contacts: &[usize], struck: &Struck, kind: EventKind) {
         let outcome = &struck.outcome;
         let members: Vec<Touch> = contacts.iter().map(|&i| self.instant.touches[i]).collect();
-        let work = struck.work(&self.core.world, &self.motions.states, &members);
+        let work = struck.work(&self.core.model, &self.motions.states, &members);
         let about = self.core.accounts.books.ledger.momentum.about;
-        let given = struck.support(&self.core.world, about, &members);
+        let given = struck.support(&self.core.model, about, &members);
         self.core.accounts.books.impact((outcome.energy_change, struck.friction_j), given, work);
         self.core
-            .note_friction(self.instant.t, struck.cone_violation(&self.core.world, &self.motions.states, &members));
-        self.instant.change.breaking.extend(self.core.world.broken_by(&struck.bilaterals));
+            .note_friction(self.instant.t, struck.cone_violation(&self.core.model, &self.motions.states, &members));
+        self.instant.change.breaking.extend(self.core.model.broken_by(&struck.bilaterals));
         let largest = outcome.applications.iter().fold(0.0, |most: f64, one| most.max(one.impulse.abs()));
         let is_event = |impulse: f64| impulse.abs() > NEGLIGIBLE_IMPULSE * largest;
         let applications = outcome.applications.iter().zip(&struck.constraints);
@@ -214,7 +214,7 @@ impl Resolution<'_> {
             let Ok(index) = self.instant.touches.binary_search_by(|touch| touch.id.cmp(&id)) else { continue };
             let touch = self.instant.touches[index];
             self.core.accounts.add_contact_event(
-                &self.core.world,
+                &self.core.model,
                 &self.motions.states,
                 impulse_event(self.instant.t, kind, &touch, application),
                 touch.id,
@@ -224,7 +224,7 @@ impl Resolution<'_> {
             Restitution::Full => {}
             Restitution::Lowered => self.core.accounts.tolerate(self.instant.t, LOWERED),
             Restitution::RaisesEnergy => {
-                let law = self.core.world.scene.method().restitution_law.unwrap_or_default().name();
+                let law = self.core.model.scene.method().restitution_law.unwrap_or_default().name();
                 self.core.accounts.warn(self.instant.t, raised_energy(law));
             }
         }
@@ -232,7 +232,7 @@ impl Resolution<'_> {
 
     /// Groups with a body that is not at rest or that touches a moving kinematic body.
     fn groups_in_motion(&self) -> Vec<Group> {
-        let mut moving = groups(&self.core.world, self.instant.numbered());
+        let mut moving = groups(&self.core.model, self.instant.numbered());
         moving.retain(|group| {
             let ids: Vec<ContactId> = group.contacts.iter().map(|&i| self.instant.touches[i].id).collect();
             group.bodies.iter().any(|&body| !matches!(self.motions.tracks[body].mode, Mode::Rest))
@@ -266,7 +266,7 @@ impl Resolution<'_> {
             self.set_hold(i, hold);
             let row = candidates.binary_search(&i).ok().filter(|_| hold == Hold::Held);
             self.set_friction(i, row.and_then(|row| forces.mode(row)));
-            if self.core.world.has_rotational_friction() {
+            if self.core.model.has_rotational_friction() {
                 self.set_rotation(i, row.map(|row| (row, &forces)));
             }
         }
@@ -315,7 +315,7 @@ impl Resolution<'_> {
         let with_mode = |&i: &usize| self.with_friction_mode(&self.instant.touches[i]);
         let members: Vec<Touch> = candidates.iter().map(with_mode).collect();
         let forces = Forces::solve(
-            &self.core.world,
+            &self.core.model,
             self.instant.t,
             &self.motions.states,
             &group.bodies,
@@ -332,7 +332,7 @@ impl Resolution<'_> {
         self.core.accounts.note_solve(self.instant.t, &forces.solution.report)?;
         self.core.note_friction(self.instant.t, forces.violation);
         if forces.motion_depends_on_choice {
-            let names = self.core.world.names_of(&group.bodies);
+            let names = self.core.model.names_of(&group.bodies);
             self.core.accounts.choose(self.instant.t, format!("{LEAST_NORM} {names} depends on that choice"));
         }
         self.tell_open_loads(group)?;
@@ -341,10 +341,10 @@ impl Resolution<'_> {
 
     /// Warns of bearings with friction whose load is not determined.
     fn tell_open_loads(&mut self, group: &Group) -> Result<(), SimulationError> {
-        let is_open = open_loads::leave_open(&self.core.world, &self.motions.states, &group.bodies)
+        let is_open = open_loads::leave_open(&self.core.model, &self.motions.states, &group.bodies)
             .map_err(|source| Core::response_error(self.instant.t, source))?;
         if is_open {
-            let names = self.core.world.names_of(&group.bodies);
+            let names = self.core.model.names_of(&group.bodies);
             self.core.accounts.warn(self.instant.t, format!("{OPEN_LOADS} {names} depends on that choice"));
         }
         Ok(())
@@ -356,7 +356,7 @@ impl Resolution<'_> {
         let change = &self.instant.change;
         let noise = slip_noise(self.core, self.instant.speed_scale, touch);
         let friction = match change.slipping.get(&touch.id) {
-            Some(&direction) if self.core.world.friction_of(touch.id).is_some() => {
+            Some(&direction) if self.core.model.friction_of(touch.id).is_some() => {
                 Some(FrictionMode::Sliding(Slide::beginning(direction, noise)))
             }
             _ if change.stopping.contains(&touch.id) => None,
@@ -369,7 +369,7 @@ impl Resolution<'_> {
         let touch = self.instant.touches[i];
         if touch.known && touch.hold == Hold::Held && hold == Hold::Open {
             self.core.accounts.add_contact_event(
-                &self.core.world,
+                &self.core.model,
                 &self.motions.states,
                 contact_event(self.instant.t, EventKind::Detach, &touch),
                 touch.id,
@@ -397,7 +397,7 @@ impl Resolution<'_> {
             let ended = self.instant.slip_ends.get(&touch.id).copied();
             let t = ended.filter(|_| kind == EventKind::Stick).unwrap_or(self.instant.t);
             let event = contact_event(t, kind, &touch);
-            self.core.accounts.add_contact_event(&self.core.world, &self.motions.states, event, touch.id);
+            self.core.accounts.add_contact_event(&self.core.model, &self.motions.states, event, touch.id);
         }
         self.instant.touches[i].modes.friction = mode;
     }
@@ -405,15 +405,15 @@ impl Resolution<'_> {
     /// Projects held contacts onto zero separation and sets the mode of their bodies: at rest or constrained motion.
     fn settle(&mut self, group: &Group, candidates: &[usize], forces: &Forces) -> Result<(), SimulationError> {
         let members: Vec<Touch> = candidates.iter().map(|&i| self.instant.touches[i]).collect();
-        let balanced = forces.balanced_bodies(&self.core.world, &self.motions.states, &members);
+        let balanced = forces.balanced_bodies(&self.core.model, &self.motions.states, &members);
         let held = group.contacts.iter().filter(|&&i| self.instant.touches[i].hold == Hold::Held);
         let components =
-            groups(&self.core.world, held.map(|&i| (i, self.instant.touches[i].id.a, self.instant.touches[i].id.b)));
+            groups(&self.core.model, held.map(|&i| (i, self.instant.touches[i].id.a, self.instant.touches[i].id.b)));
         for component in components {
             self.motions.end_flights(self.core, self.instant.t, &component.bodies);
             let ids: Vec<_> = component.contacts.iter().map(|&i| self.instant.touches[i].id).collect();
             let touching = self.with_overlaps(&ids, &component);
-            let before = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &component.bodies);
+            let before = self.core.accounts.books.balance(&self.core.model, &self.motions.states, &component.bodies);
             let turns = component.contacts.iter().flat_map(|&i| self.instant.touches[i].held_turns());
             let turns: Vec<_> = turns.collect();
             let sticks = |i: &&usize| self.instant.touches[**i].modes.friction == Some(FrictionMode::Sticking);
@@ -429,9 +429,9 @@ impl Resolution<'_> {
                 before,
             )?;
             let scale = self.instant.speed_scale;
-            let stands = |driver| self.core.world.stands_still(driver, self.instant.t, f64::INFINITY);
+            let stands = |driver| self.core.model.stands_still(driver, self.instant.t, f64::INFINITY);
             let rests = allow_rest(self.core, self.instant.t, &ids)
-                && self.core.world.drivers_of(&component.bodies).all(stands)
+                && self.core.model.drivers_of(&component.bodies).all(stands)
                 && component.bodies.iter().all(|&body| {
                     balanced.contains(&body)
                         && self.motions.is_slow(self.core, scale, body)
@@ -452,21 +452,21 @@ impl Resolution<'_> {
     /// Removes the penetration of bodies that no contact holds together. Each impact leaves a small penetration, and
     /// those of several impacts in a row must not accumulate.
     fn remove_overlaps(&mut self) -> Result<(), SimulationError> {
-        for group in groups(&self.core.world, self.instant.numbered()) {
+        for group in groups(&self.core.model, self.instant.numbered()) {
             let touches: Vec<Touch> = group.contacts.iter().map(|&i| self.instant.touches[i]).collect();
             let overlaps =
-                |touch: &Touch| is_excess(&self.core.world, &self.motions.states, touch.id, &touch.kinematics.geometry);
+                |touch: &Touch| is_excess(&self.core.model, &self.motions.states, touch.id, &touch.kinematics.geometry);
             if !touches.iter().any(overlaps) {
                 continue;
             }
             self.motions.end_flights(self.core, self.instant.t, &group.bodies);
             let mut pairs: Vec<_> = touches.iter().map(|touch| (touch.id.a, touch.id.b)).collect();
             pairs.dedup();
-            let before = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &group.bodies);
+            let before = self.core.accounts.books.balance(&self.core.model, &self.motions.states, &group.bodies);
             let (bodies, solver) = (&group.bodies, &mut self.core.solver);
-            let done = projection::remove_overlap(&self.core.world, &mut self.motions.states, bodies, &pairs, solver)
+            let done = projection::remove_overlap(&self.core.model, &mut self.motions.states, bodies, &pairs, solver)
                 .map_err(|source| Core::response_error(self.instant.t, source))?;
-            let after = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &group.bodies);
+            let after = self.core.accounts.books.balance(&self.core.model, &self.motions.states, &group.bodies);
             self.core.book_projection(self.instant.t, &self.motions.states, &done, (before, after));
             self.refresh_kinematics();
         }
@@ -477,11 +477,11 @@ impl Resolution<'_> {
     /// removes their penetration too.
     fn with_overlaps(&self, held: &[ContactId], component: &Group) -> Vec<ContactId> {
         let within =
-            |body: usize| component.bodies.binary_search(&body).is_ok() || !self.core.world.bodies[body].moves();
+            |body: usize| component.bodies.binary_search(&body).is_ok() || !self.core.model.bodies[body].moves();
         let overlaps = self.instant.touches.iter().filter(|touch| {
             touch.hold == Hold::Open
                 && touch.kinematics.geometry.separation
-                    < -self.core.world.rounding(&self.motions.states, touch.id.a, touch.id.b)
+                    < -self.core.model.rounding(&self.motions.states, touch.id.a, touch.id.b)
                 && within(touch.id.a)
                 && within(touch.id.b)
         });
@@ -490,10 +490,10 @@ impl Resolution<'_> {
 
     /// Sets a body in equilibrium exactly to rest and books its remaining kinetic energy.
     fn stop(&mut self, body: usize) {
-        let before = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &[body]);
+        let before = self.core.accounts.books.balance(&self.core.model, &self.motions.states, &[body]);
         self.motions.states[body].linear_velocity = DVec3::ZERO;
         self.motions.states[body].angular_momentum = DVec3::ZERO;
-        let after = self.core.accounts.books.balance(&self.core.world, &self.motions.states, &[body]);
+        let after = self.core.accounts.books.balance(&self.core.model, &self.motions.states, &[body]);
         self.core.accounts.books.rest(before, after, 0.0);
         let rested = matches!(self.motions.tracks[body].mode, Mode::Rest);
         self.motions.tracks[body].mode = Mode::Rest;
@@ -514,7 +514,7 @@ impl Resolution<'_> {
         let held = self.instant.touches.iter().filter(|touch| touch.hold == Hold::Held);
         let held: BTreeSet<usize> = held.flat_map(|touch| [touch.id.a, touch.id.b]).collect();
         // Bodies that joints connect to a held one moved or came to rest with it.
-        let held = self.core.world.with_jointed(held.into_iter().collect());
+        let held = self.core.model.with_jointed(held.into_iter().collect());
         for &body in &self.instant.bodies {
             if matches!(self.motions.tracks[body].mode, Mode::Constrained | Mode::Rest)
                 && held.binary_search(&body).is_err()
@@ -553,11 +553,11 @@ impl Resolution<'_> {
     /// Whether the forces on a body remain constant while it rests: none depends on time, and the bodies coupled to it
     /// by forces rest too or are slow enough to rest.
     fn forces_stay_constant(&self, speed_scale: f64, body: usize) -> bool {
-        let couplings = self.core.world.couplings_of(body);
+        let couplings = self.core.model.couplings_of(body);
         let still = |&other: &usize| {
             matches!(self.motions.tracks[other].mode, Mode::Rest) || self.motions.is_slow(self.core, speed_scale, other)
         };
-        !self.core.world.is_driven(body) && couplings.flatten().all(still)
+        !self.core.model.is_driven(body) && couplings.flatten().all(still)
     }
 
     /// Wakes resting bodies that a force couples to a moving body, and the bodies that rest in contact with them.
@@ -565,7 +565,7 @@ impl Resolution<'_> {
         let rests = |engine: &Self, body: usize| matches!(engine.motions.tracks[body].mode, Mode::Rest);
         loop {
             let mut wake = BTreeSet::new();
-            for coupled in &self.core.world.couplings {
+            for coupled in &self.core.model.couplings {
                 if coupled.iter().any(|&body| !rests(self, body)) {
                     wake.extend(coupled.iter().copied().filter(|&body| rests(self, body)));
                 }
@@ -591,7 +591,7 @@ impl Resolution<'_> {
     /// place, by which groups know it, but neither holds nor approaches.
     pub(super) fn refresh_kinematics(&mut self) {
         for touch in &mut self.instant.touches {
-            let kinematics = self.core.world.kinematics(&self.motions.states, touch.id);
+            let kinematics = self.core.model.kinematics(&self.motions.states, touch.id);
             touch.is_defined = kinematics.is_some();
             touch.kinematics = kinematics.unwrap_or(touch.kinematics);
         }
@@ -601,8 +601,8 @@ impl Resolution<'_> {
 impl Motions {
     /// The friction of a contact that has a slip; none without a slip or friction.
     pub(super) fn slide_of(&self, core: &Core, speed_scale: f64, touch: &Touch) -> Option<FrictionMode> {
-        core.world.friction_of(touch.id)?;
-        let slip = core.world.tangential_kinematics(&self.states, touch.id)?.slip_velocity;
+        core.model.friction_of(touch.id)?;
+        let slip = core.model.tangential_kinematics(&self.states, touch.id)?.slip_velocity;
         let speed = slip.length();
         let slides = speed > self.sustained_speed(core, speed_scale, touch);
         let noise = slip_noise(core, speed_scale, touch);
@@ -621,7 +621,7 @@ impl Motions {
 
     /// Relative speed below which a contact counts as neither approaching nor separating, m/s.
     pub(super) fn sustained_speed(&self, core: &Core, speed_scale: f64, touch: &Touch) -> f64 {
-        let speed = |body: usize| core.world.point_speed(&self.states, body);
+        let speed = |body: usize| core.model.point_speed(&self.states, body);
         SUSTAINED_RELATIVE * (speed(touch.id.a) + speed(touch.id.b)) + SUSTAINED_SCENE_RELATIVE * speed_scale
     }
 
@@ -630,19 +630,19 @@ impl Motions {
     }
 
     fn is_slow(&self, core: &Core, speed_scale: f64, body: usize) -> bool {
-        core.world.point_speed(&self.states, body) <= STOPPED_RELATIVE * speed_scale
+        core.model.point_speed(&self.states, body) <= STOPPED_RELATIVE * speed_scale
     }
 }
 
 /// Whether other bodies can rest from `t` (s) on all kinematic members of the contacts.
 fn allow_rest(core: &Core, t: f64, contacts: &[ContactId]) -> bool {
-    contacts.iter().flat_map(|id| [id.a, id.b]).all(|body| core.world.allows_rest(body, t))
+    contacts.iter().flat_map(|id| [id.a, id.b]).all(|body| core.model.allows_rest(body, t))
 }
 
 /// Rounding error of the slips of a contact of bodies whose largest speed has been `speed_scale`, m/s.
 pub(super) fn slip_noise(core: &Core, speed_scale: f64, touch: &Touch) -> f64 {
-    let size = |body: usize| if core.world.bodies[body].rigid.is_some() { core.world.bodies[body].size } else { 0.0 };
-    let fall = core.world.gravity().length() * size(touch.id.a).max(size(touch.id.b));
+    let size = |body: usize| if core.model.bodies[body].rigid.is_some() { core.model.bodies[body].size } else { 0.0 };
+    let fall = core.model.gravity().length() * size(touch.id.a).max(size(touch.id.b));
     SLIP_NOISE * speed_scale + GATHERED_SLIP * fall.sqrt()
 }
 

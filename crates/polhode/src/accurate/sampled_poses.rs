@@ -37,7 +37,7 @@ impl Motions {
         for island in self.islands.values().filter(|island| island.t < t) {
             let Step::Constrained(step) = &island.step else { continue };
             let is_member = |body: usize| island.bodies.binary_search(&body).is_ok();
-            let stays = |body: usize| is_member(body) || !core.world.bodies[body].moves();
+            let stays = |body: usize| is_member(body) || !core.model.bodies[body].moves();
             let overlaps =
                 deep.iter().copied().filter(|&(a, b)| (is_member(a) || is_member(b)) && stays(a) && stays(b));
             let overlaps: BTreeSet<(usize, usize)> = overlaps.collect();
@@ -46,14 +46,14 @@ impl Motions {
             }
             let pairs: Vec<(usize, usize)> = overlaps
                 .into_iter()
-                .chain(step.watched_pairs(&core.world))
+                .chain(step.watched_pairs(&core.model))
                 .collect::<BTreeSet<_>>()
                 .into_iter()
                 .collect();
-            let found = Overlaps::find(&core.world, &apart, &pairs);
+            let found = Overlaps::find(&core.model, &apart, &pairs);
             let problem = (&mut core.solver, &mut Delassus::default());
             found
-                .remove(&core.world, &mut apart, (&island.bodies, &pairs), problem)
+                .remove(&core.model, &mut apart, (&island.bodies, &pairs), problem)
                 .map_err(|source| Core::response_error(t, source))?;
         }
         Ok(Arc::new(apart))

@@ -21,11 +21,11 @@ use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::{RotationModes, Turn};
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
 use crate::snapshot::numbers::{self, Contact, read_kinematics, read_states, write_kinematics};
 use crate::snapshot::parts::{restored_flight, restored_id, save_contact, save_flight};
 use crate::snapshot::{SnapshotError, content};
 use crate::tier::core::Core;
-use crate::world::World;
 use polhode_dynamics::Flight;
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
@@ -59,17 +59,17 @@ impl Engine {
     /// # Errors
     /// When the data are not of this scene or contradict themselves.
     pub(crate) fn restored(core: &mut Core, saved: &content::Accurate) -> Result<Self, SimulationError> {
-        let world = &core.world;
-        let states = read_states(&saved.states, world.bodies.len())?;
+        let model = &core.model;
+        let states = read_states(&saved.states, model.bodies.len())?;
         let mut engine = Self {
             motions: Motions {
-                tracks: restored_tracks(world, &saved.tracks)?,
-                spins: restored_spins(world, &saved.spins)?,
+                tracks: restored_tracks(model, &saved.tracks)?,
+                spins: restored_spins(model, &saved.spins)?,
                 observed_s: saved.observed_s,
                 ..Motions::new(core, states)
             },
             schedule: Schedule {
-                contacts: restored_contacts(world, &saved.contacts)?,
+                contacts: restored_contacts(model, &saved.contacts)?,
                 near: NearPairs::restored(core, &saved.near)?,
                 agenda: Agenda::default(),
             },
@@ -85,7 +85,7 @@ impl Engine {
         // A run that had ended goes on to a longer duration: the islands that begin no step at its end begin one. Those
         // that wait for time steps on the way are unsolved.
         let waits_for_end = |island: &Island| matches!(island.step, Step::Waiting(_)) && !island.is_unsolved;
-        if core.t < core.world.scene.duration_s()
+        if core.t < core.model.scene.duration_s()
             && !engine.goes_on
             && engine.motions.islands.values().any(waits_for_end)
         {
@@ -99,7 +99,7 @@ impl Engine {
     /// resolved it is empty.
     fn rebuild_agenda(&mut self, core: &Core) {
         if self.begun {
-            for &body in core.world.prescribed() {
+            for &body in core.model.prescribed() {
                 // A corner at the time of the snapshot may be due still. One that has been passed changes nothing.
                 self.schedule.expect_corner(core, body, core.t.next_down());
             }
@@ -116,15 +116,15 @@ impl Engine {
 
 impl Motions {
     fn restored_island(&mut self, core: &mut Core, saved: &content::Island) -> Result<Island, SimulationError> {
-        self.check_island(&core.world, &saved.bodies)?;
+        self.check_island(&core.model, &saved.bodies)?;
         let (bodies, t) = (saved.bodies.clone(), saved.t);
-        let active = restored_active(&core.world, saved)?;
-        let change = restored_change(&core.world, saved)?;
+        let active = restored_active(&core.model, saved)?;
+        let change = restored_change(&core.model, saved)?;
         let step = match &saved.step {
             content::Step::Waiting(t) => Step::Waiting(*t),
             content::Step::Crowd(end, pairs) => {
                 // A joint with the world has its contacts between its body and itself.
-                let is_at_joint = |pair: (usize, usize)| !core.world.joint_contacts_of_pair(pair).is_empty();
+                let is_at_joint = |pair: (usize, usize)| !core.model.joint_contacts_of_pair(pair).is_empty();
                 let can_touch = |&(a, b): &(usize, usize)| (a < b || is_at_joint((a, b))) && b < self.states.len();
                 if !(pairs.iter().all(can_touch) && t < *end && end.is_finite()) {
                     return Err(SnapshotError::Invalid(
@@ -154,12 +154,12 @@ impl Motions {
     }
 
     /// Checks that bodies can form an island: forces move them, and none is in an island already restored.
-    fn check_island(&self, world: &World, bodies: &[usize]) -> Result<(), SnapshotError> {
+    fn check_island(&self, model: &Model, bodies: &[usize]) -> Result<(), SnapshotError> {
         let moves = |body: usize| {
             let track = self.tracks.get(body);
             let moves =
                 track.is_some_and(|track| matches!(track.mode, Mode::Constrained | Mode::Stepped | Mode::Crowded(_)));
-            moves && world.bodies[body].moves() && self.islands.values().all(|island| !island.bodies.contains(&body))
+            moves && model.bodies[body].moves() && self.islands.values().all(|island| !island.bodies.contains(&body))
         };
         let is_island =
             !bodies.is_empty() && bodies.is_sorted_by(|x, y| x < y) && bodies.iter().all(|&body| moves(body));
@@ -171,15 +171,15 @@ impl Motions {
     }
 }
 
-fn restored_ids(world: &World, saved: &[Contact]) -> Result<Vec<ContactId>, SnapshotError> {
-    let ids = saved.iter().map(|id| restored_id(world, id)).collect::<Result<Vec<_>, _>>()?;
+fn restored_ids(model: &Model, saved: &[Contact]) -> Result<Vec<ContactId>, SnapshotError> {
+    let ids = saved.iter().map(|id| restored_id(model, id)).collect::<Result<Vec<_>, _>>()?;
     if ids.is_sorted_by(|x, y| x < y) { Ok(ids) } else { Err(SnapshotError::Invalid("contacts are not in order")) }
 }
 
-fn restored_contacts(world: &World, saved: &[content::Touch]) -> Result<Contacts, SnapshotError> {
+fn restored_contacts(model: &Model, saved: &[content::Touch]) -> Result<Contacts, SnapshotError> {
     let touch = |touch: &content::Touch| {
         let hold = if touch.held { Hold::Held } else { Hold::Open };
-        let (id, kinematics) = (restored_id(world, &touch.id)?, read_kinematics(touch.kinematics));
+        let (id, kinematics) = (restored_id(model, &touch.id)?, read_kinematics(touch.kinematics));
         let friction = touch.friction.map(restored_friction);
         let modes = ContactModes { friction, rotation: restored_rotation(touch.rotation) };
         Ok(Touch { id, kinematics, hold, known: touch.known, is_defined: true, modes })
@@ -188,7 +188,7 @@ fn restored_contacts(world: &World, saved: &[content::Touch]) -> Result<Contacts
     if !touches.is_sorted_by(|x, y| x.id < y.id) {
         return Err(SnapshotError::Invalid("contacts are not in order"));
     }
-    let mut contacts = Contacts::new(world.bodies.len());
+    let mut contacts = Contacts::new(model.bodies.len());
     for of_pair in touches.chunk_by(|x, y| (x.id.a, x.id.b) == (y.id.a, y.id.b)) {
         contacts.set((of_pair[0].id.a, of_pair[0].id.b), of_pair.to_vec());
     }
@@ -196,11 +196,11 @@ fn restored_contacts(world: &World, saved: &[content::Touch]) -> Result<Contacts
 }
 
 /// The active contacts of an island.
-fn restored_active(world: &World, saved: &content::Island) -> Result<ActiveContacts, SnapshotError> {
-    let held = restored_ids(world, &saved.held)?;
-    let friction = saved.friction.iter().map(|(id, mode)| Ok((restored_id(world, id)?, restored_friction(*mode))));
+fn restored_active(model: &Model, saved: &content::Island) -> Result<ActiveContacts, SnapshotError> {
+    let held = restored_ids(model, &saved.held)?;
+    let friction = saved.friction.iter().map(|(id, mode)| Ok((restored_id(model, id)?, restored_friction(*mode))));
     let friction = friction.collect::<Result<BTreeMap<_, _>, SnapshotError>>()?;
-    let rotation = saved.rotation.iter().map(|(id, modes)| Ok((restored_id(world, id)?, restored_rotation(*modes))));
+    let rotation = saved.rotation.iter().map(|(id, modes)| Ok((restored_id(model, id)?, restored_rotation(*modes))));
     let rotation = rotation.collect::<Result<BTreeMap<_, _>, SnapshotError>>()?;
     let modes = |id: &ContactId| ContactModes {
         friction: friction.get(id).copied(),
@@ -210,19 +210,19 @@ fn restored_active(world: &World, saved: &content::Island) -> Result<ActiveConta
 }
 
 /// What changes at the end of an island's step.
-fn restored_change(world: &World, saved: &content::Island) -> Result<ContactChange, SnapshotError> {
-    let slipping = saved.slipping.iter().map(|(id, to)| Ok((restored_id(world, id)?, DVec3::from_array(*to))));
-    let settling = saved.settling.iter().map(|(id, spins)| Ok((restored_id(world, id)?, restored_turn(*spins))));
+fn restored_change(model: &Model, saved: &content::Island) -> Result<ContactChange, SnapshotError> {
+    let slipping = saved.slipping.iter().map(|(id, to)| Ok((restored_id(model, id)?, DVec3::from_array(*to))));
+    let settling = saved.settling.iter().map(|(id, spins)| Ok((restored_id(model, id)?, restored_turn(*spins))));
     let turning = saved
         .turning
         .iter()
-        .map(|(id, spins, to)| Ok(((restored_id(world, id)?, restored_turn(*spins)), DVec3::from_array(*to))));
+        .map(|(id, spins, to)| Ok(((restored_id(model, id)?, restored_turn(*spins)), DVec3::from_array(*to))));
     Ok(ContactChange {
         t: saved.due,
         breaking: saved.breaking.iter().copied().collect(),
-        departing: restored_ids(world, &saved.departing)?.into_iter().collect(),
-        stopping: restored_ids(world, &saved.stopping)?.into_iter().collect(),
-        fading: restored_ids(world, &saved.fading)?.into_iter().collect(),
+        departing: restored_ids(model, &saved.departing)?.into_iter().collect(),
+        stopping: restored_ids(model, &saved.stopping)?.into_iter().collect(),
+        fading: restored_ids(model, &saved.fading)?.into_iter().collect(),
         slipping: slipping.collect::<Result<_, SnapshotError>>()?,
         settling: settling.collect::<Result<_, SnapshotError>>()?,
         turning: turning.collect::<Result<_, SnapshotError>>()?,
@@ -301,9 +301,9 @@ fn save_island(island: &Island) -> content::Island {
     }
 }
 
-fn restored_spins(world: &World, saved: &[(usize, content::Flight)]) -> Result<BTreeMap<usize, Flight>, SnapshotError> {
+fn restored_spins(model: &Model, saved: &[(usize, content::Flight)]) -> Result<BTreeMap<usize, Flight>, SnapshotError> {
     let spin = |(body, spin): &(usize, content::Flight)| {
-        let rigid = world.bodies.get(*body).and_then(|body| body.rigid.as_ref());
+        let rigid = model.bodies.get(*body).and_then(|body| body.rigid.as_ref());
         let rigid = rigid.ok_or(SnapshotError::Invalid("a free rotation is of a body that no force can move"))?;
         Ok((*body, restored_flight(rigid, spin)?))
     };
@@ -344,14 +344,14 @@ fn save_track(track: &Track) -> content::Track {
     }
 }
 
-fn restored_tracks(world: &World, saved: &[content::Track]) -> Result<Vec<Track>, SnapshotError> {
-    if saved.len() != world.bodies.len() {
+fn restored_tracks(model: &Model, saved: &[content::Track]) -> Result<Vec<Track>, SnapshotError> {
+    if saved.len() != model.bodies.len() {
         return Err(SnapshotError::Invalid("it does not say how each body moves"));
     }
     let track = |(body, track): (usize, &content::Track)| {
-        let mode = match (&track.mode, &world.bodies[body].rigid) {
-            (content::Mode::Fixed, _) if !world.bodies[body].moves() && world.trajectory(body).is_none() => Mode::Fixed,
-            (content::Mode::Prescribed, None) if world.trajectory(body).is_some() => Mode::Prescribed,
+        let mode = match (&track.mode, &model.bodies[body].rigid) {
+            (content::Mode::Fixed, _) if !model.bodies[body].moves() && model.trajectory(body).is_none() => Mode::Fixed,
+            (content::Mode::Prescribed, None) if model.trajectory(body).is_some() => Mode::Prescribed,
             (content::Mode::Flight(flight), Some(rigid)) => Mode::Flight(Box::new(restored_flight(rigid, flight)?)),
             (content::Mode::Constrained, Some(_)) => Mode::Constrained,
             (content::Mode::Stepped, Some(_)) => Mode::Stepped,

@@ -23,14 +23,14 @@ impl Engine {
     pub(super) fn find_initial_contacts(&mut self, core: &mut Core) -> Result<(), SimulationError> {
         for body in 0..self.motions.tracks.len() {
             self.motions.begin_free_motion(core, body, core.t);
-            let gravity_speed = (core.world.gravity().length() * core.world.bodies[body].size).sqrt();
+            let gravity_speed = (core.model.gravity().length() * core.model.bodies[body].size).sqrt();
             self.motions.tracks[body].speed_scale =
-                core.world.point_speed(&self.motions.states, body).max(gravity_speed);
+                core.model.point_speed(&self.motions.states, body).max(gravity_speed);
         }
         let mut contacts = Vec::new();
         for (a, b) in self.initial_pairs(core)? {
-            let touch_distance = core.world.touch_distance(&self.motions.states, a, b);
-            let of_pair = core.world.contacts_of_pair(&self.motions.states, a, b, touch_distance);
+            let touch_distance = core.model.touch_distance(&self.motions.states, a, b);
+            let of_pair = core.model.contacts_of_pair(&self.motions.states, a, b, touch_distance);
             contacts.extend(of_pair.into_iter().map(Touch::from));
         }
         contacts.sort_by_key(|touch| touch.id);
@@ -54,20 +54,20 @@ impl Engine {
     /// When an impact or the contact forces cannot be solved.
     pub(super) fn resolve_start(&mut self, core: &mut Core) -> Result<(), SimulationError> {
         let movable: Vec<usize> =
-            (0..self.motions.tracks.len()).filter(|&body| core.world.bodies[body].moves()).collect();
+            (0..self.motions.tracks.len()).filter(|&body| core.model.bodies[body].moves()).collect();
         let touches: Vec<Touch> = self.schedule.contacts.all().copied().collect();
         let numbered = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b));
         let mut firsts = Vec::new();
-        for group in coupled_groups(&core.world, numbered, &movable) {
+        for group in coupled_groups(&core.model, numbered, &movable) {
             let own: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
             let mut instant = self.start_of(core, group.bodies, own);
             self.resolve(core, &mut instant)?;
             firsts.extend(self.form_islands(core, instant)?);
         }
-        if !core.world.prescribed().is_empty() {
+        if !core.model.prescribed().is_empty() {
             self.schedule.begin_flight_boxes(core, core.t);
         }
-        for &body in core.world.prescribed() {
+        for &body in core.model.prescribed() {
             self.schedule.expect_corner(core, body, core.t);
         }
         let unmoved = |body: &usize| matches!(self.motions.tracks[*body].mode, Mode::Fixed | Mode::Prescribed);
@@ -98,19 +98,19 @@ impl Engine {
     fn initial_pairs(&self, core: &Core) -> Result<Vec<(usize, usize)>, SimulationError> {
         let mut boxes = Boxes::new(&core.settings, self.motions.states.len());
         for (body, state) in self.motions.states.iter().enumerate() {
-            let margin = core.world.touch_distance(&self.motions.states, body, body);
-            boxes.set(&core.world, body, &Still(state.pose), (core.t, core.t), margin);
+            let margin = core.model.touch_distance(&self.motions.states, body, body);
+            boxes.set(&core.model, body, &Still(state.pose), (core.t, core.t), margin);
         }
         let mut pairs = Vec::new();
-        boxes.all_pairs(&core.world, |a, b| pairs.push((a, b)))?;
-        pairs.extend(core.world.joint_contact_pairs());
+        boxes.all_pairs(&core.model, |a, b| pairs.push((a, b)))?;
+        pairs.extend(core.model.joint_contact_pairs());
         Ok(pairs)
     }
 
     /// Moves bodies that overlap within the touch distance until they just touch, with a warning.
     fn separate_overlaps(&mut self, core: &mut Core, contacts: &mut Vec<Touch>) -> Result<(), SimulationError> {
         let overlapping = |touch: &&Touch| {
-            touch.kinematics.geometry.separation < -core.world.rounding(&self.motions.states, touch.id.a, touch.id.b)
+            touch.kinematics.geometry.separation < -core.model.rounding(&self.motions.states, touch.id.a, touch.id.b)
         };
         let depths = contacts.iter().filter(overlapping).map(|touch| -touch.kinematics.geometry.separation);
         let deepest = depths.fold(0.0f64, f64::max);
@@ -123,18 +123,18 @@ impl Engine {
         );
         core.accounts.warn(core.t, what);
         let all: Vec<_> = contacts.iter().enumerate().map(|(i, touch)| (i, touch.id.a, touch.id.b)).collect();
-        for group in groups(&core.world, all.into_iter()) {
+        for group in groups(&core.model, all.into_iter()) {
             let ids: Vec<_> = group.contacts.iter().map(|&i| contacts[i].id).collect();
-            let before = core.accounts.books.balance(&core.world, &self.motions.states, &group.bodies);
-            let done = projection::project_positions(&core.world, &mut self.motions.states, &group.bodies, &ids)
+            let before = core.accounts.books.balance(&core.model, &self.motions.states, &group.bodies);
+            let done = projection::project_positions(&core.model, &mut self.motions.states, &group.bodies, &ids)
                 .map_err(|source| Core::response_error(core.t, source))?;
-            let after = core.accounts.books.balance(&core.world, &self.motions.states, &group.bodies);
+            let after = core.accounts.books.balance(&core.model, &self.motions.states, &group.bodies);
             core.book_initial_projection(core.t, &done, (before, after));
         }
         for body in 0..self.motions.tracks.len() {
             self.motions.begin_free_motion(core, body, core.t);
         }
-        contacts.retain_mut(|touch| match core.world.kinematics(&self.motions.states, touch.id) {
+        contacts.retain_mut(|touch| match core.model.kinematics(&self.motions.states, touch.id) {
             Some(kinematics) => {
                 touch.kinematics = kinematics;
                 true

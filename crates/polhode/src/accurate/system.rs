@@ -20,13 +20,13 @@ use crate::accounting::books::Received;
 use crate::collision::active_contacts::ActiveContacts;
 use crate::constraint::bilateral::bilateral_support;
 use crate::identity::contact_id::ContactId;
+use crate::model::{Loads, Model};
 use crate::reduced::tree::Tree;
 use crate::report::momentum_ledger::Momentum;
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::impact::support;
 use crate::solve::rotational_friction::{moment_support, moment_work};
 use crate::tier::smooth_rates::{add, add_outside_rates, free_rates};
-use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, WIDTH};
 use polhode_dynamics::{BodyState, RigidBody, System};
@@ -64,7 +64,7 @@ pub(super) fn received(flat: &[f64], bodies: usize) -> Received {
 /// A moving group with its held contacts.
 #[derive(Debug)]
 pub(super) struct ContactSystem<'a> {
-    world: &'a World,
+    model: &'a Model,
     bodies: &'a [usize],
     active: &'a ActiveContacts,
     /// The point of the ledger of momentum.
@@ -89,14 +89,14 @@ pub(super) struct ContactSystem<'a> {
 
 impl<'a> ContactSystem<'a> {
     pub(super) fn new(
-        world: &'a World,
+        model: &'a Model,
         states: &'a mut [BodyState],
         bodies: &'a [usize],
         active: &'a ActiveContacts,
         about: DVec3,
     ) -> Self {
         Self {
-            world,
+            model,
             bodies,
             active,
             about,
@@ -106,7 +106,7 @@ impl<'a> ContactSystem<'a> {
             cancelling: vec![[0.0; 2]; bodies.len()],
             has_begun: false,
             violation_at_start: None,
-            is_disparate: masses_differ(world, bodies),
+            is_disparate: masses_differ(model, bodies),
         }
     }
 
@@ -116,8 +116,8 @@ impl<'a> ContactSystem<'a> {
     }
 
     /// The world.
-    pub(super) fn world(&self) -> &'a World {
-        self.world
+    pub(super) fn model(&self) -> &'a Model {
+        self.model
     }
 
     /// Whether contacts hold bodies of the group.
@@ -145,9 +145,9 @@ impl<'a> ContactSystem<'a> {
     /// What fields do at `t` when the bodies of the group have these coordinates.
     pub(super) fn loads_of_tree(&mut self, t: f64, tree: &Tree, flat: &[f64]) -> Loads {
         let states = &mut *self.states;
-        tree.states(self.world, flat, |node, state| states[node.body] = state);
-        self.world.prescribe(t, self.states);
-        self.world.loads_on(t, self.states, self.bodies)
+        tree.states(self.model, flat, |node, state| states[node.body] = state);
+        self.model.prescribe(t, self.states);
+        self.model.loads_on(t, self.states, self.bodies)
     }
 
     /// What fields do at `t` when the bodies of the group have these states.
@@ -155,8 +155,8 @@ impl<'a> ContactSystem<'a> {
         for (&body, state) in self.bodies.iter().zip(own) {
             self.states[body] = state;
         }
-        self.world.prescribe(t, self.states);
-        self.world.loads_on(t, self.states, self.bodies)
+        self.model.prescribe(t, self.states);
+        self.model.loads_on(t, self.states, self.bodies)
     }
 
     /// Of each body of the group, the sums of the magnitudes of contact forces (N) and of their moments (N m).
@@ -216,11 +216,11 @@ impl<'a> ContactSystem<'a> {
 
     /// Forces of the held contacts and bilateral constraints at the present states.
     fn held_forces(&self, t: f64, loads: &Loads) -> Result<HeldForces, ResponseError> {
-        if self.contacts.is_empty() && !self.world.has_rows() {
+        if self.contacts.is_empty() && !self.model.has_rows() {
             return Ok(HeldForces::default());
         }
         let at = (t, &*self.states);
-        held_forces::solve(self.world, at, self.bodies, &self.contacts, &self.friction, loads)
+        held_forces::solve(self.model, at, self.bodies, &self.contacts, &self.friction, loads)
     }
 
     /// Adds the forces to the rates one by one.
@@ -256,7 +256,7 @@ impl<'a> ContactSystem<'a> {
     }
 
     fn add_load(&self, body: usize, force: DVec3, moment: DVec3, rates: &mut [f64]) {
-        let (Ok(index), Some(rigid)) = (self.bodies.binary_search(&body), &self.world.bodies[body].rigid) else {
+        let (Ok(index), Some(rigid)) = (self.bodies.binary_search(&body), &self.model.bodies[body].rigid) else {
             return;
         };
         let rate = &mut rates[index * WIDTH..(index + 1) * WIDTH];
@@ -269,24 +269,24 @@ impl<'a> ContactSystem<'a> {
         rates.fill(0.0);
         let contacts = self.contact_forces(held);
         let tangential = held.tangential.iter().map(|(id, along, force)| (*id, along, *force));
-        rates[19] = self.world.prescribed_work(self.states, contacts.clone())
-            + self.world.surface_work(self.states, tangential);
-        let support = support(self.world, self.about, contacts);
+        rates[19] = self.model.prescribed_work(self.states, contacts.clone())
+            + self.model.surface_work(self.states, tangential);
+        let support = support(self.model, self.about, contacts);
         add(&mut rates[..], support.linear);
         add(&mut rates[3..], support.angular);
         if !held.moments.is_empty() {
             let moments = || held.moments.iter().copied();
-            rates[19] += moment_work(self.world, self.states, moments());
-            add(&mut rates[3..], moment_support(self.world, moments()).angular);
+            rates[19] += moment_work(self.model, self.states, moments());
+            add(&mut rates[3..], moment_support(self.model, moments()).angular);
         }
         if !held.reactions.is_empty() {
             let reactions = || held.reactions.iter().map(|(of, reaction)| (of, *reaction));
-            rates[19] += self.world.driven_work(self.states, reactions());
+            rates[19] += self.model.driven_work(self.states, reactions());
             let support = bilateral_support(self.about, reactions());
             add(&mut rates[..], support.linear);
             add(&mut rates[3..], support.angular);
         }
-        add_outside_rates(self.world, t, (self.bodies, self.states), self.about, rates);
+        add_outside_rates(self.model, t, (self.bodies, self.states), self.about, rates);
         if let Some(friction) = rates.get_mut(TAIL) {
             *friction = held.dissipation;
         }
@@ -304,24 +304,24 @@ impl System for ContactSystem<'_> {
         for (&body, numbers) in self.bodies.iter().zip(state.as_chunks::<WIDTH>().0) {
             self.states[body] = BodyState::from_array(numbers);
         }
-        self.world.prescribe(t, self.states);
-        let (world, states) = (self.world, &*self.states);
+        self.model.prescribe(t, self.states);
+        let (model, states) = (self.model, &*self.states);
         self.contacts.clear();
-        self.contacts.extend(self.active.held().iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))));
+        self.contacts.extend(self.active.held().iter().filter_map(|&id| Some((id, model.kinematics(states, id)?))));
         if self.is_disparate {
-            share_normals(self.world, &mut self.contacts);
+            share_normals(self.model, &mut self.contacts);
         }
         if self.active.rub() {
             self.friction.clear();
-            self.friction.extend(held_forces::friction_contacts(world, states, &self.contacts, self.active));
+            self.friction.extend(held_forces::friction_contacts(model, states, &self.contacts, self.active));
         }
-        let loads = self.world.loads_on(t, self.states, self.bodies);
+        let loads = self.model.loads_on(t, self.states, self.bodies);
         let held = self.held_forces(t, &loads)?;
         self.note_magnitudes(&held);
         if !std::mem::replace(&mut self.has_begun, true) {
             self.violation_at_start = held.violation;
         }
-        free_rates(self.world, (self.bodies, self.states), &loads, state, rates);
+        free_rates(self.model, (self.bodies, self.states), &loads, state, rates);
         if let Some(sums) = &held.sums {
             self.add_sums(sums, rates);
         } else {
@@ -334,8 +334,8 @@ impl System for ContactSystem<'_> {
 }
 
 /// Whether the masses of these bodies differ by [`DISPARATE_MASSES`].
-fn masses_differ(world: &World, bodies: &[usize]) -> bool {
-    let masses = bodies.iter().filter_map(|&body| world.bodies[body].rigid.as_ref()).map(RigidBody::mass);
+fn masses_differ(model: &Model, bodies: &[usize]) -> bool {
+    let masses = bodies.iter().filter_map(|&body| model.bodies[body].rigid.as_ref()).map(RigidBody::mass);
     let (least, most) = masses.fold((f64::INFINITY, 0.0f64), |(least, most), mass| (least.min(mass), most.max(mass)));
     most > DISPARATE_MASSES * least
 }
@@ -347,8 +347,8 @@ fn masses_differ(world: &World, bodies: &[usize]) -> bool {
 /// that differ by the rounding u of attitudes leave a lateral force of `u W` on the light body, as a wedge would: it
 /// moved a box of 1 kg under 1e9 kg on a slope by 2e-7 m in a second. Attitudes in double precision cannot resolve
 /// this; the information that the faces are flush does.
-fn share_normals(world: &World, contacts: &mut [(ContactId, ContactKinematics)]) {
-    let is_supported = |id: &ContactId| !world.bodies[id.a].moves() || !world.bodies[id.b].moves();
+fn share_normals(model: &Model, contacts: &mut [(ContactId, ContactKinematics)]) {
+    let is_supported = |id: &ContactId| !model.bodies[id.a].moves() || !model.bodies[id.b].moves();
     let mut directions: Vec<DVec3> = Vec::new();
     for supported in [true, false] {
         for (_, k) in contacts.iter_mut().filter(|(id, _)| is_supported(id) == supported) {

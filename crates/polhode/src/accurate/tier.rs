@@ -76,8 +76,8 @@ impl Tier for Engine {
             core.settings.step_s
         } else if self.motions.tracks.iter().all(rests) {
             f64::INFINITY
-        } else if !core.world.may_collide_at_all() {
-            core.settings.step_s.max(SAMPLES_OF_FREE_FLIGHT * core.world.scene.output_interval_s())
+        } else if !core.model.may_collide_at_all() {
+            core.settings.step_s.max(SAMPLES_OF_FREE_FLIGHT * core.model.scene.output_interval_s())
         } else {
             core.settings.step_s
         }
@@ -91,7 +91,7 @@ impl Tier for Engine {
         self.motions.write_flying_states(core, core.t, &mut states);
         for island in self.motions.islands.values().filter(|island| island.t != core.t) {
             match &island.step {
-                Step::Constrained(step) => step.states_at(&core.world, core.t, &mut states),
+                Step::Constrained(step) => step.states_at(&core.model, core.t, &mut states),
                 Step::Free(step) => {
                     for (&body, state) in island.bodies.iter().zip(step.present()) {
                         states[body] = *state;
@@ -100,7 +100,7 @@ impl Tier for Engine {
                 Step::Crowd(step) => {
                     // A step that could be made to its end can be made to an instant within it. If rounding makes it
                     // fail, the states are those at its start.
-                    let _ = step.advance_to(&core.world, &island.bodies, core.t, &mut states);
+                    let _ = step.advance_to(&core.model, &island.bodies, core.t, &mut states);
                 }
                 Step::Waiting(_) => {}
             }
@@ -125,13 +125,13 @@ impl Tier for Engine {
     }
 
     fn book_present(&mut self, core: &Core, accounts: &mut Accounts) -> Result<(), SimulationError> {
-        let (world, t) = (&core.world, core.t);
+        let (model, t) = (&core.model, core.t);
         let books = &mut accounts.books;
         let mut states = self.motions.states.clone();
         for (body, track) in self.motions.tracks.iter().enumerate() {
             match &track.mode {
-                Mode::Flight(flight) => book_flight(world, books, (body, flight), t, &mut states),
-                Mode::Rest => books.equilibrium(world, &states, body, t - track.rest_booked_s),
+                Mode::Flight(flight) => book_flight(model, books, (body, flight), t, &mut states),
+                Mode::Rest => books.equilibrium(model, &states, body, t - track.rest_booked_s),
                 Mode::Fixed | Mode::Prescribed | Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => {}
             }
         }
@@ -149,15 +149,15 @@ impl Tier for Engine {
         }
         let smooth = |island: &&mut Island| island.t != t && !island.is_crowd();
         for island in self.motions.islands.values_mut().filter(smooth) {
-            let before = books.balance(world, &states, &island.bodies);
+            let before = books.balance(model, &states, &island.bodies);
             let received = match &mut island.step {
                 Step::Constrained(step) => {
-                    step.states_at(world, t, &mut states);
+                    step.states_at(model, t, &mut states);
                     step.received_until(t)
                 }
                 Step::Free(step) => {
                     let about = books.ledger.momentum.about;
-                    let (ends, received) = free_end(world, step, &island.bodies, &states, about, t)?;
+                    let (ends, received) = free_end(model, step, &island.bodies, &states, about, t)?;
                     for (&body, state) in island.bodies.iter().zip(ends) {
                         states[body] = state;
                     }
@@ -165,7 +165,7 @@ impl Tier for Engine {
                 }
                 Step::Crowd(_) | Step::Waiting(_) => Received::default(),
             };
-            let after = books.balance(world, &states, &island.bodies);
+            let after = books.balance(model, &states, &island.bodies);
             books.smooth_stage(before, after, received);
         }
         Ok(())
@@ -173,24 +173,24 @@ impl Tier for Engine {
 
     fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
         let states = self.states(core);
-        let world = &core.world;
-        let loads = world.loads(core.t, &states);
-        let mut out: Vec<_> = (0..world.bodies.len())
+        let model = &core.model;
+        let loads = model.loads(core.t, &states);
+        let mut out: Vec<_> = (0..model.bodies.len())
             .map(|body| {
-                let (linear, angular) = if world.trajectory(body).is_some() {
-                    world.prescribed_acceleration(body, core.t)
+                let (linear, angular) = if model.trajectory(body).is_some() {
+                    model.prescribed_acceleration(body, core.t)
                 } else {
-                    free_acceleration(world, &states, &loads, body)
+                    free_acceleration(model, &states, &loads, body)
                 };
-                world.reported_acceleration(body, &states[body], linear, angular)
+                model.reported_acceleration(body, &states[body], linear, angular)
             })
             .collect();
         for (group, members) in self.present_groups(core, &states) {
-            let forces = Forces::solve(&core.world, core.t, &states, &group, &members, &mut core.solver)
+            let forces = Forces::solve(&core.model, core.t, &states, &group, &members, &mut core.solver)
                 .map_err(|source| Core::response_error(core.t, source))?;
             core.accounts.note_solve(core.t, &forces.solution.report)?;
             for (body, linear, angular) in forces.accelerations() {
-                out[body] = core.world.reported_acceleration(body, &states[body], linear, angular);
+                out[body] = core.model.reported_acceleration(body, &states[body], linear, angular);
             }
         }
         Ok(out)
@@ -200,7 +200,7 @@ impl Tier for Engine {
         let mut solver = ComplementaritySolver::default();
         let mut forces_by_id = BTreeMap::new();
         for (group, members) in self.present_groups(core, states) {
-            let solved = Forces::solve(&core.world, t, states, &group, &members, &mut solver);
+            let solved = Forces::solve(&core.model, t, states, &group, &members, &mut solver);
             forces_by_id.extend(members.iter().enumerate().map(|(index, touch)| match &solved {
                 Ok(forces) => {
                     let normal = forces.solution.forces.get(index).copied().unwrap_or(f64::NAN);
@@ -215,10 +215,10 @@ impl Tier for Engine {
             let (id, geometry) = (touch.id, touch.kinematics.geometry);
             let force = forces_by_id.get(&id).copied();
             // A contact that has opened since its last evaluation no longer touches.
-            if force.is_none() && geometry.separation > core.world.touch_distance(states, id.a, id.b) {
+            if force.is_none() && geometry.separation > core.model.touch_distance(states, id.a, id.b) {
                 continue;
             }
-            core.world.view_contact(states, &touch, force.unwrap_or_default(), &mut views);
+            core.model.view_contact(states, &touch, force.unwrap_or_default(), &mut views);
         }
         views
     }
@@ -269,7 +269,7 @@ impl Tier for Engine {
     }
 
     fn change_joint(&mut self, core: &mut Core, pair: (usize, usize)) {
-        self.change_contacts_of_joint(&core.world, pair);
+        self.change_contacts_of_joint(&core.model, pair);
     }
 
     fn touching_pairs(&self) -> usize {

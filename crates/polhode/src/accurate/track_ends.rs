@@ -14,7 +14,7 @@ use std::convert::Infallible;
 impl StepSearch<'_> {
     /// The first change of a step up to `limit` (s): this one, or a body that runs off the end of its track before it.
     pub(super) fn or_end_of_track(&mut self, limit: f64, change: Option<ContactChange>) -> Option<ContactChange> {
-        if self.core.world.ending_tracks == 0 {
+        if self.core.model.ending_tracks == 0 {
             return change;
         }
         let last = change.as_ref().map_or(limit, |change| change.t.min(limit));
@@ -36,8 +36,8 @@ impl StepSearch<'_> {
     }
 
     fn running_off(&mut self, t: f64) -> Vec<RunOff> {
-        self.step.states_at(&self.core.world, t, self.states);
-        self.core.world.run_off(self.states, &self.step.bodies)
+        self.step.states_at(&self.core.model, t, self.states);
+        self.core.model.run_off(self.states, &self.step.bodies)
     }
 }
 
@@ -49,10 +49,10 @@ impl Resolution<'_> {
     pub(super) fn let_go_at_ends_of_tracks(&mut self) -> Result<(), SimulationError> {
         let joints = self.instant.change.running_off.clone();
         for joint in joints {
-            let Some(RunOff { body, point, .. }) = self.core.world.place_on_track(&self.motions.states, joint) else {
+            let Some(RunOff { body, point, .. }) = self.core.model.place_on_track(&self.motions.states, joint) else {
                 continue;
             };
-            self.core.world.release(&[joint])?;
+            self.core.model.release(&[joint])?;
             let event = Event::new(self.instant.t, EventKind::Detach, BodyId::new(body));
             self.core.accounts.add_event(Event { point, ..event });
         }

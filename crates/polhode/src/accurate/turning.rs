@@ -12,12 +12,12 @@ use crate::tier::core::Core;
 impl Motions {
     /// The rotations of a contact that turn in the present states.
     pub(super) fn rotation_of(&self, core: &Core, speed_scale: f64, touch: &Touch) -> RotationModes {
-        if !core.world.has_rotational_friction() {
+        if !core.model.has_rotational_friction() {
             return RotationModes::default();
         }
-        let rotation = core.world.relative_rotation(&self.states, touch.id);
+        let rotation = core.model.relative_rotation(&self.states, touch.id);
         RotationModes::of(|turn| {
-            turn.friction(&core.world, (touch.id.a, touch.id.b))?;
+            turn.friction(&core.model, (touch.id.a, touch.id.b))?;
             let part = turn.part(rotation, touch.kinematics.geometry.normal);
             let (speed, noise) = (part.length(), rotation_noise(core, speed_scale, touch));
             let turns = speed > noise.max(self.sustained_speed(core, speed_scale, touch) / size_of(core, touch));
@@ -32,7 +32,7 @@ impl Resolution<'_> {
     pub(super) fn rotation_at(&self, touch: &Touch) -> RotationModes {
         let known = self.motions.rotation_of(self.core, self.instant.speed_scale, touch);
         RotationModes::of(|turn| {
-            turn.friction(&self.core.world, (touch.id.a, touch.id.b))?;
+            turn.friction(&self.core.model, (touch.id.a, touch.id.b))?;
             let key = (touch.id, turn);
             match self.instant.change.turning.get(&key) {
                 Some(&direction) => {
@@ -64,7 +64,7 @@ impl Resolution<'_> {
 
 /// The size of the smaller body of a contact that moves, m.
 fn size_of(core: &Core, touch: &Touch) -> f64 {
-    core.world.pair_size(touch.id.a, touch.id.b)
+    core.model.pair_size(touch.id.a, touch.id.b)
 }
 
 /// Rounding error of relative rotations at a contact, rad/s.

@@ -5,7 +5,7 @@ use super::contact_set::Touch;
 use super::friction_mode::{FrictionMode, Slide};
 use super::turn::{RotationModes, Turn};
 use crate::identity::contact_id::ContactId;
-use crate::world::World;
+use crate::model::Model;
 use polhode_dynamics::BodyState;
 
 /// Active contacts of an island.
@@ -90,25 +90,25 @@ impl ActiveContacts {
 
     /// Gives contacts that slide or turn the direction and speed of their slips in these states, at the start of a
     /// step.
-    pub(crate) fn renew_directions(&mut self, world: &World, states: &[BodyState]) {
+    pub(crate) fn renew_directions(&mut self, model: &Model, states: &[BodyState]) {
         for (&id, modes) in self.held.iter().zip(&mut self.modes) {
-            renew(modes, world, states, id);
+            renew(modes, model, states, id);
         }
     }
 }
 
 /// Gives what slides or turns at a contact the direction and speed of its slip in these states.
-fn renew(modes: &mut ContactModes, world: &World, states: &[BodyState], id: ContactId) {
+fn renew(modes: &mut ContactModes, model: &Model, states: &[BodyState], id: ContactId) {
     if let Some(FrictionMode::Sliding(slide)) = &mut modes.friction
-        && let Some(terms) = world.tangential_kinematics(states, id)
+        && let Some(terms) = model.tangential_kinematics(states, id)
     {
         *slide = slide.renewed(terms.slip_velocity);
     }
     if modes.rotation.is_empty() {
         return;
     }
-    let Some(kinematics) = world.kinematics(states, id) else { return };
-    let (rotation, before) = (world.relative_rotation(states, id), modes.rotation);
+    let Some(kinematics) = model.kinematics(states, id) else { return };
+    let (rotation, before) = (model.relative_rotation(states, id), modes.rotation);
     modes.rotation = RotationModes::of(|turn| match before.get(turn)? {
         FrictionMode::Sticking => Some(FrictionMode::Sticking),
         FrictionMode::Sliding(slide) => {

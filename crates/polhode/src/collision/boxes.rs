@@ -5,10 +5,10 @@
 //! ([`Boxes::near`]).
 
 use crate::error::SimulationError;
+use crate::model::Model;
 use crate::scene::settings::Settings;
 use crate::snapshot::SnapshotError;
 use crate::snapshot::numbers::Vector;
-use crate::world::World;
 use polhode_contact::{Aabb, BroadPhase, Shape, swept_aabb};
 use polhode_spatial::{DVec3, Motion};
 
@@ -42,8 +42,8 @@ impl Boxes {
     }
 
     /// Sets the box of a body with this motion over an interval (s), enlarged by a margin (m).
-    pub(crate) fn set(&mut self, world: &World, body: usize, motion: &dyn Motion, interval: (f64, f64), margin: f64) {
-        self.by_body[body] = world.bodies[body].shape.as_ref().map(|shape| swept_box(shape, motion, interval, margin));
+    pub(crate) fn set(&mut self, model: &Model, body: usize, motion: &dyn Motion, interval: (f64, f64), margin: f64) {
+        self.by_body[body] = model.bodies[body].shape.as_ref().map(|shape| swept_box(shape, motion, interval, margin));
     }
 
     /// Sets or removes the box of a body.
@@ -62,11 +62,11 @@ impl Boxes {
     /// # Errors
     /// When bounds are reversed, or there is not one entry for each body.
     pub(crate) fn restored(
-        world: &World,
+        model: &Model,
         settings: &Settings,
         saved: &[Option<[Vector; 2]>],
     ) -> Result<Self, SnapshotError> {
-        if saved.len() != world.bodies.len() {
+        if saved.len() != model.bodies.len() {
             return Err(SnapshotError::Invalid("it does not have one box for each body"));
         }
         let mut boxes = Self::new(settings, saved.len());
@@ -84,7 +84,7 @@ impl Boxes {
     /// When there are more bodies than the broad phase can number.
     pub(crate) fn all_pairs(
         &mut self,
-        world: &World,
+        model: &Model,
         mut found: impl FnMut(usize, usize),
     ) -> Result<(), SimulationError> {
         self.packed.clear();
@@ -98,7 +98,7 @@ impl Boxes {
         self.broad_phase.pairs(&self.packed, &mut self.pairs).map_err(SimulationError::BroadPhase)?;
         for &(i, j) in &self.pairs {
             let (a, b) = (self.bodies[i as usize], self.bodies[j as usize]);
-            if world.scene.may_collide(a, b) {
+            if model.scene.may_collide(a, b) {
                 found(a, b);
             }
         }
@@ -106,10 +106,10 @@ impl Boxes {
     }
 
     /// Calls `found` with every body that may collide with `body` and whose box overlaps its box, ascending.
-    pub(crate) fn near(&self, world: &World, body: usize, mut found: impl FnMut(usize)) {
+    pub(crate) fn near(&self, model: &Model, body: usize, mut found: impl FnMut(usize)) {
         let Some(own) = &self.by_body[body] else { return };
         for (other, aabb) in self.by_body.iter().enumerate() {
-            if aabb.as_ref().is_some_and(|aabb| aabb.overlaps(own)) && world.scene.may_collide(body, other) {
+            if aabb.as_ref().is_some_and(|aabb| aabb.overlaps(own)) && model.scene.may_collide(body, other) {
                 found(other);
             }
         }

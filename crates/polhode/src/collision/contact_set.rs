@@ -7,10 +7,10 @@ use super::contact_modes::ContactModes;
 use super::friction_mode::{FrictionCoefficients, RotationalFriction};
 use super::turn::Turn;
 use crate::identity::contact_id::{ContactId, Feature};
+use crate::model::plane_of_motion::PlaneOfMotion;
+use crate::model::prescribed_state;
+use crate::model::{Model, TOUCH_RELATIVE};
 use crate::scene::{FrictionEllipse, GrainOf};
-use crate::world::plane_of_motion::PlaneOfMotion;
-use crate::world::prescribed_state;
-use crate::world::{TOUCH_RELATIVE, World};
 use polhode_contact::{ContactKinematics, Manifold, Shape, TangentialKinematics, counterpart, separation};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Velocity};
@@ -94,7 +94,7 @@ impl Touch {
     }
 }
 
-impl World {
+impl Model {
     /// Passes the manifold of two bodies (contacts with a separation of at most `reach`, m, as
     /// [`polhode_contact::near_manifold`] gives them) to `read` and returns its result; none for a body without a
     /// shape.

@@ -19,7 +19,7 @@
 
 use super::contact_set::Touch;
 use crate::identity::contact_id::{ContactId, Feature};
-use crate::world::World;
+use crate::model::Model;
 use polhode_contact::{ContactFeature, DVec3, Side, SurfaceFeature, closest_point};
 use polhode_dynamics::BodyState;
 
@@ -44,7 +44,7 @@ struct Lying<'a> {
     on: usize,
 }
 
-impl World {
+impl Model {
     /// Removes the contacts at borders that other touching bodies cover.
     pub(crate) fn remove_covered_borders(&self, states: &[BodyState], touches: &mut Vec<Touch>) {
         let others = |body: usize| {

@@ -10,7 +10,7 @@
 //! Patches are part of the state of a run: which poses they were found at decides their anchors. Failure: patches of
 //! bodies whose faces are strongly curved over the reach are flat.
 
-use crate::world::World;
+use crate::model::Model;
 use polhode_contact::{
     Aabb, Contact, ContactFeature, ContactGeometry, Manifold, PairMemory, Shape, Side, Workspace, clipped_manifold,
     near_manifold_with,
@@ -191,29 +191,29 @@ pub(crate) struct PairPatches {
 
 impl PairPatches {
     /// Nothing known yet of a pair.
-    pub(crate) fn new(world: &World, (a, b): (usize, usize)) -> Self {
-        let material = world.scene.pair_material(a, b);
+    pub(crate) fn new(model: &Model, (a, b): (usize, usize)) -> Self {
+        let material = model.scene.pair_material(a, b);
         let is_flat = |body: usize| {
-            world.bodies[body]
+            model.bodies[body]
                 .shape
                 .as_ref()
                 .is_some_and(|shape| matches!(shape, Shape::Convex(_) | Shape::HalfSpace(_)))
         };
-        let size = world.pair_size(a, b);
-        let smaller = if size == world.bodies[a].size { Side::A } else { Side::B };
-        let base = match [a, b].map(|body| world.bodies[body].moves()) {
+        let size = model.pair_size(a, b);
+        let smaller = if size == model.bodies[a].size { Side::A } else { Side::B };
+        let base = match [a, b].map(|body| model.bodies[body].moves()) {
             [false, true] => Side::A,
             [true, false] => Side::B,
             _ => smaller.other(),
         };
         let is_composite = |body: usize| {
-            let shape = world.bodies[body].shape.as_ref();
+            let shape = model.bodies[body].shape.as_ref();
             shape.is_some_and(|shape| matches!(shape, Shape::Compound(_) | Shape::TriangleMesh(_)))
         };
         Self {
             a,
             b,
-            friction: if world.has_friction() { material.friction() } else { 0.0 },
+            friction: if model.has_friction() { material.friction() } else { 0.0 },
             restitution: material.restitution(),
             kept: if is_flat(a) && is_flat(b) { KEPT_RELATIVE * size } else { 0.0 },
             size,
@@ -256,8 +256,8 @@ impl PairPatches {
     /// Where impulses act on the way from the point on A to that on B (no unit): on the surface of the one body that
     /// forces move, where it will meet the other, else in the middle, as where bodies overlap. A lever of half a gap
     /// more would give a ball that is still apart too much spin.
-    pub(crate) fn acting_part(&self, world: &World, separation: f64) -> f64 {
-        match [self.a, self.b].map(|body| world.bodies[body].moves()) {
+    pub(crate) fn acting_part(&self, model: &Model, separation: f64) -> f64 {
+        match [self.a, self.b].map(|body| model.bodies[body].moves()) {
             [true, false] if separation > 0.0 => 0.0,
             [false, true] if separation > 0.0 => 1.0,
             _ => 0.5,
@@ -265,7 +265,7 @@ impl PairPatches {
     }
 
     /// Brings the patches to these states, for bodies that may approach each other by `travel` (m) in the coming step.
-    pub(crate) fn renew(&mut self, world: &World, states: &[BodyState], travel: f64, tools: &mut Tools) {
+    pub(crate) fn renew(&mut self, model: &Model, states: &[BodyState], travel: f64, tools: &mut Tools) {
         let (pose_a, pose_b) = (&states[self.a].pose, &states[self.b].pose);
         let now = match self.smaller {
             Side::A => pose_b.relative(pose_a),
@@ -275,7 +275,7 @@ impl PairPatches {
         if self.are_kept(&now, reach) {
             return;
         }
-        let Some((shape_a, shape_b)) = world.shapes(self.a, self.b) else {
+        let Some((shape_a, shape_b)) = model.shapes(self.a, self.b) else {
             self.presses = false;
             return self.patches.clear();
         };
@@ -469,18 +469,18 @@ impl LastingBoxes {
     /// When there are more bodies than the broad phase can number.
     pub(crate) fn renew(
         &mut self,
-        world: &World,
+        model: &Model,
         states: &[BodyState],
         travel: impl Fn(usize) -> f64,
     ) -> Result<bool, polhode_contact::BroadPhaseError> {
         let mut is_new = self.fat.len() != states.len();
         self.fat.resize(states.len(), None);
         for (body, state) in states.iter().enumerate() {
-            let Some(shape) = &world.bodies[body].shape else {
+            let Some(shape) = &model.bodies[body].shape else {
                 is_new |= self.fat[body].take().is_some();
                 continue;
             };
-            let size = world.bodies[body].size;
+            let size = model.bodies[body].size;
             let margin = MARGIN_RELATIVE * size + travel(body);
             let around =
                 |margin: f64| polhode_contact::aabb_of(shape, &state.pose).and_then(|aabb| aabb.inflated(margin));
@@ -506,14 +506,14 @@ impl LastingBoxes {
         let bodies = &self.bodies;
         let pairs = self.found.iter().map(|&(i, j)| (bodies[i as usize], bodies[j as usize]));
         self.pairs.clear();
-        self.pairs.extend(pairs.filter(|&(a, b)| world.scene.may_collide(a, b)));
+        self.pairs.extend(pairs.filter(|&(a, b)| model.scene.may_collide(a, b)));
         Ok(true)
     }
 
     /// Whether one of these bodies is no more within its box: pairs may be missing.
-    pub(crate) fn has_left(&self, world: &World, states: &[BodyState], of: impl Fn(usize) -> bool) -> bool {
+    pub(crate) fn has_left(&self, model: &Model, states: &[BodyState], of: impl Fn(usize) -> bool) -> bool {
         let has_left = |(body, fat): (usize, &Option<Aabb>)| {
-            let (Some(fat), Some(shape)) = (fat, &world.bodies[body].shape) else { return false };
+            let (Some(fat), Some(shape)) = (fat, &model.bodies[body].shape) else { return false };
             if !of(body) {
                 return false;
             }
@@ -533,7 +533,7 @@ impl LastingBoxes {
 /// Brings the records of pairs to a new list of pairs, ascending; those that are no longer near are dropped. `spare`
 /// keeps the memory of the list before.
 pub(crate) fn follow_pairs(
-    world: &World,
+    model: &Model,
     (records, spare): (&mut Vec<PairPatches>, &mut Vec<PairPatches>),
     pairs: &[(usize, usize)],
 ) {
@@ -547,6 +547,6 @@ pub(crate) fn follow_pairs(
             known = old.as_slice().first().map(|record| (record.a, record.b));
         }
         let kept = if known == Some(pair) { old.next() } else { None };
-        records.push(kept.unwrap_or_else(|| PairPatches::new(world, pair)));
+        records.push(kept.unwrap_or_else(|| PairPatches::new(model, pair)));
     }
 }

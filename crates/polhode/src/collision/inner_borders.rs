@@ -14,7 +14,7 @@
 
 use super::covered_borders::places_around;
 use super::face_patches::{PairPatches, Patch, PatchPoint};
-use crate::world::World;
+use crate::model::Model;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
@@ -27,8 +27,8 @@ struct Lying {
 }
 
 /// Leaves out the points of patches at borders that other fixed bodies continue.
-pub(crate) fn leave_out_inner_borders(world: &World, states: &[BodyState], pairs: &mut [PairPatches]) {
-    let is_fixed = |body: usize| !world.bodies[body].moves() && world.trajectory(body).is_none();
+pub(crate) fn leave_out_inner_borders(model: &Model, states: &[BodyState], pairs: &mut [PairPatches]) {
+    let is_fixed = |body: usize| !model.bodies[body].moves() && model.trajectory(body).is_none();
     let lying =
         pairs.iter().enumerate().filter(|(_, pair)| !pair.patches.is_empty()).filter_map(|(place, pair)| {
             match [pair.a, pair.b].map(is_fixed) {
@@ -51,7 +51,7 @@ pub(crate) fn leave_out_inner_borders(world: &World, states: &[BodyState], pairs
     }
     all.sort_unstable_by_key(|own| (own.body, own.place));
     for of_body in all.chunk_by(|x, y| x.body == y.body).filter(|of_body| of_body.len() > 1) {
-        let kept: Vec<Vec<Vec<bool>>> = of_body.iter().map(|own| kept(world, states, (pairs, of_body), own)).collect();
+        let kept: Vec<Vec<Vec<bool>>> = of_body.iter().map(|own| kept(model, states, (pairs, of_body), own)).collect();
         for (own, kept) in of_body.iter().zip(kept) {
             let pair = &mut pairs[own.place];
             for (patch, kept) in pair.patches.iter_mut().zip(kept) {
@@ -64,7 +64,7 @@ pub(crate) fn leave_out_inner_borders(world: &World, states: &[BodyState], pairs
 
 /// Which points of the patches of a pair stay.
 fn kept(
-    world: &World,
+    model: &Model,
     states: &[BodyState],
     (pairs, of_body): (&[PairPatches], &[Lying]),
     own: &Lying,
@@ -72,14 +72,14 @@ fn kept(
     let others: Vec<&Lying> = of_body.iter().filter(|other| other.place != own.place).collect();
     let lift = lift(states, others.iter().map(|other| (&pairs[other.place], other.body)));
     let pair = &pairs[own.place];
-    let allowed = world.touch_distance(states, pair.a, pair.b);
-    let size = world.pair_size(pair.a, pair.b);
-    let is_covered = |place: DVec3| others.iter().any(|other| world.reaches(states, other.on, place, allowed));
+    let allowed = model.touch_distance(states, pair.a, pair.b);
+    let size = model.pair_size(pair.a, pair.b);
+    let is_covered = |place: DVec3| others.iter().any(|other| model.reaches(states, other.on, place, allowed));
     let is_kept = |patch: &Patch, point: &PatchPoint| {
         let normal = pair.normal(states, patch);
         let place = states[own.on].pose.transform_point(if own.on == pair.a { point.on_a } else { point.on_b });
         let lifted = place + (lift - normal * normal.dot(lift));
-        let is_free = |place: DVec3| world.reaches(states, own.on, place, allowed) && !is_covered(place);
+        let is_free = |place: DVec3| model.reaches(states, own.on, place, allowed) && !is_covered(place);
         !is_covered(place) || places_around(lifted, normal, size).any(is_free)
     };
     pair.patches.iter().map(|patch| patch.points().iter().map(|point| is_kept(patch, point)).collect()).collect()

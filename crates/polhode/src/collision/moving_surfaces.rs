@@ -11,12 +11,12 @@
 //! that no momentum of what moves matters.
 
 use crate::identity::contact_id::ContactId;
-use crate::world::World;
+use crate::model::Model;
 use polhode_contact::{ContactGeometry, TangentialKinematics};
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
-impl World {
+impl Model {
     /// Whether the surface of a body moves.
     pub(crate) fn has_moving_surface(&self, body: usize) -> bool {
         self.scene.bodies().get(body).is_some_and(|body| body.velocity_of_surface() != DVec3::ZERO)

@@ -1,5 +1,5 @@
 //! The narrow phase with a memory of each pair. All contacts of two bodies are computed here, through
-//! [`World::manifold_of`](crate::world::World::manifold_of).
+//! [`Model::manifold_of`](crate::model::Model::manifold_of).
 //!
 //! The memory of a pair tells which features need not be examined; answers have the same bits with it and without it.
 //! It is a cache and no part of the state: a copy of the world has an empty one, and snapshots do not hold it.

@@ -7,7 +7,7 @@
 
 use super::contact_set::FoundContact;
 use crate::identity::contact_id::{ContactId, Feature};
-use crate::world::World;
+use crate::model::Model;
 use polhode_contact::{ContactKinematics, Moving, Passing};
 use polhode_dynamics::BodyState;
 use polhode_spatial::Velocity;
@@ -16,7 +16,7 @@ use polhode_spatial::Velocity;
 /// units.
 const SUSTAINED_RELATIVE: f64 = 1e-12;
 
-impl World {
+impl Model {
     /// Replaces the contacts of a pair that would collide, although the bodies pass each other along a face, by those
     /// with the plane of that face. Returns the features of these, ascending; they may lie beyond the border of the
     /// face. The contacts remain sorted.

@@ -5,7 +5,7 @@
 //! becomes the interval `-mu f_n <= f_t <= mu f_n`: of a contact and its mirror image, which it stands for, the forces
 //! along `m` cancel, and those along `t` add up as those along `n` do. Bodies do not spin about normals.
 
-use crate::world::World;
+use crate::model::Model;
 use polhode_spatial::DVec3;
 
 /// The directions in which bodies may slip on each other.
@@ -37,7 +37,7 @@ impl SlipDirections {
     }
 }
 
-impl World {
+impl Model {
     /// The directions in which bodies may slip on each other.
     pub(crate) fn slip_directions(&self) -> SlipDirections {
         if self.plane.is_some() { SlipDirections::First } else { SlipDirections::Both }

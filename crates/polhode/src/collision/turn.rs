@@ -2,7 +2,7 @@
 
 use super::friction_mode::FrictionMode;
 use super::slip_directions::SlipDirections;
-use crate::world::World;
+use crate::model::Model;
 use polhode_spatial::DVec3;
 
 /// A kind of rotation of two bodies on each other.
@@ -27,11 +27,11 @@ impl Turn {
     }
 
     /// The length of its friction between two bodies, m; none without it, and of spinning in planar motion.
-    pub(crate) fn friction(self, world: &World, (a, b): (usize, usize)) -> Option<f64> {
-        let friction = world.rotational_friction_of(a, b)?;
+    pub(crate) fn friction(self, model: &Model, (a, b): (usize, usize)) -> Option<f64> {
+        let friction = model.rotational_friction_of(a, b)?;
         let length = match self {
             Self::Rolling => friction.rolling,
-            Self::Spinning if world.slip_directions() == SlipDirections::First => return None,
+            Self::Spinning if model.slip_directions() == SlipDirections::First => return None,
             Self::Spinning => friction.spinning,
         };
         (length > 0.0).then_some(length)
@@ -39,8 +39,8 @@ impl Turn {
 
     /// Its friction between two bodies in the rows of their rotations: its length over that of the rows (no unit); none
     /// without it.
-    pub(crate) fn coefficient(self, world: &World, (a, b): (usize, usize)) -> Option<f64> {
-        Some(self.friction(world, (a, b))? / world.turning_length(a, b))
+    pub(crate) fn coefficient(self, model: &Model, (a, b): (usize, usize)) -> Option<f64> {
+        Some(self.friction(model, (a, b))? / model.turning_length(a, b))
     }
 
     /// The part of a relative angular velocity (rad/s) that is of this kind.

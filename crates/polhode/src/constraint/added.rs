@@ -1,13 +1,13 @@
 //! Joints that a program adds to a simulation, between bodies as they are then. Those that it takes away are
 //! `released.rs`.
 
-use super::joint::{AddedJoint, WorldJoint};
+use super::joint::{AddedJoint, ModelJoint};
 use crate::identity::contact_id::{ContactId, Feature};
+use crate::model::Model;
 use crate::scene::{Joint, Scene, SceneError, Tier};
-use crate::world::World;
 use polhode_dynamics::BodyState;
 
-impl World {
+impl Model {
     /// Adds a joint between bodies in these states, in a run by this tier. Returns its number.
     ///
     /// # Errors
@@ -36,7 +36,7 @@ impl World {
 
     /// The bodies of a joint that is there, A <= B: the same body twice if it holds a body to the world.
     pub(crate) fn pair_of_joint(&self, joint: usize) -> Option<(usize, usize)> {
-        self.joint_numbered(joint).map(WorldJoint::pair)
+        self.joint_numbered(joint).map(ModelJoint::pair)
     }
 
     /// Whether two bodies may have contacts, of their shapes or at joints.

@@ -12,15 +12,15 @@
 //! 3.2, equations 2 and 3; Featherstone 2008, chapter 8 (rows of joints).
 //!
 //! A kinematic member contributes known terms to rates (by its velocity in the states) and to the second derivatives
-//! ([`World::driven_acceleration`]), and does work on the other one ([`World::driven_work`]). Rows are made in
+//! ([`Model::driven_acceleration`]), and does work on the other one ([`Model::driven_work`]). Rows are made in
 //! `point.rs`, `line.rs` and `perpendicular.rs`, and put together in one file for each kind of joint.
 
 use super::ConstraintId;
 use super::row::{Action, BilateralRow, Member, Part, RowKind, RowsAt};
 use super::softness::Softness;
+use crate::model::Model;
 use crate::report::momentum_ledger::Momentum;
 use crate::report::momentum_ledger::MomentumSum;
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
@@ -158,7 +158,7 @@ fn length(parts: impl Iterator<Item = f64>) -> f64 {
     parts.fold(0.0, |sum: f64, part| sum + part * part).sqrt()
 }
 
-impl World {
+impl Model {
     /// Term of prescribed accelerations at `t` (s) in the second derivative of the gap of a row, m/s^2.
     pub(crate) fn driven_acceleration(&self, t: f64, bilateral: &Bilateral, row: &BilateralRow) -> f64 {
         let term = |driver: &Member| {
@@ -234,13 +234,13 @@ fn tie_support(constraint: &Bilateral, row: &BilateralRow, reaction: Reaction, a
 
 /// Applies impulses of constraints to the momenta of their bodies.
 pub(crate) fn apply_reactions<'a>(
-    world: &World,
+    model: &Model,
     states: &mut [BodyState],
     impulses: impl Iterator<Item = (&'a Bilateral, Reaction)>,
 ) {
     for (constraint, impulse) in impulses {
         for (body, linear, angular) in constraint.loads(impulse) {
-            if let Some(rigid) = &world.bodies[body].rigid {
+            if let Some(rigid) = &model.bodies[body].rigid {
                 let state = &mut states[body];
                 state.linear_velocity += linear * rigid.inverse_mass();
                 state.angular_momentum += angular;

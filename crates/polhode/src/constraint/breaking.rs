@@ -2,10 +2,10 @@
 
 use super::ConstraintId;
 use super::bilateral::{Bilateral, Reaction};
+use crate::model::Model;
 use crate::scene::Strength;
-use crate::world::World;
 
-impl World {
+impl Model {
     /// The load at which a joint breaks; none of one that nothing breaks.
     pub(crate) fn strength_of(&self, joint: usize) -> Option<Strength> {
         self.scene.joints().get(joint)?.strength()

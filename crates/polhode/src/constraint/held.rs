@@ -2,14 +2,14 @@
 
 use super::ConstraintId;
 use super::bilateral::Bilateral;
-use super::joint::{WorldJoint, pivot_rows};
+use super::joint::{ModelJoint, pivot_rows};
 use super::tie::Tie;
-use crate::world::World;
+use crate::model::Model;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DisjointSets, Pose, Velocity};
 use std::collections::BTreeSet;
 
-impl World {
+impl Model {
     /// Whether constraint rows hold any body.
     pub(crate) fn has_rows(&self) -> bool {
         !self.held_by_rows.is_empty()
@@ -63,7 +63,7 @@ impl World {
     }
 
     /// The joints that hold some of these bodies, in the order of the scene.
-    pub(crate) fn joints_among(&self, bodies: &[usize]) -> impl Iterator<Item = &WorldJoint> {
+    pub(crate) fn joints_among(&self, bodies: &[usize]) -> impl Iterator<Item = &ModelJoint> {
         self.joint_places_among(bodies).into_iter().map(|joint| &self.joints[joint])
     }
 
@@ -81,14 +81,14 @@ impl World {
     pub(crate) fn drivers_of<'a>(&'a self, bodies: &'a [usize]) -> impl Iterator<Item = usize> + 'a {
         let bodies = if self.joint_drivers.is_empty() { &[] } else { bodies };
         self.joints_among(bodies)
-            .filter_map(WorldJoint::driver)
+            .filter_map(ModelJoint::driver)
             .chain(self.ties_among(bodies).filter_map(Tie::carriage))
     }
 
     /// The bodies that joints hold to this kinematic one, and all that joints connect to them, ascending.
     pub(crate) fn driven_by(&self, driver: usize) -> Vec<usize> {
         let own = self.joints.iter().filter(|joint| joint.driver() == Some(driver));
-        self.with_jointed(own.flat_map(WorldJoint::bodies).collect())
+        self.with_jointed(own.flat_map(ModelJoint::bodies).collect())
     }
 
     /// These bodies and all that joints and ties connect to them, ascending.

@@ -49,7 +49,7 @@ pub(crate) struct AddedJoint {
 
 /// A joint of the model.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct WorldJoint {
+pub(crate) struct ModelJoint {
     /// Its number in the scene.
     number: usize,
     a: End,
@@ -68,7 +68,7 @@ pub(crate) struct WorldJoint {
     lets_go_at_ends: bool,
 }
 
-impl WorldJoint {
+impl ModelJoint {
     /// A joint of a scene with these tracks, where this is how bodies are held at the start. `length` is that of rows
     /// of rotation, m.
     pub(crate) fn new(

@@ -1,16 +1,16 @@
 //! The contacts at joints: their stops (`stop.rs`) and their dry friction (`joint_friction.rs`).
 
-use super::joint::WorldJoint;
+use super::joint::ModelJoint;
 use super::stop::Stop;
 use crate::collision::contact_set::{FoundContact, Touch};
 use crate::identity::contact_id::{ContactId, Feature};
-use crate::world::World;
+use crate::model::Model;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose, Velocity};
 use std::collections::BTreeSet;
 
-impl World {
+impl Model {
     /// Whether any joint has limits or friction.
     pub(crate) fn has_joint_contacts(&self) -> bool {
         !self.joint_contacts.is_empty()
@@ -108,14 +108,14 @@ impl World {
 
     /// The largest coefficient of restitution of any stop; zero without stops.
     pub(crate) fn largest_restitution_of_stops(&self) -> f64 {
-        let own = |joint: &WorldJoint| {
+        let own = |joint: &ModelJoint| {
             (0..joint.stops()).filter_map(|place| joint.stop(place)).map(|stop| stop.restitution).fold(0.0, f64::max)
         };
         self.joints.iter().map(own).fold(0.0, f64::max)
     }
 
     /// Where a joint holds its first body, world, m.
-    pub(crate) fn anchor_of(&self, states: &[BodyState], joint: &WorldJoint) -> DVec3 {
+    pub(crate) fn anchor_of(&self, states: &[BodyState], joint: &ModelJoint) -> DVec3 {
         let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
         joint.anchor(motion)
     }
@@ -133,13 +133,13 @@ impl World {
 
     /// The movable bodies of a joint, with the sign of its load on them.
     pub(crate) fn ends_of_joint(&self, joint: usize) -> impl Iterator<Item = (usize, f64)> {
-        let ends = self.joint_numbered(joint).map(WorldJoint::ends).into_iter().flatten();
+        let ends = self.joint_numbered(joint).map(ModelJoint::ends).into_iter().flatten();
         ends.zip([1.0, -1.0]).filter_map(|(body, sign)| Some((body?, sign)))
     }
 
     /// The joint of this number; none where there is none, or it was removed with a body.
-    pub(super) fn joint_numbered(&self, joint: usize) -> Option<&WorldJoint> {
-        let place = self.joints.binary_search_by_key(&joint, WorldJoint::number).ok()?;
+    pub(super) fn joint_numbered(&self, joint: usize) -> Option<&ModelJoint> {
+        let place = self.joints.binary_search_by_key(&joint, ModelJoint::number).ok()?;
         self.joints.get(place)
     }
 }

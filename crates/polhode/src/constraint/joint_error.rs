@@ -3,7 +3,7 @@
 
 use super::ConstraintId;
 use super::row::{Action, BilateralRow, RowKind};
-use crate::world::World;
+use crate::model::Model;
 use polhode_dynamics::BodyState;
 
 /// How far a joint is from what it keeps.
@@ -17,7 +17,7 @@ pub(crate) struct JointError {
     pub(crate) turned_rad: f64,
 }
 
-impl World {
+impl Model {
     /// The errors of all joints, gears and prescribed motions in these states.
     pub(crate) fn joint_errors<'a>(&'a self, states: &'a [BodyState]) -> impl Iterator<Item = JointError> + 'a {
         let all = self.bilaterals(states, &self.movable);

@@ -12,7 +12,7 @@
 //! 2008, chapter 9 (forces at joints).
 
 use super::coordinate::{CoordinateAt, Measured};
-use super::joint::WorldJoint;
+use super::joint::ModelJoint;
 use super::joint_coordinate::JointCoordinate;
 use crate::scene::{Drive, Motor};
 use polhode_dynamics::field::{Account, Dependence, Field, ForceResponse, ResponseEnd, Wrench};
@@ -64,7 +64,7 @@ impl Source {
 /// A spring, a damper or a motor at a coordinate of a joint.
 #[derive(Debug, Clone)]
 pub(crate) struct JointForce {
-    pub(super) joint: WorldJoint,
+    pub(super) joint: ModelJoint,
     /// Place of the coordinate among those of the joint.
     pub(super) place: usize,
     measured: Measured,
@@ -78,7 +78,7 @@ pub(crate) struct JointForce {
 
 impl JointForce {
     /// Those of a joint, where `slot` is the place of a body among the movable ones.
-    pub(crate) fn of(joint: &WorldJoint, slot: impl Fn(usize) -> Option<usize>) -> impl Iterator<Item = Self> {
+    pub(crate) fn of(joint: &ModelJoint, slot: impl Fn(usize) -> Option<usize>) -> impl Iterator<Item = Self> {
         let ends = joint.ends().map(|body| body.and_then(|body| Some((body, slot(body)?))));
         joint.coordinates().iter().enumerate().flat_map(move |(place, coordinate)| {
             let JointCoordinate { measured, unit, near, freedom, .. } = coordinate.clone();

@@ -23,13 +23,13 @@
 //! joint keeps holds. Finite forces give no impulse: in impacts joints have no friction.
 
 use super::ConstraintId;
-use super::joint::WorldJoint;
+use super::joint::ModelJoint;
 use super::joint_coordinate::JointCoordinate;
 use crate::collision::friction_mode::FrictionCoefficients;
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::identity::coordinate_id::CoordinateId;
+use crate::model::Model;
 use crate::scene::{FrictionEllipse, JointFriction};
-use crate::world::World;
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::{DVec3, Pose, Velocity};
@@ -86,7 +86,7 @@ pub(crate) struct JointForces {
     pub(crate) at_levers: DVec3,
 }
 
-impl WorldJoint {
+impl ModelJoint {
     /// The friction of one of its coordinates, and the length that makes displacements of its values, m.
     fn friction(&self, place: usize) -> Option<(JointFriction, f64)> {
         let JointCoordinate { freedom, unit, .. } = self.coordinates().get(place)?;
@@ -99,7 +99,7 @@ impl WorldJoint {
     }
 }
 
-impl World {
+impl Model {
     /// The place of the shoe in these states, which always touches.
     pub(crate) fn friction_kinematics(&self, states: &[BodyState], of: CoordinateId) -> Option<ContactKinematics> {
         let (point, _) = self.slip_at_joint(states, of)?;
@@ -155,7 +155,7 @@ impl World {
     /// What friction of joints takes over a radian, and over the sizes of their bodies, J: the scale of energies where
     /// it holds all that could move.
     pub(crate) fn friction_energy_j(&self) -> f64 {
-        let of_joint = |joint: &WorldJoint| {
+        let of_joint = |joint: &ModelJoint| {
             let span = |place: usize| match joint.friction(place) {
                 Some((friction, unit)) => friction.effort() / unit * joint.length(),
                 None => 0.0,

@@ -1,17 +1,17 @@
 //! The power that a joint gives to its bodies.
 
-use super::joint::WorldJoint;
-use crate::world::World;
+use super::joint::ModelJoint;
+use crate::model::Model;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose, Velocity};
 
-impl World {
+impl Model {
     /// What a joint that does this to its first body (a force, N, at its anchor, and a moment, N m), and its springs,
     /// dampers and motors, give to its bodies, W.
     pub(crate) fn power_of_joint(
         &self,
         states: &[BodyState],
-        joint: &WorldJoint,
+        joint: &ModelJoint,
         (force, moment): (DVec3, DVec3),
     ) -> f64 {
         let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };

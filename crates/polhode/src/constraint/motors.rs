@@ -1,15 +1,15 @@
 //! Coordinates of joints as a program reads and drives them.
 
-use super::joint::WorldJoint;
+use super::joint::ModelJoint;
+use crate::model::Model;
 use crate::report::joint_sample::CoordinateSample;
 use crate::scene::{Coordinate, Drive, Motor};
 use crate::snapshot::{SnapshotError, content};
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{Pose, Velocity};
 use std::cmp::Ordering;
 
-impl World {
+impl Model {
     /// A coordinate of a joint in these states; none of one that the joint does not have.
     pub(crate) fn coordinate_of(
         &self,
@@ -61,7 +61,7 @@ impl World {
         coordinate: Coordinate,
         motor: Option<Motor>,
     ) -> Result<(), crate::scene::SceneError> {
-        if let Ok(place) = self.joints.binary_search_by_key(&joint, WorldJoint::number)
+        if let Ok(place) = self.joints.binary_search_by_key(&joint, ModelJoint::number)
             && self.joints[place].set_motor(coordinate, motor)
         {
             self.motors.insert((joint, coordinate), motor);
@@ -104,7 +104,7 @@ impl World {
 }
 
 /// The motors of a joint whose efforts have corners where they reach their bounds.
-fn bounded_motors(joint: &WorldJoint) -> impl Iterator<Item = (Coordinate, Motor)> {
+fn bounded_motors(joint: &ModelJoint) -> impl Iterator<Item = (Coordinate, Motor)> {
     let motors = joint.coordinates().iter().filter_map(|own| Some((own.coordinate, own.freedom.motor()?)));
     motors.filter(|(_, motor)| {
         let depends = !matches!(motor.drive(), Drive::Effort(_));

@@ -4,10 +4,10 @@
 //! Such a joint leaves the joints of the world, and its number is no other one's, until a snapshot from before brings
 //! it back.
 
-use super::joint::WorldJoint;
+use super::joint::ModelJoint;
+use crate::model::Model;
 use crate::scene::SceneError;
 use crate::snapshot::SnapshotError;
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose, Velocity};
 
@@ -21,14 +21,14 @@ pub(crate) struct RunOff {
     pub(crate) point: DVec3,
 }
 
-impl World {
+impl Model {
     /// Joints hold nothing from now on. Those that are not there are passed over.
     ///
     /// # Errors
     /// When the fields of the remaining joints cannot be made.
     pub(crate) fn release(&mut self, joints: &[usize]) -> Result<(), SceneError> {
         for joint in joints {
-            if let Ok(place) = self.joints.binary_search_by_key(joint, WorldJoint::number) {
+            if let Ok(place) = self.joints.binary_search_by_key(joint, ModelJoint::number) {
                 let released = self.joints.remove(place);
                 self.released.insert(*joint, released);
             }
@@ -70,7 +70,7 @@ impl World {
             return Ok(());
         }
         self.joints.extend(std::mem::take(&mut self.released).into_values());
-        self.joints.sort_by_key(WorldJoint::number);
+        self.joints.sort_by_key(ModelJoint::number);
         if !joints.iter().all(|&joint| self.joint_numbered(joint).is_some()) {
             return Err(refused());
         }

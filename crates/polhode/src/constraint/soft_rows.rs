@@ -6,13 +6,13 @@ use super::coordinate::CoordinateAt;
 use super::joint_forces::{Gains, JointForce, Source};
 use super::row::{BilateralRow, Member, Part, RowKind, RowsAt};
 use super::softness::{LinearForce, Softness};
+use crate::model::Model;
 use crate::scene::Drive;
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::{Dependence, Field};
 use polhode_spatial::{Pose, Velocity};
 
-impl World {
+impl Model {
     /// The numbers, among the fields, of those forces at joints that a step gives as a kick: constant efforts, and
     /// those of motors that ask for more than their bound in these states. All others are soft rows.
     pub(crate) fn kicks_of_joints(&self, states: &[BodyState], bodies: &[usize]) -> Vec<usize> {
@@ -59,14 +59,14 @@ impl World {
 }
 
 impl JointForce {
-    fn in_world(&self, world: &World, states: &[BodyState]) -> Option<CoordinateAt> {
-        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, world.velocity(body, &states[body])) };
+    fn in_world(&self, model: &Model, states: &[BodyState]) -> Option<CoordinateAt> {
+        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, model.velocity(body, &states[body])) };
         self.coordinate_at(motion)
     }
 
     /// Whether its effort does not change with small motions.
-    fn is_constant(&self, world: &World, states: &[BodyState]) -> bool {
-        let Some(at) = self.in_world(world, states) else { return true };
+    fn is_constant(&self, model: &Model, states: &[BodyState]) -> bool {
+        let Some(at) = self.in_world(model, states) else { return true };
         let Gains { stiffness, damping } = self.source.gains(at.value / self.unit, at.own_rate() / self.unit);
         stiffness == 0.0 && damping == 0.0
     }
@@ -87,9 +87,9 @@ impl JointForce {
     }
 
     /// The soft row of the forces along one coordinate; none where it has no direction.
-    fn soft_row(forces: &[(usize, &Self)], world: &World, states: &[BodyState], h: f64) -> Option<Bilateral> {
+    fn soft_row(forces: &[(usize, &Self)], model: &Model, states: &[BodyState], h: f64) -> Option<Bilateral> {
         let &(_, first) = forces.first()?;
-        let at = first.in_world(world, states)?;
+        let at = first.in_world(model, states)?;
         let signs = first.ends.iter().zip([1.0, -1.0]);
         let member = |(end, sign): (&Option<(usize, usize)>, f64)| {
             let (body, _) = (*end)?;
@@ -100,7 +100,7 @@ impl JointForce {
         let mut row = BilateralRow { kind, gap: 0.0, rate: 0.0, bias: 0.0 };
         let rate = |member: &Member| {
             let (along, about) = row.entries(member);
-            let velocity = world.velocity(member.body, &states[member.body]);
+            let velocity = model.velocity(member.body, &states[member.body]);
             along.dot(velocity.linear) + about.dot(velocity.angular)
         };
         row.rate = members.iter().map(rate).sum();

@@ -23,7 +23,7 @@
 //! Featherstone 2008, chapter 3 (constraints between joint coordinates).
 
 use super::coordinate::CoordinateAt;
-use super::joint::WorldJoint;
+use super::joint::ModelJoint;
 use super::row::{Action, BilateralRow, Member, Part, RowKind, RowsAt};
 use crate::scene::Coordinate;
 use polhode_spatial::{DVec3, DoubleDouble, Pose, Velocity};
@@ -32,7 +32,7 @@ use std::f64::consts::TAU;
 /// A coordinate of a joint that a tie takes hold of.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Tied {
-    pub(super) joint: WorldJoint,
+    pub(super) joint: ModelJoint,
     /// Its place among the coordinates of the joint.
     pub(super) place: usize,
     /// Its value at the start, rad or m.
@@ -113,7 +113,7 @@ impl Tied {
 
 impl Tie {
     /// The joints whose coordinates it takes hold of.
-    pub(super) fn joints(&self) -> impl Iterator<Item = &WorldJoint> {
+    pub(super) fn joints(&self) -> impl Iterator<Item = &ModelJoint> {
         let second = match &self.to {
             HeldTo::Coordinate { second, .. } => Some(&second.joint),
             HeldTo::Carriage { .. } => None,
@@ -128,7 +128,7 @@ impl Tie {
 
     /// The movable bodies that it connects, ascending.
     pub(crate) fn bodies(&self) -> Vec<usize> {
-        let mut bodies: Vec<usize> = self.joints().flat_map(WorldJoint::bodies).collect();
+        let mut bodies: Vec<usize> = self.joints().flat_map(ModelJoint::bodies).collect();
         bodies.sort_unstable();
         bodies.dedup();
         bodies

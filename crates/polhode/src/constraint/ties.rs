@@ -3,11 +3,11 @@
 
 use super::ConstraintId;
 use super::bilateral::{Bilateral, Reaction};
-use super::joint::WorldJoint;
+use super::joint::ModelJoint;
 use super::row::{Action, BilateralRow, RowKind};
 use super::tie::{HeldTo, Tie, Tied};
+use crate::model::Model;
 use crate::scene::{Gear, GearEnd};
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose, Velocity};
 use std::collections::{BTreeMap, BTreeSet};
@@ -25,7 +25,7 @@ pub(crate) struct LoadOfTie {
     pub(crate) moment: DVec3,
 }
 
-impl World {
+impl Model {
     /// Makes the ties of the scene, between bodies in their states at the start.
     pub(crate) fn make_ties(&mut self, states: &[BodyState]) {
         let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
@@ -98,7 +98,7 @@ impl World {
             return Vec::new();
         };
         let multiplier = of.multiplier(reaction);
-        let load = |(joint, action): (&WorldJoint, &Action)| match action.times(multiplier) {
+        let load = |(joint, action): (&ModelJoint, &Action)| match action.times(multiplier) {
             Action::Force { direction, point } => {
                 LoadOfTie { joint: joint.number(), point, force: direction, moment: DVec3::ZERO }
             }

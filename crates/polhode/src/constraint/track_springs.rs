@@ -9,7 +9,7 @@
 //! body off the track, and when a spring is to let go is a choice that no law makes.
 
 use super::end::EndKinematics;
-use super::joint::WorldJoint;
+use super::joint::ModelJoint;
 use super::track::Deviation;
 use crate::scene::TrackHold;
 use polhode_dynamics::field::{Account, Dependence, Field, ForceResponse, ResponseEnd, Wrench};
@@ -28,7 +28,7 @@ enum Part {
 /// The springs or the dampers of a track.
 #[derive(Debug, Clone)]
 pub(crate) struct TrackSpring {
-    joint: WorldJoint,
+    joint: ModelJoint,
     part: Part,
     /// m.
     reach: f64,
@@ -45,7 +45,7 @@ struct At {
 
 impl TrackSpring {
     /// Those of a joint, where `slot` is the place of a body among the movable ones.
-    pub(crate) fn of(joint: &WorldJoint, slot: impl Fn(usize) -> Option<usize>) -> impl Iterator<Item = Self> {
+    pub(crate) fn of(joint: &ModelJoint, slot: impl Fn(usize) -> Option<usize>) -> impl Iterator<Item = Self> {
         let springs = match joint.hold() {
             Some(TrackHold::Springs(springs)) => Some(springs),
             _ => None,

@@ -1,16 +1,16 @@
 //! The revolutions of angles of joints: those that ties count (`tie.rs`), and those of angles that turn on
 //! (`joint_coordinate.rs`).
 
-use super::joint::WorldJoint;
+use super::joint::ModelJoint;
 use super::tie::Tie;
+use crate::model::Model;
 use crate::scene::SceneError;
 use crate::snapshot::SnapshotError;
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{Pose, Velocity};
 use std::collections::BTreeSet;
 
-impl World {
+impl Model {
     /// Takes the angles whose revolutions joints and ties of these bodies count from their states at the end of a step.
     ///
     /// # Errors
@@ -84,7 +84,7 @@ impl World {
             tie.set_counted(angle);
         }
         for joint in &mut self.joints {
-            let count = WorldJoint::turned(joint).count();
+            let count = ModelJoint::turned(joint).count();
             let own: Vec<f64> = saved.by_ref().take(count).collect();
             joint.follow(&own);
         }

@@ -17,11 +17,11 @@ use super::turning::turn;
 use crate::collision::face_patches::{LastingBoxes, PairPatches, Tools, follow_pairs};
 use crate::collision::inner_borders::leave_out_inner_borders;
 use crate::constraint::ConstraintId;
-use crate::constraint::joint::WorldJoint;
+use crate::constraint::joint::ModelJoint;
 use crate::error::SimulationError;
+use crate::model::Model;
 use crate::scene::settings::Settings;
 use crate::tier::executor::{Executor, Task};
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::sequential_impulses::MOST_JOINT_ROWS;
 use polhode_spatial::{DVec3, DisjointSets, Pose};
@@ -45,8 +45,8 @@ pub(super) enum Fault {
 
 impl Fault {
     /// That of a pair of which one has come through the other.
-    fn passage(world: &World, pair: &PairPatches) -> Self {
-        Self::Overlap { pair: (pair.a, pair.b), depth: world.pair_size(pair.a, pair.b) }
+    fn passage(model: &Model, pair: &PairPatches) -> Self {
+        Self::Overlap { pair: (pair.a, pair.b), depth: model.pair_size(pair.a, pair.b) }
     }
 
     /// The pair that overlaps, and how deep, m.
@@ -163,19 +163,19 @@ impl Course {
     }
 
     /// Drops contacts and loads that are there no more, after a joint between two bodies was added or taken away.
-    pub(super) fn change_joint(&mut self, world: &World, pair: (usize, usize)) {
-        self.pairs.retain(|own| (own.a, own.b) != pair || world.may_touch(pair));
-        self.limits.retain(|limit| world.may_have(limit.id));
+    pub(super) fn change_joint(&mut self, model: &Model, pair: (usize, usize)) {
+        self.pairs.retain(|own| (own.a, own.b) != pair || model.may_touch(pair));
+        self.limits.retain(|limit| model.may_have(limit.id));
         self.held.retain(|held| match held.id {
-            ConstraintId::Joint { joint, .. } => world.pair_of_joint(joint).is_some(),
+            ConstraintId::Joint { joint, .. } => model.pair_of_joint(joint).is_some(),
             _ => true,
         });
     }
 
     /// Whether nothing moves.
-    pub(super) fn is_all_at_rest(&self, world: &World) -> bool {
-        world.prescribed.is_empty()
-            && world.movable.iter().all(|&body| self.resting[body] || !world.bodies[body].moves())
+    pub(super) fn is_all_at_rest(&self, model: &Model) -> bool {
+        model.prescribed.is_empty()
+            && model.movable.iter().all(|&body| self.resting[body] || !model.bodies[body].moves())
     }
 
     /// Wakes all bodies.
@@ -185,47 +185,47 @@ impl Course {
     }
 
     /// The pairs that may touch in the step.
-    pub(super) fn find_pairs(&mut self, world: &World, rules: &Rules) -> Result<(), SimulationError> {
+    pub(super) fn find_pairs(&mut self, model: &Model, rules: &Rules) -> Result<(), SimulationError> {
         let step = rules.h * f64::from(rules.substeps);
-        let fall = world.gravity().length() * step * step;
+        let fall = model.gravity().length() * step * step;
         self.spins.clear();
         let mut travels = Vec::with_capacity(self.states.len());
         for (body, state) in self.states.iter().enumerate() {
-            let is_still = self.resting[body] || (!world.bodies[body].moves() && world.trajectory(body).is_none());
+            let is_still = self.resting[body] || (!model.bodies[body].moves() && model.trajectory(body).is_none());
             if is_still {
                 self.spins.push(0.0);
                 travels.push(0.0);
                 continue;
             }
-            let velocity = world.velocity(body, state);
-            let spin = velocity.angular.length() * world.bodies[body].size;
+            let velocity = model.velocity(body, state);
+            let spin = velocity.angular.length() * model.bodies[body].size;
             self.spins.push(spin);
             travels.push((velocity.linear.length() + spin) * step + fall);
         }
-        let found = self.boxes.renew(world, &self.states, |body| travels[body]);
+        let found = self.boxes.renew(model, &self.states, |body| travels[body]);
         if found.map_err(SimulationError::BroadPhase)? {
-            follow_pairs(world, (&mut self.pairs, &mut self.spare_pairs), &self.boxes.pairs);
+            follow_pairs(model, (&mut self.pairs, &mut self.spare_pairs), &self.boxes.pairs);
         }
         Ok(())
     }
 
     /// Brings the patches of all pairs to the present poses.
-    pub(super) fn find_patches(&mut self, world: &World, executor: &dyn Executor, rules: &Rules) {
+    pub(super) fn find_patches(&mut self, model: &Model, executor: &dyn Executor, rules: &Rules) {
         let step = rules.h * f64::from(rules.substeps);
-        let fall = world.gravity().length() * step * step;
+        let fall = model.gravity().length() * step * step;
         let width = executor.width().get().min(self.pairs.len() / LEAST_PAIRS + 1);
         self.tools.resize_with(width.max(self.tools.len()), Tools::default);
         let share = self.pairs.len().div_ceil(width).max(1);
         let (states, spins, resting) = (&self.states, &self.spins, &self.resting);
-        let still: Vec<bool> = (0..states.len()).map(|body| resting[body] || !world.bodies[body].moves()).collect();
-        let nothing_is_driven = world.prescribed.is_empty();
+        let still: Vec<bool> = (0..states.len()).map(|body| resting[body] || !model.bodies[body].moves()).collect();
+        let nothing_is_driven = model.prescribed.is_empty();
         let renew = |pair: &mut PairPatches, tools: &mut Tools| {
             if still[pair.a] && still[pair.b] && nothing_is_driven {
                 return;
             }
             let [a, b] = [pair.a, pair.b].map(|body| states[body].linear_velocity);
             let travel = ((a - b).length() + spins[pair.a] + spins[pair.b]) * step + fall;
-            pair.renew(world, states, travel, tools);
+            pair.renew(model, states, travel, tools);
         };
         if width == 1 {
             let tools = &mut self.tools[0];
@@ -237,14 +237,14 @@ impl Course {
             });
             executor.run(tasks.collect());
         }
-        leave_out_inner_borders(world, &self.states, &mut self.pairs);
+        leave_out_inner_borders(model, &self.states, &mut self.pairs);
     }
 
     /// Puts bodies that patches and joints connect into groups, islands in the order of their first bodies. Force
     /// fields may couple any bodies: with them there is one group.
-    pub(super) fn make_groups(&mut self, world: &World, rules: &Rules) {
+    pub(super) fn make_groups(&mut self, model: &Model, rules: &Rules) {
         let bodies = self.states.len();
-        let moved: Vec<bool> = (0..bodies).map(|body| world.bodies[body].moves() && !self.resting[body]).collect();
+        let moved: Vec<bool> = (0..bodies).map(|body| model.bodies[body].moves() && !self.resting[body]).collect();
         let is_moved = |body: usize| moved[body];
         let mut sets = DisjointSets::new(bodies);
         // The patches and joints of each island, at its smallest body.
@@ -255,13 +255,13 @@ impl Course {
                 sets.join(pair.a, pair.b);
             }
         }
-        for (a, b) in world.joints.iter().map(WorldJoint::pair) {
+        for (a, b) in model.joints.iter().map(ModelJoint::pair) {
             if is_moved(a) && is_moved(b) {
                 sets.join(a, b);
             }
         }
         let of_pairs = self.pairs.iter().map(|pair| ((pair.a, pair.b), pair.patches.len()));
-        let of_joints = world.joints.iter().map(|joint| (joint.pair(), 1));
+        let of_joints = model.joints.iter().map(|joint| (joint.pair(), 1));
         for ((a, b), count) in of_pairs.chain(of_joints).filter(|(_, count)| *count > 0) {
             let Some(own) = [a, b].into_iter().find(|&body| is_moved(body)) else { continue };
             work[sets.smallest(own)] += count as u32;
@@ -276,7 +276,7 @@ impl Course {
                 continue;
             }
             let island = sets.smallest(body);
-            if work[island] == 0 && !(rules.has_loads && world.is_loaded(body)) {
+            if work[island] == 0 && !(rules.has_loads && model.is_loaded(body)) {
                 continue;
             }
             let group = *group_of_island[island].get_or_insert_with(|| {
@@ -303,11 +303,11 @@ impl Course {
     }
 
     /// The step of each group for itself.
-    pub(super) fn solve(&mut self, world: &World, executor: &dyn Executor, (t, rules): (f64, &Rules)) {
+    pub(super) fn solve(&mut self, model: &Model, executor: &dyn Executor, (t, rules): (f64, &Rules)) {
         let warm = if self.last_h > 0.0 { rules.h / self.last_h } else { 0.0 };
         let (states, pairs, numbers) = (&self.states, &self.pairs, &self.numbers);
         let held = (&self.held[..], &self.limits[..]);
-        let given = Given { world, states, pairs, numbers, held, t, warm, rules };
+        let given = Given { model, states, pairs, numbers, held, t, warm, rules };
         let groups = &mut self.groups[..self.used];
         if groups.len() == 1 || executor.width().get() == 1 {
             for group in groups {
@@ -320,21 +320,21 @@ impl Course {
         for group in &self.groups[..self.used] {
             for (body, state) in group.states() {
                 self.states[body] = *state;
-                world.keep_in_plane(body, &mut self.states[body]);
+                model.keep_in_plane(body, &mut self.states[body]);
             }
         }
     }
 
     /// Bodies that touch nothing, under gravity alone: a parabola, and free rotation.
-    pub(super) fn fly(&mut self, world: &World, rules: &Rules) {
+    pub(super) fn fly(&mut self, model: &Model, rules: &Rules) {
         let step = rules.h * f64::from(rules.substeps);
-        for &body in &world.movable {
-            if self.group_of[body].is_some() || self.resting[body] || !world.bodies[body].moves() {
+        for &body in &model.movable {
+            if self.group_of[body].is_some() || self.resting[body] || !model.bodies[body].moves() {
                 continue;
             }
-            let Some(rigid) = &world.bodies[body].rigid else { continue };
+            let Some(rigid) = &model.bodies[body].rigid else { continue };
             let state = &mut self.states[body];
-            let gain = world.free_acceleration(body) * step;
+            let gain = model.free_acceleration(body) * step;
             let translation = state.pose.translation + (state.linear_velocity + gain * 0.5) * step;
             state.linear_velocity += gain;
             let momentum = state.angular_momentum;
@@ -346,28 +346,28 @@ impl Course {
                 }
             }
             state.pose = Pose::new(rotation, translation);
-            world.keep_in_plane(body, state);
+            model.keep_in_plane(body, state);
         }
     }
 
     /// What a step from these states on has done that it may not: the pair that has come through each other, or whose
     /// overlap has grown by more than a part of the smaller one, deepest. Bodies are looked at that came elsewhere than
     /// at their velocities and under gravity, and those that have come farther than a middle is deep.
-    pub(super) fn fault_since(&mut self, world: &World, before: &[BodyState], rules: &Rules) -> Option<Fault> {
-        if self.middles.len() != world.bodies.len() {
-            self.middles = world.bodies.iter().map(|body| Middles::of(body.shape.as_ref())).collect();
+    pub(super) fn fault_since(&mut self, model: &Model, before: &[BodyState], rules: &Rules) -> Option<Fault> {
+        if self.middles.len() != model.bodies.len() {
+            self.middles = model.bodies.iter().map(|body| Middles::of(body.shape.as_ref())).collect();
             self.least_middle = self.middles.iter().map(Middles::least_depth).fold(f64::INFINITY, f64::min);
         }
         let changes: Vec<Moved> =
             before.iter().zip(&self.states).map(|(start, end)| Moved::between(start, end)).collect();
-        let passed = self.passage_since(world, before, &changes);
+        let passed = self.passage_since(model, before, &changes);
         // Pieces of a substep are for what passes: overlaps that grow in a pile are those of the substeps.
-        passed.or_else(|| (rules.substeps > 1).then(|| self.growth_since(world, before, (rules, &changes))).flatten())
+        passed.or_else(|| (rules.substeps > 1).then(|| self.growth_since(model, before, (rules, &changes))).flatten())
     }
 
     /// A pair of which one has come through the surface of the other since these states.
-    fn passage_since(&self, world: &World, before: &[BodyState], changes: &[Moved]) -> Option<Fault> {
-        let moved = |body: usize| changes[body].way + changes[body].turned * world.bodies[body].size;
+    fn passage_since(&self, model: &Model, before: &[BodyState], changes: &[Moved]) -> Option<Fault> {
+        let moved = |body: usize| changes[body].way + changes[body].turned * model.bodies[body].size;
         let farthest = (0..changes.len()).map(moved).fold(0.0, f64::max);
         // Two bodies that move towards each other.
         if farthest + farthest <= LEAST_WAY * self.least_middle {
@@ -376,29 +376,29 @@ impl Course {
         let has_passed = |body: usize, other: usize| {
             let middles = &self.middles[body];
             moved(body) + moved(other) > LEAST_WAY * middles.least_depth()
-                && middles.have_passed(world, [before, &self.states], (body, other))
+                && middles.have_passed(model, [before, &self.states], (body, other))
         };
         let found = self.pairs.iter().find(|pair| has_passed(pair.a, pair.b) || has_passed(pair.b, pair.a))?;
-        Some(Fault::passage(world, found))
+        Some(Fault::passage(model, found))
     }
 
     /// A pair of which one is behind the surface of the other at the end of the last step.
-    pub(super) fn inside_now(&self, world: &World) -> Option<Fault> {
-        let is_inside = |body: usize, other: usize| self.middles[body].are_inside(world, &self.states, (body, other));
+    pub(super) fn inside_now(&self, model: &Model) -> Option<Fault> {
+        let is_inside = |body: usize, other: usize| self.middles[body].are_inside(model, &self.states, (body, other));
         let mut deep = self.deep.iter().map(|&place| &self.pairs[place]);
         let found = deep.find(|pair| is_inside(pair.a, pair.b) || is_inside(pair.b, pair.a))?;
-        Some(Fault::passage(world, found))
+        Some(Fault::passage(model, found))
     }
 
     /// A pair whose overlap has grown by more than a part of the smaller body since these states, or a body that has
     /// left its box, with which pairs may be missing.
-    fn growth_since(&self, world: &World, before: &[BodyState], (rules, changes): (&Rules, &[Moved])) -> Option<Fault> {
+    fn growth_since(&self, model: &Model, before: &[BodyState], (rules, changes): (&Rules, &[Moved])) -> Option<Fault> {
         let step = rules.h * f64::from(rules.substeps);
-        let fall = world.gravity().length() * step * step;
+        let fall = model.gravity().length() * step * step;
         let mut aside = vec![0.0; before.len()];
         let mut is_any = false;
-        for &body in world.movable.iter().filter(|&&body| self.group_of[body].is_some()) {
-            let (start, end, size) = (&before[body], &self.states[body], world.bodies[body].size);
+        for &body in model.movable.iter().filter(|&&body| self.group_of[body].is_some()) {
+            let (start, end, size) = (&before[body], &self.states[body], model.bodies[body].size);
             let changed = (end.linear_velocity - start.linear_velocity).length() * step - fall;
             // A hit makes it turn, or turned it has; or it flies on.
             aside[body] = changed.max(0.0) + changes[body].turned * size;
@@ -409,18 +409,18 @@ impl Course {
         }
         let has_sunk = |pair: &PairPatches| {
             let (a, b) = (pair.a, pair.b);
-            let least = OVERLAP_GROWTH * world.pair_size(a, b);
+            let least = OVERLAP_GROWTH * model.pair_size(a, b);
             if aside[a] + aside[b] <= least {
                 return None;
             }
-            let now = world.separation_without_memory(&self.states, a, b).filter(|now| *now < -least)?;
-            let then = world.separation_without_memory(before, a, b);
+            let now = model.separation_without_memory(&self.states, a, b).filter(|now| *now < -least)?;
+            let then = model.separation_without_memory(before, a, b);
             then.is_none_or(|then| now < then.min(0.0) - least).then_some(((a, b), -now))
         };
         let deepest = self.pairs.iter().filter_map(has_sunk).max_by(|x, y| x.1.total_cmp(&y.1));
         let left = || {
-            let far = |body: usize| aside[body] > OVERLAP_GROWTH * world.bodies[body].size;
-            self.boxes.has_left(world, &self.states, far).then_some(Fault::LeftBox)
+            let far = |body: usize| aside[body] > OVERLAP_GROWTH * model.bodies[body].size;
+            self.boxes.has_left(model, &self.states, far).then_some(Fault::LeftBox)
         };
         deepest.map(|(pair, depth)| Fault::Overlap { pair, depth }).or_else(left)
     }

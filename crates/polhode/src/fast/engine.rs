@@ -13,11 +13,12 @@ use crate::accounting::measures::Measure;
 use crate::collision::contact_set::{FoundContact, Touch};
 use crate::collision::face_patches::{FoundAt, PairPatches, Patch, PatchPoint};
 use crate::constraint::ConstraintId;
-use crate::constraint::joint::WorldJoint;
+use crate::constraint::joint::ModelJoint;
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::identity::joint_id::JointId;
+use crate::model::Model;
 use crate::report::acceleration::Acceleration;
 use crate::report::event::{Event, EventKind};
 use crate::report::frame::{ContactView, IslandView, JointView, MotionKind};
@@ -31,7 +32,6 @@ use crate::tier::free_stage;
 use crate::tier::free_stage::Ends;
 use crate::tier::sampling::emit_samples_before;
 use crate::tier::{Reached, Tier};
-use crate::world::World;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, DisjointSets, Pose, Rotation};
@@ -64,7 +64,7 @@ impl FastEngine {
     /// # Errors
     /// When the data are not of this scene.
     pub(crate) fn restored(core: &Core, saved: &content::Fast) -> Result<Self, SnapshotError> {
-        let bodies = core.world.bodies.len();
+        let bodies = core.model.bodies.len();
         let mut course = Course::new(&core.settings, read_states(&saved.states, bodies)?);
         course.pairs = saved.pairs.iter().map(|pair| restored_pair(core, pair)).collect::<Result<_, _>>()?;
         if !course.pairs.is_sorted_by_key(|pair| (pair.a, pair.b))
@@ -88,7 +88,7 @@ impl FastEngine {
 
     fn rules(core: &Core, step_s: f64) -> Rules {
         let settings = &core.settings;
-        let rules = Rules::new(step_s, settings.step_s, settings.substeps.unwrap_or(SUBSTEPS), &core.world);
+        let rules = Rules::new(step_s, settings.step_s, settings.substeps.unwrap_or(SUBSTEPS), &core.model);
         rules.by(settings.contact).after(core.accounts.steps())
     }
 
@@ -98,12 +98,12 @@ impl FastEngine {
         emit_samples_before(t_next, self, core, observer, |engine, core, t| engine.states_within(core, t).map(Some))?;
         let rules = Self::rules(core, h);
         let executor = Arc::clone(&core.executor);
-        let Core { world, accounts, .. } = core;
+        let Core { model, accounts, .. } = core;
         let mut overlaps = Vec::new();
-        step(&mut self.course, world, &*executor, (core.t, &rules), |course, times, before, rules| {
-            book(course, (world, accounts), before, times, rules.h);
+        step(&mut self.course, model, &*executor, (core.t, &rules), |course, times, before, rules| {
+            book(course, (model, accounts), before, times, rules.h);
             overlaps.extend(course.deepest().map(|(pair, depth)| (times[1], pair, depth)));
-            for event in impacts(course, world, before, (times[1], rules)) {
+            for event in impacts(course, model, before, (times[1], rules)) {
                 accounts.add_event(event);
             }
         })?;
@@ -112,12 +112,12 @@ impl FastEngine {
             core.accounts.measures.penetration.note(Measure { t, pair, value, allowed });
         }
         core.t = t_next;
-        core.world.count_all_turns(&self.course.states)?;
+        core.model.count_all_turns(&self.course.states)?;
         core.accounts.count_step();
         settle(&mut self.course, core, &rules)?;
         self.report_pairs(core);
         core.accounts.emit_events(core.t, observer);
-        core.accounts.observe(&core.world, &self.course.states, core.t)?;
+        core.accounts.observe(&core.model, &self.course.states, core.t)?;
         Ok(())
     }
 
@@ -127,7 +127,7 @@ impl FastEngine {
             return Ok(Arc::new(self.course.states.clone()));
         }
         let mut course = self.course.copy(&core.settings);
-        step(&mut course, &core.world, &*core.executor, (core.t, &Self::rules(core, t - core.t)), |_, _, _, _| {})?;
+        step(&mut course, &core.model, &*core.executor, (core.t, &Self::rules(core, t - core.t)), |_, _, _, _| {})?;
         Ok(course.into())
     }
 
@@ -181,19 +181,19 @@ impl FastEngine {
 /// Books a step that began with these states.
 fn book(
     course: &Course,
-    (world, accounts): (&World, &mut Accounts),
+    (model, accounts): (&Model, &mut Accounts),
     before: &[BodyState],
     times: [f64; 2],
     substep_s: f64,
 ) {
     let about = accounts.books.ledger.momentum.about;
-    let moving: Vec<usize> = world.movable.iter().copied().filter(|&body| !course.resting[body]).collect();
-    let balances = [before, &course.states].map(|states| accounts.books.balance(world, states, &moving));
+    let moving: Vec<usize> = model.movable.iter().copied().filter(|&body| !course.resting[body]).collect();
+    let balances = [before, &course.states].map(|states| accounts.books.balance(model, states, &moving));
     let ends = Ends { t: times, states: [before, &course.states] };
-    let mut received = free_stage::received(world, ends, &moving, about);
+    let mut received = free_stage::received(model, ends, &moving, about);
     let mut soft = SoftStep::default();
     let mut residual = 0.0_f64;
-    let smallest = world.gravity().length() * substep_s;
+    let smallest = model.gravity().length() * substep_s;
     for report in course.reports() {
         let works = report.works;
         soft.impact_j -= works.colliding_j;
@@ -206,10 +206,10 @@ fn book(
         }
     }
     let of_fields = received.external_j;
-    support((course, world), before, about, (&mut received, times[1] - times[0]));
+    support((course, model), before, about, (&mut received, times[1] - times[0]));
     soft.driven_j = received.external_j - of_fields;
-    let resting = world.movable.iter().copied().filter(|&body| course.resting[body] && world.bodies[body].moves());
-    let weight = accounts.books.weight_of(world, before, resting);
+    let resting = model.movable.iter().copied().filter(|&body| course.resting[body] && model.bodies[body].moves());
+    let weight = accounts.books.weight_of(model, before, resting);
     accounts.note_residual(times[1], residual);
     accounts.books.soft_step(balances, received, soft);
     accounts.books.borne(weight, times[1] - times[0]);
@@ -217,12 +217,12 @@ fn book(
 
 /// Momentum from fixed and kinematic bodies over a step of `h` (s), and the work of the latter.
 fn support(
-    (course, world): (&Course, &World),
+    (course, model): (&Course, &Model),
     states: &[BodyState],
     about: DVec3,
     (received, h): (&mut Received, f64),
 ) {
-    let carries: Vec<bool> = (0..states.len()).map(|body| world.carries_momentum(body)).collect();
+    let carries: Vec<bool> = (0..states.len()).map(|body| model.carries_momentum(body)).collect();
     let mut sum = MomentumSum::default();
     for report in course.reports() {
         received.external_j += report.driven_j;
@@ -246,7 +246,7 @@ fn support(
             }
             let [x, y] =
                 [(pair.a, point.on_a), (pair.b, point.on_b)].map(|(body, at)| states[body].pose.transform_point(at));
-            let place = x + (y - x) * pair.acting_part(world, normal.dot(x - y));
+            let place = x + (y - x) * pair.acting_part(model, normal.dot(x - y));
             let linear = on_a * sign;
             sum.add(Momentum { linear, angular: (place - about).cross(linear) });
         }
@@ -291,15 +291,15 @@ impl Tier for FastEngine {
         // By the method of the tier: the mean over the coming step.
         let h = core.settings.step_s;
         let ends = self.states_within(core, core.t + h)?;
-        let world = &core.world;
+        let model = &core.model;
         let of = |(body, (start, end)): (usize, (&BodyState, &BodyState))| {
-            if world.trajectory(body).is_some() {
-                let (linear, angular) = world.prescribed_acceleration(body, core.t);
-                return world.reported_acceleration(body, start, linear, angular);
+            if model.trajectory(body).is_some() {
+                let (linear, angular) = model.prescribed_acceleration(body, core.t);
+                return model.reported_acceleration(body, start, linear, angular);
             }
-            let [v0, v1] = [start, end].map(|state| world.velocity(body, state));
+            let [v0, v1] = [start, end].map(|state| model.velocity(body, state));
             let (linear, angular) = ((v1.linear - v0.linear) / h, (v1.angular - v0.angular) / h);
-            world.reported_acceleration(body, start, linear, angular)
+            model.reported_acceleration(body, start, linear, angular)
         };
         Ok(self.course.states.iter().zip(ends.iter()).enumerate().map(of).collect())
     }
@@ -307,7 +307,7 @@ impl Tier for FastEngine {
     fn contacts(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<ContactView> {
         let mut views = Vec::new();
         for pair in &self.course.pairs {
-            let distance = core.world.touch_distance(states, pair.a, pair.b);
+            let distance = core.model.touch_distance(states, pair.a, pair.b);
             for patch in &pair.patches {
                 for point in patch.points() {
                     let id = ContactId { a: pair.a, b: pair.b, feature: Feature::Shapes(point.feature) };
@@ -315,7 +315,7 @@ impl Tier for FastEngine {
                     if point.normal_force > 0.0 || geometry.separation <= distance {
                         let kinematics = ContactKinematics { geometry, separation_rate: 0.0, acceleration_bias: 0.0 };
                         let touch = Touch::from(FoundContact { id, kinematics });
-                        core.world.view_contact(states, &touch, (point.normal_force, point.friction_force), &mut views);
+                        core.model.view_contact(states, &touch, (point.normal_force, point.friction_force), &mut views);
                     }
                 }
             }
@@ -324,14 +324,14 @@ impl Tier for FastEngine {
     }
 
     fn joint_loads(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<JointView> {
-        let world = &core.world;
+        let model = &core.model;
         let view = |held: &HeldJoint| {
             let ConstraintId::Joint { joint, bodies } = held.id else { return None };
-            let own = world.joints.iter().find(|own| own.number() == joint)?;
-            let point_m = world.anchor_of(states, own);
+            let own = model.joints.iter().find(|own| own.number() == joint)?;
+            let point_m = model.anchor_of(states, own);
             let moment = held.moment - (point_m - states[held.body].pose.translation).cross(held.force);
             // Of a joint of the world with its second body the first end is the world.
-            let sign = if core.world.scene.joints().get(joint)?.body().index() == held.body { 1.0 } else { -1.0 };
+            let sign = if core.model.scene.joints().get(joint)?.body().index() == held.body { 1.0 } else { -1.0 };
             debug_assert!(bodies.0 == held.body || bodies.1 == held.body);
             Some(JointView {
                 joint: JointId::new(joint),
@@ -345,7 +345,7 @@ impl Tier for FastEngine {
 
     fn motions(&self, core: &Core) -> Vec<MotionKind> {
         let kind = |body: usize| match self.course.group_of[body] {
-            _ if !core.world.bodies[body].moves() => MotionKind::Given,
+            _ if !core.model.bodies[body].moves() => MotionKind::Given,
             _ if self.course.resting[body] => MotionKind::Rest,
             _ => MotionKind::Integrated,
         };
@@ -354,12 +354,12 @@ impl Tier for FastEngine {
 
     fn islands(&self, core: &Core) -> Vec<IslandView> {
         // Bodies that may touch within a step, or that joints connect; those that rest too.
-        let (world, bodies) = (&core.world, self.course.states.len());
-        let moves = |body: usize| world.bodies[body].moves();
+        let (model, bodies) = (&core.model, self.course.states.len());
+        let moves = |body: usize| model.bodies[body].moves();
         let mut sets = DisjointSets::new(bodies);
         let mut is_in_one = vec![false; bodies];
         let pairs = self.course.pairs.iter().filter(|pair| !pair.patches.is_empty()).map(|pair| (pair.a, pair.b));
-        let joints = world.joints.iter().map(WorldJoint::pair);
+        let joints = model.joints.iter().map(ModelJoint::pair);
         for (a, b) in pairs.chain(joints) {
             (is_in_one[a], is_in_one[b]) = (is_in_one[a] | moves(a), is_in_one[b] | moves(b));
             if moves(a) && moves(b) {
@@ -395,9 +395,9 @@ impl Tier for FastEngine {
     }
 
     fn change_joint(&mut self, core: &mut Core, pair: (usize, usize)) {
-        self.course.change_joint(&core.world, pair);
+        self.course.change_joint(&core.model, pair);
         self.course.wake_all();
-        self.touching.retain(|&own| own != pair || core.world.may_touch(own));
+        self.touching.retain(|&own| own != pair || core.model.may_touch(own));
     }
 
     fn touching_pairs(&self) -> usize {
@@ -431,17 +431,17 @@ fn save_held(held: &HeldJoint) -> content::HeldJoint {
 
 fn restored_held(core: &Core, saved: &content::HeldJoint) -> Result<HeldJoint, SnapshotError> {
     let invalid = || SnapshotError::Invalid("it has a joint that the scene has not");
-    let world = &core.world;
+    let model = &core.model;
     let id = match saved.kind {
         content::HeldKind::Pivot => ConstraintId::Pivot { body: saved.number },
         content::HeldKind::Joint => {
-            let joint = world.joints.iter().find(|own| own.number() == saved.number).ok_or_else(invalid)?;
+            let joint = model.joints.iter().find(|own| own.number() == saved.number).ok_or_else(invalid)?;
             let mut held = joint.bodies();
             let first = held.next().ok_or_else(invalid)?;
             ConstraintId::Joint { joint: saved.number, bodies: (first, held.next().unwrap_or(first)) }
         }
     };
-    if saved.body >= world.bodies.len() {
+    if saved.body >= model.bodies.len() {
         return Err(invalid());
     }
     let [force, moment] = saved.load.map(DVec3::from_array);
@@ -449,7 +449,7 @@ fn restored_held(core: &Core, saved: &content::HeldJoint) -> Result<HeldJoint, S
 }
 
 fn restored_limit(core: &Core, (id, multiplier): &(Contact, f64)) -> Result<HeldLimit, SnapshotError> {
-    Ok(HeldLimit { id: restored_id(&core.world, id)?, multiplier: *multiplier })
+    Ok(HeldLimit { id: restored_id(&core.model, id)?, multiplier: *multiplier })
 }
 
 fn save_pair(pair: &PairPatches) -> content::PairPatches {
@@ -470,12 +470,12 @@ fn save_pair(pair: &PairPatches) -> content::PairPatches {
 
 fn restored_pair(core: &Core, saved: &content::PairPatches) -> Result<PairPatches, SnapshotError> {
     let (a, b) = saved.pair;
-    let world = &core.world;
-    if a >= b || b >= world.bodies.len() || world.shapes(a, b).is_none() {
+    let model = &core.model;
+    if a >= b || b >= model.bodies.len() || model.shapes(a, b).is_none() {
         return Err(SnapshotError::Invalid("a contact is not of two bodies that can touch"));
     }
     let point = |saved: &content::PatchPoint| {
-        let id = restored_id(world, &saved.id)?;
+        let id = restored_id(model, &saved.id)?;
         let Feature::Shapes(feature) = id.feature else {
             return Err(SnapshotError::Invalid("a contact is not of two bodies that can touch"));
         };
@@ -496,5 +496,5 @@ fn restored_pair(core: &Core, saved: &content::PairPatches) -> Result<PairPatche
         let pose = Pose::new(rotation, DVec3::from_array(found.pose.1));
         Ok(FoundAt { pose, reach: found.reach, separation: found.separation })
     });
-    Ok(PairPatches::new(world, (a, b)).with_patches(found.transpose()?, patches))
+    Ok(PairPatches::new(model, (a, b)).with_patches(found.transpose()?, patches))
 }

@@ -7,9 +7,9 @@ use super::held::{Held, HeldJoint, HeldLimit};
 use super::rules::Rules;
 use super::turning::turn;
 use crate::collision::face_patches::PairPatches;
+use crate::model::prescribed_state::{state_at, velocity_of};
+use crate::model::{Loads, Model};
 use crate::report::momentum_ledger::Momentum;
-use crate::world::prescribed_state::{state_at, velocity_of};
-use crate::world::{Loads, World};
 use polhode_contact::tangent_basis;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::sequential_impulses::{
@@ -119,7 +119,7 @@ pub(super) struct GroupReport {
 /// What a group reads.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Given<'a> {
-    pub(super) world: &'a World,
+    pub(super) model: &'a Model,
     pub(super) states: &'a [BodyState],
     pub(super) pairs: &'a [PairPatches],
     /// Number of each body in the solver of its group.
@@ -163,7 +163,7 @@ impl Group {
             let [pushed, relaxed] = rules.orders(substep);
             let booked = self.sweep_softly(stage, pushed, rules);
             self.report.works += booked;
-            self.move_bodies(given.world, rules.h);
+            self.move_bodies(given.model, rules.h);
             self.move_drivers(given, substep);
             self.find_rows(given);
             self.relax(relaxed, rules);
@@ -210,9 +210,9 @@ impl Group {
 
     /// The rows of joints where the bodies are now.
     fn find_rows(&mut self, given: &Given<'_>) {
-        if given.world.has_rows() {
+        if given.model.has_rows() {
             self.members.iter().for_each(|member| self.present[member.body] = member.state);
-            self.held.find_rows(given.world, &self.solver, &self.present);
+            self.held.find_rows(given.model, &self.solver, &self.present);
         }
     }
 
@@ -247,23 +247,23 @@ impl Group {
     }
 
     fn load(&mut self, given: &Given<'_>) {
-        let Given { world, states, .. } = given;
+        let Given { model, states, .. } = given;
         self.solver.clear();
         self.members.clear();
         self.drivers.clear();
         for place in 0..self.bodies.len() {
             let body = self.bodies[place];
-            let Some(rigid) = &world.bodies[body].rigid else { continue };
-            self.add_member(rigid, body, &states[body], world.free_acceleration(body) * given.rules.h);
+            let Some(rigid) = &model.bodies[body].rigid else { continue };
+            self.add_member(rigid, body, &states[body], model.free_acceleration(body) * given.rules.h);
         }
-        self.held.load((world, &self.solver), (states, &self.bodies), given.numbers);
+        self.held.load((model, &self.solver), (states, &self.bodies), given.numbers);
         // Kinematic bodies follow: each patch with one has it for itself.
         for number in 0..self.patches.len() {
             let place = self.patches[number];
             let pair = &given.pairs[place.pair];
             let (state_a, state_b) = (&states[pair.a], &states[pair.b]);
             let numbers = [pair.a, pair.b].map(|body| self.number(given, body));
-            let is_driven = [pair.a, pair.b].iter().any(|&body| world.trajectory(body).is_some());
+            let is_driven = [pair.a, pair.b].iter().any(|&body| model.trajectory(body).is_some());
             let normal = pair.normal(states, &pair.patches[place.patch]);
             let tangent = tangent_basis(normal)[0];
             let second = normal.cross(tangent);
@@ -278,7 +278,7 @@ impl Group {
                 }
                 let friction = point.friction_impulse * given.warm;
                 *row = ManifoldPoint {
-                    arm: on_a - apart * pair.acting_part(world, -depth),
+                    arm: on_a - apart * pair.acting_part(model, -depth),
                     separation: normal.dot(apart),
                     impulse: [point.normal_impulse * given.warm, friction.dot(tangent), friction.dot(second)],
                 };
@@ -303,12 +303,12 @@ impl Group {
 
     /// The number of a body in the solver: movable ones have it already, kinematic ones get one, others never move.
     fn number(&mut self, given: &Given<'_>, body: usize) -> u32 {
-        let world = given.world;
-        if world.bodies[body].moves() {
+        let model = given.model;
+        if model.bodies[body].moves() {
             return given.numbers[body];
         }
-        let Velocity { linear, angular } = world.velocity(body, &given.states[body]);
-        if world.trajectory(body).is_none() {
+        let Velocity { linear, angular } = model.velocity(body, &given.states[body]);
+        if model.trajectory(body).is_none() {
             return SequentialImpulses::IMMOVABLE;
         }
         let number = self.solver.add_body(ImpulseBody::immovable());
@@ -326,7 +326,7 @@ impl Group {
     ) {
         let sides = [(pair.a, 0, 1.0), (pair.b, 1, -1.0)];
         for (body, side, sign) in sides {
-            if given.world.trajectory(body).is_none() || numbers[side] == SequentialImpulses::IMMOVABLE {
+            if given.model.trajectory(body).is_none() || numbers[side] == SequentialImpulses::IMMOVABLE {
                 continue;
             }
             self.drivers.push(Driver {
@@ -357,7 +357,7 @@ impl Group {
     /// The velocity of the surface of a kinematic body `time` (s) after the start of the step, where the patch is when
     /// the other body has moved on for `ahead` (s).
     fn surface_velocity(&self, given: &Given<'_>, driver: &Driver, (time, ahead): (f64, f64)) -> Velocity {
-        let Some(trajectory) = given.world.trajectory(driver.body) else { return Velocity::default() };
+        let Some(trajectory) = given.model.trajectory(driver.body) else { return Velocity::default() };
         let (now, start) = (state_at(trajectory, given.t + time), &given.states[driver.body]);
         let Velocity { linear, angular } = velocity_of(&now);
         let of_patch = self.members.get(driver.member).map_or(DVec3::ZERO, |member| {
@@ -375,7 +375,7 @@ impl Group {
         let time = f64::from(substep + 1) * given.rules.h;
         for place in 0..self.drivers.len() {
             let driver = self.drivers[place];
-            let Some(trajectory) = given.world.trajectory(driver.body) else { continue };
+            let Some(trajectory) = given.model.trajectory(driver.body) else { continue };
             let (now, start) = (state_at(trajectory, given.t + time).pose, given.states[driver.body].pose);
             let turn = now.rotation * start.rotation.inverse();
             let vector = turn.to_rotation_vector();
@@ -451,16 +451,16 @@ impl Group {
 
     /// Gravity and other forces act on the velocities, `time` (s) after the start of the step.
     fn kick(&mut self, given: &Given<'_>, time: f64) {
-        let (world, h) = (given.world, given.rules.h);
+        let (model, h) = (given.model, given.rules.h);
         let mut loads = Loads::default();
         if given.rules.has_loads {
             self.members.iter().for_each(|member| self.present[member.body] = member.state);
-            loads = world.loads_on(given.t + time, &self.present, &self.bodies);
+            loads = model.loads_on(given.t + time, &self.present, &self.bodies);
         }
         for (number, member) in (1..).zip(&mut self.members) {
             member.before = Velocity::new(member.state.linear_velocity, member.angular);
             member.state.linear_velocity += member.kick;
-            if let Some(rigid) = world.bodies[member.body].rigid.as_ref().filter(|_| given.rules.has_loads) {
+            if let Some(rigid) = model.bodies[member.body].rigid.as_ref().filter(|_| given.rules.has_loads) {
                 let wrench = loads.of(member.body);
                 member.state.linear_velocity += wrench.force * (rigid.inverse_mass() * h);
                 member.state.angular_momentum += wrench.torque * h;
@@ -475,9 +475,9 @@ impl Group {
     }
 
     /// Takes the velocities that impulses have left, and moves the bodies with them.
-    fn move_bodies(&mut self, world: &World, h: f64) {
+    fn move_bodies(&mut self, model: &Model, h: f64) {
         for (number, member) in (1..).zip(&mut self.members) {
-            let Some(rigid) = &world.bodies[member.body].rigid else { continue };
+            let Some(rigid) = &model.bodies[member.body].rigid else { continue };
             member.take_velocity(self.solver.body(number));
             let pose = &mut member.state.pose;
             pose.translation += member.state.linear_velocity * h;

@@ -11,8 +11,8 @@ use crate::constraint::ConstraintId;
 use crate::constraint::joint::pivot_rows;
 use crate::constraint::row::{BilateralRow, Member, RowsAt};
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::sequential_impulses::{
     BodyImpulse, ImpulseJoint, JointImpulses, JointLaw, JointRow, MOST_JOINT_ROWS, SequentialImpulses, SweepRule, Works,
@@ -75,27 +75,27 @@ impl Held {
     /// Takes the joints of these bodies, ascending, in these states. `numbers` are those of the bodies in the solver.
     pub(super) fn load(
         &mut self,
-        (world, solver): (&World, &SequentialImpulses),
+        (model, solver): (&Model, &SequentialImpulses),
         (states, bodies): (&[BodyState], &[usize]),
         numbers: &[u32],
     ) {
         self.joints.clear();
         self.known.clear();
         self.support = MomentumSum::default();
-        if !world.has_rows() {
+        if !model.has_rows() {
             return;
         }
-        let pivots = bodies.iter().filter(|&&body| world.bodies[body].held.is_some());
+        let pivots = bodies.iter().filter(|&&body| model.bodies[body].held.is_some());
         let pivots = pivots.map(|&body| (Source::Pivot(body), Some(ConstraintId::Pivot { body })));
-        let joints = world.joint_places_among(bodies);
-        let joints = joints.into_iter().map(|place| (Source::Joint(place), Some(world.joints[place].id())));
+        let joints = model.joint_places_among(bodies);
+        let joints = joints.into_iter().map(|place| (Source::Joint(place), Some(model.joints[place].id())));
         for (source, id) in pivots.chain(joints) {
-            let at = rows_at(world, states, source);
+            let at = rows_at(model, states, source);
             let sides = [0, 1].map(|side| at.as_ref()?.members.get(side).map(|member| member.body));
             self.add(Known { source, id, sides }, JointLaw::Hold, at.map_or(0, |at| at.rows.len()), numbers);
         }
-        for (a, b) in world.joint_contact_pairs_among(bodies) {
-            for &feature in world.joint_contacts_of_pair((a, b)) {
+        for (a, b) in model.joint_contact_pairs_among(bodies) {
+            for &feature in model.joint_contacts_of_pair((a, b)) {
                 let id = ContactId { a, b, feature };
                 let known = Known { source: Source::Limit(id), id: None, sides: [Some(a), id.second()] };
                 self.add(known, JointLaw::Limit, 1, numbers);
@@ -111,12 +111,12 @@ impl Held {
     }
 
     /// The rows in these states.
-    pub(super) fn find_rows(&mut self, world: &World, solver: &SequentialImpulses, states: &[BodyState]) {
+    pub(super) fn find_rows(&mut self, model: &Model, solver: &SequentialImpulses, states: &[BodyState]) {
         for (number, known) in self.known.iter().enumerate() {
             self.rows.clear();
             if let Source::Limit(id) = known.source {
-                self.rows.extend(limit_row(world, states, id));
-            } else if let Some(at) = rows_at(world, states, known.source) {
+                self.rows.extend(limit_row(model, states, id));
+            } else if let Some(at) = rows_at(model, states, known.source) {
                 self.rows.extend(at.rows.iter().map(|row| row_of(row, &at.members)));
             }
             self.joints.set_rows(number, &self.rows);
@@ -209,14 +209,14 @@ impl Held {
 }
 
 /// The rows of a pivot or a joint where the bodies are; rates are not asked for. None of a limit.
-fn rows_at(world: &World, states: &[BodyState], source: Source) -> Option<RowsAt> {
+fn rows_at(model: &Model, states: &[BodyState], source: Source) -> Option<RowsAt> {
     let at = |body: usize| (states[body].pose, Velocity::default());
     match source {
         Source::Pivot(body) => {
-            let held = world.bodies[body].held?;
+            let held = model.bodies[body].held?;
             Some(pivot_rows((body, held.arm), held.place, at))
         }
-        Source::Joint(place) => Some(world.joints[place].rows_at(at)),
+        Source::Joint(place) => Some(model.joints[place].rows_at(at)),
         Source::Limit(_) => None,
     }
 }
@@ -234,8 +234,8 @@ fn row_of(row: &BilateralRow, members: &[Member]) -> JointRow {
 }
 
 /// The row of a limit of a joint; none where its coordinate has no direction.
-fn limit_row(world: &World, states: &[BodyState], id: ContactId) -> Option<JointRow> {
-    let geometry = world.joint_contact_kinematics(states, id)?.geometry;
+fn limit_row(model: &Model, states: &[BodyState], id: ContactId) -> Option<JointRow> {
+    let geometry = model.joint_contact_kinematics(states, id)?.geometry;
     let moment = |body: usize| (geometry.point - states[body].pose.translation).cross(geometry.normal);
     let second = id.second().map_or(DVec3::ZERO, |second| -moment(second));
     Some(JointRow { force: geometry.normal, moments: [moment(id.a), second], gap: geometry.separation })

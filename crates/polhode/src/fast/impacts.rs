@@ -10,12 +10,12 @@
 use super::course::Course;
 use super::rules::Rules;
 use crate::identity::body_id::BodyId;
+use crate::model::Model;
 use crate::report::event::{Event, EventKind};
-use crate::world::World;
 use polhode_dynamics::BodyState;
 
 /// The impacts of the last step, which began with these states and ended at `t_s`, in the order of its contacts.
-pub(super) fn impacts(course: &Course, world: &World, before: &[BodyState], (t_s, rules): (f64, &Rules)) -> Vec<Event> {
+pub(super) fn impacts(course: &Course, model: &Model, before: &[BodyState], (t_s, rules): (f64, &Rules)) -> Vec<Event> {
     let mut events = Vec::new();
     // Where no impulse of a collision has done work, none has collided.
     for group in course.groups().iter().filter(|group| group.report.works.colliding_j != 0.0) {
@@ -30,11 +30,11 @@ pub(super) fn impacts(course: &Course, world: &World, before: &[BodyState], (t_s
                 let (normal, tangent) = (manifold.normal, manifold.tangent);
                 let whole = normal * along + tangent * first + normal.cross(tangent) * second;
                 let geometry = pair.geometry(before, patch, point);
-                let towards_b = 0.5 - pair.acting_part(world, geometry.separation);
+                let towards_b = 0.5 - pair.acting_part(model, geometry.separation);
                 let place = geometry.point + geometry.normal * (geometry.separation * towards_b);
                 let velocity = |states: &[BodyState]| {
                     let [a, b] = [pair.a, pair.b].map(|body| {
-                        let own = world.velocity(body, &states[body]);
+                        let own = model.velocity(body, &states[body]);
                         own.linear + own.angular.cross(place - before[body].pose.translation)
                     });
                     a - b

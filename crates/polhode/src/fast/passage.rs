@@ -6,7 +6,7 @@
 //! body that has come through overlaps by its whole size. Failure: what passes with an end alone is an overlap at the
 //! end of the step, or unseen.
 
-use crate::world::World;
+use crate::model::Model;
 use polhode_contact::{Ray, Shape, aabb_of, closest_point, contains, ray_cast};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose, UnitVector};
@@ -53,8 +53,8 @@ impl Middles {
     }
 
     /// Whether one of them is behind the surface of `other`.
-    pub(super) fn are_inside(&self, world: &World, states: &[BodyState], (body, other): (usize, usize)) -> bool {
-        let Some(shape) = &world.bodies[other].shape else { return false };
+    pub(super) fn are_inside(&self, model: &Model, states: &[BodyState], (body, other): (usize, usize)) -> bool {
+        let Some(shape) = &model.bodies[other].shape else { return false };
         let is_inside =
             |middle: &Middle| contains(shape, &states[other].pose, states[body].pose.transform_point(middle.at));
         self.all.iter().any(is_inside)
@@ -63,11 +63,11 @@ impl Middles {
     /// Whether `body`, of which these are, has come behind the surface of `other` between two states.
     pub(super) fn have_passed(
         &self,
-        world: &World,
+        model: &Model,
         [before, after]: [&[BodyState]; 2],
         (body, other): (usize, usize),
     ) -> bool {
-        let Some(shape) = &world.bodies[other].shape else { return false };
+        let Some(shape) = &model.bodies[other].shape else { return false };
         let pose = &after[other].pose;
         let passes = |middle: &Middle| {
             let start = before[other].pose.inverse_transform_point(before[body].pose.transform_point(middle.at));

@@ -15,12 +15,12 @@ use super::course::Course;
 use super::rules::Rules;
 use crate::collision::contact_set::{FoundContact, Touch};
 use crate::collision::face_patches::PairPatches;
-use crate::constraint::joint::WorldJoint;
+use crate::constraint::joint::ModelJoint;
 use crate::error::SimulationError;
 use crate::identity::contact_id::{ContactId, Feature};
+use crate::model::Model;
 use crate::solve::held_at_rest::HeldAtRest;
 use crate::tier::core::Core;
-use crate::world::World;
 use polhode_contact::{ContactFeature, ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
@@ -40,7 +40,7 @@ pub(super) fn settle(course: &mut Course, core: &mut Core, rules: &Rules) -> Res
     if !core.accounts.steps().is_multiple_of(EVERY) {
         return Ok(());
     }
-    let islands = slow_islands(course, &core.world, rules);
+    let islands = slow_islands(course, &core.model, rules);
     for island in islands {
         for &body in &island {
             course.quiet[body] += 1;
@@ -53,28 +53,28 @@ pub(super) fn settle(course: &mut Course, core: &mut Core, rules: &Rules) -> Res
         if !held {
             continue;
         }
-        let before = core.accounts.books.balance(&core.world, &course.states, &island);
+        let before = core.accounts.books.balance(&core.model, &course.states, &island);
         for &body in &island {
             course.states[body] = BodyState::at_rest(course.states[body].pose);
             course.resting[body] = true;
         }
-        let after = core.accounts.books.balance(&core.world, &course.states, &island);
+        let after = core.accounts.books.balance(&core.model, &course.states, &island);
         core.accounts.books.rest(before, after, 0.0);
     }
     Ok(())
 }
 
 /// The islands of which all bodies are slow, and nothing else that moves is beside them.
-fn slow_islands(course: &mut Course, world: &World, rules: &Rules) -> Vec<Vec<usize>> {
-    let slow = SLOW * world.gravity().length() * rules.h * f64::from(rules.substeps);
+fn slow_islands(course: &mut Course, model: &Model, rules: &Rules) -> Vec<Vec<usize>> {
+    let slow = SLOW * model.gravity().length() * rules.h * f64::from(rules.substeps);
     let bodies = course.states.len();
     let mut sets = DisjointSets::new(bodies);
     let mut may_rest: Vec<bool> = (0..bodies)
         .map(|body| {
-            world.bodies[body].moves()
+            model.bodies[body].moves()
                 && !course.resting[body]
-                && !world.has_fields_on(body)
-                && world.point_speed(&course.states, body) <= slow
+                && !model.has_fields_on(body)
+                && model.point_speed(&course.states, body) <= slow
         })
         .collect();
     for (quiet, may) in course.quiet.iter_mut().zip(&may_rest) {
@@ -82,16 +82,16 @@ fn slow_islands(course: &mut Course, world: &World, rules: &Rules) -> Vec<Vec<us
             *quiet = 0;
         }
     }
-    let awake = |course: &Course, body: usize| world.bodies[body].moves() && !course.resting[body];
+    let awake = |course: &Course, body: usize| model.bodies[body].moves() && !course.resting[body];
     for pair in course.pairs.iter().filter(|pair| !pair.patches.is_empty()) {
         match [pair.a, pair.b].map(|body| awake(course, body)) {
             [true, true] => sets.join(pair.a, pair.b),
-            [true, false] => may_rest[pair.a] &= world.trajectory(pair.b).is_none(),
-            [false, true] => may_rest[pair.b] &= world.trajectory(pair.a).is_none(),
+            [true, false] => may_rest[pair.a] &= model.trajectory(pair.b).is_none(),
+            [false, true] => may_rest[pair.b] &= model.trajectory(pair.a).is_none(),
             [false, false] => {}
         }
     }
-    for (a, b) in world.joints.iter().map(WorldJoint::pair) {
+    for (a, b) in model.joints.iter().map(ModelJoint::pair) {
         if awake(course, a) && awake(course, b) {
             sets.join(a, b);
         }
@@ -118,13 +118,13 @@ fn are_held(course: &Course, core: &Core, island: &[usize]) -> Result<bool, Resp
     for &body in island {
         states[body] = BodyState::at_rest(states[body].pose);
     }
-    let world = &core.world;
-    let mut touches = limits_that_may_press(course, world, (&states, island));
+    let model = &core.model;
+    let mut touches = limits_that_may_press(course, model, (&states, island));
     for pair in course.pairs.iter().filter(|pair| is_own(pair.a) || is_own(pair.b)) {
         for patch in &pair.patches {
             for point in patch.points() {
                 let id = ContactId { a: pair.a, b: pair.b, feature: Feature::Shapes(point.feature) };
-                let geometry = present_geometry(world, &states, id, pair.geometry(&states, patch, point));
+                let geometry = present_geometry(model, &states, id, pair.geometry(&states, patch, point));
                 if geometry.separation <= 0.0 || point.normal_force > 0.0 {
                     let kinematics = ContactKinematics { geometry, separation_rate: 0.0, acceleration_bias: 0.0 };
                     touches.push(Touch::from(FoundContact { id, kinematics }));
@@ -133,33 +133,33 @@ fn are_held(course: &Course, core: &Core, island: &[usize]) -> Result<bool, Resp
         }
     }
     touches.sort_by_key(|touch| touch.id);
-    let is_alone = touches.is_empty() && !island.iter().any(|&body| world.is_loaded(body));
+    let is_alone = touches.is_empty() && !island.iter().any(|&body| model.is_loaded(body));
     if is_alone {
         return Ok(false);
     }
     // Gravity about the pivots of bodies that have no rows for them.
-    let loads = world.loads_on(core.t, &states, island);
-    Ok(HeldAtRest::of(world, (core.t, &states), island, &touches, &loads)?.is_some())
+    let loads = model.loads_on(core.t, &states, island);
+    Ok(HeldAtRest::of(model, (core.t, &states), island, &touches, &loads)?.is_some())
 }
 
 /// Where a contact of a round body is: its point does not turn with the body, as that of a patch does. Of all others
 /// what the patch says.
-fn present_geometry(world: &World, states: &[BodyState], id: ContactId, of_patch: ContactGeometry) -> ContactGeometry {
+fn present_geometry(model: &Model, states: &[BodyState], id: ContactId, of_patch: ContactGeometry) -> ContactGeometry {
     match id.feature {
         Feature::Shapes(ContactFeature::Smooth { .. }) => {
-            world.kinematics(states, id).map_or(of_patch, |at| at.geometry)
+            model.kinematics(states, id).map_or(of_patch, |at| at.geometry)
         }
         _ => of_patch,
     }
 }
 
 /// The limits of joints of these bodies that are reached, or pressed in the last step.
-fn limits_that_may_press(course: &Course, world: &World, (states, island): (&[BodyState], &[usize])) -> Vec<Touch> {
+fn limits_that_may_press(course: &Course, model: &Model, (states, island): (&[BodyState], &[usize])) -> Vec<Touch> {
     let mut touches = Vec::new();
-    for (a, b) in world.joint_contact_pairs_among(island) {
-        for &feature in world.joint_contacts_of_pair((a, b)) {
+    for (a, b) in model.joint_contact_pairs_among(island) {
+        for &feature in model.joint_contacts_of_pair((a, b)) {
             let id = ContactId { a, b, feature };
-            let Some(kinematics) = world.joint_contact_kinematics(states, id) else { continue };
+            let Some(kinematics) = model.joint_contact_kinematics(states, id) else { continue };
             let has_pressed = course.limits.binary_search_by_key(&id, |limit| limit.id).is_ok();
             if kinematics.geometry.separation <= 0.0 || has_pressed {
                 touches.push(Touch::from(FoundContact { id, kinematics }));
@@ -171,21 +171,21 @@ fn limits_that_may_press(course: &Course, world: &World, (states, island): (&[Bo
 
 /// Wakes the islands at rest that a body may reach within a step: the patches are those of the present. Returns whether
 /// any did.
-pub(super) fn wake(course: &mut Course, world: &World, rules: &Rules) -> bool {
+pub(super) fn wake(course: &mut Course, model: &Model, rules: &Rules) -> bool {
     if !course.resting.contains(&true) {
         return false;
     }
     let step = rules.h * f64::from(rules.substeps);
-    let fall = world.gravity().length() * step * step;
+    let fall = model.gravity().length() * step * step;
     let (resting, states) = (&course.resting, &course.states);
-    let moves = |body: usize| (world.bodies[body].moves() && !resting[body]) || world.trajectory(body).is_some();
+    let moves = |body: usize| (model.bodies[body].moves() && !resting[body]) || model.trajectory(body).is_some();
     let reaches = |pair: &&PairPatches| {
         let mover = match [pair.a, pair.b] {
             [a, b] if resting[a] && moves(b) => b,
             [a, b] if resting[b] && moves(a) => a,
             _ => return false,
         };
-        let reach = world.point_speed(states, mover) * step + fall;
+        let reach = model.point_speed(states, mover) * step + fall;
         let mut points = pair.patches.iter().flat_map(|patch| patch.points().iter().map(move |point| (patch, point)));
         points.any(|(patch, point)| pair.geometry(states, patch, point).separation <= reach)
     };
@@ -197,7 +197,7 @@ pub(super) fn wake(course: &mut Course, world: &World, rules: &Rules) -> bool {
     for pair in course.pairs.iter().filter(|pair| resting[pair.a] && resting[pair.b] && !pair.patches.is_empty()) {
         sets.join(pair.a, pair.b);
     }
-    for (a, b) in world.joints.iter().map(WorldJoint::pair).filter(|&(a, b)| resting[a] && resting[b]) {
+    for (a, b) in model.joints.iter().map(ModelJoint::pair).filter(|&(a, b)| resting[a] && resting[b]) {
         sets.join(a, b);
     }
     let mut wakes = vec![false; resting.len()];

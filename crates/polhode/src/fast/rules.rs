@@ -5,8 +5,8 @@
 //! as joints are ([`JOINT_DAMPING`]). Nothing here is an absolute time or length, so that a scene in other units moves
 //! as before. Source: docs/REFERENCES.md, Catto 2024, which has 30 Hz, the damping ratio 10 and 3 m/s.
 
+use crate::model::Model;
 use crate::scene::ContactMethod;
-use crate::world::World;
 use polhode_response::sequential_impulses::{Softness, SweepOrder, SweepRule};
 
 /// By how much overlaps of a pair may grow in a step that finds contacts only once, relative to the smaller body (no
@@ -72,11 +72,11 @@ impl Rules {
     /// Those of a step of this length (s) in so many substeps, where a whole step has the length `whole_s` (s). The
     /// softness of contacts and the speed at which overlaps are pushed apart are those of whole steps: a step that a
     /// sample or a program cuts short would else push with what a whole step may move, in no time.
-    pub(super) fn new(step_s: f64, whole_s: f64, substeps: u32, world: &World) -> Self {
-        let gravity = world.gravity();
+    pub(super) fn new(step_s: f64, whole_s: f64, substeps: u32, model: &Model) -> Self {
+        let gravity = model.gravity();
         let h = step_s / f64::from(substeps);
         let frequency = OF_THE_RATE * f64::from(substeps) / whole_s;
-        let moving = world.bodies.iter().filter(|body| body.moves() && body.size > 0.0);
+        let moving = model.bodies.iter().filter(|body| body.moves() && body.size > 0.0);
         let smallest = moving.map(|body| body.size).fold(f64::INFINITY, f64::min);
         let relax = SweepRule {
             between: Softness::RIGID,
@@ -89,8 +89,8 @@ impl Rules {
             substeps,
             h,
             frequency,
-            has_loads: world.has_loads(),
-            has_fields: world.has_fields(),
+            has_loads: model.has_loads(),
+            has_fields: model.has_fields(),
             soft: relax,
             soft_joints: relax,
             relax,

@@ -11,8 +11,8 @@ use super::course::Course;
 use super::rest::wake;
 use super::rules::Rules;
 use crate::error::SimulationError;
+use crate::model::Model;
 use crate::tier::executor::Executor;
-use crate::world::World;
 use polhode_dynamics::BodyState;
 
 /// How often a step is divided at most (1 to 4): after three divisions by four a bullet of 1000 m/s flies 26 cm of a
@@ -27,13 +27,13 @@ const DIVISIONS: u32 = 3;
 /// When there are more bodies than the broad phase can number.
 pub(super) fn step(
     course: &mut Course,
-    world: &World,
+    model: &Model,
     executor: &dyn Executor,
     (t, rules): (f64, &Rules),
     mut after: impl FnMut(&Course, [f64; 2], &[BodyState], &Rules),
 ) -> Result<(), SimulationError> {
     let times = [t, t + rules.h * f64::from(rules.substeps)];
-    let mut stepping = Stepping { course, world, executor, after: &mut after };
+    let mut stepping = Stepping { course, model, executor, after: &mut after };
     stepping.advance(times, rules, DIVISIONS)
 }
 
@@ -43,7 +43,7 @@ type After<'a> = dyn FnMut(&Course, [f64; 2], &[BodyState], &Rules) + 'a;
 /// What all pieces of a step have in common.
 struct Stepping<'a> {
     course: &'a mut Course,
-    world: &'a World,
+    model: &'a Model,
     executor: &'a dyn Executor,
     after: &'a mut After<'a>,
 }
@@ -52,7 +52,7 @@ impl Stepping<'_> {
     /// Advances between two times (s) by these rules, divided so often at most.
     fn advance(&mut self, times: [f64; 2], rules: &Rules, divisions: u32) -> Result<(), SimulationError> {
         let before = self.course.states.clone();
-        if piece(self.course, self.world, self.executor, (times, rules), divisions)? {
+        if piece(self.course, self.model, self.executor, (times, rules), divisions)? {
             (self.after)(self.course, times, &before, rules);
             return Ok(());
         }
@@ -76,32 +76,32 @@ impl Stepping<'_> {
 /// When there are more bodies than the broad phase can number.
 fn piece(
     course: &mut Course,
-    world: &World,
+    model: &Model,
     executor: &dyn Executor,
     ([t, end], rules): ([f64; 2], &Rules),
     divisions: u32,
 ) -> Result<bool, SimulationError> {
     course.fault = None;
-    if course.is_all_at_rest(world) {
+    if course.is_all_at_rest(model) {
         course.used = 0;
         return Ok(true);
     }
     let before = course.states.clone();
-    course.find_pairs(world, rules)?;
-    course.find_patches(world, executor, rules);
-    while wake(course, world, rules) {}
-    course.make_groups(world, rules);
-    course.solve(world, executor, (t, rules));
-    course.fly(world, rules);
-    world.prescribe(end, &mut course.states);
-    course.fault = course.fault_since(world, &before, rules);
+    course.find_pairs(model, rules)?;
+    course.find_patches(model, executor, rules);
+    while wake(course, model, rules) {}
+    course.make_groups(model, rules);
+    course.solve(model, executor, (t, rules));
+    course.fly(model, rules);
+    model.prescribe(end, &mut course.states);
+    course.fault = course.fault_since(model, &before, rules);
     if course.fault.is_some() && divisions > 0 {
         course.states = before;
         return Ok(false);
     }
     course.write_back(rules);
     if course.fault.is_none() {
-        course.fault = course.inside_now(world);
+        course.fault = course.inside_now(model);
     }
     Ok(true)
 }

@@ -55,19 +55,19 @@ pub(crate) struct MicroCollisionEngine {
 
 /// The envelope that the scene gives, or that its smallest body suggests.
 fn envelope_of(core: &Core) -> CollisionEnvelope {
-    let world = &core.world;
-    let sizes = world.movable.iter().map(|&body| world.bodies[body].size).filter(|size| *size > 0.0);
+    let model = &core.model;
+    let sizes = model.movable.iter().map(|&body| model.bodies[body].size).filter(|size| *size > 0.0);
     let smallest = sizes.fold(f64::INFINITY, f64::min);
     let suggested = if smallest.is_finite() { ENVELOPE_RELATIVE * smallest } else { ENVELOPE_RELATIVE };
-    let depth_m = world.scene.method().collision_envelope_m.unwrap_or(suggested);
-    CollisionEnvelope::new(depth_m, world.gravity().length())
+    let depth_m = model.scene.method().collision_envelope_m.unwrap_or(suggested);
+    CollisionEnvelope::new(depth_m, model.gravity().length())
 }
 
 impl MicroCollisionEngine {
     /// Prepares a run.
     pub(crate) fn new(core: &mut Core, states: Vec<BodyState>) -> Self {
         let envelope = envelope_of(core);
-        core.world.envelope = Some(envelope);
+        core.model.envelope = Some(envelope);
         core.stated_depth_m = envelope.depth_m;
         Self { bodies: SteppedBodies::new(core, states), envelope, forces: Vec::new() }
     }
@@ -82,7 +82,7 @@ impl MicroCollisionEngine {
         engine.bodies = bodies;
         engine.bodies.touching_pairs = saved.touching_pairs;
         for (contact, normal, friction) in &saved.forces {
-            let id = restored_id(&core.world, contact)?;
+            let id = restored_id(&core.model, contact)?;
             engine.forces.push(MeanForce { id, normal: *normal, friction: DVec3::from_array(*friction) });
         }
         Ok(engine)
@@ -92,20 +92,20 @@ impl MicroCollisionEngine {
     fn step(&mut self, core: &mut Core, t_next: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
         let h = t_next - core.t;
         self.collide(core, h, observer)?;
-        let movable = core.world.movable.clone();
-        let before = core.accounts.books.balance(&core.world, &self.bodies.states, &movable);
+        let movable = core.model.movable.clone();
+        let before = core.accounts.books.balance(&core.model, &self.bodies.states, &movable);
         self.integrate(core, h)?;
         self.emit_samples_within(core, t_next, observer)?;
         let ends = self.bodies.all_states(core, self.bodies.integrator.states(), t_next);
         let about = core.accounts.books.ledger.momentum.about;
         let stage = Ends { t: [core.t, t_next], states: [&self.bodies.states, &ends] };
-        let received = free_stage::received(&core.world, stage, &movable, about);
+        let received = free_stage::received(&core.model, stage, &movable, about);
         self.bodies.states = ends;
-        let after = core.accounts.books.balance(&core.world, &self.bodies.states, &movable);
+        let after = core.accounts.books.balance(&core.model, &self.bodies.states, &movable);
         core.accounts.books.smooth_stage(before, after, received);
         core.t = t_next;
         core.accounts.count_step();
-        core.accounts.observe(&core.world, &self.bodies.states, core.t)?;
+        core.accounts.observe(&core.model, &self.bodies.states, core.t)?;
         let touches = self.bodies.detect(core, self.envelope.depth_m)?;
         for touch in &touches {
             core.note_contact(core.t, &self.bodies.states, (touch.id.a, touch.id.b), &touch.kinematics);
@@ -118,13 +118,13 @@ impl MicroCollisionEngine {
         self.forces.clear();
         let reach = self.envelope.depth_m + 2.0 * h * fastest(core, &self.bodies.states);
         let mut touches = contacts_within(core, &self.bodies.states, &mut self.bodies.boxes, reach)?;
-        let (depth, gravity) = (self.envelope.depth_m, core.world.gravity().length());
+        let (depth, gravity) = (self.envelope.depth_m, core.model.gravity().length());
         touches.retain(|touch| {
             let (gap, rate) = (touch.kinematics.geometry.separation, touch.kinematics.separation_rate);
             gap <= depth || gap + rate * h - 0.5 * gravity * h * h <= 0.0
         });
         let all: Vec<_> = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b)).collect();
-        for group in groups(&core.world, all.into_iter()) {
+        for group in groups(&core.model, all.into_iter()) {
             if group.contacts.iter().any(|&i| touches[i].kinematics.separation_rate < 0.0) {
                 self.strike_group(core, &group, &touches)?;
             }
@@ -137,20 +137,20 @@ impl MicroCollisionEngine {
     fn strike_group(&mut self, core: &mut Core, group: &Group, touches: &[Touch]) -> Result<(), SimulationError> {
         let settings = ImpactSettings { threshold: THRESHOLD, limit: MOST_COLLISIONS, ..ImpactSettings::default() };
         let law = core.settings.impact;
-        let struck = strike(&core.world, &mut self.bodies.states, group, touches, law, &settings, &mut core.solver);
+        let struck = strike(&core.model, &mut self.bodies.states, group, touches, law, &settings, &mut core.solver);
         let struck = struck.map_err(|source| Core::response_error(core.t, source))?;
         // Sequences without end are what supports a body on several corners: their end at the threshold is no news.
         let mut outcome = struck.outcome.clone();
         if outcome.status == ImpactStatus::StoppedAtThreshold {
             outcome.status = ImpactStatus::Separated;
         }
-        core.accounts.note_impact(&core.world, core.t, law, &group.bodies, &outcome);
+        core.accounts.note_impact(&core.model, core.t, law, &group.bodies, &outcome);
         if outcome.status == ImpactStatus::NotSolved {
             return Ok(());
         }
         let members: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
-        let given = struck.support(&core.world, core.accounts.books.ledger.momentum.about, &members);
-        let work = struck.work(&core.world, &self.bodies.states, &members);
+        let given = struck.support(&core.model, core.accounts.books.ledger.momentum.about, &members);
+        let work = struck.work(&core.model, &self.bodies.states, &members);
         core.accounts.books.impact((outcome.energy_change, struck.friction_j), given, work);
         for application in &outcome.applications {
             let Some(touch) = members.get(application.row) else { continue };
@@ -178,7 +178,7 @@ impl MicroCollisionEngine {
     /// Integrates the bodies over a step of length `h`. The integrator continues from its own variables if only it has
     /// changed the states since its last step.
     fn integrate(&mut self, core: &Core, h: f64) -> Result<(), SimulationError> {
-        let motion = core.world.free_motion();
+        let motion = core.model.free_motion();
         self.bodies.integrate(core, &motion, (h, Continues::Untouched))
     }
 
@@ -190,7 +190,7 @@ impl MicroCollisionEngine {
         observer: &mut dyn Observer,
     ) -> Result<(), SimulationError> {
         emit_samples_before(t_next, self, core, observer, |engine, core, t| {
-            engine.bodies.states_within(core, &core.world.free_motion(), t)
+            engine.bodies.states_within(core, &core.model.free_motion(), t)
         })
     }
 }
@@ -232,7 +232,7 @@ impl Tier for MicroCollisionEngine {
         for touch in contacts_within(core, states, &mut boxes, self.envelope.depth_m).unwrap_or_default() {
             let force = self.forces.iter().find(|force| force.id == touch.id);
             let force = force.map_or((0.0, DVec3::ZERO), |force| (force.normal, force.friction));
-            core.world.view_contact(states, &touch, force, &mut views);
+            core.model.view_contact(states, &touch, force, &mut views);
         }
         views
     }
@@ -275,10 +275,10 @@ impl Tier for MicroCollisionEngine {
 
 /// Largest speed of any point of a body, m/s, bounded by its size.
 fn fastest(core: &Core, states: &[BodyState]) -> f64 {
-    let world = &core.world;
+    let model = &core.model;
     let speed = |(body, state): (usize, &BodyState)| {
-        let velocity = world.velocity(body, state);
-        velocity.linear.length() + velocity.angular.length() * world.bodies[body].size
+        let velocity = model.velocity(body, state);
+        velocity.linear.length() + velocity.angular.length() * model.bodies[body].size
     };
     states.iter().enumerate().map(speed).fold(0.0, f64::max)
 }

@@ -40,13 +40,13 @@ pub(super) fn make(run: &mut Run<'_>, changes: &[Passed]) -> Result<(), Simulati
 /// Rate of the overlap of a contact at the present, m/s.
 pub(super) fn rate(run: &Run<'_>, what: Happening) -> f64 {
     let Happening::End(id) = what else { return 0.0 };
-    Evaluated::new(&run.core.world, &run.states, id, false).map_or(0.0, |at| at.rate)
+    Evaluated::new(&run.core.model, &run.states, id, false).map_or(0.0, |at| at.rate)
 }
 
 fn apply(run: &mut Run<'_>, change: &Passed) -> Result<(), SimulationError> {
     match change.what {
         Happening::Begin(id) => {
-            if let Some(kinematics) = run.core.world.kinematics(&run.states, id) {
+            if let Some(kinematics) = run.core.model.kinematics(&run.states, id) {
                 let spring = run.begun(id, &kinematics)?;
                 run.insert(&spring);
             }

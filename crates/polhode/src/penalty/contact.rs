@@ -33,7 +33,7 @@
 
 use super::laws::{ContactLaw, Coulomb, Holding, Resistance};
 use crate::identity::contact_id::ContactId;
-use crate::world::World;
+use crate::model::Model;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 use polhode_response::penalty::{Growth, NormalSpring, TangentialSpring};
@@ -383,21 +383,21 @@ impl Evaluated {
     }
 
     /// A contact in these states; none where its features no longer define one.
-    pub(super) fn new(world: &World, states: &[BodyState], id: ContactId, with_slip: bool) -> Option<Self> {
-        let kinematics = world.kinematics(states, id)?;
+    pub(super) fn new(model: &Model, states: &[BodyState], id: ContactId, with_slip: bool) -> Option<Self> {
+        let kinematics = model.kinematics(states, id)?;
         let geometry = &kinematics.geometry;
-        let point = acting_point(world, id, &kinematics);
+        let point = acting_point(model, id, &kinematics);
         let mut evaluated = Self { point, ..Self::of(kinematics) };
-        if world.has_rotational_friction() {
-            evaluated.rotation = world.relative_rotation(states, id);
+        if model.has_rotational_friction() {
+            evaluated.rotation = model.relative_rotation(states, id);
         }
         if with_slip {
-            let terms = world.tangential_kinematics(states, id)?;
-            let turning = world.relative_rotation(states, id).cross(point - geometry.point);
+            let terms = model.tangential_kinematics(states, id)?;
+            let turning = model.relative_rotation(states, id).cross(point - geometry.point);
             evaluated.slip = terms.slip_velocity + in_plane(turning, geometry.normal);
             evaluated.normal_rate = terms.normal_rate;
-            if world.has_grain()
-                && let Some(coefficients) = world.friction_at(states, id, terms.basis)
+            if model.has_grain()
+                && let Some(coefficients) = model.friction_at(states, id, terms.basis)
             {
                 let along = evaluated.slip.try_normalize().unwrap_or(terms.basis[0]);
                 evaluated.grained = Some(coefficients.sliding.opposed(terms.basis, along));
@@ -409,9 +409,9 @@ impl Evaluated {
 
 /// Where the forces of a contact act: in the middle of the overlap, or on the undeformed surface of the one body that
 /// forces move.
-fn acting_point(world: &World, id: ContactId, kinematics: &ContactKinematics) -> DVec3 {
+fn acting_point(model: &Model, id: ContactId, kinematics: &ContactKinematics) -> DVec3 {
     let geometry = &kinematics.geometry;
-    let moves = |body: usize| world.bodies[body].rigid.is_some();
+    let moves = |body: usize| model.bodies[body].rigid.is_some();
     // The point of A is half the separation from the middle, along the normal from B to A.
     let towards_a = geometry.normal * (0.5 * geometry.separation);
     match (moves(id.a), moves(id.b)) {

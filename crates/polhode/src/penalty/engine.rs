@@ -11,6 +11,7 @@ use crate::collision::contact_set::Touch;
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
 use crate::report::acceleration::Acceleration;
 use crate::report::frame::{ContactView, IslandView, JointView, MotionKind};
 use crate::report::observer::Observer;
@@ -24,7 +25,6 @@ use crate::tier::core::Core;
 use crate::tier::fixed_steps::accelerations_under;
 use crate::tier::sampling::emit_samples_before;
 use crate::tier::{Reached, Tier};
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_dynamics::state::WIDTH;
 use polhode_response::ResponseError;
@@ -53,12 +53,12 @@ pub(crate) struct PenaltyEngine {
 impl PenaltyEngine {
     /// Prepares a run.
     pub(crate) fn new(core: &mut Core, states: Vec<BodyState>) -> Self {
-        let laws = Laws::new(&core.world, core.settings.penalty, &states);
-        let asked = core.settings.penalty.stiffness_n_m.is_none() && core.world.may_collide_at_all();
+        let laws = Laws::new(&core.model, core.settings.penalty, &states);
+        let asked = core.settings.penalty.stiffness_n_m.is_none() && core.model.may_collide_at_all();
         let is_linear = core.settings.penalty.law.unwrap_or_default() == crate::scene::SpringLaw::Linear;
         let measured = SpringReport {
             penetration_asked_m: (asked && is_linear).then_some(laws.depth_m),
-            out_of_reach: core.world.scene.restitution_out_of_reach(),
+            out_of_reach: core.model.scene.restitution_out_of_reach(),
             ..SpringReport::default()
         };
         core.stated_depth_m = measured.penetration_asked_m.unwrap_or(f64::INFINITY);
@@ -78,11 +78,11 @@ impl PenaltyEngine {
     /// # Errors
     /// When the data are not of this scene.
     pub(crate) fn restored(core: &mut Core, saved: &springs::Penalty) -> Result<Self, SnapshotError> {
-        let bodies = core.world.bodies.len();
+        let bodies = core.model.bodies.len();
         if saved.proposed.len() != bodies || saved.laws.blows.len() != bodies {
             return Err(SnapshotError::Invalid("it does not have one length of step and one blow for each body"));
         }
-        let springs: Result<Vec<_>, _> = saved.springs.iter().map(|one| restored_spring(&core.world, one)).collect();
+        let springs: Result<Vec<_>, _> = saved.springs.iter().map(|one| restored_spring(&core.model, one)).collect();
         let engine = Self {
             states: read_states(&saved.states, bodies)?,
             springs: springs?,
@@ -92,7 +92,7 @@ impl PenaltyEngine {
             islands: saved.islands.clone(),
             measured: restored_report(&saved.measured),
         };
-        core.world.contact_energy_j = energy(core, &engine.states, &engine.springs);
+        core.model.contact_energy_j = energy(core, &engine.states, &engine.springs);
         core.stated_depth_m = engine.measured.penetration_asked_m.unwrap_or(f64::INFINITY);
         Ok(engine)
     }
@@ -170,11 +170,11 @@ impl PenaltyEngine {
             self.islands.push(run.group.bodies);
         }
         self.springs.sort_by_key(|spring| spring.id);
-        core.world.prescribe(t_next, &mut self.states);
-        core.world.count_all_turns(&self.states)?;
+        core.model.prescribe(t_next, &mut self.states);
+        core.model.count_all_turns(&self.states)?;
         core.t = t_next;
-        core.world.contact_energy_j = energy(core, &self.states, &self.springs);
-        core.accounts.observe(&core.world, &self.states, core.t)?;
+        core.model.contact_energy_j = energy(core, &self.states, &self.springs);
+        core.accounts.observe(&core.model, &self.states, core.t)?;
         Ok(())
     }
 
@@ -186,7 +186,7 @@ impl PenaltyEngine {
         t_next: f64,
         observer: &mut dyn Observer,
     ) -> Result<(), SimulationError> {
-        let (springs, energy_j) = (self.springs.clone(), core.world.contact_energy_j);
+        let (springs, energy_j) = (self.springs.clone(), core.model.contact_energy_j);
         let emitted = emit_samples_before(t_next, self, core, observer, |engine, core, t| {
             let mut states = engine.states.clone();
             engine.springs.clear();
@@ -197,13 +197,13 @@ impl PenaltyEngine {
                 }
                 engine.springs.extend(segment.springs_at(run.group.bodies.len(), t));
             }
-            core.world.prescribe(t, &mut states);
+            core.model.prescribe(t, &mut states);
             engine.springs.sort_by_key(|spring| spring.id);
-            core.world.contact_energy_j = energy(core, &states, &engine.springs);
+            core.model.contact_energy_j = energy(core, &states, &engine.springs);
             Ok(Some(Arc::new(states)))
         });
         self.springs = springs;
-        core.world.contact_energy_j = energy_j;
+        core.model.contact_energy_j = energy_j;
         emitted
     }
 }
@@ -211,10 +211,10 @@ impl PenaltyEngine {
 impl PenaltyEngine {
     /// What the springs do to each body in these states: N, and N m about its centre of mass.
     fn loads_of_springs(&self, core: &Core, states: &[BodyState]) -> Vec<(DVec3, DVec3)> {
-        let world = &core.world;
-        let mut loads = vec![(DVec3::ZERO, DVec3::ZERO); world.bodies.len()];
+        let model = &core.model;
+        let mut loads = vec![(DVec3::ZERO, DVec3::ZERO); model.bodies.len()];
         for spring in &self.springs {
-            let at = Evaluated::new(world, states, spring.id, spring.friction.is_some());
+            let at = Evaluated::new(model, states, spring.id, spring.friction.is_some());
             let Some(at) = at else { continue };
             let force = spring.force(&at);
             for (body, sign) in [(spring.id.a, 1.0), (spring.id.b, -1.0)] {
@@ -233,22 +233,22 @@ impl PenaltyEngine {
         t: f64,
         states: &[BodyState],
     ) -> Result<Option<JointReactions>, ResponseError> {
-        let world = &core.world;
-        if !world.has_rows() {
+        let model = &core.model;
+        if !model.has_rows() {
             return Ok(None);
         }
         let springs = self.loads_of_springs(core, states).into_iter().enumerate();
         let of_springs = springs.map(|(body, (force, moment))| (body, force, moment));
-        let loads = world.loads(t, states).with(of_springs);
-        let bodies: Vec<usize> = world.movable.iter().copied().filter(|&body| world.bodies[body].moves()).collect();
-        JointReactions::solve(world, (t, states), &bodies, &loads).map(Some)
+        let loads = model.loads(t, states).with(of_springs);
+        let bodies: Vec<usize> = model.movable.iter().copied().filter(|&body| model.bodies[body].moves()).collect();
+        JointReactions::solve(model, (t, states), &bodies, &loads).map(Some)
     }
 }
 
 /// Elastic energy of springs in these states, J.
 fn energy(core: &Core, states: &[BodyState], springs: &[ContactSpring]) -> f64 {
     let own = |spring: &ContactSpring| {
-        let at = Evaluated::new(&core.world, states, spring.id, spring.friction.is_some());
+        let at = Evaluated::new(&core.model, states, spring.id, spring.friction.is_some());
         at.map_or(0.0, |at| spring.energy(&at))
     };
     springs.iter().map(own).sum()
@@ -284,11 +284,11 @@ impl Segment {
 
 impl PenaltyEngine {
     /// Keeps some of the springs. The energy of the others is what a program takes away.
-    fn keep_springs(&mut self, core: &mut Core, keep: impl Fn(ContactId, &World) -> bool) {
-        let before = core.world.contact_energy_j;
-        self.springs.retain(|spring| keep(spring.id, &core.world));
-        core.world.contact_energy_j = energy(core, &self.states, &self.springs);
-        core.accounts.books.fields_changed(before, core.world.contact_energy_j);
+    fn keep_springs(&mut self, core: &mut Core, keep: impl Fn(ContactId, &Model) -> bool) {
+        let before = core.model.contact_energy_j;
+        self.springs.retain(|spring| keep(spring.id, &core.model));
+        core.model.contact_energy_j = energy(core, &self.states, &self.springs);
+        core.accounts.books.fields_changed(before, core.model.contact_energy_j);
     }
 }
 
@@ -330,38 +330,38 @@ impl Tier for PenaltyEngine {
                 forces[body].1 += moment;
             }
         }
-        let world = &core.world;
-        let load_of = |place: usize| forces.get(*world.movable.get(place)?).copied();
+        let model = &core.model;
+        let load_of = |place: usize| forces.get(*model.movable.get(place)?).copied();
         Ok(accelerations_under(core, &self.states, load_of))
     }
 
     fn joint_loads(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<JointView> {
         let Ok(Some(found)) = self.joint_reactions(core, t, states) else { return Vec::new() };
         let of = (&found.assembly, found.forces.as_slice());
-        joint_loads(&core.world, states, of, std::iter::empty()).into_values().collect()
+        joint_loads(&core.model, states, of, std::iter::empty()).into_values().collect()
     }
 
     fn contacts(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<ContactView> {
         let mut boxes = Boxes::new(&core.settings, states.len());
-        for (body, state) in states.iter().enumerate().filter(|(body, _)| !core.world.bodies[*body].removed) {
-            boxes.set(&core.world, body, &Still(state.pose), (t, t), 0.0);
+        for (body, state) in states.iter().enumerate().filter(|(body, _)| !core.model.bodies[*body].removed) {
+            boxes.set(&core.model, body, &Still(state.pose), (t, t), 0.0);
         }
         let mut pairs = Vec::new();
-        if boxes.all_pairs(&core.world, |a, b| pairs.push((a.min(b), a.max(b)))).is_err() {
+        if boxes.all_pairs(&core.model, |a, b| pairs.push((a.min(b), a.max(b)))).is_err() {
             return Vec::new();
         }
         pairs.sort_unstable();
         let mut views = Vec::new();
         for (a, b) in pairs {
-            let reach = core.world.rounding(states, a, b);
-            for found in core.world.contacts_of_pair(states, a, b, reach) {
+            let reach = core.model.rounding(states, a, b);
+            for found in core.model.contacts_of_pair(states, a, b, reach) {
                 let own = self.springs.iter().find(|spring| spring.id == found.id);
                 let force = own.and_then(|spring| {
-                    let at = Evaluated::new(&core.world, states, spring.id, spring.friction.is_some())?;
+                    let at = Evaluated::new(&core.model, states, spring.id, spring.friction.is_some())?;
                     let force = spring.force(&at);
                     Some((force.normal, force.tangential))
                 });
-                core.world.view_contact(states, &Touch::from(found), force.unwrap_or_default(), &mut views);
+                core.model.view_contact(states, &Touch::from(found), force.unwrap_or_default(), &mut views);
             }
         }
         views
@@ -369,11 +369,11 @@ impl Tier for PenaltyEngine {
 
     fn motions(&self, core: &Core) -> Vec<MotionKind> {
         let kind = |moves: bool| if moves { MotionKind::Integrated } else { MotionKind::Given };
-        core.world.bodies.iter().map(|body| kind(body.moves())).collect()
+        core.model.bodies.iter().map(|body| kind(body.moves())).collect()
     }
 
     fn islands(&self, core: &Core) -> Vec<IslandView> {
-        let kept = |body: &usize| core.world.bodies[*body].moves();
+        let kept = |body: &usize| core.model.bodies[*body].moves();
         let islands = self.islands.iter().map(|bodies| bodies.iter().copied().filter(kept).map(BodyId::new).collect());
         islands.filter(|bodies: &Vec<BodyId>| !bodies.is_empty()).map(|bodies| IslandView { bodies }).collect()
     }
@@ -390,12 +390,12 @@ impl Tier for PenaltyEngine {
     }
 
     fn change_joint(&mut self, core: &mut Core, pair: (usize, usize)) {
-        self.keep_springs(core, |contact, world| (contact.a, contact.b) != pair || world.may_have(contact));
+        self.keep_springs(core, |contact, model| (contact.a, contact.b) != pair || model.may_have(contact));
     }
 
     fn add_body(&mut self, core: &Core, state: BodyState) {
         self.states.push(state);
-        self.laws.add_body(core.world.point_speed(&self.states, self.states.len() - 1));
+        self.laws.add_body(core.model.point_speed(&self.states, self.states.len() - 1));
         self.proposed.push(core.settings.step_s);
         self.boxes.make_room();
     }

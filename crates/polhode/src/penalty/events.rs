@@ -257,15 +257,15 @@ impl Looking<'_, '_> {
 
     /// The margin of a point within its features, and the force of its spring (N), which it loses there.
     fn leaving(&self, id: ContactId, at: &Evaluated, force: f64) -> Signal {
-        let rounding = self.system.world.rounding(self.system.states, id.a, id.b);
+        let rounding = self.system.model.rounding(self.system.states, id.a, id.b);
         let value = at.kinematics.geometry.margin + rounding;
         Signal::of(value, if value < 0.0 { force } else { 0.0 })
     }
 
     /// Of features that do not touch: their separation and margin.
     fn beginning(&self, id: ContactId, begun: &mut Begun) -> [Signal; 2] {
-        let (world, states) = (self.system.world, &*self.system.states);
-        let Some(at) = Evaluated::new(world, states, id, false) else { return [Signal::NONE; 2] };
+        let (model, states) = (self.system.model, &*self.system.states);
+        let Some(at) = Evaluated::new(model, states, id, false) else { return [Signal::NONE; 2] };
         let leaving = self.leaving(id, &at, 0.0);
         let beginning = Signal::of(-at.depth, self.force_of_begun(id, &at, begun));
         let spring = begun.get(&id).copied().flatten();
@@ -275,7 +275,7 @@ impl Looking<'_, '_> {
 
     /// What the rounding of positions makes of the force of a normal spring (N).
     fn rounding_of(&self, id: ContactId, spring: &NormalSpring, at: &Evaluated) -> f64 {
-        let rounding = self.system.world.rounding(self.system.states, id.a, id.b);
+        let rounding = self.system.model.rounding(self.system.states, id.a, id.b);
         spring.slope(at.depth.max(rounding)) * rounding
     }
 
@@ -284,9 +284,9 @@ impl Looking<'_, '_> {
         if at.depth <= 0.0 {
             return 0.0;
         }
-        let (world, states) = (self.system.world, &*self.system.states);
+        let (model, states) = (self.system.model, &*self.system.states);
         let spring = *begun.entry(id).or_insert_with(|| {
-            let law = self.laws.of_contact(world, states, (id, &at.kinematics.geometry), at.rate);
+            let law = self.laws.of_contact(model, states, (id, &at.kinematics.geometry), at.rate);
             law.ok().map(|law| law.normal)
         });
         // A contact without a law is refused where it begins.
@@ -296,11 +296,11 @@ impl Looking<'_, '_> {
     /// Force of the contacts of a pair that overlap and are neither springs nor watched (N): features that a point has
     /// come to which has left its own.
     fn unseen(&self, id: ContactId, begun: &mut Begun) -> f64 {
-        let (world, states) = (self.system.world, &*self.system.states);
+        let (model, states) = (self.system.model, &*self.system.states);
         let is_known = |found: &ContactId| {
             self.candidates.contains(found) || self.system.springs.iter().any(|spring| spring.id == *found)
         };
-        let contacts = world.contacts_of_pair(states, id.a, id.b, 0.0).into_iter();
+        let contacts = model.contacts_of_pair(states, id.a, id.b, 0.0).into_iter();
         let unknown = contacts.filter(|found| !is_known(&found.id));
         unknown.map(|found| self.force_of_begun(found.id, &Evaluated::of(found.kinematics), begun)).sum()
     }
@@ -378,9 +378,9 @@ impl Looking<'_, '_> {
 
     /// Trace of the inverse mass at the point of a contact, 1/kg: more than that along any direction.
     fn inverse_mass(&self, id: ContactId) -> f64 {
-        let Some(at) = Evaluated::new(self.system.world, self.system.states, id, false) else { return f64::INFINITY };
+        let Some(at) = Evaluated::new(self.system.model, self.system.states, id, false) else { return f64::INFINITY };
         let of_body = |body: usize| {
-            let Some(rigid) = &self.system.world.bodies[body].rigid else { return 0.0 };
+            let Some(rigid) = &self.system.model.bodies[body].rigid else { return 0.0 };
             let state = &self.system.states[body];
             let inverse = rigid.inverse_inertia_world(state.pose.rotation);
             let along = |direction: DVec3| {
@@ -401,7 +401,7 @@ impl Looking<'_, '_> {
             let least = match what {
                 // Contacts that overlap where a step begins get their springs then.
                 Happening::Begin(_) | Happening::Leave(_) => continue,
-                Happening::End(_) => -self.system.world.rounding(self.system.states, id.a, id.b),
+                Happening::End(_) => -self.system.model.rounding(self.system.states, id.a, id.b),
                 _ => 0.0,
             };
             if signal.value >= least || signal.value.is_nan() {
@@ -412,7 +412,7 @@ impl Looking<'_, '_> {
                 let crossed = self.due(what, place, looks).filter(|(from, to)| from != to);
                 of.t_s = crossed.map_or(self.dense.t0(), |(from, to)| self.locate(what, from, to));
                 self.at(of.t_s);
-                of.rate = Evaluated::new(self.system.world, self.system.states, id, false).map_or(0.0, |at| at.rate);
+                of.rate = Evaluated::new(self.system.model, self.system.states, id, false).map_or(0.0, |at| at.rate);
             }
             passed.push(of);
         }
@@ -472,7 +472,7 @@ impl Looking<'_, '_> {
     fn signal(&mut self, what: Happening, t: f64) -> f64 {
         let flat = self.at(t);
         let id = what.id();
-        match (what, Evaluated::new(self.system.world, self.system.states, id, false)) {
+        match (what, Evaluated::new(self.system.model, self.system.states, id, false)) {
             (Happening::Begin(_), at) => return at.map_or(f64::INFINITY, |at| -at.depth),
             (Happening::Leave(_), at) => return at.map_or(f64::INFINITY, |at| self.leaving(id, &at, 0.0).value),
             _ => {}

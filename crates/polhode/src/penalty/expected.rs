@@ -17,7 +17,7 @@
 //! wedges that multiply a weight, overlaps by more than stated; the report gives both.
 
 use crate::identity::contact_id::ContactId;
-use crate::world::World;
+use crate::model::Model;
 use polhode_contact::{Aabb, Shape, aabb_of};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::{DQuat, DVec3, Pose, Rotation};
@@ -27,11 +27,11 @@ use polhode_spatial::{DQuat, DVec3, Pose, Rotation};
 const SLOWEST_APPROACH: f64 = 0.1;
 
 /// Squares of the speeds (m^2/s^2) with which the bodies may strike others, from their states at the start.
-pub(super) fn blows(world: &World, states: &[BodyState]) -> Vec<f64> {
-    let gravity = world.gravity().length();
-    let drops = drops(world, states);
+pub(super) fn blows(model: &Model, states: &[BodyState]) -> Vec<f64> {
+    let gravity = model.gravity().length();
+    let drops = drops(model, states);
     let square = |body: usize| {
-        let speed = world.point_speed(states, body);
+        let speed = model.point_speed(states, body);
         speed * speed + 2.0 * gravity * drops[body]
     };
     (0..states.len()).map(square).collect()
@@ -39,56 +39,56 @@ pub(super) fn blows(world: &World, states: &[BodyState]) -> Vec<f64> {
 
 /// Weight (N) and kinetic energy (J) that the contacts of a pair which begins at a rate of approach (m/s) must take up.
 pub(super) fn burden(
-    world: &World,
+    model: &Model,
     states: &[BodyState],
     id: ContactId,
     (approach, fastest): (f64, f64),
     blows: &[f64],
 ) -> [f64; 2] {
-    let pair_mass = reduced_mass(world, id);
-    let load = load_on(world, states, id);
+    let pair_mass = reduced_mass(model, id);
+    let load = load_on(model, states, id);
     let slowest = if load > 0.0 { 0.0 } else { SLOWEST_APPROACH * fastest };
     let speed = approach.max(slowest);
     let others = blows.iter().enumerate().filter(|(body, _)| *body != id.a && *body != id.b);
     let blow = others.map(|(body, square)| {
-        let mass = world.bodies[body].rigid.as_ref().map_or(pair_mass, RigidBody::mass);
+        let mass = model.bodies[body].rigid.as_ref().map_or(pair_mass, RigidBody::mass);
         0.5 * mass * square
     });
     [load, (0.5 * pair_mass * speed * speed).max(blow.fold(0.0, f64::max))]
 }
 
 /// Weight of the bodies that may rest on a contact, N.
-pub(super) fn load_on(world: &World, states: &[BodyState], id: ContactId) -> f64 {
-    let gravity = world.gravity();
+pub(super) fn load_on(model: &Model, states: &[BodyState], id: ContactId) -> f64 {
+    let gravity = model.gravity();
     let depth = |body: usize| states[body].pose.translation.dot(gravity);
-    let moves = |body: &usize| world.bodies[*body].moves();
+    let moves = |body: &usize| model.bodies[*body].moves();
     let upper = [id.a, id.b].into_iter().filter(moves).map(depth).fold(f64::INFINITY, f64::min);
-    let resting = world.movable.iter().copied().filter(|body| moves(body) && depth(*body) <= upper);
-    let mass: f64 = resting.filter_map(|body| world.bodies[body].rigid.as_ref()).map(RigidBody::mass).sum();
+    let resting = model.movable.iter().copied().filter(|body| moves(body) && depth(*body) <= upper);
+    let mass: f64 = resting.filter_map(|body| model.bodies[body].rigid.as_ref()).map(RigidBody::mass).sum();
     mass * gravity.length()
 }
 
 /// Reduced mass of two bodies, kg.
-pub(super) fn reduced_mass(world: &World, id: ContactId) -> f64 {
+pub(super) fn reduced_mass(model: &Model, id: ContactId) -> f64 {
     let inverse: f64 = [id.a, id.b]
         .into_iter()
-        .map(|body| world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass))
+        .map(|body| model.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass))
         .sum();
     if inverse > 0.0 { 1.0 / inverse } else { 1.0 }
 }
 
 /// How far bodies may fall before they meet what is below them, m; zero for those that forces do not move.
-fn drops(world: &World, states: &[BodyState]) -> Vec<f64> {
+fn drops(model: &Model, states: &[BodyState]) -> Vec<f64> {
     let mut drops = vec![0.0; states.len()];
-    let Some(down) = world.gravity().try_normalize() else { return drops };
+    let Some(down) = model.gravity().try_normalize() else { return drops };
     let upright = Rotation::renormalized(DQuat::from_rotation_arc(down, DVec3::NEG_Z));
     let boxes: Vec<Option<Aabb>> =
-        (0..states.len()).map(|body| upright_box(world, &states[body], body, upright)).collect();
+        (0..states.len()).map(|body| upright_box(model, &states[body], body, upright)).collect();
     let highest = boxes.iter().flatten().map(|own| own.max().z).fold(f64::NEG_INFINITY, f64::max);
     let lowest = boxes.iter().flatten().map(|own| own.min().z).fold(f64::INFINITY, f64::min);
-    let planes: Vec<_> = (0..states.len()).filter_map(|body| plane(world, &states[body], body, upright)).collect();
+    let planes: Vec<_> = (0..states.len()).filter_map(|body| plane(model, &states[body], body, upright)).collect();
     let mut falling: Vec<(usize, &Aabb)> = (0..states.len())
-        .filter(|&body| world.bodies[body].moves())
+        .filter(|&body| model.bodies[body].moves())
         .filter_map(|body| Some((body, boxes[body].as_ref()?)))
         .collect();
     // From the lowest up, so that what is below a body has its drop already.
@@ -116,16 +116,16 @@ fn is_below(falling: &Aabb, other: &Aabb) -> bool {
 }
 
 /// The box of a body in axes whose -z is along gravity; none of what is unbounded, has no shape or was removed.
-fn upright_box(world: &World, state: &BodyState, body: usize, upright: Rotation) -> Option<Aabb> {
-    let own = &world.bodies[body];
+fn upright_box(model: &Model, state: &BodyState, body: usize, upright: Rotation) -> Option<Aabb> {
+    let own = &model.bodies[body];
     let shape = own.shape.as_ref().filter(|_| !own.removed)?;
     let pose = Pose::new(upright * state.pose.rotation, upright.rotate(state.pose.translation));
     aabb_of(shape, &pose).ok().filter(Aabb::is_finite)
 }
 
 /// Normal and offset of a half-space on which bodies can fall, in axes whose -z is along gravity.
-fn plane(world: &World, state: &BodyState, body: usize, upright: Rotation) -> Option<(DVec3, f64)> {
-    let Some(Shape::HalfSpace(plane)) = &world.bodies[body].shape else { return None };
+fn plane(model: &Model, state: &BodyState, body: usize, upright: Rotation) -> Option<(DVec3, f64)> {
+    let Some(Shape::HalfSpace(plane)) = &model.bodies[body].shape else { return None };
     let normal = upright.rotate(state.pose.rotation.rotate(plane.normal()));
     let point = upright.rotate(state.pose.translation) + normal * plane.offset();
     (normal.z > 0.0).then(|| (normal, normal.dot(point)))

@@ -59,7 +59,7 @@ pub(super) fn advance(mut run: Run<'_>, t_end: f64) -> Result<GroupRun, Simulati
 
 /// Frequency or rate of decay (1/s) of a spring at the depth that its impact reaches.
 fn stiffest_rate(run: &Run<'_>, spring: &ContactSpring) -> f64 {
-    let speed = spring.passage.approach.max(run.laws.resting_speed(&run.core.world));
+    let speed = spring.passage.approach.max(run.laws.resting_speed(&run.core.model));
     let depth = spring.normal.impact_depth(spring.mass, speed).max(spring.passage.deepest);
     spring.frequency(depth).max(spring.normal.damper(depth) / spring.mass)
 }
@@ -90,10 +90,10 @@ const CLOSING_PART: f64 = 0.5;
 /// The least time (s) in which bodies at their present speeds may come to overlap at a contact near; zero where one
 /// does.
 fn time_to_contact(run: &Run<'_>) -> f64 {
-    let world = &run.core.world;
+    let model = &run.core.model;
     let of = |spring: &ContactSpring| {
         let gap = run.evaluated(spring).map_or(0.0, |at| -at.depth).max(0.0);
-        let speed = world.point_speed(&run.states, spring.id.a) + world.point_speed(&run.states, spring.id.b);
+        let speed = model.point_speed(&run.states, spring.id.a) + model.point_speed(&run.states, spring.id.b);
         if gap > 0.0 { gap / speed } else { 0.0 }
     };
     run.done.springs.iter().map(of).fold(f64::INFINITY, f64::min)
@@ -134,7 +134,7 @@ fn step(run: &mut Run<'_>, h: f64, end: f64) -> Result<(), SimulationError> {
     let (core, about, t) = (run.core, run.done.books.ledger.momentum.about, run.t);
     let mut states = run.states.clone();
     let mut system =
-        SpringSystem { world: &core.world, bodies: &bodies, springs: &springs, about, states: &mut states };
+        SpringSystem { model: &core.model, bodies: &bodies, springs: &springs, about, states: &mut states };
     let flat = system.pack();
     let mut after = flat.clone();
     match core.settings.integrator {

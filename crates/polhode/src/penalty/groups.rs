@@ -23,12 +23,12 @@ pub(super) struct Margins(Vec<f64>);
 impl Margins {
     /// For a step of `h` (s) from these states.
     pub(super) fn new(core: &Core, states: &[BodyState], h: f64) -> Self {
-        let world = &core.world;
-        let loads = world.loads(core.t, states);
+        let model = &core.model;
+        let loads = model.loads(core.t, states);
         let margin = |body: usize| {
-            let speed = world.point_speed(states, body);
-            let of_field = world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass);
-            let acceleration = world.gravity().length() + loads.of(body).force.length() * of_field;
+            let speed = model.point_speed(states, body);
+            let of_field = model.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass);
+            let acceleration = model.gravity().length() + loads.of(body).force.length() * of_field;
             SLACK * h * (speed + acceleration * h)
         };
         Self((0..states.len()).map(margin).collect())
@@ -39,7 +39,7 @@ impl Margins {
         let mut has_grown = false;
         for run in runs {
             for (place, &body) in run.group.bodies.iter().enumerate() {
-                let moved = run.moved(place, &states[body], core.world.bodies[body].size);
+                let moved = run.moved(place, &states[body], core.model.bodies[body].size);
                 if moved > self.0[body] {
                     self.0[body] = SLACK * moved;
                     has_grown = true;
@@ -60,22 +60,22 @@ pub(super) fn groups(
     (margins, h): (&Margins, f64),
     boxes: &mut Boxes,
 ) -> Result<Vec<Group>, SimulationError> {
-    let world = &core.world;
+    let model = &core.model;
     for (body, state) in states.iter().enumerate() {
-        boxes.set(world, body, &Still(state.pose), (core.t, core.t + h), margins.0[body]);
-        if world.bodies[body].removed {
+        boxes.set(model, body, &Still(state.pose), (core.t, core.t + h), margins.0[body]);
+        if model.bodies[body].removed {
             boxes.put(body, None);
         }
     }
     let mut pairs = Vec::new();
-    boxes.all_pairs(world, |a, b| pairs.push((a.min(b), a.max(b))))?;
+    boxes.all_pairs(model, |a, b| pairs.push((a.min(b), a.max(b))))?;
     pairs.sort_unstable();
-    let moves = |body: usize| world.bodies[body].moves();
+    let moves = |body: usize| model.bodies[body].moves();
     let movable: Vec<usize> = (0..states.len()).filter(|&body| moves(body)).collect();
     let mut of_body: Vec<usize> = (0..states.len()).collect();
     let joined = pairs.iter().copied().filter(|&(a, b)| moves(a) && moves(b));
-    let coupled = world.couplings_among(&movable).flat_map(|bodies| bodies.windows(2).map(|pair| (pair[0], pair[1])));
-    let jointed = world.joints_among(&movable).filter_map(|joint| {
+    let coupled = model.couplings_among(&movable).flat_map(|bodies| bodies.windows(2).map(|pair| (pair[0], pair[1])));
+    let jointed = model.joints_among(&movable).filter_map(|joint| {
         let mut bodies = joint.bodies();
         bodies.next().zip(bodies.next())
     });

@@ -128,11 +128,11 @@ fn midpoint(system: &mut SpringSystem<'_>, laws: &Laws, (t, h): (f64, f64), stat
 /// A scale for every unknown: by how much it changes in a contact.
 fn scales(system: &SpringSystem<'_>, laws: &Laws, state: &[f64]) -> Vec<f64> {
     let mut scales = vec![1.0; state.len()];
-    let resting = laws.resting_speed(system.world).max(laws.speed);
+    let resting = laws.resting_speed(system.model).max(laws.speed);
     for (index, &body) in system.bodies.iter().enumerate() {
-        let size = system.world.bodies[body].size.max(laws.depth_m);
+        let size = system.model.bodies[body].size.max(laws.depth_m);
         let moment =
-            system.world.bodies[body].rigid.as_ref().map_or(1.0, |rigid: &RigidBody| rigid.moments().max_element());
+            system.model.bodies[body].rigid.as_ref().map_or(1.0, |rigid: &RigidBody| rigid.moments().max_element());
         let speed = if resting > 0.0 { resting } else { 1.0 };
         let own = &mut scales[index * WIDTH..(index + 1) * WIDTH];
         own[POSITION..QUATERNION].fill(laws.depth_m);

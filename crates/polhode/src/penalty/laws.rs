@@ -30,9 +30,9 @@
 use super::expected::{blows, burden, load_on, reduced_mass};
 use crate::collision::turn::Turn;
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
 use crate::scene::spring_checks::elastic_pair;
 use crate::scene::{PenaltyMethod, SceneError, SpringLaw};
-use crate::world::World;
 use polhode_contact::{ContactGeometry, Shape};
 use polhode_dynamics::BodyState;
 use polhode_response::penalty::{Damping, Growth, NormalSpring, Relation, SpringError, TangentialSpring};
@@ -120,12 +120,12 @@ pub(super) struct ContactLaw {
 
 impl Laws {
     /// Those of a run that begins with these states.
-    pub(super) fn new(world: &World, method: PenaltyMethod, states: &[BodyState]) -> Self {
-        let moving = || world.movable.iter().copied().filter(|&body| world.bodies[body].moves());
-        let smallest = moving().map(|body| world.bodies[body].size).filter(|size| *size > 0.0);
+    pub(super) fn new(model: &Model, method: PenaltyMethod, states: &[BodyState]) -> Self {
+        let moving = || model.movable.iter().copied().filter(|&body| model.bodies[body].moves());
+        let smallest = moving().map(|body| model.bodies[body].size).filter(|size| *size > 0.0);
         let smallest = smallest.fold(f64::INFINITY, f64::min);
         let depth = if smallest.is_finite() { STATED_DEPTH_RELATIVE * smallest } else { STATED_DEPTH_RELATIVE };
-        let blows = blows(world, states);
+        let blows = blows(model, states);
         let mut speeds: Vec<f64> = blows.iter().map(|square| square.sqrt()).collect();
         speeds.sort_by(|x, y| y.total_cmp(x));
         let speed = speeds.iter().take(2).sum();
@@ -138,21 +138,21 @@ impl Laws {
     }
 
     /// A speed (m/s) below which a contact is at rest: weight alone compresses springs at `sqrt(g d)`.
-    pub(super) fn resting_speed(&self, world: &World) -> f64 {
-        (world.gravity().length() * self.depth_m).sqrt()
+    pub(super) fn resting_speed(&self, model: &Model) -> f64 {
+        (model.gravity().length() * self.depth_m).sqrt()
     }
 
     /// Speed of slip of regularised friction, m/s.
-    fn slip_speed(&self, world: &World) -> f64 {
-        let own = SLIP_SPEED_RELATIVE * self.speed.max(self.resting_speed(world));
+    fn slip_speed(&self, model: &Model) -> f64 {
+        let own = SLIP_SPEED_RELATIVE * self.speed.max(self.resting_speed(model));
         self.method.slip_speed_m_s.unwrap_or(if own > 0.0 { own } else { SLIP_SPEED_RELATIVE })
     }
 
     /// What resists rolling and spinning at a contact: the speed of slip of regularised friction is that of a rotation
     /// at the length of the pair.
-    fn resistance(&self, world: &World, id: ContactId) -> Option<Resistance> {
-        let [rolling, spinning] = [Turn::Rolling, Turn::Spinning].map(|turn| turn.friction(world, (id.a, id.b)));
-        let rate = self.slip_speed(world) / world.turning_length(id.a, id.b);
+    fn resistance(&self, model: &Model, id: ContactId) -> Option<Resistance> {
+        let [rolling, spinning] = [Turn::Rolling, Turn::Spinning].map(|turn| turn.friction(model, (id.a, id.b)));
+        let rate = self.slip_speed(model) / model.turning_length(id.a, id.b);
         (rolling.is_some() || spinning.is_some()).then(|| Resistance {
             rolling: rolling.unwrap_or(0.0),
             spinning: spinning.unwrap_or(0.0),
@@ -166,28 +166,28 @@ impl Laws {
     /// When bodies have no moduli or radii of curvature, or the stiffness is not finite.
     pub(super) fn of_contact(
         &self,
-        world: &World,
+        model: &Model,
         states: &[BodyState],
         (id, geometry): (ContactId, &ContactGeometry),
         approach: f64,
     ) -> Result<ContactLaw, SceneError> {
-        let material = world.scene.pair_material(id.a, id.b);
-        let mass = effective_mass(world, states, id, geometry);
+        let material = model.scene.pair_material(id.a, id.b);
+        let mass = effective_mass(model, states, id, geometry);
         let refused = |source: SpringError| SceneError::SpringRestitution {
-            materials: [id.a, id.b].map(|body| world.bodies[body].name.clone()),
+            materials: [id.a, id.b].map(|body| model.bodies[body].name.clone()),
             source,
         };
-        let (spring, tangential) = self.elastic(world, states, (id, geometry), approach)?;
+        let (spring, tangential) = self.elastic(model, states, (id, geometry), approach)?;
         let relation = self.method.relation();
         let number = relation.number_for(relation.reachable(material.restitution())).map_err(refused)?;
-        let resting_speed = self.resting_speed(world);
+        let resting_speed = self.resting_speed(model);
         let rests = approach < resting_speed;
         let normal = match relation {
             Relation::Plain => spring.with_plain_damping(if rests { number.min(1.0) } else { number }, mass),
             Relation::HuntCrossley => {
                 let speed = approach.max(resting_speed);
                 let a = if speed > 0.0 { number / speed } else { 0.0 };
-                let a = if rests { a.min(self.critical_at_rest(world, &spring, mass)) } else { a };
+                let a = if rests { a.min(self.critical_at_rest(model, &spring, mass)) } else { a };
                 spring.with_damping(Damping::HuntCrossley(a))
             }
         };
@@ -195,14 +195,14 @@ impl Laws {
         let friction = (at_rest > 0.0).then(|| Coulomb {
             at_rest,
             sliding: material.friction_ellipse().largest(),
-            slip_speed: self.method.is_regularised(&material).then(|| self.slip_speed(world)),
+            slip_speed: self.method.is_regularised(&material).then(|| self.slip_speed(model)),
         });
-        let resistance = self.resistance(world, id);
+        let resistance = self.resistance(model, id);
         let own = friction.filter(|own| own.slip_speed.is_none() && (rests || own.at_rest > own.sliding));
         let holding = own.map_or_else(Holding::default, |own| {
-            let depth = self.depth_at_rest(world, &normal, mass);
+            let depth = self.depth_at_rest(model, &normal, mass);
             let stiffness = tangential.stiffness(depth);
-            let borne = self.borne_mass(world, states, (id, geometry)).max(mass);
+            let borne = self.borne_mass(model, states, (id, geometry)).max(mass);
             let is_weaker = stiffness > 0.0 && own.at_rest > own.sliding;
             let weakening = if is_weaker { own.at_rest * normal.elastic_force(depth) / stiffness } else { 0.0 };
             let damper = 2.0 * (stiffness * borne).sqrt();
@@ -214,47 +214,47 @@ impl Laws {
     }
 
     /// The mass that may rest on one of the points of a pair, kg; zero without gravity.
-    fn borne_mass(&self, world: &World, states: &[BodyState], (id, geometry): (ContactId, &ContactGeometry)) -> f64 {
-        let gravity = world.gravity().length();
+    fn borne_mass(&self, model: &Model, states: &[BodyState], (id, geometry): (ContactId, &ContactGeometry)) -> f64 {
+        let gravity = model.gravity().length();
         if gravity <= 0.0 {
             return 0.0;
         }
-        load_on(world, states, id) / (gravity * self.sharing(world, states, (id, geometry)))
+        load_on(model, states, id) / (gravity * self.sharing(model, states, (id, geometry)))
     }
 
     /// Overlap (m) of a contact that carries what its spring is made for, or its own weight.
-    fn depth_at_rest(&self, world: &World, spring: &NormalSpring, mass: f64) -> f64 {
+    fn depth_at_rest(&self, model: &Model, spring: &NormalSpring, mass: f64) -> f64 {
         let is_made_for_load = spring.growth() == Growth::Linear && self.method.stiffness_n_m.is_none();
-        let own_weight = || spring.static_depth(mass * world.gravity().length());
+        let own_weight = || spring.static_depth(mass * model.gravity().length());
         if is_made_for_load { 0.5 * self.depth_m } else { own_weight() }
     }
 
     /// The factor `a` (s/m) of Hunt and Crossley's damper with which a contact that carries what its spring is made for
     /// is critically damped.
-    fn critical_at_rest(&self, world: &World, spring: &NormalSpring, mass: f64) -> f64 {
-        let depth = self.depth_at_rest(world, spring, mass);
+    fn critical_at_rest(&self, model: &Model, spring: &NormalSpring, mass: f64) -> f64 {
+        let depth = self.depth_at_rest(model, spring, mass);
         2.0 * (spring.slope(depth) * mass).sqrt() / spring.elastic_force(depth)
     }
 
     /// Stiffness of a linear spring, N/m.
     fn stiffness(
         &self,
-        world: &World,
+        model: &Model,
         states: &[BodyState],
         (id, geometry): (ContactId, &ContactGeometry),
         approach: f64,
     ) -> f64 {
-        let [load, energy] = burden(world, states, id, (approach, self.speed), &self.blows);
+        let [load, energy] = burden(model, states, id, (approach, self.speed), &self.blows);
         let needed = NormalSpring::stiffness_for(Growth::Linear, self.depth_m, load, energy);
         // Without weight and speed anything keeps bodies apart: a spring that a mass swings on once a second.
-        let needed = if needed > 0.0 { needed } else { reduced_mass(world, id) };
-        needed / self.sharing(world, states, (id, geometry))
+        let needed = if needed > 0.0 { needed } else { reduced_mass(model, id) };
+        needed / self.sharing(model, states, (id, geometry))
     }
 
     /// The number of points of a pair within the stated penetration of touching.
-    fn sharing(&self, world: &World, states: &[BodyState], (id, geometry): (ContactId, &ContactGeometry)) -> f64 {
+    fn sharing(&self, model: &Model, states: &[BodyState], (id, geometry): (ContactId, &ContactGeometry)) -> f64 {
         let reach = geometry.separation.max(0.0) + self.depth_m;
-        let points = world.contacts_of_pair(states, id.a, id.b, reach).into_iter();
+        let points = model.contacts_of_pair(states, id.a, id.b, reach).into_iter();
         let sharing = points.filter(|point| point.kinematics.geometry.separation <= reach).count();
         sharing.max(1) as f64
     }
@@ -262,25 +262,25 @@ impl Laws {
     /// Springs without damping.
     fn elastic(
         &self,
-        world: &World,
+        model: &Model,
         states: &[BodyState],
         (id, geometry): (ContactId, &ContactGeometry),
         approach: f64,
     ) -> Result<(NormalSpring, TangentialSpring), SceneError> {
-        let materials = world.scene.pair_materials(id.a, id.b);
-        let names = || [id.a, id.b].map(|body| world.bodies[body].name.clone());
+        let materials = model.scene.pair_materials(id.a, id.b);
+        let names = || [id.a, id.b].map(|body| model.bodies[body].name.clone());
         let refused = |source: SpringError| SceneError::SpringRestitution { materials: names(), source };
         match self.method.law.unwrap_or_default() {
             SpringLaw::Hertz => {
                 let pair = elastic_pair(materials[0], materials[1])?;
-                let radius = effective_radius(world, id)
-                    .ok_or_else(|| SceneError::HertzShape { body: world.bodies[id.a].name.clone() })?;
+                let radius = effective_radius(model, id)
+                    .ok_or_else(|| SceneError::HertzShape { body: model.bodies[id.a].name.clone() })?;
                 let spring = NormalSpring::elastic(Growth::Hertz, pair.hertz_stiffness(radius)).map_err(refused)?;
                 Ok((spring, TangentialSpring::mindlin(&pair, radius)))
             }
             SpringLaw::Linear => {
                 let stiffness = self.method.stiffness_n_m;
-                let stiffness = stiffness.unwrap_or_else(|| self.stiffness(world, states, (id, geometry), approach));
+                let stiffness = stiffness.unwrap_or_else(|| self.stiffness(model, states, (id, geometry), approach));
                 let spring = NormalSpring::elastic(Growth::Linear, stiffness).map_err(refused)?;
                 let ratios =
                     materials.iter().filter_map(|material| material.elastic_constants().map(|[_, ratio]| ratio));
@@ -293,9 +293,9 @@ impl Laws {
 }
 
 /// Effective mass along the normal of a contact, `1/(n . (sum 1/m + I^-1 (r x n) x r) n)`, kg.
-fn effective_mass(world: &World, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> f64 {
+fn effective_mass(model: &Model, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> f64 {
     let of_body = |body: usize| {
-        let Some(rigid) = &world.bodies[body].rigid else { return 0.0 };
+        let Some(rigid) = &model.bodies[body].rigid else { return 0.0 };
         let state = &states[body];
         let arm: DVec3 = (geometry.point - state.pose.translation).cross(geometry.normal);
         rigid.inverse_mass() + arm.dot(rigid.inverse_inertia_world(state.pose.rotation) * arm)
@@ -305,8 +305,8 @@ fn effective_mass(world: &World, states: &[BodyState], id: ContactId, geometry: 
 }
 
 /// Effective radius of curvature, m: of balls; what is not a ball is flat. None without a ball.
-fn effective_radius(world: &World, id: ContactId) -> Option<f64> {
-    let curvature = |body: usize| match &world.bodies[body].shape {
+fn effective_radius(model: &Model, id: ContactId) -> Option<f64> {
+    let curvature = |body: usize| match &model.bodies[body].shape {
         Some(Shape::Sphere(ball)) => 1.0 / ball.radius(),
         _ => 0.0,
     };

@@ -124,13 +124,13 @@ impl<'a> Run<'a> {
 
     /// Contacts of the pairs of the group within reach of a step of `h` (s), ascending.
     pub(super) fn near(&self, h: f64) -> Vec<(ContactId, ContactKinematics)> {
-        let world = &self.core.world;
-        let fall = world.gravity().length() * h * h;
+        let model = &self.core.model;
+        let fall = model.gravity().length() * h * h;
         let mut found = Vec::new();
         for &(a, b) in &self.done.group.pairs {
-            let speed = world.point_speed(&self.states, a) + world.point_speed(&self.states, b);
-            let reach = REACH * (speed * h + fall) + world.rounding(&self.states, a, b);
-            let contacts = world.contacts_of_pair(&self.states, a, b, reach).into_iter();
+            let speed = model.point_speed(&self.states, a) + model.point_speed(&self.states, b);
+            let reach = REACH * (speed * h + fall) + model.rounding(&self.states, a, b);
+            let contacts = model.contacts_of_pair(&self.states, a, b, reach).into_iter();
             found.extend(contacts.map(|found| (found.id, found.kinematics)));
         }
         found.sort_by_key(|(id, _)| *id);
@@ -142,14 +142,14 @@ impl<'a> Run<'a> {
         let (about, t) = (self.done.books.ledger.momentum.about, self.t);
         let Self { core, states, done, .. } = self;
         let mut system =
-            SpringSystem { world: &core.world, bodies: &done.group.bodies, springs: &done.springs, about, states };
+            SpringSystem { model: &core.model, bodies: &done.group.bodies, springs: &done.springs, about, states };
         let flat = system.pack();
         system.energies(t, &flat).0
     }
 
     /// A spring in the present states.
     pub(super) fn evaluated(&self, spring: &ContactSpring) -> Option<Evaluated> {
-        Evaluated::new(&self.core.world, &self.states, spring.id, spring.friction.is_some())
+        Evaluated::new(&self.core.model, &self.states, spring.id, spring.friction.is_some())
     }
 
     /// The spring of a contact that begins in the present states.
@@ -161,9 +161,9 @@ impl<'a> Run<'a> {
         id: ContactId,
         kinematics: &ContactKinematics,
     ) -> Result<ContactSpring, SimulationError> {
-        let (world, approach) = (&self.core.world, -kinematics.separation_rate);
-        let law = self.laws.of_contact(world, &self.states, (id, &kinematics.geometry), approach)?;
-        let at = Evaluated::new(world, &self.states, id, law.friction.is_some());
+        let (model, approach) = (&self.core.model, -kinematics.separation_rate);
+        let law = self.laws.of_contact(model, &self.states, (id, &kinematics.geometry), approach)?;
+        let at = Evaluated::new(model, &self.states, id, law.friction.is_some());
         let at = at.unwrap_or_else(|| Evaluated::of(*kinematics));
         // It has overlapped since then, at most since the last step began.
         let since = if at.depth > 0.0 && at.rate > 0.0 { self.t - at.depth / at.rate } else { self.t };
@@ -174,14 +174,14 @@ impl<'a> Run<'a> {
     pub(super) fn commit(&mut self, flat: &[f64], mut end: Vec<f64>, t: f64) {
         let about = self.done.books.ledger.momentum.about;
         let Self { core, states, done, .. } = self;
-        let (world, bodies) = (&core.world, &done.group.bodies);
+        let (model, bodies) = (&core.model, &done.group.bodies);
         let springs = done.springs.clone();
-        let mut system = SpringSystem { world, bodies, springs: &springs, about, states };
+        let mut system = SpringSystem { model, bodies, springs: &springs, about, states };
         let before = system.energies(self.t, flat);
-        let before_balance = done.books.balance(world, system.states, bodies).with_energy(before.0);
+        let before_balance = done.books.balance(model, system.states, bodies).with_energy(before.0);
         system.normalize(&mut end);
         let after = system.energies(t, &end);
-        let after_balance = done.books.balance(world, system.states, bodies).with_energy(after.0);
+        let after_balance = done.books.balance(model, system.states, bodies).with_energy(after.0);
         let mut received = system.received(&end);
         received.friction_j -= after.1 - before.1;
         let held: Vec<ContactSpring> = (0..springs.len()).map(|index| system.spring(&end, index)).collect();
@@ -198,15 +198,15 @@ impl<'a> Run<'a> {
     /// Puts the bodies that joints hold back onto them at the end of a step: what the integrator has let them drift.
     /// `before` is their balance.
     fn project(&mut self, before: Balance) {
-        let world = &self.core.world;
-        if !world.has_rows() || world.held_among(&self.done.group.bodies).is_empty() {
+        let model = &self.core.model;
+        if !model.has_rows() || model.held_among(&self.done.group.bodies).is_empty() {
             return;
         }
         let bodies = self.done.group.bodies.clone();
         let kept = self.states.clone();
-        let projected = project_positions(world, &mut self.states, &bodies, &[]).and_then(|mut done| {
+        let projected = project_positions(model, &mut self.states, &bodies, &[]).and_then(|mut done| {
             let none = (&[][..], &[][..], &[][..]);
-            let removed = project_velocities(world, &mut self.states, &bodies, none, Removal::OfDrift)?;
+            let removed = project_velocities(model, &mut self.states, &bodies, none, Removal::OfDrift)?;
             done.work_j += removed.work_j;
             Ok(done)
         });
@@ -216,7 +216,7 @@ impl<'a> Run<'a> {
             return;
         };
         let energy = self.energy();
-        let after = self.done.books.balance(&self.core.world, &self.states, &bodies).with_energy(energy);
+        let after = self.done.books.balance(&self.core.model, &self.states, &bodies).with_energy(energy);
         self.done.projections.push(JointProjection { t_s: self.t, done, balances: (before, after) });
     }
 
@@ -240,7 +240,7 @@ impl<'a> Run<'a> {
     /// Movable bodies with several springs.
     fn shared_bodies(&self) -> Vec<usize> {
         let mut all: Vec<usize> = self.done.springs.iter().flat_map(|spring| [spring.id.a, spring.id.b]).collect();
-        all.retain(|&body| self.core.world.bodies[body].rigid.is_some());
+        all.retain(|&body| self.core.model.bodies[body].rigid.is_some());
         all.sort_unstable();
         let mut shared: Vec<usize> = all.windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| pair[0]).collect();
         shared.dedup();
@@ -268,7 +268,7 @@ impl<'a> Run<'a> {
 
     /// The same of a contact that ends at the present.
     pub(super) fn remove_now(&mut self, id: ContactId) {
-        let rate = Evaluated::new(&self.core.world, &self.states, id, false).map_or(0.0, |at| at.rate);
+        let rate = Evaluated::new(&self.core.model, &self.states, id, false).map_or(0.0, |at| at.rate);
         self.remove(id, self.t, -rate);
     }
 

@@ -3,11 +3,11 @@
 use super::contact::{ContactSpring, Grip, Passage, Push};
 use super::laws::{Coulomb, Holding, Laws, Resistance};
 use crate::identity::body_id::BodyId;
+use crate::model::Model;
 use crate::report::springs::{SpringImpact, SpringReport};
 use crate::scene::PenaltyMethod;
 use crate::snapshot::parts::{restored_id, save_contact};
 use crate::snapshot::{SnapshotError, springs};
-use crate::world::World;
 use polhode_response::penalty::{Damping, NormalSpring, TangentialSpring};
 use polhode_spatial::DVec3;
 
@@ -62,7 +62,7 @@ pub(super) fn save_spring(spring: &ContactSpring) -> springs::ContactSpring {
 ///
 /// # Errors
 /// When it is not of two bodies that can touch, or its stiffness is not positive.
-pub(super) fn restored_spring(world: &World, saved: &springs::ContactSpring) -> Result<ContactSpring, SnapshotError> {
+pub(super) fn restored_spring(model: &Model, saved: &springs::ContactSpring) -> Result<ContactSpring, SnapshotError> {
     use polhode_response::penalty::Growth;
     let growth = if saved.is_hertz { Growth::Hertz } else { Growth::Linear };
     let spring = NormalSpring::elastic(growth, saved.stiffness);
@@ -70,7 +70,7 @@ pub(super) fn restored_spring(world: &World, saved: &springs::ContactSpring) -> 
     let damping = if saved.is_plain { Damping::Plain(saved.damping) } else { Damping::HuntCrossley(saved.damping) };
     let [begun_s, approach, deepest, hardest] = saved.passage;
     Ok(ContactSpring {
-        id: restored_id(world, &saved.id)?,
+        id: restored_id(model, &saved.id)?,
         normal: spring.with_damping(damping),
         tangential: TangentialSpring::of_coefficient(growth, saved.tangential),
         holding: Holding { damper: saved.holding[0], weakening: saved.holding[1], stopped: saved.holding[2] },

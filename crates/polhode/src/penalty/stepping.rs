@@ -68,11 +68,11 @@ pub(super) fn advance(mut run: Run<'_>, t_end: f64) -> Result<GroupRun, Simulati
 
 /// The longest step from the present (s): bodies do not pass each other.
 fn longest(run: &Run<'_>, t_end: f64) -> f64 {
-    let world = &run.core.world;
+    let model = &run.core.model;
     let own = (t_end - run.t).min(run.core.settings.step_s);
     run.done.group.pairs.iter().fold(own, |longest, &(a, b)| {
-        let speed = world.point_speed(&run.states, a) + world.point_speed(&run.states, b);
-        let passing = PASSING * world.pair_size(a, b) / speed;
+        let speed = model.point_speed(&run.states, a) + model.point_speed(&run.states, b);
+        let passing = PASSING * model.pair_size(a, b) / speed;
         if passing > 0.0 { longest.min(passing) } else { longest }
     })
 }
@@ -83,7 +83,7 @@ const MOST_PHASE: f64 = 4.0;
 
 /// The longest step (s) that sees all springs of the group.
 fn longest_on_springs(run: &Run<'_>) -> f64 {
-    let resting = run.laws.resting_speed(&run.core.world);
+    let resting = run.laws.resting_speed(&run.core.model);
     let frequency = |spring: &ContactSpring| {
         let depth = spring.normal.impact_depth(spring.mass, spring.passage.approach.max(resting));
         spring.frequency(depth.max(spring.passage.deepest))
@@ -105,7 +105,7 @@ fn settle(run: &mut Run<'_>, done: &[Happening], h: f64) -> Result<Vec<ContactId
             continue;
         }
         let separation = kinematics.geometry.separation;
-        let rounding = run.core.world.rounding(&run.states, id.a, id.b);
+        let rounding = run.core.model.rounding(&run.states, id.a, id.b);
         let touches = separation <= rounding && kinematics.separation_rate <= 0.0;
         let has_ended = done.contains(&Happening::End(*id));
         if (touches || separation < -rounding) && !has_ended {
@@ -140,7 +140,7 @@ fn step(
     let (core, about, t) = (run.core, run.done.books.ledger.momentum.about, run.t);
     let mut states = run.states.clone();
     let mut system =
-        SpringSystem { world: &core.world, bodies: &bodies, springs: &springs, about, states: &mut states };
+        SpringSystem { model: &core.model, bodies: &bodies, springs: &springs, about, states: &mut states };
     let flat = system.pack();
     let mut method = Dop853::new(system.dimension());
     let smallest = TIME_ULPS * f64::EPSILON * t.abs().max(core.settings.step_s * f64::EPSILON);
@@ -219,22 +219,22 @@ impl Allowances {
 
 /// What an attempt may err by.
 fn allowances(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[ContactSpring], &[ContactId])) -> Allowances {
-    let world = &run.core.world;
+    let model = &run.core.model;
     let tolerance = STEP_SHARE * run.core.settings.tolerance;
     let bodies = &run.done.group.bodies;
     let end = method.end_state();
     let ends = end.as_chunks::<WIDTH>().0.iter().map(BodyState::from_array);
     let speed_at_end = bodies.iter().zip(ends).map(|(&body, state)| {
-        let velocity = world.velocity(body, &state);
-        world.fastest_point(body, &velocity)
+        let velocity = model.velocity(body, &state);
+        model.fastest_point(body, &velocity)
     });
-    let speeds = bodies.iter().map(|&body| world.point_speed(&run.states, body)).chain(speed_at_end);
-    let speed = speeds.fold(run.laws.resting_speed(world), f64::max);
+    let speeds = bodies.iter().map(|&body| model.point_speed(&run.states, body)).chain(speed_at_end);
+    let speed = speeds.fold(run.laws.resting_speed(model), f64::max);
     let near_contact = !(springs.is_empty() && candidates.is_empty());
     let frequency = springs.iter().map(|spring| spring.frequency(run.laws.depth_m)).fold(0.0, f64::max);
     let of_body = |(index, &body): (usize, &usize)| {
-        let rigid = world.bodies[body].rigid.as_ref()?;
-        let size = world.bodies[body].size.max(f64::MIN_POSITIVE);
+        let rigid = model.bodies[body].rigid.as_ref()?;
+        let size = model.bodies[body].size.max(f64::MIN_POSITIVE);
         let length = if near_contact { run.laws.depth_m.min(size) } else { size };
         let coordinate = run.states[body].pose.translation.abs().max_element() + size;
         let rounding = POSITION_ULPS * f64::EPSILON * coordinate;
@@ -273,7 +273,7 @@ fn largest_error(
     (springs, candidates): (&[ContactSpring], &[ContactId]),
     sliding: &[f64],
 ) -> f64 {
-    let world = &run.core.world;
+    let model = &run.core.model;
     let tolerance = STEP_SHARE * run.core.settings.tolerance;
     let bodies = &run.done.group.bodies;
     let allowances = allowances(run, method, (springs, candidates));
@@ -296,7 +296,7 @@ fn largest_error(
         }
     }
     // What dampers and friction take is booked as exactly as the motion.
-    let mass: f64 = bodies.iter().filter_map(|&body| world.bodies[body].rigid.as_ref()).map(RigidBody::mass).sum();
+    let mass: f64 = bodies.iter().filter_map(|&body| model.bodies[body].rigid.as_ref()).map(RigidBody::mass).sum();
     let first = bodies.len() * WIDTH + springs.len() * SPRING + DISSIPATION;
     if !springs.is_empty() {
         largest.include(method.error_of(first..first + DISSIPATIONS), tolerance * mass * speed * speed);

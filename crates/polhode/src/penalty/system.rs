@@ -11,10 +11,10 @@ use super::contact::{ContactSpring, Evaluated, Force, Grip, SPRING};
 use crate::accounting::books::Received;
 use crate::constraint::bilateral::bilateral_support;
 use crate::identity::contact_id::ContactId;
+use crate::model::{Loads, Model};
 use crate::report::momentum_ledger::Momentum;
 use crate::solve::joint_reactions::JointReactions;
 use crate::tier::smooth_rates::{add, add_outside_rates, free_rates};
-use crate::world::{Loads, World};
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, WIDTH};
 use polhode_dynamics::{BodyState, System, state};
 use polhode_spatial::DVec3;
@@ -30,7 +30,7 @@ pub(super) const DISSIPATIONS: usize = 3;
 /// A group with its springs.
 #[derive(Debug)]
 pub(super) struct SpringSystem<'a> {
-    pub(super) world: &'a World,
+    pub(super) model: &'a Model,
     pub(super) bodies: &'a [usize],
     pub(super) springs: &'a [ContactSpring],
     /// The point of the ledger of momentum.
@@ -52,7 +52,7 @@ impl SpringSystem<'_> {
         for (&body, numbers) in self.bodies.iter().zip(flat.as_chunks::<WIDTH>().0) {
             self.states[body] = BodyState::from_array(numbers);
         }
-        self.world.prescribe(t, self.states);
+        self.model.prescribe(t, self.states);
     }
 
     /// A spring with its vector of a flat state.
@@ -63,7 +63,7 @@ impl SpringSystem<'_> {
 
     /// A spring in the states that were set last; none where its features define no contact.
     pub(super) fn evaluated(&self, spring: &ContactSpring) -> Option<Evaluated> {
-        Evaluated::new(self.world, self.states, spring.id, spring.friction.is_some())
+        Evaluated::new(self.model, self.states, spring.id, spring.friction.is_some())
     }
 
     /// Elastic energy of all springs in a flat state, J, and that of the tangential springs that give way.
@@ -104,7 +104,7 @@ impl SpringSystem<'_> {
     /// places in the group: N, N m). Where they cannot be found the rates are no numbers, and the step is refused.
     fn add_reactions(&self, t: f64, (loads, springs): (&Loads, &[(DVec3, DVec3)]), rates: &mut [f64]) {
         let of_springs = self.bodies.iter().zip(springs).map(|(&body, &(force, moment))| (body, force, moment));
-        let Ok(found) = JointReactions::solve(self.world, (t, self.states), self.bodies, &loads.with(of_springs))
+        let Ok(found) = JointReactions::solve(self.model, (t, self.states), self.bodies, &loads.with(of_springs))
         else {
             rates.fill(f64::NAN);
             return;
@@ -118,12 +118,12 @@ impl SpringSystem<'_> {
         let support = bilateral_support(self.about, found.reactions());
         add(tail, support.linear);
         add(&mut tail[3..], support.angular);
-        tail[19] += self.world.driven_work(self.states, found.reactions());
+        tail[19] += self.model.driven_work(self.states, found.reactions());
     }
 
     /// Adds a force on a body and its moment about the centre of mass to the rates.
     fn add_load(&self, body: usize, force: DVec3, moment: DVec3, rates: &mut [f64]) {
-        let (Ok(index), Some(rigid)) = (self.bodies.binary_search(&body), &self.world.bodies[body].rigid) else {
+        let (Ok(index), Some(rigid)) = (self.bodies.binary_search(&body), &self.model.bodies[body].rigid) else {
             return;
         };
         let rate = &mut rates[index * WIDTH..(index + 1) * WIDTH];
@@ -139,7 +139,7 @@ impl SpringSystem<'_> {
 
     /// Rates of the ledgers by one contact.
     fn contact_rates(&self, id: ContactId, at: &Evaluated, force: &Force, tail: &mut [f64]) {
-        let carries = |body: usize| self.world.carries_momentum(body);
+        let carries = |body: usize| self.model.carries_momentum(body);
         let sign = match (carries(id.a), carries(id.b)) {
             (true, false) => 1.0,
             (false, true) => -1.0,
@@ -151,10 +151,10 @@ impl SpringSystem<'_> {
         tail[18] += force.damping;
         tail[20] += force.friction;
         // Kinematic bodies and driven surfaces give what movable bodies receive beyond the relative power.
-        let is_driven = |body: usize| self.world.bodies[body].trajectory.is_some();
-        if is_driven(id.a) || is_driven(id.b) || self.world.has_moving_surfaces() {
+        let is_driven = |body: usize| self.model.bodies[body].trajectory.is_some();
+        if is_driven(id.a) || is_driven(id.b) || self.model.has_moving_surfaces() {
             let power = |body: usize, sign: f64| {
-                let Some(rigid) = &self.world.bodies[body].rigid else { return 0.0 };
+                let Some(rigid) = &self.model.bodies[body].rigid else { return 0.0 };
                 let velocity = rigid.velocity(&self.states[body]);
                 let (force, moment) = self.load(body, (at, force, sign));
                 force.dot(velocity.linear) + moment.dot(velocity.angular)
@@ -182,8 +182,8 @@ impl System for SpringSystem<'_> {
 
     fn derivative(&mut self, t: f64, flat: &[f64], rates: &mut [f64]) -> Result<(), Infallible> {
         self.set_states(t, flat);
-        let loads = self.world.loads_on(t, self.states, self.bodies);
-        free_rates(self.world, (self.bodies, self.states), &loads, flat, rates);
+        let loads = self.model.loads_on(t, self.states, self.bodies);
+        free_rates(self.model, (self.bodies, self.states), &loads, flat, rates);
         let first = self.bodies.len() * WIDTH;
         let end = first + self.springs.len() * SPRING;
         rates[first..].fill(0.0);
@@ -204,10 +204,10 @@ impl System for SpringSystem<'_> {
             rates[place..place + SPRING].copy_from_slice(&[x, y, z, spring.slipping(&at)]);
             self.contact_rates(spring.id, &at, &force, &mut rates[end..]);
         }
-        if self.world.has_rows() {
+        if self.model.has_rows() {
             self.add_reactions(t, (&loads, &sums), rates);
         }
-        add_outside_rates(self.world, t, (self.bodies, self.states), self.about, &mut rates[end..]);
+        add_outside_rates(self.model, t, (self.bodies, self.states), self.about, &mut rates[end..]);
         Ok(())
     }
 

@@ -6,7 +6,8 @@
 //! same motion to 1e-12 over a second: planar motion instead of motion in space, or rotation about a pivot alone
 //! instead of constraint rows that hold the body there.
 
-use crate::constraint::joint::WorldJoint;
+use crate::constraint::joint::ModelJoint;
+use crate::model::Model;
 use crate::plan::free_method::Choice;
 use crate::plan::planar::PlanarFinding;
 pub use crate::scene::effects::Effects;
@@ -16,7 +17,6 @@ use crate::scene::{
     Scene, Tier,
 };
 use crate::snapshot::{SnapshotError, content};
-use crate::world::World;
 use polhode_spatial::{DVec3, DisjointSets};
 
 /// An effect that the plan may leave out.
@@ -124,7 +124,7 @@ pub struct Plan {
 
 impl Plan {
     /// Derives the plan of a scene from settings and findings.
-    pub(crate) fn derive(world: &World, settings: &Settings, effects: Effects, findings: &Findings) -> Self {
+    pub(crate) fn derive(model: &Model, settings: &Settings, effects: Effects, findings: &Findings) -> Self {
         Self {
             tier: settings.tier,
             tier_reason: findings.tier_reason.clone(),
@@ -138,7 +138,7 @@ impl Plan {
             tolerance: settings.tolerance,
             promise: settings.promise,
             max_events_per_step: settings.max_events_per_step,
-            effects: decisions(world, settings, effects, findings),
+            effects: decisions(model, settings, effects, findings),
         }
     }
 }
@@ -206,25 +206,25 @@ pub(crate) struct Findings {
 }
 
 /// One decision per effect.
-fn decisions(world: &World, settings: &Settings, effects: Effects, findings: &Findings) -> Vec<EffectDecision> {
-    let mut list = motion_decisions(world, settings, findings);
-    list.extend(contact_decisions(world, effects, findings));
-    list.push(friction_decision(&world.scene));
-    list.push(joint_decision(world));
-    let loaded = world.loaded_count();
-    let pivots = present(world).filter(|(_, body)| body.pivot_point().is_some()).count();
+fn decisions(model: &Model, settings: &Settings, effects: Effects, findings: &Findings) -> Vec<EffectDecision> {
+    let mut list = motion_decisions(model, settings, findings);
+    list.extend(contact_decisions(model, effects, findings));
+    list.push(friction_decision(&model.scene));
+    list.push(joint_decision(model));
+    let loaded = model.loaded_count();
+    let pivots = present(model).filter(|(_, body)| body.pivot_point().is_some()).count();
     list.push(decision(
         Effect::ForceFields,
         loaded > 0,
-        format!("{} force fields and {pivots} pivots, acting on {loaded} bodies", world.free_motion().fields().len()),
+        format!("{} force fields and {pivots} pivots, acting on {loaded} bodies", model.free_motion().fields().len()),
         if loaded > 0 { "nothing: fields are evaluated at every stage" } else { "all evaluations of fields" },
     ));
     list
 }
 
 /// The bodies of the scene that have not been removed, with their indices.
-fn present(world: &World) -> impl Iterator<Item = (usize, &Body)> {
-    world.scene.bodies().iter().enumerate().filter(|&(body, _)| !world.bodies[body].removed)
+fn present(model: &Model) -> impl Iterator<Item = (usize, &Body)> {
+    model.scene.bodies().iter().enumerate().filter(|&(body, _)| !model.bodies[body].removed)
 }
 
 /// What constraint rows save.
@@ -234,12 +234,12 @@ const REDUCED: &str =
     "constraint rows, their reactions and projections; the same motion to 1e-11 while it is not chaotic";
 
 /// Whether joints close a loop: one connects bodies, or a body and the world, that others connect already.
-fn has_loop(world: &World) -> bool {
+fn has_loop(model: &Model) -> bool {
     // The world is one more body.
-    let ground = world.bodies.len();
+    let ground = model.bodies.len();
     let mut sets = DisjointSets::new(ground + 1);
     // A rope has no row: it closes nothing.
-    world.joints.iter().filter(|joint| joint.rows() > 0).any(|joint| {
+    model.joints.iter().filter(|joint| joint.rows() > 0).any(|joint| {
         let mut ends = joint.bodies().chain([ground]);
         let (a, b) = (ends.next().unwrap_or(ground), ends.next().unwrap_or(ground));
         let closes = sets.smallest(a) == sets.smallest(b);
@@ -250,24 +250,24 @@ fn has_loop(world: &World) -> bool {
 
 /// The decision about joints. Constraint rows hold those of the scene, and pivots, unless the motion is reduced to
 /// rotation about them.
-fn joint_decision(world: &World) -> EffectDecision {
-    if !world.joints.is_empty() {
-        let rows: usize = world.joints.iter().map(WorldJoint::rows).sum();
-        let form = if has_loop(world) { "some of them close loops" } else { "none of them closes a loop" };
-        let stops: usize = world.joints.iter().map(WorldJoint::stops).sum();
+fn joint_decision(model: &Model) -> EffectDecision {
+    if !model.joints.is_empty() {
+        let rows: usize = model.joints.iter().map(ModelJoint::rows).sum();
+        let form = if has_loop(model) { "some of them close loops" } else { "none of them closes a loop" };
+        let stops: usize = model.joints.iter().map(ModelJoint::stops).sum();
         let limits = if stops > 0 { format!(", {stops} limits") } else { String::new() };
-        let tracks = world.joints.iter().filter(|joint| joint.is_on_track()).count();
+        let tracks = model.joints.iter().filter(|joint| joint.is_on_track()).count();
         let tracks = if tracks > 0 { format!(", {tracks} of them on tracks") } else { String::new() };
-        let fact = format!("{} joints with {rows} constraint rows{limits}{tracks}, {form}", world.joints.len());
-        if world.scene.method().coordinates == Some(Coordinates::Reduced) {
-            let bodies = world.held_by_rows.len();
+        let fact = format!("{} joints with {rows} constraint rows{limits}{tracks}, {form}", model.joints.len());
+        if model.scene.method().coordinates == Some(Coordinates::Reduced) {
+            let bodies = model.held_by_rows.len();
             let fact = format!("{fact}; {bodies} bodies in the coordinates of joints (method.coordinates)");
             return decision(Effect::Joints, true, fact, REDUCED);
         }
         return decision(Effect::Joints, true, fact, SOLVED);
     }
-    let pivots = present(world).filter(|(_, body)| body.pivot_point().is_some()).count();
-    let rows = world.held_by_rows.len();
+    let pivots = present(model).filter(|(_, body)| body.pivot_point().is_some()).count();
+    let rows = model.held_by_rows.len();
     let (fact, saves) = match (pivots, rows) {
         (0, _) => ("the scene has no joints and no pivots".to_owned(), "all work on joints"),
         (_, 0) => (
@@ -287,10 +287,10 @@ fn joint_decision(world: &World) -> EffectDecision {
 }
 
 /// Effects of motion between contacts.
-fn motion_decisions(world: &World, settings: &Settings, findings: &Findings) -> Vec<EffectDecision> {
-    let (gravity, planar) = (world.gravity(), &findings.planar);
-    let movable = world.bodies.iter().filter(|body| body.moves()).count();
-    let flying = if settings.flies() { movable - world.loaded_count() } else { 0 };
+fn motion_decisions(model: &Model, settings: &Settings, findings: &Findings) -> Vec<EffectDecision> {
+    let (gravity, planar) = (model.gravity(), &findings.planar);
+    let movable = model.bodies.iter().filter(|body| body.moves()).count();
+    let flying = if settings.flies() { movable - model.loaded_count() } else { 0 };
     vec![
         decision(
             Effect::Gravity,
@@ -298,8 +298,8 @@ fn motion_decisions(world: &World, settings: &Settings, findings: &Findings) -> 
             format!("g = ({}, {}, {}) m/s^2", gravity.x, gravity.y, gravity.z),
             "nothing: gravity is part of the closed form of free flight",
         ),
-        rotation_decision(world),
-        steady_decision(world),
+        rotation_decision(model),
+        steady_decision(model),
         decision(
             Effect::PlanarMotion,
             planar.plane.is_some(),
@@ -320,11 +320,11 @@ fn motion_decisions(world: &World, settings: &Settings, findings: &Findings) -> 
 }
 
 /// Effects of contact: of shapes, and of joints at their limits.
-fn contact_decisions(world: &World, effects: Effects, findings: &Findings) -> Vec<EffectDecision> {
-    let pairs = world.scene.colliding();
-    let limits: usize = world.joints.iter().map(WorldJoint::stops).sum();
+fn contact_decisions(model: &Model, effects: Effects, findings: &Findings) -> Vec<EffectDecision> {
+    let pairs = model.scene.colliding();
+    let limits: usize = model.joints.iter().map(ModelJoint::stops).sum();
     let meets = pairs.count > 0 || limits > 0;
-    let restitution = pairs.largest_restitution.max(world.largest_restitution_of_stops());
+    let restitution = pairs.largest_restitution.max(model.largest_restitution_of_stops());
     let rest = match effects {
         Effects::Planned => decision(
             Effect::Rest,
@@ -405,10 +405,10 @@ fn decision(effect: Effect, on: bool, fact: String, saves: &str) -> EffectDecisi
 }
 
 /// The decision about general rotation: it is left out when the three principal moments of every body are equal.
-fn rotation_decision(world: &World) -> EffectDecision {
+fn rotation_decision(model: &Model) -> EffectDecision {
     let mut general = 0;
     let mut spherical = 0;
-    for properties in present(world).filter_map(|(_, body)| body.mass_properties()) {
+    for properties in present(model).filter_map(|(_, body)| body.mass_properties()) {
         let moments = properties.principal_axes().moments();
         if moments.x == moments.z { spherical += 1 } else { general += 1 }
     }
@@ -425,14 +425,14 @@ fn rotation_decision(world: &World) -> EffectDecision {
 }
 
 /// The decision about steady rotation: a body that spins about a principal axis without torque keeps axis and rate.
-fn steady_decision(world: &World) -> EffectDecision {
+fn steady_decision(model: &Model) -> EffectDecision {
     let (mut steady, mut turning) = (0, 0);
     let mut off_axis = 0.0f64;
-    for (body, entry) in present(world) {
-        let Some(rigid) = &world.bodies[body].rigid else { continue };
+    for (body, entry) in present(model) {
+        let Some(rigid) = &model.bodies[body].rigid else { continue };
         let pose = entry.initial_pose();
         let w = entry.initial_velocity().angular;
-        if w == DVec3::ZERO || world.is_loaded(body) {
+        if w == DVec3::ZERO || model.is_loaded(body) {
             continue;
         }
         turning += 1;

@@ -13,9 +13,9 @@
 //! sun the splitting takes shorter steps near the sun, and where a step would need more than 64 splittings DOP853 takes
 //! over.
 
+use crate::model::Model;
 use crate::scene::settings::Settings;
 use crate::scene::{Integrator, IntegratorChoice};
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::{Account, Dependence};
 use polhode_dynamics::integrator::{AdaptiveExact, Integrator as _, Tolerance};
@@ -35,7 +35,7 @@ pub(crate) struct Choice {
 }
 
 /// Chooses the integrator for a scene in these states.
-pub(crate) fn choose(world: &World, states: &[BodyState], settings: &Settings) -> Choice {
+pub(crate) fn choose(model: &Model, states: &[BodyState], settings: &Settings) -> Choice {
     let choice = |integrator, reason: &str| Choice { integrator, reason: reason.to_owned() };
     let named = match (settings.tier.facts().integrator_choice, settings.named_integrator) {
         (IntegratorChoice::Tier { reason, .. }, _) | (IntegratorChoice::Scene { reason }, None) => {
@@ -44,29 +44,29 @@ pub(crate) fn choose(world: &World, states: &[BodyState], settings: &Settings) -
         (_, named) => named,
     };
     match named {
-        Some(Integrator::Rk4) if settings.constrains_by_rk4() && world.may_collide_at_all() => choice(
+        Some(Integrator::Rk4) if settings.constrains_by_rk4() && model.may_collide_at_all() => choice(
             Integrator::Rk4,
             "the scene names it; it integrates constrained motion too, with the contact forces at every stage",
         ),
-        Some(integrator) if integrator != Integrator::Dop853 && world.any_coupled_may_collide() => {
+        Some(integrator) if integrator != Integrator::Dop853 && model.any_coupled_may_collide() => {
             choice(integrator, "the scene names it; dop853 integrates bodies that forces couple and that may collide")
         }
         Some(integrator) => choice(integrator, "the scene names it"),
-        None if !world.has_loads() => {
+        None if !model.has_loads() => {
             choice(Integrator::Exact, "no force but gravity acts between contacts: closed form")
         }
-        None if world.has_rows() => choice(
+        None if model.has_rows() => choice(
             Integrator::Dop853,
             "bodies are held at pivots or joints: error control, with the forces of constraint at every stage",
         ),
-        None if !is_conservative(world) => {
+        None if !is_conservative(model) => {
             choice(Integrator::Dop853, "forces take or give energy: error control at order 8")
         }
-        None if world.may_collide_at_all() => choice(
+        None if model.may_collide_at_all() => choice(
             Integrator::Dop853,
             "forces act on bodies that may collide: error control, with the contact forces at every stage",
         ),
-        None => match splittings(world, states, settings) {
+        None => match splittings(model, states, settings) {
             Some(count) => {
                 let reason = format!(
                     "conservative forces: exact flight with kicks under error control, {count} splittings a step at \
@@ -83,18 +83,18 @@ pub(crate) fn choose(world: &World, states: &[BodyState], settings: &Settings) -
 }
 
 /// Whether all forces derive from potentials that do not depend on time.
-fn is_conservative(world: &World) -> bool {
-    let fields = world.free_motion().fields();
+fn is_conservative(model: &Model) -> bool {
+    let fields = model.free_motion().fields();
     fields.iter().all(|field| field.account() == Account::Potential && field.dependence() == Dependence::Poses)
 }
 
 /// Largest number of splittings that one of the trial steps needs at the tolerance; none when they are more than
 /// [`MOST_SPLITTINGS`].
-fn splittings(world: &World, states: &[BodyState], settings: &Settings) -> Option<u32> {
-    let motion = world.free_motion();
+fn splittings(model: &Model, states: &[BodyState], settings: &Settings) -> Option<u32> {
+    let motion = model.free_motion();
     let tolerance = Tolerance::new(settings.tolerance).unwrap_or_default();
     let mut integrator = AdaptiveExact::new(tolerance).limited_to(MOST_SPLITTINGS);
-    integrator.start(&motion, 0.0, &world.movable_states(states));
+    integrator.start(&motion, 0.0, &model.movable_states(states));
     let mut most = 0;
     for _ in 0..TRIAL_STEPS {
         integrator.step(&motion, settings.step_s).ok()?;

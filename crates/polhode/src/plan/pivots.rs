@@ -22,12 +22,12 @@
 //! Assumption: the point is fixed in the world and in the body. Fails: never; the scene refuses a point that is not
 //! finite.
 
-use crate::world::World;
-use crate::world::pivot_form::HeldPoint;
+use crate::model::Model;
+use crate::model::pivot_form::HeldPoint;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::{DVec3, Pose, Velocity};
 
-impl World {
+impl Model {
     /// The velocity that a body takes when a program gives it `velocity`: a body that constraint rows hold takes the
     /// angular velocity, and the linear one that follows from it.
     pub(crate) fn admitted_velocity(&self, body: usize, pose: &Pose, velocity: Velocity) -> Velocity {

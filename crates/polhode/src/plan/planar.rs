@@ -19,11 +19,11 @@
 //! breaks the mirror symmetry; so do the forces of a linear programme. Fails: never; a scene without such a plane is
 //! simulated in space.
 
+use crate::model::plane_of_motion::PlaneOfMotion;
+use crate::model::{Model, ModelBody};
 use crate::scene::settings::Settings;
 use crate::scene::tier_facts::TierFeature;
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, IntegratorChoice, Response};
-use crate::world::plane_of_motion::PlaneOfMotion;
-use crate::world::{World, WorldBody};
 use polhode_contact::{Shape, is_prism_along, mirror_defect};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, UnitVector};
@@ -46,23 +46,23 @@ impl PlanarFinding {
 }
 
 /// Looks for a plane of symmetry of the scene in these states.
-pub(crate) fn find(world: &World, states: &[BodyState], settings: &Settings) -> PlanarFinding {
-    if !world.bodies.iter().any(WorldBody::moves) {
+pub(crate) fn find(model: &Model, states: &[BodyState], settings: &Settings) -> PlanarFinding {
+    if !model.bodies.iter().any(ModelBody::moves) {
         return PlanarFinding::off("no body moves");
     }
-    if !world.prescribed.is_empty() {
+    if !model.prescribed.is_empty() {
         return PlanarFinding::off("the motion of a body is prescribed, and its symmetry is not examined");
     }
     if settings.response == Response::Penalty {
         return PlanarFinding::off("springs at two mirror images of a contact are not one spring");
     }
-    if world.has_friction() && !settings.takes(TierFeature::PlanarFriction) {
+    if model.has_friction() && !settings.takes(TierFeature::PlanarFriction) {
         return PlanarFinding::off("contacts have friction, which this tier solves for in space");
     }
-    if world.has_friction() && world.has_grain() {
+    if model.has_friction() && model.has_grain() {
         return PlanarFinding::off("friction has a grain, and its symmetry is not examined");
     }
-    if world.has_loads() {
+    if model.has_loads() {
         return PlanarFinding::off("force fields, pivots or joints act on bodies, and their symmetry is not examined");
     }
     let keeps_symmetry =
@@ -80,18 +80,18 @@ pub(crate) fn find(world: &World, states: &[BodyState], settings: &Settings) -> 
         );
     }
     let mut nearest: Option<Defect> = None;
-    for normal in candidates(world, states) {
-        let defect = measure(world, states, normal);
+    for normal in candidates(model, states) {
+        let defect = measure(model, states, normal);
         if defect.relative <= SYMMETRY_RELATIVE {
             let fact = format!(
                 "every body is its own mirror image in the plane with normal ({}, {}, {}), with a relative defect of \
                  {:.1e} (limit {:.1e})",
                 normal.x, normal.y, normal.z, defect.relative, SYMMETRY_RELATIVE
             );
-            if let Some(fact) = leaning_contacts(world, states, normal) {
+            if let Some(fact) = leaning_contacts(model, states, normal) {
                 return PlanarFinding::off(fact);
             }
-            let offset = plane_offset(world, states, normal);
+            let offset = plane_offset(model, states, normal);
             return PlanarFinding { plane: Some(PlaneOfMotion::new(normal, offset)), fact };
         }
         if nearest.as_ref().is_none_or(|n| defect.relative < n.relative) {
@@ -117,30 +117,30 @@ impl std::fmt::Display for Defect {
 
 /// Normals to try: the axis of the first spin, or, when no body spins, the axes of the world and of the first movable
 /// body.
-fn candidates(world: &World, states: &[BodyState]) -> Vec<DVec3> {
-    let spinning = (0..states.len()).map(|i| world.velocity(i, &states[i]).angular).find(|w| *w != DVec3::ZERO);
+fn candidates(model: &Model, states: &[BodyState]) -> Vec<DVec3> {
+    let spinning = (0..states.len()).map(|i| model.velocity(i, &states[i]).angular).find(|w| *w != DVec3::ZERO);
     if let Some(axis) = spinning {
         let axis = axis.normalize_or_zero();
         // Normalising a spin about an axis of the world gives that axis to the last bit.
         return if axis == DVec3::ZERO { Vec::new() } else { vec![axis] };
     }
     let mut normals = vec![DVec3::Y, DVec3::X, DVec3::Z];
-    if let Some(state) = states.iter().zip(&world.bodies).find(|(_, body)| body.moves()).map(|(state, _)| state) {
+    if let Some(state) = states.iter().zip(&model.bodies).find(|(_, body)| body.moves()).map(|(state, _)| state) {
         normals.extend([DVec3::Y, DVec3::X, DVec3::Z].map(|axis| state.pose.rotation.rotate(axis)));
     }
     normals
 }
 
 /// Offset of the plane, m: the plane passes through the first movable body.
-fn plane_offset(world: &World, states: &[BodyState], normal: DVec3) -> f64 {
-    let first = states.iter().zip(&world.bodies).find(|(_, body)| body.moves());
+fn plane_offset(model: &Model, states: &[BodyState], normal: DVec3) -> f64 {
+    let first = states.iter().zip(&model.bodies).find(|(_, body)| body.moves());
     first.map_or(0.0, |(state, _)| normal.dot(state.pose.translation))
 }
 
 /// The largest defect of symmetry in the plane with this normal: of the motions, and of the shapes where the motions
 /// have none.
-fn measure(world: &World, states: &[BodyState], normal: DVec3) -> Defect {
-    let offset = plane_offset(world, states, normal);
+fn measure(model: &Model, states: &[BodyState], normal: DVec3) -> Defect {
+    let offset = plane_offset(model, states, normal);
     let mut worst = Defect { relative: 0.0, what: String::new() };
     let mut note = |defect: f64, size: f64, what: &dyn Fn() -> String| {
         let relative = if defect == 0.0 { 0.0 } else { defect / size };
@@ -149,9 +149,9 @@ fn measure(world: &World, states: &[BodyState], normal: DVec3) -> Defect {
             worst = Defect { relative, what: what() };
         }
     };
-    let gravity = world.gravity();
+    let gravity = model.gravity();
     note(gravity.dot(normal).abs(), gravity.length(), &|| "gravity is not parallel to the plane".to_owned());
-    for (number, (body, state)) in world.bodies.iter().zip(states).enumerate() {
+    for (number, (body, state)) in model.bodies.iter().zip(states).enumerate() {
         let height = normal.dot(state.pose.translation) - offset;
         if let Some(rigid) = &body.rigid {
             let extent = body.size + state.pose.translation.abs().max_element();
@@ -169,7 +169,7 @@ fn measure(world: &World, states: &[BodyState], normal: DVec3) -> Defect {
                 format!("the normal is not a principal axis of {}", body.name)
             });
         }
-        let surface = world.surface_velocity(states, number);
+        let surface = model.surface_velocity(states, number);
         note(surface.dot(normal).abs(), surface.length(), &|| {
             format!("the surface of {} moves out of the plane", body.name)
         });
@@ -177,13 +177,13 @@ fn measure(world: &World, states: &[BodyState], normal: DVec3) -> Defect {
     if worst.relative > SYMMETRY_RELATIVE {
         return worst;
     }
-    let mut note = |defect: f64, size: f64, body: &WorldBody| {
+    let mut note = |defect: f64, size: f64, body: &ModelBody| {
         if defect > worst.relative * size {
             let what = format!("the shape of {} is not its own mirror image", body.name);
             worst = Defect { relative: defect / size, what };
         }
     };
-    for (body, state) in world.bodies.iter().zip(states) {
+    for (body, state) in model.bodies.iter().zip(states) {
         if let Some(shape) = &body.shape {
             let height = normal.dot(state.pose.translation) - offset;
             let axis = UnitVector::new(state.pose.rotation.inverse_rotate(normal));
@@ -231,28 +231,28 @@ impl Form {
 }
 
 /// Why normals of contacts with friction may lean out of the plane with this normal; none where they do not.
-fn leaning_contacts(world: &World, states: &[BodyState], normal: DVec3) -> Option<String> {
-    if !world.has_friction() {
+fn leaning_contacts(model: &Model, states: &[BodyState], normal: DVec3) -> Option<String> {
+    if !model.has_friction() {
         return None;
     }
-    let form = |(body, state): (&WorldBody, &BodyState)| {
+    let form = |(body, state): (&ModelBody, &BodyState)| {
         Form::of(body.shape.as_ref(), state.pose.rotation.inverse_rotate(normal))
     };
-    let forms: Vec<Form> = world.bodies.iter().zip(states).map(form).collect();
+    let forms: Vec<Form> = model.bodies.iter().zip(states).map(form).collect();
     // Pairs of prisms, and with half-spaces, are most: they are not looked at one by one.
     let others = (0..forms.len()).filter(|&a| matches!(forms[a], Form::Convex | Form::Other));
     let rub = |a: usize, b: usize| {
-        let material = world.scene.pair_material(a, b);
+        let material = model.scene.pair_material(a, b);
         material.static_ellipse().largest().max(material.rolling_friction()).max(material.spinning_friction()) > 0.0
     };
     let leans = |&(a, b): &(usize, usize)| {
         !forms[a].keeps_normals(forms[b])
-            && (world.bodies[a].moves() || world.bodies[b].moves())
-            && world.scene.may_collide(a, b)
+            && (model.bodies[a].moves() || model.bodies[b].moves())
+            && model.scene.may_collide(a, b)
             && rub(a, b)
     };
     let mut pairs = others.flat_map(|a| (0..forms.len()).filter(move |&b| b != a).map(move |b| (a, b)));
     let (a, b) = pairs.find(leans)?;
-    let (a, b) = (&world.bodies[a].name, &world.bodies[b].name);
+    let (a, b) = (&model.bodies[a].name, &model.bodies[b].name);
     Some(format!("{a} and {b} rub, and where they touch the normal may lean out of the plane of their symmetry"))
 }

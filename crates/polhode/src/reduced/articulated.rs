@@ -17,7 +17,7 @@
 use super::moving::Moving;
 use super::tree::{Node, Tree};
 use crate::constraint::tree_joint::FreeMotionOfJoint;
-use crate::world::{Loads, World};
+use crate::model::{Loads, Model};
 use polhode_dynamics::RigidBody;
 use polhode_spatial::{DMat3, DVec3};
 
@@ -126,7 +126,7 @@ impl Articulated {
     /// moments about `about` (m, world).
     pub(crate) fn rates(
         &mut self,
-        (world, tree): (&World, &Tree),
+        (model, tree): (&Model, &Tree),
         loads: &Loads,
         flat: &[f64],
         rates: &mut [f64],
@@ -137,7 +137,7 @@ impl Articulated {
         self.links.clear();
         for (node, own) in tree.nodes.iter().zip(&self.moving) {
             let parent = node.parent.map(|parent| self.moving[parent]);
-            self.links.push(link(world, loads, (node, own), (parent, &flat[node.u()])));
+            self.links.push(link(model, loads, (node, own), (parent, &flat[node.u()])));
         }
         let support = self.inwards(tree, about);
         self.outwards(tree, rates);
@@ -227,16 +227,16 @@ fn solved(inertia: &Inertia, bias: &Twofold) -> Twofold {
 }
 
 /// A body with its own inertia, the free motions of its joint, and what velocities and loads add.
-fn link(world: &World, loads: &Loads, (node, own): (&Node, &Moving), (parent, u): (Option<Moving>, &[f64])) -> Link {
+fn link(model: &Model, loads: &Loads, (node, own): (&Node, &Moving), (parent, u): (Option<Moving>, &[f64])) -> Link {
     let mut link = Link::default();
-    let Some(rigid) = &world.bodies[node.body].rigid else { return link };
+    let Some(rigid) = &model.bodies[node.body].rigid else { return link };
     let load = loads.of(node.body);
     let w = own.velocity.angular;
     let momentum = |axis: DVec3| rigid.angular_momentum_at(own.pose.rotation, axis);
     link.inertia.a = DMat3::from_cols(momentum(DVec3::X), momentum(DVec3::Y), momentum(DVec3::Z));
     link.inertia.c = DMat3::from_diagonal(DVec3::splat(rigid.mass()));
     link.bias.angular = w.cross(momentum(w)) - load.torque;
-    link.bias.linear = -(load.force + world.free_acceleration(node.body) * RigidBody::mass(rigid));
+    link.bias.linear = -(load.force + model.free_acceleration(node.body) * RigidBody::mass(rigid));
     let Some(joint) = &node.joint else { return link };
     let about = |axis: DVec3| Twofold { angular: axis, linear: own.arm.cross(axis) };
     let by = parent.map_or(DVec3::ZERO, |parent| parent.velocity.angular);

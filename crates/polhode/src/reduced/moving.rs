@@ -13,7 +13,7 @@
 
 use super::tree::{Node, Tree};
 use crate::constraint::tree_joint::{FreeMotionOfJoint, JointOfChild};
-use crate::world::World;
+use crate::model::Model;
 use polhode_dynamics::BodyState;
 use polhode_dynamics::state::quaternion_rate;
 use polhode_spatial::{DQuat, DVec3, Pose, Rotation, Velocity};
@@ -47,10 +47,10 @@ impl Tree {
     }
 
     /// The flat state of bodies in these states.
-    pub(crate) fn coordinates(&self, world: &World, states: &[BodyState]) -> Vec<f64> {
+    pub(crate) fn coordinates(&self, model: &Model, states: &[BodyState]) -> Vec<f64> {
         let mut flat = vec![0.0; self.numbers];
         for node in &self.nodes {
-            let (pose, velocity) = motion(world, states, node.body);
+            let (pose, velocity) = motion(model, states, node.body);
             let u = node.u();
             let Some(joint) = &node.joint else {
                 flat[node.first_q..node.first_q + 3].copy_from_slice(&pose.translation.to_array());
@@ -61,7 +61,7 @@ impl Tree {
             };
             let parent = node.parent.map(|parent| self.nodes[parent].body);
             let (from, by) =
-                parent.map_or_else(|| (Pose::IDENTITY, Velocity::default()), |body| motion(world, states, body));
+                parent.map_or_else(|| (Pose::IDENTITY, Velocity::default()), |body| motion(model, states, body));
             let relative = from.rotation.inverse() * pose.rotation;
             let turning = velocity.angular - by.angular;
             let axis = from.rotation.rotate(joint.axis);
@@ -88,11 +88,11 @@ impl Tree {
     }
 
     /// Writes the states of its bodies, by their places in the island, from a flat state.
-    pub(crate) fn states(&self, world: &World, flat: &[f64], mut write: impl FnMut(&Node, BodyState)) {
+    pub(crate) fn states(&self, model: &Model, flat: &[f64], mut write: impl FnMut(&Node, BodyState)) {
         let mut moving = Vec::with_capacity(self.nodes.len());
         self.moving(flat, &mut moving);
         for (node, own) in self.nodes.iter().zip(&moving) {
-            if let Some(rigid) = &world.bodies[node.body].rigid {
+            if let Some(rigid) = &model.bodies[node.body].rigid {
                 write(node, rigid.at_velocity(own.pose, own.velocity));
             }
         }
@@ -120,8 +120,8 @@ impl Tree {
 }
 
 /// The pose of the moving frame of a body, and its velocity.
-fn motion(world: &World, states: &[BodyState], body: usize) -> (Pose, Velocity) {
-    (states[body].pose, world.velocity(body, &states[body]))
+fn motion(model: &Model, states: &[BodyState], body: usize) -> (Pose, Velocity) {
+    (states[body].pose, model.velocity(body, &states[body]))
 }
 
 /// Three numbers of a flat state.

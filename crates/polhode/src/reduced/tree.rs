@@ -9,9 +9,9 @@
 //!
 //! A flat state holds all `q`, then all `u`, each in the order of the nodes, parents before children.
 
-use crate::constraint::joint::WorldJoint;
+use crate::constraint::joint::ModelJoint;
 use crate::constraint::tree_joint::{FreeMotionOfJoint, JointOfChild};
-use crate::world::World;
+use crate::model::Model;
 use std::collections::{BTreeMap, VecDeque};
 use std::ops::Range;
 
@@ -67,11 +67,11 @@ pub(crate) struct Tree {
 
 impl Tree {
     /// That of these bodies (movable, ascending); none where a joint is of another kind, or closes a loop.
-    pub(crate) fn of(world: &World, bodies: &[usize]) -> Option<Self> {
+    pub(crate) fn of(model: &Model, bodies: &[usize]) -> Option<Self> {
         // The joints of each body, with the end that it is at and the body at the other one.
         let mut joints_of: BTreeMap<usize, Vec<(usize, usize, Option<usize>)>> = BTreeMap::new();
         let mut roots = Vec::new();
-        let joints: Vec<_> = world.joints_among(bodies).map(WorldJoint::tree_joint).collect::<Option<_>>()?;
+        let joints: Vec<_> = model.joints_among(bodies).map(ModelJoint::tree_joint).collect::<Option<_>>()?;
         for (number, joint) in joints.iter().enumerate() {
             for end in 0..2 {
                 let other = joint.ends[1 - end].body;

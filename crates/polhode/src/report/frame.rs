@@ -4,11 +4,11 @@ use crate::collision::contact_set::Touch;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::Feature;
 use crate::identity::joint_id::JointId;
+use crate::model::Model;
 use crate::report::body_sample::BodySample;
 use crate::report::energy::Energy;
 use crate::report::ledger::Ledger;
 use crate::report::run_report::Certificate;
-use crate::world::World;
 use polhode_contact::ContactFeature;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
@@ -121,7 +121,7 @@ pub struct Frame {
     pub steps: u64,
 }
 
-impl World {
+impl Model {
     /// Adds the view of a contact with this force along its normal and this friction (N). In planar motion a contact
     /// may represent its mirror image too; then two views are added, each with half of the force.
     pub(crate) fn view_contact(

@@ -11,9 +11,9 @@ use crate::constraint::joint_friction::{JointForces, Pressed};
 use crate::constraint::row::{BilateralRow, Member, RowKind};
 use crate::constraint::softness::Softness;
 use crate::identity::contact_id::{ContactId, Feature};
+use crate::model::plane_of_motion::PlaneOfMotion;
+use crate::model::{Loads, Model};
 use crate::rows::rotation_row::RotationRow;
-use crate::world::plane_of_motion::PlaneOfMotion;
-use crate::world::{Loads, World};
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::{ContactProblem, ResponseError};
@@ -31,8 +31,8 @@ enum Coordinates {
 }
 
 impl Coordinates {
-    fn of(world: &World) -> Self {
-        world.plane.map_or(Self::Space, Self::Plane)
+    fn of(model: &Model) -> Self {
+        model.plane.map_or(Self::Space, Self::Plane)
     }
 
     fn width(self) -> usize {
@@ -117,13 +117,13 @@ impl Assembly {
     /// # Errors
     /// When a number is not finite.
     pub(crate) fn new(
-        world: &World,
+        model: &Model,
         states: &[BodyState],
         bodies: &[usize],
         contacts: impl Iterator<Item = (ContactId, ContactGeometry)>,
     ) -> Result<Self, ResponseError> {
-        let bilaterals = world.bilaterals(states, bodies).collect();
-        Self::with_bilaterals(world, (states, bodies), contacts, bilaterals)
+        let bilaterals = model.bilaterals(states, bodies).collect();
+        Self::with_bilaterals(model, (states, bodies), contacts, bilaterals)
     }
 
     /// The same, where the bilateral constraints of the bodies in these states are known.
@@ -131,16 +131,16 @@ impl Assembly {
     /// # Errors
     /// When a number is not finite.
     pub(crate) fn with_bilaterals(
-        world: &World,
+        model: &Model,
         (states, bodies): (&[BodyState], &[usize]),
         contacts: impl Iterator<Item = (ContactId, ContactGeometry)>,
         bilaterals: Vec<Bilateral>,
     ) -> Result<Self, ResponseError> {
-        let coordinates = Coordinates::of(world);
+        let coordinates = Coordinates::of(model);
         let width = coordinates.width();
         let mut inverse_masses = Vec::with_capacity(bodies.len() * width * width);
         for &body in bodies {
-            push_inverse_mass(&mut inverse_masses, world, states, body);
+            push_inverse_mass(&mut inverse_masses, model, states, body);
         }
         let mut problem = ContactProblem::new(width, inverse_masses)?;
         let mut constraints = Vec::new();
@@ -151,7 +151,7 @@ impl Assembly {
             if let Feature::Stop(stop) = id.feature {
                 stops.push((problem.len(), stop.joint, geometry.normal));
             }
-            if let Some(own) = world.pressed(states, id) {
+            if let Some(own) = model.pressed(states, id) {
                 let row = problem.len();
                 rows.row(id, &geometry, |entries| problem.push_held_row(entries))?;
                 problem.soften(row, own.compliance)?;
@@ -339,10 +339,10 @@ impl Assembly {
     }
 
     /// Generalised accelerations without contact forces: `g + F/m` and `I^-1 (torque - w x L)`.
-    pub(crate) fn free_accelerations(&self, world: &World, states: &[BodyState], loads: &Loads) -> Vec<f64> {
+    pub(crate) fn free_accelerations(&self, model: &Model, states: &[BodyState], loads: &Loads) -> Vec<f64> {
         let mut out = Vec::with_capacity(self.bodies.len() * self.coordinates.width());
         for &body in &self.bodies {
-            let (linear, angular) = free_acceleration(world, states, loads, body);
+            let (linear, angular) = free_acceleration(model, states, loads, body);
             self.coordinates.push(&mut out, linear, angular);
         }
         out
@@ -363,7 +363,7 @@ impl Assembly {
     /// When `free` has the wrong length.
     pub(crate) fn acceleration_constants<'a>(
         &self,
-        world: &World,
+        model: &Model,
         t: f64,
         states: &[BodyState],
         free: &[f64],
@@ -371,20 +371,20 @@ impl Assembly {
     ) -> Result<Vec<f64>, ResponseError> {
         let mut b = self.problem.row_velocities(free)?;
         for (constant, (id, k)) in b.iter_mut().zip(contacts) {
-            *constant += k.acceleration_bias + world.prescribed_acceleration_of(t, states, id, &k.geometry);
+            *constant += k.acceleration_bias + model.prescribed_acceleration_of(t, states, id, &k.geometry);
         }
         self.press(&mut b, 1.0);
         let rows = self.bilaterals.iter().flat_map(|own| own.rows.iter().map(move |row| (own, row)));
         for (constant, (bilateral, row)) in b.iter_mut().skip(self.contacts).zip(rows) {
-            *constant += row.bias + world.driven_acceleration(t, bilateral, row);
+            *constant += row.bias + model.driven_acceleration(t, bilateral, row);
         }
         for (&index, row) in self.tangent_rows.iter().zip(&self.tangents) {
             let Some(constant) = b.get_mut(index) else { continue };
-            *constant += row.acceleration_bias + world.prescribed_acceleration_of(t, states, row.id, &row.along);
+            *constant += row.acceleration_bias + model.prescribed_acceleration_of(t, states, row.id, &row.along);
         }
         for (&index, row) in self.rotation_rows.iter().zip(&self.rotations) {
             let Some(constant) = b.get_mut(index) else { continue };
-            *constant += row.prescribed_acceleration(world, t);
+            *constant += row.prescribed_acceleration(model, t);
         }
         Ok(b)
     }
@@ -502,7 +502,7 @@ fn merge(entries: &mut Vec<(usize, [f64; SPACE_WIDTH])>) {
     });
 }
 
-impl World {
+impl Model {
     /// Relative acceleration of the bodies of a contact along the normal of `geometry` (m/s^2) at `t` (s): its terms
     /// that depend on velocities, `bias`, prescribed accelerations, and those of bodies (body, linear, angular).
     pub(crate) fn relative_acceleration(
@@ -529,26 +529,26 @@ impl World {
 }
 
 /// Linear and angular acceleration of a body without contact forces.
-pub(crate) fn free_acceleration(world: &World, states: &[BodyState], loads: &Loads, body: usize) -> (DVec3, DVec3) {
+pub(crate) fn free_acceleration(model: &Model, states: &[BodyState], loads: &Loads, body: usize) -> (DVec3, DVec3) {
     let (state, load) = (&states[body], loads.of(body));
-    world.bodies[body].rigid.as_ref().map_or((DVec3::ZERO, DVec3::ZERO), |rigid| {
+    model.bodies[body].rigid.as_ref().map_or((DVec3::ZERO, DVec3::ZERO), |rigid| {
         let w = rigid.angular_velocity(state);
         let inverse = rigid.inverse_inertia_world(state.pose.rotation);
-        let linear = world.free_acceleration(body) + load.force * rigid.inverse_mass();
+        let linear = model.free_acceleration(body) + load.force * rigid.inverse_mass();
         (linear, inverse * (load.torque - w.cross(state.angular_momentum)))
     })
 }
 
 /// Applies impulses (N s) along the normals of contacts to the momenta of their bodies (thesis, equations 10-13).
 pub(crate) fn apply_impulses<'a>(
-    world: &World,
+    model: &Model,
     states: &mut [BodyState],
     impulses: impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)>,
 ) {
     for (id, geometry, impulse) in impulses {
         for (body, sign) in id.members() {
             let signed = impulse * sign;
-            if let Some(rigid) = &world.bodies[body].rigid {
+            if let Some(rigid) = &model.bodies[body].rigid {
                 let state = &mut states[body];
                 let vector = geometry.normal * signed;
                 state.linear_velocity += vector * rigid.inverse_mass();
@@ -559,12 +559,12 @@ pub(crate) fn apply_impulses<'a>(
 }
 
 /// Appends the inverse mass of a movable body: `diag(1/m 1, I^-1)` in space, `diag(1/m, 1/m, n.I^-1 n)` in a plane.
-fn push_inverse_mass(out: &mut Vec<f64>, world: &World, states: &[BodyState], body: usize) {
-    let coordinates = Coordinates::of(world);
+fn push_inverse_mass(out: &mut Vec<f64>, model: &Model, states: &[BodyState], body: usize) {
+    let coordinates = Coordinates::of(model);
     let width = coordinates.width();
     let start = out.len();
     out.resize(start + width * width, 0.0);
-    let Some(rigid) = &world.bodies[body].rigid else { return };
+    let Some(rigid) = &model.bodies[body].rigid else { return };
     let block = &mut out[start..];
     let inverse_inertia = rigid.inverse_inertia_world(states[body].pose.rotation);
     match coordinates {
@@ -586,8 +586,8 @@ fn push_inverse_mass(out: &mut Vec<f64>, world: &World, states: &[BodyState], bo
 
 /// Largest change of any point of some bodies, bounded by their sizes, from their linear and angular changes: a
 /// displacement (m, rad) or a velocity (m/s, rad/s).
-pub(crate) fn largest_change(world: &World, changes: impl Iterator<Item = (usize, DVec3, DVec3)>) -> f64 {
+pub(crate) fn largest_change(model: &Model, changes: impl Iterator<Item = (usize, DVec3, DVec3)>) -> f64 {
     let change =
-        |(body, linear, angular): (usize, DVec3, DVec3)| linear.length() + angular.length() * world.bodies[body].size;
+        |(body, linear, angular): (usize, DVec3, DVec3)| linear.length() + angular.length() * model.bodies[body].size;
     changes.map(change).fold(0.0, f64::max)
 }

@@ -3,9 +3,9 @@
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::collision::slip_directions::SlipDirections;
+use crate::model::Model;
 use crate::rows::friction_blocks::push_contact;
 use crate::scene::FrictionEllipse;
-use crate::world::World;
 use polhode_contact::TangentialKinematics;
 use polhode_dynamics::BodyState;
 use polhode_response::{Blocks, Law};
@@ -44,17 +44,17 @@ impl Sliding {
 }
 
 impl Frictional {
-    pub(crate) fn of(world: &World, states: &[BodyState], touch: &Touch) -> Option<Self> {
-        world.friction_of(touch.id)?;
-        let terms = world.tangential_kinematics(states, touch.id)?;
-        let coefficients = world.friction_at(states, touch.id, terms.basis)?;
+    pub(crate) fn of(model: &Model, states: &[BodyState], touch: &Touch) -> Option<Self> {
+        model.friction_of(touch.id)?;
+        let terms = model.tangential_kinematics(states, touch.id)?;
+        let coefficients = model.friction_at(states, touch.id, terms.basis)?;
         let sliding = match touch.modes.friction {
             None | Some(FrictionMode::Sticking) => None,
             Some(FrictionMode::Sliding(slide)) => Some(slide.direction_of(terms.slip_velocity)),
         };
         let sliding = sliding.map(|direction| Sliding::along(direction, &coefficients, &terms));
-        let rotation = world.relative_rotation(states, touch.id);
-        Some(Self { coefficients, terms, slip: world.slip_directions(), rotation, sliding })
+        let rotation = model.relative_rotation(states, touch.id);
+        Some(Self { coefficients, terms, slip: model.slip_directions(), rotation, sliding })
     }
 
     /// Adds the block of a contact with these rows: what they ask for together.

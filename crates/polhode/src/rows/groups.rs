@@ -3,7 +3,7 @@
 //! Immovable bodies transmit no motion between contacts, so they do not connect bodies. Groups and their members are
 //! ordered by the indices of bodies, so that results do not depend on the order of detection.
 
-use crate::world::World;
+use crate::model::Model;
 use polhode_spatial::DisjointSets;
 
 /// Bodies connected by contacts, and those contacts.
@@ -17,28 +17,28 @@ pub(crate) struct Group {
 
 /// The groups that `contacts` (index of the contact, body A, body B) form, with all bodies that joints connect to
 /// theirs.
-pub(crate) fn groups(world: &World, contacts: impl Iterator<Item = (usize, usize, usize)>) -> Vec<Group> {
-    joined(world, contacts, &[])
+pub(crate) fn groups(model: &Model, contacts: impl Iterator<Item = (usize, usize, usize)>) -> Vec<Group> {
+    joined(model, contacts, &[])
 }
 
 /// The groups that `contacts` and the force fields that couple bodies form among `bodies`, each of which is in one.
 pub(crate) fn coupled_groups(
-    world: &World,
+    model: &Model,
     contacts: impl Iterator<Item = (usize, usize, usize)>,
     bodies: &[usize],
 ) -> Vec<Group> {
-    joined(world, contacts, bodies)
+    joined(model, contacts, bodies)
 }
 
 /// Groups by contacts, of `bodies` also by couplings. The work depends on the bodies in question alone.
-fn joined(world: &World, contacts: impl Iterator<Item = (usize, usize, usize)>, bodies: &[usize]) -> Vec<Group> {
+fn joined(model: &Model, contacts: impl Iterator<Item = (usize, usize, usize)>, bodies: &[usize]) -> Vec<Group> {
     let contacts: Vec<_> = contacts.collect();
-    let moves = |body: &usize| world.bodies[*body].moves();
+    let moves = |body: &usize| model.bodies[*body].moves();
     let mut members: Vec<usize> = contacts.iter().flat_map(|&(_, a, b)| [a, b]).filter(moves).collect();
     members.extend_from_slice(bodies);
     members.sort_unstable();
     members.dedup();
-    let members = world.with_jointed(members);
+    let members = model.with_jointed(members);
     let mut belongs = bodies.to_vec();
     belongs.sort_unstable();
     let place = |body: usize| members.binary_search(&body).ok();
@@ -48,17 +48,17 @@ fn joined(world: &World, contacts: impl Iterator<Item = (usize, usize, usize)>, 
             sets.join(a, b);
         }
     };
-    for together in world.couplings_among(&belongs) {
+    for together in model.couplings_among(&belongs) {
         let mut coupled = together.iter().copied().filter(|body| belongs.binary_search(body).is_ok());
         let Some(first) = coupled.next() else { continue };
         coupled.for_each(|body| join(first, body));
     }
-    for joint in world.joints_among(&members) {
+    for joint in model.joints_among(&members) {
         if let [a, b] = joint.bodies().collect::<Vec<_>>()[..] {
             join(a, b);
         }
     }
-    for tie in world.ties_among(&members) {
+    for tie in model.ties_among(&members) {
         let together = tie.bodies();
         together.iter().skip(1).for_each(|&body| join(together[0], body));
     }
@@ -75,7 +75,7 @@ fn joined(world: &World, contacts: impl Iterator<Item = (usize, usize, usize)>, 
         groups[group].bodies.push(body);
     }
     for (contact, a, b) in contacts {
-        let member = if world.bodies[a].moves() { a } else { b };
+        let member = if model.bodies[a].moves() { a } else { b };
         let group = place(member).and_then(|index| slot[sets.smallest(index)]);
         if let Some(group) = group {
             groups[group].contacts.push(contact);

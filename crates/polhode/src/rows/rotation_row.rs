@@ -6,7 +6,7 @@
 //! rounds nothing.
 
 use crate::identity::contact_id::ContactId;
-use crate::world::World;
+use crate::model::Model;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
@@ -20,21 +20,21 @@ pub(crate) struct RotationRow {
 
 impl RotationRow {
     /// The row of a rotation about an axis (unit vector, world).
-    pub(crate) fn about(world: &World, id: ContactId, axis: DVec3) -> Self {
-        Self { id, axis: axis * world.turning_length(id.a, id.b) }
+    pub(crate) fn about(model: &Model, id: ContactId, axis: DVec3) -> Self {
+        Self { id, axis: axis * model.turning_length(id.a, id.b) }
     }
 
     /// The relative angular velocity along the axis, times the length, m/s.
-    pub(crate) fn rate(&self, world: &World, states: &[BodyState]) -> f64 {
-        self.axis.dot(world.relative_rotation(states, self.id))
+    pub(crate) fn rate(&self, model: &Model, states: &[BodyState]) -> f64 {
+        self.axis.dot(model.relative_rotation(states, self.id))
     }
 
     /// Term of prescribed accelerations at `t` (s) in the derivative of its rate, m/s^2. The turning of the axis
     /// itself is left out: a rotation that is held is zero, and one that spins about a normal that turns slowly
     /// drifts little within a step.
-    pub(crate) fn prescribed_acceleration(&self, world: &World, t: f64) -> f64 {
+    pub(crate) fn prescribed_acceleration(&self, model: &Model, t: f64) -> f64 {
         let of = |body: usize| {
-            if world.trajectory(body).is_some() { world.prescribed_acceleration(body, t).1 } else { DVec3::ZERO }
+            if model.trajectory(body).is_some() { model.prescribed_acceleration(body, t).1 } else { DVec3::ZERO }
         };
         self.axis.dot(of(self.id.a) - of(self.id.b))
     }

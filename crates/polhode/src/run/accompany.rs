@@ -106,17 +106,17 @@ impl Simulation {
     pub(crate) fn crowding_error(&self) -> Option<CrowdingError> {
         let Companion::Beside(companion) = &self.companion else { return None };
         let (own, other) = (self.tier.states(&self.core), companion.tier.states(&companion.core));
-        let world = &self.core.world;
+        let model = &self.core.model;
         let local: f64 = self.core.accounts.crowded.errors();
         let mut estimate =
             CrowdingError { position_m: 0.0, body: None, velocity_m_s: 0.0, angular_velocity_rad_s: 0.0 };
-        for &body in world.movable.iter().filter(|&&body| world.bodies[body].moves()) {
-            let apart = ESTIMATE_SAFETY * displacement(world, body, &own[body], &other[body]);
-            let position_m = apart.max(local * world.bodies[body].size);
+        for &body in model.movable.iter().filter(|&&body| model.bodies[body].moves()) {
+            let apart = ESTIMATE_SAFETY * displacement(model, body, &own[body], &other[body]);
+            let position_m = apart.max(local * model.bodies[body].size);
             if position_m > estimate.position_m {
                 (estimate.position_m, estimate.body) = (position_m, Some(BodyId::new(body)));
             }
-            let [one, two] = [&own, &other].map(|states| world.velocity(body, &states[body]));
+            let [one, two] = [&own, &other].map(|states| model.velocity(body, &states[body]));
             let (linear, angular) = ((one.linear - two.linear).length(), (one.angular - two.angular).length());
             estimate.velocity_m_s = estimate.velocity_m_s.max(ESTIMATE_SAFETY * linear);
             estimate.angular_velocity_rad_s = estimate.angular_velocity_rad_s.max(ESTIMATE_SAFETY * angular);
@@ -126,7 +126,7 @@ impl Simulation {
 
     /// What a warning says where an estimated error leaves a body in no known place; none where all are known.
     pub(crate) fn unknown_motion(&self, error: &CrowdingError) -> Option<String> {
-        let body = self.core.world.bodies.get(error.body?.index())?;
+        let body = self.core.model.bodies.get(error.body?.index())?;
         let relative = error.position_m / body.size;
         (relative > PLACE_UNKNOWN).then(|| {
             format!(

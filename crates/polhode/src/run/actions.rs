@@ -9,6 +9,7 @@
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::joint_id::JointId;
+use crate::model::{INITIAL_OVERLAP_RELATIVE, Model};
 use crate::plan::decisions::Findings;
 use crate::plan::decisions::Plan;
 use crate::plan::free_method;
@@ -21,7 +22,6 @@ use crate::scene::effects::Effects;
 use crate::scene::{Body, Coordinate, Joint, Motor, Scene};
 use crate::solve::projection::{Removal, project_velocities};
 use crate::tier::core::Core;
-use crate::world::{INITIAL_OVERLAP_RELATIVE, World};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::Wrench;
 use polhode_spatial::{DVec3, Pose, Velocity};
@@ -37,7 +37,7 @@ impl Simulation {
         self.finite(index, "the force", force_n)?;
         self.finite(index, "the torque", torque_nm)?;
         let wrench = Wrench { force: force_n, torque: torque_nm };
-        self.act(&[index], &[], "set_force", |simulation| Ok(simulation.core.world.set_applied(index, wrench)?))?;
+        self.act(&[index], &[], "set_force", |simulation| Ok(simulation.core.model.set_applied(index, wrench)?))?;
         self.repeat_on_companion(|companion| companion.set_force(body, force_n, torque_nm));
         Ok(())
     }
@@ -71,9 +71,9 @@ impl Simulation {
         motor: Option<Motor>,
     ) -> Result<(), SimulationError> {
         let refused = || ActionError::NoCoordinate { joint: joint.index(), coordinate: coordinate.name() };
-        let bodies = self.core.world.bodies_at(joint.index(), coordinate).ok_or_else(refused)?;
+        let bodies = self.core.model.bodies_at(joint.index(), coordinate).ok_or_else(refused)?;
         self.act(&bodies, &[], "set_motor", |simulation| {
-            Ok(simulation.core.world.set_motor(joint.index(), coordinate, motor)?)
+            Ok(simulation.core.model.set_motor(joint.index(), coordinate, motor)?)
         })?;
         self.repeat_on_companion(|companion| companion.set_motor(joint, coordinate, motor));
         Ok(())
@@ -87,12 +87,12 @@ impl Simulation {
         let index = self.movable(body)?;
         self.finite(index, "the impulse", impulse_ns)?;
         self.finite(index, "the point of the impulse", point_m)?;
-        self.change_state(index, &[], "apply_impulse", |world, rigid, state| {
+        self.change_state(index, &[], "apply_impulse", |model, rigid, state| {
             state.angular_momentum += (point_m - state.pose.translation).cross(impulse_ns);
             if !rigid.is_pivoted() {
                 state.linear_velocity += impulse_ns * rigid.inverse_mass();
             }
-            world.hold_velocity(index, state);
+            model.hold_velocity(index, state);
         })?;
         self.repeat_on_companion(|companion| companion.apply_impulse(body, impulse_ns, point_m));
         Ok(())
@@ -108,8 +108,8 @@ impl Simulation {
         let index = self.movable(body)?;
         self.finite(index, "the velocity", velocity.linear)?;
         self.finite(index, "the angular velocity", velocity.angular)?;
-        self.change_state(index, &[], "set_velocity", |world, rigid, state| {
-            *state = rigid.at_velocity(state.pose, world.admitted_velocity(index, &state.pose, velocity));
+        self.change_state(index, &[], "set_velocity", |model, rigid, state| {
+            *state = rigid.at_velocity(state.pose, model.admitted_velocity(index, &state.pose, velocity));
         })?;
         self.repeat_on_companion(|companion| companion.set_velocity(body, velocity));
         Ok(())
@@ -126,24 +126,24 @@ impl Simulation {
             return Err(ActionError::NotFinite { body: self.name(index), what: "the pose" }.into());
         }
         let mut states = self.tier.states(&self.core);
-        let moved = self.core.world.moving_pose(index, pose);
-        let distance = self.core.world.leaves_pivot_by(index, &states[index], &moved);
-        if distance > self.core.world.touch_distance(&states, index, index) {
+        let moved = self.core.model.moving_pose(index, pose);
+        let distance = self.core.model.leaves_pivot_by(index, &states[index], &moved);
+        if distance > self.core.model.touch_distance(&states, index, index) {
             return Err(ActionError::PivotedBody(self.name(index)).into());
         }
         states[index].pose = moved;
-        let joints = self.core.world.bilaterals(&states, std::slice::from_ref(&index));
-        if joints.map(|joint| joint.gap()).fold(0.0, f64::max) > self.core.world.touch_distance(&states, index, index) {
+        let joints = self.core.model.bilaterals(&states, std::slice::from_ref(&index));
+        if joints.map(|joint| joint.gap()).fold(0.0, f64::max) > self.core.model.touch_distance(&states, index, index) {
             return Err(ActionError::JointedBody(self.name(index)).into());
         }
-        if self.core.world.exceeds_limits(&states, index) {
+        if self.core.model.exceeds_limits(&states, index) {
             return Err(ActionError::BeyondLimits(self.name(index)).into());
         }
         self.check_clear(index, &states)?;
-        self.change_state(index, &[index], "set_pose", |world, rigid, state| {
+        self.change_state(index, &[index], "set_pose", |model, rigid, state| {
             // The velocities stay; the angular momentum follows from the new attitude.
             let velocity = rigid.center_of_mass_velocity(state);
-            *state = rigid.at_velocity(moved, world.admitted_velocity(index, &moved, velocity));
+            *state = rigid.at_velocity(moved, model.admitted_velocity(index, &moved, velocity));
         })?;
         self.repeat_on_companion(|companion| companion.set_pose(body, pose));
         Ok(())
@@ -155,10 +155,10 @@ impl Simulation {
     /// When a scene would refuse the body (its name is in use, a number is not finite), or it would overlap another
     /// body.
     pub fn add_body(&mut self, body: Body) -> Result<BodyId, SimulationError> {
-        let world = &self.core.world;
-        let taken = world.bodies.iter().any(|other| !other.removed && other.name == body.name);
-        Scene::check_added_body(world.bodies.len(), &body, taken)?;
-        let mut probe = world.clone();
+        let model = &self.core.model;
+        let taken = model.bodies.iter().any(|other| !other.removed && other.name == body.name);
+        Scene::check_added_body(model.bodies.len(), &body, taken)?;
+        let mut probe = model.clone();
         let (index, state) = probe.add_body(body.clone(), self.core.t)?;
         probe.scene.check_grains()?;
         probe.scene.check_motions()?;
@@ -168,10 +168,10 @@ impl Simulation {
         let again = body.clone();
         self.act(&[], &[index], "add_body", |simulation| {
             let fields_before_j = simulation.field_potential();
-            let (added, state) = simulation.core.world.add_body(body, simulation.core.t)?;
+            let (added, state) = simulation.core.model.add_body(body, simulation.core.t)?;
             simulation.tier.add_body(&simulation.core, state);
             let states = simulation.tier.states_mut().to_vec();
-            simulation.core.accounts.books.added(&simulation.core.world, &states, added);
+            simulation.core.accounts.books.added(&simulation.core.model, &states, added);
             let fields_after_j = simulation.field_potential();
             simulation.core.accounts.books.fields_changed(fields_before_j, fields_after_j);
             simulation.tier.interrupt(&mut simulation.core, &[added])
@@ -187,13 +187,13 @@ impl Simulation {
     pub fn remove_body(&mut self, body: BodyId) -> Result<(), SimulationError> {
         let index = self.present(body)?;
         // Bodies that joints held to it go on without it.
-        let together = self.core.world.with_jointed(vec![index]);
+        let together = self.core.model.with_jointed(vec![index]);
         self.act(&together, &[], "remove_body", |simulation| {
             let states = simulation.tier.states_mut().to_vec();
             let fields_before_j = simulation.field_potential();
-            simulation.core.accounts.books.removed(&simulation.core.world, &states, index);
+            simulation.core.accounts.books.removed(&simulation.core.model, &states, index);
             simulation.tier.remove_body(index);
-            simulation.core.world.remove_body(index)?;
+            simulation.core.model.remove_body(index)?;
             let fields_after_j = simulation.field_potential();
             simulation.core.accounts.books.fields_changed(fields_before_j, fields_after_j);
             Ok(())
@@ -231,19 +231,19 @@ impl Simulation {
     pub fn add_joint(&mut self, joint: Joint) -> Result<JointId, SimulationError> {
         let bodies = std::iter::once(joint.body()).chain(joint.other());
         let bodies = bodies.map(|body| self.present(body)).collect::<Result<Vec<_>, _>>()?;
-        let is_on_pivot = |&&body: &&usize| self.core.world.bodies[body].rigid.is_some_and(|rigid| rigid.is_pivoted());
+        let is_on_pivot = |&&body: &&usize| self.core.model.bodies[body].rigid.is_some_and(|rigid| rigid.is_pivoted());
         if let Some(&body) = bodies.iter().find(is_on_pivot) {
             return Err(ActionError::JointOnPivot(self.name(body)).into());
         }
         let tier = self.core.settings.tier;
-        let mut probe = self.core.world.clone();
+        let mut probe = self.core.model.clone();
         let number = probe.add_joint(&joint, &self.tier.states(&self.core), tier)?;
         let held = bodies.into_iter().filter(|&body| probe.bodies[body].moves()).collect();
         let together = probe.with_jointed(held);
         self.act(&together, &[], "add_joint", |simulation| {
             let fields_before_j = simulation.field_potential();
             let states = simulation.tier.states(&simulation.core);
-            simulation.core.world.add_joint(&joint, &states, tier)?;
+            simulation.core.model.add_joint(&joint, &states, tier)?;
             simulation.change_joint(probe.pair_of_joint(number), fields_before_j);
             simulation.stop_at_joints(&together)
         })?;
@@ -257,16 +257,16 @@ impl Simulation {
     /// # Errors
     /// For a joint that does not exist or is not there any more ([`ActionError`]).
     pub fn remove_joint(&mut self, joint: JointId) -> Result<(), SimulationError> {
-        let (index, joints) = (joint.index(), self.core.world.scene.joints().len());
+        let (index, joints) = (joint.index(), self.core.model.scene.joints().len());
         if index >= joints {
             return Err(ActionError::UnknownJoint { index, joints }.into());
         }
-        let pair = self.core.world.pair_of_joint(index).ok_or(ActionError::RemovedJoint(index))?;
-        let held = [pair.0, pair.1].into_iter().filter(|&body| self.core.world.bodies[body].moves()).collect();
-        let together = self.core.world.with_jointed(held);
+        let pair = self.core.model.pair_of_joint(index).ok_or(ActionError::RemovedJoint(index))?;
+        let held = [pair.0, pair.1].into_iter().filter(|&body| self.core.model.bodies[body].moves()).collect();
+        let together = self.core.model.with_jointed(held);
         self.act(&together, &[], "remove_joint", |simulation| {
             let fields_before_j = simulation.field_potential();
-            simulation.core.world.release(&[index])?;
+            simulation.core.model.release(&[index])?;
             simulation.change_joint(Some(pair), fields_before_j);
             Ok(())
         })?;
@@ -287,19 +287,19 @@ impl Simulation {
     /// Stops what joints of these bodies do not allow of their velocities. The change is the program's.
     fn stop_at_joints(&mut self, bodies: &[usize]) -> Result<(), SimulationError> {
         let before = self.tier.states_mut().to_vec();
-        let before = self.core.accounts.books.balance(&self.core.world, &before, bodies);
+        let before = self.core.accounts.books.balance(&self.core.model, &before, bodies);
         self.keep_velocities_of_joints(bodies)?;
         let after = self.tier.states_mut().to_vec();
-        let after = self.core.accounts.books.balance(&self.core.world, &after, bodies);
+        let after = self.core.accounts.books.balance(&self.core.model, &after, bodies);
         self.core.accounts.books.program(before, after);
         Ok(())
     }
 
     /// Takes out of the velocities of bodies that joints hold together what the joints do not allow.
     fn keep_velocities_of_joints(&mut self, bodies: &[usize]) -> Result<(), SimulationError> {
-        let (world, states) = (&self.core.world, self.tier.states_mut());
-        if bodies.len() > 1 || world.joints_among(bodies).next().is_some() {
-            project_velocities(world, states, bodies, (&[], &[], &[]), Removal::Complete)
+        let (model, states) = (&self.core.model, self.tier.states_mut());
+        if bodies.len() > 1 || model.joints_among(bodies).next().is_some() {
+            project_velocities(model, states, bodies, (&[], &[], &[]), Removal::Complete)
                 .map_err(|source| Core::response_error(self.core.t, source))?;
         }
         Ok(())
@@ -307,7 +307,7 @@ impl Simulation {
 
     /// Potential energy of the force fields on the present bodies, J.
     fn field_potential(&mut self) -> f64 {
-        self.core.world.field_potential(self.tier.states_mut())
+        self.core.model.field_potential(self.tier.states_mut())
     }
 
     /// Changes the state of a body and books the change as one by the program. `moved` holds the body if its pose
@@ -317,12 +317,12 @@ impl Simulation {
         index: usize,
         moved: &[usize],
         what: &'static str,
-        change: impl Fn(&World, &polhode_dynamics::RigidBody, &mut BodyState),
+        change: impl Fn(&Model, &polhode_dynamics::RigidBody, &mut BodyState),
     ) -> Result<(), SimulationError> {
-        if let Some(rigid) = &self.core.world.bodies[index].rigid {
+        if let Some(rigid) = &self.core.model.bodies[index].rigid {
             // The effect of finite numbers may overflow.
             let mut state = self.tier.states(&self.core)[index];
-            change(&self.core.world, rigid, &mut state);
+            change(&self.core.model, rigid, &mut state);
             if !(state.is_finite() && rigid.kinetic_energy(&state).is_finite()) {
                 return Err(
                     ActionError::NotFinite { body: self.name(index), what: "the state after the action" }.into()
@@ -330,16 +330,16 @@ impl Simulation {
             }
         }
         // Joints pass on at once what the program does to one of their bodies.
-        let together = self.core.world.with_jointed(vec![index]);
+        let together = self.core.model.with_jointed(vec![index]);
         self.act(&together, moved, what, |simulation| {
-            let Some(rigid) = simulation.core.world.bodies[index].rigid else { return Ok(()) };
+            let Some(rigid) = simulation.core.model.bodies[index].rigid else { return Ok(()) };
             let before = simulation.tier.states_mut().to_vec();
-            let before = simulation.core.accounts.books.balance(&simulation.core.world, &before, &together);
-            let (world, states) = (&simulation.core.world, simulation.tier.states_mut());
-            change(world, &rigid, &mut states[index]);
+            let before = simulation.core.accounts.books.balance(&simulation.core.model, &before, &together);
+            let (model, states) = (&simulation.core.model, simulation.tier.states_mut());
+            change(model, &rigid, &mut states[index]);
             simulation.keep_velocities_of_joints(&together)?;
             let after = simulation.tier.states_mut().to_vec();
-            let after = simulation.core.accounts.books.balance(&simulation.core.world, &after, &together);
+            let after = simulation.core.accounts.books.balance(&simulation.core.model, &after, &together);
             simulation.core.accounts.books.program(before, after);
             Ok(())
         })
@@ -355,8 +355,8 @@ impl Simulation {
         change: impl FnOnce(&mut Self) -> Result<(), SimulationError>,
     ) -> Result<(), SimulationError> {
         // A motion is planar only if that of all bodies is, so that the symmetry of all must be measured again.
-        let planar = self.core.world.plane.is_some();
-        let concerned = if planar { self.core.world.movable.clone() } else { bodies.to_vec() };
+        let planar = self.core.model.plane.is_some();
+        let concerned = if planar { self.core.model.movable.clone() } else { bodies.to_vec() };
         self.tier.interrupt(&mut self.core, &concerned)?;
         change(self)?;
         self.derive_plan_again(what);
@@ -368,19 +368,19 @@ impl Simulation {
         let states = self.tier.states(&self.core);
         let core = &mut self.core;
         let tier_reason = self.plan.tier_reason.clone();
-        let choice = free_method::choose(&core.world, &states, &core.settings.as_resolved());
+        let choice = free_method::choose(&core.model, &states, &core.settings.as_resolved());
         core.settings.integrator = choice.integrator;
-        let planar = match (core.effects, core.world.plane) {
+        let planar = match (core.effects, core.model.plane) {
             (Effects::Planned, Some(plane)) => {
-                let found = planar::find(&core.world, &states, &core.settings);
+                let found = planar::find(&core.model, &states, &core.settings);
                 if found.plane == Some(plane) { found } else { PlanarFinding { plane: None, ..found } }
             }
             _ => PlanarFinding::off("not examined again after an action of the program"),
         };
-        core.world.plane = planar.plane;
+        core.model.plane = planar.plane;
         let findings =
             Findings { t_s: core.t, touching_pairs: self.tier.touching_pairs(), tier_reason, choice, planar };
-        let plan = Plan::derive(&core.world, &core.settings, core.effects, &findings);
+        let plan = Plan::derive(&core.model, &core.settings, core.effects, &findings);
         let changes = plan.changes_from(&self.plan);
         if !changes.is_empty() {
             self.plan_changes.push(PlanChange { t_s: core.t, action: what.to_owned(), changes });
@@ -390,8 +390,8 @@ impl Simulation {
 
     /// Index of a body that has not been removed.
     fn present(&self, body: BodyId) -> Result<usize, ActionError> {
-        let (index, bodies) = (body.index(), self.core.world.bodies.len());
-        match self.core.world.bodies.get(index) {
+        let (index, bodies) = (body.index(), self.core.model.bodies.len());
+        match self.core.model.bodies.get(index) {
             None => Err(ActionError::UnknownBody { index, bodies }),
             Some(known) if known.removed => Err(ActionError::RemovedBody(known.name.clone())),
             Some(_) => Ok(index),
@@ -401,18 +401,18 @@ impl Simulation {
     /// Index of a body that follows a motion.
     pub(crate) fn kinematic(&self, body: BodyId) -> Result<usize, ActionError> {
         let index = self.present(body)?;
-        let follows = self.core.world.trajectory(index).is_some();
+        let follows = self.core.model.trajectory(index).is_some();
         if follows { Ok(index) } else { Err(ActionError::NotKinematic(self.name(index))) }
     }
 
     /// Index of a body that forces move.
     fn movable(&self, body: BodyId) -> Result<usize, ActionError> {
         let index = self.present(body)?;
-        if self.core.world.bodies[index].moves() { Ok(index) } else { Err(ActionError::FixedBody(self.name(index))) }
+        if self.core.model.bodies[index].moves() { Ok(index) } else { Err(ActionError::FixedBody(self.name(index))) }
     }
 
     pub(crate) fn name(&self, index: usize) -> String {
-        self.core.world.bodies[index].name.clone()
+        self.core.model.bodies[index].name.clone()
     }
 
     pub(crate) fn finite(&self, index: usize, what: &'static str, vector: DVec3) -> Result<(), ActionError> {
@@ -420,17 +420,17 @@ impl Simulation {
     }
 
     fn check_clear(&self, index: usize, states: &[BodyState]) -> Result<(), ActionError> {
-        check_clear(&self.core.world, index, states)
+        check_clear(&self.core.model, index, states)
     }
 }
 
 /// Checks that a body overlaps no other body by more than counts as touch.
-fn check_clear(world: &World, index: usize, states: &[BodyState]) -> Result<(), ActionError> {
-    for other in (0..world.bodies.len()).filter(|&other| world.scene.may_collide(index, other)) {
-        let Some(separation) = world.separation_without_memory(states, index, other) else { continue };
-        let allowed_m = INITIAL_OVERLAP_RELATIVE * world.pair_size(index, other) + world.rounding(states, index, other);
+fn check_clear(model: &Model, index: usize, states: &[BodyState]) -> Result<(), ActionError> {
+    for other in (0..model.bodies.len()).filter(|&other| model.scene.may_collide(index, other)) {
+        let Some(separation) = model.separation_without_memory(states, index, other) else { continue };
+        let allowed_m = INITIAL_OVERLAP_RELATIVE * model.pair_size(index, other) + model.rounding(states, index, other);
         if separation < -allowed_m {
-            let name = |body: usize| world.bodies[body].name.clone();
+            let name = |body: usize| model.bodies[body].name.clone();
             let (body_a, body_b) = (name(index), name(other));
             return Err(ActionError::Overlap { body_a, body_b, depth_m: -separation, allowed_m });
         }

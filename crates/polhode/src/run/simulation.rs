@@ -5,6 +5,10 @@ use crate::accounting::last_sample::LastSample;
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::joint_id::JointId;
+use crate::model::body_queries::BodyQueries;
+use crate::model::pivot_form::PivotRows;
+use crate::model::plane_of_motion::PlaneOfMotion;
+use crate::model::{Model, ModelBody};
 use crate::plan::decisions::Findings;
 use crate::plan::decisions::Plan;
 use crate::plan::free_method;
@@ -36,10 +40,6 @@ use crate::tier::executor::{Executor, OneThread};
 use crate::tier::joint_samples::joint_samples;
 use crate::tier::sampling::{emit_sample, frame};
 use crate::tier::{Reached, Tier};
-use crate::world::body_queries::BodyQueries;
-use crate::world::pivot_form::PivotRows;
-use crate::world::plane_of_motion::PlaneOfMotion;
-use crate::world::{World, WorldBody};
 use polhode_contact::QueryError;
 use polhode_response::ComplementaritySolver;
 use std::sync::Arc;
@@ -132,7 +132,7 @@ impl Simulation {
             Candidate::IfAllRest(resting, other) => {
                 // Bodies that do not touch fall: their tier is not begun in vain.
                 let begun = Self::in_tier(scene, effects, other)?;
-                if begun.tier.touching_pairs() < begun.core.world.movable.len() {
+                if begun.tier.touching_pairs() < begun.core.model.movable.len() {
                     return Ok(begun);
                 }
                 // The first instant is resolved with the first step, whose events are for the observer of the run: that
@@ -150,41 +150,41 @@ impl Simulation {
     /// Whether every body that forces move is at rest.
     fn all_rest(&self) -> bool {
         let motions = self.tier.motions(&self.core);
-        self.core.world.movable.iter().all(|&body| motions.get(body) == Some(&MotionKind::Rest))
+        self.core.model.movable.iter().all(|&body| motions.get(body) == Some(&MotionKind::Rest))
     }
 
     /// Prepares a simulation by this tier.
     fn in_tier(scene: &Scene, effects: Effects, tier: TierChoice) -> Result<Self, SimulationError> {
         let mut settings = Settings::resolve(scene.method(), tier.tier);
-        let (mut world, mut states) = World::new(scene, PivotRows::of(&settings, effects))?;
-        if let Some(error) = singular_force::not_finite(&world, 0.0, &states) {
+        let (mut model, mut states) = Model::new(scene, PivotRows::of(&settings, effects))?;
+        if let Some(error) = singular_force::not_finite(&model, 0.0, &states) {
             return Err(error);
         }
-        let separated = start_overlap::judge(&world, &settings, &mut states)?;
-        let choice = free_method::choose(&world, &states, &settings);
+        let separated = start_overlap::judge(&model, &settings, &mut states)?;
+        let choice = free_method::choose(&model, &states, &settings);
         settings.integrator = choice.integrator;
         let planar = match effects {
-            Effects::Planned => planar::find(&world, &states, &settings),
+            Effects::Planned => planar::find(&model, &states, &settings),
             Effects::All => PlanarFinding::off("the run simulates all effects: every body moves in space"),
         };
-        world.confine_to_plane(planar.plane, &mut states);
-        let accounts = Accounts::open(&world, &states, settings.promise);
+        model.confine_to_plane(planar.plane, &mut states);
+        let accounts = Accounts::open(&model, &states, settings.promise);
         let (solver, last_sample) = (ComplementaritySolver::default(), LastSample::default());
         let executor = Arc::new(OneThread);
         let stated_depth_m = f64::INFINITY;
         let mut core =
-            Core { world, settings, effects, t: 0.0, accounts, solver, executor, stated_depth_m, last_sample };
+            Core { model, settings, effects, t: 0.0, accounts, solver, executor, stated_depth_m, last_sample };
         for what in separated.into_iter().chain(scene.warnings()) {
             core.accounts.warn(0.0, what);
         }
         let engine = engines::begun(&mut core, states)?;
         let touching_pairs = engine.touching_pairs();
         let findings = Findings { t_s: 0.0, touching_pairs, tier_reason: tier.reason, choice, planar };
-        let plan = Plan::derive(&core.world, &settings, effects, &findings);
+        let plan = Plan::derive(&core.model, &settings, effects, &findings);
         Ok(Self {
             scene: scene.clone(),
             plan_at_start: plan.clone(),
-            plane_at_start: core.world.plane,
+            plane_at_start: core.model.plane,
             plan,
             core,
             tier: engine,
@@ -298,7 +298,7 @@ impl Simulation {
         if !self.ended && t >= self.scene.duration_s() && reached == Reached::Limit {
             self.ended = true;
             let states = self.tier.states(&self.core);
-            self.core.accounts.observe(&self.core.world, &states, t)?;
+            self.core.accounts.observe(&self.core.model, &states, t)?;
             emit_sample(&*self.tier, &mut self.core, &states, t, observer)?;
         }
         self.accompany();
@@ -333,20 +333,20 @@ impl Simulation {
 
     /// The handle of the body with this name; none if there is no such body, or it has been removed.
     pub fn body_id(&self, name: &str) -> Option<BodyId> {
-        let named = |body: &WorldBody| !body.removed && body.name == name;
-        self.core.world.bodies.iter().position(named).map(BodyId::new)
+        let named = |body: &ModelBody| !body.removed && body.name == name;
+        self.core.model.bodies.iter().position(named).map(BodyId::new)
     }
 
     /// Pose and velocity of a body at the present. A handle of another simulation with more bodies gives the last body.
     pub fn body(&self, body: BodyId) -> BodySample {
-        let index = body.index().min(self.core.world.bodies.len().saturating_sub(1));
+        let index = body.index().min(self.core.model.bodies.len().saturating_sub(1));
         self.tier.sample(&self.core, index)
     }
 
     /// Poses and velocities of all bodies at the present, by [`BodyId::index`].
     pub fn bodies(&self) -> Vec<BodySample> {
         let mut samples = self.tier.samples(&self.core);
-        samples.truncate(self.core.world.shown());
+        samples.truncate(self.core.model.shown());
         samples
     }
 
@@ -401,12 +401,12 @@ impl Simulation {
     /// A coordinate of a joint at the present; none of one that the joint does not have, or of a joint that was removed
     /// with a body.
     pub fn coordinate(&self, joint: JointId, coordinate: Coordinate) -> Option<CoordinateSample> {
-        self.core.world.coordinate_of(&self.tier.states(&self.core), joint.index(), coordinate)
+        self.core.model.coordinate_of(&self.tier.states(&self.core), joint.index(), coordinate)
     }
 
     /// Whether a joint is there: it has not been removed, with a body either, and has not let go.
     pub fn has_joint(&self, joint: JointId) -> bool {
-        self.core.world.pair_of_joint(joint.index()).is_some()
+        self.core.model.pair_of_joint(joint.index()).is_some()
     }
 
     /// The islands at the present: bodies that move together or rest together.
@@ -421,13 +421,13 @@ impl Simulation {
 
     /// Energies at the present.
     pub fn energy(&self) -> Energy {
-        self.core.accounts.books.clone().observe(&self.core.world, &self.tier.states(&self.core))
+        self.core.accounts.books.clone().observe(&self.core.model, &self.tier.states(&self.core))
     }
 
     /// Momentum at the present; the angular part is about the point of the momentum ledger.
     pub fn momentum(&self) -> Momentum {
         let mut books = self.core.accounts.books.clone();
-        books.observe(&self.core.world, &self.tier.states(&self.core));
+        books.observe(&self.core.model, &self.tier.states(&self.core));
         books.ledger.momentum.current
     }
 
@@ -437,7 +437,7 @@ impl Simulation {
     /// When the contact forces cannot be found.
     pub fn accelerations(&mut self) -> Result<Vec<Acceleration>, SimulationError> {
         let mut accelerations = self.tier.accelerations(&mut self.core)?;
-        accelerations.truncate(self.core.world.shown());
+        accelerations.truncate(self.core.model.shown());
         Ok(accelerations)
     }
 
@@ -478,7 +478,7 @@ impl Simulation {
     /// # Errors
     /// When a pose is not finite.
     pub fn queries(&self) -> Result<BodyQueries<'_>, QueryError> {
-        BodyQueries::new(&self.core.world, &self.tier.states(&self.core))
+        BodyQueries::new(&self.core.model, &self.tier.states(&self.core))
     }
 
     /// A snapshot: everything from which [`Simulation::restore`] continues the run with the same bits.
@@ -497,16 +497,16 @@ impl Simulation {
         };
         Content {
             scene: self.scene.name().to_owned(),
-            scene_hash: snapshot::scene_hash(self.core.world.scene_and_joints()),
+            scene_hash: snapshot::scene_hash(self.core.model.scene_and_joints()),
             all_effects: self.core.effects == Effects::All,
             t: self.core.t,
             ended: self.ended,
-            applied: self.core.world.applied(),
-            steered: self.core.world.steered(),
-            motors: self.core.world.motors(),
-            released: self.core.world.released.keys().copied().collect(),
-            turns: self.core.world.turns(),
-            in_plane: self.core.world.plane.is_some(),
+            applied: self.core.model.applied(),
+            steered: self.core.model.steered(),
+            motors: self.core.model.motors(),
+            released: self.core.model.released.keys().copied().collect(),
+            turns: self.core.model.turns(),
+            in_plane: self.core.model.plane.is_some(),
             integrator: self.core.settings.integrator.name().to_owned(),
             plan: self.plan.save(&self.plan_at_start),
             plan_changes: self.plan_changes.iter().map(change).collect(),
@@ -524,7 +524,7 @@ impl Simulation {
     /// # Errors
     /// When the snapshot is of another scene or other effects, or contradicts itself; the simulation is then as it was.
     pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), SimulationError> {
-        let content = snapshot.content_for(self.core.world.scene_and_joints(), self.core.effects)?;
+        let content = snapshot.content_for(self.core.model.scene_and_joints(), self.core.effects)?;
         let companion = self.restored_companion(&content.companion)?;
         *self = Self { companion, ..self.twin(content, self.core.settings)? };
         Ok(())
@@ -535,23 +535,23 @@ impl Simulation {
     /// # Errors
     /// When the content contradicts itself.
     pub(crate) fn twin(&self, content: &Content, mut settings: Settings) -> Result<Self, SimulationError> {
-        let mut world = self.core.world.clone();
-        world.replace_applied(&content.applied)?;
-        world.replace_steered(&content.steered)?;
+        let mut model = self.core.model.clone();
+        model.replace_applied(&content.applied)?;
+        model.replace_steered(&content.steered)?;
         // Joints that have let go have motors too.
-        world.replace_released(&[])?;
-        world.replace_motors(&content.motors)?;
-        world.replace_released(&content.released)?;
-        world.replace_turns(&content.turns)?;
-        world.plane = self.plane_at_start.filter(|_| content.in_plane);
+        model.replace_released(&[])?;
+        model.replace_motors(&content.motors)?;
+        model.replace_released(&content.released)?;
+        model.replace_turns(&content.turns)?;
+        model.plane = self.plane_at_start.filter(|_| content.in_plane);
         settings.integrator = Integrator::from_name(&content.integrator)
             .map_err(|_| SnapshotError::Invalid("it names an integrator that does not exist"))?;
         let plan = self.plan_at_start.restored(content.plan.as_ref(), settings.integrator)?;
-        let accounts = Accounts::restored(&content.accounts, world.bodies.len(), settings.promise)?;
+        let accounts = Accounts::restored(&content.accounts, model.bodies.len(), settings.promise)?;
         let solver = ComplementaritySolver::default();
         let (executor, last_sample) = (self.core.executor.clone(), LastSample::default());
         let (effects, t, stated_depth_m) = (self.core.effects, content.t, f64::INFINITY);
-        let mut core = Core { world, settings, effects, t, accounts, solver, executor, stated_depth_m, last_sample };
+        let mut core = Core { model, settings, effects, t, accounts, solver, executor, stated_depth_m, last_sample };
         let tier = engines::restored(&mut core, &content.tier)?;
         // A scene with a longer duration goes on.
         let ended = content.ended && core.t >= self.scene.duration_s();
@@ -620,7 +620,7 @@ impl Simulation {
             bodies: Vec::new(),
         };
         let (states, limits) = (self.tier.states(&self.core), self.core.limits());
-        accounts.fill(&self.core.world, &states, &limits, &mut report);
+        accounts.fill(&self.core.model, &states, &limits, &mut report);
         self.tier.fill(&mut report);
         Ok(report)
     }

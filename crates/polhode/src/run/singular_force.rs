@@ -6,9 +6,9 @@
 //! finite or far too strong for the step.
 
 use crate::error::SimulationError;
+use crate::model::Model;
 use crate::scene::Force;
 use crate::tier::core::Core;
-use crate::world::World;
 use polhode_dynamics::field::Wrench;
 use polhode_dynamics::integrator::IntegrationError;
 use polhode_dynamics::{BodyState, RigidBody};
@@ -19,14 +19,14 @@ use polhode_dynamics::{BodyState, RigidBody};
 const SIZES_PER_STEP: f64 = 1e3;
 
 /// The first force of the scene that is not finite on a body in these states at `t` (s).
-pub(crate) fn not_finite(world: &World, t: f64, states: &[BodyState]) -> Option<SimulationError> {
+pub(crate) fn not_finite(model: &Model, t: f64, states: &[BodyState]) -> Option<SimulationError> {
     let mut found = None;
-    for_each_wrench(world, t, states, |force, body, wrench| {
+    for_each_wrench(model, t, states, |force, body, wrench| {
         if found.is_none() && !is_finite(wrench) {
             found = Some(SimulationError::ForceNotFinite {
                 t_s: t,
-                body: name(world, body),
-                force: describe(world, force),
+                body: name(model, body),
+                force: describe(model, force),
             });
         }
     });
@@ -35,26 +35,26 @@ pub(crate) fn not_finite(world: &World, t: f64, states: &[BodyState]) -> Option<
 
 /// The error that names the force which has caused `error`, if a force has at these states; else `error` itself.
 pub(crate) fn explained(error: SimulationError, core: &Core, states: &[BodyState]) -> SimulationError {
-    if !may_be_caused_by_a_force(&error) || core.world.scene.forces().is_empty() {
+    if !may_be_caused_by_a_force(&error) || core.model.scene.forces().is_empty() {
         return error;
     }
-    let (world, t) = (&core.world, core.t);
-    if let Some(cause) = not_finite(world, t, states) {
+    let (model, t) = (&core.model, core.t);
+    if let Some(cause) = not_finite(model, t, states) {
         return cause;
     }
     let mut strongest: Option<(f64, usize, usize, Wrench)> = None;
-    for_each_wrench(world, t, states, |force, body, wrench| {
-        let inverse_mass = world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass);
+    for_each_wrench(model, t, states, |force, body, wrench| {
+        let inverse_mass = model.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass);
         let travel = wrench.force.length() * inverse_mass * core.settings.step_s * core.settings.step_s;
-        let sizes = travel / world.bodies[body].size;
+        let sizes = travel / model.bodies[body].size;
         if sizes > SIZES_PER_STEP && strongest.is_none_or(|(largest, ..)| sizes > largest) {
             strongest = Some((sizes, force, body, wrench));
         }
     });
     strongest.map_or(error, |(_, force, body, wrench)| SimulationError::SingularForce {
         t_s: t,
-        body: name(world, body),
-        force: describe(world, force),
+        body: name(model, body),
+        force: describe(model, force),
         force_n: wrench.force.length(),
     })
 }
@@ -75,17 +75,17 @@ fn may_be_caused_by_a_force(error: &SimulationError) -> bool {
 
 /// Calls `visit` with the index of every force of the scene, the index of every movable body, and the wrench of that
 /// force on that body.
-fn for_each_wrench(world: &World, t: f64, states: &[BodyState], mut visit: impl FnMut(usize, usize, Wrench)) {
-    let own = world.movable_states(states);
-    for (number, force) in world.scene.forces().iter().enumerate() {
+fn for_each_wrench(model: &Model, t: f64, states: &[BodyState], mut visit: impl FnMut(usize, usize, Wrench)) {
+    let own = model.movable_states(states);
+    for (number, force) in model.scene.forces().iter().enumerate() {
         // A force whose fields cannot be made was refused when the scene was built.
-        let Ok(fields) = force.fields(world) else { continue };
+        let Ok(fields) = force.fields(model) else { continue };
         let mut wrenches = vec![Wrench::default(); own.len()];
         for field in &fields {
-            field.add_wrenches(t, world.free_motion().bodies(), &own, &mut wrenches);
+            field.add_wrenches(t, model.free_motion().bodies(), &own, &mut wrenches);
         }
-        for (&body, wrench) in world.movable.iter().zip(wrenches) {
-            if world.bodies[body].moves() && states[body].is_finite() {
+        for (&body, wrench) in model.movable.iter().zip(wrenches) {
+            if model.bodies[body].moves() && states[body].is_finite() {
                 visit(number, body, wrench);
             }
         }
@@ -96,13 +96,13 @@ fn is_finite(wrench: Wrench) -> bool {
     wrench.force.is_finite() && wrench.torque.is_finite()
 }
 
-fn name(world: &World, body: usize) -> String {
-    world.bodies[body].name.clone()
+fn name(model: &Model, body: usize) -> String {
+    model.bodies[body].name.clone()
 }
 
 /// A force as a message names it: its index in the scene, counted from 0, and its kind.
-fn describe(world: &World, number: usize) -> String {
-    let kind = match world.scene.forces().get(number) {
+fn describe(model: &Model, number: usize) -> String {
+    let kind = match model.scene.forces().get(number) {
         Some(Force::PointGravity { center, .. }) => format!("point gravity towards {center} m"),
         Some(Force::MutualGravity { .. }) => "mutual gravity".to_owned(),
         Some(Force::Applied { .. }) => "an applied force and torque".to_owned(),

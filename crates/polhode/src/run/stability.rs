@@ -160,10 +160,10 @@ pub(crate) fn of_contacts(
             .map(|direction| PushMargin { direction, of_weight: Some(f64::INFINITY), begins: Vec::new() })
             .collect(),
     };
-    for group in coupled_groups(&core.world, ids, &at_rest) {
+    for group in coupled_groups(&core.model, ids, &at_rest) {
         let members: Vec<Touch> = group.contacts.iter().map(|&index| touches[index]).collect();
         let is_still = group.bodies.iter().all(|body| at_rest.binary_search(body).is_ok());
-        let has_limits = core.world.joint_contact_pairs_among(&group.bodies).next().is_some();
+        let has_limits = core.model.joint_contact_pairs_among(&group.bodies).next().is_some();
         if members.is_empty() || !is_still || has_limits || members.iter().any(|touch| slips(core, states, touch)) {
             continue;
         }
@@ -177,26 +177,26 @@ pub(crate) fn of_contacts(
 /// The contact of a view.
 fn touch(core: &Core, states: &[BodyState], view: &ContactView) -> Option<Touch> {
     let id = ContactId { a: view.body_a.index(), b: view.body_b.index(), feature: Feature::Shapes(view.feature) };
-    Some(Touch::held(id, core.world.kinematics(states, id)?, ContactModes::default()))
+    Some(Touch::held(id, core.model.kinematics(states, id)?, ContactModes::default()))
 }
 
 fn is_at_rest(core: &Core, state: &BodyState, body: usize) -> bool {
     let is_still = state.linear_velocity == DVec3::ZERO && state.angular_momentum == DVec3::ZERO;
-    core.world.bodies[body].moves() && is_still
+    core.model.bodies[body].moves() && is_still
 }
 
 /// Whether the surfaces of a contact move over each other: a belt, or a body that a motion carries.
 fn slips(core: &Core, states: &[BodyState], touch: &Touch) -> bool {
-    let limit = SLIP_RELATIVE * core.world.gravity().length().max(1.0);
-    let tangential = core.world.tangential_kinematics(states, touch.id);
+    let limit = SLIP_RELATIVE * core.model.gravity().length().max(1.0);
+    let tangential = core.model.tangential_kinematics(states, touch.id);
     tangential.is_some_and(|terms| terms.slip_velocity.length() > limit)
         || touch.kinematics.separation_rate.abs() > limit
 }
 
 /// Directions across gravity: none without it.
 fn directions(core: &Core) -> impl Iterator<Item = DVec3> + use<> {
-    let down = core.world.gravity().try_normalize();
-    let plane = core.world.plane;
+    let down = core.model.gravity().try_normalize();
+    let plane = core.model.plane;
     let axes = down.map(|down| {
         let along = if down.x.abs() < FRAC_1_SQRT_2 { DVec3::X } else { DVec3::Y };
         let first = along.reject_from(down).normalize_or_zero();
@@ -248,13 +248,13 @@ struct Group<'a> {
 impl Group<'_> {
     /// Takes the margins of this group where they are narrower.
     fn narrow(self, stability: &mut Stability) -> Result<(), ResponseError> {
-        let (world, states) = (&self.core.world, self.states);
-        let frictional: Vec<_> = self.touches.iter().map(|touch| Frictional::of(world, states, touch)).collect();
+        let (model, states) = (&self.core.model, self.states);
+        let frictional: Vec<_> = self.touches.iter().map(|touch| Frictional::of(model, states, touch)).collect();
         let rows = self.touches.iter().map(|touch| (touch.id, touch.kinematics.geometry));
-        let mut assembly = Assembly::new(world, states, self.bodies, rows)?;
+        let mut assembly = Assembly::new(model, states, self.bodies, rows)?;
         let blocks = blocks_of(&mut assembly, states, (self.touches, &frictional))?;
-        let loads = world.loads_on(self.core.t, states, self.bodies);
-        let free = assembly.free_accelerations(world, states, &loads);
+        let loads = model.loads_on(self.core.t, states, self.bodies);
+        let free = assembly.free_accelerations(model, states, &loads);
         let near = self.known_forces(&assembly, &frictional);
         let structure = Structure::new(&assembly.problem, &blocks, &free, &near)?;
         stability.bodies += self.bodies.len();
@@ -262,7 +262,7 @@ impl Group<'_> {
         // Where the analysis finds no forces and the run has some the bodies stand by rounding, at the very limit.
         let is_certified = is_balanced(&assembly, &free, &near)?;
         let lives: Vec<Vec<f64>> = (stability.pushes.iter())
-            .map(|push| assembly.uniform_accelerations(push.direction * world.gravity().length()))
+            .map(|push| assembly.uniform_accelerations(push.direction * model.gravity().length()))
             .collect();
         let Limits { friction, loads } = Limits::found(&structure, &lives, self.core.executor.as_ref())?;
         let needed = match friction.as_ref().map(|limit| limit.factor) {
@@ -309,7 +309,7 @@ impl Group<'_> {
         let mut moving: Vec<MovingBody> = assembly
             .split(&limit.mechanism)
             .map(|(body, linear, angular)| {
-                let turning = 0.5 * self.core.world.bodies[body].size * angular.length();
+                let turning = 0.5 * self.core.model.bodies[body].size * angular.length();
                 let beginning =
                     if turning > TIPS_RELATIVE * linear.length() { Beginning::Tips } else { Beginning::Slides };
                 let speed = linear.length().max(turning);

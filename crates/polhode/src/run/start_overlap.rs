@@ -8,11 +8,11 @@
 
 use crate::collision::boxes::Boxes;
 use crate::error::SimulationError;
+use crate::model::{INITIAL_OVERLAP_RELATIVE, Model};
 use crate::scene::few_digits::length;
 use crate::scene::settings::Settings;
 use crate::scene::{OverlapAtStart, SceneError};
 use crate::solve::overlap::Overlaps;
-use crate::world::{INITIAL_OVERLAP_RELATIVE, World};
 use polhode_dynamics::BodyState;
 use polhode_response::{ComplementaritySolver, Delassus};
 use polhode_spatial::Still;
@@ -23,23 +23,23 @@ use polhode_spatial::Still;
 /// # Errors
 /// When bodies overlap by more, or cannot be separated by as little.
 pub(crate) fn judge(
-    world: &World,
+    model: &Model,
     settings: &Settings,
     states: &mut [BodyState],
 ) -> Result<Option<String>, SimulationError> {
-    let limit_m = world.scene.start_separation_m;
-    let found = overlaps(world, settings, states)?;
+    let limit_m = model.scene.start_separation_m;
+    let found = overlaps(model, settings, states)?;
     let Some(deepest) = found.iter().max_by(|x, y| x.depth_m.total_cmp(&y.depth_m)) else { return Ok(None) };
     if deepest.depth_m > limit_m {
         return Err(SceneError::InitialOverlap(found).into());
     }
     let (count, depth_m) = (found.len(), deepest.depth_m);
-    let movable: Vec<usize> = (0..states.len()).filter(|&body| world.bodies[body].moves()).collect();
-    let pairs = near_pairs(world, settings, states)?;
+    let movable: Vec<usize> = (0..states.len()).filter(|&body| model.bodies[body].moves()).collect();
+    let pairs = near_pairs(model, settings, states)?;
     let solvers = (&mut ComplementaritySolver::default(), &mut Delassus::default());
-    let removed = Overlaps::find(world, states, &pairs).remove(world, states, (&movable, &pairs), solvers);
+    let removed = Overlaps::find(model, states, &pairs).remove(model, states, (&movable, &pairs), solvers);
     let moved_m = removed.map_err(|source| crate::tier::core::Core::response_error(0.0, source))?.moved_m;
-    let left = overlaps(world, settings, states)?;
+    let left = overlaps(model, settings, states)?;
     if !left.is_empty() {
         return Err(SceneError::InitialOverlap(left).into());
     }
@@ -53,16 +53,16 @@ pub(crate) fn judge(
 }
 
 /// Pairs that overlap by more than counts as touch, in the order of the scene.
-fn overlaps(world: &World, settings: &Settings, states: &[BodyState]) -> Result<Vec<OverlapAtStart>, SimulationError> {
+fn overlaps(model: &Model, settings: &Settings, states: &[BodyState]) -> Result<Vec<OverlapAtStart>, SimulationError> {
     let mut found = Vec::new();
-    for (a, b) in near_pairs(world, settings, states)? {
-        let Some(separation) = world.separation_without_memory(states, a, b) else { continue };
-        let allowed_m = INITIAL_OVERLAP_RELATIVE * world.pair_size(a, b) + world.rounding(states, a, b);
+    for (a, b) in near_pairs(model, settings, states)? {
+        let Some(separation) = model.separation_without_memory(states, a, b) else { continue };
+        let allowed_m = INITIAL_OVERLAP_RELATIVE * model.pair_size(a, b) + model.rounding(states, a, b);
         if separation < -allowed_m {
-            let touch_distance = world.touch_distance(states, a, b);
-            let contacts = world.contacts_of_pair(states, a, b, touch_distance);
+            let touch_distance = model.touch_distance(states, a, b);
+            let contacts = model.contacts_of_pair(states, a, b, touch_distance);
             let deepest = contacts.iter().fold(separation, |s, touch| s.min(touch.kinematics.geometry.separation));
-            let [body_a, body_b] = [a, b].map(|body| world.bodies[body].name.clone());
+            let [body_a, body_b] = [a, b].map(|body| model.bodies[body].name.clone());
             found.push(OverlapAtStart { body_a, body_b, depth_m: -deepest, allowed_m });
         }
     }
@@ -71,15 +71,15 @@ fn overlaps(world: &World, settings: &Settings, states: &[BodyState]) -> Result<
 
 /// Pairs whose boxes, enlarged by the touch distance, overlap.
 fn near_pairs(
-    world: &World,
+    model: &Model,
     settings: &Settings,
     states: &[BodyState],
 ) -> Result<Vec<(usize, usize)>, SimulationError> {
     let mut boxes = Boxes::new(settings, states.len());
     for (body, state) in states.iter().enumerate() {
-        boxes.set(world, body, &Still(state.pose), (0.0, 0.0), world.touch_distance(states, body, body));
+        boxes.set(model, body, &Still(state.pose), (0.0, 0.0), model.touch_distance(states, body, body));
     }
     let mut pairs = Vec::new();
-    boxes.all_pairs(world, |a, b| pairs.push((a, b)))?;
+    boxes.all_pairs(model, |a, b| pairs.push((a, b)))?;
     Ok(pairs)
 }

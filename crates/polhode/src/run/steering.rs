@@ -22,11 +22,11 @@
 
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
+use crate::model::steered::{Goal, Steered};
 use crate::run::action_error::ActionError;
 use crate::run::simulation::Simulation;
 use crate::solve::projection::{Removal, project_velocities};
 use crate::tier::core::Core;
-use crate::world::steered::{Goal, Steered};
 use polhode_spatial::{Pose, Velocity};
 
 /// What a kinematic body does from now on ([`Simulation::set_motion`]).
@@ -79,10 +79,10 @@ impl Simulation {
     pub fn set_motion(&mut self, body: BodyId, steering: Steering) -> Result<(), SimulationError> {
         let index = self.kinematic(body)?;
         let steered = self.steered(index, steering)?;
-        let driven = self.core.world.driven_by(index);
+        let driven = self.core.model.driven_by(index);
         let concerned: Vec<usize> = driven.iter().copied().chain([index]).collect();
         self.act(&concerned, &[index], "set_motion", |simulation| {
-            let state = simulation.core.world.steer(index, steered, simulation.core.t);
+            let state = simulation.core.model.steer(index, steered, simulation.core.t);
             let state = state.map_err(|source| ActionError::Motion { body: simulation.name(index), source })?;
             simulation.tier.states_mut()[index] = state;
             simulation.take_along(&driven)
@@ -98,18 +98,18 @@ impl Simulation {
             return Ok(());
         }
         let (core, states) = (&mut self.core, self.tier.states_mut());
-        let before = core.accounts.books.balance(&core.world, states, driven);
-        project_velocities(&core.world, states, driven, (&[], &[], &[]), Removal::Complete)
+        let before = core.accounts.books.balance(&core.model, states, driven);
+        project_velocities(&core.model, states, driven, (&[], &[], &[]), Removal::Complete)
             .map_err(|source| Core::response_error(core.t, source))?;
-        let after = core.accounts.books.balance(&core.world, states, driven);
+        let after = core.accounts.books.balance(&core.model, states, driven);
         core.accounts.books.program(before, after);
         Ok(())
     }
 
     /// The motion of a kinematic body that is steered from the present on, checked.
     fn steered(&self, index: usize, steering: Steering) -> Result<Steered, ActionError> {
-        let (t, world) = (self.core.t, &self.core.world);
-        let now = world.prescribed_state(index, t).unwrap_or(self.tier.state(&self.core, index));
+        let (t, model) = (self.core.t, &self.core.model);
+        let now = model.prescribed_state(index, t).unwrap_or(self.tier.state(&self.core, index));
         let goal = match steering {
             Steering::Velocity(velocity) => {
                 self.finite(index, "the velocity", velocity.linear)?;
@@ -130,8 +130,8 @@ impl Simulation {
         let (velocity, acceleration) = match steering {
             Steering::Velocity(velocity) => (velocity, crate::report::acceleration::Acceleration::default()),
             Steering::Pose { .. } => {
-                let (linear, angular) = world.prescribed_acceleration(index, t);
-                (world.velocity(index, &now), crate::report::acceleration::Acceleration { linear, angular })
+                let (linear, angular) = model.prescribed_acceleration(index, t);
+                (model.velocity(index, &now), crate::report::acceleration::Acceleration { linear, angular })
             }
         };
         let steered = Steered { from_s: t, pose: now.pose, velocity, acceleration, goal };

@@ -4,7 +4,7 @@
 use super::{
     Coordinate, Freedom, Integrator, IntegratorChoice, Joint, JointKind, Response, Scene, SceneError, Tier, TierFeature,
 };
-use crate::constraint::joint::{HeldBody, WorldJoint};
+use crate::constraint::joint::{HeldBody, ModelJoint};
 use crate::constraint::row::RowKind;
 use polhode_spatial::{Motion, Pose, Velocity};
 
@@ -196,13 +196,13 @@ impl Scene {
     }
 
     /// A joint as it is at the start, whose rows of rotation have the length 1 m.
-    pub(super) fn joint_at_start(&self, number: usize, joint: &Joint) -> WorldJoint {
+    pub(super) fn joint_at_start(&self, number: usize, joint: &Joint) -> ModelJoint {
         let held = |body: usize| match &self.bodies[body] {
             own if own.motion().is_some() => HeldBody::Kinematic(self.motion_at_start(body).0),
             own if own.mass_properties().is_some() => HeldBody::Movable(self.motion_at_start(body).0),
             _ => HeldBody::Fixed,
         };
-        WorldJoint::new((number, joint), &self.tracks, held, 1.0)
+        ModelJoint::new((number, joint), &self.tracks, held, 1.0)
     }
 
     /// Checks that the velocities at the start are what a joint leaves free: the rates of its rows are zero to

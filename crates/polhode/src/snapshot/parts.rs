@@ -3,7 +3,7 @@
 use super::numbers::{Contact, read_state};
 use super::{SnapshotError, content};
 use crate::identity::contact_id::{ContactId, Feature};
-use crate::world::World;
+use crate::model::Model;
 use polhode_dynamics::{Flight, RigidBody};
 use polhode_spatial::DVec3;
 
@@ -16,12 +16,12 @@ pub(crate) fn save_contact(id: ContactId) -> Contact {
 ///
 /// # Errors
 /// When it is not of two bodies that can touch.
-pub(crate) fn restored_id(world: &World, saved: &Contact) -> Result<ContactId, SnapshotError> {
+pub(crate) fn restored_id(model: &Model, saved: &Contact) -> Result<ContactId, SnapshotError> {
     let Contact { a, b, feature } = *saved;
     let feature = feature.into();
     let can_touch = match feature {
-        Feature::Shapes(_) => a < b && b < world.bodies.len() && world.shapes(a, b).is_some(),
-        Feature::Stop(_) | Feature::JointFriction(_) => world.joint_contacts_of_pair((a, b)).contains(&feature),
+        Feature::Shapes(_) => a < b && b < model.bodies.len() && model.shapes(a, b).is_some(),
+        Feature::Stop(_) | Feature::JointFriction(_) => model.joint_contacts_of_pair((a, b)).contains(&feature),
     };
     if can_touch {
         Ok(ContactId { a, b, feature })
@@ -34,8 +34,8 @@ pub(crate) fn restored_id(world: &World, saved: &Contact) -> Result<ContactId, S
 ///
 /// # Errors
 /// When one is not of two bodies that can touch.
-pub(crate) fn restored_forces(world: &World, saved: &[(Contact, f64)]) -> Result<Vec<(ContactId, f64)>, SnapshotError> {
-    saved.iter().map(|(id, force)| Ok((restored_id(world, id)?, *force))).collect()
+pub(crate) fn restored_forces(model: &Model, saved: &[(Contact, f64)]) -> Result<Vec<(ContactId, f64)>, SnapshotError> {
+    saved.iter().map(|(id, force)| Ok((restored_id(model, id)?, *force))).collect()
 }
 
 /// A flight record as plain data.

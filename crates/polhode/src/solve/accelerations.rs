@@ -14,6 +14,7 @@ use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::collision::turn::Turn;
 use crate::constraint::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::identity::contact_id::ContactId;
+use crate::model::{Loads, Model};
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{direction_of, push_held, with_rotations};
 use crate::rows::frictional_contact::{Frictional, Sliding};
@@ -24,7 +25,6 @@ use crate::solve::jointed::trees_of;
 use crate::solve::least_sliding_forces::{RowFriction, least_sliding_forces};
 use crate::solve::standing::{is_for_many, standing};
 use crate::solve::sticking_forces::{SLIDING_ROUNDING, STICKING_ACCELERATION, of_no_slip, rounding_of};
-use crate::world::{Loads, World};
 use polhode_dynamics::BodyState;
 use polhode_response::friction::{ContactStatus, FrictionSettings};
 use polhode_response::{
@@ -122,33 +122,33 @@ impl Accelerations {
     /// # Errors
     /// When a number is not finite.
     pub(crate) fn solve(
-        world: &World,
+        model: &Model,
         (t, states): (f64, &[BodyState]),
         bodies: &[usize],
         contacts: &[Touch],
         loads: &Loads,
         solver: &mut ComplementaritySolver,
     ) -> Result<Self, ResponseError> {
-        let mut frictional: Vec<_> = contacts.iter().map(|touch| Frictional::of(world, states, touch)).collect();
+        let mut frictional: Vec<_> = contacts.iter().map(|touch| Frictional::of(model, states, touch)).collect();
         if frictional.iter().all(Option::is_none) {
-            return Self::without_friction(world, (t, states), bodies, contacts, loads, solver);
+            return Self::without_friction(model, (t, states), bodies, contacts, loads, solver);
         }
         loop {
-            let found = Self::of_laws(world, (t, states), bodies, (contacts, &frictional), loads)?;
+            let found = Self::of_laws(model, (t, states), bodies, (contacts, &frictional), loads)?;
             if begin_to_slide(&mut frictional, &found) {
                 continue;
             }
             if found.are_alike || !begin_exactly(&mut frictional, &found) {
                 return Ok(found);
             }
-            let exact = Self::of_laws(world, (t, states), bodies, (contacts, &frictional), loads)?;
+            let exact = Self::of_laws(model, (t, states), bodies, (contacts, &frictional), loads)?;
             return Ok(if exact.is_exact_slide() { exact } else { found });
         }
     }
 
     /// The same where no contact has friction.
     fn without_friction(
-        world: &World,
+        model: &Model,
         (t, states): (f64, &[BodyState]),
         bodies: &[usize],
         contacts: &[Touch],
@@ -156,15 +156,15 @@ impl Accelerations {
         solver: &mut ComplementaritySolver,
     ) -> Result<Self, ResponseError> {
         let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
-        let assembly = Assembly::new(world, states, bodies, rows)?;
-        let FreeMotion { free, constants } = FreeMotion::of(&assembly, world, (t, states), contacts, loads)?;
+        let assembly = Assembly::new(model, states, bodies, rows)?;
+        let FreeMotion { free, constants } = FreeMotion::of(&assembly, model, (t, states), contacts, loads)?;
         let held = (0..contacts.len()).filter(|&place| contacts[place].hold == Hold::Held).collect();
         let (problem, start) = (&assembly.problem, WarmStart::new(held));
         let usual = *solver.settings();
         if !assembly.bilaterals().is_empty() {
             // Accelerations of joints are differences of centripetal terms, whatever the forces are that follow from
             // them.
-            let noise_floor = usual.noise_floor.max(world.acceleration_rounding(states, bodies));
+            let noise_floor = usual.noise_floor.max(model.acceleration_rounding(states, bodies));
             solver.set_settings(SolverSettings { noise_floor, ..usual });
         }
         let solution = match trees_of(&assembly) {
@@ -196,19 +196,19 @@ impl Accelerations {
     }
 
     fn of_laws(
-        world: &World,
+        model: &Model,
         (t, states): (f64, &[BodyState]),
         bodies: &[usize],
         (contacts, frictional): (&[Touch], &[Option<Frictional>]),
         loads: &Loads,
     ) -> Result<Self, ResponseError> {
         let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
-        let mut assembly = Assembly::new(world, states, bodies, rows)?;
+        let mut assembly = Assembly::new(model, states, bodies, rows)?;
         let blocks = blocks_of(&mut assembly, states, (contacts, frictional))?;
-        let ResistedRotations { turns, laws: rotations } = rotations_of(&mut assembly, world, contacts, frictional)?;
-        let FreeMotion { free, mut constants } = FreeMotion::of(&assembly, world, (t, states), contacts, loads)?;
+        let ResistedRotations { turns, laws: rotations } = rotations_of(&mut assembly, model, contacts, frictional)?;
+        let FreeMotion { free, mut constants } = FreeMotion::of(&assembly, model, (t, states), contacts, loads)?;
         let any_slides = frictional.iter().flatten().any(|friction| friction.sliding.is_some());
-        if !any_slides && rotations.is_empty() && is_for_many(world, states, &assembly, contacts) {
+        if !any_slides && rotations.is_empty() && is_for_many(model, states, &assembly, contacts) {
             let terms = (free.as_slice(), constants.as_slice());
             if let Some(held) = standing(&assembly, &blocks, terms, frictional)? {
                 return Self::at_rest(contacts, frictional, assembly, (&free, &constants), &held);
@@ -218,7 +218,7 @@ impl Accelerations {
         let blocks = with_rotations(blocks, &rotations);
         let mut rounds = 0;
         let (solved, exact) = loop {
-            let of = (world, states, contacts);
+            let of = (model, states, contacts);
             let found = of_modes(of, &assembly, (&blocks, &delassus, &constants), (frictional, &rotations))?;
             rounds += 1;
             if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.0.reactions, 1.0) {
@@ -240,7 +240,7 @@ impl Accelerations {
         });
         let mut tangential: Vec<Option<ContactTangent>> = tangential.collect();
         add_up_pairs(contacts, &mut tangential);
-        complete_slips((world, t, states), (contacts, frictional), (&assembly, &of_bodies), &mut tangential);
+        complete_slips((model, t, states), (contacts, frictional), (&assembly, &of_bodies), &mut tangential);
         let turn = |law: &ResistedRotation| ContactTurn { turning: turning(&assembly, law, &solved) };
         let turns = turns.into_iter().zip(rotations.iter().map(turn)).collect();
         let solution = contact_solution(&solved, assembly.first_tangent());
@@ -304,14 +304,14 @@ pub(super) struct FreeMotion {
 impl FreeMotion {
     pub(super) fn of(
         assembly: &Assembly,
-        world: &World,
+        model: &Model,
         (t, states): (f64, &[BodyState]),
         contacts: &[Touch],
         loads: &Loads,
     ) -> Result<Self, ResponseError> {
-        let free = assembly.free_accelerations(world, states, loads);
+        let free = assembly.free_accelerations(model, states, loads);
         let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
-        let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
+        let constants = assembly.acceleration_constants(model, t, states, &free, kinematics)?;
         Ok(Self { free, constants })
     }
 }
@@ -358,7 +358,7 @@ enum Choice {
 /// The solution with these modes of contacts and rotations, and whether the motion depends on the choice of forces
 /// where they are exact.
 fn of_modes(
-    of: (&World, &[BodyState], &[Touch]),
+    of: (&Model, &[BodyState], &[Touch]),
     assembly: &Assembly,
     (blocks, delassus, constants): (&Blocks, &Delassus, &[f64]),
     (frictional, rotations): (&[Option<Frictional>], &[ResistedRotation]),
@@ -378,7 +378,7 @@ fn of_modes(
 /// The solution where some contacts slide: the least forces with which every contact holds, or none of these and those
 /// of the cone problem.
 fn of_slips(
-    of: (&World, &[BodyState], &[Touch]),
+    of: (&Model, &[BodyState], &[Touch]),
     assembly: &Assembly,
     (blocks, delassus, constants): (&Blocks, &Delassus, &[f64]),
     frictional: &[Option<Frictional>],
@@ -395,7 +395,7 @@ fn sliding_settings() -> FrictionSettings {
 
 /// The least forces with which every contact holds while some slide.
 fn all_hold(
-    of: (&World, &[BodyState], &[Touch]),
+    of: (&Model, &[BodyState], &[Touch]),
     assembly: &Assembly,
     constants: &[f64],
     frictional: &[Option<Frictional>],
@@ -443,18 +443,18 @@ struct ResistedRotations {
 /// Adds the rows of rotations that friction resists.
 fn rotations_of(
     assembly: &mut Assembly,
-    world: &World,
+    model: &Model,
     contacts: &[Touch],
     frictional: &[Option<Frictional>],
 ) -> Result<ResistedRotations, ResponseError> {
     let mut found = ResistedRotations::default();
-    if !world.has_rotational_friction() {
+    if !model.has_rotational_friction() {
         return Ok(found);
     }
     for (normal, (touch, frictional)) in contacts.iter().zip(frictional).enumerate() {
         let Some(frictional) = frictional else { continue };
         for turn in Turn::ALL {
-            let Some(friction) = turn.coefficient(world, (touch.id.a, touch.id.b)) else { continue };
+            let Some(friction) = turn.coefficient(model, (touch.id.a, touch.id.b)) else { continue };
             let axes = turn.axes(touch.kinematics.geometry.normal, (&frictional.terms.basis, frictional.slip));
             let along = match touch.modes.rotation.get(turn) {
                 Some(FrictionMode::Sliding(slide)) => {
@@ -467,7 +467,7 @@ fn rotations_of(
             let turns = along.is_some();
             let axes = along.unwrap_or(axes);
             let rows = assembly.problem.len()..assembly.problem.len() + axes.len();
-            assembly.push_rotations(axes.into_iter().map(|axis| RotationRow::about(world, touch.id, axis)))?;
+            assembly.push_rotations(axes.into_iter().map(|axis| RotationRow::about(model, touch.id, axis)))?;
             found.turns.push((touch.id, turn));
             found.laws.push(ResistedRotation { normal, turn, rows, friction, turns });
         }
@@ -522,12 +522,12 @@ fn contact_tangent(
 /// Gives contacts that slide the whole rate of their slip along its direction: their row is along what friction
 /// opposes, which with a grain is another one.
 fn complete_slips(
-    (world, t, states): (&World, f64, &[BodyState]),
+    (model, t, states): (&Model, f64, &[BodyState]),
     (contacts, frictional): (&[Touch], &[Option<Frictional>]),
     (assembly, accelerations): (&Assembly, &[f64]),
     tangential: &mut [Option<ContactTangent>],
 ) {
-    if !world.has_grain() {
+    if !model.has_grain() {
         return;
     }
     for ((touch, friction), tangent) in contacts.iter().zip(frictional).zip(tangential) {
@@ -536,7 +536,7 @@ fn complete_slips(
         if row != direction {
             let row = TangentRow::new(touch.id, &touch.kinematics.geometry, &friction.terms, direction);
             let along = (&row.along, row.acceleration_bias);
-            let rate = world.relative_acceleration((t, states), row.id, along, assembly.split(accelerations));
+            let rate = model.relative_acceleration((t, states), row.id, along, assembly.split(accelerations));
             tangent.slip_acceleration = direction * rate;
         }
     }

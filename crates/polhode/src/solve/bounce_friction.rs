@@ -22,10 +22,10 @@
 //! do not converge, as where a slip presses its own contact, nothing is given back.
 
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
+use crate::model::states_of::{set_states, states_of};
 use crate::rows::assembly::{TangentRow, apply_impulses};
 use crate::solve::projection::{Removal, RemovedVelocities, project_velocities};
-use crate::world::World;
-use crate::world::states_of::{set_states, states_of};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
@@ -57,12 +57,12 @@ struct Sliding {
 
 impl Sliding {
     /// A contact whose slip is faster than `slowest` (m/s); none for another one, or without friction.
-    fn of(world: &World, states: &[BodyState], id: ContactId, slowest: f64) -> Option<Self> {
-        let terms = world.tangential_kinematics(states, id)?;
-        let friction = world.friction_at(states, id, terms.basis)?;
+    fn of(model: &Model, states: &[BodyState], id: ContactId, slowest: f64) -> Option<Self> {
+        let terms = model.tangential_kinematics(states, id)?;
+        let friction = model.friction_at(states, id, terms.basis)?;
         let direction = (terms.slip_velocity.length() > slowest).then(|| terms.slip_velocity.try_normalize())??;
         let (against, coefficient) = friction.sliding.opposed(terms.basis, direction);
-        let geometry = world.kinematics(states, id)?.geometry;
+        let geometry = model.kinematics(states, id)?.geometry;
         Some(Self { row: TangentRow::new(id, &geometry, &terms, against), coefficient })
     }
 
@@ -73,8 +73,8 @@ impl Sliding {
     }
 
     /// Its slip along the row, m/s.
-    fn slip(&self, world: &World, states: &[BodyState]) -> f64 {
-        let terms = world.tangential_kinematics(states, self.row.id);
+    fn slip(&self, model: &Model, states: &[BodyState]) -> f64 {
+        let terms = model.tangential_kinematics(states, self.row.id);
         terms.map_or(0.0, |terms| self.row.along.normal.dot(terms.slip_velocity))
     }
 }
@@ -85,28 +85,28 @@ impl Sliding {
 /// # Errors
 /// When a state is not finite.
 pub(crate) fn end_bounces(
-    world: &World,
+    model: &Model,
     states: &mut [BodyState],
     bodies: &[usize],
     (contacts, fastest): (&[ContactId], f64),
 ) -> Result<EndedBounces, ResponseError> {
     let start = states_of(states, bodies);
-    let sliding: Vec<Sliding> = contacts.iter().filter_map(|&id| Sliding::of(world, states, id, fastest)).collect();
-    let before: Vec<f64> = sliding.iter().map(|one| one.slip(world, states)).collect();
+    let sliding: Vec<Sliding> = contacts.iter().filter_map(|&id| Sliding::of(model, states, id, fastest)).collect();
+    let before: Vec<f64> = sliding.iter().map(|one| one.slip(model, states)).collect();
     let mut rubbed = vec![0.0; sliding.len()];
     for _ in 0..MOST_ROUNDS {
         set_states(states, bodies, &start);
-        apply_impulses(world, states, along_tangents(&sliding, &rubbed));
-        let removed = project_velocities(world, states, bodies, (contacts, &[], &[]), Removal::Complete)?;
+        apply_impulses(model, states, along_tangents(&sliding, &rubbed));
+        let removed = project_velocities(model, states, bodies, (contacts, &[], &[]), Removal::Complete)?;
         let next: Vec<f64> = sliding.iter().map(|one| one.impulse(&removed)).collect();
         let largest = next.iter().fold(0.0, |most: f64, impulse| most.max(impulse.abs()));
         let change = next.iter().zip(&rubbed).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
         if change <= SETTLED_IMPULSES * largest {
             let work_j = removed.work_j
-                + world.prescribed_work(states, along_tangents(&sliding, &rubbed))
-                + world.surface_work(states, along_tangents(&sliding, &rubbed));
+                + model.prescribed_work(states, along_tangents(&sliding, &rubbed))
+                + model.surface_work(states, along_tangents(&sliding, &rubbed));
             let lost = |((one, before), impulse): ((&Sliding, &f64), &f64)| {
-                -0.5 * impulse * (before + one.slip(world, states))
+                -0.5 * impulse * (before + one.slip(model, states))
             };
             let friction_j = sliding.iter().zip(&before).zip(&rubbed).map(lost).sum();
             return Ok(EndedBounces { work_j, friction_j });
@@ -114,7 +114,7 @@ pub(crate) fn end_bounces(
         rubbed = next;
     }
     set_states(states, bodies, &start);
-    let removed = project_velocities(world, states, bodies, (contacts, &[], &[]), Removal::Complete)?;
+    let removed = project_velocities(model, states, bodies, (contacts, &[], &[]), Removal::Complete)?;
     Ok(EndedBounces { work_j: removed.work_j, friction_j: 0.0 })
 }
 

@@ -18,11 +18,11 @@
 
 use super::projection::project_positions;
 use crate::constraint::bilateral::{Bilateral, Reaction, bilateral_support};
+use crate::model::Model;
+use crate::model::states_of::{set_states, states_of};
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use crate::rows::assembly::Assembly;
 use crate::rows::groups::coupled_groups;
-use crate::world::World;
-use crate::world::states_of::{set_states, states_of};
 use polhode_dynamics::BodyState;
 use polhode_response::{LeastNormHold, ResponseError};
 use polhode_spatial::{DVec3, Pose};
@@ -40,17 +40,17 @@ impl ClosedLoops {
     ///
     /// # Errors
     /// When a number is not finite.
-    pub(crate) fn of(world: &World, states: &mut [BodyState], bodies: &[usize]) -> Result<Self, ResponseError> {
+    pub(crate) fn of(model: &Model, states: &mut [BodyState], bodies: &[usize]) -> Result<Self, ResponseError> {
         let mut closed = Self::default();
-        if !world.has_loops_among(bodies) {
+        if !model.has_loops_among(bodies) {
             return Ok(closed);
         }
-        for group in coupled_groups(world, std::iter::empty(), bodies) {
-            if !world.has_loops_among(&group.bodies) {
+        for group in coupled_groups(model, std::iter::empty(), bodies) {
+            if !model.has_loops_among(&group.bodies) {
                 continue;
             }
             let present = states_of(states, &group.bodies);
-            let projected = project_positions(world, states, &group.bodies, &[]);
+            let projected = project_positions(model, states, &group.bodies, &[]);
             closed.poses.extend(group.bodies.iter().map(|&body| (body, states[body].pose)));
             set_states(states, &group.bodies, &present);
             projected?;
@@ -61,12 +61,12 @@ impl ClosedLoops {
     /// The bilateral constraints of these bodies with the rows of the closed poses and the velocities of these states.
     pub(crate) fn bilaterals<'a>(
         &'a self,
-        world: &'a World,
+        model: &'a Model,
         states: &'a [BodyState],
         bodies: &'a [usize],
     ) -> impl Iterator<Item = Bilateral> + 'a {
-        world.bilaterals_by(bodies, |body| {
-            let (pose, velocity) = world.motion_of(states, body);
+        model.bilaterals_by(bodies, |body| {
+            let (pose, velocity) = model.motion_of(states, body);
             (self.poses.get(&body).copied().unwrap_or(pose), velocity)
         })
     }
@@ -78,7 +78,7 @@ impl ClosedLoops {
     /// When a number is not finite.
     pub(crate) fn least(
         &self,
-        world: &World,
+        model: &Model,
         (states, bodies): (&[BodyState], &[usize]),
         mut reactions: Vec<(Bilateral, Reaction)>,
     ) -> Result<Vec<(Bilateral, Reaction)>, ResponseError> {
@@ -90,7 +90,7 @@ impl ClosedLoops {
             rigid.clone().flat_map(|(of, own)| of.rows.iter().map(|row| row.multiplier(*own))).collect();
         let bilaterals = rigid.map(|(of, _)| of.clone()).collect();
         let Assembly { problem, .. } =
-            &Assembly::with_bilaterals(world, (states, bodies), std::iter::empty(), bilaterals)?;
+            &Assembly::with_bilaterals(model, (states, bodies), std::iter::empty(), bilaterals)?;
         let given = problem.row_velocities(&problem.response(&multipliers)?)?;
         let (delassus, undone) = (problem.delassus(), given.iter().map(|rate| -rate).collect::<Vec<_>>());
         let least = LeastNormHold::factor(&delassus)?.solve(&delassus, &undone)?;

@@ -29,27 +29,27 @@ pub(crate) fn refuse_contradictions(
     states: &[BodyState],
     bodies: &[usize],
 ) -> Result<(), SimulationError> {
-    if core.world.ties_among(bodies).next().is_none() {
+    if core.model.ties_among(bodies).next().is_none() {
         return Ok(());
     }
     match contradicted(core, t, states, bodies).map_err(|source| Core::response_error(t, source))? {
         None => Ok(()),
-        Some(tie) => Err(SimulationError::JointsContradict { t_s: t, what: core.world.name_of_tie(tie) }),
+        Some(tie) => Err(SimulationError::JointsContradict { t_s: t, what: core.model.name_of_tie(tie) }),
     }
 }
 
 /// The number of the first tie whose row, or that of another constraint beside it, cannot be kept.
 fn contradicted(core: &Core, t: f64, states: &[BodyState], bodies: &[usize]) -> Result<Option<usize>, ResponseError> {
-    let world = &core.world;
-    let assembly = Assembly::new(world, states, bodies, std::iter::empty())?;
+    let model = &core.model;
+    let assembly = Assembly::new(model, states, bodies, std::iter::empty())?;
     let still = assembly.uniform_accelerations(polhode_spatial::DVec3::ZERO);
-    let constants = assembly.acceleration_constants(world, t, states, &still, std::iter::empty())?;
+    let constants = assembly.acceleration_constants(model, t, states, &still, std::iter::empty())?;
     let largest = constants.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
     // Terms of motions that cancel leave the rounding of their parts.
-    let parts = bodies.iter().chain(world.prescribed()).map(|&body| {
-        let velocity = world.velocity(body, &states[body]);
+    let parts = bodies.iter().chain(model.prescribed()).map(|&body| {
+        let velocity = model.velocity(body, &states[body]);
         let turning = velocity.angular.length();
-        turning * (turning * world.bodies[body].size + velocity.linear.length())
+        turning * (turning * model.bodies[body].size + velocity.linear.length())
     });
     let largest = largest.max(parts.fold(0.0, f64::max));
     if largest == 0.0 {

@@ -14,13 +14,13 @@
 use crate::collision::contact_set::Touch;
 use crate::collision::turn::Turn;
 use crate::identity::contact_id::ContactId;
+use crate::model::{Loads, Model};
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{push_contact, push_held, with_rotations};
 use crate::rows::resisted_rotation::ResistedRotation;
 use crate::rows::rotation_row::RotationRow;
 use crate::scene::{FrictionEllipse, ImpactLaw};
 use crate::solve::reversal::reversal;
-use crate::world::{Loads, World};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{Application, ImpactOutcome, ImpactStatus};
@@ -71,8 +71,8 @@ pub(crate) enum Restitution {
 }
 
 /// Whether one of some contacts has friction.
-pub(crate) fn have_friction(world: &World, contacts: &[Touch]) -> bool {
-    world.has_friction() && contacts.iter().any(|touch| world.friction_of(touch.id).is_some())
+pub(crate) fn have_friction(model: &Model, contacts: &[Touch]) -> bool {
+    model.has_friction() && contacts.iter().any(|touch| model.friction_of(touch.id).is_some())
 }
 
 /// Solves for the impulses at `contacts` and at the pivots of `bodies` (movable, ascending).
@@ -80,46 +80,46 @@ pub(crate) fn have_friction(world: &World, contacts: &[Touch]) -> bool {
 /// # Errors
 /// When a number is not finite.
 pub(crate) fn solve(
-    world: &World,
+    model: &Model,
     states: &[BodyState],
     bodies: &[usize],
     contacts: &[Touch],
     (law, cause): (ImpactLaw, Cause<'_>),
 ) -> Result<FrictionalImpact, ResponseError> {
     let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
-    let mut assembly = Assembly::new(world, states, bodies, rows)?;
-    let (blocks, mut before) = blocks_of(&mut assembly, world, states, contacts)?;
+    let mut assembly = Assembly::new(model, states, bodies, rows)?;
+    let (blocks, mut before) = blocks_of(&mut assembly, model, states, contacts)?;
     let rotations = match cause {
-        Cause::Collision(_) => rotations_of(&mut assembly, world, states, contacts, &mut before)?,
+        Cause::Collision(_) => rotations_of(&mut assembly, model, states, contacts, &mut before)?,
         Cause::Jam(..) => Vec::new(),
     };
     let delassus = assembly.problem.delassus();
     let accelerations = match cause {
         Cause::Collision(_) => None,
         Cause::Jam(t, loads) => {
-            let free = assembly.free_accelerations(world, states, loads);
+            let free = assembly.free_accelerations(model, states, loads);
             let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
-            Some(assembly.acceleration_constants(world, t, states, &free, kinematics)?)
+            Some(assembly.acceleration_constants(model, t, states, &free, kinematics)?)
         }
     };
-    let rounding = world.velocity_rounding(states, bodies);
+    let rounding = model.velocity_rounding(states, bodies);
     take_out_rounding(&mut before, rounding);
     let settings = settings_for(rounding, &before, cause);
     let blocks = with_rotations(blocks, &rotations);
-    let mut restitution: Vec<f64> = contacts.iter().map(|touch| world.restitution_at(touch)).collect();
+    let mut restitution: Vec<f64> = contacts.iter().map(|touch| model.restitution_at(touch)).collect();
     // Pivots have no restitution.
     restitution.resize(blocks.len(), 0.0);
     let mirrored: Vec<usize> =
-        (0..contacts.len()).filter(|&contact| world.mirrored(states, contacts[contact].id).is_some()).collect();
+        (0..contacts.len()).filter(|&contact| model.mirrored(states, contacts[contact].id).is_some()).collect();
     let impact = MultipleFrictionalImpact {
         contacts: &blocks.problem(&delassus, &before)?,
         restitution: &restitution,
         stand_for_several: &mirrored,
-        law: law.of_contacts_with_friction(world.scene.method().pulse_exponent.unwrap_or_default()),
-        single: single_law(world, law),
+        law: law.of_contacts_with_friction(model.scene.method().pulse_exponent.unwrap_or_default()),
+        single: single_law(model, law),
         settings: &settings,
     };
-    let reversed = if are_micro_collisions(world, contacts) { reversal(&impact, contacts.len())? } else { None };
+    let reversed = if are_micro_collisions(model, contacts) { reversal(&impact, contacts.len())? } else { None };
     let struck = match &accelerations {
         None => reversed.map_or_else(|| impact.resolve(), Ok)?,
         Some(accelerations) => impact.without_collision(&blocks.velocities_in_blocks(accelerations))?,
@@ -131,7 +131,7 @@ pub(crate) fn solve(
     // act along the rows. Where curves are nearly parallel, the rate of their separation is less exact than these.
     let given = delassus.times(&reactions)?;
     for (velocity, touch) in before.iter_mut().zip(contacts) {
-        *velocity = rate_of_separation(world, states, touch);
+        *velocity = rate_of_separation(model, states, touch);
     }
     let works = reactions.iter().zip(&given).zip(&before).map(|((p, given), before)| p * (before + 0.5 * given));
     let energy_change = works.collect::<CompensatedSum>().value();
@@ -141,21 +141,21 @@ pub(crate) fn solve(
 }
 
 /// Whether no contact approaches faster than a micro-collision, where there are any.
-fn are_micro_collisions(world: &World, contacts: &[Touch]) -> bool {
+fn are_micro_collisions(model: &Model, contacts: &[Touch]) -> bool {
     let is_slow = |slow: f64| contacts.iter().all(|touch| -touch.kinematics.separation_rate <= slow);
-    world.envelope.is_some_and(|envelope| is_slow(envelope.slow))
+    model.envelope.is_some_and(|envelope| is_slow(envelope.slow))
 }
 
 /// The law of a contact that is struck alone: that of the scene, or else that of its impact law.
-fn single_law(world: &World, law: ImpactLaw) -> RestitutionLaw {
-    world.scene.method().restitution_law.unwrap_or(law.of_single_contact())
+fn single_law(model: &Model, law: ImpactLaw) -> RestitutionLaw {
+    model.scene.method().restitution_law.unwrap_or(law.of_single_contact())
 }
 
 /// Rate of separation of two bodies at the point of a contact, m/s.
-pub(crate) fn rate_of_separation(world: &World, states: &[BodyState], touch: &Touch) -> f64 {
+pub(crate) fn rate_of_separation(model: &Model, states: &[BodyState], touch: &Touch) -> f64 {
     let geometry = &touch.kinematics.geometry;
     let at_point = |body: usize| {
-        let velocity = world.velocity(body, &states[body]);
+        let velocity = model.velocity(body, &states[body]);
         velocity.linear + velocity.angular.cross(geometry.point - states[body].pose.translation)
     };
     geometry.normal.dot(touch.id.relative(at_point))
@@ -235,23 +235,23 @@ fn impact_of(assembly: Assembly, contacts: usize, struck: &MultipleImpact, rows:
 /// Adds the rows of rotations that friction resists, and their velocities before the impact (m/s) to `before`.
 fn rotations_of(
     assembly: &mut Assembly,
-    world: &World,
+    model: &Model,
     states: &[BodyState],
     contacts: &[Touch],
     before: &mut Vec<f64>,
 ) -> Result<Vec<ResistedRotation>, ResponseError> {
     let mut found = Vec::new();
-    if !world.has_rotational_friction() {
+    if !model.has_rotational_friction() {
         return Ok(found);
     }
     for (normal, touch) in contacts.iter().enumerate() {
         for turn in Turn::ALL {
-            let Some(friction) = turn.coefficient(world, (touch.id.a, touch.id.b)) else { continue };
-            let Some(terms) = world.tangential_kinematics(states, touch.id) else { continue };
+            let Some(friction) = turn.coefficient(model, (touch.id.a, touch.id.b)) else { continue };
+            let Some(terms) = model.tangential_kinematics(states, touch.id) else { continue };
             let first = assembly.problem.len();
-            let axes = turn.axes(touch.kinematics.geometry.normal, (&terms.basis, world.slip_directions())).into_iter();
-            let axes: Vec<RotationRow> = axes.map(|axis| RotationRow::about(world, touch.id, axis)).collect();
-            before.extend(axes.iter().map(|row| row.rate(world, states)));
+            let axes = turn.axes(touch.kinematics.geometry.normal, (&terms.basis, model.slip_directions())).into_iter();
+            let axes: Vec<RotationRow> = axes.map(|axis| RotationRow::about(model, touch.id, axis)).collect();
+            before.extend(axes.iter().map(|row| row.rate(model, states)));
             assembly.push_rotations(axes.into_iter())?;
             let rows = first..assembly.problem.len();
             found.push(ResistedRotation { normal, turn, rows, friction, turns: false });
@@ -264,21 +264,21 @@ fn rotations_of(
 /// and the velocities of all rows before the impact, m/s.
 fn blocks_of(
     assembly: &mut Assembly,
-    world: &World,
+    model: &Model,
     states: &[BodyState],
     contacts: &[Touch],
 ) -> Result<(Blocks, Vec<f64>), ResponseError> {
     let mut before = assembly.rates(contacts.iter().map(|touch| touch.kinematics.separation_rate));
     let mut blocks = Blocks::default();
     for (normal, touch) in contacts.iter().enumerate() {
-        let friction = world.friction_of(touch.id).filter(|friction| friction.sliding.largest() > 0.0);
-        let terms = friction.and_then(|_| world.tangential_kinematics(states, touch.id));
+        let friction = model.friction_of(touch.id).filter(|friction| friction.sliding.largest() > 0.0);
+        let terms = friction.and_then(|_| model.tangential_kinematics(states, touch.id));
         let first = assembly.problem.len();
         let mut ellipse = FrictionEllipse::default();
         if let Some(terms) = terms {
-            ellipse = world.friction_at(states, touch.id, terms.basis).map_or(ellipse, |friction| friction.sliding);
+            ellipse = model.friction_at(states, touch.id, terms.basis).map_or(ellipse, |friction| friction.sliding);
             let row = |tangent| TangentRow::new(touch.id, &touch.kinematics.geometry, &terms, tangent);
-            let tangents = world.slip_directions().tangents(&terms.basis);
+            let tangents = model.slip_directions().tangents(&terms.basis);
             assembly.push_tangents(states, tangents.iter().copied().map(row))?;
             before.extend(tangents.iter().map(|tangent| tangent.dot(terms.slip_velocity)));
         }

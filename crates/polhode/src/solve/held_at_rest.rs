@@ -6,9 +6,9 @@
 use super::accelerations::{FreeMotion, blocks_of};
 use super::standing::standing;
 use crate::collision::contact_set::Touch;
+use crate::model::{Loads, Model};
 use crate::rows::assembly::Assembly;
 use crate::rows::frictional_contact::Frictional;
-use crate::world::{Loads, World};
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 use polhode_spatial::DVec3;
@@ -29,17 +29,17 @@ impl HeldAtRest {
     /// # Errors
     /// When a number is not finite.
     pub(crate) fn of(
-        world: &World,
+        model: &Model,
         (t, states): (f64, &[BodyState]),
         bodies: &[usize],
         contacts: &[Touch],
         loads: &Loads,
     ) -> Result<Option<Self>, ResponseError> {
-        let frictional: Vec<_> = contacts.iter().map(|touch| Frictional::of(world, states, touch)).collect();
+        let frictional: Vec<_> = contacts.iter().map(|touch| Frictional::of(model, states, touch)).collect();
         let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
-        let mut assembly = Assembly::new(world, states, bodies, rows)?;
+        let mut assembly = Assembly::new(model, states, bodies, rows)?;
         let blocks = blocks_of(&mut assembly, states, (contacts, &frictional))?;
-        let FreeMotion { free, constants } = FreeMotion::of(&assembly, world, (t, states), contacts, loads)?;
+        let FreeMotion { free, constants } = FreeMotion::of(&assembly, model, (t, states), contacts, loads)?;
         let Some(held) = standing(&assembly, &blocks, (&free, &constants), &frictional)? else { return Ok(None) };
         let normal = held.reactions.iter().take(contacts.len()).copied().collect();
         let mut forces = assembly.of_tangents(&held.reactions);

@@ -5,6 +5,8 @@ use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, Reaction, apply_reactions, bilateral_support};
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
+use crate::model::states_of::{set_states, states_of};
 use crate::report::event::{Event, EventKind};
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use crate::rows::assembly::{Assembly, apply_impulses};
@@ -14,8 +16,6 @@ use crate::scene::{ImpactLaw, PropagationOrder};
 use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use crate::solve::frictional_impact::{self, Cause, FrictionalImpact, Restitution, rate_of_separation};
 use crate::solve::rotational_friction::{apply_moments, moment_support, moment_work};
-use crate::world::World;
-use crate::world::states_of::{set_states, states_of};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{self, Application, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus};
@@ -26,14 +26,14 @@ use std::ops::Range;
 /// Momentum that impulses or forces `p` (N s, N) along the normals of contacts give to the bodies that move, angular
 /// about a point: only contacts with immovable bodies contribute, since impulses between movable bodies cancel.
 pub(crate) fn support<'a>(
-    world: &World,
+    model: &Model,
     about: DVec3,
     contacts: impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)>,
 ) -> Momentum {
     let mut sum = MomentumSum::default();
     for (id, geometry, p) in contacts {
-        let second = id.second().is_some_and(|second| world.carries_momentum(second));
-        let sign = match (world.carries_momentum(id.a), second) {
+        let second = id.second().is_some_and(|second| model.carries_momentum(second));
+        let sign = match (model.carries_momentum(id.a), second) {
             (true, false) => 1.0,
             (false, true) => -1.0,
             _ => continue,
@@ -65,12 +65,12 @@ pub(crate) struct Struck {
 
 impl Struck {
     /// Work of prescribed motions and of surfaces that move, J.
-    pub(crate) fn work(&self, world: &World, states: &[BodyState], contacts: &[Touch]) -> f64 {
+    pub(crate) fn work(&self, model: &Model, states: &[BodyState], contacts: &[Touch]) -> f64 {
         let moments = self.moments.iter().copied();
-        world.prescribed_work(states, self.impulses(contacts.iter()))
-            + world.surface_work(states, self.along_tangents())
-            + moment_work(world, states, moments)
-            + world.driven_work(states, self.reactions())
+        model.prescribed_work(states, self.impulses(contacts.iter()))
+            + model.surface_work(states, self.along_tangents())
+            + moment_work(model, states, moments)
+            + model.driven_work(states, self.reactions())
     }
 
     /// The impulses of bilateral constraints.
@@ -79,17 +79,17 @@ impl Struck {
     }
 
     /// Momentum that contacts and bilateral constraints give to the bodies that move, angular about a point.
-    pub(crate) fn support(&self, world: &World, about: DVec3, contacts: &[Touch]) -> Momentum {
+    pub(crate) fn support(&self, model: &Model, about: DVec3, contacts: &[Touch]) -> Momentum {
         let moments = self.moments.iter().copied();
-        support(world, about, self.impulses(contacts.iter()))
+        support(model, about, self.impulses(contacts.iter()))
             + bilateral_support(about, self.reactions())
-            + moment_support(world, moments)
+            + moment_support(model, moments)
     }
 
     /// How far the impulses of contacts with friction, which are in the order of the impact, are from Coulomb's law.
     pub(crate) fn cone_violation(
         &self,
-        world: &World,
+        model: &Model,
         states: &[BodyState],
         contacts: &[Touch],
     ) -> Option<ConeViolation> {
@@ -99,7 +99,7 @@ impl Struck {
         };
         let rubbing = |own: &[(ContactId, ContactGeometry, f64)]| {
             let ((id, first, _), (_, last, _)) = (own.first()?, own.last()?);
-            let ellipse = world.friction_at(states, *id, [first.normal, last.normal])?.sliding;
+            let ellipse = model.friction_at(states, *id, [first.normal, last.normal])?.sliding;
             let tangential = ellipse.length(&own.iter().map(|(.., p)| *p).collect::<Vec<_>>());
             let friction = ellipse.largest();
             Some(RubbingForce { pair: (id.a, id.b), normal: normal_of(*id)?, tangential, friction })
@@ -128,10 +128,10 @@ impl Struck {
 const RATE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Largest speed of any point of some bodies, m/s, bounded by their sizes.
-fn largest_speed(world: &World, states: &[BodyState], bodies: &[usize]) -> f64 {
+fn largest_speed(model: &Model, states: &[BodyState], bodies: &[usize]) -> f64 {
     let speed = |&body: &usize| {
-        let velocity = world.velocity(body, &states[body]);
-        velocity.linear.length() + velocity.angular.length() * world.bodies[body].size
+        let velocity = model.velocity(body, &states[body]);
+        velocity.linear.length() + velocity.angular.length() * model.bodies[body].size
     };
     bodies.iter().map(speed).fold(0.0, f64::max)
 }
@@ -164,7 +164,7 @@ impl Gain {
 /// Applies impulses of contacts, of pivots and of moments (N m s, world, on A) to some bodies. Returns by how much the
 /// energy increased beyond the work of prescribed motions and of surfaces that move (`by_surfaces`, J).
 pub(crate) fn apply_with_gain<'a>(
-    world: &World,
+    model: &Model,
     states: &mut [BodyState],
     bodies: &[usize],
     (impulses, reactions): (
@@ -173,20 +173,20 @@ pub(crate) fn apply_with_gain<'a>(
     ),
     (moments, by_surfaces): (&[(ContactId, DVec3)], f64),
 ) -> Gain {
-    let kinetic = |states: &[BodyState]| bodies.iter().map(|&body| world.energies(body, &states[body]).0).sum::<f64>();
+    let kinetic = |states: &[BodyState]| bodies.iter().map(|&body| model.energies(body, &states[body]).0).sum::<f64>();
     let before = kinetic(states);
-    let by_moments = moment_work(world, states, moments.iter().copied());
-    let by_drivers = world.driven_work(states, reactions.clone());
-    let work = world.prescribed_work(states, impulses.clone()) + by_moments + by_surfaces + by_drivers;
-    apply_impulses(world, states, impulses);
-    apply_reactions(world, states, reactions);
-    apply_moments(world, states, moments.iter().copied());
+    let by_moments = moment_work(model, states, moments.iter().copied());
+    let by_drivers = model.driven_work(states, reactions.clone());
+    let work = model.prescribed_work(states, impulses.clone()) + by_moments + by_surfaces + by_drivers;
+    apply_impulses(model, states, impulses);
+    apply_reactions(model, states, reactions);
+    apply_moments(model, states, moments.iter().copied());
     Gain { gain_j: kinetic(states) - before - work, rounding_j: GAIN_ROUNDING * (before + work.abs()) }
 }
 
 /// As [`apply_with_gain`]. Returns whether no energy was added; otherwise the states are unchanged.
 pub(crate) fn apply_without_gain<'a>(
-    world: &World,
+    model: &Model,
     states: &mut [BodyState],
     bodies: &[usize],
     impulses: (
@@ -196,7 +196,7 @@ pub(crate) fn apply_without_gain<'a>(
     given: (&[(ContactId, DVec3)], f64),
 ) -> bool {
     let start = states_of(states, bodies);
-    let is_sound = !apply_with_gain(world, states, bodies, impulses, given).is_excess();
+    let is_sound = !apply_with_gain(model, states, bodies, impulses, given).is_excess();
     if !is_sound {
         set_states(states, bodies, &start);
     }
@@ -209,7 +209,7 @@ pub(crate) fn apply_without_gain<'a>(
 /// # Errors
 /// When the problem is not finite.
 pub(crate) fn strike(
-    world: &World,
+    model: &Model,
     states: &mut [BodyState],
     group: &Group,
     touches: &[Touch],
@@ -218,22 +218,22 @@ pub(crate) fn strike(
     solver: &mut ComplementaritySolver,
 ) -> Result<Struck, ResponseError> {
     let members: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
-    if frictional_impact::have_friction(world, &members) {
+    if frictional_impact::have_friction(model, &members) {
         let law = (law, Cause::Collision(settings.threshold));
-        return strike_with_friction(world, states, &group.bodies, &members, law);
+        return strike_with_friction(model, states, &group.bodies, &members, law);
     }
     let rows = members.iter().map(|touch| (touch.id, touch.kinematics.geometry));
-    let assembly = Assembly::new(world, states, &group.bodies, rows)?;
+    let assembly = Assembly::new(model, states, &group.bodies, rows)?;
     let before = assembly.rates(members.iter().map(|touch| touch.kinematics.separation_rate));
-    let mut restitution: Vec<f64> = members.iter().map(|touch| world.restitution_at(touch)).collect();
+    let mut restitution: Vec<f64> = members.iter().map(|touch| model.restitution_at(touch)).collect();
     // Bilateral constraints have no restitution.
     restitution.resize(before.len(), 0.0);
-    let row_law = law.of_rows(world.scene.method().pulse_exponent.unwrap_or_default());
-    let order = in_order(world, law, &members, before.len());
+    let row_law = law.of_rows(model.scene.method().pulse_exponent.unwrap_or_default());
+    let order = in_order(model, law, &members, before.len());
     let delassus = assembly.problem.delassus();
     // Bodies that fit exactly between others may appear to be compressed because of the rounding of velocities that
     // nearly cancel.
-    let noise_floor = RATE_ROUNDING * largest_speed(world, states, &group.bodies);
+    let noise_floor = RATE_ROUNDING * largest_speed(model, states, &group.bodies);
     let with_noise = ImpactSettings { solver: SolverSettings { noise_floor, ..settings.solver }, ..*settings };
     let contacts: Vec<_> = members.iter().map(|touch| (touch.id, touch.kinematics.geometry)).collect();
     let mut outcome = ImpactOutcome::default();
@@ -252,7 +252,7 @@ pub(crate) fn strike(
         if outcome.status != ImpactStatus::NotSolved {
             let impulses = contacts.iter().zip(&outcome.impulses).map(|((id, geometry), &p)| (*id, geometry, p));
             let reactions = assembly.reactions(&outcome.impulses);
-            if apply_without_gain(world, states, &group.bodies, (impulses, reactions), (&[], 0.0)) {
+            if apply_without_gain(model, states, &group.bodies, (impulses, reactions), (&[], 0.0)) {
                 break;
             }
         }
@@ -277,7 +277,7 @@ pub(crate) fn strike(
 /// # Errors
 /// When the problem is not finite.
 pub(crate) fn strike_with_friction(
-    world: &World,
+    model: &Model,
     states: &mut [BodyState],
     bodies: &[usize],
     members: &[Touch],
@@ -289,18 +289,18 @@ pub(crate) fn strike_with_friction(
     };
     let start = states_of(states, bodies);
     let approach = members.iter().map(|touch| -touch.kinematics.separation_rate).fold(0.0, f64::max);
-    let slow = world.velocity_rounding(states, bodies) + LEFT_APPROACHING * approach;
+    let slow = model.velocity_rounding(states, bodies) + LEFT_APPROACHING * approach;
     loop {
         let mut places: Vec<usize> = (0..members.len()).filter(|&place| taken[place]).collect();
         let order = match law.1 {
-            Cause::Collision(_) => in_order(world, law.0, members, members.len()),
+            Cause::Collision(_) => in_order(model, law.0, members, members.len()),
             Cause::Jam(..) => None,
         };
         if let Some(order) = &order {
             places = order.iter().copied().filter(|&place| taken[place]).collect();
         }
         let some: Vec<Touch> = places.iter().map(|&place| members[place]).collect();
-        let mut struck = strike_all_with_friction(world, states, bodies, &some, law)?;
+        let mut struck = strike_all_with_friction(model, states, bodies, &some, law)?;
         if places.len() == members.len() {
             if order.is_some() {
                 let rates = struck.outcome.velocities_after[..members.len()].to_vec();
@@ -308,7 +308,7 @@ pub(crate) fn strike_with_friction(
             }
             return Ok(struck);
         }
-        let rates: Vec<f64> = members.iter().map(|touch| rate_of_separation(world, states, touch)).collect();
+        let rates: Vec<f64> = members.iter().map(|touch| rate_of_separation(model, states, touch)).collect();
         if struck.outcome.status == ImpactStatus::NotSolved || !take_fastest(members, &rates, slow, &mut taken) {
             among(&mut struck.outcome, &places, &rates);
             return Ok(struck);
@@ -319,13 +319,13 @@ pub(crate) fn strike_with_friction(
 
 /// The order in which propagation strikes contacts, of this many rows with those of joints after them; none for that of
 /// their keys, and for another law.
-fn in_order(world: &World, law: ImpactLaw, members: &[Touch], rows: usize) -> Option<Vec<usize>> {
+fn in_order(model: &Model, law: ImpactLaw, members: &[Touch], rows: usize) -> Option<Vec<usize>> {
     if law != ImpactLaw::Propagation {
         return None;
     }
     let mut order: Vec<usize> = (0..rows).collect();
     let contacts = &mut order[..members.len()];
-    match world.scene.method().propagation_order.unwrap_or_default() {
+    match model.scene.method().propagation_order.unwrap_or_default() {
         PropagationOrder::Key => return None,
         PropagationOrder::Depth => contacts.sort_by(|&x, &y| {
             let depth = |row: usize| members[row].kinematics.geometry.separation;
@@ -402,14 +402,14 @@ fn pairs(members: &[Touch]) -> impl Iterator<Item = Range<usize>> + '_ {
 
 /// [`strike_with_friction`] of all these contacts.
 fn strike_all_with_friction(
-    world: &World,
+    model: &Model,
     states: &mut [BodyState],
     bodies: &[usize],
     members: &[Touch],
     law: (ImpactLaw, Cause<'_>),
 ) -> Result<Struck, ResponseError> {
     let FrictionalImpact { assembly, outcome, tangential, moments, friction_work_j, restitution } =
-        frictional_impact::solve(world, states, bodies, members, law)?;
+        frictional_impact::solve(model, states, bodies, members, law)?;
     let bilaterals = assembly.reactions(&outcome.impulses).map(|(of, impulse)| (of.clone(), impulse)).collect();
     let constraints = outcome.applications.iter().map(|application| assembly.constraint(application.row)).collect();
     let friction_j = -friction_work_j;
@@ -418,13 +418,13 @@ fn strike_all_with_friction(
         let impulses = struck.impulses(members.iter());
         let reactions = struck.reactions();
         if restitution == Restitution::RaisesEnergy {
-            apply_impulses(world, states, impulses);
-            apply_reactions(world, states, reactions);
-            apply_moments(world, states, struck.moments.iter().copied());
+            apply_impulses(model, states, impulses);
+            apply_reactions(model, states, reactions);
+            apply_moments(model, states, struck.moments.iter().copied());
             return Ok(struck);
         }
-        let by_surfaces = world.surface_work(states, struck.along_tangents());
-        if apply_without_gain(world, states, bodies, (impulses, reactions), (&struck.moments, by_surfaces)) {
+        let by_surfaces = model.surface_work(states, struck.along_tangents());
+        if apply_without_gain(model, states, bodies, (impulses, reactions), (&struck.moments, by_surfaces)) {
             return Ok(struck);
         }
     }

@@ -6,9 +6,9 @@ use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::ties::LoadOfTie;
 use crate::identity::contact_id::ContactId;
 use crate::identity::joint_id::JointId;
+use crate::model::Model;
 use crate::report::frame::JointView;
 use crate::rows::assembly::Assembly;
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
@@ -24,13 +24,13 @@ pub(crate) struct ContactForce {
 /// What the joints of a group bear, by their numbers, from the forces of all rows of its assembly and those of its
 /// contacts.
 pub(crate) fn joint_loads(
-    world: &World,
+    model: &Model,
     states: &[BodyState],
     (assembly, forces): (&Assembly, &[f64]),
     contacts: impl Iterator<Item = ContactForce>,
 ) -> BTreeMap<usize, JointView> {
     let mut views: BTreeMap<usize, JointView> = BTreeMap::new();
-    add_joint_loads(&mut views, world, states, (assembly.reactions(forces), contacts));
+    add_joint_loads(&mut views, model, states, (assembly.reactions(forces), contacts));
     views
 }
 
@@ -38,7 +38,7 @@ pub(crate) fn joint_loads(
 /// springs and motors, which are no part of what a joint bears.
 pub(crate) fn add_joint_loads<'a>(
     views: &mut BTreeMap<usize, JointView>,
-    world: &World,
+    model: &Model,
     states: &[BodyState],
     (reactions, contacts): (impl Iterator<Item = (&'a Bilateral, Reaction)>, impl Iterator<Item = ContactForce>),
 ) {
@@ -50,16 +50,16 @@ pub(crate) fn add_joint_loads<'a>(
             own.force_n += reaction.force;
             own.moment_n_m += reaction.moment;
         }
-        for LoadOfTie { joint, point, force, moment } in world.joint_loads_of_tie(of, reaction) {
+        for LoadOfTie { joint, point, force, moment } in model.joint_loads_of_tie(of, reaction) {
             let own = views.entry(joint).or_insert_with(|| joint_view(joint, point, none));
             own.force_n += force;
             own.moment_n_m += moment + (point - own.point_m).cross(force);
         }
     }
     for ContactForce { id, point, force } in contacts {
-        let Some((joint, force)) = world.joint_force_of(id, force) else { continue };
-        let anchor = world.joints.iter().find(|own| own.number() == joint);
-        let anchor = anchor.map_or(point, |own| world.anchor_of(states, own));
+        let Some((joint, force)) = model.joint_force_of(id, force) else { continue };
+        let anchor = model.joints.iter().find(|own| own.number() == joint);
+        let anchor = anchor.map_or(point, |own| model.anchor_of(states, own));
         let own = views.entry(joint).or_insert_with(|| joint_view(joint, anchor, none));
         own.force_n += force;
         own.moment_n_m += (point - own.point_m).cross(force);
@@ -72,9 +72,9 @@ pub(crate) fn joint_view(joint: usize, point_m: DVec3, (force_n, moment_n_m): (D
 }
 
 /// The joints among these that bear as much as they can.
-pub(crate) fn overloaded(world: &World, loads: &BTreeMap<usize, JointView>) -> Vec<usize> {
+pub(crate) fn overloaded(model: &Model, loads: &BTreeMap<usize, JointView>) -> Vec<usize> {
     let is_over = |(joint, load): (&usize, &JointView)| {
-        let used = world.strength_of(*joint)?.used(load.force_n.length(), load.moment_n_m.length());
+        let used = model.strength_of(*joint)?.used(load.force_n.length(), load.moment_n_m.length());
         (used >= 1.0).then_some(*joint)
     };
     loads.iter().filter_map(is_over).collect()

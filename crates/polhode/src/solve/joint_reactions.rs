@@ -5,9 +5,9 @@
 //! everywhere. Where rows depend on each other the least reactions are taken. How it fails: a state that is not finite.
 
 use crate::constraint::bilateral::{Bilateral, Reaction};
+use crate::model::{Loads, Model};
 use crate::rows::assembly::Assembly;
 use crate::solve::jointed::trees_of;
-use crate::world::{Loads, World};
 use polhode_dynamics::BodyState;
 use polhode_response::{LeastNormHold, ResponseError};
 
@@ -25,14 +25,14 @@ impl JointReactions {
     /// # Errors
     /// When a number is not finite.
     pub(crate) fn solve(
-        world: &World,
+        model: &Model,
         (t, states): (f64, &[BodyState]),
         bodies: &[usize],
         loads: &Loads,
     ) -> Result<Self, ResponseError> {
-        let assembly = Assembly::new(world, states, bodies, std::iter::empty())?;
-        let free = assembly.free_accelerations(world, states, loads);
-        let constants = assembly.acceleration_constants(world, t, states, &free, std::iter::empty())?;
+        let assembly = Assembly::new(model, states, bodies, std::iter::empty())?;
+        let free = assembly.free_accelerations(model, states, loads);
+        let constants = assembly.acceleration_constants(model, t, states, &free, std::iter::empty())?;
         let problem = &assembly.problem;
         let forces = if let Some(forest) = trees_of(&assembly) {
             let of_others = if forest.others().is_empty() {

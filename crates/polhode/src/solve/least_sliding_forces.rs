@@ -7,10 +7,10 @@
 //! decides.
 
 use crate::collision::contact_set::Touch;
+use crate::model::Model;
 use crate::rows::assembly::Assembly;
 use crate::rows::friction_blocks::push_contact;
 use crate::scene::FrictionEllipse;
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::{
     Blocks, Delassus, Law, LeastNormForces, ResponseError, SlidingRow, least_forces_in_cones,
@@ -190,7 +190,7 @@ pub(crate) struct LeastSlidingForces {
 /// # Errors
 /// When a number is not finite.
 pub(crate) fn least_sliding_forces(
-    (world, states, contacts): (&World, &[BodyState], &[Touch]),
+    (model, states, contacts): (&Model, &[BodyState], &[Touch]),
     assembly: &Assembly,
     constants: &[f64],
     friction: &[RowFriction],
@@ -199,7 +199,7 @@ pub(crate) fn least_sliding_forces(
     let first_tangent = assembly.first_tangent();
     let RowOrder { order, held, sliding, sticks } = RowOrder::new(first_tangent, friction);
     let normals = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
-    let mut ordered = Assembly::new(world, states, assembly.bodies(), normals)?;
+    let mut ordered = Assembly::new(model, states, assembly.bodies(), normals)?;
     let tangents = order.iter().filter_map(|row| assembly.tangents().get(row.checked_sub(first_tangent)?)).copied();
     ordered.push_tangents(states, tangents)?;
     let delassus = ordered.problem.delassus();

@@ -12,8 +12,8 @@
 
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::Reaction;
+use crate::model::Model;
 use crate::rows::assembly::Assembly;
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::{LeastNormHold, ResponseError};
 use polhode_spatial::DVec3;
@@ -26,12 +26,12 @@ const OPEN_PART: f64 = 1e-4;
 ///
 /// # Errors
 /// When a number is not finite.
-pub(crate) fn leave_open(world: &World, states: &[BodyState], bodies: &[usize]) -> Result<bool, ResponseError> {
-    let bearings = world.bearings_among(states, bodies);
-    if bearings.is_empty() || !world.has_loops_among(bodies) {
+pub(crate) fn leave_open(model: &Model, states: &[BodyState], bodies: &[usize]) -> Result<bool, ResponseError> {
+    let bearings = model.bearings_among(states, bodies);
+    if bearings.is_empty() || !model.has_loops_among(bodies) {
         return Ok(false);
     }
-    let assembly = Assembly::new(world, states, bodies, std::iter::empty())?;
+    let assembly = Assembly::new(model, states, bodies, std::iter::empty())?;
     let delassus = assembly.problem.delassus();
     let hold = LeastNormHold::factor(&delassus)?;
     let multipliers = |bearing: ConstraintId, force: DVec3| -> Vec<f64> {

@@ -13,12 +13,12 @@
 
 use crate::constraint::bilateral::Bilateral;
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
+use crate::model::states_of::states_of;
 use crate::rows::assembly::{Assembly, largest_change};
 use crate::rows::friction_blocks::push_held;
 use crate::rows::groups::groups;
 use crate::solve::jointed::trees_of;
-use crate::world::World;
-use crate::world::states_of::states_of;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::sparse::{BodySettings, BodySolver};
@@ -104,23 +104,23 @@ pub(crate) struct Overlaps {
 
 impl Overlaps {
     /// Those of `pairs` at these states.
-    pub(crate) fn find(world: &World, states: &[BodyState], pairs: &[(usize, usize)]) -> Self {
-        Self::within(world, states, pairs, 0.0)
+    pub(crate) fn find(model: &Model, states: &[BodyState], pairs: &[(usize, usize)]) -> Self {
+        Self::within(model, states, pairs, 0.0)
     }
 
     /// With contacts up to a distance (m) beyond the touch distance: bodies displaced by as much may reach them.
-    fn within(world: &World, states: &[BodyState], pairs: &[(usize, usize)], beyond: f64) -> Self {
+    fn within(model: &Model, states: &[BodyState], pairs: &[(usize, usize)], beyond: f64) -> Self {
         let mut found = Self::default();
         for &(a, b) in pairs {
-            let reach = world.touch_distance(states, a, b) + beyond;
-            for touch in world.pair_at_poses(states, a, b, reach).contacts {
+            let reach = model.touch_distance(states, a, b) + beyond;
+            for touch in model.pair_at_poses(states, a, b, reach).contacts {
                 let overlap = Overlap { id: touch.id, geometry: touch.kinematics.geometry };
-                if lies_on_features(world, states, touch.id, &overlap.geometry)
+                if lies_on_features(model, states, touch.id, &overlap.geometry)
                     && -overlap.geometry.separation > found.deepest_m
                 {
                     (found.deepest_m, found.deepest) = (-overlap.geometry.separation, Some(touch.id));
                 }
-                found.is_excess |= is_excess(world, states, overlap.id, &overlap.geometry);
+                found.is_excess |= is_excess(model, states, overlap.id, &overlap.geometry);
                 found.contacts.push(overlap);
             }
         }
@@ -128,10 +128,10 @@ impl Overlaps {
     }
 
     /// The contacts whose bodies overlap by more than this part of the smaller body's size, and by how much, m.
-    pub(crate) fn deeper_than(&self, world: &World, states: &[BodyState], part: f64) -> Vec<(ContactId, f64)> {
+    pub(crate) fn deeper_than(&self, model: &Model, states: &[BodyState], part: f64) -> Vec<(ContactId, f64)> {
         let deep = |overlap: &&Overlap| {
             let Overlap { id, geometry } = overlap;
-            -geometry.separation > part * world.pair_size(id.a, id.b) && lies_on_features(world, states, *id, geometry)
+            -geometry.separation > part * model.pair_size(id.a, id.b) && lies_on_features(model, states, *id, geometry)
         };
         self.contacts.iter().filter(deep).map(|overlap| (overlap.id, -overlap.geometry.separation)).collect()
     }
@@ -143,7 +143,7 @@ impl Overlaps {
     /// When a number is not finite.
     pub(crate) fn remove(
         mut self,
-        world: &World,
+        model: &Model,
         states: &mut [BodyState],
         (bodies, pairs): (&[usize], &[(usize, usize)]),
         (solver, delassus): (&mut ComplementaritySolver, &mut Delassus),
@@ -152,24 +152,24 @@ impl Overlaps {
         let mut earlier: Vec<Earlier> = Vec::new();
         let mut fallbacks = 0;
         for round in 0..MOST_ROUNDS {
-            if !self.is_excess && (round == 0 || open_joint(world, states, bodies) == 0.0) {
+            if !self.is_excess && (round == 0 || open_joint(model, states, bodies) == 0.0) {
                 break;
             }
-            let jumped = earlier.iter().filter(|old| !self.has_at_place(world, old.overlap));
+            let jumped = earlier.iter().filter(|old| !self.has_at_place(model, old.overlap));
             let carried: Vec<Overlap> = jumped.map(|old| old.carried(states)).collect();
             earlier.extend(self.contacts.iter().map(|&overlap| Earlier::new(overlap, states)));
             let mut rows = std::mem::take(&mut self.contacts);
             rows.extend(carried);
-            fallbacks += move_out(world, states, &rows, (&mut *solver, &mut *delassus))?;
-            self = Self::within(world, states, pairs, self.deepest_m);
+            fallbacks += move_out(model, states, &rows, (&mut *solver, &mut *delassus))?;
+            self = Self::within(model, states, pairs, self.deepest_m);
         }
-        let moved = bodies.iter().zip(&start).map(|(&body, start)| displacement(world, body, start, &states[body]));
+        let moved = bodies.iter().zip(&start).map(|(&body, start)| displacement(model, body, start, &states[body]));
         Ok(Removed { left_m: self.deepest_m, moved_m: moved.fold(0.0, f64::max), fallbacks })
     }
 
     /// Whether a contact is among these, at its old point.
-    fn has_at_place(&self, world: &World, old: Overlap) -> bool {
-        let near = MOVED_AWAY_RELATIVE * world.pair_size(old.id.a, old.id.b);
+    fn has_at_place(&self, model: &Model, old: Overlap) -> bool {
+        let near = MOVED_AWAY_RELATIVE * model.pair_size(old.id.a, old.id.b);
         let same = |now: &&Overlap| now.id == old.id && now.geometry.point.distance(old.geometry.point) <= near;
         let pair = |of: &Overlap| (of.id.a, of.id.b);
         // Pairs are in ascending order.
@@ -180,25 +180,25 @@ impl Overlaps {
 
 /// One round. Returns the number of problems that were not solved to their tolerance.
 fn move_out(
-    world: &World,
+    model: &Model,
     states: &mut [BodyState],
     rows: &[Overlap],
     (solver, delassus): (&mut ComplementaritySolver, &mut Delassus),
 ) -> Result<u64, ResponseError> {
     let mut fallbacks = 0;
-    for group in groups(world, rows.iter().enumerate().map(|(index, row)| (index, row.id.a, row.id.b))) {
+    for group in groups(model, rows.iter().enumerate().map(|(index, row)| (index, row.id.a, row.id.b))) {
         let members: Vec<Overlap> = group.contacts.iter().map(|&index| rows[index]).collect();
-        let open_joint = open_joint(world, states, &group.bodies);
-        if open_joint == 0.0 && !members.iter().any(|row| is_excess(world, states, row.id, &row.geometry)) {
+        let open_joint = open_joint(model, states, &group.bodies);
+        if open_joint == 0.0 && !members.iter().any(|row| is_excess(model, states, row.id, &row.geometry)) {
             continue;
         }
         let geometries = members.iter().map(|row| (row.id, row.geometry));
-        let assembly = Assembly::new(world, states, &group.bodies, geometries)?;
+        let assembly = Assembly::new(model, states, &group.bodies, geometries)?;
         let separations = assembly.gaps(members.iter().map(|row| row.geometry.separation));
-        let forces = if let Some(found) = forces_of_many(&assembly, &separations, accuracy(world, &members))? {
+        let forces = if let Some(found) = forces_of_many(&assembly, &separations, accuracy(model, &members))? {
             found
         } else {
-            let roundings = members.iter().map(|row| world.rounding(states, row.id.a, row.id.b));
+            let roundings = members.iter().map(|row| model.rounding(states, row.id.a, row.id.b));
             let noise_floor = LEFT_ROUNDING * roundings.fold(f64::INFINITY, f64::min);
             solver.set_settings(SolverSettings { noise_floor, ..SolverSettings::default() });
             let solution = if let Some(forest) = trees_of(&assembly) {
@@ -211,12 +211,12 @@ fn move_out(
             solution.forces
         };
         let response = assembly.problem.response(&forces)?;
-        let share = share_of_move(world, (&members, open_joint), assembly.split(&response));
+        let share = share_of_move(model, (&members, open_joint), assembly.split(&response));
         for (body, linear, angular) in assembly.split(&response) {
             let pose = &mut states[body].pose;
             pose.translation += linear * share;
             pose.rotation = Rotation::from_rotation_vector(angular * share) * pose.rotation;
-            world.keep_in_plane(body, &mut states[body]);
+            model.keep_in_plane(body, &mut states[body]);
         }
     }
     Ok(fallbacks)
@@ -225,8 +225,8 @@ fn move_out(
 /// How exactly a round is worth being solved, relative to its largest overlap (no unit). What turning normals leave of
 /// an overlap `d` of bodies of size `r` is about `d^2 / r`, and what may be left is a part of `r`: the next round
 /// removes either.
-fn accuracy(world: &World, rows: &[Overlap]) -> f64 {
-    let part = |row: &Overlap| -row.geometry.separation / world.pair_size(row.id.a, row.id.b);
+fn accuracy(model: &Model, rows: &[Overlap]) -> f64 {
+    let part = |row: &Overlap| -row.geometry.separation / model.pair_size(row.id.a, row.id.b);
     let deepest = rows.iter().map(part).fold(LEFT_OVERLAP_RELATIVE, f64::max);
     SHARE_OF_ROUND * deepest.max(LEFT_OVERLAP_RELATIVE / deepest).min(1.0)
 }
@@ -254,37 +254,37 @@ fn forces_of_many(assembly: &Assembly, separations: &[f64], accuracy: f64) -> Re
 /// walls leave a penetration `d` by a lateral displacement of `sqrt(d r)`, with their size `r`. The linearised problem
 /// overestimates it: the straighter the row, the larger its lateral displacement, without bound.
 fn share_of_move(
-    world: &World,
+    model: &Model,
     (rows, open_joint): (&[Overlap], f64),
     changes: impl Iterator<Item = (usize, DVec3, DVec3)>,
 ) -> f64 {
     let deepest = rows.iter().map(|row| -row.geometry.separation).fold(open_joint, f64::max);
-    let size = rows.iter().map(|row| world.pair_size(row.id.a, row.id.b)).fold(f64::INFINITY, f64::min);
-    ((deepest * size).sqrt() / largest_change(world, changes).max(f64::MIN_POSITIVE)).min(1.0)
+    let size = rows.iter().map(|row| model.pair_size(row.id.a, row.id.b)).fold(f64::INFINITY, f64::min);
+    ((deepest * size).sqrt() / largest_change(model, changes).max(f64::MIN_POSITIVE)).min(1.0)
 }
 
 /// The largest gap (m) of the pivots and joints of some bodies that is more than rounding; zero if none is.
-fn open_joint(world: &World, states: &[BodyState], bodies: &[usize]) -> f64 {
+fn open_joint(model: &Model, states: &[BodyState], bodies: &[usize]) -> f64 {
     let open = |bilateral: &Bilateral| {
         let (a, b) = bilateral.id.bodies();
-        bilateral.gap() > LEFT_ROUNDING * world.rounding(states, a, b)
+        bilateral.gap() > LEFT_ROUNDING * model.rounding(states, a, b)
     };
-    world.bilaterals(states, bodies).filter(open).map(|bilateral| bilateral.gap()).fold(0.0, f64::max)
+    model.bilaterals(states, bodies).filter(open).map(|bilateral| bilateral.gap()).fold(0.0, f64::max)
 }
 
 /// Whether a contact penetrates by more than may remain.
-pub(crate) fn is_excess(world: &World, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> bool {
-    let left = LEFT_OVERLAP_RELATIVE * world.pair_size(id.a, id.b) + LEFT_ROUNDING * world.rounding(states, id.a, id.b);
-    lies_on_features(world, states, id, geometry) && geometry.separation < -left
+pub(crate) fn is_excess(model: &Model, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> bool {
+    let left = LEFT_OVERLAP_RELATIVE * model.pair_size(id.a, id.b) + LEFT_ROUNDING * model.rounding(states, id.a, id.b);
+    lies_on_features(model, states, id, geometry) && geometry.separation < -left
 }
 
 /// A contact point outside its features measures no penetration; one at their boundary, within rounding, does.
-fn lies_on_features(world: &World, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> bool {
-    geometry.margin >= -world.rounding(states, id.a, id.b)
+fn lies_on_features(model: &Model, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> bool {
+    geometry.margin >= -model.rounding(states, id.a, id.b)
 }
 
 /// How far any point of a body has moved, m, bounded by its size.
-pub(crate) fn displacement(world: &World, body: usize, from: &BodyState, to: &BodyState) -> f64 {
+pub(crate) fn displacement(model: &Model, body: usize, from: &BodyState, to: &BodyState) -> f64 {
     let turn = (to.pose.rotation * from.pose.rotation.inverse()).to_rotation_vector();
-    (to.pose.translation - from.pose.translation).length() + turn.length() * world.bodies[body].size
+    (to.pose.translation - from.pose.translation).length() + turn.length() * model.bodies[body].size
 }

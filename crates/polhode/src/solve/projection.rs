@@ -9,13 +9,13 @@ use crate::collision::turn::Turn;
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, Reaction, apply_reactions};
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
+use crate::model::states_of::{set_states, states_of};
 use crate::rows::assembly::{Assembly, TangentRow, apply_impulses, largest_change};
 use crate::rows::rotation_row::RotationRow;
 use crate::solve::jointed::trees_of;
 use crate::solve::overlap::Overlaps;
 use crate::solve::rotational_friction::{apply_moments, moment_work};
-use crate::world::World;
-use crate::world::states_of::{set_states, states_of};
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::sparse::HeldForest;
@@ -117,14 +117,14 @@ pub(crate) struct Projected<'a> {
 /// # Errors
 /// When the state is not finite.
 pub(crate) fn project(
-    world: &World,
+    model: &Model,
     states: &mut [BodyState],
     bodies: &[usize],
     Projected { touching, held, sticking, turns }: Projected<'_>,
     (tolerance, solver): (f64, &mut ComplementaritySolver),
 ) -> Result<Projection, ResponseError> {
     let start = states_of(states, bodies);
-    let mut done = project_positions(world, states, bodies, touching)?;
+    let mut done = project_positions(model, states, bodies, touching)?;
     if done.exceeds_tolerance || done.is_partial || !(done.jumped.is_empty() && done.unconverged.is_empty()) {
         let is_contact = |constraint: &ConstraintId| constraint.contact().is_some();
         let contradict = done.jumped.is_empty() && done.unconverged.iter().any(is_contact);
@@ -137,40 +137,40 @@ pub(crate) fn project(
         let mut pairs: Vec<_> = touching.iter().map(|id| (id.a, id.b)).collect();
         pairs.sort_unstable();
         pairs.dedup();
-        done.moved_m += remove_overlap(world, states, bodies, &pairs, solver)?.moved_m;
+        done.moved_m += remove_overlap(model, states, bodies, &pairs, solver)?.moved_m;
         if contradict {
             // A gap may remain then, a penetration may not.
-            done.unconverged.retain(|constraint| constraint.contact().is_none_or(|id| penetrates(world, states, id)));
+            done.unconverged.retain(|constraint| constraint.contact().is_none_or(|id| penetrates(model, states, id)));
         }
     }
     let (jumped, drifting): (Vec<_>, Vec<_>) = held.iter().copied().partition(|&id| {
-        let kinematics = world.kinematics(states, id);
-        kinematics.is_some_and(|kinematics| rate_exceeds_drift(world, states, id, &kinematics, tolerance))
+        let kinematics = model.kinematics(states, id);
+        kinematics.is_some_and(|kinematics| rate_exceeds_drift(model, states, id, &kinematics, tolerance))
     });
     done.jumped.extend(jumped.into_iter().map(ConstraintId::Contact));
     done.jumped.dedup_by_key(|contact| contact.bodies());
-    let removed = project_velocities(world, states, bodies, (&drifting, sticking, turns), Removal::OfDrift)?;
+    let removed = project_velocities(model, states, bodies, (&drifting, sticking, turns), Removal::OfDrift)?;
     done.farthest = done.farthest.or(removed.fastest);
     done.work_j = removed.work_j;
     Ok(done)
 }
 
 /// Whether a contact penetrates by more than a projection may leave.
-fn penetrates(world: &World, states: &[BodyState], id: ContactId) -> bool {
-    let left = UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b) + world.rounding(states, id.a, id.b);
-    world.kinematics(states, id).is_some_and(|kinematics| kinematics.geometry.separation < -left)
+fn penetrates(model: &Model, states: &[BodyState], id: ContactId) -> bool {
+    let left = UNCONVERGED_RELATIVE * model.pair_size(id.a, id.b) + model.rounding(states, id.a, id.b);
+    model.kinematics(states, id).is_some_and(|kinematics| kinematics.geometry.separation < -left)
 }
 
 /// Whether a held contact approaches or separates faster than the drift of a step within `tolerance`: its point has
 /// jumped.
 pub(crate) fn rate_exceeds_drift(
-    world: &World,
+    model: &Model,
     states: &[BodyState],
     id: ContactId,
     kinematics: &ContactKinematics,
     tolerance: f64,
 ) -> bool {
-    let limit = JUMPED_SPEED.max(tolerance) * speed_of_pair(world, states, id);
+    let limit = JUMPED_SPEED.max(tolerance) * speed_of_pair(model, states, id);
     kinematics.separation_rate.abs() > limit
 }
 
@@ -179,24 +179,24 @@ pub(crate) fn rate_exceeds_drift(
 /// # Errors
 /// When the state is not finite.
 pub(crate) fn remove_overlap(
-    world: &World,
+    model: &Model,
     states: &mut [BodyState],
     bodies: &[usize],
     pairs: &[(usize, usize)],
     solver: &mut ComplementaritySolver,
 ) -> Result<Projection, ResponseError> {
-    let overlaps = Overlaps::find(world, states, pairs);
+    let overlaps = Overlaps::find(model, states, pairs);
     let farthest = overlaps.deepest.map(ConstraintId::Contact);
-    let removed = overlaps.remove(world, states, (bodies, pairs), (solver, &mut Delassus::default()))?;
+    let removed = overlaps.remove(model, states, (bodies, pairs), (solver, &mut Delassus::default()))?;
     Ok(Projection { moved_m: removed.moved_m, farthest, ..Projection::default() })
 }
 
 /// Sum of the speeds of a contact's bodies and of a fall over their size, m/s.
-fn speed_of_pair(world: &World, states: &[BodyState], id: ContactId) -> f64 {
-    let fall = (world.gravity().length() * world.pair_size(id.a, id.b)).sqrt();
+fn speed_of_pair(model: &Model, states: &[BodyState], id: ContactId) -> f64 {
+    let fall = (model.gravity().length() * model.pair_size(id.a, id.b)).sqrt();
     let speed = |body: usize| {
-        let velocity = world.velocity(body, &states[body]);
-        velocity.linear.length() + velocity.angular.length() * world.bodies[body].size
+        let velocity = model.velocity(body, &states[body]);
+        velocity.linear.length() + velocity.angular.length() * model.bodies[body].size
     };
     fall + speed(id.a) + speed(id.b)
 }
@@ -206,7 +206,7 @@ fn speed_of_pair(world: &World, states: &[BodyState], id: ContactId) -> f64 {
 /// # Errors
 /// When the state is not finite.
 pub(crate) fn project_positions(
-    world: &World,
+    model: &Model,
     states: &mut [BodyState],
     bodies: &[usize],
     contacts: &[ContactId],
@@ -218,19 +218,19 @@ pub(crate) fn project_positions(
         |(id, geometry): &(ContactId, ContactGeometry)| (geometry.separation.abs(), ConstraintId::Contact(*id));
     let most = if contacts.is_empty() { MAX_CLOSING_STEPS } else { MAX_NEWTON_STEPS };
     for step in 0..=most {
-        let geometries = contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?.geometry)));
+        let geometries = contacts.iter().filter_map(|&id| Some((id, model.kinematics(states, id)?.geometry)));
         let drifted = |(id, geometry): &(ContactId, ContactGeometry)| {
-            geometry.separation.abs() <= JUMPED_RELATIVE * world.pair_size(id.a, id.b)
+            geometry.separation.abs() <= JUMPED_RELATIVE * model.pair_size(id.a, id.b)
         };
         let (geometries, jumped): (Vec<_>, Vec<_>) = geometries.partition(drifted);
         done.jumped.extend(jumped.iter().map(|(id, _)| ConstraintId::Contact(*id)));
         let at_rounding = geometries
             .iter()
-            .all(|(id, geometry)| geometry.separation.abs() <= ROUNDING_FRACTION * world.rounding(states, id.a, id.b));
-        let bilaterals: Vec<Bilateral> = world.bilaterals(states, bodies).collect();
+            .all(|(id, geometry)| geometry.separation.abs() <= ROUNDING_FRACTION * model.rounding(states, id.a, id.b));
+        let bilaterals: Vec<Bilateral> = model.bilaterals(states, bodies).collect();
         let is_in_place = |bilateral: &Bilateral| {
             let (a, b) = bilateral.id.bodies();
-            bilateral.gap() <= ROUNDING_FRACTION * world.rounding(states, a, b)
+            bilateral.gap() <= ROUNDING_FRACTION * model.rounding(states, a, b)
         };
         // After a partial projection separations within the touch distance remain, and repetition would not reduce
         // them.
@@ -240,10 +240,10 @@ pub(crate) fn project_positions(
         if step == most {
             let is_unconverged = |(id, geometry): &&(ContactId, ContactGeometry)| {
                 geometry.separation.abs()
-                    > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b) + world.rounding(states, id.a, id.b)
+                    > UNCONVERGED_RELATIVE * model.pair_size(id.a, id.b) + model.rounding(states, id.a, id.b)
             };
             done.unconverged.extend(geometries.iter().filter(is_unconverged).map(|(id, _)| ConstraintId::Contact(*id)));
-            done.unconverged.extend(unconverged_bilaterals(world, states, bodies));
+            done.unconverged.extend(unconverged_bilaterals(model, states, bodies));
             break;
         }
         if done.farthest.is_none() {
@@ -252,24 +252,24 @@ pub(crate) fn project_positions(
         }
         done.exceeds_tolerance |= geometries
             .iter()
-            .any(|(id, geometry)| geometry.separation.abs() > UNCONVERGED_RELATIVE * world.pair_size(id.a, id.b));
-        let opened = opened(world, &bilaterals);
-        let assembly = Assembly::with_bilaterals(world, (states, bodies), geometries.iter().copied(), bilaterals)?;
+            .any(|(id, geometry)| geometry.separation.abs() > UNCONVERGED_RELATIVE * model.pair_size(id.a, id.b));
+        let opened = opened(model, &bilaterals);
+        let assembly = Assembly::with_bilaterals(model, (states, bodies), geometries.iter().copied(), bilaterals)?;
         let separations = assembly.gaps(geometries.iter().map(|(_, g)| g.separation));
-        let size = geometries.iter().map(|(id, _)| world.pair_size(id.a, id.b)).fold(f64::INFINITY, f64::min);
+        let size = geometries.iter().map(|(id, _)| model.pair_size(id.a, id.b)).fold(f64::INFINITY, f64::min);
         // All Newton steps share one allowance; otherwise nearly dependent rows could use all of it in every step.
         let allowance = *allowance.get_or_insert_with(|| allowed_change(&separations, size));
         let displacement =
-            largest_change(world, moved.iter().map(|(&body, &(linear, angular))| (body, linear, angular)));
+            largest_change(model, moved.iter().map(|(&body, &(linear, angular))| (body, linear, angular)));
         let allowed = (allowance - displacement).max(0.0);
         let limits = Limits { allowed, negligible: NEGLIGIBLE_RELATIVE * size, opened };
-        let (multipliers, is_partial) = cancel(world, &assembly, &separations, limits)?;
+        let (multipliers, is_partial) = cancel(model, &assembly, &separations, limits)?;
         done.is_partial |= is_partial;
         move_by(states, &mut moved, assembly.split(&assembly.problem.response(&multipliers)?));
     }
     done.jumped.dedup_by_key(|contact| contact.bodies());
     done.unconverged.dedup_by_key(|constraint| constraint.bodies());
-    done.moved_m = largest_change(world, moved.into_iter().map(|(body, (linear, angular))| (body, linear, angular)));
+    done.moved_m = largest_change(model, moved.into_iter().map(|(body, (linear, angular))| (body, linear, angular)));
     Ok(done)
 }
 
@@ -289,10 +289,10 @@ fn move_by(
 }
 
 /// The largest gap of these constraints in relation to the size of their bodies (no unit).
-fn opened(world: &World, bilaterals: &[Bilateral]) -> f64 {
+fn opened(model: &Model, bilaterals: &[Bilateral]) -> f64 {
     let of = |bilateral: &Bilateral| {
         let (a, b) = bilateral.id.bodies();
-        let size = world.pair_size(a, b);
+        let size = model.pair_size(a, b);
         if size > 0.0 { bilateral.gap() / size } else { 0.0 }
     };
     bilaterals.iter().map(of).fold(0.0, f64::max)
@@ -300,15 +300,15 @@ fn opened(world: &World, bilaterals: &[Bilateral]) -> f64 {
 
 /// The bilateral constraints whose gap exceeds rounding after the last Newton step.
 fn unconverged_bilaterals<'a>(
-    world: &'a World,
+    model: &'a Model,
     states: &'a [BodyState],
     bodies: &'a [usize],
 ) -> impl Iterator<Item = ConstraintId> + 'a {
     let is_unconverged = |bilateral: &Bilateral| {
         let (a, b) = bilateral.id.bodies();
-        bilateral.gap() > UNCONVERGED_RELATIVE * world.pair_size(a, b) + world.rounding(states, a, b)
+        bilateral.gap() > UNCONVERGED_RELATIVE * model.pair_size(a, b) + model.rounding(states, a, b)
     };
-    world.bilaterals(states, bodies).filter(is_unconverged).map(|bilateral| bilateral.id)
+    model.bilaterals(states, bodies).filter(is_unconverged).map(|bilateral| bilateral.id)
 }
 
 /// The constraint of the largest of some distances or speeds.
@@ -350,16 +350,16 @@ pub(crate) enum Removal {
 /// # Errors
 /// When the state is not finite.
 pub(crate) fn project_velocities(
-    world: &World,
+    model: &Model,
     states: &mut [BodyState],
     bodies: &[usize],
     (contacts, sticking, turns): (&[ContactId], &[ContactId], &[(ContactId, Turn)]),
     removal: Removal,
 ) -> Result<RemovedVelocities, ResponseError> {
-    let contacts: Vec<_> = contacts.iter().filter_map(|&id| Some((id, world.kinematics(states, id)?))).collect();
-    let slips: Vec<(TangentRow, f64)> = sticking.iter().flat_map(|&id| slip_rows(world, states, id)).collect();
-    let turns: Vec<(RotationRow, f64)> = turns.iter().flat_map(|&turn| turn_rows(world, states, turn)).collect();
-    let bilaterals: Vec<Bilateral> = world.bilaterals(states, bodies).collect();
+    let contacts: Vec<_> = contacts.iter().filter_map(|&id| Some((id, model.kinematics(states, id)?))).collect();
+    let slips: Vec<(TangentRow, f64)> = sticking.iter().flat_map(|&id| slip_rows(model, states, id)).collect();
+    let turns: Vec<(RotationRow, f64)> = turns.iter().flat_map(|&turn| turn_rows(model, states, turn)).collect();
+    let bilaterals: Vec<Bilateral> = model.bilaterals(states, bodies).collect();
     if contacts.iter().all(|(_, k)| k.separation_rate == 0.0)
         && slips.iter().all(|&(_, slip)| slip == 0.0)
         && turns.iter().all(|&(_, rate)| rate == 0.0)
@@ -368,31 +368,31 @@ pub(crate) fn project_velocities(
         return Ok(RemovedVelocities::default());
     }
     let geometries = contacts.iter().map(|(id, k)| (*id, k.geometry));
-    let mut assembly = Assembly::with_bilaterals(world, (states, bodies), geometries, bilaterals)?;
+    let mut assembly = Assembly::with_bilaterals(model, (states, bodies), geometries, bilaterals)?;
     assembly.push_tangents(states, slips.iter().map(|&(row, _)| row))?;
     assembly.push_rotations(turns.iter().map(|&(row, _)| row))?;
     let mut rates = assembly.rates(contacts.iter().map(|(_, k)| k.separation_rate));
     rates.extend(slips.iter().map(|&(_, slip)| slip));
     rates.extend(turns.iter().map(|&(_, rate)| rate));
-    let speed = contacts.iter().map(|&(id, _)| speed_of_pair(world, states, id)).fold(f64::INFINITY, f64::min);
+    let speed = contacts.iter().map(|&(id, _)| speed_of_pair(model, states, id)).fold(f64::INFINITY, f64::min);
     let allowed = match removal {
         Removal::Complete => f64::INFINITY,
         Removal::OfDrift => allowed_change(&rates, speed),
     };
-    let (multipliers, _) = cancel(world, &assembly, &rates, Limits { allowed, negligible: 0.0, opened: 0.0 })?;
+    let (multipliers, _) = cancel(model, &assembly, &rates, Limits { allowed, negligible: 0.0, opened: 0.0 })?;
     let along_tangents = slips.iter().zip(multipliers.iter().skip(assembly.first_tangent()));
     let along_tangents = along_tangents.map(|((row, _), &p)| (row.id, &row.along, p));
     let impulses = contacts.iter().zip(&multipliers).map(|((id, k), &p)| (*id, &k.geometry, p)).chain(along_tangents);
-    apply_impulses(world, states, impulses.clone());
-    apply_reactions(world, states, assembly.reactions(&multipliers));
+    apply_impulses(model, states, impulses.clone());
+    apply_reactions(model, states, assembly.reactions(&multipliers));
     let moments: Vec<_> = assembly.of_rotations(&multipliers).map(|(row, p)| (row.id, row.axis * p)).collect();
-    apply_moments(world, states, moments.iter().copied());
+    apply_moments(model, states, moments.iter().copied());
     let along_tangents = slips.iter().zip(multipliers.iter().skip(assembly.first_tangent()));
     let along_tangents = along_tangents.map(|((row, _), &p)| (row.id, &row.along, p));
-    let work_j = world.prescribed_work(states, impulses)
-        + world.surface_work(states, along_tangents)
-        + world.driven_work(states, assembly.reactions(&multipliers))
-        + moment_work(world, states, moments.into_iter());
+    let work_j = model.prescribed_work(states, impulses)
+        + model.surface_work(states, along_tangents)
+        + model.driven_work(states, assembly.reactions(&multipliers))
+        + moment_work(model, states, moments.into_iter());
     let speeds = contacts.iter().map(|(id, k)| (k.separation_rate.abs(), ConstraintId::Contact(*id)));
     let bilaterals = assembly.bilaterals().iter().map(|bilateral| (bilateral.speed(), bilateral.id));
     let fastest = farthest(speeds.chain(bilaterals));
@@ -401,26 +401,26 @@ pub(crate) fn project_velocities(
 }
 
 /// Rows along the tangents of a contact, each with the slip along it, m/s.
-fn slip_rows(world: &World, states: &[BodyState], id: ContactId) -> Vec<(TangentRow, f64)> {
-    let both = world.kinematics(states, id).zip(world.tangential_kinematics(states, id));
+fn slip_rows(model: &Model, states: &[BodyState], id: ContactId) -> Vec<(TangentRow, f64)> {
+    let both = model.kinematics(states, id).zip(model.tangential_kinematics(states, id));
     let rows = both.map(|(kinematics, terms)| {
         let row = |&tangent: &DVec3| {
             let row = TangentRow::new(id, &kinematics.geometry, &terms, tangent);
             (row, tangent.dot(terms.slip_velocity))
         };
-        world.slip_directions().tangents(&terms.basis).iter().map(row).collect::<Vec<_>>()
+        model.slip_directions().tangents(&terms.basis).iter().map(row).collect::<Vec<_>>()
     });
     rows.into_iter().flatten().collect()
 }
 
 /// Rows of a rotation, each with its rate, m/s.
-fn turn_rows(world: &World, states: &[BodyState], (id, turn): (ContactId, Turn)) -> Vec<(RotationRow, f64)> {
-    let both = world.kinematics(states, id).zip(world.tangential_kinematics(states, id));
+fn turn_rows(model: &Model, states: &[BodyState], (id, turn): (ContactId, Turn)) -> Vec<(RotationRow, f64)> {
+    let both = model.kinematics(states, id).zip(model.tangential_kinematics(states, id));
     let rows =
-        both.map(|(kinematics, terms)| turn.axes(kinematics.geometry.normal, (&terms.basis, world.slip_directions())));
+        both.map(|(kinematics, terms)| turn.axes(kinematics.geometry.normal, (&terms.basis, model.slip_directions())));
     let row = |axis| {
-        let row = RotationRow::about(world, id, axis);
-        (row, row.rate(world, states))
+        let row = RotationRow::about(model, id, axis);
+        (row, row.rate(model, states))
     };
     rows.into_iter().flatten().map(row).collect()
 }
@@ -439,13 +439,13 @@ struct Limits {
 /// Multipliers whose response cancels `values` on all rows. Returns whether only partially: because a point of a body
 /// would change by more than is allowed, or by much in relation to negligible values without cancelling them.
 fn cancel(
-    world: &World,
+    model: &Model,
     assembly: &Assembly,
     values: &[f64],
     limits: Limits,
 ) -> Result<(Vec<f64>, bool), ResponseError> {
     if let Some(forest) = trees_of(assembly)
-        && let Some(multipliers) = cancel_by_trees(world, assembly, (&forest, values), limits)?
+        && let Some(multipliers) = cancel_by_trees(model, assembly, (&forest, values), limits)?
     {
         return Ok((multipliers, false));
     }
@@ -453,7 +453,7 @@ fn cancel(
     let delassus = assembly.problem.delassus();
     let change_by = |multipliers: &[f64]| {
         let response = assembly.problem.response(multipliers)?;
-        Ok::<_, ResponseError>(largest_change(world, assembly.split(&response)))
+        Ok::<_, ResponseError>(largest_change(model, assembly.split(&response)))
     };
     let multipliers = LeastNormHold::factor_open(&delassus, opened)?.solve(&delassus, values)?;
     let change = change_by(&multipliers)?;
@@ -479,7 +479,7 @@ fn cancel(
 /// The same where trees of joints are eliminated first; none where that would change more than is allowed, or does not
 /// cancel the values.
 fn cancel_by_trees(
-    world: &World,
+    model: &Model,
     assembly: &Assembly,
     (forest, values): (&HeldForest, &[f64]),
     limits: Limits,
@@ -493,7 +493,7 @@ fn cancel_by_trees(
         LeastNormHold::factor_beside(&beside, limits.opened)?.solve(&beside.delassus, &of_others)?
     };
     let found = forest.with_others(problem, values, &of_others)?;
-    let change = largest_change(world, assembly.split(&problem.response(&found.forces)?));
+    let change = largest_change(model, assembly.split(&problem.response(&found.forces)?));
     let is_effective = largest(&found.rates) <= EFFECTIVE_REMAINDER * largest(values);
     Ok((change <= limits.allowed && is_effective).then_some(found.forces))
 }

@@ -16,20 +16,20 @@
 //! turns already has one row, along its direction.
 
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
 /// Applies impulses of moments on A (N m s, world) to the momenta of the bodies of their contacts.
 pub(crate) fn apply_moments(
-    world: &World,
+    model: &Model,
     states: &mut [BodyState],
     moments: impl Iterator<Item = (ContactId, DVec3)>,
 ) {
     for (id, moment) in moments {
         for (body, signed) in [(id.a, moment), (id.b, -moment)] {
-            if world.bodies[body].rigid.is_some() {
+            if model.bodies[body].rigid.is_some() {
                 states[body].angular_momentum += signed;
             }
         }
@@ -38,10 +38,10 @@ pub(crate) fn apply_moments(
 
 /// Momentum that moments on A (N m s, N m) give to the bodies that move: only contacts with immovable bodies
 /// contribute.
-pub(crate) fn moment_support(world: &World, moments: impl Iterator<Item = (ContactId, DVec3)>) -> Momentum {
+pub(crate) fn moment_support(model: &Model, moments: impl Iterator<Item = (ContactId, DVec3)>) -> Momentum {
     let mut sum = MomentumSum::default();
     for (id, moment) in moments {
-        let sign = match (world.carries_momentum(id.a), world.carries_momentum(id.b)) {
+        let sign = match (model.carries_momentum(id.a), model.carries_momentum(id.b)) {
             (true, false) => 1.0,
             (false, true) => -1.0,
             _ => continue,
@@ -53,12 +53,12 @@ pub(crate) fn moment_support(world: &World, moments: impl Iterator<Item = (Conta
 
 /// Work (J; power, W) of kinematic bodies by moments on A (N m s; N m).
 pub(crate) fn moment_work(
-    world: &World,
+    model: &Model,
     states: &[BodyState],
     moments: impl Iterator<Item = (ContactId, DVec3)>,
 ) -> f64 {
     let rotation = |body: usize| {
-        if world.trajectory(body).is_some() { world.velocity(body, &states[body]).angular } else { DVec3::ZERO }
+        if model.trajectory(body).is_some() { model.velocity(body, &states[body]).angular } else { DVec3::ZERO }
     };
     moments.map(|(id, moment)| -moment.dot(rotation(id.a) - rotation(id.b))).sum()
 }

@@ -11,9 +11,9 @@
 
 use super::sticking_forces::{HoldingForces, MOST_FRICTION_NEEDED};
 use crate::collision::contact_set::Touch;
+use crate::model::Model;
 use crate::rows::assembly::Assembly;
 use crate::rows::frictional_contact::Frictional;
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::friction::{ContactStatus, Structure};
 use polhode_response::sparse::{BodySettings, BodySolver};
@@ -30,9 +30,9 @@ const BALANCED_RELATIVE: f64 = 1e-13;
 
 /// Whether bodies are held by the forces found here: none of them moves, and contacts are many; in planar motion each
 /// counts as two, as it does in space.
-pub(super) fn is_for_many(world: &World, states: &[BodyState], assembly: &Assembly, contacts: &[Touch]) -> bool {
+pub(super) fn is_for_many(model: &Model, states: &[BodyState], assembly: &Assembly, contacts: &[Touch]) -> bool {
     let is_still = |body: &BodyState| body.linear_velocity == DVec3::ZERO && body.angular_momentum == DVec3::ZERO;
-    let each_for = if world.plane.is_some() { 2 } else { 1 };
+    let each_for = if model.plane.is_some() { 2 } else { 1 };
     let are_many = each_for * contacts.len() >= LEAST_CONTACTS;
     are_many && assembly.bodies().iter().all(|&body| is_still(&states[body]))
 }

@@ -8,11 +8,11 @@
 //! body then leave no more than its own weight is rounded by.
 
 use crate::collision::contact_set::Touch;
+use crate::model::Model;
 use crate::rows::assembly::Assembly;
 use crate::rows::frictional_contact::Frictional;
 use crate::scene::FrictionEllipse;
 use crate::solve::least_sliding_forces::exceeds_friction;
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::friction::{ContactStatus, FrictionSettings, Structure};
 use polhode_response::{
@@ -63,7 +63,7 @@ impl HoldingForces {
 
     /// Forces that nearly hold every contact, made exact with the least change of those that bear something.
     fn near(
-        of: (&World, &[BodyState], &[Touch]),
+        of: (&Model, &[BodyState], &[Touch]),
         assembly: &Assembly,
         (delassus, constants): (&Delassus, &[f64]),
         frictional: &[Option<Frictional>],
@@ -140,7 +140,7 @@ pub(crate) fn rounding_of(delassus: &Delassus, forces: &[f64]) -> f64 {
 /// any forces can hold them: where friction jams them against each other Coulomb's law has answers that move them as
 /// well. The slow methods of the cone problem are for what nothing holds.
 pub(crate) fn of_no_slip(
-    of: (&World, &[BodyState], &[Touch]),
+    of: (&Model, &[BodyState], &[Touch]),
     assembly: &Assembly,
     (blocks, delassus, constants): (&Blocks, &Delassus, &[f64]),
     frictional: &[Option<Frictional>],
@@ -175,7 +175,7 @@ pub(crate) fn of_no_slip(
 /// Forces within the cones under which no contact moves, if there are any; `least` are forces that hold every contact,
 /// within the cones or not.
 fn in_equilibrium(
-    of: (&World, &[BodyState], &[Touch]),
+    of: (&Model, &[BodyState], &[Touch]),
     assembly: &Assembly,
     (blocks, delassus, constants): (&Blocks, &Delassus, &[f64]),
     frictional: &[Option<Frictional>],
@@ -196,7 +196,7 @@ fn in_equilibrium(
 /// ratios of masses the residual of the solver, relative to the largest acceleration, would move heavy bodies. The
 /// solution is returned as it is where a contact slides.
 fn refined(
-    of: (&World, &[BodyState], &[Touch]),
+    of: (&Model, &[BodyState], &[Touch]),
     assembly: &Assembly,
     (delassus, constants): (&Delassus, &[f64]),
     frictional: &[Option<Frictional>],
@@ -230,7 +230,7 @@ fn refined(
 /// The least changes of the forces of some contacts, each with its rows along the tangents, and of pivots that cancel
 /// what is left in their rows. Other rows have zero.
 fn least_change(
-    (world, states, contacts): (&World, &[BodyState], &[Touch]),
+    (model, states, contacts): (&Model, &[BodyState], &[Touch]),
     assembly: &Assembly,
     pressed: &[(usize, Range<usize>)],
     left: &[f64],
@@ -240,7 +240,7 @@ fn least_change(
     let rows: Vec<usize> =
         normals.clone().chain(contacts.len()..assembly.first_tangent()).chain(tangents.clone()).collect();
     let normals = normals.map(|index| (contacts[index].id, contacts[index].kinematics.geometry));
-    let mut active = Assembly::new(world, states, assembly.bodies(), normals)?;
+    let mut active = Assembly::new(model, states, assembly.bodies(), normals)?;
     let along = tangents.filter_map(|row| assembly.tangents().get(row - assembly.first_tangent())).copied();
     active.push_tangents(states, along)?;
     let own: Vec<f64> = rows.iter().map(|&row| left[row]).collect();

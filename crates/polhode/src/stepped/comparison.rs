@@ -32,13 +32,13 @@ impl SteppedEngine {
         }
         let (mut states, mut stepper) = (begin.to_vec(), self.stepper.clone());
         for part in [(t, 0.5 * h), (t + 0.5 * h, 0.5 * h)] {
-            advance_islands(&core.world, &*core.executor, (&mut stepper, &mut states), &compared, part)
+            advance_islands(&core.model, &*core.executor, (&mut stepper, &mut states), &compared, part)
                 .map_err(|source| Core::response_error(core.t, source))?;
         }
         for (island, report) in compared.iter().zip(reports) {
             let stands_for = if report.steps > 1 { 1 } else { EVERY };
             for &body in &island.bodies {
-                self.errors.compare(&core.world, body, (&self.states[body], &states[body]), stands_for);
+                self.errors.compare(&core.model, body, (&self.states[body], &states[body]), stands_for);
             }
         }
         Ok(())

@@ -14,6 +14,8 @@ use crate::collision::contact_set::{FoundContact, Touch};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::{ContactId, Feature};
+use crate::model::states_of::{set_states, states_of};
+use crate::model::{Loads, Model};
 use crate::report::acceleration::Acceleration;
 use crate::report::event::{Event, EventKind};
 use crate::report::frame::{ContactView, IslandView, JointView, MotionKind};
@@ -31,8 +33,6 @@ use crate::tier::error_estimate::{EVERY, ErrorEstimate};
 use crate::tier::sampling::emit_samples_before;
 use crate::tier::{Reached, Tier};
 use crate::time_stepping::{NO_WORK_J, TimeStepReport, TimeStepper, given_by_gravity};
-use crate::world::states_of::{set_states, states_of};
-use crate::world::{Loads, World};
 use polhode_dynamics::{BodyState, Flight};
 use polhode_response::ResponseError;
 use polhode_spatial::DVec3;
@@ -101,9 +101,9 @@ impl SteppedEngine {
     /// When there are more bodies than the broad phase can number.
     pub(crate) fn new(core: &Core, states: Vec<BodyState>) -> Result<Self, SimulationError> {
         let mut engine = Self::unbegun(core, states);
-        let world = &core.world;
-        let pairs = engine.search.pairs(world, &engine.states, (core.t, 0.0)).map_err(SimulationError::BroadPhase)?;
-        let all = islands(world, &pairs);
+        let model = &core.model;
+        let pairs = engine.search.pairs(model, &engine.states, (core.t, 0.0)).map_err(SimulationError::BroadPhase)?;
+        let all = islands(model, &pairs);
         for island in &all {
             engine.come_to_rest(core, island).map_err(|source| Core::response_error(core.t, source))?;
         }
@@ -111,7 +111,7 @@ impl SteppedEngine {
         let moving = pairs.into_iter().filter(|&pair| !engine.resting.holds_pair(pair));
         let touches = engine.resting_touches(core, &moving.collect::<Vec<_>>());
         engine.touching.extend(touches.iter().map(|touch| (touch.id.a, touch.id.b)));
-        for (bodies, contacts) in joined(world, &touches) {
+        for (bodies, contacts) in joined(model, &touches) {
             let found = PresentForces::solve(core, &engine.states, &bodies, &contacts).unwrap_or_default();
             for (index, touch) in contacts.iter().enumerate() {
                 let normal = found.normal.get(index).copied().unwrap_or(f64::NAN);
@@ -131,7 +131,7 @@ impl SteppedEngine {
             flights: vec![None; states.len()],
             states,
             stepper: TimeStepper::new(core.settings.impact, about, MOST_IMPACTS_OF_STEP).for_heaps(),
-            search: IslandSearch::new(&core.world, core.settings.broad_phase.build()),
+            search: IslandSearch::new(&core.model, core.settings.broad_phase.build()),
             touching: BTreeSet::new(),
             forces: BTreeMap::new(),
             loads: None,
@@ -146,8 +146,8 @@ impl SteppedEngine {
     /// # Errors
     /// When the data are not of this scene.
     pub(crate) fn restored(core: &Core, saved: &content::Stepped) -> Result<Self, SnapshotError> {
-        let world = &core.world;
-        let bodies = world.bodies.len();
+        let model = &core.model;
+        let bodies = model.bodies.len();
         let states = read_states(&saved.states, bodies)?;
         let mut engine = Self::unbegun(core, states);
         let refused = SnapshotError::Invalid("it does not say how each body moves");
@@ -162,14 +162,14 @@ impl SteppedEngine {
         }
         for (body, flight) in saved.flights.iter().enumerate() {
             let Some(flight) = flight else { continue };
-            let rigid = world.bodies[body].rigid.as_ref().ok_or_else(|| refused.clone())?;
+            let rigid = model.bodies[body].rigid.as_ref().ok_or_else(|| refused.clone())?;
             engine.flights[body] = Some(Box::new(restored_flight(rigid, flight)?));
         }
-        let carried = saved.carried.iter().map(|id| restored_id(world, id)).collect::<Result<Vec<_>, _>>()?;
+        let carried = saved.carried.iter().map(|id| restored_id(model, id)).collect::<Result<Vec<_>, _>>()?;
         engine.stepper.carry(carried);
-        engine.stepper.restore_last_forces(world, &saved.last_forces)?;
+        engine.stepper.restore_last_forces(model, &saved.last_forces)?;
         engine.touching = saved.touching.iter().copied().collect();
-        let normal = restored_forces(world, &saved.forces)?;
+        let normal = restored_forces(model, &saved.forces)?;
         if saved.friction.len() != normal.len() {
             return Err(SnapshotError::Invalid("it does not say the friction of each contact"));
         }
@@ -193,20 +193,20 @@ impl SteppedEngine {
         let h = t_next - core.t;
         let interval = (core.t, h);
         if core.effects == Effects::Planned
-            && core.world.prescribed.is_empty()
-            && self.resting.is_everything(&core.world)
+            && core.model.prescribed.is_empty()
+            && self.resting.is_everything(&core.model)
         {
             return self.rest_on(core, t_next, observer);
         }
-        let pairs = self.search.pairs(&core.world, &self.states, interval).map_err(SimulationError::BroadPhase)?;
-        let pairs = self.resting.without_idle_pairs(&core.world, &self.states, pairs, (&self.touching, h));
+        let pairs = self.search.pairs(&core.model, &self.states, interval).map_err(SimulationError::BroadPhase)?;
+        let pairs = self.resting.without_idle_pairs(&core.model, &self.states, pairs, (&self.touching, h));
         let (_, islands) = self.divide(core, &pairs)?;
         self.emit_samples_within(core, &islands, t_next, observer)?;
         let begin = self.states.clone();
         let Advanced { resting, islands, reports } = self.advance_all(core, pairs, interval)?;
         self.compare_with_halves(core, &begin, (&islands, &reports), interval)?;
         // Islands that were advanced in copies have left them where they were.
-        core.world.prescribe(t_next, &mut self.states);
+        core.model.prescribe(t_next, &mut self.states);
         self.fly(core, t_next);
         if core.effects == Effects::All {
             self.repeat_rest(core, &resting, interval)?;
@@ -215,7 +215,7 @@ impl SteppedEngine {
             self.touching.iter().copied().filter(|&pair| self.resting.holds_pair(pair)).collect();
         self.forces.retain(|id, _| self.resting.holds_pair((id.a, id.b)));
         let (mut loads, mut breaking) = (BTreeMap::new(), BTreeMap::new());
-        self.resting.book(&core.world, &self.states, &mut core.accounts.books, h);
+        self.resting.book(&core.model, &self.states, &mut core.accounts.books, h);
         let start: Vec<Vec<BodyState>> = islands.iter().map(|own| states_of(&begin, &own.bodies)).collect();
         for ((island, start), report) in islands.iter().zip(&start).zip(&reports) {
             self.note(core, report, h);
@@ -223,11 +223,11 @@ impl SteppedEngine {
             breaking.extend(sustained);
             loads.extend(all);
             self.note_movement(core, island, start, h);
-            self.resting.note(&core.world, island, report.at_rest);
+            self.resting.note(&core.model, island, report.at_rest);
             touching.extend(report.touching.iter().copied());
         }
         let_go_at_ends_of_tracks(core, &self.states, t_next)?;
-        core.world.count_all_turns(&self.states)?;
+        core.model.count_all_turns(&self.states)?;
         core.t = t_next;
         let before = std::mem::replace(&mut self.touching, touching);
         if core.accounts.steps().is_multiple_of(EVERY) {
@@ -238,12 +238,12 @@ impl SteppedEngine {
         }
         self.loads = Some(loads);
         self.break_overloaded(core, &breaking)?;
-        self.errors.go_on(&core.world, &self.states, h);
-        core.accounts.certificate.estimated_error = Some(self.errors.largest(&core.world));
+        self.errors.go_on(&core.model, &self.states, h);
+        core.accounts.certificate.estimated_error = Some(self.errors.largest(&core.model));
         core.accounts.count_step();
         self.report_pairs(core, &before);
         core.accounts.emit_events(core.t, observer);
-        core.accounts.observe(&core.world, &self.states, core.t)?;
+        core.accounts.observe(&core.model, &self.states, core.t)?;
         Ok(())
     }
 
@@ -252,7 +252,7 @@ impl SteppedEngine {
     /// # Errors
     /// When a number is not finite, or joints contradict each other.
     fn divide(&mut self, core: &Core, pairs: &[(usize, usize)]) -> Result<(Vec<Island>, Vec<Island>), SimulationError> {
-        let all = islands(&core.world, pairs);
+        let all = islands(&core.model, pairs);
         self.islands = all.iter().map(|island| island.bodies.clone()).collect();
         for island in &all {
             self.come_to_rest(core, island).map_err(|source| Core::response_error(core.t, source))?;
@@ -280,10 +280,10 @@ impl SteppedEngine {
         loop {
             let (resting, islands) = self.divide(core, &pairs)?;
             let of = (&mut self.stepper, &mut self.states[..]);
-            let reports = advance_islands(&core.world, &*core.executor, of, &islands, interval);
+            let reports = advance_islands(&core.model, &*core.executor, of, &islands, interval);
             let reports = reports.map_err(|source| Core::response_error(core.t, source))?;
             let met = Unexpected { begin: &begin, end: &self.states, islands: &islands, pairs: &pairs, interval };
-            let met = met.find(&core.world, &mut self.search).map_err(SimulationError::BroadPhase)?;
+            let met = met.find(&core.model, &mut self.search).map_err(SimulationError::BroadPhase)?;
             if met.is_empty() || times == 0 {
                 return Ok(Advanced { resting, islands, reports });
             }
@@ -299,21 +299,21 @@ impl SteppedEngine {
     /// # Errors
     /// When a number is not finite.
     fn come_to_rest(&mut self, core: &Core, island: &Island) -> Result<(), ResponseError> {
-        let world = &core.world;
-        let is_still = |&body: &usize| world.point_speed(&self.states, body) == 0.0;
-        if self.resting.contains_all(island) || !island.bodies.iter().all(is_still) || !may_rest(world, island) {
+        let model = &core.model;
+        let is_still = |&body: &usize| model.point_speed(&self.states, body) == 0.0;
+        if self.resting.contains_all(island) || !island.bodies.iter().all(is_still) || !may_rest(model, island) {
             return Ok(());
         }
         let touches = self.resting_touches(core, &island.pairs);
         let loads = Loads::default();
-        let held = HeldAtRest::of(world, (core.t, &self.states), &island.bodies, &touches, &loads)?;
+        let held = HeldAtRest::of(model, (core.t, &self.states), &island.bodies, &touches, &loads)?;
         let Some(held) = held else { return Ok(()) };
         let forces = touches.iter().zip(&held.normal).zip(&held.friction);
         let forces = forces.map(|((touch, &normal), &friction)| (touch.id, MeanForce { normal, friction }));
         self.forces.extend(forces.clone());
         self.stepper.start_from(forces.map(|(id, force)| (id, force.normal, force.friction)));
         self.touching.extend(touches.iter().map(|touch| (touch.id.a, touch.id.b)));
-        self.resting.note(world, island, true);
+        self.resting.note(model, island, true);
         Ok(())
     }
 
@@ -329,21 +329,21 @@ impl SteppedEngine {
         pairs: &[(usize, usize)],
         h: f64,
     ) -> Result<(), ResponseError> {
-        let slow = STICKING_RELATIVE * core.world.gravity().length() * h;
-        for group in touching_groups(&core.world, island, pairs) {
-            let world = &core.world;
-            let is_slow = |&body: &usize| world.point_speed(&self.states, body) <= slow;
-            if !group.bodies.iter().all(is_slow) || !may_rest(world, &group) {
+        let slow = STICKING_RELATIVE * core.model.gravity().length() * h;
+        for group in touching_groups(&core.model, island, pairs) {
+            let model = &core.model;
+            let is_slow = |&body: &usize| model.point_speed(&self.states, body) <= slow;
+            if !group.bodies.iter().all(is_slow) || !may_rest(model, &group) {
                 continue;
             }
             let moving = states_of(&self.states, &group.bodies);
-            let before = core.accounts.books.balance(world, &self.states, &group.bodies);
+            let before = core.accounts.books.balance(model, &self.states, &group.bodies);
             for &body in &group.bodies {
                 self.states[body] = BodyState::at_rest(self.states[body].pose);
             }
             self.come_to_rest(core, &group)?;
             if self.resting.contains_all(&group) {
-                let after = core.accounts.books.balance(&core.world, &self.states, &group.bodies);
+                let after = core.accounts.books.balance(&core.model, &self.states, &group.bodies);
                 core.accounts.books.rest(before, after, NO_WORK_J);
             } else {
                 set_states(&mut self.states, &group.bodies, &moving);
@@ -358,7 +358,7 @@ impl SteppedEngine {
     /// As an observer's sample.
     fn rest_on(&mut self, core: &mut Core, t_next: f64, observer: &mut dyn Observer) -> Result<(), SimulationError> {
         self.emit_samples_within(core, &[], t_next, observer)?;
-        self.resting.book(&core.world, &self.states, &mut core.accounts.books, t_next - core.t);
+        self.resting.book(&core.model, &self.states, &mut core.accounts.books, t_next - core.t);
         core.t = t_next;
         core.accounts.count_step();
         core.accounts.emit_events(core.t, observer);
@@ -370,7 +370,7 @@ impl SteppedEngine {
     fn repeat_rest(&self, core: &Core, resting: &[Island], interval: (f64, f64)) -> Result<(), SimulationError> {
         let (mut states, mut stepper) = (self.states.clone(), self.stepper.clone());
         let of = (&mut stepper, &mut states[..]);
-        let reports = advance_islands(&core.world, &*core.executor, of, resting, interval);
+        let reports = advance_islands(&core.model, &*core.executor, of, resting, interval);
         reports.map_err(|source| Core::response_error(core.t, source))?;
         Ok(())
     }
@@ -383,18 +383,18 @@ impl SteppedEngine {
             self.flights[body] = None;
         }
         let about = core.accounts.books.ledger.momentum.about;
-        let bodies: Vec<usize> = core.world.movable.iter().copied().filter(|&body| free[body]).collect();
-        for body in bodies.into_iter().filter(|&body| core.world.bodies[body].moves()) {
+        let bodies: Vec<usize> = core.model.movable.iter().copied().filter(|&body| free[body]).collect();
+        for body in bodies.into_iter().filter(|&body| core.model.bodies[body].moves()) {
             let start = self.states[body];
             let Some(flight) = self.flight(core, body) else { continue };
             let mut end = flight.state(t_next);
-            core.world.keep_in_plane(body, &mut end);
-            let before = core.accounts.books.balance(&core.world, &self.states, &[body]);
+            core.model.keep_in_plane(body, &mut end);
+            let before = core.accounts.books.balance(&core.model, &self.states, &[body]);
             self.states[body] = end;
-            let after = core.accounts.books.balance(&core.world, &self.states, &[body]);
+            let after = core.accounts.books.balance(&core.model, &self.states, &[body]);
             let mut received = Received::default();
-            if core.world.carries_momentum(body) {
-                received.gravity = given_by_gravity(&core.world, body, &start, t_next - core.t, about);
+            if core.model.carries_momentum(body) {
+                received.gravity = given_by_gravity(&core.model, body, &start, t_next - core.t, about);
             }
             core.accounts.books.smooth_stage(before, after, received);
         }
@@ -402,16 +402,16 @@ impl SteppedEngine {
 
     /// The flight record of a body, which is made from its present state when there is none.
     fn flight(&mut self, core: &Core, body: usize) -> Option<&Flight> {
-        let rigid = core.world.bodies[body].rigid.as_ref()?;
-        let record = if core.world.plane.is_some() { Flight::steady } else { Flight::new };
+        let rigid = core.model.bodies[body].rigid.as_ref()?;
+        let record = if core.model.plane.is_some() { Flight::steady } else { Flight::new };
         let (t, state) = (core.t, &self.states[body]);
-        let acceleration = core.world.free_acceleration(body);
+        let acceleration = core.model.free_acceleration(body);
         Some(self.flights[body].get_or_insert_with(|| Box::new(record(rigid, t, state, acceleration))))
     }
 
     /// Records the forces and problems of an island's step of length `h` (s).
     fn note(&mut self, core: &mut Core, report: &TimeStepReport, h: f64) {
-        core.accounts.note_time_step(&core.world, core.t, &self.states, report);
+        core.accounts.note_time_step(&core.model, core.t, &self.states, report);
         core.note_overlap_of_step(core.t + h, &self.states, report);
         for given in &report.impulses {
             let force = self.forces.entry(given.id).or_default();
@@ -426,7 +426,7 @@ impl SteppedEngine {
             return;
         }
         for (&body, start) in island.bodies.iter().zip(start) {
-            let movement = Movement::between(&core.world, body, (start, &self.states[body]), (core.t, h));
+            let movement = Movement::between(&core.model, body, (start, &self.states[body]), (core.t, h));
             core.accounts.measures.long_steps.note(movement);
         }
     }
@@ -438,10 +438,10 @@ impl SteppedEngine {
             return;
         }
         let event = |kind, &(a, b): &(usize, usize)| {
-            let contacts = core.world.contacts_of_pair(&self.states, a, b, core.world.pair_size(a, b));
+            let contacts = core.model.contacts_of_pair(&self.states, a, b, core.model.pair_size(a, b));
             let geometries = contacts.iter().map(|touch| &touch.kinematics.geometry);
             let nearest = geometries.min_by(|g, other| g.separation.total_cmp(&other.separation));
-            let moving = if core.world.bodies[a].moves() { a } else { b };
+            let moving = if core.model.bodies[a].moves() { a } else { b };
             Event {
                 t_s: core.t,
                 kind,
@@ -484,27 +484,27 @@ impl SteppedEngine {
             island.bodies.iter().for_each(|&body| in_island[body] = true);
             let mut stepper = self.stepper.clone();
             stepper
-                .advance(&core.world, &mut states, &island.bodies, &island.pairs, (core.t, t - core.t))
+                .advance(&core.model, &mut states, &island.bodies, &island.pairs, (core.t, t - core.t))
                 .map_err(|source| Core::response_error(core.t, source))?;
         }
-        let flies = |body: usize| !in_island[body] && !self.resting.contains(body) && core.world.bodies[body].moves();
+        let flies = |body: usize| !in_island[body] && !self.resting.contains(body) && core.model.bodies[body].moves();
         let flying: Vec<usize> = (0..states.len()).filter(|&body| flies(body)).collect();
         for body in flying {
             if let Some(flight) = self.flight(core, body) {
                 states[body] = flight.state(t);
-                core.world.keep_in_plane(body, &mut states[body]);
+                core.model.keep_in_plane(body, &mut states[body]);
             }
         }
-        core.world.prescribe(t, &mut states);
+        core.model.prescribe(t, &mut states);
         Ok(states)
     }
 
     /// The resting contacts of these pairs: they touch and neither approach nor separate.
     pub(super) fn resting_touches(&self, core: &Core, pairs: &[(usize, usize)]) -> Vec<Touch> {
-        let world = &core.world;
-        let slow = RESTING_STEPS * world.gravity().length() * core.settings.step_s;
+        let model = &core.model;
+        let slow = RESTING_STEPS * model.gravity().length() * core.settings.step_s;
         let of_pair = |&(a, b): &(usize, usize)| {
-            world.contacts_of_pair(&self.states, a, b, world.touch_distance(&self.states, a, b))
+            model.contacts_of_pair(&self.states, a, b, model.touch_distance(&self.states, a, b))
         };
         let touches = pairs.iter().flat_map(of_pair);
         touches.filter(|touch| touch.kinematics.separation_rate.abs() <= slow).map(Touch::from).collect()
@@ -512,11 +512,11 @@ impl SteppedEngine {
 }
 
 /// Groups of bodies that these contacts and joints connect, with their contacts.
-pub(super) fn joined(world: &World, touches: &[Touch]) -> Vec<(Vec<usize>, Vec<Touch>)> {
+pub(super) fn joined(model: &Model, touches: &[Touch]) -> Vec<(Vec<usize>, Vec<Touch>)> {
     let all = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b));
     let members = |contacts: &[usize]| contacts.iter().map(|&index| touches[index]).collect();
-    let held = world.held_among(&world.movable);
-    coupled_groups(world, all, &held).into_iter().map(|group| (group.bodies, members(&group.contacts))).collect()
+    let held = model.held_among(&model.movable);
+    coupled_groups(model, all, &held).into_iter().map(|group| (group.bodies, members(&group.contacts))).collect()
 }
 
 impl Tier for SteppedEngine {
@@ -555,26 +555,26 @@ impl Tier for SteppedEngine {
 
     fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
         let failed = |source| Core::response_error(core.t, source);
-        let world = &core.world;
-        let pairs = self.search.pairs(world, &self.states, (core.t, 0.0)).map_err(SimulationError::BroadPhase)?;
+        let model = &core.model;
+        let pairs = self.search.pairs(model, &self.states, (core.t, 0.0)).map_err(SimulationError::BroadPhase)?;
         let touches = self.resting_touches(core, &pairs);
-        let loads = world.loads(core.t, &self.states);
+        let loads = model.loads(core.t, &self.states);
         let own_acceleration = |body: usize| {
-            if world.trajectory(body).is_some() {
-                world.prescribed_acceleration(body, core.t)
+            if model.trajectory(body).is_some() {
+                model.prescribed_acceleration(body, core.t)
             } else {
-                free_acceleration(world, &self.states, &loads, body)
+                free_acceleration(model, &self.states, &loads, body)
             }
         };
         let mut found: Vec<(DVec3, DVec3)> = (0..self.states.len()).map(own_acceleration).collect();
-        for (bodies, contacts) in joined(world, &touches) {
+        for (bodies, contacts) in joined(model, &touches) {
             let forces = PresentForces::solve(core, &self.states, &bodies, &contacts).map_err(failed)?;
             for BodyAcceleration { body, linear, angular } in forces.accelerations {
                 found[body] = (linear, angular);
             }
         }
         let report = |(body, &(linear, angular)): (usize, &(DVec3, DVec3))| {
-            world.reported_acceleration(body, &self.states[body], linear, angular)
+            model.reported_acceleration(body, &self.states[body], linear, angular)
         };
         Ok(found.iter().enumerate().map(report).collect())
     }
@@ -585,15 +585,15 @@ impl Tier for SteppedEngine {
 
     fn contacts(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<ContactView> {
         // Those that the last step used, wherever it has left them, and those that touch without a force.
-        let world = &core.world;
+        let model = &core.model;
         let touching =
-            |&(a, b): &(usize, usize)| world.contacts_of_pair(states, a, b, world.touch_distance(states, a, b));
+            |&(a, b): &(usize, usize)| model.contacts_of_pair(states, a, b, model.touch_distance(states, a, b));
         let mut found: BTreeMap<ContactId, FoundContact> =
             self.touching.iter().flat_map(touching).map(|touch| (touch.id, touch)).collect();
         let is_of_shapes = |id: &ContactId| matches!(id.feature, Feature::Shapes(_));
         for &id in self.forces.keys().filter(|id| is_of_shapes(id)) {
             if let Entry::Vacant(place) = found.entry(id)
-                && let Some(kinematics) = world.kinematics(states, id)
+                && let Some(kinematics) = model.kinematics(states, id)
             {
                 place.insert(FoundContact { id, kinematics });
             }
@@ -601,7 +601,7 @@ impl Tier for SteppedEngine {
         let mut views = Vec::new();
         for (id, touch) in found {
             let MeanForce { normal, friction } = self.forces.get(&id).copied().unwrap_or_default();
-            world.view_contact(states, &Touch::from(touch), (normal, friction), &mut views);
+            model.view_contact(states, &Touch::from(touch), (normal, friction), &mut views);
         }
         views
     }
@@ -642,7 +642,7 @@ impl Tier for SteppedEngine {
         self.flights.push(None);
         self.errors.add_body();
         self.resting.add_body();
-        self.search = IslandSearch::new(&core.world, core.settings.broad_phase.build());
+        self.search = IslandSearch::new(&core.model, core.settings.broad_phase.build());
     }
 
     fn remove_body(&mut self, body: usize) {
@@ -654,8 +654,8 @@ impl Tier for SteppedEngine {
 
     fn change_joint(&mut self, core: &mut Core, pair: (usize, usize)) {
         self.resting.wake_all();
-        self.touching.retain(|&own| own != pair || core.world.may_touch(own));
-        let stays = |contact: ContactId| (contact.a, contact.b) != pair || core.world.may_have(contact);
+        self.touching.retain(|&own| own != pair || core.model.may_touch(own));
+        let stays = |contact: ContactId| (contact.a, contact.b) != pair || core.model.may_have(contact);
         self.stepper.keep_contacts(stays);
         self.forces.retain(|&id, _| stays(id));
         self.loads = None;

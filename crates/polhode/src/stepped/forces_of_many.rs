@@ -8,11 +8,11 @@
 use super::instant_forces::{BodyAcceleration, PresentForces, forces_on};
 use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::FrictionMode;
+use crate::model::{Loads, Model};
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{push_contact, push_held};
 use crate::scene::FrictionEllipse;
 use crate::solve::joint_loads::joint_loads;
-use crate::world::{Loads, World};
 use polhode_contact::TangentialKinematics;
 use polhode_dynamics::BodyState;
 use polhode_response::sparse::{BodySettings, BodySolver};
@@ -25,24 +25,24 @@ use polhode_spatial::DVec3;
 /// # Errors
 /// When a number is not finite.
 pub(super) fn forces_of_many(
-    world: &World,
+    model: &Model,
     (t, states): (f64, &[BodyState]),
     bodies: &[usize],
     contacts: &[Touch],
     loads: &Loads,
 ) -> Result<Option<PresentForces>, ResponseError> {
     let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
-    let mut assembly = Assembly::new(world, states, bodies, rows)?;
+    let mut assembly = Assembly::new(model, states, bodies, rows)?;
     if !assembly.problem.is_of_pairs() {
         return Ok(None);
     }
-    let free = assembly.free_accelerations(world, states, loads);
+    let free = assembly.free_accelerations(model, states, loads);
     let mut blocks = Blocks::default();
     // The contact of each row along a tangent.
     let mut owners = Vec::new();
     for (normal, touch) in contacts.iter().enumerate() {
         let first = assembly.problem.len();
-        let Rubbing { rows, law } = rubbing(world, states, touch);
+        let Rubbing { rows, law } = rubbing(model, states, touch);
         assembly.push_tangents(states, rows.into_iter())?;
         let tangents = first..assembly.problem.len();
         owners.extend(tangents.clone().map(|_| normal));
@@ -53,7 +53,7 @@ pub(super) fn forces_of_many(
     }
     push_held(&mut blocks, contacts.len()..assembly.first_tangent());
     let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
-    let constants = assembly.acceleration_constants(world, t, states, &free, kinematics)?;
+    let constants = assembly.acceleration_constants(model, t, states, &free, kinematics)?;
     let system = (&mut BodySolver::default(), &BodySettings::default());
     let (solved, _) = blocks.solve_in_bodies(&assembly.problem, &constants, None, system)?;
     if solved.report.status != SolverStatus::Solved {
@@ -70,7 +70,7 @@ pub(super) fn forces_of_many(
     let body = |(body, linear, angular): (usize, DVec3, DVec3)| BodyAcceleration { body, linear, angular };
     let normal: Vec<f64> = solved.reactions.iter().take(contacts.len()).copied().collect();
     let on_contacts = forces_on(contacts, &normal, &friction);
-    let joints = joint_loads(world, states, (&assembly, &solved.reactions), on_contacts);
+    let joints = joint_loads(model, states, (&assembly, &solved.reactions), on_contacts);
     let accelerations = assembly.split(&accelerations).map(body).collect();
     Ok(Some(PresentForces { normal, friction, accelerations, joints }))
 }
@@ -88,20 +88,20 @@ enum Rubs {
     Slides(f64),
 }
 
-fn rubbing(world: &World, states: &[BodyState], touch: &Touch) -> Rubbing {
+fn rubbing(model: &Model, states: &[BodyState], touch: &Touch) -> Rubbing {
     let none = Rubbing { rows: Vec::new(), law: Rubs::Sticks(FrictionEllipse::default()) };
-    if world.friction_of(touch.id).is_none() {
+    if model.friction_of(touch.id).is_none() {
         return none;
     }
-    let Some(terms) = world.tangential_kinematics(states, touch.id) else { return none };
-    let Some(coefficients) = world.friction_at(states, touch.id, terms.basis) else { return none };
+    let Some(terms) = model.tangential_kinematics(states, touch.id) else { return none };
+    let Some(coefficients) = model.friction_at(states, touch.id, terms.basis) else { return none };
     let row =
         |terms: &TangentialKinematics, tangent| TangentRow::new(touch.id, &touch.kinematics.geometry, terms, tangent);
     if let Some(FrictionMode::Sliding(slide)) = touch.modes.friction {
         let (against, friction) = coefficients.sliding.opposed(terms.basis, slide.direction);
         return Rubbing { rows: vec![row(&terms, against)], law: Rubs::Slides(friction) };
     }
-    let tangents = world.slip_directions().tangents(&terms.basis);
+    let tangents = model.slip_directions().tangents(&terms.basis);
     let rows = tangents.iter().map(|&tangent| row(&terms, tangent)).collect();
     Rubbing { rows, law: Rubs::Sticks(coefficients.at_rest) }
 }

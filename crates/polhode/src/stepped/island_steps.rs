@@ -6,10 +6,10 @@
 //! (kinematic ones) are left anywhere within the step: the caller prescribes them.
 
 use super::islands::Island;
+use crate::model::Model;
+use crate::model::states_of::{set_states, states_of};
 use crate::tier::executor::{Executor, Task};
 use crate::time_stepping::{TimeStepReport, TimeStepper};
-use crate::world::World;
-use crate::world::states_of::{set_states, states_of};
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 
@@ -29,7 +29,7 @@ struct Part<'a> {
 /// # Errors
 /// That of the first island whose contact problem is not finite.
 pub(super) fn advance_islands(
-    world: &World,
+    model: &Model,
     executor: &dyn Executor,
     (stepper, states): (&mut TimeStepper, &mut [BodyState]),
     islands: &[Island],
@@ -37,12 +37,12 @@ pub(super) fn advance_islands(
 ) -> Reports {
     let parts = executor.width().get().min(islands.len());
     if parts <= 1 {
-        return advance_each(world, (stepper, states), islands, interval);
+        return advance_each(model, (stepper, states), islands, interval);
     }
     let part = |islands| Part { islands, states: states.to_vec(), stepper: stepper.clone(), reports: Ok(Vec::new()) };
     let mut parts: Vec<Part<'_>> = islands.chunks(islands.len().div_ceil(parts)).map(part).collect();
     let task = |part: &mut Part<'_>| {
-        part.reports = advance_each(world, (&mut part.stepper, &mut part.states), part.islands, interval);
+        part.reports = advance_each(model, (&mut part.stepper, &mut part.states), part.islands, interval);
     };
     executor.run(parts.iter_mut().map(|part| Box::new(move || task(part)) as Task<'_>).collect());
     let mut reports = Vec::with_capacity(islands.len());
@@ -57,11 +57,11 @@ pub(super) fn advance_islands(
 }
 
 fn advance_each(
-    world: &World,
+    model: &Model,
     (stepper, states): (&mut TimeStepper, &mut [BodyState]),
     islands: &[Island],
     interval: (f64, f64),
 ) -> Reports {
-    let advance = |island: &Island| stepper.advance(world, states, &island.bodies, &island.pairs, interval);
+    let advance = |island: &Island| stepper.advance(model, states, &island.bodies, &island.pairs, interval);
     islands.iter().map(advance).collect()
 }

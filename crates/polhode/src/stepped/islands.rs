@@ -1,6 +1,6 @@
 //! Islands of a time step: bodies that may touch within it, or that force fields couple.
 
-use crate::world::World;
+use crate::model::Model;
 use polhode_contact::{Aabb, BroadPhase, BroadPhaseError, swept_aabb};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DisjointSets, Still};
@@ -27,8 +27,8 @@ pub(super) struct IslandSearch {
 }
 
 impl IslandSearch {
-    pub(super) fn new(world: &World, broad_phase: Box<dyn BroadPhase>) -> Self {
-        let colliders = (0..world.bodies.len()).filter(|&body| world.bodies[body].shape.is_some()).collect();
+    pub(super) fn new(model: &Model, broad_phase: Box<dyn BroadPhase>) -> Self {
+        let colliders = (0..model.bodies.len()).filter(|&body| model.bodies[body].shape.is_some()).collect();
         Self { broad_phase, colliders, boxes: Vec::new(), box_pairs: Vec::new() }
     }
 
@@ -43,15 +43,15 @@ impl IslandSearch {
     /// When there are more bodies than the broad phase can number.
     pub(super) fn pairs(
         &mut self,
-        world: &World,
+        model: &Model,
         states: &[BodyState],
         interval: (f64, f64),
     ) -> Result<Vec<(usize, usize)>, BroadPhaseError> {
-        if !world.may_collide_at_all() {
-            return Ok(world.joint_contact_pairs().collect());
+        if !model.may_collide_at_all() {
+            return Ok(model.joint_contact_pairs().collect());
         }
-        let mut pairs = self.pairs_of_boxes(world, |body| swept_box(world, states, body, interval))?;
-        pairs.extend(world.joint_contact_pairs());
+        let mut pairs = self.pairs_of_boxes(model, |body| swept_box(model, states, body, interval))?;
+        pairs.extend(model.joint_contact_pairs());
         pairs.sort_unstable();
         Ok(pairs)
     }
@@ -62,7 +62,7 @@ impl IslandSearch {
     /// When there are more bodies than the broad phase can number.
     pub(super) fn pairs_of_boxes(
         &mut self,
-        world: &World,
+        model: &Model,
         of: impl Fn(usize) -> Aabb,
     ) -> Result<Vec<(usize, usize)>, BroadPhaseError> {
         self.boxes.clear();
@@ -70,16 +70,16 @@ impl IslandSearch {
         self.broad_phase.pairs(&self.boxes, &mut self.box_pairs)?;
         let pairs = self.box_pairs.iter().map(|&(i, j)| (self.colliders[i as usize], self.colliders[j as usize]));
         let pairs = pairs.map(|(a, b)| (a.min(b), a.max(b)));
-        Ok(pairs.filter(|&(a, b)| world.scene.may_collide(a, b)).collect())
+        Ok(pairs.filter(|&(a, b)| model.scene.may_collide(a, b)).collect())
     }
 }
 
 /// The box of a body, enlarged by the distance that it may travel from `t` to `t + h` (s).
-fn swept_box(world: &World, states: &[BodyState], body: usize, (t, h): (f64, f64)) -> Aabb {
+fn swept_box(model: &Model, states: &[BodyState], body: usize, (t, h): (f64, f64)) -> Aabb {
     let state = &states[body];
-    let Some(shape) = &world.bodies[body].shape else { return Aabb::UNBOUNDED };
-    let travel = world.touch_distance(states, body, body) + travel_of(world, states, body, h);
-    let swept = match world.trajectory(body) {
+    let Some(shape) = &model.bodies[body].shape else { return Aabb::UNBOUNDED };
+    let travel = model.touch_distance(states, body, body) + travel_of(model, states, body, h);
+    let swept = match model.trajectory(body) {
         Some(trajectory) => swept_aabb(shape, trajectory, t, t + h),
         None => swept_aabb(shape, &Still(state.pose), 0.0, 0.0),
     };
@@ -89,38 +89,38 @@ fn swept_box(world: &World, states: &[BodyState], body: usize, (t, h): (f64, f64
 
 /// How far a body that is free may travel within `h` (s), m; impulses included. Zero where it does not move or follows
 /// a motion.
-pub(super) fn travel_of(world: &World, states: &[BodyState], body: usize, h: f64) -> f64 {
-    let own = &world.bodies[body];
+pub(super) fn travel_of(model: &Model, states: &[BodyState], body: usize, h: f64) -> f64 {
+    let own = &model.bodies[body];
     if !own.moves() {
         return 0.0;
     }
-    let velocity = world.velocity(body, &states[body]);
+    let velocity = model.velocity(body, &states[body]);
     let speed = velocity.linear.length() + velocity.angular.length() * own.size;
-    SWEEP_FACTOR * h * (speed + world.gravity().length() * h)
+    SWEEP_FACTOR * h * (speed + model.gravity().length() * h)
 }
 
 /// The islands: connected components of the movable bodies by pairs and couplings, ordered by their first bodies. A
 /// body without a pair is in no island, unless a field acts on it; then it is at least an island of its own.
-pub(super) fn islands(world: &World, pairs: &[(usize, usize)]) -> Vec<Island> {
-    let mut sets = DisjointSets::new(world.bodies.len());
-    let mut taken = vec![false; world.bodies.len()];
-    for together in &world.couplings {
+pub(super) fn islands(model: &Model, pairs: &[(usize, usize)]) -> Vec<Island> {
+    let mut sets = DisjointSets::new(model.bodies.len());
+    let mut taken = vec![false; model.bodies.len()];
+    for together in &model.couplings {
         for &body in together {
             sets.join(together[0], body);
         }
     }
-    for &body in &world.movable {
-        taken[body] = world.is_loaded(body) && world.bodies[body].moves();
+    for &body in &model.movable {
+        taken[body] = model.is_loaded(body) && model.bodies[body].moves();
     }
     for &(a, b) in pairs {
-        let moves = [a, b].map(|body| world.bodies[body].moves());
+        let moves = [a, b].map(|body| model.bodies[body].moves());
         taken[a] |= moves[0];
         taken[b] |= moves[1];
         if moves == [true, true] {
             sets.join(a, b);
         }
     }
-    let mut slots: Vec<Option<usize>> = vec![None; world.bodies.len()];
+    let mut slots: Vec<Option<usize>> = vec![None; model.bodies.len()];
     let mut islands: Vec<Island> = Vec::new();
     for body in (0..taken.len()).filter(|&body| taken[body]) {
         let slot = *slots[sets.smallest(body)].get_or_insert_with(|| {
@@ -130,7 +130,7 @@ pub(super) fn islands(world: &World, pairs: &[(usize, usize)]) -> Vec<Island> {
         islands[slot].bodies.push(body);
     }
     for &(a, b) in pairs {
-        let member = if world.bodies[a].moves() { a } else { b };
+        let member = if model.bodies[a].moves() { a } else { b };
         if let Some(slot) = slots[sets.smallest(member)] {
             islands[slot].pairs.push((a, b));
         }

@@ -7,7 +7,7 @@
 
 use super::engine::{SteppedEngine, joined};
 use super::instant_forces::PresentForces;
-use crate::constraint::joint::WorldJoint;
+use crate::constraint::joint::ModelJoint;
 use crate::error::SimulationError;
 use crate::report::frame::JointView;
 use crate::solve::joint_loads::{joint_view, overloaded};
@@ -26,12 +26,12 @@ impl SteppedEngine {
         core: &mut Core,
         loads: &BTreeMap<usize, JointView>,
     ) -> Result<(), SimulationError> {
-        let broken = overloaded(&core.world, loads);
+        let broken = overloaded(&core.model, loads);
         if broken.is_empty() {
             return Ok(());
         }
-        let of_broken = core.world.joints.iter().filter(|joint| broken.contains(&joint.number()));
-        let bodies: Vec<usize> = of_broken.flat_map(WorldJoint::bodies).collect();
+        let of_broken = core.model.joints.iter().filter(|joint| broken.contains(&joint.number()));
+        let bodies: Vec<usize> = of_broken.flat_map(ModelJoint::bodies).collect();
         core.break_joints(core.t, &self.states, &broken)?;
         self.resting.wake_all();
         for body in bodies {
@@ -43,27 +43,27 @@ impl SteppedEngine {
     /// What the joints bear, where bodies have these states.
     pub(super) fn loads_of_joints(&self, core: &Core, states: &[BodyState]) -> BTreeMap<usize, JointView> {
         let Some(loads) = &self.loads else { return self.loads_at_instant(core, states) };
-        let view = |joint: &WorldJoint| {
+        let view = |joint: &ModelJoint| {
             let view = loads.get(&joint.number())?;
-            Some((joint.number(), JointView { point_m: core.world.anchor_of(states, joint), ..*view }))
+            Some((joint.number(), JointView { point_m: core.model.anchor_of(states, joint), ..*view }))
         };
-        core.world.joints.iter().filter_map(view).collect()
+        core.model.joints.iter().filter_map(view).collect()
     }
 
     /// The same by the law of the steps at the present.
     fn loads_at_instant(&self, core: &Core, states: &[BodyState]) -> BTreeMap<usize, JointView> {
         let mut loads = BTreeMap::new();
-        if core.world.joints.is_empty() {
+        if core.model.joints.is_empty() {
             return loads;
         }
         let pairs: BTreeSet<(usize, usize)> =
-            self.touching.iter().copied().chain(core.world.joint_contact_pairs()).collect();
+            self.touching.iter().copied().chain(core.model.joint_contact_pairs()).collect();
         let touches = self.resting_touches(core, &pairs.into_iter().collect::<Vec<_>>());
-        for (bodies, contacts) in joined(&core.world, &touches) {
+        for (bodies, contacts) in joined(&core.model, &touches) {
             match PresentForces::solve(core, states, &bodies, &contacts) {
                 Ok(forces) => loads.extend(forces.joints),
-                Err(_) => loads.extend(core.world.joints_among(&bodies).map(|joint| {
-                    let point = core.world.anchor_of(states, joint);
+                Err(_) => loads.extend(core.model.joints_among(&bodies).map(|joint| {
+                    let point = core.model.anchor_of(states, joint);
                     (joint.number(), joint_view(joint.number(), point, (DVec3::NAN, DVec3::NAN)))
                 })),
             }

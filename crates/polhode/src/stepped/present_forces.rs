@@ -30,23 +30,23 @@ impl PresentForces {
         bodies: &[usize],
         contacts: &[Touch],
     ) -> Result<Self, ResponseError> {
-        let world = &core.world;
-        let loads = world.loads_on(core.t, states, bodies);
+        let model = &core.model;
+        let loads = model.loads_on(core.t, states, bodies);
         let body = |(body, linear, angular): (usize, DVec3, DVec3)| BodyAcceleration { body, linear, angular };
         let contacts: Vec<Touch> = contacts.iter().map(|touch| with_modes(core, states, touch)).collect();
         if contacts.len() >= LEAST_IN_BODIES
-            && !world.has_rotational_friction()
-            && let Some(found) = forces_of_many(world, (core.t, states), bodies, &contacts, &loads)?
+            && !model.has_rotational_friction()
+            && let Some(found) = forces_of_many(model, (core.t, states), bodies, &contacts, &loads)?
         {
             return Ok(found);
         }
         let mut solver = ComplementaritySolver::default();
-        let found = Accelerations::solve(world, (core.t, states), bodies, &contacts, &loads, &mut solver)?;
+        let found = Accelerations::solve(model, (core.t, states), bodies, &contacts, &loads, &mut solver)?;
         let normal: Vec<f64> = found.solution.forces.iter().take(contacts.len()).copied().collect();
         let friction: Vec<DVec3> =
             found.contacts.iter().map(|tangent| tangent.map_or(DVec3::ZERO, |t| t.force)).collect();
         let on_contacts = forces_on(&contacts, &normal, &friction);
-        let joints = joint_loads(world, states, (&found.assembly, &found.solution.forces), on_contacts);
+        let joints = joint_loads(model, states, (&found.assembly, &found.solution.forces), on_contacts);
         let accelerations = found.assembly.split(&found.of_bodies).map(body).collect();
         Ok(Self { normal, friction, accelerations, joints })
     }
@@ -54,19 +54,19 @@ impl PresentForces {
 
 /// The contact with its modes: it slides or turns where its velocity is more than a step leaves of one that is held.
 fn with_modes(core: &Core, states: &[BodyState], touch: &Touch) -> Touch {
-    let world = &core.world;
-    let none = STICKING_RELATIVE * world.gravity().length() * core.settings.step_s;
-    let noise = world.velocity_rounding(states, &[touch.id.a, touch.id.b]);
+    let model = &core.model;
+    let none = STICKING_RELATIVE * model.gravity().length() * core.settings.step_s;
+    let noise = model.velocity_rounding(states, &[touch.id.a, touch.id.b]);
     let mode = |velocity: DVec3, size: f64| {
         let speed = velocity.length();
         let slide = Slide { direction: velocity / speed, speed, noise: noise / size };
         (speed > none.max(noise) / size).then_some(FrictionMode::Sliding(slide))
     };
-    let slip = world.tangential_kinematics(states, touch.id).map_or(DVec3::ZERO, |terms| terms.slip_velocity);
-    let rotation = world.relative_rotation(states, touch.id);
-    let size = world.pair_size(touch.id.a, touch.id.b);
+    let slip = model.tangential_kinematics(states, touch.id).map_or(DVec3::ZERO, |terms| terms.slip_velocity);
+    let rotation = model.relative_rotation(states, touch.id);
+    let size = model.pair_size(touch.id.a, touch.id.b);
     let turn = |turn: Turn| {
-        turn.friction(world, (touch.id.a, touch.id.b))?;
+        turn.friction(model, (touch.id.a, touch.id.b))?;
         mode(turn.part(rotation, touch.kinematics.geometry.normal), size)
     };
     Touch { modes: ContactModes { friction: mode(slip, 1.0), rotation: RotationModes::of(turn) }, ..*touch }

@@ -17,8 +17,8 @@
 
 use super::islands::{Island, travel_of};
 use crate::accounting::books::Books;
+use crate::model::Model;
 use crate::report::momentum_ledger::Momentum;
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DisjointSets;
 use std::collections::BTreeSet;
@@ -71,9 +71,9 @@ impl Resting {
     }
 
     /// Whether all that could move rests.
-    pub(super) fn is_everything(&mut self, world: &World) -> bool {
-        let rests = |body: &usize| self.of_body[*body] || !world.bodies[*body].moves();
-        *self.everything.get_or_insert_with(|| world.movable.iter().all(rests))
+    pub(super) fn is_everything(&mut self, model: &Model) -> bool {
+        let rests = |body: &usize| self.of_body[*body] || !model.bodies[*body].moves();
+        *self.everything.get_or_insert_with(|| model.movable.iter().all(rests))
     }
 
     fn changed(&mut self) {
@@ -91,21 +91,21 @@ impl Resting {
     /// it.
     pub(super) fn without_idle_pairs(
         &self,
-        world: &World,
+        model: &Model,
         states: &[BodyState],
         mut pairs: Vec<(usize, usize)>,
         (touching, h): (&BTreeSet<(usize, usize)>, f64),
     ) -> Vec<(usize, usize)> {
         pairs.retain(|&(a, b)| {
-            let moves = [a, b].map(|body| world.bodies[body].moves());
+            let moves = [a, b].map(|body| model.bodies[body].moves());
             match [self.of_body[a], self.of_body[b]] {
                 [false, false] => true,
                 [true, true] => touching.contains(&(a, b)),
                 _ if moves != [true, true] => true,
                 _ => {
-                    let reach = travel_of(world, states, a, h) + travel_of(world, states, b, h);
-                    let reach = reach + world.touch_distance(states, a, b);
-                    !world.contacts_of_pair(states, a, b, reach).is_empty()
+                    let reach = travel_of(model, states, a, h) + travel_of(model, states, b, h);
+                    let reach = reach + model.touch_distance(states, a, b);
+                    !model.contacts_of_pair(states, a, b, reach).is_empty()
                 }
             }
         });
@@ -113,8 +113,8 @@ impl Resting {
     }
 
     /// Notes whether an island that was stepped rests now.
-    pub(super) fn note(&mut self, world: &World, island: &Island, is_at_rest: bool) {
-        let rests = is_at_rest && may_rest(world, island);
+    pub(super) fn note(&mut self, model: &Model, island: &Island, is_at_rest: bool) {
+        let rests = is_at_rest && may_rest(model, island);
         for &body in &island.bodies {
             if self.of_body[body] != rests {
                 self.of_body[body] = rests;
@@ -124,16 +124,16 @@ impl Resting {
     }
 
     /// Enters `dt` seconds of rest of all of them in the books.
-    pub(super) fn book(&mut self, world: &World, states: &[BodyState], books: &mut Books, dt: f64) {
-        let resting = || world.movable.iter().copied().filter(|&body| self.of_body[body]);
-        let weight = *self.weight.get_or_insert_with(|| books.weight_of(world, states, resting()));
+    pub(super) fn book(&mut self, model: &Model, states: &[BodyState], books: &mut Books, dt: f64) {
+        let resting = || model.movable.iter().copied().filter(|&body| self.of_body[body]);
+        let weight = *self.weight.get_or_insert_with(|| books.weight_of(model, states, resting()));
         books.borne(weight, dt);
     }
 }
 
 /// The groups of bodies of an island that touch each other, by pairs that touch, with the pairs of the island that are
 /// of each and of it with bodies that do not move.
-pub(super) fn touching_groups(world: &World, island: &Island, touching: &[(usize, usize)]) -> Vec<Island> {
+pub(super) fn touching_groups(model: &Model, island: &Island, touching: &[(usize, usize)]) -> Vec<Island> {
     let place = |body: usize| island.bodies.binary_search(&body).ok();
     let mut sets = DisjointSets::new(island.bodies.len());
     for &(a, b) in touching {
@@ -152,7 +152,7 @@ pub(super) fn touching_groups(world: &World, island: &Island, touching: &[(usize
     }
     for &(a, b) in &island.pairs {
         let of = [a, b].map(|body| place(body).and_then(|index| slots[sets.smallest(index)]));
-        let is_beside = |body: usize| !world.bodies[body].moves();
+        let is_beside = |body: usize| !model.bodies[body].moves();
         match of {
             [Some(x), Some(y)] if x == y => groups[x].pairs.push((a, b)),
             [Some(x), None] if is_beside(b) => groups[x].pairs.push((a, b)),
@@ -164,8 +164,8 @@ pub(super) fn touching_groups(world: &World, island: &Island, touching: &[(usize
 }
 
 /// Whether nothing that acts on an island depends on time.
-pub(super) fn may_rest(world: &World, island: &Island) -> bool {
-    let is_driven = |body: usize| world.trajectory(body).is_some() || world.has_moving_surface(body);
-    let is_loaded = |&body: &usize| world.is_loaded(body) || world.has_moving_surface(body);
+pub(super) fn may_rest(model: &Model, island: &Island) -> bool {
+    let is_driven = |body: usize| model.trajectory(body).is_some() || model.has_moving_surface(body);
+    let is_loaded = |&body: &usize| model.is_loaded(body) || model.has_moving_surface(body);
     !island.bodies.iter().any(is_loaded) && !island.pairs.iter().any(|&(a, b)| is_driven(a) || is_driven(b))
 }

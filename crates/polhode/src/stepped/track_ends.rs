@@ -13,8 +13,8 @@ use polhode_dynamics::BodyState;
 /// # Errors
 /// When the forces on the bodies cannot be made.
 pub(super) fn let_go_at_ends_of_tracks(core: &mut Core, states: &[BodyState], t: f64) -> Result<(), SimulationError> {
-    for RunOff { joint, body, point } in core.world.run_off(states, &core.world.movable) {
-        core.world.release(&[joint])?;
+    for RunOff { joint, body, point } in core.model.run_off(states, &core.model.movable) {
+        core.model.release(&[joint])?;
         core.accounts.add_event(Event { point, ..Event::new(t, EventKind::Detach, BodyId::new(body)) });
     }
     Ok(())

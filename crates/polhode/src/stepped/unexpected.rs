@@ -6,9 +6,9 @@
 //! with, the step is made again with that pair.
 
 use super::islands::{Island, IslandSearch, travel_of};
+use crate::model::Model;
 use crate::solve::overlap::{Overlaps, displacement};
 use crate::time_stepping::{SHARE_OF_SIZE, drift};
-use crate::world::World;
 use polhode_contact::{Aabb, BroadPhaseError, swept_aabb};
 use polhode_dynamics::BodyState;
 use polhode_spatial::Still;
@@ -32,34 +32,34 @@ impl Unexpected<'_> {
     /// When there are more bodies than the broad phase can number.
     pub(super) fn find(
         &self,
-        world: &World,
+        model: &Model,
         search: &mut IslandSearch,
     ) -> Result<Vec<(usize, usize)>, BroadPhaseError> {
         let (t, h) = self.interval;
-        let mut is_out = vec![false; world.bodies.len()];
-        let mut in_island = vec![false; world.bodies.len()];
+        let mut is_out = vec![false; model.bodies.len()];
+        let mut in_island = vec![false; model.bodies.len()];
         for &body in self.islands.iter().flat_map(|island| &island.bodies) {
             in_island[body] = true;
-            let way = displacement(world, body, &self.begin[body], &self.end[body]);
-            is_out[body] = world.bodies[body].shape.is_some() && way > travel_of(world, self.begin, body, h);
+            let way = displacement(model, body, &self.begin[body], &self.end[body]);
+            is_out[body] = model.bodies[body].shape.is_some() && way > travel_of(model, self.begin, body, h);
         }
         if !is_out.contains(&true) {
             return Ok(Vec::new());
         }
         let mut end = self.end.to_vec();
-        for &body in world.movable.iter().filter(|&&body| !in_island[body] && world.bodies[body].moves()) {
-            end[body] = drift(world, body, &self.begin[body], h);
+        for &body in model.movable.iter().filter(|&&body| !in_island[body] && model.bodies[body].moves()) {
+            end[body] = drift(model, body, &self.begin[body], h);
         }
-        world.prescribe(t + h, &mut end);
+        model.prescribe(t + h, &mut end);
         let of = |body: usize| {
-            let shape = world.bodies[body].shape.as_ref();
+            let shape = model.bodies[body].shape.as_ref();
             let swept = shape.and_then(|shape| swept_aabb(shape, &Still(end[body].pose), 0.0, 0.0).ok());
             swept.unwrap_or(Aabb::UNBOUNDED)
         };
-        let mut pairs = search.pairs_of_boxes(world, of)?;
+        let mut pairs = search.pairs_of_boxes(model, of)?;
         pairs.retain(|pair| (is_out[pair.0] || is_out[pair.1]) && self.pairs.binary_search(pair).is_err());
         let overlaps = |&(a, b): &(usize, usize)| {
-            !Overlaps::find(world, &end, &[(a, b)]).deeper_than(world, &end, SHARE_OF_SIZE).is_empty()
+            !Overlaps::find(model, &end, &[(a, b)]).deeper_than(model, &end, SHARE_OF_SIZE).is_empty()
         };
         pairs.retain(overlaps);
         Ok(pairs)

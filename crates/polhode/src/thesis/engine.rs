@@ -90,7 +90,7 @@ impl ThesisEngine {
         bodies.touching_pairs = saved.touching_pairs;
         Ok(Self {
             loaded: LoadedBodies::default(),
-            resting: crate::snapshot::parts::restored_forces(&core.world, &saved.resting)?,
+            resting: crate::snapshot::parts::restored_forces(&core.model, &saved.resting)?,
             errors: ErrorEstimate::restored(&saved.errors, bodies.states.len())?,
             bodies,
         })
@@ -108,23 +108,23 @@ impl ThesisEngine {
         let halves = if compares { Some(self.in_two_halves(core, &loads, t_next - core.t)?) } else { None };
         self.integrate(core, loads.clone(), t_next - core.t)?;
         self.emit_samples_within(core, t_next, observer)?;
-        let movable = core.world.movable.clone();
-        let before = core.accounts.books.balance(&core.world, &self.bodies.states, &movable);
+        let movable = core.model.movable.clone();
+        let before = core.accounts.books.balance(&core.model, &self.bodies.states, &movable);
         let ends = self.bodies.all_states(core, self.bodies.integrator.states(), t_next);
         let received = self.received(core, &resting, &loads, &ends, t_next);
         self.note_errors(core, &ends, halves.as_deref(), t_next - core.t);
         self.bodies.states = ends;
-        let after = core.accounts.books.balance(&core.world, &self.bodies.states, &movable);
+        let after = core.accounts.books.balance(&core.model, &self.bodies.states, &movable);
         core.accounts.books.smooth_stage(before, after, received);
         core.t = t_next;
         core.accounts.count_step();
-        core.accounts.observe(&core.world, &self.bodies.states, core.t)?;
+        core.accounts.observe(&core.model, &self.bodies.states, core.t)?;
         let touches = self.bodies.detect(core, TOUCH)?;
         for touch in &touches {
             self.errors.overlap((touch.id.a, touch.id.b), -touch.kinematics.geometry.separation);
             core.note_contact(core.t, &self.bodies.states, (touch.id.a, touch.id.b), &touch.kinematics);
         }
-        core.accounts.certificate.estimated_error = Some(self.errors.largest(&core.world));
+        core.accounts.certificate.estimated_error = Some(self.errors.largest(&core.model));
         if core.settings.response == Response::ImpulseProjection {
             move_apart(core, &mut self.bodies.states, &touches);
         }
@@ -133,10 +133,10 @@ impl ThesisEngine {
 
     /// States of all bodies after two steps of half the length `h` (s) under the same loads.
     fn in_two_halves(&self, core: &Core, loads: &[Wrench], h: f64) -> Result<Vec<BodyState>, SimulationError> {
-        let loaded = LoadedBodies::new(core.world.shared_fields(), loads.to_vec());
-        let motion = loaded.motion(core.world.free_motion().bodies(), core.world.gravity());
+        let loaded = LoadedBodies::new(core.model.shared_fields(), loads.to_vec());
+        let motion = loaded.motion(core.model.free_motion().bodies(), core.model.gravity());
         let mut integrator = core.settings.build_integrator();
-        integrator.start(&motion, core.t, &core.world.movable_states(&self.bodies.states));
+        integrator.start(&motion, core.t, &core.model.movable_states(&self.bodies.states));
         for _ in 0..2 {
             let step = integrator.step(&motion, 0.5 * h);
             step.map_err(|source| SimulationError::Integration { t_s: core.t, source })?;
@@ -146,17 +146,17 @@ impl ThesisEngine {
 
     /// Records how far the bodies move in a step of `h` (s) to `ends`, and its estimated error.
     fn note_errors(&mut self, core: &mut Core, ends: &[BodyState], halves: Option<&[BodyState]>, h: f64) {
-        let world = &core.world;
-        for &body in world.movable.iter().filter(|&&body| world.bodies[body].moves()) {
+        let model = &core.model;
+        for &body in model.movable.iter().filter(|&&body| model.bodies[body].moves()) {
             if let Some(halves) = halves {
-                self.errors.compare(world, body, (&ends[body], &halves[body]), EVERY);
+                self.errors.compare(model, body, (&ends[body], &halves[body]), EVERY);
             }
-            if world.bodies[body].shape.is_some() {
-                let movement = Movement::between(world, body, (&self.bodies.states[body], &ends[body]), (core.t, h));
+            if model.bodies[body].shape.is_some() {
+                let movement = Movement::between(model, body, (&self.bodies.states[body], &ends[body]), (core.t, h));
                 core.accounts.measures.long_steps.note(movement);
             }
         }
-        self.errors.go_on(world, ends, h);
+        self.errors.go_on(model, ends, h);
     }
 
     /// Applies impulses, one contact after the other, until no contact approaches.
@@ -167,14 +167,14 @@ impl ThesisEngine {
         observer: &mut dyn Observer,
     ) -> Result<(), SimulationError> {
         let all = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b));
-        for group in groups(&core.world, all) {
+        for group in groups(&core.model, all) {
             let Some(outcome) = self.strike(core, &group, touches)? else { continue };
             let impulses = group.contacts.iter().zip(&outcome.impulses);
             let impulses = impulses.map(|(&i, &p)| (touches[i].id, &touches[i].kinematics.geometry, p));
-            let work = core.world.prescribed_work(&self.bodies.states, impulses.clone());
-            let given = support(&core.world, core.accounts.books.ledger.momentum.about, impulses);
+            let work = core.model.prescribed_work(&self.bodies.states, impulses.clone());
+            let given = support(&core.model, core.accounts.books.ledger.momentum.about, impulses);
             core.accounts.books.impact((outcome.energy_change, 0.0), given, work);
-            core.accounts.note_impact(&core.world, core.t, core.settings.impact, &group.bodies, &outcome);
+            core.accounts.note_impact(&core.model, core.t, core.settings.impact, &group.bodies, &outcome);
             for application in &outcome.applications {
                 let touch = &touches[group.contacts[application.row]];
                 core.accounts.add_event(impulse_event(core.t, EventKind::Impact, touch, application));
@@ -191,9 +191,9 @@ impl ThesisEngine {
         group: &Group,
         touches: &[Touch],
     ) -> Result<Option<ImpactOutcome>, SimulationError> {
-        let (world, states) = (&core.world, &mut self.bodies.states);
+        let (model, states) = (&core.model, &mut self.bodies.states);
         let outcome = if core.settings.response == Response::ImpulseUnconditional {
-            strike_unconditionally(world, states, group, touches)
+            strike_unconditionally(model, states, group, touches)
         } else {
             if group.contacts.iter().all(|&i| touches[i].kinematics.separation_rate >= 0.0) {
                 return Ok(None);
@@ -201,7 +201,7 @@ impl ThesisEngine {
             let solver = SolverSettings::default();
             let settings = ImpactSettings { threshold: PROPAGATION_THRESHOLD, limit: PROPAGATION_LIMIT, solver };
             let law = core.settings.impact;
-            strike(world, states, group, touches, law, &settings, &mut core.solver).map(|struck| struck.outcome)
+            strike(model, states, group, touches, law, &settings, &mut core.solver).map(|struck| struck.outcome)
         };
         outcome.map(Some).map_err(|source| Core::response_error(core.t, source))
     }
@@ -211,12 +211,12 @@ impl ThesisEngine {
         if core.settings.response != Response::Constraint {
             return Ok(RestingForces { touches: Vec::new(), forces: Vec::new() });
         }
-        let slow = SEPARATING_STEPS * core.world.gravity().length() * core.settings.step_s;
+        let slow = SEPARATING_STEPS * core.model.gravity().length() * core.settings.step_s;
         let mut touches = self.bodies.detect(core, TOUCH)?;
         touches.retain(|touch| touch.kinematics.separation_rate.abs() <= slow);
         let mut forces = vec![0.0; touches.len()];
         let all: Vec<_> = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b)).collect();
-        for group in groups(&core.world, all.into_iter()) {
+        for group in groups(&core.model, all.into_iter()) {
             let members: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
             let solved = group_forces(core, &self.bodies.states, &group.bodies, &members);
             let solved = solved.map_err(|source| Core::response_error(core.t, source))?;
@@ -237,26 +237,26 @@ impl ThesisEngine {
         ends: &[BodyState],
         t_next: f64,
     ) -> Received {
-        let world = &core.world;
+        let model = &core.model;
         let about = core.accounts.books.ledger.momentum.about;
         let h = t_next - core.t;
         let stage = Ends { t: [core.t, t_next], states: [&self.bodies.states, ends] };
-        let mut received = free_stage::received(world, stage, &world.movable, about);
+        let mut received = free_stage::received(model, stage, &model.movable, about);
         // The work of constant forces is along the path of the contact points: to second order, by their speed in the
         // middle.
         let mut middle = self.bodies.states.clone();
-        world.prescribe(core.t + 0.5 * h, &mut middle);
+        model.prescribe(core.t + 0.5 * h, &mut middle);
         let contacts = resting.touches.iter().zip(&resting.forces);
         let impulses = contacts.map(|(touch, &force)| (touch.id, &touch.kinematics.geometry, force * h));
-        received.external_j += world.prescribed_work(&middle, impulses);
-        for (&body, (rigid, load)) in world.movable.iter().zip(world.free_motion().bodies().iter().zip(loads)) {
+        received.external_j += model.prescribed_work(&middle, impulses);
+        for (&body, (rigid, load)) in model.movable.iter().zip(model.free_motion().bodies().iter().zip(loads)) {
             let state = &self.bodies.states[body];
-            let acceleration = world.gravity() + load.force * rigid.inverse_mass();
+            let acceleration = model.gravity() + load.force * rigid.inverse_mass();
             let shift = state.linear_velocity * (0.5 * h) + acceleration * (h * h / 6.0);
             let contacts = resting.touches.iter().zip(&resting.forces);
             let contacts = contacts.filter(|(touch, _)| touch.id.a == body || touch.id.b == body);
             let impulses = contacts.map(|(touch, &force)| (touch.id, &touch.kinematics.geometry, force * h));
-            let now = support(world, about, impulses);
+            let now = support(model, about, impulses);
             let moved = Momentum { linear: DVec3::ZERO, angular: shift.cross(now.linear) };
             received.support = received.support + now + moved;
         }
@@ -267,8 +267,8 @@ impl ThesisEngine {
     /// if only it has changed the states since its last step.
     fn integrate(&mut self, core: &Core, loads: Vec<Wrench>, h: f64) -> Result<(), SimulationError> {
         let loaded = loads.iter().any(|load| *load != Wrench::default());
-        self.loaded = LoadedBodies::new(core.world.shared_fields(), loads);
-        let motion = self.loaded.motion(core.world.free_motion().bodies(), core.world.gravity());
+        self.loaded = LoadedBodies::new(core.model.shared_fields(), loads);
+        let motion = self.loaded.motion(core.model.free_motion().bodies(), core.model.gravity());
         let continues = if loaded { Continues::Anew } else { Continues::Untouched };
         self.bodies.integrate(core, &motion, (h, continues))
     }
@@ -282,7 +282,7 @@ impl ThesisEngine {
         observer: &mut dyn Observer,
     ) -> Result<(), SimulationError> {
         emit_samples_before(t_next, self, core, observer, |engine, core, t| {
-            let motion = engine.loaded.motion(core.world.free_motion().bodies(), core.world.gravity());
+            let motion = engine.loaded.motion(core.model.free_motion().bodies(), core.model.gravity());
             engine.bodies.states_within(core, &motion, t)
         })
     }
@@ -317,11 +317,11 @@ impl Tier for ThesisEngine {
     fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
         let resting = self.resting_forces(core)?;
         let loads = loads(core, &self.bodies.states, &resting);
-        let motion = core.world.free_motion();
+        let motion = core.model.free_motion();
         let bodies = motion.bodies();
         let load_of = |place: usize| {
             let (load, rigid) = (loads.get(place)?, bodies.get(place)?);
-            let rotation = self.bodies.states[*core.world.movable.get(place)?].pose.rotation;
+            let rotation = self.bodies.states[*core.model.movable.get(place)?].pose.rotation;
             Some((load.force, load.torque + rotation.rotate(rigid.arm()).cross(load.force)))
         };
         Ok(accelerations_under(core, &self.bodies.states, load_of))
@@ -334,7 +334,7 @@ impl Tier for ThesisEngine {
             let id = touch.id;
             let resting = self.resting.iter().find(|(known, _)| *known == id);
             let force = resting.map_or(0.0, |(_, force)| *force);
-            core.world.view_contact(states, &touch, (force, DVec3::ZERO), &mut views);
+            core.model.view_contact(states, &touch, (force, DVec3::ZERO), &mut views);
         }
         views
     }
@@ -381,13 +381,13 @@ fn group_forces(
     bodies: &[usize],
     contacts: &[Touch],
 ) -> Result<Vec<f64>, ResponseError> {
-    let world = &core.world;
-    let loads = world.loads(core.t, states);
+    let model = &core.model;
+    let loads = model.loads(core.t, states);
     let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
-    let assembly = Assembly::new(world, states, bodies, rows)?;
-    let free = assembly.free_accelerations(world, states, &loads);
+    let assembly = Assembly::new(model, states, bodies, rows)?;
+    let free = assembly.free_accelerations(model, states, &loads);
     let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
-    let b = assembly.acceleration_constants(world, core.t, states, &free, kinematics)?;
+    let b = assembly.acceleration_constants(model, core.t, states, &free, kinematics)?;
     let delassus = assembly.problem.delassus();
     let (forces, bound) = match core.settings.contact {
         ContactMethod::LeastForce => {
@@ -468,7 +468,7 @@ fn exact_forces(
 ) -> Result<(Vec<f64>, f64), ResponseError> {
     let solution = core.solver.solve(&assembly.problem, delassus, b, None)?;
     if solution.report.status != SolverStatus::Solved {
-        let names = core.world.names_of(assembly.bodies());
+        let names = core.model.names_of(assembly.bodies());
         let residual = solution.report.residual;
         let what =
             format!("the solver found no contact forces of {names}: the relative residual stays at {residual:e}");
@@ -479,10 +479,10 @@ fn exact_forces(
 
 /// Resultant force and torque of the contact forces on every movable body.
 fn loads(core: &Core, states: &[BodyState], resting: &RestingForces) -> Vec<Wrench> {
-    let mut loads = vec![Wrench::default(); core.world.movable.len()];
+    let mut loads = vec![Wrench::default(); core.model.movable.len()];
     for (touch, &force) in resting.touches.iter().zip(&resting.forces) {
         for (body, signed) in [(touch.id.a, force), (touch.id.b, -force)] {
-            let (Some(slot), Some(rigid)) = (core.world.slot(body), &core.world.bodies[body].rigid) else { continue };
+            let (Some(slot), Some(rigid)) = (core.model.slot(body), &core.model.bodies[body].rigid) else { continue };
             let geometry = &touch.kinematics.geometry;
             let vector = geometry.normal * signed;
             loads[slot].force += vector;

@@ -13,11 +13,11 @@
 
 use crate::collision::contact_set::Touch;
 use crate::constraint::ConstraintId;
+use crate::model::Model;
 use crate::rows::assembly::{Assembly, apply_impulses};
 use crate::rows::groups::Group;
 use crate::solve::projection::Projection;
 use crate::tier::core::Core;
-use crate::world::World;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::ResponseError;
 use polhode_response::impact::{Application, ImpactOutcome};
@@ -28,14 +28,14 @@ use polhode_response::impact::{Application, ImpactOutcome};
 /// # Errors
 /// When a number is not finite.
 pub(super) fn strike_unconditionally(
-    world: &World,
+    model: &Model,
     states: &mut [BodyState],
     group: &Group,
     touches: &[Touch],
 ) -> Result<ImpactOutcome, ResponseError> {
     let members: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
     let rows = members.iter().map(|touch| (touch.id, touch.kinematics.geometry));
-    let assembly = Assembly::new(world, states, &group.bodies, rows)?;
+    let assembly = Assembly::new(model, states, &group.bodies, rows)?;
     let delassus = assembly.problem.delassus();
     let mut rates: Vec<f64> = members.iter().map(|touch| touch.kinematics.separation_rate).collect();
     let mut outcome = ImpactOutcome { impulses: vec![0.0; members.len()], ..ImpactOutcome::default() };
@@ -44,7 +44,7 @@ pub(super) fn strike_unconditionally(
         if before == 0.0 || inverse_mass <= 0.0 {
             continue;
         }
-        let restitution = world.scene.pair_material(touch.id.a, touch.id.b).restitution();
+        let restitution = model.scene.pair_material(touch.id.a, touch.id.b).restitution();
         let impulse = -(1.0 + restitution) * before / inverse_mass;
         for (other, rate) in rates.iter_mut().enumerate() {
             *rate += delassus.get(other, row) * impulse;
@@ -56,7 +56,7 @@ pub(super) fn strike_unconditionally(
         outcome.applications.push(Application { row, impulse, energy_change });
     }
     let impulses = members.iter().zip(&outcome.impulses);
-    apply_impulses(world, states, impulses.map(|(touch, &p)| (touch.id, &touch.kinematics.geometry, p)));
+    apply_impulses(model, states, impulses.map(|(touch, &p)| (touch.id, &touch.kinematics.geometry, p)));
     outcome.velocities_after = rates;
     Ok(outcome)
 }
@@ -64,20 +64,20 @@ pub(super) fn strike_unconditionally(
 /// Moves the bodies of every pair that overlaps apart, by the depth of its deepest contact, pair after pair, and books
 /// what that does to the energy. A body with a pivot stays where it is.
 pub(super) fn move_apart(core: &mut Core, states: &mut [BodyState], touches: &[Touch]) {
-    let movable = core.world.movable.clone();
+    let movable = core.model.movable.clone();
     for pair in touches.chunk_by(|x, y| (x.id.a, x.id.b) == (y.id.a, y.id.b)) {
         let depth = |touch: &Touch| -touch.kinematics.geometry.separation;
         let Some(deepest) = pair.iter().max_by(|x, y| depth(x).total_cmp(&depth(y))) else { continue };
-        let shares = [deepest.id.a, deepest.id.b].map(|body| share(&core.world, body));
+        let shares = [deepest.id.a, deepest.id.b].map(|body| share(&core.model, body));
         let total = shares[0] + shares[1];
         if depth(deepest) <= 0.0 || total <= 0.0 {
             continue;
         }
-        let before = core.accounts.books.balance(&core.world, states, &movable);
+        let before = core.accounts.books.balance(&core.model, states, &movable);
         let way = deepest.kinematics.geometry.normal * (depth(deepest) / total);
         states[deepest.id.a].pose.translation += way * shares[0];
         states[deepest.id.b].pose.translation -= way * shares[1];
-        let after = core.accounts.books.balance(&core.world, states, &movable);
+        let after = core.accounts.books.balance(&core.model, states, &movable);
         let moved_m = depth(deepest) * shares[0].max(shares[1]) / total;
         let farthest = Some(ConstraintId::Contact(deepest.id));
         let done = Projection { moved_m, farthest, ..Projection::default() };
@@ -86,8 +86,8 @@ pub(super) fn move_apart(core: &mut Core, states: &mut [BodyState], touches: &[T
 }
 
 /// Inverse mass by which a body gives way, 1/kg: zero for what is immovable or held at a point.
-fn share(world: &World, body: usize) -> f64 {
-    let is_held = world.scene.bodies()[body].pivot_point().is_some();
-    let inverse_mass = world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass);
+fn share(model: &Model, body: usize) -> f64 {
+    let is_held = model.scene.bodies()[body].pivot_point().is_some();
+    let inverse_mass = model.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass);
     if is_held { 0.0 } else { inverse_mass }
 }

@@ -4,11 +4,11 @@ use crate::accounting::Accounts;
 use crate::accounting::last_sample::LastSample;
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
+use crate::model::Model;
 use crate::report::event::{Event, EventKind};
 use crate::scene::effects::Effects;
 use crate::scene::settings::Settings;
 use crate::tier::executor::Executor;
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::{ComplementaritySolver, ResponseError};
 use std::sync::Arc;
@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// The parts of a simulation that do not depend on its tier.
 #[derive(Debug)]
 pub(crate) struct Core {
-    pub(crate) world: World,
+    pub(crate) model: Model,
     pub(crate) settings: Settings,
     pub(crate) effects: Effects,
     /// The present, s.
@@ -36,15 +36,15 @@ impl Core {
     /// The time (s) at which a step from `t` (s) must end at the latest: the end of the run, or the first time at which
     /// a force is not smooth.
     pub(crate) fn horizon(&self, t: f64) -> f64 {
-        let duration = self.world.scene.duration_s();
+        let duration = self.model.scene.duration_s();
         // A program may advance beyond the end of the run.
         let end = if t < duration { duration } else { f64::INFINITY };
-        self.world.free_motion().corner_between(t, end).unwrap_or(end)
+        self.model.free_motion().corner_between(t, end).unwrap_or(end)
     }
 
     /// Whether the run ends at `t` (s); a program may advance further.
     pub(crate) fn is_end_of_run(&self, t: f64) -> bool {
-        t == self.world.scene.duration_s()
+        t == self.model.scene.duration_s()
     }
 
     /// Breaks joints at `t` (s), where bodies have these states, and reports it.
@@ -60,14 +60,14 @@ impl Core {
         if joints.is_empty() {
             return Ok(());
         }
-        for joint in self.world.joints.iter().filter(|joint| joints.contains(&joint.number())) {
+        for joint in self.model.joints.iter().filter(|joint| joints.contains(&joint.number())) {
             let (first, second) = joint.pair();
             let body_b = (second != first).then(|| BodyId::new(second));
-            let point = self.world.anchor_of(states, joint);
+            let point = self.model.anchor_of(states, joint);
             let event = Event::new(t, EventKind::Break, BodyId::new(first));
             self.accounts.add_event(Event { body_b, point, ..event });
         }
-        Ok(self.world.release(joints)?)
+        Ok(self.model.release(joints)?)
     }
 
     /// The error of a contact problem at `t` (s) that could not be set up.

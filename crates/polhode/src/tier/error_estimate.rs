@@ -15,9 +15,9 @@
 //! amplifies errors (a die that is about to fall on one face or another) makes them larger than their sum. A motion
 //! that damps errors makes them smaller.
 
+use crate::model::Model;
 use crate::snapshot::SnapshotError;
 use crate::solve::overlap::displacement;
-use crate::world::World;
 use polhode_dynamics::BodyState;
 
 /// How many steps a comparison stands for. It costs two steps, so that an estimate adds a fourth to a run.
@@ -52,10 +52,10 @@ impl ErrorEstimate {
     }
 
     /// Lets errors of velocity move the bodies for `h` (s); those of bodies that rest now have ended.
-    pub(crate) fn go_on(&mut self, world: &World, states: &[BodyState], h: f64) {
+    pub(crate) fn go_on(&mut self, model: &Model, states: &[BodyState], h: f64) {
         for (body, error) in self.of_bodies.iter_mut().enumerate() {
             error.position += h * error.velocity;
-            if error.velocity > 0.0 && world.point_speed(states, body) == 0.0 {
+            if error.velocity > 0.0 && model.point_speed(states, body) == 0.0 {
                 error.velocity = 0.0;
             }
         }
@@ -64,16 +64,16 @@ impl ErrorEstimate {
     /// Adds the difference of one step of a body and the same in two halves, which stands for so many steps.
     pub(crate) fn compare(
         &mut self,
-        world: &World,
+        model: &Model,
         body: usize,
         (whole, halves): (&BodyState, &BodyState),
         stands_for: u64,
     ) {
-        let [one, two] = [whole, halves].map(|state| world.velocity(body, state));
-        let size = world.bodies[body].size;
+        let [one, two] = [whole, halves].map(|state| model.velocity(body, state));
+        let size = model.bodies[body].size;
         let faster = (one.linear - two.linear).length() + (one.angular - two.angular).length() * size;
         let error = &mut self.of_bodies[body];
-        error.position += stands_for as f64 * displacement(world, body, whole, halves);
+        error.position += stands_for as f64 * displacement(model, body, whole, halves);
         error.velocity += stands_for as f64 * faster;
     }
 
@@ -103,12 +103,12 @@ impl ErrorEstimate {
     }
 
     /// The largest error of position relative to the size of a body (of a body without a size in metres).
-    pub(crate) fn largest(&self, world: &World) -> f64 {
+    pub(crate) fn largest(&self, model: &Model) -> f64 {
         let relative = |(body, error): (usize, &BodyError)| {
-            let (size, error) = (world.bodies[body].size, error.position + error.overlap);
+            let (size, error) = (model.bodies[body].size, error.position + error.overlap);
             if size > 0.0 { error / size } else { error }
         };
-        let moving = self.of_bodies.iter().enumerate().filter(|(body, _)| world.bodies[*body].moves());
+        let moving = self.of_bodies.iter().enumerate().filter(|(body, _)| model.bodies[*body].moves());
         moving.map(relative).fold(0.0, f64::max)
     }
 }

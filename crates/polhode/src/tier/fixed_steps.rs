@@ -7,13 +7,13 @@ use crate::collision::boxes::Boxes;
 use crate::collision::contact_set::Touch;
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
+use crate::model::ModelBody;
 use crate::report::acceleration::Acceleration;
 use crate::report::frame::{IslandView, MotionKind};
 use crate::rows::assembly::free_acceleration;
 use crate::snapshot::SnapshotError;
 use crate::snapshot::numbers::{State, read_states, write_states};
 use crate::tier::core::Core;
-use crate::world::WorldBody;
 use polhode_dynamics::integrator::Integrator;
 use polhode_dynamics::{BodyState, FreeMotion};
 use polhode_spatial::{DVec3, Still};
@@ -48,7 +48,7 @@ impl SteppedBodies {
             integrator: core.settings.build_integrator(),
             boxes: Boxes::new(&core.settings, states.len()),
             touching_pairs: 0,
-            moves: core.world.bodies.iter().map(WorldBody::moves).collect(),
+            moves: core.model.bodies.iter().map(ModelBody::moves).collect(),
             states,
         }
     }
@@ -58,8 +58,8 @@ impl SteppedBodies {
     /// # Errors
     /// When the data are not of this scene.
     pub(crate) fn restored(core: &Core, states: &[State], integrator: &[f64]) -> Result<Self, SnapshotError> {
-        let mut bodies = Self::new(core, read_states(states, core.world.bodies.len())?);
-        let restored = bodies.integrator.restore(&core.world.free_motion(), integrator);
+        let mut bodies = Self::new(core, read_states(states, core.model.bodies.len())?);
+        let restored = bodies.integrator.restore(&core.model.free_motion(), integrator);
         restored.map_err(|_| SnapshotError::Invalid("the variables of the integrator do not fit its bodies"))?;
         Ok(bodies)
     }
@@ -67,8 +67,8 @@ impl SteppedBodies {
     /// States of all bodies at `t` (s), given those of the movable ones.
     pub(crate) fn all_states(&self, core: &Core, movable: &[BodyState], t: f64) -> Vec<BodyState> {
         let mut states = self.states.clone();
-        core.world.prescribe(t, &mut states);
-        for (&body, state) in core.world.movable.iter().zip(movable) {
+        core.model.prescribe(t, &mut states);
+        for (&body, state) in core.model.movable.iter().zip(movable) {
             states[body] = *state;
         }
         states
@@ -84,7 +84,7 @@ impl SteppedBodies {
         motion: &FreeMotion<'_>,
         (h, continues): (f64, Continues),
     ) -> Result<(), SimulationError> {
-        let states = core.world.movable_states(&self.states);
+        let states = core.model.movable_states(&self.states);
         if continues == Continues::Anew || self.integrator.states() != states {
             self.integrator.start(motion, core.t, &states);
         }
@@ -101,7 +101,7 @@ impl SteppedBodies {
         motion: &FreeMotion<'_>,
         t: f64,
     ) -> Result<Option<Arc<Vec<BodyState>>>, SimulationError> {
-        let mut movable = core.world.movable_states(&self.states);
+        let mut movable = core.model.movable_states(&self.states);
         let within = t.min(self.integrator.time());
         let found = self.integrator.states_within(motion, within, &mut movable);
         found.map_err(|source| SimulationError::Integration { t_s: core.t, source })?;
@@ -132,7 +132,7 @@ impl SteppedBodies {
 
     /// Takes up a body that has been added to the world.
     pub(crate) fn add_body(&mut self, core: &Core, state: BodyState) {
-        self.moves.push(core.world.bodies[self.states.len()].moves());
+        self.moves.push(core.model.bodies[self.states.len()].moves());
         self.states.push(state);
         self.boxes.make_room();
     }
@@ -166,12 +166,12 @@ pub(crate) fn contacts_within(
     reach: f64,
 ) -> Result<Vec<Touch>, SimulationError> {
     for (body, state) in states.iter().enumerate() {
-        boxes.set(&core.world, body, &Still(state.pose), (core.t, core.t), reach);
+        boxes.set(&core.model, body, &Still(state.pose), (core.t, core.t), reach);
     }
     let mut touches = Vec::new();
-    boxes.all_pairs(&core.world, |a, b| {
-        let reach = reach.max(core.world.rounding(states, a, b));
-        touches.extend(core.world.contacts_of_pair(states, a, b, reach).into_iter().map(Touch::from));
+    boxes.all_pairs(&core.model, |a, b| {
+        let reach = reach.max(core.model.rounding(states, a, b));
+        touches.extend(core.model.contacts_of_pair(states, a, b, reach).into_iter().map(Touch::from));
     })?;
     Ok(touches)
 }
@@ -184,21 +184,21 @@ pub(crate) fn accelerations_under(
     states: &[BodyState],
     load_of: impl Fn(usize) -> Option<(DVec3, DVec3)>,
 ) -> Vec<Acceleration> {
-    let world = &core.world;
-    let fields = world.loads(core.t, states);
-    let mut out = vec![Acceleration { linear: DVec3::ZERO, angular: DVec3::ZERO }; world.bodies.len()];
-    for &body in world.prescribed() {
-        let (linear, angular) = world.prescribed_acceleration(body, core.t);
+    let model = &core.model;
+    let fields = model.loads(core.t, states);
+    let mut out = vec![Acceleration { linear: DVec3::ZERO, angular: DVec3::ZERO }; model.bodies.len()];
+    for &body in model.prescribed() {
+        let (linear, angular) = model.prescribed_acceleration(body, core.t);
         out[body] = Acceleration { linear, angular };
     }
-    for (place, (&body, rigid)) in world.movable.iter().zip(world.free_motion().bodies()).enumerate() {
+    for (place, (&body, rigid)) in model.movable.iter().zip(model.free_motion().bodies()).enumerate() {
         let state = &states[body];
-        let (mut linear, mut angular) = free_acceleration(world, states, &fields, body);
+        let (mut linear, mut angular) = free_acceleration(model, states, &fields, body);
         if let Some((force, torque)) = load_of(place) {
             linear += force * rigid.inverse_mass();
             angular += rigid.inverse_inertia_world(state.pose.rotation) * torque;
         }
-        out[body] = world.reported_acceleration(body, state, linear, angular);
+        out[body] = model.reported_acceleration(body, state, linear, angular);
     }
     out
 }

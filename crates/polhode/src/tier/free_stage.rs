@@ -7,9 +7,9 @@
 //! Source: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.6.
 
 use crate::accounting::books::{Received, given_by_fields};
+use crate::model::Model;
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use crate::rows::assembly::free_acceleration;
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose, Rotation};
 
@@ -21,18 +21,18 @@ pub(crate) struct Ends<'a> {
 }
 
 /// Impulse and work of gravity and the fields on `bodies` over the step, moments about `about`.
-pub(crate) fn received(world: &World, ends: Ends<'_>, bodies: &[usize], about: DVec3) -> Received {
-    let mut received = Received { gravity: gravity(world, ends, bodies, about), ..Received::default() };
-    if !world.has_fields() {
+pub(crate) fn received(model: &Model, ends: Ends<'_>, bodies: &[usize], about: DVec3) -> Received {
+    let mut received = Received { gravity: gravity(model, ends, bodies, about), ..Received::default() };
+    if !model.has_fields() {
         return received;
     }
     let [t0, t1] = ends.t;
     let h = t1 - t0;
-    let middle = middle_states(world, ends, bodies);
+    let middle = middle_states(model, ends, bodies);
     let mut fields = MomentumSum::default();
     let samples = [(t0, ends.states[0], 1.0), (0.5 * (t0 + t1), &middle, 4.0), (t1, ends.states[1], 1.0)];
     for (t, states, weight) in samples {
-        let given = given_by_fields(world, t, states, bodies, about);
+        let given = given_by_fields(model, t, states, bodies, about);
         let share = weight * h / 6.0;
         fields.add(Momentum { linear: given.fields.linear * share, angular: given.fields.angular * share });
         received.damping_j += given.damping_j * share;
@@ -43,29 +43,29 @@ pub(crate) fn received(world: &World, ends: Ends<'_>, bodies: &[usize], about: D
 }
 
 /// Impulse of the weights, and its moment by the integral of the cubic path.
-fn gravity(world: &World, ends: Ends<'_>, bodies: &[usize], about: DVec3) -> Momentum {
+fn gravity(model: &Model, ends: Ends<'_>, bodies: &[usize], about: DVec3) -> Momentum {
     let h = ends.t[1] - ends.t[0];
     let mut sum = MomentumSum::default();
-    for &body in bodies.iter().filter(|&&body| world.carries_momentum(body)) {
-        let Some(rigid) = &world.bodies[body].rigid else { continue };
+    for &body in bodies.iter().filter(|&&body| model.carries_momentum(body)) {
+        let Some(rigid) = &model.bodies[body].rigid else { continue };
         let [start, end] = ends.states.map(|states| &states[body]);
         let mean = (start.pose.translation + end.pose.translation) * 0.5
             + (start.linear_velocity - end.linear_velocity) * (h / 12.0);
-        let linear = world.gravity() * (rigid.mass() * h);
+        let linear = model.gravity() * (rigid.mass() * h);
         sum.add(Momentum { linear, angular: (mean - about).cross(linear) });
     }
     sum.value()
 }
 
 /// States in the middle of the step.
-fn middle_states(world: &World, ends: Ends<'_>, bodies: &[usize]) -> Vec<BodyState> {
+fn middle_states(model: &Model, ends: Ends<'_>, bodies: &[usize]) -> Vec<BodyState> {
     let h = ends.t[1] - ends.t[0];
-    let loads = [0, 1].map(|end| world.loads(ends.t[end], ends.states[end]));
+    let loads = [0, 1].map(|end| model.loads(ends.t[end], ends.states[end]));
     let mut middle = ends.states[0].to_vec();
     for &body in bodies {
-        let Some(rigid) = &world.bodies[body].rigid else { continue };
+        let Some(rigid) = &model.bodies[body].rigid else { continue };
         let [start, end] = ends.states.map(|states| &states[body]);
-        let linear = [0, 1].map(|k| free_acceleration(world, ends.states[k], &loads[k], body).0);
+        let linear = [0, 1].map(|k| free_acceleration(model, ends.states[k], &loads[k], body).0);
         let torque = [0, 1].map(|k| loads[k].of(body).torque);
         let half = |x: [DVec3; 2], rate: [DVec3; 2]| (x[0] + x[1]) * 0.5 + (rate[0] - rate[1]) * (h / 8.0);
         let turn = (end.pose.rotation * start.pose.rotation.inverse()).to_rotation_vector();

@@ -1,6 +1,6 @@
 //! The joints of a simulation at one time.
 
-use crate::constraint::joint::WorldJoint;
+use crate::constraint::joint::ModelJoint;
 use crate::identity::joint_id::JointId;
 use crate::report::joint_sample::JointSample;
 use crate::scene::Coordinate;
@@ -11,18 +11,18 @@ use polhode_dynamics::BodyState;
 /// The joints at `t` (s), when the bodies have these states, in the order of their handles. Those that broke or were
 /// removed are left out.
 pub(crate) fn joint_samples(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) -> Vec<JointSample> {
-    let world = &core.world;
-    if world.joints.is_empty() {
+    let model = &core.model;
+    if model.joints.is_empty() {
         return Vec::new();
     }
     let loads = tier.joint_loads(core, t, states);
-    let sample = |joint: &WorldJoint| {
+    let sample = |joint: &ModelJoint| {
         let number = joint.number();
         let coordinates = Coordinate::ALL.into_iter();
-        let coordinates = coordinates.filter_map(|own| Some((own, world.coordinate_of(states, number, own)?)));
+        let coordinates = coordinates.filter_map(|own| Some((own, model.coordinate_of(states, number, own)?)));
         let load = loads.iter().find(|load| load.joint.index() == number).copied();
-        let power_w = load.map(|load| world.power_of_joint(states, joint, (load.force_n, load.moment_n_m)));
+        let power_w = load.map(|load| model.power_of_joint(states, joint, (load.force_n, load.moment_n_m)));
         JointSample { joint: JointId::new(number), coordinates: coordinates.collect(), load, power_w }
     };
-    world.joints.iter().map(sample).collect()
+    model.joints.iter().map(sample).collect()
 }

@@ -79,12 +79,12 @@ pub(crate) trait Tier: std::fmt::Debug + Send {
 
     /// One body at the present, as it is reported.
     fn sample(&self, core: &Core, body: usize) -> BodySample {
-        core.world.sample(body, &self.state(core, body))
+        core.model.sample(body, &self.state(core, body))
     }
 
     /// All bodies at the present, as they are reported.
     fn samples(&self, core: &Core) -> Vec<BodySample> {
-        self.states(core).iter().enumerate().map(|(body, state)| core.world.sample(body, state)).collect()
+        self.states(core).iter().enumerate().map(|(body, state)| core.model.sample(body, state)).collect()
     }
 
     /// Books the motion since the last booking, up to the present, into `accounts`, which are a copy.

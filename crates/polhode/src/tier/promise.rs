@@ -29,13 +29,13 @@ use crate::accounting::measures::{Limits, Measure};
 use crate::accounting::numerical_loss::FixedStep;
 use crate::collision::contact_set::Touch;
 use crate::constraint::ConstraintId;
+use crate::model::Model;
 use crate::scene::{ErrorOrder, OverlapLimit};
 use crate::solve::bounce_friction::EndedBounces;
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::projection::Projection;
 use crate::tier::core::Core;
 use crate::time_stepping::TimeStepReport;
-use crate::world::World;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::{BodyState, RigidBody};
 
@@ -64,11 +64,11 @@ impl Core {
         let settings = &self.settings;
         let order = match settings.tier.facts().order {
             ErrorOrder::Fixed(order) => order,
-            ErrorOrder::WithContact(order) if self.world.may_collide_at_all() => order,
+            ErrorOrder::WithContact(order) if self.model.may_collide_at_all() => order,
             ErrorOrder::WithContact(_) | ErrorOrder::OfIntegrator => settings.integrator.order(),
         };
         let is_fixed = !settings.controls_error();
-        let duration_s = self.world.scene.duration_s();
+        let duration_s = self.model.scene.duration_s();
         let step = is_fixed.then_some(FixedStep { step_s: settings.step_s, order, duration_s });
         let energy = settings.promise.energy;
         let of_steps = TOLERANCES_PER_STEP * settings.tolerance * (duration_s / settings.step_s).max(1.0);
@@ -77,7 +77,7 @@ impl Core {
             crowd_projection_relative: self.crowding_allowed(),
             numerical_relative: if is_fixed { energy } else { energy.max(of_steps) + self.crowding_allowed() },
             replaced_relative: REPLACED_RELATIVE,
-            smallest_energy_j: self.world.lifting_energy_j(),
+            smallest_energy_j: self.model.lifting_energy_j(),
             step,
             remedy: settings.tier.facts().remedy,
         }
@@ -93,7 +93,7 @@ impl Core {
     /// Books a time step of a stretch of crowded events that ends at `t` (s) in these states, and records what its
     /// projections took.
     pub(crate) fn note_crowd_step(&mut self, t: f64, states: &[BodyState], report: &TimeStepReport) {
-        self.accounts.note_time_step(&self.world, t, states, report);
+        self.accounts.note_time_step(&self.model, t, states, report);
         let taken_j = report.books.ledger.projection.value();
         if let Some(id) = report.deepest {
             self.note_crowd_projection(t, (id.a, id.b), taken_j);
@@ -135,13 +135,13 @@ impl Core {
     pub(crate) fn penetration_allowed(&self, t: f64, states: &[BodyState], (a, b): (usize, usize), rate: f64) -> f64 {
         // The time of an impact is known to its rounding only.
         let late_approach = TIME_ULPS * f64::EPSILON * t.abs() * rate.abs();
-        self.promised_overlap_m((a, b)) + self.world.penetration_rounding(states, a, b) + late_approach
+        self.promised_overlap_m((a, b)) + self.model.penetration_rounding(states, a, b) + late_approach
     }
 
     /// The overlap (m) that the run promises not to exceed for a pair, without rounding.
     fn promised_overlap_m(&self, (a, b): (usize, usize)) -> f64 {
         match self.settings.promise.overlap {
-            OverlapLimit::OfSize(part) => part * self.world.pair_size(a, b),
+            OverlapLimit::OfSize(part) => part * self.model.pair_size(a, b),
             OverlapLimit::OfStatedPenetration(times) | OverlapLimit::OfEnvelope(times) => times * self.stated_depth_m,
         }
     }
@@ -149,7 +149,7 @@ impl Core {
     /// Whether a pair overlaps by more than a step under error control leaves, which is far less than is promised.
     pub(crate) fn overlaps_beyond_aim(&self, overlap: &Measure) -> bool {
         let (a, b) = overlap.pair;
-        let aim = self.settings.penetration_aim() * self.world.pair_size(a, b);
+        let aim = self.settings.penetration_aim() * self.model.pair_size(a, b);
         overlap.value > overlap.allowed - self.promised_overlap_m(overlap.pair) + aim
     }
 
@@ -179,7 +179,7 @@ impl Core {
     ) {
         let taken = self.accounts.books.rest(before, after, ended.work_j) - ended.friction_j;
         self.accounts.books.friction_at_rest(ended.friction_j);
-        let mass = |&body: &usize| self.world.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
+        let mass = |&body: &usize| self.model.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
         let speed = fastest.kinematics.separation_rate;
         let of_bounces = 0.5 * bodies.iter().map(mass).sum::<f64>() * speed * speed;
         let beyond = (taken.abs() - of_bounces).max(0.0);
@@ -223,7 +223,7 @@ impl Core {
         let Some(pair @ (a, b)) = done.pair() else { return };
         let allowed = match self.settings.promise.overlap {
             OverlapLimit::OfSize(part) if self.settings.projects_within_promise() => {
-                part * self.world.pair_size(a, b) + MOVED_BY_ROUNDING * self.world.rounding(states, a, b)
+                part * self.model.pair_size(a, b) + MOVED_BY_ROUNDING * self.model.rounding(states, a, b)
             }
             _ => f64::INFINITY,
         };
@@ -248,12 +248,12 @@ impl Core {
             self.accounts.measures.projection_energy.note(taken);
         }
         for (a, b) in done.jumped.iter().map(ConstraintId::bodies) {
-            let names = self.world.pair_names(a, b);
+            let names = self.model.pair_names(a, b);
             self.accounts.tolerate(t, format!("a contact of {names} whose point had jumped was not projected"));
         }
         for constraint in &done.unconverged {
             let (a, b) = constraint.bodies();
-            let names = self.world.pair_names(a, b);
+            let names = self.model.pair_names(a, b);
             let what = if constraint.contact().is_some() { "contact" } else { "pivot" };
             self.accounts.tolerate(t, format!("the projection of a {what} of {names} did not converge"));
         }
@@ -261,7 +261,7 @@ impl Core {
     }
 }
 
-impl World {
+impl Model {
     /// The names of two bodies, as warnings give them.
     pub(crate) fn pair_names(&self, a: usize, b: usize) -> String {
         if a == b { self.names_of(&[a]) } else { self.names_of(&[a, b]) }

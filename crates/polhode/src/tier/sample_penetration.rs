@@ -18,20 +18,20 @@ impl Core {
     /// # Errors
     /// When a box is not finite.
     pub(crate) fn overlaps_of(&mut self, t: f64, states: &[BodyState]) -> Result<&[Measure], SimulationError> {
-        let world = &self.world;
-        let removed = world.bodies.iter().filter(|own| own.removed).count();
+        let model = &self.model;
+        let removed = model.bodies.iter().filter(|own| own.removed).count();
         if self.last_sample.removed == removed && self.last_sample.states == states {
             return Ok(&self.last_sample.overlaps);
         }
-        let mut boxes = Boxes::new(&self.settings, world.bodies.len());
-        for (body, own) in world.bodies.iter().enumerate().filter(|(_, own)| !own.removed) {
+        let mut boxes = Boxes::new(&self.settings, model.bodies.len());
+        for (body, own) in model.bodies.iter().enumerate().filter(|(_, own)| !own.removed) {
             boxes.put(body, own.shape.as_ref().and_then(|shape| aabb_of(shape, &states[body].pose).ok()));
         }
         let mut overlaps = Vec::new();
-        boxes.all_pairs(world, |a, b| {
-            let Some(separation) = world.separation_without_memory(states, a, b) else { return };
+        boxes.all_pairs(model, |a, b| {
+            let Some(separation) = model.separation_without_memory(states, a, b) else { return };
             if separation < 0.0 {
-                let rate = world.point_speed(states, a) + world.point_speed(states, b);
+                let rate = model.point_speed(states, a) + model.point_speed(states, b);
                 let allowed = self.penetration_allowed(t, states, (a, b), rate);
                 overlaps.push(Measure { t, pair: (a, b), value: -separation, allowed });
             }

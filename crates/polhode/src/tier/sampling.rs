@@ -11,12 +11,12 @@ use std::sync::Arc;
 
 /// The frame at `t` (s), when the bodies have these states.
 pub(crate) fn frame(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) -> Frame {
-    let sample = |(body, state)| core.world.sample(body, state);
+    let sample = |(body, state)| core.model.sample(body, state);
     let mut books = core.accounts.books.clone();
-    let energy = books.observe(&core.world, states);
+    let energy = books.observe(&core.model, states);
     Frame {
         t_s: t,
-        bodies: states.iter().take(core.world.shown()).enumerate().map(sample).collect(),
+        bodies: states.iter().take(core.model.shown()).enumerate().map(sample).collect(),
         motions: shown(core, tier.motions(core)),
         contacts: tier.contacts(core, t, states),
         joint_loads: tier.joint_loads(core, t, states),
@@ -30,7 +30,7 @@ pub(crate) fn frame(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) 
 
 /// Those of the bodies that are shown.
 fn shown<T>(core: &Core, mut of_bodies: Vec<T>) -> Vec<T> {
-    of_bodies.truncate(core.world.shown());
+    of_bodies.truncate(core.model.shown());
     of_bodies
 }
 
@@ -51,9 +51,9 @@ pub(crate) fn emit_sample(
             core.accounts.measures.note_sample(overlap);
         }
     }
-    let emitted = core.accounts.emit_sample(&core.world, states, t, observer);
+    let emitted = core.accounts.emit_sample(&core.model, states, t, observer);
     if emitted && observer.wants_energies() {
-        observer.energy(t, &core.accounts.books.clone().observe(&core.world, states));
+        observer.energy(t, &core.accounts.books.clone().observe(&core.model, states));
     }
     if emitted && observer.wants_joints() {
         observer.joints(t, &joint_samples(tier, core, t, states));
@@ -77,7 +77,7 @@ pub(crate) fn emit_samples_before<T: Tier>(
     mut states_at: impl FnMut(&mut T, &mut Core, f64) -> Result<Option<Arc<Vec<BodyState>>>, SimulationError>,
 ) -> Result<(), SimulationError> {
     loop {
-        let t = core.accounts.next_sample_s(&core.world);
+        let t = core.accounts.next_sample_s(&core.model);
         if t >= until {
             return Ok(());
         }

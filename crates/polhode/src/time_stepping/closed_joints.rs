@@ -1,8 +1,8 @@
 //! Removal of what a step has left of gaps and rates of bilateral constraints, with its entry in the books.
 
 use super::report::TimeStepReport;
+use crate::model::Model;
 use crate::solve::projection::{Removal, project_positions, project_velocities};
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 
@@ -11,20 +11,20 @@ use polhode_response::ResponseError;
 /// # Errors
 /// When a number is not finite.
 pub(super) fn close_joints(
-    world: &World,
+    model: &Model,
     states: &mut [BodyState],
     bodies: &[usize],
     report: &mut TimeStepReport,
 ) -> Result<(), ResponseError> {
-    if world.held_among(bodies).is_empty() {
+    if model.held_among(bodies).is_empty() {
         return Ok(());
     }
-    let before = report.books.balance(world, states, bodies);
-    let moved = project_positions(world, states, bodies, &[])?;
-    let removed = project_velocities(world, states, bodies, (&[], &[], &[]), Removal::Complete)?;
-    let after = report.books.balance(world, states, bodies);
+    let before = report.books.balance(model, states, bodies);
+    let moved = project_positions(model, states, bodies, &[])?;
+    let removed = project_velocities(model, states, bodies, (&[], &[], &[]), Removal::Complete)?;
+    let after = report.books.balance(model, states, bodies);
     report.books.projection(before, after, removed.work_j);
-    report.told.take(world, states, removed.reactions());
+    report.told.take(model, states, removed.reactions());
     report.max_projection_m = report.max_projection_m.max(moved.moved_m);
     Ok(())
 }

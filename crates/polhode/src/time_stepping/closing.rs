@@ -21,7 +21,7 @@ use super::middle::{Middle, Problem, Stops};
 use super::repeated::SHARE_OF_SIZE;
 use super::report::TimeStepReport;
 use super::step::{Substep, TimeStepper};
-use crate::world::World;
+use crate::model::Model;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 
@@ -33,7 +33,7 @@ impl TimeStepper {
     /// When a number is not finite.
     pub(super) fn stop_closing(
         &mut self,
-        world: &World,
+        model: &Model,
         states: &mut [BodyState],
         bodies: &[usize],
         near: &mut [NearContact],
@@ -41,17 +41,17 @@ impl TimeStepper {
         report: &mut TimeStepReport,
     ) -> Result<(), ResponseError> {
         let acts = |contact: &NearContact| {
-            let allowed = SHARE_OF_SIZE * world.pair_size(contact.id.a, contact.id.b);
+            let allowed = SHARE_OF_SIZE * model.pair_size(contact.id.a, contact.id.b);
             contact.impact_time(h).is_some() || contact.kept_off > 0.0 || contact.overlaps_in_middle(h, allowed)
         };
         if !near.iter().any(acts) {
             return Ok(());
         }
-        let slips = slips_at_start(world, states, near);
+        let slips = slips_at_start(model, states, near);
         let none = Kick::default();
         let start = Middle { problem: Problem::Closing, t, h, stops: Stops::At(&[]), kick: &none };
-        self.sustain(world, states, bodies, (near, &slips), start, report)?;
-        refresh(world, states, bodies, near, t);
+        self.sustain(model, states, bodies, (near, &slips), start, report)?;
+        refresh(model, states, bodies, near, t);
         Ok(())
     }
 }

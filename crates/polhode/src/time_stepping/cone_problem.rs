@@ -257,19 +257,19 @@ mod tests {
     //! move.
     #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
     use super::*;
+    use crate::model::Model;
+    use crate::model::pivot_form::PivotRows;
     use crate::rows::assembly::TangentRow;
     use crate::rows::friction_blocks::push_contact;
     use crate::scene::Material;
     use crate::scene::{Body, Geometry, Scene};
-    use crate::world::World;
-    use crate::world::pivot_form::PivotRows;
     use polhode_contact::Shape;
     use polhode_dynamics::BodyState;
     use polhode_mesh::solid_box;
     use polhode_spatial::{DVec3, Mass, Pose, UnitVector, Velocity};
 
     /// Ten cubes in a pyramid that fall for a step under gravity; those above slide along.
-    fn pile() -> (World, Vec<BodyState>) {
+    fn pile() -> (Model, Vec<BodyState>) {
         let material = Material::new("rough").with_friction(0.5).unwrap();
         let floor = Body::fixed("floor").geometry(Shape::half_space(UnitVector::Z).into());
         let mut scene = Scene::builder("pile").body(floor.material(material.clone()));
@@ -282,22 +282,22 @@ mod tests {
             let cube = cube.geometry(shape).pose(Pose::from_translation(place));
             scene = scene.body(cube.velocity(Velocity::new(fall, DVec3::ZERO)).material(material.clone()));
         }
-        World::new(&scene.build().unwrap(), PivotRows::default()).unwrap()
+        Model::new(&scene.build().unwrap(), PivotRows::default()).unwrap()
     }
 
     #[test]
     fn rows_and_bodies_give_one_motion() {
-        let (world, states) = pile();
+        let (model, states) = pile();
         let bodies: Vec<usize> = (1..states.len()).collect();
         let pairs = (0..states.len()).flat_map(|a| (a + 1..states.len()).map(move |b| (a, b)));
-        let touches: Vec<_> = pairs.flat_map(|(a, b)| world.contacts_of_pair(&states, a, b, 1e-9)).collect();
+        let touches: Vec<_> = pairs.flat_map(|(a, b)| model.contacts_of_pair(&states, a, b, 1e-9)).collect();
         let geometries = touches.iter().map(|touch| (touch.id, touch.kinematics.geometry));
-        let mut assembly = Assembly::new(&world, &states, &bodies, geometries).unwrap();
+        let mut assembly = Assembly::new(&model, &states, &bodies, geometries).unwrap();
         let mut constants: Vec<f64> = touches.iter().map(|touch| touch.kinematics.separation_rate).collect();
         let mut blocks = Blocks::default();
         for (normal, touch) in touches.iter().enumerate() {
-            let terms = world.tangential_kinematics(&states, touch.id).unwrap();
-            let ellipse = world.friction_at(&states, touch.id, terms.basis).unwrap().at_rest;
+            let terms = model.tangential_kinematics(&states, touch.id).unwrap();
+            let ellipse = model.friction_at(&states, touch.id, terms.basis).unwrap().at_rest;
             let first = assembly.problem.len();
             let row = |tangent| TangentRow::new(touch.id, &touch.kinematics.geometry, &terms, tangent);
             assembly.push_tangents(&states, terms.basis.map(row).into_iter()).unwrap();

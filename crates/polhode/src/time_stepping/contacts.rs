@@ -3,10 +3,10 @@
 use super::drift;
 use crate::collision::contact_set::{FoundContact, Touch};
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
+use crate::model::states_of::{set_states, states_of};
 use crate::rows::assembly::free_acceleration;
 use crate::solve::joint_reactions::JointReactions;
-use crate::world::World;
-use crate::world::states_of::{set_states, states_of};
 use polhode_contact::{ContactKinematics, Shape};
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
@@ -96,8 +96,8 @@ impl NearContact {
     /// closes later in the step and has restitution. Without restitution it would be stopped before it touches, and so
     /// is one whose bounce would be too low to be seen: of bodies that lean on each other each such bounce makes the
     /// next step shorter.
-    pub(super) fn is_struck(&self, world: &World, h: f64, instant: f64) -> bool {
-        let bounces = || world.restitution_of(self.id) > 0.0;
+    pub(super) fn is_struck(&self, model: &Model, h: f64, instant: f64) -> bool {
+        let bounces = || model.restitution_of(self.id) > 0.0;
         let is_seen = self.kinematics.separation_rate < -self.unseen_speed;
         self.impact_time(h).is_some_and(|time| is_seen && (time <= instant || bounces()))
     }
@@ -116,7 +116,7 @@ impl NearContact {
 /// Linear and angular accelerations without contact forces of some bodies, ascending.
 #[derive(Debug)]
 pub(super) struct FreeAccelerations<'a> {
-    world: &'a World,
+    model: &'a Model,
     /// When, s.
     t: f64,
     bodies: &'a [usize],
@@ -125,10 +125,10 @@ pub(super) struct FreeAccelerations<'a> {
 
 impl<'a> FreeAccelerations<'a> {
     /// Under gravity and the fields at `t`.
-    pub(super) fn with_fields(world: &'a World, t: f64, states: &[BodyState], bodies: &'a [usize]) -> Self {
-        let loads = world.loads_on(t, states, bodies);
-        let values = bodies.iter().map(|&body| free_acceleration(world, states, &loads, body)).collect();
-        Self { world, t, bodies, values }
+    pub(super) fn with_fields(model: &'a Model, t: f64, states: &[BodyState], bodies: &'a [usize]) -> Self {
+        let loads = model.loads_on(t, states, bodies);
+        let values = bodies.iter().map(|&body| free_acceleration(model, states, &loads, body)).collect();
+        Self { model, t, bodies, values }
     }
 
     fn of(&self, body: usize) -> (DVec3, DVec3) {
@@ -143,7 +143,7 @@ impl<'a> FreeAccelerations<'a> {
             linear + angular.cross(geometry.point - states[body].pose.translation)
         };
         let relative = geometry.normal.dot(id.relative(at_point)) + kinematics.acceleration_bias;
-        relative + self.world.prescribed_acceleration_of(self.t, states, id, geometry)
+        relative + self.model.prescribed_acceleration_of(self.t, states, id, geometry)
     }
 
     /// Largest linear acceleration, m/s^2.
@@ -155,20 +155,20 @@ impl<'a> FreeAccelerations<'a> {
 /// A contact at the present states with the relative velocity of the bodies at its point, `n.(v_A - v_B)`, as its rate.
 /// The rate of the separation differs from it if the contact point is very close to the end of a rim or an edge. The
 /// change of energy by impulses is exact only in the relative velocity.
-pub(super) fn kinematics_at_point(world: &World, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
-    world.kinematics(states, id).map(|kinematics| with_rate_at_point(world, states, id, kinematics))
+pub(super) fn kinematics_at_point(model: &Model, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
+    model.kinematics(states, id).map(|kinematics| with_rate_at_point(model, states, id, kinematics))
 }
 
 /// A contact with the rate of separation at its point, m/s.
 pub(super) fn with_rate_at_point(
-    world: &World,
+    model: &Model,
     states: &[BodyState],
     id: ContactId,
     kinematics: ContactKinematics,
 ) -> ContactKinematics {
     let point = kinematics.geometry.point;
     let at_point = |body: usize| {
-        let velocity = world.velocity(body, &states[body]);
+        let velocity = model.velocity(body, &states[body]);
         velocity.linear + velocity.angular.cross(point - states[body].pose.translation)
     };
     ContactKinematics { separation_rate: kinematics.geometry.normal.dot(id.relative(at_point)), ..kinematics }
@@ -178,7 +178,7 @@ pub(super) fn with_rate_at_point(
 /// bodies would penetrate at the end of their flight. While bodies are apart, the features that will meet need not be
 /// the nearest ones yet (the nearest points of two edges may lie beyond their ends).
 pub(super) fn near_contacts(
-    world: &World,
+    model: &Model,
     states: &mut [BodyState],
     bodies: &[usize],
     pairs: &[(usize, usize)],
@@ -186,57 +186,57 @@ pub(super) fn near_contacts(
     span: Span,
 ) -> Vec<NearContact> {
     let h = span.h;
-    world.prescribe_members(pairs, t, states);
-    let mut near = contacts_within_reach(world, states, bodies, pairs, t, span);
-    remove_covered_borders(world, states, &mut near);
-    let pairs: Vec<_> = pairs.iter().copied().filter(|&pair| may_change_features(world, states, pair, h)).collect();
+    model.prescribe_members(pairs, t, states);
+    let mut near = contacts_within_reach(model, states, bodies, pairs, t, span);
+    remove_covered_borders(model, states, &mut near);
+    let pairs: Vec<_> = pairs.iter().copied().filter(|&pair| may_change_features(model, states, pair, h)).collect();
     if pairs.is_empty() {
-        foresee_with_joints(world, states, bodies, &mut near, t);
+        foresee_with_joints(model, states, bodies, &mut near, t);
         return near;
     }
     let start = states_of(states, bodies);
     for (&body, state) in bodies.iter().zip(&start) {
-        states[body] = drift(world, body, state, h);
+        states[body] = drift(model, body, state, h);
     }
-    world.prescribe_members(&pairs, t + h, states);
+    model.prescribe_members(&pairs, t + h, states);
     let mut ahead = Vec::new();
     for &(a, b) in &pairs {
-        let reach = world.touch_distance(states, a, b);
-        ahead.extend(world.contacts_of_pair(states, a, b, reach).into_iter().map(|touch| touch.id));
+        let reach = model.touch_distance(states, a, b);
+        ahead.extend(model.contacts_of_pair(states, a, b, reach).into_iter().map(|touch| touch.id));
     }
     set_states(states, bodies, &start);
-    world.prescribe_members(&pairs, t, states);
+    model.prescribe_members(&pairs, t, states);
     ahead.retain(|id| near.binary_search_by(|contact| contact.id.cmp(id)).is_err());
-    let free = FreeAccelerations::with_fields(world, t, states, bodies);
+    let free = FreeAccelerations::with_fields(model, t, states, bodies);
     for id in ahead {
-        let Some(kinematics) = kinematics_at_point(world, states, id) else { continue };
+        let Some(kinematics) = kinematics_at_point(model, states, id) else { continue };
         // Features that already penetrate are not those at which the bodies will meet.
         // Nor are those at a border that the bodies pass.
-        if kinematics.geometry.separation >= -world.touch_distance(states, id.a, id.b)
-            && !world.pass_each_other(states, id, &kinematics)
+        if kinematics.geometry.separation >= -model.touch_distance(states, id.a, id.b)
+            && !model.pass_each_other(states, id, &kinematics)
         {
-            near.push(near_contact(world, states, &free, id, kinematics, span));
+            near.push(near_contact(model, states, &free, id, kinematics, span));
         }
     }
     near.sort_by_key(|contact| contact.id);
-    foresee_with_joints(world, states, bodies, &mut near, t);
+    foresee_with_joints(model, states, bodies, &mut near, t);
     near
 }
 
 /// Takes the accelerations that joints give, too, where a contact of bodies that they hold may bounce: the time of its
 /// impact follows from it.
 pub(super) fn foresee_with_joints(
-    world: &World,
+    model: &Model,
     states: &[BodyState],
     bodies: &[usize],
     near: &mut [NearContact],
     t: f64,
 ) {
-    let held = world.held_among(bodies);
+    let held = model.held_among(bodies);
     let may_bounce = |contact: &NearContact| {
         contact.kinematics.separation_rate < -contact.resting_speed
             && contact.id.members().any(|(body, _)| held.binary_search(&body).is_ok())
-            && world.restitution_of(contact.id) > 0.0
+            && model.restitution_of(contact.id) > 0.0
     };
     if held.is_empty() || !near.iter().any(may_bounce) {
         return;
@@ -246,11 +246,11 @@ pub(super) fn foresee_with_joints(
         of_bouncing.map(|(body, _)| body).filter(|body| held.binary_search(body).is_ok()).collect();
     members.sort_unstable();
     members.dedup();
-    let members = world.with_jointed(members);
-    let loads = world.loads_on(t, states, &members);
-    let Ok(reactions) = JointReactions::solve(world, (t, states), &members, &loads) else { return };
+    let members = model.with_jointed(members);
+    let loads = model.loads_on(t, states, &members);
+    let Ok(reactions) = JointReactions::solve(model, (t, states), &members, &loads) else { return };
     let Ok(given) = reactions.assembly.problem.response(&reactions.forces) else { return };
-    let mut free = FreeAccelerations::with_fields(world, t, states, bodies);
+    let mut free = FreeAccelerations::with_fields(model, t, states, bodies);
     for (body, linear, angular) in reactions.assembly.split(&given) {
         if let Ok(place) = bodies.binary_search(&body) {
             let (own_linear, own_angular) = &mut free.values[place];
@@ -265,26 +265,26 @@ pub(super) fn foresee_with_joints(
 
 /// Marks the contacts of bodies that joints hold which bounce at the end of a step of `h` (s), where `left` (s) are
 /// left of the whole one. Those of bodies in flight close there to rounding, or are closed by what presses them.
-pub(super) fn await_impacts(world: &World, near: &mut [NearContact], (h, left): (f64, f64), instant: f64) {
+pub(super) fn await_impacts(model: &Model, near: &mut [NearContact], (h, left): (f64, f64), instant: f64) {
     for contact in near {
         let closes = contact.impact_time(left).is_some_and(|time| time > instant && (time - h).abs() <= instant);
-        let is_held = contact.id.members().any(|(body, _)| world.is_held_by_rows(body));
-        contact.is_awaited = closes && is_held && world.restitution_of(contact.id) > 0.0;
+        let is_held = contact.id.members().any(|(body, _)| model.is_held_by_rows(body));
+        contact.is_awaited = closes && is_held && model.restitution_of(contact.id) > 0.0;
     }
 }
 
 /// Removes the touching contacts at borders that other touching bodies cover: whether a surface is of one body or of
 /// several that are flush makes no difference.
-fn remove_covered_borders(world: &World, states: &[BodyState], near: &mut Vec<NearContact>) {
-    if !near.iter().any(|contact| world.may_be_at_border(contact.id)) {
+fn remove_covered_borders(model: &Model, states: &[BodyState], near: &mut Vec<NearContact>) {
+    if !near.iter().any(|contact| model.may_be_at_border(contact.id)) {
         return;
     }
     let is_touching = |contact: &&NearContact| {
-        contact.kinematics.geometry.separation <= world.touch_distance(states, contact.id.a, contact.id.b)
+        contact.kinematics.geometry.separation <= model.touch_distance(states, contact.id.a, contact.id.b)
     };
     let all: Vec<Touch> = near.iter().filter(is_touching).map(touch).collect();
     let mut left = all.clone();
-    world.remove_covered_borders(states, &mut left);
+    model.remove_covered_borders(states, &mut left);
     if left.len() < all.len() {
         let is_in = |touches: &[Touch], id: ContactId| touches.binary_search_by(|touch| touch.id.cmp(&id)).is_ok();
         near.retain(|contact| !is_in(&all, contact.id) || is_in(&left, contact.id));
@@ -298,8 +298,8 @@ pub(super) fn touch(contact: &NearContact) -> Touch {
 
 /// Whether the features at which two bodies meet may change within a step of `h` (s). They do not for two spheres, nor
 /// for a polyhedron and a half-space, whose vertices are all within reach, nor for bodies that hardly move.
-pub(super) fn may_change_features(world: &World, states: &[BodyState], (a, b): (usize, usize), h: f64) -> bool {
-    let Some((shape_a, shape_b)) = world.shapes(a, b) else { return false };
+pub(super) fn may_change_features(model: &Model, states: &[BodyState], (a, b): (usize, usize), h: f64) -> bool {
+    let Some((shape_a, shape_b)) = model.shapes(a, b) else { return false };
     let is_simple = |shape: &Shape| matches!(shape, Shape::HalfSpace(_));
     let is_sphere = |shape: &Shape| matches!(shape, Shape::Sphere(_));
     let is_polyhedral = |shape: &Shape| matches!(shape, Shape::Convex(_) | Shape::Sphere(_) | Shape::Points(_));
@@ -309,13 +309,13 @@ pub(super) fn may_change_features(world: &World, states: &[BodyState], (a, b): (
     if is_sphere(shape_a) && is_sphere(shape_b) {
         return false;
     }
-    let travel = h * (world.point_speed(states, a) + world.point_speed(states, b));
-    travel > STANDING_RELATIVE * world.pair_size(a, b)
+    let travel = h * (model.point_speed(states, a) + model.point_speed(states, b));
+    travel > STANDING_RELATIVE * model.pair_size(a, b)
 }
 
 /// As [`near_contacts`], only those within reach now.
 fn contacts_within_reach(
-    world: &World,
+    model: &Model,
     states: &[BodyState],
     bodies: &[usize],
     pairs: &[(usize, usize)],
@@ -323,16 +323,16 @@ fn contacts_within_reach(
     span: Span,
 ) -> Vec<NearContact> {
     let h = span.h;
-    let free = FreeAccelerations::with_fields(world, t, states, bodies);
-    let speed = bodies.iter().fold(0.0, |most, &body| world.point_speed(states, body).max(most));
+    let free = FreeAccelerations::with_fields(model, t, states, bodies);
+    let speed = bodies.iter().fold(0.0, |most, &body| model.point_speed(states, body).max(most));
     let reach = REACH_FACTOR * h * (speed + free.largest() * h);
     let mut near = Vec::new();
     for &(a, b) in pairs {
-        let driven = [(a, b), (b, a)].map(|(body, other)| world.prescribed_speed_at(body, other, states, (t, h)));
-        let reach = reach + REACH_FACTOR * h * (driven[0] + driven[1]) + world.touch_distance(states, a, b);
-        for touch in world.contacts_of_pair(states, a, b, reach) {
-            let kinematics = with_rate_at_point(world, states, touch.id, touch.kinematics);
-            near.push(near_contact(world, states, &free, touch.id, kinematics, span));
+        let driven = [(a, b), (b, a)].map(|(body, other)| model.prescribed_speed_at(body, other, states, (t, h)));
+        let reach = reach + REACH_FACTOR * h * (driven[0] + driven[1]) + model.touch_distance(states, a, b);
+        for touch in model.contacts_of_pair(states, a, b, reach) {
+            let kinematics = with_rate_at_point(model, states, touch.id, touch.kinematics);
+            near.push(near_contact(model, states, &free, touch.id, kinematics, span));
         }
     }
     near.sort_by_key(|contact| contact.id);
@@ -340,18 +340,18 @@ fn contacts_within_reach(
 }
 
 pub(super) fn near_contact(
-    world: &World,
+    model: &Model,
     states: &[BodyState],
     free: &FreeAccelerations<'_>,
     id: ContactId,
     kinematics: ContactKinematics,
     span: Span,
 ) -> NearContact {
-    let pressing = [id.a, id.b].map(|body| if world.bodies[body].moves() { free.of(body).0.length() } else { 0.0 });
-    let driven = world.prescribed_acceleration_of(free.t, states, id, &kinematics.geometry).abs();
+    let pressing = [id.a, id.b].map(|body| if model.bodies[body].moves() { free.of(body).0.length() } else { 0.0 });
+    let driven = model.prescribed_acceleration_of(free.t, states, id, &kinematics.geometry).abs();
     let pressing = pressing[0].max(pressing[1]) + driven;
     // The speed of a fall from the height of a bounce that need not be resolved.
-    let unseen = (2.0 * pressing * span.unseen_bounce * world.pair_size(id.a, id.b)).sqrt();
+    let unseen = (2.0 * pressing * span.unseen_bounce * model.pair_size(id.a, id.b)).sqrt();
     NearContact {
         id,
         kinematics,
@@ -364,10 +364,10 @@ pub(super) fn near_contact(
 }
 
 /// The speeds of slip of contacts at the start of a step, m/s; zero without friction.
-pub(super) fn slips_at_start(world: &World, states: &[BodyState], near: &[NearContact]) -> Vec<f64> {
+pub(super) fn slips_at_start(model: &Model, states: &[BodyState], near: &[NearContact]) -> Vec<f64> {
     let slip = |near: &NearContact| {
-        world.friction_of(near.id)?;
-        Some(world.tangential_kinematics(states, near.id)?.slip_velocity.length())
+        model.friction_of(near.id)?;
+        Some(model.tangential_kinematics(states, near.id)?.slip_velocity.length())
     };
     near.iter().map(|near| slip(near).unwrap_or(0.0)).collect()
 }

@@ -7,9 +7,9 @@
 
 use super::report::TimeStepReport;
 use super::step::TimeStepper;
+use crate::model::Model;
+use crate::model::states_of::{set_states, states_of};
 use crate::solve::overlap::displacement;
-use crate::world::World;
-use crate::world::states_of::{set_states, states_of};
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 
@@ -30,7 +30,7 @@ impl TimeStepper {
     /// As [`TimeStepper::advance`]; the states are unchanged then.
     pub(crate) fn advance_with_estimate(
         &mut self,
-        world: &World,
+        model: &Model,
         states: &mut [BodyState],
         bodies: &[usize],
         pairs: &[(usize, usize)],
@@ -38,20 +38,20 @@ impl TimeStepper {
     ) -> Result<(TimeStepReport, f64), ResponseError> {
         let start = states_of(states, bodies);
         let carried = self.carried.clone();
-        self.advance(world, states, bodies, pairs, (t, h)).inspect_err(|_| set_states(states, bodies, &start))?;
+        self.advance(model, states, bodies, pairs, (t, h)).inspect_err(|_| set_states(states, bodies, &start))?;
         let whole = states_of(states, bodies);
         set_states(states, bodies, &start);
         self.carried = carried;
-        let mut report = self.advance(world, states, bodies, pairs, (t, 0.5 * h));
+        let mut report = self.advance(model, states, bodies, pairs, (t, 0.5 * h));
         if let Ok(first) = &mut report {
-            let second = self.advance(world, states, bodies, pairs, (t + 0.5 * h, 0.5 * h));
+            let second = self.advance(model, states, bodies, pairs, (t + 0.5 * h, 0.5 * h));
             let second = second.inspect_err(|_| set_states(states, bodies, &start))?;
             first.append(second);
         }
         let report = report.inspect_err(|_| set_states(states, bodies, &start))?;
         let error = |(&body, whole): (&usize, &BodyState)| {
-            let apart = displacement(world, body, whole, &states[body]);
-            let size = world.bodies[body].size;
+            let apart = displacement(model, body, whole, &states[body]);
+            let size = model.bodies[body].size;
             if size > 0.0 { apart / size } else { apart }
         };
         let estimate = bodies.iter().zip(&whole).map(error).fold(0.0, f64::max);

@@ -12,12 +12,12 @@ use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Substep, TimeStepper};
 use crate::collision::contact_set::Touch;
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
 use crate::rows::groups::{Group, groups};
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::frictional_impact::Restitution;
 use crate::solve::impact::{Struck, strike};
 use crate::solve::joint_loads::ContactForce;
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
@@ -38,7 +38,7 @@ impl TimeStepper {
     /// When a number is not finite.
     pub(super) fn strike_closing(
         &mut self,
-        world: &World,
+        model: &Model,
         states: &mut [BodyState],
         bodies: &[usize],
         near: &mut [NearContact],
@@ -47,24 +47,24 @@ impl TimeStepper {
     ) -> Result<(), ResponseError> {
         let mut is_member = vec![false; near.len()];
         for _ in 0..MOST_ROUNDS {
-            let hits: Vec<bool> = near.iter().map(|contact| contact.is_struck(world, h, instant)).collect();
+            let hits: Vec<bool> = near.iter().map(|contact| contact.is_struck(model, h, instant)).collect();
             if !hits.contains(&true) {
                 return Ok(());
             }
             for (index, contact) in near.iter().enumerate() {
-                let touch_distance = world.touch_distance(states, contact.id.a, contact.id.b);
+                let touch_distance = model.touch_distance(states, contact.id.a, contact.id.b);
                 is_member[index] |= hits[index] || contact.touches(h, touch_distance);
             }
             let members = near.iter().enumerate().filter(|(index, _)| is_member[*index]);
             let members = members.map(|(index, contact)| (index, contact.id.a, contact.id.b));
-            for group in groups(world, members) {
+            for group in groups(model, members) {
                 if group.contacts.iter().any(|&index| hits[index])
-                    && !self.strike_group(world, states, &group, near, t, report)?
+                    && !self.strike_group(model, states, &group, near, t, report)?
                 {
                     return Ok(());
                 }
             }
-            refresh(world, states, bodies, near, t);
+            refresh(model, states, bodies, near, t);
         }
         report.fallbacks += 1;
         Ok(())
@@ -73,7 +73,7 @@ impl TimeStepper {
     /// Applies the impact law to one group. Returns whether it found a solution; otherwise nothing has changed.
     fn strike_group(
         &mut self,
-        world: &World,
+        model: &Model,
         states: &mut [BodyState],
         group: &Group,
         near: &[NearContact],
@@ -83,15 +83,15 @@ impl TimeStepper {
         let touches: Vec<Touch> = group.contacts.iter().map(|&index| touch(&near[index])).collect();
         let all = Group { bodies: group.bodies.clone(), contacts: (0..touches.len()).collect() };
         let settings = settings_for(group, near);
-        let struck = strike(world, states, &all, &touches, self.law, &settings, &mut self.solver)?;
+        let struck = strike(model, states, &all, &touches, self.law, &settings, &mut self.solver)?;
         if struck.outcome.status == ImpactStatus::NotSolved {
             report.fallbacks += 1;
             return Ok(false);
         }
         for &body in &group.bodies {
-            world.keep_in_plane(body, &mut states[body]);
+            model.keep_in_plane(body, &mut states[body]);
         }
-        note(world, states, &touches, &struck, t, report);
+        note(model, states, &touches, &struck, t, report);
         Ok(true)
     }
 }
@@ -114,18 +114,18 @@ fn settings_for(group: &Group, near: &[NearContact]) -> ImpactSettings {
 }
 
 /// Books an impact and records its impulses.
-fn note(world: &World, states: &[BodyState], touches: &[Touch], struck: &Struck, t: f64, report: &mut TimeStepReport) {
+fn note(model: &Model, states: &[BodyState], touches: &[Touch], struck: &Struck, t: f64, report: &mut TimeStepReport) {
     let outcome = &struck.outcome;
     report.residual = report.residual.max(outcome.residual);
     report.fallbacks += u64::from(outcome.status == ImpactStatus::LimitReached);
     report.raises_energy |= struck.restitution == Restitution::RaisesEnergy;
     let about = report.books.ledger.momentum.about;
-    let given = struck.support(world, about, touches);
-    let work = struck.work(world, states, touches);
-    let violation = struck.cone_violation(world, states, touches);
+    let given = struck.support(model, about, touches);
+    let work = struck.work(model, states, touches);
+    let violation = struck.cone_violation(model, states, touches);
     report.cone_violation = ConeViolation::larger(report.cone_violation, violation);
     report.books.impact((outcome.energy_change, struck.friction_j), given, work);
-    report.told.take_struck(world, states, struck.reactions());
+    report.told.take_struck(model, states, struck.reactions());
     let mut tangential: BTreeMap<ContactId, DVec3> = BTreeMap::new();
     for (id, along, impulse) in &struck.tangential {
         *tangential.entry(*id).or_default() += along.normal * *impulse;
@@ -137,7 +137,7 @@ fn note(world: &World, states: &[BodyState], touches: &[Touch], struck: &Struck,
         // Friction of all applications of a contact is told with the first one.
         let friction = tangential.remove(&touch.id).unwrap_or_default();
         let force = geometry.normal * application.impulse + friction;
-        report.told.take_contact(world, states, (ContactForce { id: touch.id, point: geometry.point, force }, true));
+        report.told.take_contact(model, states, (ContactForce { id: touch.id, point: geometry.point, force }, true));
         report.impulses.push(ContactImpulse {
             t,
             id: touch.id,
@@ -150,13 +150,13 @@ fn note(world: &World, states: &[BodyState], touches: &[Touch], struck: &Struck,
 }
 
 /// The contacts with the present velocities.
-pub(super) fn refresh(world: &World, states: &[BodyState], bodies: &[usize], near: &mut [NearContact], t: f64) {
-    let free = FreeAccelerations::with_fields(world, t, states, bodies);
+pub(super) fn refresh(model: &Model, states: &[BodyState], bodies: &[usize], near: &mut [NearContact], t: f64) {
+    let free = FreeAccelerations::with_fields(model, t, states, bodies);
     for contact in near.iter_mut() {
-        if let Some(kinematics) = kinematics_at_point(world, states, contact.id) {
+        if let Some(kinematics) = kinematics_at_point(model, states, contact.id) {
             contact.kinematics = kinematics;
             contact.acceleration = free.relative(states, contact.id, &kinematics);
         }
     }
-    foresee_with_joints(world, states, bodies, near, t);
+    foresee_with_joints(model, states, bodies, near, t);
 }

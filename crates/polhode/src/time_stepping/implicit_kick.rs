@@ -25,8 +25,8 @@
 //! ledger shows it. The impulses of contacts come after the kick, and `c` is that of one solution before: a body that a
 //! stiff spring presses against another one bears the spring's force less the part `(x/(1 + x))^2`, `x = a h^2 K/M`.
 
-use crate::world::states_of::set_states;
-use crate::world::{World, largest_eigenvalue as largest};
+use crate::model::states_of::set_states;
+use crate::model::{Model, largest_eigenvalue as largest};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::{Account, Decay, ForceResponse, ResponseEnd};
 use polhode_spatial::{DMat3, DVec3};
@@ -86,7 +86,7 @@ pub(super) struct Difference {
 /// The implicit kick of some bodies.
 #[derive(Debug)]
 pub(super) struct ImplicitKick<'a> {
-    world: &'a World,
+    model: &'a Model,
     states: &'a [BodyState],
     bodies: &'a [usize],
     elements: Vec<Element>,
@@ -96,13 +96,13 @@ impl<'a> ImplicitKick<'a> {
     /// That of a step of `h` (s) from the responses of fields; nothing when the explicit kick is as good, because no
     /// field is stiff in the step or damps.
     pub(super) fn new(
-        world: &'a World,
+        model: &'a Model,
         states: &'a [BodyState],
         bodies: &'a [usize],
         responses: Vec<(Account, ForceResponse)>,
         h: f64,
     ) -> Option<Self> {
-        let mut kick = Self { world, states, bodies, elements: Vec::with_capacity(responses.len()) };
+        let mut kick = Self { model, states, bodies, elements: Vec::with_capacity(responses.len()) };
         let stiffness = kick.stiffness_of_bodies(&responses, h);
         for (account, response) in responses {
             let element = kick.element(account, &response, &stiffness, h);
@@ -124,9 +124,9 @@ impl<'a> ImplicitKick<'a> {
         for (_, response) in responses {
             for (end, turning) in response.ends.iter().zip(response.rotational_stiffness) {
                 let Some(end) = end else { continue };
-                let rigid = self.world.bodies[end.body].rigid.as_ref();
+                let rigid = self.model.bodies[end.body].rigid.as_ref();
                 if let (Some(place), Some(rigid)) = (self.place(end), rigid) {
-                    let stiffness = largest(&response.stiffness) * self.world.lightness(end);
+                    let stiffness = largest(&response.stiffness) * self.model.lightness(end);
                     sums[place] += h * h * (stiffness + turning / rigid.moments().min_element());
                 }
             }
@@ -141,7 +141,7 @@ impl<'a> ImplicitKick<'a> {
         let lightness: f64 =
             response.ends.iter().flatten().map(|end| self.lightness_along(end, &response.damping)).sum();
         let part = part_of_change(response.decay, h * largest(&response.damping) * lightness);
-        let gravity = |end: &ResponseEnd| self.world.free_acceleration(end.body);
+        let gravity = |end: &ResponseEnd| self.model.free_acceleration(end.body);
         let [a, b] = response.ends.map(|end| end.as_ref().map_or(DVec3::ZERO, gravity));
         let pull = (a - b) * h;
         Element {
@@ -157,7 +157,7 @@ impl<'a> ImplicitKick<'a> {
 
     /// The inverse mass that damping of a point meets, 1/kg: of a single direction exactly.
     fn lightness_along(&self, end: &ResponseEnd, damping: &DMat3) -> f64 {
-        let Some(rigid) = &self.world.bodies[end.body].rigid else { return 0.0 };
+        let Some(rigid) = &self.model.bodies[end.body].rigid else { return 0.0 };
         if end.arm == DVec3::ZERO {
             return rigid.inverse_mass();
         }
@@ -170,7 +170,7 @@ impl<'a> ImplicitKick<'a> {
     /// `h s D` of rotation: under linear drag with the exact part about each principal axis.
     fn rotational(&self, response: &ForceResponse, h: f64) -> DMat3 {
         let damping = response.rotational_damping;
-        let body = response.ends[0].and_then(|end| Some((end.body, self.world.bodies[end.body].rigid.as_ref()?)));
+        let body = response.ends[0].and_then(|end| Some((end.body, self.model.bodies[end.body].rigid.as_ref()?)));
         let Some((body, rigid)) = body.filter(|_| damping != DMat3::ZERO) else { return DMat3::ZERO };
         if response.decay == Decay::Hyperbolic {
             return damping * (0.5 * h);
@@ -243,7 +243,7 @@ impl<'a> ImplicitKick<'a> {
         of: impl Fn(&polhode_dynamics::RigidBody, &BodyState, &Twist) -> Twist,
     ) -> Vec<Twist> {
         let of = |(&body, value): (&usize, &Twist)| {
-            let rigid = self.world.bodies[body].rigid.as_ref();
+            let rigid = self.model.bodies[body].rigid.as_ref();
             rigid.map_or_else(Twist::default, |rigid| of(rigid, &self.states[body], value))
         };
         self.bodies.iter().zip(values).map(of).collect()
@@ -306,13 +306,13 @@ impl<'a> ImplicitKick<'a> {
 }
 
 /// Adds these changes of velocity to the states of the bodies.
-pub(super) fn change_velocities(world: &World, states: &mut [BodyState], bodies: &[usize], changes: &[Twist]) {
+pub(super) fn change_velocities(model: &Model, states: &mut [BodyState], bodies: &[usize], changes: &[Twist]) {
     let changed: Vec<BodyState> = bodies
         .iter()
         .zip(changes)
         .map(|(&body, change)| {
             let mut state = states[body];
-            if let Some(rigid) = &world.bodies[body].rigid {
+            if let Some(rigid) = &model.bodies[body].rigid {
                 state.linear_velocity += change.linear;
                 state.angular_momentum += rigid.angular_momentum_at(state.pose.rotation, change.angular);
             }

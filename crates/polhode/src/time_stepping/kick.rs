@@ -15,9 +15,9 @@
 
 use super::implicit_kick::{Difference, ImplicitKick, Twist, change_velocities};
 use crate::accounting::books::{Books, Received};
+use crate::model::states_of::{set_states, states_of};
+use crate::model::{Loads, Model};
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
-use crate::world::states_of::{set_states, states_of};
-use crate::world::{Loads, World};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::{Account, Dependence};
 use polhode_spatial::{DVec3, Velocity};
@@ -43,49 +43,49 @@ impl Kick {
     /// Kicks `bodies` by the fields at `t`, the middle of a step of `h` (s), in which constraints are known to change
     /// the velocities by this much (none: nothing is known of them).
     pub(super) fn of(
-        world: &World,
+        model: &Model,
         states: &mut [BodyState],
         bodies: &[usize],
         (t, h): (f64, f64),
         by_constraints: &[Twist],
     ) -> Self {
-        if !bodies.iter().any(|&body| world.is_loaded(body)) {
+        if !bodies.iter().any(|&body| model.is_loaded(body)) {
             return Self::default();
         }
         let before = states_of(states, bodies);
-        let of_joints = world.kicks_of_joints(states, bodies);
+        let of_joints = model.kicks_of_joints(states, bodies);
         let kicks = &of_joints[..];
-        let responses = world.responses_on(states, bodies, kicks);
+        let responses = model.responses_on(states, bodies, kicks);
         if responses.are_known
-            && let Some(kick) = ImplicitKick::new(world, states, bodies, responses.of_fields, h)
+            && let Some(kick) = ImplicitKick::new(model, states, bodies, responses.of_fields, h)
         {
-            let loads = world.kick_loads_on(t, states, bodies, kicks);
-            let accounts = wrenches(world, t, states, (bodies, kicks));
+            let loads = model.kick_loads_on(t, states, bodies, kicks);
+            let accounts = wrenches(model, t, states, (bodies, kicks));
             let forces = |&body: &usize| Twist { linear: loads.of(body).force * h, angular: loads.of(body).torque * h };
             let changes = kick.solve(&bodies.iter().map(forces).collect::<Vec<_>>(), by_constraints);
             let differences = kick.differences(&changes, by_constraints);
-            change_velocities(world, states, bodies, &changes);
+            change_velocities(model, states, bodies, &changes);
             return Self { before, changes, accounts, differences, of_joints, is_resisting: true };
         }
-        let mut loads = world.kick_loads_on(t, states, bodies, kicks);
+        let mut loads = model.kick_loads_on(t, states, bodies, kicks);
         let (mut accounts, mut is_resisting) = (None, false);
-        if world.are_motors_at_bounds(kicks) {
+        if model.are_motors_at_bounds(kicks) {
             // What they give is known before. At velocities that no joint has held yet they would ask for something
             // else.
-            accounts = Some(wrenches(world, t, states, (bodies, kicks)));
-        } else if world.free_motion().dependence() == Dependence::Velocities {
+            accounts = Some(wrenches(model, t, states, (bodies, kicks)));
+        } else if model.free_motion().dependence() == Dependence::Velocities {
             is_resisting = true;
-            apply(world, states, bodies, &loads, 0.5 * h);
+            apply(model, states, bodies, &loads, 0.5 * h);
             let half = |change: &Twist| Twist { linear: change.linear * 0.5, angular: change.angular * 0.5 };
-            change_velocities(world, states, bodies, &by_constraints.iter().map(half).collect::<Vec<_>>());
-            loads = world.kick_loads_on(t, states, bodies, kicks);
-            accounts = Some(wrenches(world, t, states, (bodies, kicks)));
+            change_velocities(model, states, bodies, &by_constraints.iter().map(half).collect::<Vec<_>>());
+            loads = model.kick_loads_on(t, states, bodies, kicks);
+            accounts = Some(wrenches(model, t, states, (bodies, kicks)));
             set_states(states, bodies, &before);
         }
-        apply(world, states, bodies, &loads, h);
-        let accounts = accounts.unwrap_or_else(|| wrenches(world, t, states, (bodies, kicks)));
+        apply(model, states, bodies, &loads, h);
+        let accounts = accounts.unwrap_or_else(|| wrenches(model, t, states, (bodies, kicks)));
         let change = |&body: &usize| {
-            let Some(rigid) = &world.bodies[body].rigid else { return Twist::default() };
+            let Some(rigid) = &model.bodies[body].rigid else { return Twist::default() };
             let angular = rigid.inverse_inertia_world(states[body].pose.rotation) * (loads.of(body).torque * h);
             Twist { linear: loads.of(body).force * (h * rigid.inverse_mass()), angular }
         };
@@ -94,9 +94,9 @@ impl Kick {
     }
 
     /// How constraints have changed the velocities since this kick.
-    pub(super) fn changes_since(&self, world: &World, states: &[BodyState], bodies: &[usize]) -> Vec<Twist> {
+    pub(super) fn changes_since(&self, model: &Model, states: &[BodyState], bodies: &[usize]) -> Vec<Twist> {
         let change = |((&body, start), kicked): ((&usize, &BodyState), &Twist)| {
-            let Some(rigid) = &world.bodies[body].rigid else { return Twist::default() };
+            let Some(rigid) = &model.bodies[body].rigid else { return Twist::default() };
             let (now, rotation) = (&states[body], start.pose.rotation);
             let turned = rigid.angular_velocity_at(rotation, now.angular_momentum - start.angular_momentum);
             Twist {
@@ -121,7 +121,7 @@ impl Kick {
     /// point of the books.
     pub(super) fn received(
         &self,
-        world: &World,
+        model: &Model,
         states: &[BodyState],
         bodies: &[usize],
         h: f64,
@@ -132,11 +132,11 @@ impl Kick {
         for (account, wrenches) in &self.accounts {
             let mut work = 0.0;
             for (&body, start) in bodies.iter().zip(&self.before) {
-                let Some(rigid) = &world.bodies[body].rigid else { continue };
+                let Some(rigid) = &model.bodies[body].rigid else { continue };
                 let wrench = wrenches.of(body);
                 let velocities = [start, &states[body]].map(|state| rigid.center_of_mass_velocity(state));
                 work += h * mean_power(wrench.force, wrench.torque, velocities);
-                if world.carries_momentum(body) {
+                if model.carries_momentum(body) {
                     let linear = wrench.force * h;
                     let angular = wrench.torque * h + (start.pose.translation - about).cross(linear);
                     fields.add(Momentum { linear, angular });
@@ -145,11 +145,11 @@ impl Kick {
             received.add_work(*account, work);
         }
         for Difference { account, body, impulse } in &self.differences {
-            let (Some(rigid), Ok(place)) = (&world.bodies[*body].rigid, bodies.binary_search(body)) else { continue };
+            let (Some(rigid), Ok(place)) = (&model.bodies[*body].rigid, bodies.binary_search(body)) else { continue };
             let start = &self.before[place];
             let velocities = [start, &states[*body]].map(|state| rigid.velocity(state));
             received.add_work(*account, mean_power(impulse.linear, impulse.angular, velocities));
-            if world.carries_momentum(*body) {
+            if model.carries_momentum(*body) {
                 let arm = start.pose.translation - about;
                 fields.add(Momentum { linear: impulse.linear, angular: impulse.angular + arm.cross(impulse.linear) });
             }
@@ -164,14 +164,14 @@ fn mean_power(force: DVec3, torque: DVec3, [before, after]: [Velocity; 2]) -> f6
     force.dot((before.linear + after.linear) * 0.5) + torque.dot((before.angular + after.angular) * 0.5)
 }
 
-fn wrenches(world: &World, t: f64, states: &[BodyState], of: (&[usize], &[usize])) -> Vec<(Account, Loads)> {
+fn wrenches(model: &Model, t: f64, states: &[BodyState], of: (&[usize], &[usize])) -> Vec<(Account, Loads)> {
     let accounts = [Account::Potential, Account::Damping, Account::External];
-    accounts.map(|account| (account, world.kick_wrenches_of(account, t, states, of))).to_vec()
+    accounts.map(|account| (account, model.kick_wrenches_of(account, t, states, of))).to_vec()
 }
 
-fn apply(world: &World, states: &mut [BodyState], bodies: &[usize], loads: &Loads, h: f64) {
+fn apply(model: &Model, states: &mut [BodyState], bodies: &[usize], loads: &Loads, h: f64) {
     for &body in bodies {
-        if let Some(rigid) = &world.bodies[body].rigid {
+        if let Some(rigid) = &model.bodies[body].rigid {
             let (state, load) = (&mut states[body], loads.of(body));
             state.linear_velocity += load.force * (h * rigid.inverse_mass());
             state.angular_momentum += load.torque * h;

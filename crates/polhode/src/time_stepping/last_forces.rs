@@ -6,11 +6,11 @@
 
 use crate::constraint::ConstraintId;
 use crate::identity::contact_id::{ContactId, Feature};
+use crate::model::Model;
 use crate::rows::assembly::Assembly;
 use crate::snapshot::SnapshotError;
 use crate::snapshot::content;
 use crate::snapshot::parts::{restored_id, save_contact};
-use crate::world::World;
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
 
@@ -165,10 +165,10 @@ impl LastForces {
     ///
     /// # Errors
     /// When a contact is not of two bodies that can touch.
-    pub(super) fn restored(world: &World, saved: &content::LastForces) -> Result<Self, SnapshotError> {
+    pub(super) fn restored(model: &Model, saved: &content::LastForces) -> Result<Self, SnapshotError> {
         let mut restored = Self::default();
         for force in &saved.contacts {
-            let id = restored_id(world, &force.id)?;
+            let id = restored_id(model, &force.id)?;
             let (along, moment) = (DVec3::from_array(force.along), DVec3::from_array(force.moment));
             let force = ContactForce { normal: force.normal, along, moment };
             restored.by_pair.entry((id.a, id.b)).or_default().insert(id.feature, force);

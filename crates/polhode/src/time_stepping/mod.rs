@@ -71,7 +71,7 @@ pub(crate) use repeated::SHARE_OF_SIZE;
 pub(crate) use report::{ImpulseKind, TimeStepReport};
 pub(crate) use step::{TimeStepper, given_by_gravity};
 
-use crate::world::World;
+use crate::model::Model;
 use polhode_dynamics::{BodyState, Flight};
 
 /// Work of prescribed motions, J, when penetration is removed or velocities are set to zero: none, because their work
@@ -80,10 +80,10 @@ pub(crate) const NO_WORK_J: f64 = 0.0;
 
 /// The state of a body after `h` seconds of free flight under gravity alone: exact; without rotation the attitude is
 /// unchanged to the last bit.
-pub(crate) fn drift(world: &World, body: usize, state: &BodyState, h: f64) -> BodyState {
-    let Some(rigid) = &world.bodies[body].rigid else { return *state };
-    let record = if world.plane.is_some() { Flight::steady } else { Flight::new };
-    let mut next = record(rigid, 0.0, state, world.free_acceleration(body)).state(h);
-    world.keep_in_plane(body, &mut next);
+pub(crate) fn drift(model: &Model, body: usize, state: &BodyState, h: f64) -> BodyState {
+    let Some(rigid) = &model.bodies[body].rigid else { return *state };
+    let record = if model.plane.is_some() { Flight::steady } else { Flight::new };
+    let mut next = record(rigid, 0.0, state, model.free_acceleration(body)).state(h);
+    model.keep_in_plane(body, &mut next);
     next
 }

@@ -8,14 +8,14 @@
 use super::kick::Kick;
 use super::report::TimeStepReport;
 use crate::identity::contact_id::Feature;
-use crate::world::World;
+use crate::model::Model;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
 /// The largest defect of Newton's law among these bodies (no unit), where they had these states before a step of `h`
 /// (s).
 pub(super) fn newton_residual(
-    world: &World,
+    model: &Model,
     (before, after): (&[BodyState], &[BodyState]),
     bodies: &[usize],
     (kick, h): (&Kick, f64),
@@ -24,9 +24,9 @@ pub(super) fn newton_residual(
     // Left over, and the sum of the magnitudes of the terms.
     let mut sums: Vec<(DVec3, f64)> = Vec::with_capacity(bodies.len());
     for (place, (&body, start)) in bodies.iter().zip(before).enumerate() {
-        let mass = world.bodies[body].rigid.as_ref().map_or(0.0, polhode_dynamics::RigidBody::mass);
+        let mass = model.bodies[body].rigid.as_ref().map_or(0.0, polhode_dynamics::RigidBody::mass);
         let (weight, kicked) =
-            (world.free_acceleration(body) * h, kick.changes.get(place).map_or(DVec3::ZERO, |own| own.linear));
+            (model.free_acceleration(body) * h, kick.changes.get(place).map_or(DVec3::ZERO, |own| own.linear));
         let change = after[body].linear_velocity - start.linear_velocity;
         sums.push(((change - weight - kicked) * mass, (weight.length() + kicked.length()) * mass));
     }
@@ -41,15 +41,15 @@ pub(super) fn newton_residual(
         given.id.members().for_each(|(body, sign)| give(body, on_a * sign));
     }
     for (&joint, view) in report.told.joints.iter().chain(&report.told.struck) {
-        for (body, sign) in world.ends_of_joint(joint) {
+        for (body, sign) in model.ends_of_joint(joint) {
             give(body, view.force_n * sign);
         }
     }
     report.told.others.iter().for_each(|&(body, impulse)| give(body, impulse));
-    let is_held = |body: usize| world.bodies[body].rigid.as_ref().is_none_or(polhode_dynamics::RigidBody::is_pivoted);
+    let is_held = |body: usize| model.bodies[body].rigid.as_ref().is_none_or(polhode_dynamics::RigidBody::is_pivoted);
     let defect = |(&body, (left, all)): (&usize, &(DVec3, f64))| {
-        let mass = world.bodies[body].rigid.as_ref().map_or(0.0, polhode_dynamics::RigidBody::mass);
-        let rounding = mass * world.velocity_rounding(after, &[body]);
+        let mass = model.bodies[body].rigid.as_ref().map_or(0.0, polhode_dynamics::RigidBody::mass);
+        let rounding = mass * model.velocity_rounding(after, &[body]);
         let defect = left.length() - rounding;
         if is_held(body) || defect <= 0.0 { 0.0 } else { defect / all }
     };

@@ -4,7 +4,7 @@ use super::NO_WORK_J;
 use super::made::Made;
 use super::report::TimeStepReport;
 use super::step::TimeStepper;
-use crate::world::World;
+use crate::model::Model;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 
@@ -15,7 +15,7 @@ impl TimeStepper {
     /// When a number is not finite.
     pub(super) fn remove_overlaps(
         &mut self,
-        world: &World,
+        model: &Model,
         states: &mut [BodyState],
         bodies: &[usize],
         Made { mut report, pairs, overlaps, .. }: Made,
@@ -25,10 +25,10 @@ impl TimeStepper {
         }
         report.left_penetration_m = overlaps.deepest_m;
         if overlaps.is_excess {
-            let before = report.books.balance(world, states, bodies);
+            let before = report.books.balance(model, states, bodies);
             let problem = (&mut self.solver, &mut self.delassus);
-            let removed = overlaps.remove(world, states, (bodies, &pairs), problem)?;
-            let after = report.books.balance(world, states, bodies);
+            let removed = overlaps.remove(model, states, (bodies, &pairs), problem)?;
+            let after = report.books.balance(model, states, bodies);
             report.books.projection(before, after, NO_WORK_J);
             report.fallbacks += removed.fallbacks;
             report.max_projection_m = report.max_projection_m.max(removed.moved_m);

@@ -19,8 +19,8 @@ use super::middle::Stops;
 use super::report::TimeStepReport;
 use super::step::{Substep, TimeStepper};
 use crate::identity::contact_id::ContactId;
-use crate::world::World;
-use crate::world::states_of::{set_states, states_of};
+use crate::model::Model;
+use crate::model::states_of::{set_states, states_of};
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 use std::collections::BTreeMap;
@@ -44,7 +44,7 @@ impl TimeStepper {
     /// When a number is not finite; the states are then those at its start.
     pub(super) fn step_by(
         &mut self,
-        world: &World,
+        model: &Model,
         states: &mut [BodyState],
         bodies: &[usize],
         (mut near, pairs): (Vec<NearContact>, &[(usize, usize)]),
@@ -53,21 +53,21 @@ impl TimeStepper {
         let start = states_of(states, bodies);
         self.cones_at_start.forget();
         for time in 0..=MOST_TIMES {
-            let made = self.make_step(world, states, bodies, (near.clone(), pairs), (interval, stops));
+            let made = self.make_step(model, states, bodies, (near.clone(), pairs), (interval, stops));
             let made = made.inspect_err(|_| set_states(states, bodies, &start))?;
             if !made.report.stops.is_empty() {
                 set_states(states, bodies, &start);
-                world.prescribe_members(pairs, interval.t, states);
+                model.prescribe_members(pairs, interval.t, states);
                 return Ok(made.report);
             }
             let end = states_of(states, bodies);
-            let deep = made.overlaps.deeper_than(world, states, SHARE_OF_SIZE);
-            let search = Search { world, bodies, pairs, interval, unseen_bounce: self.unseen_bounce };
+            let deep = made.overlaps.deeper_than(model, states, SHARE_OF_SIZE);
+            let search = Search { model, bodies, pairs, interval, unseen_bounce: self.unseen_bounce };
             let is_last = deep.is_empty() || time == MOST_TIMES;
             if is_last || !search.improve(states, &mut near, (&start, &made.struck), &deep) {
                 set_states(states, bodies, &end);
-                world.prescribe_members(pairs, interval.t + interval.h, states);
-                let removed = self.remove_overlaps(world, states, bodies, made);
+                model.prescribe_members(pairs, interval.t + interval.h, states);
+                let removed = self.remove_overlaps(model, states, bodies, made);
                 return removed.inspect_err(|_| set_states(states, bodies, &start));
             }
         }
@@ -77,7 +77,7 @@ impl TimeStepper {
 
 /// Looks for better rows of a step.
 struct Search<'a> {
-    world: &'a World,
+    model: &'a Model,
     bodies: &'a [usize],
     pairs: &'a [(usize, usize)],
     interval: Substep,
@@ -94,9 +94,9 @@ impl Search<'_> {
         (start, struck): (&[BodyState], &[BodyState]),
         deep: &[(ContactId, f64)],
     ) -> bool {
-        let Self { world, bodies, pairs, interval, .. } = *self;
+        let Self { model, bodies, pairs, interval, .. } = *self;
         set_states(states, bodies, start);
-        world.prescribe_members(pairs, interval.t, states);
+        model.prescribe_members(pairs, interval.t, states);
         let mut any = false;
         let mut unknown: BTreeMap<(usize, usize), Vec<ContactId>> = BTreeMap::new();
         for &(id, overlap) in deep {
@@ -126,14 +126,14 @@ impl Search<'_> {
 
     /// Those of these contacts that are not known yet and do not penetrate now.
     fn usable(&self, states: &[BodyState], near: &[NearContact], ids: Vec<ContactId>) -> Vec<NearContact> {
-        let Self { world, bodies, interval, unseen_bounce, .. } = *self;
+        let Self { model, bodies, interval, unseen_bounce, .. } = *self;
         let span = Span { h: interval.h, unseen_bounce };
-        let free = FreeAccelerations::with_fields(world, interval.t, states, bodies);
+        let free = FreeAccelerations::with_fields(model, interval.t, states, bodies);
         let usable = |id: ContactId| {
             near.binary_search_by(|contact| contact.id.cmp(&id)).err()?;
-            let kinematics = kinematics_at_point(world, states, id)?;
-            let touches_or_is_apart = kinematics.geometry.separation >= -world.touch_distance(states, id.a, id.b);
-            touches_or_is_apart.then(|| near_contact(world, states, &free, id, kinematics, span))
+            let kinematics = kinematics_at_point(model, states, id)?;
+            let touches_or_is_apart = kinematics.geometry.separation >= -model.touch_distance(states, id.a, id.b);
+            touches_or_is_apart.then(|| near_contact(model, states, &free, id, kinematics, span))
         };
         ids.into_iter().filter_map(usable).collect()
     }
@@ -146,20 +146,20 @@ impl Search<'_> {
         (a, b): (usize, usize),
         part: f64,
     ) -> Vec<ContactId> {
-        let Self { world, bodies, interval, .. } = *self;
+        let Self { model, bodies, interval, .. } = *self;
         for body in [a, b] {
             if let Ok(place) = bodies.binary_search(&body) {
-                states[body] = drift(world, body, &struck[place], part * interval.h);
+                states[body] = drift(model, body, &struck[place], part * interval.h);
             }
         }
-        world.prescribe_members(&[(a, b)], interval.t + part * interval.h, states);
-        let met = world.contacts_of_pair(states, a, b, world.touch_distance(states, a, b));
+        model.prescribe_members(&[(a, b)], interval.t + part * interval.h, states);
+        let met = model.contacts_of_pair(states, a, b, model.touch_distance(states, a, b));
         for body in [a, b] {
             if let Ok(place) = bodies.binary_search(&body) {
                 states[body] = start[place];
             }
         }
-        world.prescribe_members(&[(a, b)], interval.t, states);
+        model.prescribe_members(&[(a, b)], interval.t, states);
         met.into_iter().map(|touch| touch.id).collect()
     }
 }

@@ -4,7 +4,7 @@ use super::contacts::NearContact;
 use super::middle::Problem;
 use super::report::ImpulseKind;
 use super::sustained_friction::TangentialRow;
-use crate::world::World;
+use crate::model::Model;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 
@@ -56,8 +56,8 @@ impl Row {
     }
 
     /// Whether the row is in the problem of a step of `h` (s) from the beginning.
-    pub(super) fn is_first_choice(&self, world: &World, states: &[BodyState], contact: &NearContact, h: f64) -> bool {
-        let touch_distance = world.touch_distance(states, contact.id.a, contact.id.b);
+    pub(super) fn is_first_choice(&self, model: &Model, states: &[BodyState], contact: &NearContact, h: f64) -> bool {
+        let touch_distance = model.touch_distance(states, contact.id.a, contact.id.b);
         let lasts = contact.kinematics.separation_rate >= -contact.resting_speed;
         let presses = self.is_sustained() && lasts && self.half_fall <= 0.0 && contact.touches(h, touch_distance);
         presses || self.closes(self.kinematics.separation_rate)

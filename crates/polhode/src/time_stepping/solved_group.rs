@@ -15,12 +15,12 @@ use super::sustained_friction::{SustainedMoment, TangentialImpulse};
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::softness::SoftWork;
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
+use crate::model::states_of::{set_states, states_of};
 use crate::rows::groups::Group;
 use crate::solve::closed_loops::ClosedLoops;
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::impact::{Gain, apply_with_gain};
-use crate::world::World;
-use crate::world::states_of::{set_states, states_of};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_spatial::CompensatedSum;
@@ -63,12 +63,12 @@ impl SolvedGroup {
     /// Change of kinetic energy in the order of action, J, `sum p.(u + u+)/2` with the rates `u` after the kick and the
     /// present ones of the bodies: where large impulses cancel, these differ by rounding from the solution of the
     /// problem.
-    pub(super) fn energy_change(&self, world: &World, states: &[BodyState], rows: &[Row], near: &[NearContact]) -> f64 {
+    pub(super) fn energy_change(&self, model: &Model, states: &[BodyState], rows: &[Row], near: &[NearContact]) -> f64 {
         let parts = self.group.contacts.iter().zip(&self.impulses).filter(|(_, p)| **p > 0.0);
         let change = |(&index, &p): (&usize, &f64)| {
             let row = &rows[index];
             let after =
-                kinematics_at_point(world, states, near[row.contact].id).map_or(-row.bound, |now| now.separation_rate);
+                kinematics_at_point(model, states, near[row.contact].id).map_or(-row.bound, |now| now.separation_rate);
             0.5 * p * (row.kinematics.separation_rate + after)
         };
         parts.map(change).collect::<CompensatedSum>().value()
@@ -94,19 +94,19 @@ impl SolvedGroup {
     }
 
     /// Energy lost to friction, J, with the present slips of the bodies.
-    pub(super) fn lost_to_friction_j(&self, world: &World, states: &[BodyState]) -> f64 {
-        let lost = |impulse: &TangentialImpulse| impulse.lost_j(world, states);
+    pub(super) fn lost_to_friction_j(&self, model: &Model, states: &[BodyState]) -> f64 {
+        let lost = |impulse: &TangentialImpulse| impulse.lost_j(model, states);
         self.tangential.iter().filter_map(lost).collect::<CompensatedSum>().value()
     }
 
     /// Work of surfaces that move, J.
-    pub(super) fn work_of_surfaces(&self, world: &World, states: &[BodyState]) -> f64 {
-        world.surface_work(states, self.tangential.iter().flat_map(TangentialImpulse::parts))
+    pub(super) fn work_of_surfaces(&self, model: &Model, states: &[BodyState]) -> f64 {
+        model.surface_work(states, self.tangential.iter().flat_map(TangentialImpulse::parts))
     }
 
     /// Energy lost to friction of rolling and spinning, J: `-p.(w- + w+)/2`, where `w+` are the present rotations.
-    pub(super) fn lost_to_moments_j(&self, world: &World, states: &[BodyState]) -> f64 {
-        let lost = |moment: &SustainedMoment| moment.lost_j(world, states);
+    pub(super) fn lost_to_moments_j(&self, model: &Model, states: &[BodyState]) -> f64 {
+        let lost = |moment: &SustainedMoment| moment.lost_j(model, states);
         self.moments.iter().map(lost).collect::<CompensatedSum>().value()
     }
 
@@ -124,24 +124,24 @@ impl SolvedGroup {
     /// 0.
     pub(super) fn apply(
         &mut self,
-        world: &World,
+        model: &Model,
         states: &mut [BodyState],
         of: (&[usize], &Kick, &ClosedLoops),
         rows: &[Row],
         near: &[NearContact],
     ) {
         let start = states_of(states, &self.group.bodies);
-        let whole = self.try_out(world, states, of, rows, near);
+        let whole = self.try_out(model, states, of, rows, near);
         if whole.is_excess() {
             set_states(states, &self.group.bodies, &start);
             self.shorten(0.5);
-            let half = self.try_out(world, states, of, rows, near);
+            let half = self.try_out(model, states, of, rows, near);
             set_states(states, &self.group.bodies, &start);
             // With a part s of them the energy grows by s l + s^2 q.
             let linear = 4.0 * half.gain_j - whole.gain_j;
             let share = -linear / (whole.gain_j - linear);
             self.shorten(if share.is_finite() { 2.0 * share.clamp(0.0, 1.0) } else { 0.0 });
-            let is_sound = share > 0.0 && !self.try_out(world, states, of, rows, near).is_excess();
+            let is_sound = share > 0.0 && !self.try_out(model, states, of, rows, near).is_excess();
             if !is_sound {
                 set_states(states, &self.group.bodies, &start);
                 self.impulses.fill(0.0);
@@ -153,7 +153,7 @@ impl SolvedGroup {
             }
         }
         for &body in &self.group.bodies {
-            world.keep_in_plane(body, &mut states[body]);
+            model.keep_in_plane(body, &mut states[body]);
         }
     }
 
@@ -171,7 +171,7 @@ impl SolvedGroup {
     /// Applies the impulses, and says what energy they add.
     fn try_out(
         &self,
-        world: &World,
+        model: &Model,
         states: &mut [BodyState],
         (bodies, kick, loops): (&[usize], &Kick, &ClosedLoops),
         rows: &[Row],
@@ -186,8 +186,8 @@ impl SolvedGroup {
         let shared_j = kicked.shared_j(self.impulses_of(rows, near))
             + kicked.shared_by_moments_j(moments.iter().copied())
             + by_reactions.sum::<f64>();
-        let given = (&moments[..], self.work_of_surfaces(world, states) + by_soft + shared_j);
-        apply_with_gain(world, states, &self.group.bodies, impulses, given)
+        let given = (&moments[..], self.work_of_surfaces(model, states) + by_soft + shared_j);
+        apply_with_gain(model, states, &self.group.bodies, impulses, given)
     }
 
     /// Leaves this part of the impulses.

@@ -13,13 +13,13 @@ use super::newton_law::newton_residual;
 use super::report::{Stop, TimeStepReport};
 use crate::accounting::books::Received;
 use crate::identity::contact_id::{ContactId, Feature};
+use crate::model::Model;
+use crate::model::states_of::states_of;
 use crate::report::momentum_ledger::Momentum;
 use crate::report::momentum_ledger::MomentumSum;
 use crate::scene::ImpactLaw;
 use crate::snapshot::{SnapshotError, content};
 use crate::solve::overlap::Overlaps;
-use crate::world::World;
-use crate::world::states_of::states_of;
 use polhode_dynamics::BodyState;
 use polhode_response::{ComplementaritySolver, Delassus, ResponseError};
 use polhode_spatial::DVec3;
@@ -193,10 +193,10 @@ impl TimeStepper {
     /// When they are not of this scene.
     pub(crate) fn restore_last_forces(
         &mut self,
-        world: &World,
+        model: &Model,
         saved: &content::LastForces,
     ) -> Result<(), SnapshotError> {
-        self.cones.last = LastForces::restored(world, saved)?;
+        self.cones.last = LastForces::restored(model, saved)?;
         Ok(())
     }
 
@@ -212,7 +212,7 @@ impl TimeStepper {
     /// When a number is not finite; the states are those at the start of the substep that failed.
     pub(crate) fn advance(
         &mut self,
-        world: &World,
+        model: &Model,
         states: &mut [BodyState],
         bodies: &[usize],
         pairs: &[(usize, usize)],
@@ -224,15 +224,15 @@ impl TimeStepper {
         while done < h {
             let left = h - done;
             let span = Span { h: left, unseen_bounce: self.unseen_bounce };
-            let mut near = near_contacts(world, states, bodies, pairs, t + done, span);
+            let mut near = near_contacts(model, states, bodies, pairs, t + done, span);
             let together = self.resolves_together(near.len());
             let (splits, instant) = if together { (0, NO_INSTANT) } else { (splits_left, instant) };
             let first = if splits > 0 { first_impact(&near, instant, left) } else { None };
             let interval = Substep { t: t + done, h: first.unwrap_or(left), instant };
             if first.is_some() {
-                await_impacts(world, &mut near, (interval.h, left), instant);
+                await_impacts(model, &mut near, (interval.h, left), instant);
             }
-            let made = self.step_by(world, states, bodies, (near, pairs), (interval, Stops::Sought))?;
+            let made = self.step_by(model, states, bodies, (near, pairs), (interval, Stops::Sought))?;
             if made.stops.is_empty() {
                 report.append(made);
                 splits_left = splits.saturating_sub(1);
@@ -244,11 +244,11 @@ impl TimeStepper {
             }
             let (interval, ending) = up_to_stop(interval, &made.stops, stops);
             stops = stops.saturating_sub(1);
-            let mut near = near_contacts(world, states, bodies, pairs, t + done, span);
+            let mut near = near_contacts(model, states, bodies, pairs, t + done, span);
             if first.is_some() {
-                await_impacts(world, &mut near, (interval.h, left), instant);
+                await_impacts(model, &mut near, (interval.h, left), instant);
             }
-            report.append(self.step_by(world, states, bodies, (near, pairs), (interval, Stops::At(&ending)))?);
+            report.append(self.step_by(model, states, bodies, (near, pairs), (interval, Stops::At(&ending)))?);
             done = if interval.h < left { done + interval.h } else { h };
         }
         Ok(report)
@@ -260,7 +260,7 @@ impl TimeStepper {
     /// When a number is not finite.
     pub(super) fn make_step(
         &mut self,
-        world: &World,
+        model: &Model,
         states: &mut [BodyState],
         bodies: &[usize],
         (mut near, pairs): (Vec<NearContact>, &[(usize, usize)]),
@@ -270,49 +270,49 @@ impl TimeStepper {
         let mut report = TimeStepReport::new(self.about);
         report.steps = 1;
         let struck_from = states_of(states, bodies);
-        self.strike_closing(world, states, bodies, &mut near, part, &mut report)?;
-        self.stop_closing(world, states, bodies, &mut near, part, &mut report)?;
+        self.strike_closing(model, states, bodies, &mut near, part, &mut report)?;
+        self.stop_closing(model, states, bodies, &mut near, part, &mut report)?;
         let start = states_of(states, bodies);
-        let slips = slips_at_start(world, states, &near);
-        let speeds: Vec<f64> = bodies.iter().map(|&body| world.point_speed(states, body)).collect();
+        let slips = slips_at_start(model, states, &near);
+        let speeds: Vec<f64> = bodies.iter().map(|&body| model.point_speed(states, body)).collect();
 
-        let before = report.books.balance(world, states, bodies);
-        let mut received = self.fly(world, states, bodies, 0.5 * h);
-        world.prescribe_members(pairs, t + 0.5 * h, states);
+        let before = report.books.balance(model, states, bodies);
+        let mut received = self.fly(model, states, bodies, 0.5 * h);
+        model.prescribe_members(pairs, t + 0.5 * h, states);
         let middle = (t + 0.5 * h, h, stops);
-        let Some(kick) = self.kick(world, states, bodies, (&near, &slips), middle, &mut report)? else {
+        let Some(kick) = self.kick(model, states, bodies, (&near, &slips), middle, &mut report)? else {
             return Ok(Made { report, struck: start, pairs: Vec::new(), overlaps: Overlaps::default() });
         };
-        let kicked = report.books.balance(world, states, bodies);
+        let kicked = report.books.balance(model, states, bodies);
 
         let middle = Middle { problem: Problem::Sustained, t: t + 0.5 * h, h, stops, kick: &kick };
-        let carrying = self.sustain(world, states, bodies, (&near, &slips), middle, &mut report)?;
+        let carrying = self.sustain(model, states, bodies, (&near, &slips), middle, &mut report)?;
         if !report.stops.is_empty() {
             return Ok(Made { report, struck: start, pairs: Vec::new(), overlaps: Overlaps::default() });
         }
-        received += kick.received(world, states, bodies, h, &report.books);
+        received += kick.received(model, states, bodies, h, &report.books);
         report.books.smooth_stage(before, kicked, received);
-        let before = report.books.balance(world, states, bodies);
-        let received = self.fly(world, states, bodies, 0.5 * h);
-        world.prescribe_members(pairs, t + h, states);
-        let after = report.books.balance(world, states, bodies);
+        let before = report.books.balance(model, states, bodies);
+        let received = self.fly(model, states, bodies, 0.5 * h);
+        model.prescribe_members(pairs, t + h, states);
+        let after = report.books.balance(model, states, bodies);
         report.books.smooth_stage(before, after, received);
 
         let ids: Vec<ContactId> = carrying.iter().map(|&contact| near[contact].id).collect();
         self.cones.last.keep(pairs, &ids);
         self.carried.replace(pairs, ids.into_iter());
-        if world.members_stand_still(bodies, pairs, (t, t + h)) {
-            rest_exactly(world, states, bodies, (&start, &speeds), h, &mut report);
+        if model.members_stand_still(bodies, pairs, (t, t + h)) {
+            rest_exactly(model, states, bodies, (&start, &speeds), h, &mut report);
         }
         let (mut overlaps, mut near_pairs) = (Overlaps::default(), Vec::new());
         if !report.at_rest {
             let has_contact = |pair: &(usize, usize)| near.binary_search_by(|n| (n.id.a, n.id.b).cmp(pair)).is_ok();
             let may_overlap =
-                |pair: &&(usize, usize)| has_contact(pair) || may_change_features(world, states, **pair, h);
+                |pair: &&(usize, usize)| has_contact(pair) || may_change_features(model, states, **pair, h);
             near_pairs.extend(pairs.iter().filter(may_overlap).copied());
-            close_joints(world, states, bodies, &mut report)?;
-            overlaps = Overlaps::find(world, states, &near_pairs);
-            report.newton_residual = newton_residual(world, (&struck_from, states), bodies, (&kick, h), &report);
+            close_joints(model, states, bodies, &mut report)?;
+            overlaps = Overlaps::find(model, states, &near_pairs);
+            report.newton_residual = newton_residual(model, (&struck_from, states), bodies, (&kick, h), &report);
         }
         if let Some(index) = bodies.iter().position(|&body| !states[body].is_finite()) {
             return Err(ResponseError::NotFinite { what: "states after a time step", index });
@@ -327,20 +327,20 @@ impl TimeStepper {
     /// report then names.
     fn kick(
         &mut self,
-        world: &World,
+        model: &Model,
         states: &mut [BodyState],
         bodies: &[usize],
         contacts: (&[NearContact], &[f64]),
         (t, h, stops): (f64, f64, Stops<'_>),
         report: &mut TimeStepReport,
     ) -> Result<Option<Kick>, ResponseError> {
-        let first = Kick::of(world, states, bodies, (t, h), &[]);
+        let first = Kick::of(model, states, bodies, (t, h), &[]);
         if !first.is_resisting() {
             return Ok(Some(first));
         }
         let mut aside = TimeStepReport::new(self.about);
         self.sustain(
-            world,
+            model,
             states,
             bodies,
             contacts,
@@ -351,19 +351,19 @@ impl TimeStepper {
             report.stops = aside.stops;
             return Ok(None);
         }
-        let by_constraints = first.changes_since(world, states, bodies);
+        let by_constraints = first.changes_since(model, states, bodies);
         first.undo(states, bodies);
-        Ok(Some(Kick::of(world, states, bodies, (t, h), &by_constraints)))
+        Ok(Some(Kick::of(model, states, bodies, (t, h), &by_constraints)))
     }
 
     /// Free flight of all bodies for `h`. Returns the momentum from gravity.
-    fn fly(&self, world: &World, states: &mut [BodyState], bodies: &[usize], h: f64) -> Received {
+    fn fly(&self, model: &Model, states: &mut [BodyState], bodies: &[usize], h: f64) -> Received {
         let mut sum = MomentumSum::default();
         for &body in bodies {
             let start = states[body];
-            states[body] = drift(world, body, &start, h);
-            if world.carries_momentum(body) {
-                sum.add(given_by_gravity(world, body, &start, h, self.about));
+            states[body] = drift(model, body, &start, h);
+            if model.carries_momentum(body) {
+                sum.add(given_by_gravity(model, body, &start, h, self.about));
             }
         }
         Received { gravity: sum.value(), ..Received::default() }
@@ -372,31 +372,31 @@ impl TimeStepper {
 
 /// Sets bodies that are at rest at the start and at the end of the step back to their initial poses.
 fn rest_exactly(
-    world: &World,
+    model: &Model,
     states: &mut [BodyState],
     bodies: &[usize],
     (start, speeds): (&[BodyState], &[f64]),
     h: f64,
     report: &mut TimeStepReport,
 ) {
-    let mut given = vec![h * world.gravity().length(); bodies.len()];
+    let mut given = vec![h * model.gravity().length(); bodies.len()];
     for impulse in &report.impulses {
         for (body, _) in impulse.id.members() {
-            if let (Ok(index), Some(rigid)) = (bodies.binary_search(&body), &world.bodies[body].rigid) {
+            if let (Ok(index), Some(rigid)) = (bodies.binary_search(&body), &model.bodies[body].rigid) {
                 given[index] += impulse.impulse / rigid.mass();
             }
         }
     }
     let rests = |((&body, &speed), &given): ((&usize, &f64), &f64)| {
-        speed.max(world.point_speed(states, body)) <= REST_RELATIVE * given
+        speed.max(model.point_speed(states, body)) <= REST_RELATIVE * given
     };
     report.at_rest = !bodies.is_empty() && bodies.iter().zip(speeds).zip(&given).all(rests);
     if report.at_rest {
-        let before = report.books.balance(world, states, bodies);
+        let before = report.books.balance(model, states, bodies);
         for (&body, start) in bodies.iter().zip(start) {
             states[body] = BodyState::at_rest(start.pose);
         }
-        let after = report.books.balance(world, states, bodies);
+        let after = report.books.balance(model, states, bodies);
         report.books.rest(before, after, NO_WORK_J);
     }
 }
@@ -420,9 +420,9 @@ fn first_impact(near: &[NearContact], instant: f64, left: f64) -> Option<f64> {
 }
 
 /// The impulse of a body's weight in a flight of `h` (s) from a state, its moment integrated over the parabola.
-pub(crate) fn given_by_gravity(world: &World, body: usize, start: &BodyState, h: f64, about: DVec3) -> Momentum {
-    let mass = world.bodies[body].rigid.as_ref().map_or(0.0, polhode_dynamics::RigidBody::mass);
-    let linear = world.gravity() * (mass * h);
-    let mean = start.pose.translation + start.linear_velocity * (0.5 * h) + world.gravity() * (h * h / 6.0);
+pub(crate) fn given_by_gravity(model: &Model, body: usize, start: &BodyState, h: f64, about: DVec3) -> Momentum {
+    let mass = model.bodies[body].rigid.as_ref().map_or(0.0, polhode_dynamics::RigidBody::mass);
+    let linear = model.gravity() * (mass * h);
+    let mean = start.pose.translation + start.linear_velocity * (0.5 * h) + model.gravity() * (h * h / 6.0);
     Momentum { linear, angular: (mean - about).cross(linear) }
 }

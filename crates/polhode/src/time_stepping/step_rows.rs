@@ -9,8 +9,8 @@ use super::row::Row;
 use super::shared_work::Kicked;
 use super::sustained_friction::TangentialRow;
 use crate::constraint::joint_friction::Pressed;
+use crate::model::{Loads, Model};
 use crate::rows::assembly::Assembly;
-use crate::world::{Loads, World};
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
@@ -21,7 +21,7 @@ const SEPARATION_ROUNDING: f64 = 0.25;
 
 /// The contacts in the middle of the step; those whose features no longer define a contact are left out.
 pub(super) fn rows(
-    world: &World,
+    model: &Model,
     kicked: Kicked<'_>,
     (near, slips): (&[NearContact], &[f64]),
     (problem, t, h): (Problem, f64, f64),
@@ -31,8 +31,8 @@ pub(super) fn rows(
         .iter()
         .enumerate()
         .filter(|(_, near)| !near.is_awaited)
-        .filter(|(_, near)| problem == Problem::Sustained || world.pressed(states, near.id).is_none())
-        .filter_map(|(contact, near)| Some((contact, kinematics_at_point(world, states, near.id)?)))
+        .filter(|(_, near)| problem == Problem::Sustained || model.pressed(states, near.id).is_none())
+        .filter_map(|(contact, near)| Some((contact, kinematics_at_point(model, states, near.id)?)))
         .filter(|(contact, kinematics)| near[*contact].is_same(kinematics))
         .collect();
     if here.is_empty() {
@@ -40,15 +40,15 @@ pub(super) fn rows(
     }
     let geometries = here.iter().map(|&(contact, kinematics)| (near[contact].id, kinematics.geometry));
     // Accelerations without the forces of joints: their rows are not asked for.
-    let mut assembly = Assembly::with_bilaterals(world, (states, bodies), geometries, Vec::new())?;
+    let mut assembly = Assembly::with_bilaterals(model, (states, bodies), geometries, Vec::new())?;
     let of = |(contact, kinematics): &(usize, ContactKinematics)| {
-        TangentialRow::of(world, states, near[*contact].id, (kinematics, kicked))
+        TangentialRow::of(model, states, near[*contact].id, (kinematics, kicked))
     };
     let friction: Vec<_> = here.iter().map(of).collect();
     assembly.push_tangents(states, friction.iter().flatten().flat_map(TangentialRow::along))?;
-    let free = assembly.free_accelerations(world, states, &Loads::default());
+    let free = assembly.free_accelerations(model, states, &Loads::default());
     let contacts = here.iter().map(|(contact, kinematics)| (near[*contact].id, kinematics));
-    let accelerations = assembly.acceleration_constants(world, t, states, &free, contacts)?;
+    let accelerations = assembly.acceleration_constants(model, t, states, &free, contacts)?;
     let mut slip_rates = accelerations[assembly.first_tangent()..].iter().copied();
     let mut with_rates = |row: TangentialRow, contact: usize, acceleration: f64| {
         let mut rates = [0.0; 2];
@@ -64,8 +64,8 @@ pub(super) fn rows(
     let row = |(((contact, kinematics), acceleration), friction): (((usize, ContactKinematics), f64), _)| {
         let of = (contact, kinematics, friction);
         match problem {
-            Problem::Closing => row_at_start(world, states, near, of, h),
-            Problem::Sustained => row_in_middle(world, kicked, near, of, (0.5 * h * acceleration, h)),
+            Problem::Closing => row_at_start(model, states, near, of, h),
+            Problem::Sustained => row_in_middle(model, kicked, near, of, (0.5 * h * acceleration, h)),
         }
     };
     let mut rows: Vec<Row> = here.into_iter().zip(accelerations).zip(friction).map(row).collect();
@@ -83,21 +83,21 @@ pub(super) fn rows(
 
 /// The row of a contact in the problem in the middle of a step of `h` (s), with `h/2 a` (m/s).
 fn row_in_middle(
-    world: &World,
+    model: &Model,
     kicked: Kicked<'_>,
     near: &[NearContact],
     (contact, kinematics, friction): (usize, ContactKinematics, Option<TangentialRow>),
     (half_fall, h): (f64, f64),
 ) -> Row {
     let id = near[contact].id;
-    let rounding = 2.0 * SEPARATION_ROUNDING * world.rounding(kicked.states, id.a, id.b) / h;
+    let rounding = 2.0 * SEPARATION_ROUNDING * model.rounding(kicked.states, id.a, id.b) / h;
     let gap_bound = 2.0 * kinematics.geometry.separation / h + 0.5 * half_fall;
     // A gap within rounding counts as zero.
     let gap_bound = if gap_bound <= half_fall + rounding { half_fall } else { gap_bound };
     let geometry = &kinematics.geometry;
     let rate_before = kinematics.separation_rate - geometry.normal.dot(kicked.change_at(id, geometry.point));
     // What presses a joint with friction gives the impulse of its force.
-    let bound = match world.pressed(kicked.states, id) {
+    let bound = match model.pressed(kicked.states, id) {
         Some(Pressed { force, compliance, .. }) => -compliance * force * h,
         None => gap_bound.max(rate_before),
     };
@@ -109,14 +109,14 @@ fn row_in_middle(
 /// All such bounds are at least zero, so that the impulses `p` with `p.(u+ + r) = 0` give no energy:
 /// `p.(u- + u+)/2 = -r.p - p.G p/2`.
 fn row_at_start(
-    world: &World,
+    model: &Model,
     states: &[BodyState],
     near: &[NearContact],
     (contact, kinematics, friction): (usize, ContactKinematics, Option<TangentialRow>),
     h: f64,
 ) -> Row {
     let id = near[contact].id;
-    let rounding = SEPARATION_ROUNDING * world.rounding(states, id.a, id.b) / h;
+    let rounding = SEPARATION_ROUNDING * model.rounding(states, id.a, id.b) / h;
     let bound = ((kinematics.geometry.separation - near[contact].kept_off) / h).max(0.0);
     let bound = if bound <= rounding { 0.0 } else { bound };
     let rate_before = kinematics.separation_rate;

@@ -42,6 +42,8 @@ use super::step_rows::rows;
 use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
 use crate::constraint::bilateral::{Bilateral, bilateral_support};
 use crate::constraint::row::BilateralRow;
+use crate::model::Model;
+use crate::model::states_of::{set_states, states_of};
 use crate::rows::assembly::Assembly;
 use crate::rows::groups::{Group, coupled_groups};
 use crate::rows::many_contacts::{MANY_CONTACTS, furthest_out};
@@ -50,8 +52,6 @@ use crate::solve::impact::support;
 use crate::solve::joint_loads::ContactForce;
 use crate::solve::jointed::trees_of;
 use crate::solve::rotational_friction::{moment_support, moment_work};
-use crate::world::World;
-use crate::world::states_of::{set_states, states_of};
 use polhode_dynamics::BodyState;
 use polhode_response::{ResponseError, SolverSettings, SolverStatus, WarmStart};
 use polhode_spatial::DVec3;
@@ -73,7 +73,7 @@ impl TimeStepper {
     /// When a number is not finite.
     pub(super) fn sustain(
         &mut self,
-        world: &World,
+        model: &Model,
         states: &mut [BodyState],
         bodies: &[usize],
         (near, slips): (&[NearContact], &[f64]),
@@ -81,17 +81,17 @@ impl TimeStepper {
         report: &mut TimeStepReport,
     ) -> Result<Vec<usize>, ResponseError> {
         let Middle { problem, t, h, stops, kick } = middle;
-        let loops = &ClosedLoops::of(world, states, bodies)?;
-        let mut rows = rows(world, Kicked { states, bodies, kick, loops }, (near, slips), (problem, t, h))?;
+        let loops = &ClosedLoops::of(model, states, bodies)?;
+        let mut rows = rows(model, Kicked { states, bodies, kick, loops }, (near, slips), (problem, t, h))?;
         if let Stops::At(ids) = stops {
             for row in rows.iter_mut().filter(|row| ids.contains(&near[row.contact].id)) {
                 row.friction = row.friction.map(TangentialRow::coming_to_rest);
             }
         }
         let before = states_of(states, bodies);
-        let held = world.held_among(bodies);
+        let held = model.held_among(bodies);
         let of_joints = if held.is_empty() { Held::Nothing } else { Held::ByJoints };
-        let mut taken = self.first_choice(world, states, near, &rows, (h, of_joints));
+        let mut taken = self.first_choice(model, states, near, &rows, (h, of_joints));
         let mut solved: Vec<SolvedGroup> = Vec::new();
         loop {
             let members = || rows.iter().enumerate().filter(|(index, _)| taken[*index]);
@@ -101,7 +101,7 @@ impl TimeStepper {
                 return Ok(Vec::new());
             }
             let mut last = std::mem::take(&mut solved);
-            for group in coupled_groups(world, members.iter().copied(), &held) {
+            for group in coupled_groups(model, members.iter().copied(), &held) {
                 let closes = |&index: &usize| rows[index].closes(rows[index].kinematics.separation_rate);
                 if problem == Problem::Closing && !group.contacts.iter().any(closes) {
                     // Nothing strikes it.
@@ -113,20 +113,20 @@ impl TimeStepper {
                     last.swap_remove(place)
                 } else {
                     let kicked = Kicked { states, bodies, kick, loops };
-                    self.solve_group(world, kicked, group, &rows, (near, middle), report)?
+                    self.solve_group(model, kicked, group, &rows, (near, middle), report)?
                 });
             }
             for group in &mut solved {
-                group.apply(world, states, (bodies, kick, loops), &rows, near);
+                group.apply(model, states, (bodies, kick, loops), &rows, near);
             }
-            if add_closing(world, states, near, &rows, &mut taken) {
+            if add_closing(model, states, near, &rows, &mut taken) {
                 set_states(states, bodies, &before);
                 continue;
             }
             let mut ending: Vec<Stop> = solved.iter().flat_map(|group| &group.found.stops).copied().collect();
             if stops == Stops::Sought {
                 let kicked = Kicked { states, bodies, kick, loops };
-                ending.extend(self.stops_of_lost(world, kicked, &solved, &rows, (near, middle), report)?);
+                ending.extend(self.stops_of_lost(model, kicked, &solved, &rows, (near, middle), report)?);
             }
             if !ending.is_empty() {
                 report.stops = ending;
@@ -137,7 +137,7 @@ impl TimeStepper {
             }
             report.contacts = report.contacts.max(members.len());
             let kicked = Kicked { states, bodies, kick, loops };
-            return Ok(note(world, kicked, near, &rows, &solved, (t, h), report));
+            return Ok(note(model, kicked, near, &rows, &solved, (t, h), report));
         }
     }
 
@@ -145,7 +145,7 @@ impl TimeStepper {
     /// energy.
     fn stops_of_lost(
         &mut self,
-        world: &World,
+        model: &Model,
         kicked: Kicked<'_>,
         solved: &[SolvedGroup],
         rows: &[Row],
@@ -155,7 +155,7 @@ impl TimeStepper {
         let middle = Middle { stops: Stops::SoughtOfAll, ..middle };
         let mut stops = Vec::new();
         for lost in solved.iter().filter(|group| group.share == 0.0) {
-            let again = self.solve_group(world, kicked, lost.group.clone(), rows, (near, middle), report)?;
+            let again = self.solve_group(model, kicked, lost.group.clone(), rows, (near, middle), report)?;
             stops.extend(again.found.stops);
         }
         Ok(stops)
@@ -166,7 +166,7 @@ impl TimeStepper {
     /// one layer after the other, each by a problem of its own; what presses a limit of a joint may be far away.
     fn first_choice(
         &self,
-        world: &World,
+        model: &Model,
         states: &[BodyState],
         near: &[NearContact],
         rows: &[Row],
@@ -178,7 +178,7 @@ impl TimeStepper {
         let goes_on = is_heap || (is_sustained && holds == Held::ByJoints);
         let choose = |row: &Row| {
             let contact = &near[row.contact];
-            (goes_on && self.carried.contains(contact.id)) || row.is_first_choice(world, states, contact, h)
+            (goes_on && self.carried.contains(contact.id)) || row.is_first_choice(model, states, contact, h)
         };
         let mut taken: Vec<bool> = rows.iter().map(choose).collect();
         if is_heap {
@@ -195,7 +195,7 @@ impl TimeStepper {
 
     fn solve_group(
         &mut self,
-        world: &World,
+        model: &Model,
         kicked: Kicked<'_>,
         group: Group,
         rows: &[Row],
@@ -206,11 +206,11 @@ impl TimeStepper {
         let Middle { problem: of_step, h, stops, .. } = middle;
         let members: Vec<&Row> = group.contacts.iter().map(|&index| &rows[index]).collect();
         let geometries = members.iter().map(|row| (near[row.contact].id, row.kinematics.geometry));
-        let bilaterals = kicked.loops.bilaterals(world, states, &group.bodies).collect();
-        let mut assembly = Assembly::with_bilaterals(world, (states, &group.bodies), geometries, bilaterals)?;
+        let bilaterals = kicked.loops.bilaterals(model, states, &group.bodies).collect();
+        let mut assembly = Assembly::with_bilaterals(model, (states, &group.bodies), geometries, bilaterals)?;
         let kick_of_row = |of: &Bilateral, row: &BilateralRow| kicked.change_of_row(of, row);
         if of_step == Problem::Sustained {
-            let soft = world.soft_rows((states, &group.bodies), h, &kicked.kick.of_joints, kick_of_row);
+            let soft = model.soft_rows((states, &group.bodies), h, &kicked.kick.of_joints, kick_of_row);
             assembly.push_soft(states, soft)?;
         }
         let of_contacts = members.iter().map(|row| row.kinematics.separation_rate + row.bound);
@@ -225,13 +225,13 @@ impl TimeStepper {
             report.factorisations += found.factorisations as u64;
             let sustained_friction::FrictionalImpulses { normal: impulses, tangential, moments, reactions, .. } = found;
             let found = Found { residual: found.report.residual, violation: found.violation, stops: found.stops };
-            let reactions = kicked.loops.least(world, (states, &group.bodies), reactions)?;
+            let reactions = kicked.loops.least(model, (states, &group.bodies), reactions)?;
             return Ok(SolvedGroup { group, impulses, tangential, moments, reactions, found, share: 1.0 });
         }
         let carried = (0..members.len()).filter(|&i| self.carried.contains(near[members[i].contact].id)).collect();
         // Rates of joints are differences of velocities, whatever the impulses are that follow from them.
         let noise_floor =
-            if assembly.bilaterals().is_empty() { 0.0 } else { world.velocity_rounding(states, &group.bodies) };
+            if assembly.bilaterals().is_empty() { 0.0 } else { model.velocity_rounding(states, &group.bodies) };
         self.solver.set_settings(SolverSettings { noise_floor, ..SolverSettings::default() });
         let start = WarmStart::new(carried);
         let solution = if let Some(forest) = trees_of(&assembly) {
@@ -253,7 +253,7 @@ impl TimeStepper {
             }
         }
         let reactions = assembly.reactions(&impulses).map(|(of, impulse)| (of.clone(), impulse)).collect();
-        let reactions = kicked.loops.least(world, (states, &group.bodies), reactions)?;
+        let reactions = kicked.loops.least(model, (states, &group.bodies), reactions)?;
         impulses.truncate(members.len());
         Ok(SolvedGroup { group, impulses, tangential: Vec::new(), moments: Vec::new(), reactions, found, share: 1.0 })
     }
@@ -297,9 +297,9 @@ fn thin_out(near: &[NearContact], rows: &[Row], taken: &mut [bool]) {
 /// Adds the rows that close with the present velocities; of pairs with many contacts the one that closes most. Among
 /// many rows those are added, too, that are as near to closing as the worst one is beyond it: they would close next.
 /// Returns whether any closes.
-fn add_closing(world: &World, states: &[BodyState], near: &[NearContact], rows: &[Row], taken: &mut [bool]) -> bool {
+fn add_closing(model: &Model, states: &[BodyState], near: &[NearContact], rows: &[Row], taken: &mut [bool]) -> bool {
     // Impulses have moved nothing: the contact is where it was.
-    let rate = |row: &Row| with_rate_at_point(world, states, near[row.contact].id, row.kinematics).separation_rate;
+    let rate = |row: &Row| with_rate_at_point(model, states, near[row.contact].id, row.kinematics).separation_rate;
     let rates: Vec<f64> = rows.iter().zip(&*taken).map(|(row, taken)| if *taken { 0.0 } else { rate(row) }).collect();
     let left: Vec<usize> = (0..rows.len()).filter(|&index| !taken[index]).collect();
     let speed = |index: usize| rates[index] + rows[index].bound;
@@ -327,7 +327,7 @@ fn add_closing(world: &World, states: &[BodyState], near: &[NearContact], rows: 
 
 /// Books and records the impulses. Returns the contacts that carry one.
 fn note(
-    world: &World,
+    model: &Model,
     kicked: Kicked<'_>,
     near: &[NearContact],
     rows: &[Row],
@@ -340,17 +340,17 @@ fn note(
     for group in solved {
         let moments = || group.moments.iter().map(SustainedMoment::on_a);
         let reactions = || group.reactions.iter().map(|(of, impulse)| (of, *impulse));
-        report.told.take(world, states, reactions());
+        report.told.take(model, states, reactions());
         let about = report.books.ledger.momentum.about;
-        let given = support(world, about, group.impulses_of(rows, near))
-            + moment_support(world, moments())
+        let given = support(model, about, group.impulses_of(rows, near))
+            + moment_support(model, moments())
             + bilateral_support(about, reactions());
-        let work = world.prescribed_work(states, group.impulses_of(rows, near))
-            + world.driven_work(states, reactions())
-            + moment_work(world, states, moments())
-            + group.work_of_surfaces(world, states);
-        let friction_j = group.lost_to_friction_j(world, states) + group.lost_to_moments_j(world, states);
-        let acting = ContactWork { normal_j: group.energy_change(world, states, rows, near), friction_j };
+        let work = model.prescribed_work(states, group.impulses_of(rows, near))
+            + model.driven_work(states, reactions())
+            + moment_work(model, states, moments())
+            + group.work_of_surfaces(model, states);
+        let friction_j = group.lost_to_friction_j(model, states) + group.lost_to_moments_j(model, states);
+        let acting = ContactWork { normal_j: group.energy_change(model, states, rows, near), friction_j };
         let rubbing = || group.tangential.iter().flat_map(TangentialImpulse::parts);
         let shared = ContactWork {
             normal_j: kicked.shared_j(group.normal_impulses(rows, near)),
@@ -361,7 +361,7 @@ fn note(
         report.books.stray(kicked.loops.stray_momentum(states, about, reactions()));
         report.books.ledger.numerical.add(of_integrator_j);
         // Reactions do no work but for what the solver leaves.
-        let after = kicked.loops.bilaterals(world, states, &group.group.bodies);
+        let after = kicked.loops.bilaterals(model, states, &group.group.bodies);
         let (rigid, yielding): (Vec<_>, Vec<_>) = group.reactions.iter().partition(|(of, _)| of.softness.is_none());
         let by_reactions = rigid.iter().zip(after).map(|((of, impulse), after)| of.work(&after, *impulse));
         report.books.ledger.numerical.add(-by_reactions.sum::<f64>());
@@ -386,7 +386,7 @@ fn note(
             let geometry = row.kinematics.geometry;
             let force = geometry.normal * impulse + friction;
             let force = ContactForce { id: contact.id, point: geometry.point, force };
-            report.told.take_contact(world, states, (force, false));
+            report.told.take_contact(model, states, (force, false));
             report.impulses.push(ContactImpulse { t, id: contact.id, geometry, impulse, friction, kind });
             carrying.push(row.contact);
         }

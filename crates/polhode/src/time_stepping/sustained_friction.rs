@@ -32,13 +32,13 @@ use crate::collision::turn::Turn;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{push_contact, push_held, with_rotations};
 use crate::rows::resisted_rotation::ResistedRotation;
 use crate::rows::rotation_row::RotationRow;
 use crate::scene::FrictionEllipse;
 use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
-use crate::world::World;
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::friction::ContactStatus;
@@ -89,19 +89,19 @@ pub(super) struct TangentialRow {
 impl TangentialRow {
     /// That of a contact in these states; its rates of slip are not known yet. None without friction.
     pub(super) fn of(
-        world: &World,
+        model: &Model,
         states: &[BodyState],
         id: ContactId,
         (kinematics, kicked): (&ContactKinematics, Kicked<'_>),
     ) -> Option<Self> {
-        world.friction_of(id)?;
-        let terms = world.tangential_kinematics(states, id)?;
-        let coefficients = world.friction_at(states, id, terms.basis)?;
+        model.friction_of(id)?;
+        let terms = model.tangential_kinematics(states, id)?;
+        let coefficients = model.friction_at(states, id, terms.basis)?;
         let along = terms.basis.map(|tangent| TangentRow::new(id, &kinematics.geometry, &terms, tangent));
         let slip = terms.basis.map(|tangent| tangent.dot(terms.slip_velocity));
-        let rotational = Turn::ALL.map(|turn| turn.coefficient(world, (id.a, id.b)));
-        let turning_length = world.turning_length(id.a, id.b);
-        let rotation = world.relative_rotation(states, id);
+        let rotational = Turn::ALL.map(|turn| turn.coefficient(model, (id.a, id.b)));
+        let turning_length = model.turning_length(id.a, id.b);
+        let rotation = model.relative_rotation(states, id);
         let normal = kinematics.geometry.normal;
         let kicked = (kicked.change_at(id, kinematics.geometry.point), kicked.change_of_rotation(id));
         let half_change = [0.0; 2];
@@ -111,7 +111,7 @@ impl TangentialRow {
             whole_change: [0.0; 2],
             given: 0.0,
             along,
-            slips: world.slip_directions(),
+            slips: model.slip_directions(),
             offset: None,
             slip,
             kicked,
@@ -318,18 +318,18 @@ impl TangentialImpulse {
 
     /// The relative velocity of the bodies where its rows act, in the present states, m/s; beside those along its
     /// tangents its components are of no use.
-    fn slip(&self, world: &World, states: &[BodyState]) -> Option<DVec3> {
-        let slip = world.tangential_kinematics(states, self.id())?.slip_velocity;
+    fn slip(&self, model: &Model, states: &[BodyState]) -> Option<DVec3> {
+        let slip = model.tangential_kinematics(states, self.id())?.slip_velocity;
         let Some(offset) = self.row.offset else { return Some(slip) };
-        let now = kinematics_at_point(world, states, self.id())?;
+        let now = kinematics_at_point(model, states, self.id())?;
         let approach = now.geometry.normal * now.separation_rate;
-        Some(slip + approach + world.relative_rotation(states, self.id()).cross(offset))
+        Some(slip + approach + model.relative_rotation(states, self.id()).cross(offset))
     }
 
     /// Energy lost to friction in the order of action, J: `-p.(u + u+)/2` with the slips after the kick and, in the
     /// present states, after all impulses.
-    pub(super) fn lost_j(&self, world: &World, states: &[BodyState]) -> Option<f64> {
-        let slip = self.slip(world, states)?;
+    pub(super) fn lost_j(&self, model: &Model, states: &[BodyState]) -> Option<f64> {
+        let slip = self.slip(model, states)?;
         let along = self.row.along.iter().zip(self.row.slip).zip(self.impulse);
         Some(along.map(|((row, before), impulse)| -0.5 * impulse * (before + row.along.normal.dot(slip))).sum())
     }
@@ -362,8 +362,8 @@ impl SustainedMoment {
     }
 
     /// Energy lost to it, J: `-p.(w- + w+)/2` with the rotations in these states.
-    pub(super) fn lost_j(&self, world: &World, states: &[BodyState]) -> f64 {
-        -0.5 * self.moment.dot(self.rotation_before + world.relative_rotation(states, self.id))
+    pub(super) fn lost_j(&self, model: &Model, states: &[BodyState]) -> f64 {
+        -0.5 * self.moment.dot(self.rotation_before + model.relative_rotation(states, self.id))
     }
 }
 

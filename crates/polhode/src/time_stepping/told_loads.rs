@@ -7,9 +7,9 @@
 use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::identity::contact_id::Feature;
+use crate::model::Model;
 use crate::report::frame::JointView;
 use crate::solve::joint_loads::{ContactForce, add_joint_loads};
-use crate::world::World;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
@@ -29,11 +29,11 @@ impl ToldLoads {
     /// Takes the impulses of constraints in these states.
     pub(super) fn take<'a>(
         &mut self,
-        world: &World,
+        model: &Model,
         states: &[BodyState],
         reactions: impl Iterator<Item = (&'a Bilateral, Reaction)> + Clone,
     ) {
-        add_joint_loads(&mut self.joints, world, states, (reactions.clone(), std::iter::empty()));
+        add_joint_loads(&mut self.joints, model, states, (reactions.clone(), std::iter::empty()));
         for (of, reaction) in reactions {
             if of.softness.is_some() || matches!(of.id, ConstraintId::Pivot { .. }) {
                 self.others.extend(of.loads(reaction).map(|(body, impulse, _)| (body, impulse)));
@@ -44,11 +44,11 @@ impl ToldLoads {
     /// Takes those of an impact.
     pub(super) fn take_struck<'a>(
         &mut self,
-        world: &World,
+        model: &Model,
         states: &[BodyState],
         reactions: impl Iterator<Item = (&'a Bilateral, Reaction)> + Clone,
     ) {
-        add_joint_loads(&mut self.struck, world, states, (reactions.clone(), std::iter::empty()));
+        add_joint_loads(&mut self.struck, model, states, (reactions.clone(), std::iter::empty()));
         let of_pivots = reactions.filter(|(of, _)| matches!(of.id, ConstraintId::Pivot { .. }));
         self.others.extend(of_pivots.flat_map(|(of, p)| of.loads(p)).map(|(body, impulse, _)| (body, impulse)));
     }
@@ -56,13 +56,13 @@ impl ToldLoads {
     /// Takes the impulse of a contact on A, N s, if it is one of a joint.
     pub(super) fn take_contact(
         &mut self,
-        world: &World,
+        model: &Model,
         states: &[BodyState],
         (force, is_struck): (ContactForce, bool),
     ) {
         if !matches!(force.id.feature, Feature::Shapes(_)) {
             let views = if is_struck { &mut self.struck } else { &mut self.joints };
-            add_joint_loads(views, world, states, (std::iter::empty(), std::iter::once(force)));
+            add_joint_loads(views, model, states, (std::iter::empty(), std::iter::once(force)));
         }
     }
 

@@ -4,7 +4,7 @@
 //! collide, are not found.
 
 use crate::identity::body_id::BodyId;
-use crate::world::World;
+use crate::model::Model;
 use polhode_contact::{Aabb, ClosestPoints, QueryError, QueryScene, Ray, RayHit, Shape, SurfacePoint, distance};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose};
@@ -40,12 +40,12 @@ pub struct BodyQueries<'a> {
 }
 
 impl<'a> BodyQueries<'a> {
-    pub(crate) fn new(world: &'a World, states: &[BodyState]) -> Result<Self, QueryError> {
-        let placed = world.bodies.iter().zip(states).enumerate();
+    pub(crate) fn new(model: &'a Model, states: &[BodyState]) -> Result<Self, QueryError> {
+        let placed = model.bodies.iter().zip(states).enumerate();
         let members: Vec<(usize, &Shape, Pose)> =
             placed.filter_map(|(body, (own, state))| Some((body, own.shape.as_ref()?, state.pose))).collect();
         let scene = QueryScene::new(members.iter().map(|(_, shape, pose)| (*shape, *pose)))?;
-        Ok(Self { scene, members, names: world.bodies.iter().map(|body| body.name.as_str()).collect() })
+        Ok(Self { scene, members, names: model.bodies.iter().map(|body| body.name.as_str()).collect() })
     }
 
     /// Name of a body.

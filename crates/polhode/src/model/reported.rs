@@ -1,15 +1,15 @@
 //! Bodies as they are reported: poses of their own origins, velocities and accelerations of their centres of mass.
 
-use super::body::WorldBody;
-use super::model::World;
+use super::bodies::Model;
+use super::body::ModelBody;
 use crate::identity::body_id::BodyId;
+use crate::model::prescribed_state;
 use crate::report::acceleration::Acceleration;
 use crate::report::body_sample::{BodySample, ReportedBody};
-use crate::world::prescribed_state;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::{DVec3, Pose, Velocity};
 
-impl World {
+impl Model {
     /// A body's pose and velocity as they are reported. The velocity is that of the centre of mass; of a kinematic
     /// body, which has none, that of its own origin.
     pub(crate) fn sample(&self, index: usize, state: &BodyState) -> BodySample {
@@ -22,7 +22,7 @@ impl World {
         BodySample { pose: state.pose * Pose::from_translation(-body.origin), velocity }
     }
 
-    /// As [`World::sample`], of a movable body with its mass properties `rigid`.
+    /// As [`Model::sample`], of a movable body with its mass properties `rigid`.
     pub(crate) fn sample_of(&self, index: usize, rigid: &RigidBody, state: &BodyState) -> BodySample {
         let pose = state.pose * Pose::from_translation(-self.bodies[index].origin);
         BodySample { pose, velocity: rigid.center_of_mass_velocity(state) }
@@ -51,7 +51,7 @@ impl World {
     /// Names of all bodies and their states as they are reported.
     pub(crate) fn named_samples(&self, states: &[BodyState]) -> Vec<ReportedBody> {
         let named = self.bodies.iter().zip(states).take(self.shown()).enumerate();
-        let reported = |(index, (body, state)): (usize, (&WorldBody, &BodyState))| ReportedBody {
+        let reported = |(index, (body, state)): (usize, (&ModelBody, &BodyState))| ReportedBody {
             body: BodyId::new(index),
             name: body.name.clone(),
             state: self.sample(index, state),

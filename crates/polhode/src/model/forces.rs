@@ -1,10 +1,10 @@
 //! Forces on the bodies besides contact: the fields of the scene, and what a program applies.
 //!
 //! Fields act on the movable bodies in their order. A *slot* is the place of a body in that order
-//! ([`World::slot`]).
+//! ([`Model::slot`]).
 
+use super::bodies::Model;
 use super::field_index::{FieldIndex, acted_on};
-use super::model::World;
 use crate::constraint::joint_forces::JointForce;
 use crate::constraint::tie::Tie;
 use crate::constraint::track_springs::TrackSpring;
@@ -18,7 +18,7 @@ use polhode_spatial::{DVec3, Pose};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-impl World {
+impl Model {
     /// Makes fields over the movable bodies from the forces of the scene and those that a program applies.
     ///
     /// # Errors
@@ -140,7 +140,7 @@ impl World {
             && self.slot(body).is_some_and(|slot| !motion.is_turned(slot))
     }
 
-    /// Number of the movable bodies of which [`World::is_loaded`] is true.
+    /// Number of the movable bodies of which [`Model::is_loaded`] is true.
     pub(crate) fn loaded_count(&self) -> usize {
         self.movable.iter().filter(|&&body| self.is_loaded(body)).count()
     }
@@ -166,7 +166,7 @@ impl World {
         Loads::Of(self.movable.iter().copied().zip(wrenches).collect())
     }
 
-    /// As [`World::loads`], for these bodies alone. If every field names the bodies that it acts on, only the fields
+    /// As [`Model::loads`], for these bodies alone. If every field names the bodies that it acts on, only the fields
     /// that act on these bodies are evaluated.
     pub(crate) fn loads_on(&self, t: f64, states: &[BodyState], bodies: &[usize]) -> Loads {
         let motion = self.free_motion();

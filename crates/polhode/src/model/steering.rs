@@ -1,13 +1,13 @@
 //! Kinematic bodies of the world that a program steers.
 
-use super::World;
+use super::Model;
 use super::steered::Steered;
+use crate::model::prescribed_state::state_at;
 use crate::scene::MotionError;
 use crate::snapshot::{SnapshotError, content};
-use crate::world::prescribed_state::state_at;
 use polhode_dynamics::BodyState;
 
-impl World {
+impl Model {
     /// Steers a kinematic body from `t` (s) on. Returns its state.
     ///
     /// # Errors

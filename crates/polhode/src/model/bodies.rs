@@ -5,21 +5,21 @@
 //! motion is reduced to rotation about it (`pivots.rs`). Shapes are transformed into the moving frame once, here;
 //! `reported.rs` transforms results back.
 
-use super::body::WorldBody;
+use super::body::ModelBody;
 use super::carriages::add_carriages;
 use super::field_index::{FieldBuffers, FieldIndex};
 use super::steered::Steered;
 use crate::collision::envelope::CollisionEnvelope;
 use crate::collision::narrow_phase::NarrowPhase;
-use crate::constraint::joint::{AddedJoint, HeldBody, WorldJoint, row_length};
+use crate::constraint::joint::{AddedJoint, HeldBody, ModelJoint, row_length};
 use crate::constraint::joint_forces::JointForce;
 use crate::constraint::tie::Tie;
 use crate::identity::contact_id::Feature;
 use crate::identity::coordinate_id::CoordinateId;
 use crate::identity::stop_id::StopId;
+use crate::model::pivot_form::{PivotForm, PivotRows};
+use crate::model::plane_of_motion::PlaneOfMotion;
 use crate::scene::{Body, Coordinate, Joint, Motor, MovingFrames, Scene, SceneError};
-use crate::world::pivot_form::{PivotForm, PivotRows};
-use crate::world::plane_of_motion::PlaneOfMotion;
 use polhode_dynamics::field::{Field, Wrench};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::DVec3;
@@ -66,9 +66,9 @@ impl SurfaceEffects {
 
 /// All bodies of a scene, the scene, and what acts on the bodies.
 #[derive(Debug, Clone)]
-pub(crate) struct World {
+pub(crate) struct Model {
     pub(crate) scene: Scene,
-    pub(crate) bodies: Vec<WorldBody>,
+    pub(crate) bodies: Vec<ModelBody>,
     /// Indices of the bodies that forces move, ascending; a *slot* is a place in this list.
     pub(crate) movable: Vec<usize>,
     /// Indices of the kinematic bodies, ascending.
@@ -78,14 +78,14 @@ pub(crate) struct World {
     /// Bodies that constraint rows hold at their pivots or joints, ascending.
     pub(crate) held_by_rows: Vec<usize>,
     /// The joints.
-    pub(crate) joints: Vec<WorldJoint>,
+    pub(crate) joints: Vec<ModelJoint>,
     /// Which of them hold a movable body.
     pub(crate) joints_of: BTreeMap<usize, Vec<usize>>,
     /// The kinematic bodies that joints and ties hold, ascending.
     pub(crate) joint_drivers: Vec<usize>,
     /// Joints that hold nothing any more, by their numbers: they have broken, or their bodies have run off the ends of
     /// their tracks.
-    pub(crate) released: BTreeMap<usize, WorldJoint>,
+    pub(crate) released: BTreeMap<usize, ModelJoint>,
     /// The poses of bodies at which a program has added joints, by their numbers.
     pub(crate) added_joints: Vec<AddedJoint>,
     /// The joints of the scene that may break.
@@ -136,7 +136,7 @@ pub(crate) struct World {
     pub(super) steered: BTreeMap<usize, Steered>,
     /// Potential energy of the fields at the start, J.
     pub(super) initial_field_potential: f64,
-    /// [`World::sum_start_potentials`], J.
+    /// [`Model::sum_start_potentials`], J.
     pub(super) start_potential_j: f64,
     /// The plane of the motion, when the motion is planar.
     pub(crate) plane: Option<PlaneOfMotion>,
@@ -145,7 +145,7 @@ pub(crate) struct World {
     pub(crate) contact_energy_j: f64,
 }
 
-impl World {
+impl Model {
     /// Whether any two bodies that may collide have friction, or any joint.
     pub(crate) fn has_friction(&self) -> bool {
         self.friction != FrictionKinds::None || self.joints_have_friction
@@ -180,19 +180,19 @@ impl World {
         let bodies = scene.bodies().iter().enumerate().map(|(index, body)| {
             let is_jointed = scene.joints().iter().any(|joint| joint.bodies().any(|held| held == index));
             let form = if is_jointed { PivotForm::jointed(body) } else { pivot_rows.form(body, || may_collide(index)) };
-            WorldBody::new(body, form, || may_collide(index))
+            ModelBody::new(body, form, || may_collide(index))
         });
         let mut bodies = bodies.collect::<Result<Vec<_>, _>>()?;
-        let mut of_world = scene.clone();
-        bodies.extend(add_carriages(&mut of_world)?);
+        let mut of_model = scene.clone();
+        bodies.extend(add_carriages(&mut of_model)?);
         let carriages = scene.bodies().len()..bodies.len();
         let states: Vec<_> =
-            of_world.bodies().iter().zip(&bodies).map(|(body, world)| world.state_at(body, 0.0)).collect();
+            of_model.bodies().iter().zip(&bodies).map(|(body, model)| model.state_at(body, 0.0)).collect();
         let movable: Vec<usize> = (0..bodies.len()).filter(|&body| bodies[body].moves()).collect();
         let prescribed = (0..bodies.len()).filter(|&body| bodies[body].trajectory.is_some()).collect();
         let rigid = bodies.iter().filter_map(|body| body.rigid).collect();
-        let mut world = Self {
-            scene: of_world,
+        let mut model = Self {
+            scene: of_model,
             bodies,
             movable,
             prescribed,
@@ -233,13 +233,13 @@ impl World {
             plane: None,
             contact_energy_j: 0.0,
         };
-        world.make_joints(&states);
-        world.make_ties(&states);
-        world.index_joints();
-        world.make_fields()?;
-        world.initial_field_potential = world.field_potential(&states);
-        world.start_potential_j = world.sum_start_potentials();
-        Ok((world, states))
+        model.make_joints(&states);
+        model.make_ties(&states);
+        model.index_joints();
+        model.make_fields()?;
+        model.initial_field_potential = model.field_potential(&states);
+        model.start_potential_j = model.sum_start_potentials();
+        Ok((model, states))
     }
 
     /// Makes the joints of the scene, between bodies in their states at the start.
@@ -250,7 +250,7 @@ impl World {
     }
 
     /// A joint of this number between bodies in these states.
-    pub(crate) fn joint_between(&self, number: usize, joint: &Joint, states: &[BodyState]) -> WorldJoint {
+    pub(crate) fn joint_between(&self, number: usize, joint: &Joint, states: &[BodyState]) -> ModelJoint {
         let size = |body: usize| self.bodies[body].size;
         let moving = joint.bodies().filter(|&body| self.bodies[body].moves());
         let held = |body: usize| match &self.bodies[body] {
@@ -258,7 +258,7 @@ impl World {
             own if own.trajectory.is_some() => HeldBody::Kinematic(states[body].pose),
             _ => HeldBody::Fixed,
         };
-        WorldJoint::new((number, joint), &self.scene.tracks, held, row_length(moving.map(size)))
+        ModelJoint::new((number, joint), &self.scene.tracks, held, row_length(moving.map(size)))
     }
 
     /// Enters the joints at their bodies, and the bodies that constraint rows hold.
@@ -272,7 +272,7 @@ impl World {
         self.index_ties();
         let tied: BTreeSet<usize> = self.ties_of.values().flatten().copied().collect();
         let carriages = tied.into_iter().filter_map(|tie| self.ties[tie].carriage());
-        let drivers: BTreeSet<usize> = self.joints.iter().filter_map(WorldJoint::driver).chain(carriages).collect();
+        let drivers: BTreeSet<usize> = self.joints.iter().filter_map(ModelJoint::driver).chain(carriages).collect();
         self.joint_drivers = drivers.into_iter().collect();
         self.joint_contacts.clear();
         self.joint_contact_partners.clear();
@@ -302,7 +302,7 @@ impl World {
     pub(crate) fn add_body(&mut self, body: Body, t: f64) -> Result<(usize, BodyState), SceneError> {
         let number = self.bodies.len();
         let form = self.pivot_rows.form(&body, || body.shape().is_some());
-        let added = WorldBody::new(&body, form, || true)?;
+        let added = ModelBody::new(&body, form, || true)?;
         let state = added.state_at(&body, t);
         if added.trajectory.is_some() {
             self.prescribed.push(number);
@@ -404,7 +404,7 @@ impl World {
     }
 }
 
-impl MovingFrames for World {
+impl MovingFrames for Model {
     fn movable(&self, body: usize) -> Option<usize> {
         self.slot(body)
     }

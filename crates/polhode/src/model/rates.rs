@@ -1,7 +1,7 @@
 //! The rates at which force fields and rotations change the motion of bodies: what decides which fixed step is short
 //! enough.
 
-use super::model::World;
+use super::bodies::Model;
 use polhode_dynamics::field::{ForceResponse, ResponseEnd};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::DMat3;
@@ -22,7 +22,7 @@ impl Rates {
     }
 }
 
-impl World {
+impl Model {
     /// The fastest rates in these states; fields that do not say how they respond are left out.
     pub(crate) fn fastest_rates(&self, states: &[BodyState]) -> Rates {
         let mut sums = vec![Rates::default(); self.bodies.len()];
@@ -61,7 +61,7 @@ impl World {
 
     /// The energy that would lift every body by its size, J: the scale for scenes with hardly any energy.
     pub(crate) fn lifting_energy_j(&self) -> f64 {
-        let lift_j = |body: &super::WorldBody| {
+        let lift_j = |body: &super::ModelBody| {
             let mass = body.rigid.as_ref().map_or(0.0, RigidBody::mass);
             mass * self.gravity().length() * body.size
         };
@@ -69,7 +69,7 @@ impl World {
     }
 }
 
-impl World {
+impl Model {
     /// The energy that the fields at `t` (s) would give the bodies, each along its size and over one radian, J: the
     /// scale for bodies that forces press against others, and that hold still.
     pub(crate) fn pressing_energy_j(&self, t: f64, states: &[BodyState]) -> f64 {

@@ -1,10 +1,10 @@
 //! The motion of a kinematic body that a program steers, as the data from which it follows.
 
+use crate::model::prescribed_state::velocity_of;
 use crate::report::acceleration::Acceleration;
 use crate::scene::motion::Departure;
 use crate::scene::{MotionError, PrescribedMotion, Trajectory};
 use crate::snapshot::{SnapshotError, content, numbers};
-use crate::world::prescribed_state::velocity_of;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose, Velocity};
 

@@ -2,7 +2,7 @@
 //!
 //! The moving frame of a kinematic body is its own frame. Its state holds pose and velocity of its own origin. Since
 //! the body has no inertia, the state holds its angular velocity (rad/s, world) in the place of the angular momentum.
-//! States of kinematic bodies must be set at every time at which contacts are evaluated ([`World::prescribe`]).
+//! States of kinematic bodies must be set at every time at which contacts are evaluated ([`Model::prescribe`]).
 //!
 //! A kinematic body contributes known terms to the rows of its contacts. With the arm r from its origin to the contact
 //! point, and the sign + for body A and - for body B:
@@ -12,21 +12,21 @@
 //! ```
 //!
 //! where the sums are over the kinematic bodies of the contact. [`polhode_contact::kinematics`] includes the term of
-//! `chi'`, and all of `bias`, from the velocities in the states; [`World::prescribed_acceleration_of`] is the term of
+//! `chi'`, and all of `bias`, from the velocities in the states; [`Model::prescribed_acceleration_of`] is the term of
 //! `chi''`. The kinematic body does work on the other body: a contact force f has the power `-f` times the term of
-//! `chi'` ([`World::prescribed_rate_of`]), an impulse p does the work `-p` times that term. The ledger books it as
+//! `chi'` ([`Model::prescribed_rate_of`]), an impulse p does the work `-p` times that term. The ledger books it as
 //! external work. The change of energy that an impact law reports is computed from relative velocities and does not
 //! include this work.
 
 use crate::identity::contact_id::ContactId;
+use crate::model::Model;
+use crate::model::prescribed_state::state_at;
 use crate::scene::Trajectory;
-use crate::world::World;
-use crate::world::prescribed_state::state_at;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Motion};
 
-impl World {
+impl Model {
     /// The kinematic bodies, ascending.
     pub(crate) fn prescribed(&self) -> &[usize] {
         &self.prescribed
@@ -195,13 +195,13 @@ mod tests {
     use super::*;
     use crate::collision::contact_set::Touch;
     use crate::identity::contact_id::Feature;
+    use crate::model::pivot_form::PivotRows;
     use crate::rows::assembly::Assembly;
     use crate::rows::groups::Group;
     use crate::scene::{
         Body, Geometry, ImpactLaw, Interpolation, MotionTable, PrescribedMotion, SampledOrientations, Scene,
     };
     use crate::solve::impact::strike;
-    use crate::world::pivot_form::PivotRows;
     use polhode_contact::Shape;
     use polhode_dynamics::Flight;
     use polhode_response::ComplementaritySolver;
@@ -232,7 +232,7 @@ mod tests {
     }
 
     /// A kinematic body of this shape, and a body in free flight of the other shape with three different moments.
-    fn world(motion: PrescribedMotion, shape: Shape, other: Shape) -> Result<(World, Vec<BodyState>), Box<dyn Error>> {
+    fn model(motion: PrescribedMotion, shape: Shape, other: Shape) -> Result<(Model, Vec<BodyState>), Box<dyn Error>> {
         let inertia = Inertia::from_diagonal(DVec3::new(0.2, 0.3, 0.4))?;
         let flying = Body::movable("body", MassProperties::new(Mass::new(2.0)?, DVec3::ZERO, inertia))
             .geometry(Geometry::Shape(other))
@@ -240,16 +240,16 @@ mod tests {
             .velocity(Velocity::new(DVec3::new(0.5, 0.1, -0.7), DVec3::new(1.0, -2.0, 0.5)));
         let table = Body::kinematic("table", motion).geometry(Geometry::Shape(shape));
         let scene = Scene::builder("kinematic").body(table).body(flying).build()?;
-        Ok(World::new(&scene, PivotRows::default())?)
+        Ok(Model::new(&scene, PivotRows::default())?)
     }
 
     /// States at `t`: of the kinematic body as prescribed, of the other one in free flight.
-    fn states_at(world: &World, start: &[BodyState], t: f64) -> Vec<BodyState> {
+    fn states_at(model: &Model, start: &[BodyState], t: f64) -> Vec<BodyState> {
         let mut states = start.to_vec();
-        if let Some(rigid) = &world.bodies[BODY].rigid {
-            states[BODY] = Flight::new(rigid, 0.0, &start[BODY], world.gravity()).state(t);
+        if let Some(rigid) = &model.bodies[BODY].rigid {
+            states[BODY] = Flight::new(rigid, 0.0, &start[BODY], model.gravity()).state(t);
         }
-        world.prescribe(t, &mut states);
+        model.prescribe(t, &mut states);
         states
     }
 
@@ -269,12 +269,12 @@ mod tests {
         let (mut contacts, mut with_b) = (0, 0);
         for motion in motions()? {
             for (shape, other) in &shapes {
-                let (world, start) = world(motion.clone(), shape.clone(), other.clone())?;
+                let (model, start) = model(motion.clone(), shape.clone(), other.clone())?;
                 for t in [0.2, 0.3, 0.5] {
-                    let states = states_at(&world, &start, t);
+                    let states = states_at(&model, &start, t);
                     for (a, b) in [(TABLE, BODY), (BODY, TABLE)] {
-                        for touch in world.contacts_of_pair(&states, a, b, 10.0) {
-                            check_derivatives(&world, &start, touch.id, t)?;
+                        for touch in model.contacts_of_pair(&states, a, b, 10.0) {
+                            check_derivatives(&model, &start, touch.id, t)?;
                             contacts += 1;
                             with_b += usize::from(b == TABLE);
                         }
@@ -286,10 +286,10 @@ mod tests {
         Ok(())
     }
 
-    fn check_derivatives(world: &World, start: &[BodyState], id: ContactId, t: f64) -> TestResult {
+    fn check_derivatives(model: &Model, start: &[BodyState], id: ContactId, t: f64) -> TestResult {
         let h = 3e-4;
         let separation = |t: f64| {
-            let kinematics = world.kinematics(&states_at(world, start, t), id);
+            let kinematics = model.kinematics(&states_at(model, start, t), id);
             kinematics.map(|k| k.geometry.separation).ok_or("no contact")
         };
         let (near, far) =
@@ -297,20 +297,20 @@ mod tests {
         let rate = (8.0 * (near[1] - near[0]) - (far[1] - far[0])) / (12.0 * h);
         let second = (16.0 * (near[0] + near[1]) - (far[0] + far[1]) - 30.0 * separation(t)?) / (12.0 * h * h);
 
-        let states = states_at(world, start, t);
-        let kinematics = world.kinematics(&states, id).ok_or("no contact")?;
-        let assembly = Assembly::new(world, &states, &[BODY], [(id, kinematics.geometry)].into_iter())?;
-        let free = assembly.free_accelerations(world, &states, &world.loads(t, &states));
-        let b = assembly.acceleration_constants(world, t, &states, &free, [(id, &kinematics)].into_iter())?;
+        let states = states_at(model, start, t);
+        let kinematics = model.kinematics(&states, id).ok_or("no contact")?;
+        let assembly = Assembly::new(model, &states, &[BODY], [(id, kinematics.geometry)].into_iter())?;
+        let free = assembly.free_accelerations(model, &states, &model.loads(t, &states));
+        let b = assembly.acceleration_constants(model, t, &states, &free, [(id, &kinematics)].into_iter())?;
         // The error of the differences is 1e-15/h^2 and a sixth derivative times h^4.
         assert!((kinematics.separation_rate - rate).abs() < 1e-8, "{id:?} {} {rate}", kinematics.separation_rate);
         assert!((b[0] - second).abs() < 1e-6, "{id:?} {} {second}", b[0]);
 
         // The rate of separation is the sum of the movable body's part and the kinematic body's term.
-        let velocity = world.velocity(BODY, &states[BODY]);
+        let velocity = model.velocity(BODY, &states[BODY]);
         let columns = [velocity.linear.to_array(), velocity.angular.to_array()].concat();
         let moved = assembly.problem.row_velocities(&columns)?[0];
-        let prescribed = world.prescribed_rate_of(&states, id, &kinematics.geometry);
+        let prescribed = model.prescribed_rate_of(&states, id, &kinematics.geometry);
         assert!((moved + prescribed - kinematics.separation_rate).abs() < 1e-12);
         Ok(())
     }
@@ -321,18 +321,18 @@ mod tests {
     fn work_of_a_prescribed_motion_in_an_impact() -> TestResult {
         let settings = ImpactSettings::default();
         for motion in motions()? {
-            let (world, start) = world(motion, Shape::cuboid(DVec3::new(1.5, 1.0, 0.8))?, Shape::sphere(0.4)?)?;
-            let mut states = states_at(&world, &start, 0.3);
+            let (model, start) = model(motion, Shape::cuboid(DVec3::new(1.5, 1.0, 0.8))?, Shape::sphere(0.4)?)?;
+            let mut states = states_at(&model, &start, 0.3);
             states[BODY].linear_velocity = DVec3::new(0.3, 0.2, -9.0);
-            let contacts = world.contacts_of_pair(&states, TABLE, BODY, 10.0);
+            let contacts = model.contacts_of_pair(&states, TABLE, BODY, 10.0);
             let touches: Vec<Touch> = contacts.into_iter().map(Touch::from).collect();
             let group = Group { bodies: vec![BODY], contacts: vec![0] };
-            let term = world.prescribed_rate_of(&states, touches[0].id, &touches[0].kinematics.geometry);
-            let before = world.energies(BODY, &states[BODY]).0;
+            let term = model.prescribed_rate_of(&states, touches[0].id, &touches[0].kinematics.geometry);
+            let before = model.energies(BODY, &states[BODY]).0;
             let law = ImpactLaw::Simultaneous;
             let solver = &mut ComplementaritySolver::default();
-            let outcome = strike(&world, &mut states, &group, &touches, law, &settings, solver)?.outcome;
-            let gained = world.energies(BODY, &states[BODY]).0 - before;
+            let outcome = strike(&model, &mut states, &group, &touches, law, &settings, solver)?.outcome;
+            let gained = model.energies(BODY, &states[BODY]).0 - before;
             let work = -outcome.impulses[0] * term;
             assert!(
                 outcome.impulses[0] > 1.0 && outcome.energy_change < -1.0 && work.abs() > 0.1,
@@ -340,7 +340,7 @@ mod tests {
             );
             assert!((gained - outcome.energy_change - work).abs() < 1e-12 * before, "{gained} {outcome:?} {work}");
             // Without restitution the contact neither opens nor closes afterwards.
-            let after = world.kinematics(&states, touches[0].id).ok_or("no contact")?;
+            let after = model.kinematics(&states, touches[0].id).ok_or("no contact")?;
             assert!(after.separation_rate.abs() < 1e-12);
         }
         Ok(())
@@ -352,26 +352,26 @@ mod tests {
     fn states_follow_the_motion() -> TestResult {
         for motion in motions()? {
             let trajectory = motion.from_pose(&motion.initial_pose(&Pose::IDENTITY));
-            let (world, states) = world(motion, Shape::sphere(0.4)?, Shape::sphere(0.4)?)?;
-            assert_eq!((world.prescribed(), world.movable.as_slice()), (&[TABLE][..], &[BODY][..]));
+            let (model, states) = model(motion, Shape::sphere(0.4)?, Shape::sphere(0.4)?)?;
+            assert_eq!((model.prescribed(), model.movable.as_slice()), (&[TABLE][..], &[BODY][..]));
             for t in [0.0, 0.35, 3.0] {
-                let now = states_at(&world, &states, t);
-                let sample = world.sample(TABLE, &now[TABLE]);
+                let now = states_at(&model, &states, t);
+                let sample = model.sample(TABLE, &now[TABLE]);
                 assert_eq!((sample.pose, sample.velocity), (trajectory.pose(t), trajectory.velocity(t)));
-                assert_eq!(world.velocity(TABLE, &now[TABLE]), trajectory.velocity(t));
-                assert_eq!(world.prescribed_state(TABLE, t), Some(now[TABLE]));
-                assert_eq!(world.prescribed_acceleration(TABLE, t).0, trajectory.acceleration(t).linear);
+                assert_eq!(model.velocity(TABLE, &now[TABLE]), trajectory.velocity(t));
+                assert_eq!(model.prescribed_state(TABLE, t), Some(now[TABLE]));
+                assert_eq!(model.prescribed_acceleration(TABLE, t).0, trajectory.acceleration(t).linear);
             }
-            assert_eq!(states[TABLE], states_at(&world, &states, 0.0)[TABLE]);
-            assert_eq!((world.prescribed_state(BODY, 0.0), world.energies(TABLE, &states[TABLE])), (None, (0.0, 0.0)));
-            assert_eq!(world.prescribed_acceleration(BODY, 0.0), (DVec3::ZERO, DVec3::ZERO));
+            assert_eq!(states[TABLE], states_at(&model, &states, 0.0)[TABLE]);
+            assert_eq!((model.prescribed_state(BODY, 0.0), model.energies(TABLE, &states[TABLE])), (None, (0.0, 0.0)));
+            assert_eq!(model.prescribed_acceleration(BODY, 0.0), (DVec3::ZERO, DVec3::ZERO));
         }
         Ok(())
     }
 
-    fn first_feature(world: &World) -> Result<Feature, Box<dyn Error>> {
+    fn first_feature(model: &Model) -> Result<Feature, Box<dyn Error>> {
         let states = [TABLE, BODY].map(|body| BodyState::at_rest(Pose::from_translation(DVec3::Z * body as f64)));
-        let touches = world.contacts_of_pair(&states, TABLE, BODY, 10.0);
+        let touches = model.contacts_of_pair(&states, TABLE, BODY, 10.0);
         Ok(touches.first().ok_or("no contact")?.id.feature)
     }
 
@@ -379,15 +379,15 @@ mod tests {
     #[test]
     fn corners_and_standstill() -> TestResult {
         let [screw, _, table] = motions()?;
-        let (world, _) = world(table, Shape::sphere(0.4)?, Shape::sphere(0.4)?)?;
-        let touching = [ContactId { a: TABLE, b: BODY, feature: first_feature(&world)? }];
-        assert_eq!(world.prescribed_corner_between(&[], &touching, (0.0, 2.0)), Some(0.1));
-        assert_eq!(world.prescribed_corner_between(&[], &touching, (1.2, f64::INFINITY)), None);
-        assert_eq!(world.prescribed_corner_between(&[], &[], (0.0, 2.0)), None);
-        assert!(!world.stands_still(TABLE, 1.0, 2.0) && world.stands_still(TABLE, 1.2, f64::INFINITY));
-        assert!(world.stands_still(BODY, 0.0, 2.0));
-        let (world, _) = self::world(screw, Shape::sphere(0.4)?, Shape::sphere(0.4)?)?;
-        assert!(!world.stands_still(TABLE, 5.0, 6.0));
+        let (model, _) = model(table, Shape::sphere(0.4)?, Shape::sphere(0.4)?)?;
+        let touching = [ContactId { a: TABLE, b: BODY, feature: first_feature(&model)? }];
+        assert_eq!(model.prescribed_corner_between(&[], &touching, (0.0, 2.0)), Some(0.1));
+        assert_eq!(model.prescribed_corner_between(&[], &touching, (1.2, f64::INFINITY)), None);
+        assert_eq!(model.prescribed_corner_between(&[], &[], (0.0, 2.0)), None);
+        assert!(!model.stands_still(TABLE, 1.0, 2.0) && model.stands_still(TABLE, 1.2, f64::INFINITY));
+        assert!(model.stands_still(BODY, 0.0, 2.0));
+        let (model, _) = self::model(screw, Shape::sphere(0.4)?, Shape::sphere(0.4)?)?;
+        assert!(!model.stands_still(TABLE, 5.0, 6.0));
         Ok(())
     }
 }

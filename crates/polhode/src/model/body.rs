@@ -1,8 +1,8 @@
 //! One body of the model: mass properties, shape and prescribed motion in its moving frame.
 
+use crate::model::pivot_form::{HeldPoint, PivotForm};
+use crate::model::prescribed_state;
 use crate::scene::{Body, Geometry, SceneError, Trajectory};
-use crate::world::pivot_form::{HeldPoint, PivotForm};
-use crate::world::prescribed_state;
 use polhode_contact::{Shape, ShapeError};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_mesh::{SolidMesh, convexity};
@@ -12,7 +12,7 @@ use polhode_spatial::{DVec3, MassProperties, Pose};
 #[derive(Debug, Clone)]
 // The fields that samples and ledgers read of every body come first and are next to each other in memory.
 #[repr(C)]
-pub(crate) struct WorldBody {
+pub(crate) struct ModelBody {
     /// Whether a program has removed the body. Its index is kept so that other bodies keep theirs.
     pub(crate) removed: bool,
     /// Largest extent of the body, m; zero for a half-space.
@@ -32,7 +32,7 @@ pub(crate) struct WorldBody {
     pub(crate) name: String,
 }
 
-impl WorldBody {
+impl ModelBody {
     /// The body of a scene, with its pivot treated in this form; a mesh gets a shape only if the body may collide.
     ///
     /// # Errors

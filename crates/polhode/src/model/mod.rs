@@ -2,8 +2,8 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `model` | `World`: all bodies and the scene they come from; bodies added and removed |
-//! | `body` | `WorldBody`: one body in its moving frame |
+//! | `bodies` | `Model`: all bodies and the scene they come from; bodies added and removed |
+//! | `body` | `ModelBody`: one body in its moving frame |
 //! | `carriages` | kinematic bodies that carry prescribed motions of joints |
 //! | `forces` | force fields, and the forces that a program applies |
 //! | `field_index` | which fields act on which bodies |
@@ -18,13 +18,13 @@
 //! | `body_queries` | [`BodyQueries`](crate::BodyQueries): nearest body, rays, overlaps, distances |
 //! | `reported` | bodies as samples and reports show them |
 
+mod bodies;
 mod body;
 pub(crate) mod body_queries;
 mod carriages;
 mod energy;
 mod field_index;
 mod forces;
-mod model;
 pub(crate) mod pivot_form;
 pub(crate) mod plane_of_motion;
 mod prescribed;
@@ -36,14 +36,14 @@ pub(crate) mod steered;
 mod steering;
 mod tolerances;
 
-pub(crate) use body::WorldBody;
+pub(crate) use bodies::Model;
+pub(crate) use body::ModelBody;
 pub(crate) use forces::Loads;
-pub(crate) use model::World;
 pub(crate) use rates::{Rates, largest_eigenvalue};
 pub(crate) use tolerances::{INITIAL_OVERLAP_RELATIVE, TOUCH_RELATIVE};
 
-/// Threads may share a world.
+/// Threads may share a model.
 const _: () = {
     const fn is_shared<T: Send + Sync>() {}
-    is_shared::<World>();
+    is_shared::<Model>();
 };

@@ -3,12 +3,12 @@
 //! Potential energies are measured from the start of the run: far from the world's origin the potential itself is so
 //! large that its rounding exceeds its changes.
 
-use super::model::World;
+use super::bodies::Model;
 use polhode_dynamics::BodyState;
 use polhode_dynamics::energy::potential_energy;
 use polhode_spatial::{CompensatedSum, DVec3};
 
-impl World {
+impl Model {
     /// Kinetic energy of one body, and its potential energy relative to that at the start, J.
     pub(crate) fn energies(&self, index: usize, state: &BodyState) -> (f64, f64) {
         let body = &self.bodies[index];
@@ -42,7 +42,7 @@ impl World {
         potentials.collect::<CompensatedSum>().value() + self.initial_field_potential
     }
 
-    /// [`World::sum_start_potentials`] of the bodies that are there now, J.
+    /// [`Model::sum_start_potentials`] of the bodies that are there now, J.
     pub(crate) fn start_potential(&self) -> f64 {
         self.start_potential_j
     }

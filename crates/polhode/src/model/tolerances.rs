@@ -1,7 +1,7 @@
 //! The distances that decide whether two bodies touch or overlap: each relative to the size of the pair, with an
 //! allowance for the rounding of their poses; and the rounding of the velocities of contacts.
 
-use super::model::World;
+use super::bodies::Model;
 use polhode_dynamics::BodyState;
 use polhode_spatial::Velocity;
 
@@ -24,7 +24,7 @@ const PENETRATION_ULPS: f64 = 2.0 * ROUNDING_ULPS + 2.0;
 /// Error of the velocity of a contact by rounding, in rounding units of the largest speed of a point of its bodies.
 const VELOCITY_UNITS: f64 = 4.0;
 
-impl World {
+impl Model {
     /// Size that the tolerances of a pair are relative to, m: that of the smaller body. A half-space has none and does
     /// not count.
     pub(crate) fn pair_size(&self, a: usize, b: usize) -> f64 {
