@@ -79,6 +79,8 @@ pub(crate) struct Books {
     /// Potential energy at the start of the run, J, zero at the world's origin. The reported energy of the start
     /// contains it, the ledger does not.
     pub(super) initial_potential_j: f64,
+    /// Elastic energy of contacts at present, J: of a tier that stores some there, which states it here.
+    pub(crate) contact_energy_j: f64,
 }
 
 impl Balance {
@@ -97,12 +99,13 @@ impl Books {
     /// Opens the books at the state given.
     pub(crate) fn open(model: &Model, states: &[BodyState]) -> Self {
         let about = model.initial_center_of_mass();
-        let totals = Totals::of(model, states, about);
+        let totals = Totals::of(model, states, about, 0.0);
         let (kinetic, potential) = (totals.kinetic.value(), totals.potential.value());
         let initial_j = kinetic + potential;
         let mut books = Self {
             ledger: Ledger { initial_j, current_j: initial_j, ..Ledger::default() },
             initial_potential_j: model.start_potential(),
+            contact_energy_j: 0.0,
         };
         books.note_scale(model, kinetic, potential);
         books.ledger.momentum.about = about;
@@ -113,7 +116,7 @@ impl Books {
 
     /// Empty books, moments about a point (m): for steps that may be rejected.
     pub(crate) fn blank(about: DVec3) -> Self {
-        let mut books = Self { ledger: Ledger::default(), initial_potential_j: 0.0 };
+        let mut books = Self { ledger: Ledger::default(), initial_potential_j: 0.0, contact_energy_j: 0.0 };
         books.ledger.momentum.about = about;
         books
     }
@@ -294,7 +297,7 @@ impl Books {
 
     /// Records energies and momenta now: the totals, and the scales for the closure of the ledger.
     pub(crate) fn observe(&mut self, model: &Model, states: &[BodyState]) -> Energy {
-        let totals = Totals::of(model, states, self.ledger.momentum.about);
+        let totals = Totals::of(model, states, self.ledger.momentum.about, self.contact_energy_j);
         let (kinetic_j, potential) = (totals.kinetic.value(), totals.potential.value());
         self.ledger.current_j = kinetic_j + potential;
         self.note_scale(model, kinetic_j, potential);
@@ -343,8 +346,8 @@ struct Totals {
 }
 
 impl Totals {
-    /// Of these states; angular momenta and distances are about a point (m).
-    fn of(model: &Model, states: &[BodyState], about: DVec3) -> Self {
+    /// Of these states, with energy (J) that contacts store; angular momenta and distances are about a point (m).
+    fn of(model: &Model, states: &[BodyState], about: DVec3, contact_energy_j: f64) -> Self {
         let mut totals = Self::default();
         for (index, state) in states.iter().enumerate() {
             let (kinetic, potential) = model.energies(index, state);
@@ -365,8 +368,8 @@ impl Totals {
             }
         }
         totals.potential.add(model.field_energy(states));
-        if model.contact_energy_j != 0.0 {
-            totals.potential.add(model.contact_energy_j);
+        if contact_energy_j != 0.0 {
+            totals.potential.add(contact_energy_j);
         }
         totals
     }

@@ -113,7 +113,7 @@ fn restored_books(saved: &content::Books) -> Books {
         scale_j: saved.scale_j,
         momentum: restored_momentum(&saved.momentum),
     };
-    Books { ledger, initial_potential_j: saved.initial_potential_j }
+    Books { ledger, initial_potential_j: saved.initial_potential_j, contact_energy_j: 0.0 }
 }
 
 fn save_momentum(ledger: &MomentumLedger) -> content::MomentumLedger {

@@ -195,7 +195,7 @@ impl FreeStep {
     fn polynomials(&mut self, core: &Core) -> Result<Vec<Option<Piecewise>>, SimulationError> {
         let model = &core.model;
         let collides = |body: usize| model.bodies[body].shape.is_some();
-        if !model.may_collide_at_all() || !self.bodies.iter().any(|&body| collides(body)) {
+        if !model.surfaces.may_collide() || !self.bodies.iter().any(|&body| collides(body)) {
             return Ok(Vec::new());
         }
         let speeds = self.bodies.iter().zip(&self.rigid).zip(&self.start).filter(|((body, _), _)| collides(**body));
@@ -317,7 +317,7 @@ impl Field for Restricted {
 
 /// Whether the length of the steps adapts to the motion.
 fn adapts_step(core: &Core) -> bool {
-    core.settings.splits_by_choice() && !core.settings.step_is_given && !core.model.may_collide_at_all()
+    core.settings.splits_by_choice() && !core.settings.step_is_given && !core.model.surfaces.may_collide()
 }
 
 fn tolerance(settings: &Settings) -> Tolerance {

@@ -190,7 +190,7 @@ impl Schedule {
 
     /// Sets the end of validity of the boxes of flights and kinematic bodies that begin at `t`.
     pub(super) fn begin_flight_boxes(&mut self, core: &Core, t: f64) {
-        if self.near.flight_end <= t && core.model.may_collide_at_all() {
+        if self.near.flight_end <= t && core.model.surfaces.may_collide() {
             self.near.flight_end = Self::next_flight_end(core, t);
             self.agenda.add(self.near.flight_end, Due::FlightBoxes);
         }
@@ -232,7 +232,7 @@ impl Schedule {
         bodies: &[usize],
         t: f64,
     ) -> Result<(), SimulationError> {
-        if !core.model.may_collide_at_all() {
+        if !core.model.surfaces.may_collide() {
             return Ok(());
         }
         let mut near = std::mem::replace(&mut self.near.boxes, Boxes::new(&core.settings, 0));

@@ -79,15 +79,15 @@ impl Engine {
     pub(super) fn joint_views(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<JointView> {
         let model = &core.model;
         let mut views: BTreeMap<usize, JointView> = BTreeMap::new();
-        if model.joints.is_empty() {
+        if model.joints.list.is_empty() {
             return Vec::new();
         }
         let mut solver = ComplementaritySolver::default();
         for (group, members) in self.present_groups(core, states) {
             let none = (DVec3::NAN, DVec3::NAN);
             let Ok(forces) = Forces::solve(model, t, states, &group, &members, &mut solver) else {
-                let joints = group.iter().filter_map(|body| model.joints_of.get(body)).flatten();
-                for joint in joints.map(|&place| &model.joints[place]) {
+                let joints = group.iter().filter_map(|body| model.joints.of_body.get(body)).flatten();
+                for joint in joints.map(|&place| &model.joints.list[place]) {
                     let (number, point_m) = (joint.number(), model.anchor_of(states, joint));
                     views.insert(number, joint_view(number, point_m, none));
                 }

@@ -268,7 +268,7 @@ impl Motions {
             }
             Integrator::Dop853 => Mode::Constrained,
             // Bodies coupled to bodies that may be in contact are integrated with them.
-            _ if model.may_collide_at_all() && model.is_coupled(body) => Mode::Constrained,
+            _ if model.surfaces.may_collide() && model.is_coupled(body) => Mode::Constrained,
             _ if self.tracks[body].gave_up_splitting => Mode::Constrained,
             _ => Mode::Stepped,
         })

@@ -91,7 +91,7 @@ impl Engine {
                 .map(|group| (group.bodies, group.contacts.iter().map(|&i| contacts[i]).collect()))
                 .collect();
         // A pivoted body without contacts is a group of its own, and so are jointed ones together.
-        for &body in &core.model.held_by_rows {
+        for &body in &core.model.joints.held_by_rows {
             if !found.iter().any(|(bodies, _)| bodies.binary_search(&body).is_ok()) {
                 found.push((core.model.with_jointed(vec![body]), Vec::new()));
             }

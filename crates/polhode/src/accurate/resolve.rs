@@ -266,7 +266,7 @@ impl Resolution<'_> {
             self.set_hold(i, hold);
             let row = candidates.binary_search(&i).ok().filter(|_| hold == Hold::Held);
             self.set_friction(i, row.and_then(|row| forces.mode(row)));
-            if self.core.model.has_rotational_friction() {
+            if self.core.model.surfaces.have_rotational_friction() {
                 self.set_rotation(i, row.map(|row| (row, &forces)));
             }
         }
@@ -565,7 +565,7 @@ impl Resolution<'_> {
         let rests = |engine: &Self, body: usize| matches!(engine.motions.tracks[body].mode, Mode::Rest);
         loop {
             let mut wake = BTreeSet::new();
-            for coupled in &self.core.model.couplings {
+            for coupled in &self.core.model.forces.couplings {
                 if coupled.iter().any(|&body| !rests(self, body)) {
                     wake.extend(coupled.iter().copied().filter(|&body| rests(self, body)));
                 }

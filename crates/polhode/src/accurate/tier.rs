@@ -76,7 +76,7 @@ impl Tier for Engine {
             core.settings.step_s
         } else if self.motions.tracks.iter().all(rests) {
             f64::INFINITY
-        } else if !core.model.may_collide_at_all() {
+        } else if !core.model.surfaces.may_collide() {
             core.settings.step_s.max(SAMPLES_OF_FREE_FLIGHT * core.model.scene.output_interval_s())
         } else {
             core.settings.step_s

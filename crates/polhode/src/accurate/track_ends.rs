@@ -14,7 +14,7 @@ use std::convert::Infallible;
 impl StepSearch<'_> {
     /// The first change of a step up to `limit` (s): this one, or a body that runs off the end of its track before it.
     pub(super) fn or_end_of_track(&mut self, limit: f64, change: Option<ContactChange>) -> Option<ContactChange> {
-        if self.core.model.ending_tracks == 0 {
+        if self.core.model.joints.ending_tracks == 0 {
             return change;
         }
         let last = change.as_ref().map_or(limit, |change| change.t.min(limit));

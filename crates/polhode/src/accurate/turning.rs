@@ -12,7 +12,7 @@ use crate::tier::core::Core;
 impl Motions {
     /// The rotations of a contact that turn in the present states.
     pub(super) fn rotation_of(&self, core: &Core, speed_scale: f64, touch: &Touch) -> RotationModes {
-        if !core.model.has_rotational_friction() {
+        if !core.model.surfaces.have_rotational_friction() {
             return RotationModes::default();
         }
         let rotation = core.model.relative_rotation(&self.states, touch.id);

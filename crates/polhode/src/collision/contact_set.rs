@@ -183,7 +183,7 @@ impl Model {
         let material = self.scene.pair_material(a, b);
         let coefficients =
             FrictionCoefficients { at_rest: material.static_ellipse(), sliding: material.friction_ellipse() };
-        let resists_rotation = self.has_rotational_friction() && self.rotational_friction_of(a, b).is_some();
+        let resists_rotation = self.surfaces.have_rotational_friction() && self.rotational_friction_of(a, b).is_some();
         (coefficients.at_rest.largest() > 0.0 || resists_rotation).then_some(coefficients)
     }
 
@@ -196,7 +196,7 @@ impl Model {
         basis: [DVec3; 2],
     ) -> Option<FrictionCoefficients> {
         let coefficients = self.friction_of(id)?;
-        if !self.has_grain() || self.grain_in_plane(states, id, basis).is_some() {
+        if !self.surfaces.have_grain() || self.grain_in_plane(states, id, basis).is_some() {
             return Some(coefficients);
         }
         let across = |ellipse: FrictionEllipse| FrictionEllipse::circle(ellipse.across);
@@ -217,7 +217,7 @@ impl Model {
 
     /// The friction of rolling and spinning of two bodies; none without either.
     pub(crate) fn rotational_friction_of(&self, a: usize, b: usize) -> Option<RotationalFriction> {
-        if !self.has_rotational_friction() || !self.joint_contacts_of_pair((a, b)).is_empty() {
+        if !self.surfaces.have_rotational_friction() || !self.joint_contacts_of_pair((a, b)).is_empty() {
             return None;
         }
         let material = self.scene.pair_material(a, b);
@@ -245,10 +245,10 @@ impl Model {
         let (a, b) = ((shape_a, &state_a.pose, &velocity_a), (shape_b, &state_b.pose, &velocity_b));
         let found = polhode_contact::kinematics_with_tangential(feature, a.0, a.1, a.2, b.0, b.1, b.2);
         let mut terms = found.map(|(_, terms)| terms)?;
-        if self.has_moving_surfaces() {
+        if self.surfaces.are_driven() {
             self.add_surface_slip(states, id, &mut terms);
         }
-        if self.has_grain()
+        if self.surfaces.have_grain()
             && let Some(along) = self.grain_in_plane(states, id, terms.basis)
         {
             let [x, y] = terms.basis;

@@ -54,7 +54,7 @@ impl Model {
         states: &[BodyState],
         tangential: impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)>,
     ) -> f64 {
-        if !self.has_moving_surfaces() {
+        if !self.surfaces.are_driven() {
             return 0.0;
         }
         let work = |(id, along, p): (ContactId, &ContactGeometry, f64)| {

@@ -16,13 +16,13 @@ impl Model {
         let joint = self.scene.take_joint(joint, tier)?;
         let number = self.scene.joints().len() - 1;
         let added = self.joint_between(number, &joint, states);
-        self.ending_tracks += usize::from(added.lets_go_at_ends());
-        self.joints.push(added);
+        self.joints.ending_tracks += usize::from(added.lets_go_at_ends());
+        self.joints.list.push(added);
         if joint.strength().is_some() {
-            self.breakable.insert(number);
+            self.joints.breakable.insert(number);
         }
         let poses = joint.bodies().map(|body| states[body].pose).collect();
-        self.added_joints.push(AddedJoint { number, poses });
+        self.joints.added.push(AddedJoint { number, poses });
         self.find_what_collides();
         self.index_joints();
         self.make_fields()?;
@@ -31,7 +31,7 @@ impl Model {
 
     /// The scene, with where bodies were when joints were added.
     pub(crate) fn scene_and_joints(&self) -> (&Scene, &[AddedJoint]) {
-        (&self.scene, &self.added_joints)
+        (&self.scene, &self.joints.added)
     }
 
     /// The bodies of a joint that is there, A <= B: the same body twice if it holds a body to the world.

@@ -13,12 +13,12 @@ impl Model {
 
     /// Whether any joint of the scene may break.
     pub(crate) fn may_break(&self) -> bool {
-        !self.breakable.is_empty()
+        !self.joints.breakable.is_empty()
     }
 
     /// Whether any joint of these bodies may break.
     pub(crate) fn may_break_among(&self, bodies: &[usize]) -> bool {
-        self.may_break() && self.joints_among(bodies).any(|joint| self.breakable.contains(&joint.number()))
+        self.may_break() && self.joints_among(bodies).any(|joint| self.joints.breakable.contains(&joint.number()))
     }
 
     /// The joints that impulses of an impact (N s) break.

@@ -12,12 +12,12 @@ use std::collections::BTreeSet;
 impl Model {
     /// Whether constraint rows hold any body.
     pub(crate) fn has_rows(&self) -> bool {
-        !self.held_by_rows.is_empty()
+        !self.joints.held_by_rows.is_empty()
     }
 
     /// Whether constraint rows hold this body.
     pub(crate) fn is_held_by_rows(&self, body: usize) -> bool {
-        self.held_by_rows.binary_search(&body).is_ok()
+        self.joints.held_by_rows.binary_search(&body).is_ok()
     }
 
     /// The bilateral constraints of these bodies in these states: the pivots with constraint rows, in the order of the
@@ -36,7 +36,7 @@ impl Model {
         bodies: &'a [usize],
         motion: impl Fn(usize) -> (Pose, Velocity) + Copy + 'a,
     ) -> impl Iterator<Item = Bilateral> + 'a {
-        let bodies = if self.held_by_rows.is_empty() { &[] } else { bodies };
+        let bodies = if self.joints.held_by_rows.is_empty() { &[] } else { bodies };
         let joints = self.joints_among(bodies).map(move |joint| Bilateral::new(joint.id(), joint.rows_at(motion)));
         let ties = self.ties_among(bodies).filter_map(move |tie| {
             let rows = tie.row_at(motion)?;
@@ -64,14 +64,14 @@ impl Model {
 
     /// The joints that hold some of these bodies, in the order of the scene.
     pub(crate) fn joints_among(&self, bodies: &[usize]) -> impl Iterator<Item = &ModelJoint> {
-        self.joint_places_among(bodies).into_iter().map(|joint| &self.joints[joint])
+        self.joint_places_among(bodies).into_iter().map(|joint| &self.joints.list[joint])
     }
 
     /// The places of these joints in the world.
     pub(crate) fn joint_places_among(&self, bodies: &[usize]) -> Vec<usize> {
-        let bodies = if self.joints.is_empty() { &[] } else { bodies };
+        let bodies = if self.joints.list.is_empty() { &[] } else { bodies };
         let mut joints: Vec<usize> =
-            bodies.iter().filter_map(|body| self.joints_of.get(body)).flatten().copied().collect();
+            bodies.iter().filter_map(|body| self.joints.of_body.get(body)).flatten().copied().collect();
         joints.sort_unstable();
         joints.dedup();
         joints
@@ -79,7 +79,7 @@ impl Model {
 
     /// The kinematic bodies that joints and ties hold to these; one with several joints is repeated.
     pub(crate) fn drivers_of<'a>(&'a self, bodies: &'a [usize]) -> impl Iterator<Item = usize> + 'a {
-        let bodies = if self.joint_drivers.is_empty() { &[] } else { bodies };
+        let bodies = if self.joints.drivers.is_empty() { &[] } else { bodies };
         self.joints_among(bodies)
             .filter_map(ModelJoint::driver)
             .chain(self.ties_among(bodies).filter_map(Tie::carriage))
@@ -87,22 +87,28 @@ impl Model {
 
     /// The bodies that joints hold to this kinematic one, and all that joints connect to them, ascending.
     pub(crate) fn driven_by(&self, driver: usize) -> Vec<usize> {
-        let own = self.joints.iter().filter(|joint| joint.driver() == Some(driver));
+        let own = self.joints.list.iter().filter(|joint| joint.driver() == Some(driver));
         self.with_jointed(own.flat_map(ModelJoint::bodies).collect())
     }
 
     /// These bodies and all that joints and ties connect to them, ascending.
     pub(crate) fn with_jointed(&self, bodies: Vec<usize>) -> Vec<usize> {
-        if self.joints.is_empty() {
+        if self.joints.list.is_empty() {
             return bodies;
         }
         let mut found: BTreeSet<usize> = bodies.iter().copied().collect();
         let mut left = bodies;
         while let Some(body) = left.pop() {
-            let joints = self.joints_of.get(&body).into_iter().flatten();
-            let reached = joints.flat_map(|&joint| self.joints[joint].bodies());
+            let joints = self.joints.of_body.get(&body).into_iter().flatten();
+            let reached = joints.flat_map(|&joint| self.joints.list[joint].bodies());
             left.extend(reached.filter(|&other| found.insert(other)));
-            let tied = self.ties_of.get(&body).into_iter().flatten().flat_map(|&tie| self.ties[tie].bodies());
+            let tied = self
+                .joints
+                .ties_of_body
+                .get(&body)
+                .into_iter()
+                .flatten()
+                .flat_map(|&tie| self.joints.ties[tie].bodies());
             left.extend(tied.filter(|&other| found.insert(other)));
         }
         found.into_iter().collect()

@@ -13,12 +13,12 @@ use std::collections::BTreeSet;
 impl Model {
     /// Whether any joint has limits or friction.
     pub(crate) fn has_joint_contacts(&self) -> bool {
-        !self.joint_contacts.is_empty()
+        !self.joints.contacts.is_empty()
     }
 
     /// The contacts at joints between two bodies, A <= B, ascending; the same body twice for those with the world.
     pub(crate) fn joint_contacts_of_pair(&self, pair: (usize, usize)) -> &[Feature] {
-        self.joint_contacts.get(&pair).map_or(&[], Vec::as_slice)
+        self.joints.contacts.get(&pair).map_or(&[], Vec::as_slice)
     }
 
     /// The pairs with such contacts that have one of these bodies, A <= B, ascending.
@@ -32,12 +32,12 @@ impl Model {
 
     /// All pairs with contacts at joints, A <= B, ascending.
     pub(crate) fn joint_contact_pairs(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        self.joint_contacts.keys().copied()
+        self.joints.contacts.keys().copied()
     }
 
     /// The bodies that have contacts at joints with this one, itself for those with the world.
     pub(crate) fn joint_contact_partners(&self, body: usize) -> impl Iterator<Item = usize> + '_ {
-        self.joint_contact_partners.get(&body).into_iter().flatten().copied()
+        self.joints.contact_partners.get(&body).into_iter().flatten().copied()
     }
 
     /// The contacts at joints of a pair with a separation of at most `reach` (m), in order.
@@ -111,7 +111,7 @@ impl Model {
         let own = |joint: &ModelJoint| {
             (0..joint.stops()).filter_map(|place| joint.stop(place)).map(|stop| stop.restitution).fold(0.0, f64::max)
         };
-        self.joints.iter().map(own).fold(0.0, f64::max)
+        self.joints.list.iter().map(own).fold(0.0, f64::max)
     }
 
     /// Where a joint holds its first body, world, m.
@@ -139,7 +139,7 @@ impl Model {
 
     /// The joint of this number; none where there is none, or it was removed with a body.
     pub(super) fn joint_numbered(&self, joint: usize) -> Option<&ModelJoint> {
-        let place = self.joints.binary_search_by_key(&joint, ModelJoint::number).ok()?;
-        self.joints.get(place)
+        let place = self.joints.list.binary_search_by_key(&joint, ModelJoint::number).ok()?;
+        self.joints.list.get(place)
     }
 }

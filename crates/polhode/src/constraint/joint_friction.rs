@@ -141,7 +141,7 @@ impl Model {
     pub(crate) fn bearings_among(&self, states: &[BodyState], bodies: &[usize]) -> Vec<(ConstraintId, DVec3)> {
         let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
         let mut bearings = Vec::new();
-        if !self.joints_have_friction() {
+        if !self.joints.have_friction {
             return bearings;
         }
         for joint in self.joints_among(bodies) {
@@ -162,7 +162,7 @@ impl Model {
             };
             (0..joint.coordinates().len()).map(span).sum::<f64>()
         };
-        if self.joints_have_friction() { self.joints.iter().map(of_joint).sum() } else { 0.0 }
+        if self.joints.have_friction { self.joints.list.iter().map(of_joint).sum() } else { 0.0 }
     }
 
     /// What presses a contact in these states, bearings without load; none of one that bodies press.

@@ -15,7 +15,7 @@ impl Model {
         (force, moment): (DVec3, DVec3),
     ) -> f64 {
         let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
-        let own = self.joint_forces.iter().filter(|own| own.joint.number() == joint.number());
+        let own = self.forces.of_joints.iter().filter(|own| own.joint.number() == joint.number());
         let by_forces: f64 = own.map(|own| own.power(motion)).sum();
         let slip = joint.slip(motion);
         by_forces + force.dot(slip.linear) + moment.dot(slip.angular)

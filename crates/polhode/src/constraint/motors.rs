@@ -61,10 +61,10 @@ impl Model {
         coordinate: Coordinate,
         motor: Option<Motor>,
     ) -> Result<(), crate::scene::SceneError> {
-        if let Ok(place) = self.joints.binary_search_by_key(&joint, ModelJoint::number)
-            && self.joints[place].set_motor(coordinate, motor)
+        if let Ok(place) = self.joints.list.binary_search_by_key(&joint, ModelJoint::number)
+            && self.joints.list[place].set_motor(coordinate, motor)
         {
-            self.motors.insert((joint, coordinate), motor);
+            self.joints.motors.insert((joint, coordinate), motor);
         }
         self.make_fields()
     }
@@ -76,7 +76,7 @@ impl Model {
             coordinate: coordinate.name().to_owned(),
             drive: motor.map(|motor| (drive_numbers(motor.drive()), motor.most())),
         };
-        self.motors.iter().map(saved).collect()
+        self.joints.motors.iter().map(saved).collect()
     }
 
     /// Replaces the motors that a program has set by those of such data. Those of the scene stay where none is given.
@@ -85,11 +85,11 @@ impl Model {
     /// When one is of no joint, or its numbers are refused.
     pub(crate) fn replace_motors(&mut self, saved: &[content::Motor]) -> Result<(), SnapshotError> {
         let refused = || SnapshotError::Invalid("a motor is of no joint, or its numbers are refused");
-        for (joint, coordinate) in std::mem::take(&mut self.motors).into_keys() {
+        for (joint, coordinate) in std::mem::take(&mut self.joints.motors).into_keys() {
             let of_scene = self.scene.joints().get(joint).and_then(|joint| joint.freedom(coordinate)?.motor());
             self.set_motor(joint, coordinate, of_scene).map_err(|_| refused())?;
         }
-        self.motors.clear();
+        self.joints.motors.clear();
         for content::Motor { joint, coordinate, drive } in saved {
             let named = Coordinate::ALL.into_iter().find(|known| known.name() == coordinate).ok_or_else(refused)?;
             self.bodies_at(*joint, named).ok_or_else(refused)?;

@@ -28,9 +28,9 @@ impl Model {
     /// When the fields of the remaining joints cannot be made.
     pub(crate) fn release(&mut self, joints: &[usize]) -> Result<(), SceneError> {
         for joint in joints {
-            if let Ok(place) = self.joints.binary_search_by_key(joint, ModelJoint::number) {
-                let released = self.joints.remove(place);
-                self.released.insert(*joint, released);
+            if let Ok(place) = self.joints.list.binary_search_by_key(joint, ModelJoint::number) {
+                let released = self.joints.list.remove(place);
+                self.joints.released.insert(*joint, released);
             }
         }
         self.index_joints();
@@ -41,14 +41,14 @@ impl Model {
     /// added between them. Their shapes do not collide for that.
     pub(crate) fn lost_joint_contacts(&self, pair: (usize, usize)) -> bool {
         let is_added = |number: usize| self.pair_of_joint(number) == Some(pair);
-        self.released.values().any(|joint| joint.pair() == pair)
-            || self.added_joints.iter().any(|added| is_added(added.number))
+        self.joints.released.values().any(|joint| joint.pair() == pair)
+            || self.joints.added.iter().any(|added| is_added(added.number))
     }
 
     /// The joints of these bodies on tracks whose ends they have passed in these states, in the order of the scene.
     pub(crate) fn run_off(&self, states: &[BodyState], bodies: &[usize]) -> Vec<RunOff> {
         let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
-        let bodies = if self.ending_tracks > 0 { bodies } else { &[] };
+        let bodies = if self.joints.ending_tracks > 0 { bodies } else { &[] };
         let passed = self.joints_among(bodies).filter(|joint| joint.has_passed_end(motion));
         passed.filter_map(|joint| self.place_on_track(states, joint.number())).collect()
     }
@@ -66,11 +66,11 @@ impl Model {
     /// When there is no such joint.
     pub(crate) fn replace_released(&mut self, joints: &[usize]) -> Result<(), SnapshotError> {
         let refused = || SnapshotError::Invalid("a joint has let go that the scene has not");
-        if joints.is_empty() && self.released.is_empty() {
+        if joints.is_empty() && self.joints.released.is_empty() {
             return Ok(());
         }
-        self.joints.extend(std::mem::take(&mut self.released).into_values());
-        self.joints.sort_by_key(ModelJoint::number);
+        self.joints.list.extend(std::mem::take(&mut self.joints.released).into_values());
+        self.joints.list.sort_by_key(ModelJoint::number);
         if !joints.iter().all(|&joint| self.joint_numbered(joint).is_some()) {
             return Err(refused());
         }

@@ -22,7 +22,7 @@ impl Model {
 
     /// Whether any of these forces at joints, given as a kick, is that of a motor at its bound.
     pub(crate) fn are_motors_at_bounds(&self, kicks: &[usize]) -> bool {
-        let force = |number: &usize| self.joint_forces.get(number.checked_sub(self.first_joint_force)?);
+        let force = |number: &usize| self.forces.of_joints.get(number.checked_sub(self.forces.first_of_joints)?);
         kicks.iter().filter_map(force).any(|force| force.dependence() == Dependence::Velocities)
     }
 
@@ -53,8 +53,8 @@ impl Model {
     /// The forces at joints of these bodies, with their numbers among the fields.
     fn joint_forces_among<'a>(&'a self, bodies: &'a [usize]) -> impl Iterator<Item = (usize, &'a JointForce)> {
         let is_among = |end: &Option<(usize, usize)>| end.is_some_and(|(body, _)| bodies.binary_search(&body).is_ok());
-        let own = self.joint_forces.iter().enumerate().filter(move |(_, force)| force.ends.iter().any(is_among));
-        own.map(|(place, force)| (self.first_joint_force + place, force))
+        let own = self.forces.of_joints.iter().enumerate().filter(move |(_, force)| force.ends.iter().any(is_among));
+        own.map(|(place, force)| (self.forces.first_of_joints + place, force))
     }
 }
 

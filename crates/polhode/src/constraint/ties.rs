@@ -43,24 +43,24 @@ impl Model {
         };
         let gears = self.scene.gears.len();
         let mut ties: Vec<Tie> = self.scene.gears.iter().enumerate().filter_map(gear).collect();
-        let motions = self.scene.coordinate_motions.iter().zip(self.carriages.clone()).enumerate();
+        let motions = self.scene.coordinate_motions.iter().zip(self.joints.carriages.clone()).enumerate();
         ties.extend(motions.filter_map(|(number, ((end, _), body))| {
             let to = HeldTo::Carriage { body, start: states[body].pose.translation.x };
             Some(Tie { number: gears + number, first: tied(*end)?, to })
         }));
-        self.ties = ties;
+        self.joints.ties = ties;
         self.index_ties();
     }
 
     /// Enters the ties whose joints are there at their bodies.
     pub(crate) fn index_ties(&mut self) {
         let mut ties_of: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-        for (place, tie) in self.ties.iter().enumerate().filter(|(_, tie)| self.is_at_work(tie)) {
+        for (place, tie) in self.joints.ties.iter().enumerate().filter(|(_, tie)| self.is_at_work(tie)) {
             for body in tie.bodies() {
                 ties_of.entry(body).or_default().push(place);
             }
         }
-        self.ties_of = ties_of;
+        self.joints.ties_of_body = ties_of;
     }
 
     /// Whether the joints of a tie are there.
@@ -70,20 +70,20 @@ impl Model {
 
     /// The ties whose joints are there.
     pub(crate) fn ties_at_work(&self) -> impl Iterator<Item = &Tie> {
-        self.ties.iter().filter(|tie| self.is_at_work(tie))
+        self.joints.ties.iter().filter(|tie| self.is_at_work(tie))
     }
 
     /// The ties of these bodies, in order.
     pub(crate) fn ties_among(&self, bodies: &[usize]) -> impl Iterator<Item = &Tie> {
-        let bodies = if self.ties.is_empty() { &[] } else { bodies };
+        let bodies = if self.joints.ties.is_empty() { &[] } else { bodies };
         let ties: BTreeSet<usize> =
-            bodies.iter().filter_map(|body| self.ties_of.get(body)).flatten().copied().collect();
-        ties.into_iter().map(|tie| &self.ties[tie])
+            bodies.iter().filter_map(|body| self.joints.ties_of_body.get(body)).flatten().copied().collect();
+        ties.into_iter().map(|tie| &self.joints.ties[tie])
     }
 
     /// What a tie is, in words.
     pub(crate) fn name_of_tie(&self, number: usize) -> String {
-        let tie = self.ties.iter().find(|tie| tie.number == number);
+        let tie = self.joints.ties.iter().find(|tie| tie.number == number);
         match tie.map(|tie| (&tie.to, tie.first.joint.number())) {
             Some((HeldTo::Carriage { .. }, joint)) => format!("the prescribed motion of joint {joint}"),
             _ => format!("gear {number}"),
@@ -93,7 +93,7 @@ impl Model {
     /// What the reaction of a tie does at its joints: to the first body of each.
     pub(crate) fn joint_loads_of_tie(&self, of: &Bilateral, reaction: Reaction) -> Vec<LoadOfTie> {
         let ConstraintId::Tie { tie, .. } = of.id else { return Vec::new() };
-        let Some(tie) = self.ties.iter().find(|own| own.number == tie) else { return Vec::new() };
+        let Some(tie) = self.joints.ties.iter().find(|own| own.number == tie) else { return Vec::new() };
         let Some(BilateralRow { kind: RowKind::Tied { first, second }, .. }) = of.rows.first() else {
             return Vec::new();
         };

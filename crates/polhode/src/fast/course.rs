@@ -255,13 +255,13 @@ impl Course {
                 sets.join(pair.a, pair.b);
             }
         }
-        for (a, b) in model.joints.iter().map(ModelJoint::pair) {
+        for (a, b) in model.joints.list.iter().map(ModelJoint::pair) {
             if is_moved(a) && is_moved(b) {
                 sets.join(a, b);
             }
         }
         let of_pairs = self.pairs.iter().map(|pair| ((pair.a, pair.b), pair.patches.len()));
-        let of_joints = model.joints.iter().map(|joint| (joint.pair(), 1));
+        let of_joints = model.joints.list.iter().map(|joint| (joint.pair(), 1));
         for ((a, b), count) in of_pairs.chain(of_joints).filter(|(_, count)| *count > 0) {
             let Some(own) = [a, b].into_iter().find(|&body| is_moved(body)) else { continue };
             work[sets.smallest(own)] += count as u32;

@@ -327,7 +327,7 @@ impl Tier for FastEngine {
         let model = &core.model;
         let view = |held: &HeldJoint| {
             let ConstraintId::Joint { joint, bodies } = held.id else { return None };
-            let own = model.joints.iter().find(|own| own.number() == joint)?;
+            let own = model.joints.list.iter().find(|own| own.number() == joint)?;
             let point_m = model.anchor_of(states, own);
             let moment = held.moment - (point_m - states[held.body].pose.translation).cross(held.force);
             // Of a joint of the world with its second body the first end is the world.
@@ -359,7 +359,7 @@ impl Tier for FastEngine {
         let mut sets = DisjointSets::new(bodies);
         let mut is_in_one = vec![false; bodies];
         let pairs = self.course.pairs.iter().filter(|pair| !pair.patches.is_empty()).map(|pair| (pair.a, pair.b));
-        let joints = model.joints.iter().map(ModelJoint::pair);
+        let joints = model.joints.list.iter().map(ModelJoint::pair);
         for (a, b) in pairs.chain(joints) {
             (is_in_one[a], is_in_one[b]) = (is_in_one[a] | moves(a), is_in_one[b] | moves(b));
             if moves(a) && moves(b) {
@@ -435,7 +435,7 @@ fn restored_held(core: &Core, saved: &content::HeldJoint) -> Result<HeldJoint, S
     let id = match saved.kind {
         content::HeldKind::Pivot => ConstraintId::Pivot { body: saved.number },
         content::HeldKind::Joint => {
-            let joint = model.joints.iter().find(|own| own.number() == saved.number).ok_or_else(invalid)?;
+            let joint = model.joints.list.iter().find(|own| own.number() == saved.number).ok_or_else(invalid)?;
             let mut held = joint.bodies();
             let first = held.next().ok_or_else(invalid)?;
             ConstraintId::Joint { joint: saved.number, bodies: (first, held.next().unwrap_or(first)) }

@@ -88,7 +88,7 @@ impl Held {
         let pivots = bodies.iter().filter(|&&body| model.bodies[body].held.is_some());
         let pivots = pivots.map(|&body| (Source::Pivot(body), Some(ConstraintId::Pivot { body })));
         let joints = model.joint_places_among(bodies);
-        let joints = joints.into_iter().map(|place| (Source::Joint(place), Some(model.joints[place].id())));
+        let joints = joints.into_iter().map(|place| (Source::Joint(place), Some(model.joints.list[place].id())));
         for (source, id) in pivots.chain(joints) {
             let at = rows_at(model, states, source);
             let sides = [0, 1].map(|side| at.as_ref()?.members.get(side).map(|member| member.body));
@@ -216,7 +216,7 @@ fn rows_at(model: &Model, states: &[BodyState], source: Source) -> Option<RowsAt
             let held = model.bodies[body].held?;
             Some(pivot_rows((body, held.arm), held.place, at))
         }
-        Source::Joint(place) => Some(model.joints[place].rows_at(at)),
+        Source::Joint(place) => Some(model.joints.list[place].rows_at(at)),
         Source::Limit(_) => None,
     }
 }

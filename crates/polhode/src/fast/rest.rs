@@ -91,7 +91,7 @@ fn slow_islands(course: &mut Course, model: &Model, rules: &Rules) -> Vec<Vec<us
             [false, false] => {}
         }
     }
-    for (a, b) in model.joints.iter().map(ModelJoint::pair) {
+    for (a, b) in model.joints.list.iter().map(ModelJoint::pair) {
         if awake(course, a) && awake(course, b) {
             sets.join(a, b);
         }
@@ -197,7 +197,7 @@ pub(super) fn wake(course: &mut Course, model: &Model, rules: &Rules) -> bool {
     for pair in course.pairs.iter().filter(|pair| resting[pair.a] && resting[pair.b] && !pair.patches.is_empty()) {
         sets.join(pair.a, pair.b);
     }
-    for (a, b) in model.joints.iter().map(ModelJoint::pair).filter(|&(a, b)| resting[a] && resting[b]) {
+    for (a, b) in model.joints.list.iter().map(ModelJoint::pair).filter(|&(a, b)| resting[a] && resting[b]) {
         sets.join(a, b);
     }
     let mut wakes = vec![false; resting.len()];

@@ -7,64 +7,25 @@
 
 use super::body::ModelBody;
 use super::carriages::add_carriages;
-use super::field_index::{FieldBuffers, FieldIndex};
+use super::forces::Forces;
+use super::joints::Joints;
 use super::steered::Steered;
+use super::surfaces::Surfaces;
 use crate::collision::envelope::CollisionEnvelope;
 use crate::collision::narrow_phase::NarrowPhase;
-use crate::constraint::joint::{AddedJoint, HeldBody, ModelJoint, row_length};
-use crate::constraint::joint_forces::JointForce;
-use crate::constraint::tie::Tie;
+use crate::constraint::joint::{HeldBody, ModelJoint, row_length};
 use crate::identity::contact_id::Feature;
 use crate::identity::coordinate_id::CoordinateId;
 use crate::identity::stop_id::StopId;
 use crate::model::pivot_form::{PivotForm, PivotRows};
 use crate::model::plane_of_motion::PlaneOfMotion;
-use crate::scene::{Body, Coordinate, Joint, Motor, MovingFrames, Scene, SceneError};
-use polhode_dynamics::field::{Field, Wrench};
+use crate::scene::{Body, Joint, MovingFrames, Scene, SceneError};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
-use std::ops::Range;
 use std::sync::Arc;
 
-/// The friction that any two bodies which may collide have.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum FrictionKinds {
-    /// None.
-    None,
-    /// Friction of slip.
-    OfSlip,
-    /// Friction of rolling or spinning too.
-    OfRotation,
-}
-
-impl FrictionKinds {
-    fn of(scene: &Scene) -> Self {
-        let colliding = scene.colliding();
-        match colliding.have_friction() {
-            false => Self::None,
-            true if colliding.largest_rotational_friction > 0.0 => Self::OfRotation,
-            true => Self::OfSlip,
-        }
-    }
-}
-
-/// What surfaces do besides friction that is the same in all directions.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct SurfaceEffects {
-    /// Friction of two bodies that may collide depends on the direction.
-    have_grain: bool,
-    /// The surface of a body moves.
-    are_driven: bool,
-}
-
-impl SurfaceEffects {
-    fn of(scene: &Scene) -> Self {
-        Self { have_grain: scene.has_grain(), are_driven: scene.has_moving_surfaces() }
-    }
-}
-
-/// All bodies of a scene, the scene, and what acts on the bodies.
+/// All bodies of a scene, the scene, and what holds, moves and rubs the bodies.
 #[derive(Debug, Clone)]
 pub(crate) struct Model {
     pub(crate) scene: Scene,
@@ -73,102 +34,26 @@ pub(crate) struct Model {
     pub(crate) movable: Vec<usize>,
     /// Indices of the kinematic bodies, ascending.
     pub(crate) prescribed: Vec<usize>,
+    /// The motions that a program has given kinematic bodies.
+    pub(super) steered: BTreeMap<usize, Steered>,
     /// Mass properties of the movable bodies, by slot.
     pub(super) rigid: Arc<[RigidBody]>,
-    /// Bodies that constraint rows hold at their pivots or joints, ascending.
-    pub(crate) held_by_rows: Vec<usize>,
-    /// The joints.
-    pub(crate) joints: Vec<ModelJoint>,
-    /// Which of them hold a movable body.
-    pub(crate) joints_of: BTreeMap<usize, Vec<usize>>,
-    /// The kinematic bodies that joints and ties hold, ascending.
-    pub(crate) joint_drivers: Vec<usize>,
-    /// Joints that hold nothing any more, by their numbers: they have broken, or their bodies have run off the ends of
-    /// their tracks.
-    pub(crate) released: BTreeMap<usize, ModelJoint>,
-    /// The poses of bodies at which a program has added joints, by their numbers.
-    pub(crate) added_joints: Vec<AddedJoint>,
-    /// The joints of the scene that may break.
-    pub(crate) breakable: BTreeSet<usize>,
-    /// Gears and prescribed motions of joints.
-    pub(crate) ties: Vec<Tie>,
-    /// Which of them hold a movable body.
-    pub(crate) ties_of: BTreeMap<usize, Vec<usize>>,
-    /// The bodies that carry prescribed motions of joints.
-    pub(crate) carriages: Range<usize>,
-    /// The contacts at joints, by their pairs of bodies, ascending.
-    pub(crate) joint_contacts: BTreeMap<(usize, usize), Vec<Feature>>,
-    /// The bodies that a body has such contacts with, itself for those with the world.
-    pub(crate) joint_contact_partners: BTreeMap<usize, BTreeSet<usize>>,
-    /// For which pivoted bodies there are such rows.
+    /// For which pivoted bodies there are constraint rows.
     pub(crate) pivot_rows: PivotRows,
-    /// Force fields over the movable bodies.
-    pub(super) fields: Arc<[Box<dyn Field>]>,
-    /// Those of them that act at joints, which follow each other from this number on.
-    pub(crate) joint_forces: Vec<JointForce>,
-    pub(crate) first_joint_force: usize,
-    /// Whether a field, or the torque of gravity about a pivot, can act on any body.
-    pub(super) is_loaded_at_all: bool,
-    /// Bodies with a force that changes with time even while they rest, ascending.
-    pub(crate) driven: Vec<usize>,
-    /// For each field that couples bodies (a spring, mutual gravity): the bodies that it couples.
-    pub(crate) couplings: Vec<Vec<usize>>,
-    pub(super) field_index: FieldIndex,
-    pub(super) field_buffers: FieldBuffers,
+    pub(crate) joints: Joints,
+    pub(crate) forces: Forces,
+    pub(crate) surfaces: Surfaces,
     /// The envelope of micro-collisions, of a tier that has them.
     pub(crate) envelope: Option<CollisionEnvelope>,
     pub(crate) narrow_phase: NarrowPhase,
-    /// Whether any two bodies may collide.
-    pub(super) collides: bool,
-    /// The friction of bodies that may collide.
-    pub(super) friction: FrictionKinds,
-    /// Whether any joint has friction.
-    joints_have_friction: bool,
-    /// What else their surfaces do.
-    pub(super) surfaces: SurfaceEffects,
-    /// Force and torque (N, N m, world) that a program applies, by body.
-    pub(super) applied: BTreeMap<usize, Wrench>,
-    /// The motors that a program has given coordinates of joints; none where it has taken one away.
-    pub(crate) motors: BTreeMap<(usize, Coordinate), Option<Motor>>,
-    /// How many joints are on tracks that let go at their ends.
-    pub(crate) ending_tracks: usize,
-    /// The motions that a program has given kinematic bodies.
-    pub(super) steered: BTreeMap<usize, Steered>,
-    /// Potential energy of the fields at the start, J.
-    pub(super) initial_field_potential: f64,
-    /// [`Model::sum_start_potentials`], J.
-    pub(super) start_potential_j: f64,
     /// The plane of the motion, when the motion is planar.
     pub(crate) plane: Option<PlaneOfMotion>,
-    /// Elastic energy of the springs at contacts at present, J: of the tier `penalty`, which keeps it here for whoever
-    /// sums energies.
-    pub(crate) contact_energy_j: f64,
 }
 
 impl Model {
     /// Whether any two bodies that may collide have friction, or any joint.
     pub(crate) fn has_friction(&self) -> bool {
-        self.friction != FrictionKinds::None || self.joints_have_friction
-    }
-
-    /// Whether any joint has friction.
-    pub(crate) fn joints_have_friction(&self) -> bool {
-        self.joints_have_friction
-    }
-
-    /// Whether friction of any two depends on the direction.
-    pub(crate) fn has_grain(&self) -> bool {
-        self.surfaces.have_grain
-    }
-
-    /// Whether the surface of any body moves.
-    pub(crate) fn has_moving_surfaces(&self) -> bool {
-        self.surfaces.are_driven
-    }
-
-    /// Whether any two have friction of rolling or spinning.
-    pub(crate) fn has_rotational_friction(&self) -> bool {
-        self.friction == FrictionKinds::OfRotation
+        self.surfaces.have_friction() || self.joints.have_friction
     }
 
     /// The model of a scene, and the states of its bodies at t = 0.
@@ -191,62 +76,36 @@ impl Model {
         let movable: Vec<usize> = (0..bodies.len()).filter(|&body| bodies[body].moves()).collect();
         let prescribed = (0..bodies.len()).filter(|&body| bodies[body].trajectory.is_some()).collect();
         let rigid = bodies.iter().filter_map(|body| body.rigid).collect();
+        let breakable = (0..scene.joints().len()).filter(|&joint| scene.joints()[joint].strength().is_some()).collect();
         let mut model = Self {
             scene: of_model,
             bodies,
             movable,
             prescribed,
             rigid,
-            held_by_rows: Vec::new(),
-            joints: Vec::new(),
-            joints_of: BTreeMap::new(),
-            joint_drivers: Vec::new(),
-            released: BTreeMap::new(),
-            added_joints: Vec::new(),
-            breakable: (0..scene.joints().len()).filter(|&joint| scene.joints()[joint].strength().is_some()).collect(),
-            ties: Vec::new(),
-            ties_of: BTreeMap::new(),
-            carriages,
-            joint_contacts: BTreeMap::new(),
-            joint_contact_partners: BTreeMap::new(),
             pivot_rows,
-            fields: Arc::from(Vec::new()),
-            joint_forces: Vec::new(),
-            first_joint_force: 0,
-            is_loaded_at_all: false,
-            driven: Vec::new(),
-            couplings: Vec::new(),
-            field_index: FieldIndex::default(),
-            field_buffers: FieldBuffers::default(),
+            steered: BTreeMap::new(),
+            joints: Joints::none(breakable, carriages),
+            forces: Forces::default(),
+            surfaces: Surfaces::of(scene),
             envelope: None,
             narrow_phase: NarrowPhase::default(),
-            collides: scene.any_may_collide(),
-            friction: FrictionKinds::of(scene),
-            joints_have_friction: false,
-            surfaces: SurfaceEffects::of(scene),
-            applied: BTreeMap::new(),
-            steered: BTreeMap::new(),
-            motors: BTreeMap::new(),
-            ending_tracks: 0,
-            initial_field_potential: 0.0,
-            start_potential_j: 0.0,
             plane: None,
-            contact_energy_j: 0.0,
         };
         model.make_joints(&states);
         model.make_ties(&states);
         model.index_joints();
         model.make_fields()?;
-        model.initial_field_potential = model.field_potential(&states);
-        model.start_potential_j = model.sum_start_potentials();
+        model.forces.initial_potential_j = model.field_potential(&states);
+        model.forces.start_potential_j = model.sum_start_potentials();
         Ok((model, states))
     }
 
     /// Makes the joints of the scene, between bodies in their states at the start.
     fn make_joints(&mut self, states: &[BodyState]) {
         let joints = self.scene.joints().iter().enumerate();
-        self.joints = joints.map(|(number, joint)| self.joint_between(number, joint, states)).collect();
-        self.ending_tracks = self.joints.iter().filter(|joint| joint.lets_go_at_ends()).count();
+        self.joints.list = joints.map(|(number, joint)| self.joint_between(number, joint, states)).collect();
+        self.joints.ending_tracks = self.joints.list.iter().filter(|joint| joint.lets_go_at_ends()).count();
     }
 
     /// A joint of this number between bodies in these states.
@@ -263,36 +122,37 @@ impl Model {
 
     /// Enters the joints at their bodies, and the bodies that constraint rows hold.
     pub(crate) fn index_joints(&mut self) {
-        self.joints_of.clear();
-        for (number, joint) in self.joints.iter().enumerate() {
+        self.joints.of_body.clear();
+        for (number, joint) in self.joints.list.iter().enumerate() {
             for body in joint.bodies() {
-                self.joints_of.entry(body).or_default().push(number);
+                self.joints.of_body.entry(body).or_default().push(number);
             }
         }
         self.index_ties();
-        let tied: BTreeSet<usize> = self.ties_of.values().flatten().copied().collect();
-        let carriages = tied.into_iter().filter_map(|tie| self.ties[tie].carriage());
-        let drivers: BTreeSet<usize> = self.joints.iter().filter_map(ModelJoint::driver).chain(carriages).collect();
-        self.joint_drivers = drivers.into_iter().collect();
-        self.joint_contacts.clear();
-        self.joint_contact_partners.clear();
-        for joint in &self.joints {
+        let tied: BTreeSet<usize> = self.joints.ties_of_body.values().flatten().copied().collect();
+        let carriages = tied.into_iter().filter_map(|tie| self.joints.ties[tie].carriage());
+        let drivers: BTreeSet<usize> =
+            self.joints.list.iter().filter_map(ModelJoint::driver).chain(carriages).collect();
+        self.joints.drivers = drivers.into_iter().collect();
+        self.joints.contacts.clear();
+        self.joints.contact_partners.clear();
+        for joint in &self.joints.list {
             let number = joint.number();
             let stops = (0..joint.stops()).map(|stop| Feature::Stop(StopId { joint: number, stop }));
             let friction = joint.coordinates_with_friction();
             let friction = friction.map(|place| Feature::JointFriction(CoordinateId { joint: number, place }));
             for feature in stops.chain(friction) {
                 let (a, b) = joint.pair();
-                self.joint_contacts.entry((a, b)).or_default().push(feature);
-                self.joint_contact_partners.entry(a).or_default().insert(b);
-                self.joint_contact_partners.entry(b).or_default().insert(a);
+                self.joints.contacts.entry((a, b)).or_default().push(feature);
+                self.joints.contact_partners.entry(a).or_default().insert(b);
+                self.joints.contact_partners.entry(b).or_default().insert(a);
             }
         }
-        self.joint_contacts.values_mut().for_each(|of_pair| of_pair.sort_unstable());
+        self.joints.contacts.values_mut().for_each(|of_pair| of_pair.sort_unstable());
         let is_rough = |feature: &Feature| matches!(feature, Feature::JointFriction(_));
-        self.joints_have_friction = self.joint_contacts.values().flatten().any(is_rough);
-        let is_held = |body: &usize| self.bodies[*body].held.is_some() || self.joints_of.contains_key(body);
-        self.held_by_rows = (0..self.bodies.len()).filter(is_held).collect();
+        self.joints.have_friction = self.joints.contacts.values().flatten().any(is_rough);
+        let is_held = |body: &usize| self.bodies[*body].held.is_some() || self.joints.of_body.contains_key(body);
+        self.joints.held_by_rows = (0..self.bodies.len()).filter(is_held).collect();
     }
 
     /// Adds a body, which has passed the checks of a scene, at `t` (s). Returns its index and state.
@@ -308,7 +168,7 @@ impl Model {
             self.prescribed.push(number);
         }
         if added.held.is_some() {
-            self.held_by_rows.push(number);
+            self.joints.held_by_rows.push(number);
         }
         if let Some(rigid) = added.rigid {
             self.movable.push(number);
@@ -317,16 +177,14 @@ impl Model {
         self.bodies.push(added);
         self.scene.bodies.push(body);
         self.find_what_collides();
-        self.start_potential_j = self.sum_start_potentials();
+        self.forces.start_potential_j = self.sum_start_potentials();
         self.make_fields()?;
         Ok((number, state))
     }
 
     /// Whether any two bodies of the scene may collide, and what their surfaces do.
     pub(crate) fn find_what_collides(&mut self) {
-        self.collides = self.scene.any_may_collide();
-        self.friction = FrictionKinds::of(&self.scene);
-        self.surfaces = SurfaceEffects::of(&self.scene);
+        self.surfaces = Surfaces::of(&self.scene);
     }
 
     /// Removes a body. Its index is not given to another body.
@@ -339,21 +197,21 @@ impl Model {
         self.narrow_phase.forget(body);
         self.bodies[body].trajectory = None;
         self.bodies[body].held = None;
-        self.joints.retain(|joint| joint.bodies().all(|held| held != body));
-        self.released.retain(|_, joint| joint.bodies().all(|held| held != body));
+        self.joints.list.retain(|joint| joint.bodies().all(|held| held != body));
+        self.joints.released.retain(|_, joint| joint.bodies().all(|held| held != body));
         self.index_joints();
         self.prescribed.retain(|&other| other != body);
         self.scene.bodies[body].geometry = None;
-        self.applied.remove(&body);
+        self.forces.applied.remove(&body);
         self.steered.remove(&body);
-        self.start_potential_j = self.sum_start_potentials();
+        self.forces.start_potential_j = self.sum_start_potentials();
         self.make_fields()
     }
 
     /// How many bodies samples and reports show: all but carriages at the end.
     pub(crate) fn shown(&self) -> usize {
         let all = self.bodies.len();
-        if self.carriages.end == all { self.carriages.start } else { all }
+        if self.joints.carriages.end == all { self.joints.carriages.start } else { all }
     }
 
     /// Mass properties of the movable bodies, shared.
@@ -364,11 +222,6 @@ impl Model {
     /// States of the movable bodies, by slot.
     pub(crate) fn movable_states(&self, states: &[BodyState]) -> Vec<BodyState> {
         self.movable.iter().map(|&body| states[body]).collect()
-    }
-
-    /// Whether any two bodies may collide.
-    pub(crate) fn may_collide_at_all(&self) -> bool {
-        self.collides
     }
 
     /// Whether the momentum ledger counts the momentum of a body. A fixed or kinematic body has none, and a body

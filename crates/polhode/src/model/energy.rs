@@ -20,16 +20,16 @@ impl Model {
 
     /// Potential energy of the conservative fields, J.
     pub(crate) fn field_potential(&self, states: &[BodyState]) -> f64 {
-        if self.fields.is_empty() {
+        if self.forces.fields.is_empty() {
             return 0.0;
         }
         let states = self.movable_states(states);
-        self.fields.iter().map(|field| field.potential_energy(&self.rigid, &states)).sum()
+        self.forces.fields.iter().map(|field| field.potential_energy(&self.rigid, &states)).sum()
     }
 
     /// Potential energy of the conservative fields relative to that at the start, J.
     pub(crate) fn field_energy(&self, states: &[BodyState]) -> f64 {
-        self.field_potential(states) - self.initial_field_potential
+        self.field_potential(states) - self.forces.initial_potential_j
     }
 
     /// Potential energy of the bodies that are there where each began, J: gravity, zero at the world's origin, and that
@@ -39,12 +39,12 @@ impl Model {
         let bodies = self.bodies.iter().filter(|body| !body.removed);
         let potentials =
             bodies.filter_map(|body| Some(potential_energy(body.rigid.as_ref()?.mass(), self.gravity(), body.start)));
-        potentials.collect::<CompensatedSum>().value() + self.initial_field_potential
+        potentials.collect::<CompensatedSum>().value() + self.forces.initial_potential_j
     }
 
     /// [`Model::sum_start_potentials`] of the bodies that are there now, J.
     pub(crate) fn start_potential(&self) -> f64 {
-        self.start_potential_j
+        self.forces.start_potential_j
     }
 
     /// Centre of mass of the movable bodies at the start, m; the origin when there are none.

@@ -4,7 +4,7 @@
 //! ([`Model::slot`]).
 
 use super::bodies::Model;
-use super::field_index::{FieldIndex, acted_on};
+use super::field_index::{FieldBuffers, FieldIndex, acted_on};
 use crate::constraint::joint_forces::JointForce;
 use crate::constraint::tie::Tie;
 use crate::constraint::track_springs::TrackSpring;
@@ -15,8 +15,50 @@ use polhode_dynamics::field::{
 };
 use polhode_dynamics::{BodyState, FreeMotion, RigidBody};
 use polhode_spatial::{DVec3, Pose};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
+
+/// The force fields over the movable bodies, and what they act on.
+#[derive(Debug, Clone)]
+pub(crate) struct Forces {
+    pub(super) fields: Arc<[Box<dyn Field>]>,
+    /// Those of them that act at joints, which follow each other from `first_of_joints` on.
+    pub(crate) of_joints: Vec<JointForce>,
+    pub(crate) first_of_joints: usize,
+    /// Whether a field, or the torque of gravity about a pivot, can act on any body.
+    load_any: bool,
+    /// Bodies with a force that changes with time even while they rest, ascending.
+    driven: Vec<usize>,
+    /// For each field that couples bodies (a spring, mutual gravity): the bodies that it couples.
+    pub(crate) couplings: Vec<Vec<usize>>,
+    index: FieldIndex,
+    buffers: FieldBuffers,
+    /// Force and torque (N, N m, world) that a program applies, by body.
+    pub(super) applied: BTreeMap<usize, Wrench>,
+    /// Potential energy of the fields at the start, J.
+    pub(super) initial_potential_j: f64,
+    /// [`Model::sum_start_potentials`], J.
+    pub(super) start_potential_j: f64,
+}
+
+impl Default for Forces {
+    /// No force.
+    fn default() -> Self {
+        Self {
+            fields: Arc::from(Vec::new()),
+            of_joints: Vec::new(),
+            first_of_joints: 0,
+            load_any: false,
+            driven: Vec::new(),
+            couplings: Vec::new(),
+            index: FieldIndex::default(),
+            buffers: FieldBuffers::default(),
+            applied: BTreeMap::new(),
+            initial_potential_j: 0.0,
+            start_potential_j: 0.0,
+        }
+    }
+}
 
 impl Model {
     /// Makes fields over the movable bodies from the forces of the scene and those that a program applies.
@@ -25,50 +67,50 @@ impl Model {
     /// When a number of a force is out of range.
     pub(crate) fn make_fields(&mut self) -> Result<(), SceneError> {
         let mut fields: Vec<Box<dyn Field>> = Vec::new();
-        self.driven.clear();
-        self.couplings.clear();
+        self.forces.driven.clear();
+        self.forces.couplings.clear();
         for (number, force) in self.scene.forces().iter().enumerate() {
             let made = force.fields(self).map_err(|source| SceneError::Force { force: number, source })?;
             if force.changes_with_time() {
                 let slots = made.iter().flat_map(|field| acted_on(&**field, self.movable.len()));
-                self.driven.extend(slots.map(|slot| self.movable[slot]));
+                self.forces.driven.extend(slots.map(|slot| self.movable[slot]));
             }
             fields.extend(made);
         }
-        let at_joints = self.joints.iter().flat_map(|joint| JointForce::of(joint, |body| self.slot(body)));
+        let at_joints = self.joints.list.iter().flat_map(|joint| JointForce::of(joint, |body| self.slot(body)));
         let at_joints: Vec<JointForce> = at_joints.collect();
-        let springs = self.joints.iter().flat_map(|joint| TrackSpring::of(joint, |body| self.slot(body)));
+        let springs = self.joints.list.iter().flat_map(|joint| TrackSpring::of(joint, |body| self.slot(body)));
         let springs: Vec<TrackSpring> = springs.collect();
-        self.first_joint_force = fields.len();
+        self.forces.first_of_joints = fields.len();
         fields.extend(at_joints.iter().map(|force| Box::new(force.clone()) as Box<dyn Field>));
-        self.joint_forces = at_joints;
+        self.forces.of_joints = at_joints;
         fields.extend(springs.into_iter().map(|spring| Box::new(spring) as Box<dyn Field>));
-        for (&body, wrench) in &self.applied {
+        for (&body, wrench) in &self.forces.applied {
             let force = self.scene.forces().len();
             let made = applied_fields(self.slot(body), wrench);
             fields.extend(made.map_err(|source| SceneError::Force { force, source })?);
         }
-        self.driven.sort_unstable();
-        self.driven.dedup();
-        self.field_index = FieldIndex::new(&fields, self.movable.len());
+        self.forces.driven.sort_unstable();
+        self.forces.driven.dedup();
+        self.forces.index = FieldIndex::new(&fields, self.movable.len());
         for field in fields.iter().filter(|field| field.couples()) {
             let together = acted_on(&**field, self.movable.len());
             if together.len() > 1 {
-                self.field_index.couple(self.couplings.len(), &together);
-                self.couplings.push(together.into_iter().map(|slot| self.movable[slot]).collect());
+                self.forces.index.couple(self.forces.couplings.len(), &together);
+                self.forces.couplings.push(together.into_iter().map(|slot| self.movable[slot]).collect());
             }
         }
-        let of_joints = self.joints.iter().map(|joint| joint.bodies().collect::<Vec<usize>>());
+        let of_joints = self.joints.list.iter().map(|joint| joint.bodies().collect::<Vec<usize>>());
         let together: Vec<Vec<usize>> = of_joints.chain(self.ties_at_work().map(Tie::bodies)).collect();
         for together in together {
             let slots: Vec<usize> = together.iter().filter_map(|&body| self.slot(body)).collect();
             if slots.len() > 1 {
-                self.field_index.couple(self.couplings.len(), &slots);
-                self.couplings.push(together);
+                self.forces.index.couple(self.forces.couplings.len(), &slots);
+                self.forces.couplings.push(together);
             }
         }
-        self.fields = Arc::from(fields);
-        self.is_loaded_at_all = self.free_motion().has_loads();
+        self.forces.fields = Arc::from(fields);
+        self.forces.load_any = self.free_motion().has_loads();
         Ok(())
     }
 
@@ -77,15 +119,15 @@ impl Model {
     /// # Errors
     /// When they are not finite; nothing has changed then.
     pub(crate) fn set_applied(&mut self, body: usize, wrench: Wrench) -> Result<(), SceneError> {
-        let before = self.applied.clone();
+        let before = self.forces.applied.clone();
         if wrench == Wrench::default() {
-            self.applied.remove(&body);
+            self.forces.applied.remove(&body);
         } else {
-            self.applied.insert(body, wrench);
+            self.forces.applied.insert(body, wrench);
         }
         let made = self.make_fields();
         if made.is_err() {
-            self.applied = before;
+            self.forces.applied = before;
             self.make_fields()?;
         }
         made
@@ -94,7 +136,7 @@ impl Model {
     /// The forces and torques (N, N m) that a program applies, by body, as plain numbers.
     pub(crate) fn applied(&self) -> Vec<(usize, [[f64; 3]; 2])> {
         let numbers = |(&body, wrench): (&usize, &Wrench)| (body, [wrench.force.to_array(), wrench.torque.to_array()]);
-        self.applied.iter().map(numbers).collect()
+        self.forces.applied.iter().map(numbers).collect()
     }
 
     /// Replaces all forces and torques that a program applies.
@@ -108,18 +150,18 @@ impl Model {
             return Err(refused);
         }
         let wrench = |[force, torque]: [[f64; 3]; 2]| Wrench { force: force.into(), torque: torque.into() };
-        self.applied = applied.iter().map(|&(body, numbers)| (body, wrench(numbers))).collect();
+        self.forces.applied = applied.iter().map(|&(body, numbers)| (body, wrench(numbers))).collect();
         self.make_fields().map_err(|_| refused)
     }
 
     /// The motion of all movable bodies without contact.
     pub(crate) fn free_motion(&self) -> FreeMotion<'_> {
-        FreeMotion::new(&self.rigid, self.gravity(), &self.fields)
+        FreeMotion::new(&self.rigid, self.gravity(), &self.forces.fields)
     }
 
     /// The force fields, shared.
     pub(crate) fn shared_fields(&self) -> Arc<[Box<dyn Field>]> {
-        Arc::clone(&self.fields)
+        Arc::clone(&self.forces.fields)
     }
 
     /// Whether anything but uniform gravity on its centre of mass can act on a body between contacts: a field, gravity
@@ -129,7 +171,7 @@ impl Model {
         self.is_held_by_rows(body)
             || self
                 .slot(body)
-                .is_some_and(|slot| swings.is_loaded(slot) || self.field_index.acts_on(&self.fields, slot))
+                .is_some_and(|slot| swings.is_loaded(slot) || self.forces.index.acts_on(&self.forces.fields, slot))
     }
 
     /// Whether fields act on a body, but none exerts a torque.
@@ -147,7 +189,7 @@ impl Model {
 
     /// Whether force fields act on a body.
     pub(crate) fn has_fields_on(&self, body: usize) -> bool {
-        self.slot(body).is_some_and(|slot| self.field_index.acts_on(&self.fields, slot))
+        self.slot(body).is_some_and(|slot| self.forces.index.acts_on(&self.forces.fields, slot))
     }
 
     /// Whether anything but uniform gravity acts on bodies between contacts.
@@ -157,7 +199,7 @@ impl Model {
 
     /// Wrenches of the fields and of gravity about pivots on all bodies.
     pub(crate) fn loads(&self, t: f64, states: &[BodyState]) -> Loads {
-        if !self.is_loaded_at_all {
+        if !self.forces.load_any {
             return Loads::default();
         }
         let motion = self.free_motion();
@@ -189,7 +231,7 @@ impl Model {
     /// Whether a step gives the field of this number as a kick: all but the forces at joints that are not among
     /// `kicks`.
     fn is_kick(&self, number: usize, kicks: &[usize]) -> bool {
-        let at_joints = self.first_joint_force..self.first_joint_force + self.joint_forces.len();
+        let at_joints = self.forces.first_of_joints..self.forces.first_of_joints + self.forces.of_joints.len();
         !at_joints.contains(&number) || kicks.contains(&number)
     }
 
@@ -227,8 +269,8 @@ impl Model {
         finish: impl Fn(usize, &mut Wrench),
     ) -> Option<Loads> {
         let slots: Vec<usize> = bodies.iter().filter_map(|&body| self.slot(body)).collect();
-        let (fields, read) = self.field_index.acting_on(&slots)?;
-        let (mut buffers, mut none) = (self.field_buffers.0.try_lock(), Default::default());
+        let (fields, read) = self.forces.index.acting_on(&slots)?;
+        let (mut buffers, mut none) = (self.forces.buffers.0.try_lock(), Default::default());
         let (own, wrenches) = buffers.as_deref_mut().unwrap_or(&mut none);
         own.resize(self.movable.len(), BodyState::at_rest(Pose::IDENTITY));
         wrenches.resize(self.movable.len(), Wrench::default());
@@ -236,8 +278,8 @@ impl Model {
             own[slot] = states[self.movable[slot]];
             wrenches[slot] = Wrench::default();
         }
-        let chosen = fields.iter().filter(|&&number| chosen(number, &*self.fields[number]));
-        for field in chosen.map(|&number| &*self.fields[number]) {
+        let chosen = fields.iter().filter(|&&number| chosen(number, &*self.forces.fields[number]));
+        for field in chosen.map(|&number| &*self.forces.fields[number]) {
             field.add_wrenches(t, &self.rigid, own, wrenches);
         }
         let load = |slot: usize| {
@@ -253,22 +295,22 @@ impl Model {
     /// Of forces at joints those of `kicks` alone.
     pub(crate) fn responses_on(&self, states: &[BodyState], bodies: &[usize], kicks: &[usize]) -> Responses {
         let slots: Vec<usize> = bodies.iter().filter_map(|&body| self.slot(body)).collect();
-        let (fields, read) = self.field_index.acting_on(&slots).unwrap_or_else(|| {
-            let acts = |&number: &usize| slots.iter().any(|&slot| self.fields[number].acts_on(slot));
-            ((0..self.fields.len()).filter(acts).collect(), (0..self.movable.len()).collect())
+        let (fields, read) = self.forces.index.acting_on(&slots).unwrap_or_else(|| {
+            let acts = |&number: &usize| slots.iter().any(|&slot| self.forces.fields[number].acts_on(slot));
+            ((0..self.forces.fields.len()).filter(acts).collect(), (0..self.movable.len()).collect())
         });
         let mut found = Responses { are_known: true, of_fields: Vec::new() };
         if fields.is_empty() {
             return found;
         }
-        let (mut buffers, mut none) = (self.field_buffers.0.try_lock(), Default::default());
+        let (mut buffers, mut none) = (self.forces.buffers.0.try_lock(), Default::default());
         let (own, _) = buffers.as_deref_mut().unwrap_or(&mut none);
         own.resize(self.movable.len(), BodyState::at_rest(Pose::IDENTITY));
         for slot in read {
             own[slot] = states[self.movable[slot]];
         }
         let kicks = fields.iter().filter(|&&number| self.is_kick(number, kicks));
-        for field in kicks.map(|&number| &self.fields[number]) {
+        for field in kicks.map(|&number| &self.forces.fields[number]) {
             let Some(responses) = field.responses(&self.rigid, own) else {
                 found.are_known &= field.dependence() != Dependence::Velocities;
                 continue;
@@ -293,40 +335,40 @@ impl Model {
 
     /// The couplings of a body: for each field that couples it to others, all bodies of that field.
     pub(crate) fn couplings_of(&self, body: usize) -> impl Iterator<Item = &Vec<usize>> {
-        let numbers = self.slot(body).map_or(&[][..], |slot| self.field_index.couplings_of(slot));
-        numbers.iter().map(|&number| &self.couplings[number])
+        let numbers = self.slot(body).map_or(&[][..], |slot| self.forces.index.couplings_of(slot));
+        numbers.iter().map(|&number| &self.forces.couplings[number])
     }
 
     /// The couplings of these bodies, each once.
     pub(crate) fn couplings_among(&self, bodies: &[usize]) -> impl Iterator<Item = &Vec<usize>> {
         let slots = bodies.iter().filter_map(|&body| self.slot(body));
-        let numbers: BTreeSet<usize> = slots.flat_map(|slot| self.field_index.couplings_of(slot)).copied().collect();
-        numbers.into_iter().map(|number| &self.couplings[number])
+        let numbers: BTreeSet<usize> = slots.flat_map(|slot| self.forces.index.couplings_of(slot)).copied().collect();
+        numbers.into_iter().map(|number| &self.forces.couplings[number])
     }
 
     /// Whether fields couple bodies in a scene with bodies that may collide.
     pub(crate) fn any_coupled_may_collide(&self) -> bool {
-        self.collides && !self.couplings.is_empty()
+        self.surfaces.may_collide() && !self.forces.couplings.is_empty()
     }
 
     /// Whether a force on the body changes with time even while all bodies rest.
     pub(crate) fn is_driven(&self, body: usize) -> bool {
-        self.driven.binary_search(&body).is_ok()
+        self.forces.driven.binary_search(&body).is_ok()
     }
 
     /// Whether any force field acts.
     pub(crate) fn has_fields(&self) -> bool {
-        !self.fields.is_empty()
+        !self.forces.fields.is_empty()
     }
 
     /// Whether any force field depends on velocities.
     pub(crate) fn has_loads_of_velocities(&self) -> bool {
-        self.fields.iter().any(|field| field.dependence() == Dependence::Velocities)
+        self.forces.fields.iter().any(|field| field.dependence() == Dependence::Velocities)
     }
 
     /// Whether any force field's work belongs to this account.
     pub(crate) fn has_fields_of(&self, account: Account) -> bool {
-        self.fields.iter().any(|field| field.account() == account)
+        self.forces.fields.iter().any(|field| field.account() == account)
     }
 
     /// Acceleration of the origin of a body's moving frame by gravity, m/s^2: zero if that origin is a pivot.

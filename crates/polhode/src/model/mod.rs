@@ -5,6 +5,8 @@
 //! | `bodies` | `Model`: all bodies and the scene they come from; bodies added and removed |
 //! | `body` | `ModelBody`: one body in its moving frame |
 //! | `carriages` | kinematic bodies that carry prescribed motions of joints |
+//! | `joints` | `Joints`: what holds bodies together, and whom |
+//! | `surfaces` | `Surfaces`: whether bodies collide, and what friction does |
 //! | `forces` | force fields, and the forces that a program applies |
 //! | `field_index` | which fields act on which bodies |
 //! | `energy` | energies, and the centre of mass at the start |
@@ -25,6 +27,7 @@ mod carriages;
 mod energy;
 mod field_index;
 mod forces;
+mod joints;
 pub(crate) mod pivot_form;
 pub(crate) mod plane_of_motion;
 mod prescribed;
@@ -34,6 +37,7 @@ mod reported;
 pub(crate) mod states_of;
 pub(crate) mod steered;
 mod steering;
+mod surfaces;
 mod tolerances;
 
 pub(crate) use bodies::Model;

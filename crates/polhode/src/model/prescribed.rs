@@ -53,7 +53,7 @@ impl Model {
 
     /// Sets the states of the kinematic members of these pairs, and of those that joints hold, to those at `t` (s).
     pub(crate) fn prescribe_members(&self, pairs: &[(usize, usize)], t: f64, states: &mut [BodyState]) {
-        for body in self.prescribed_members(pairs).chain(self.joint_drivers.iter().copied()) {
+        for body in self.prescribed_members(pairs).chain(self.joints.drivers.iter().copied()) {
             if let Some(state) = self.prescribed_state(body, t) {
                 states[body] = state;
             }
@@ -135,7 +135,7 @@ impl Model {
     /// Whether bodies may rest on this one from `t` (s): on a kinematic body if it stands still until the next time at
     /// which its motion is not smooth, on one whose surface moves never, on any other body always.
     pub(crate) fn allows_rest(&self, body: usize, t: f64) -> bool {
-        let stands = !self.has_moving_surfaces() || self.scene.bodies()[body].velocity_of_surface() == DVec3::ZERO;
+        let stands = !self.surfaces.are_driven() || self.scene.bodies()[body].velocity_of_surface() == DVec3::ZERO;
         stands && self.stands_still(body, t, self.next_corner(body, t).next_down())
     }
 

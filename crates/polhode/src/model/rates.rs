@@ -73,7 +73,7 @@ impl Model {
     /// The energy that the fields at `t` (s) would give the bodies, each along its size and over one radian, J: the
     /// scale for bodies that forces press against others, and that hold still.
     pub(crate) fn pressing_energy_j(&self, t: f64, states: &[BodyState]) -> f64 {
-        if self.fields.is_empty() {
+        if self.forces.fields.is_empty() {
             return 0.0;
         }
         let loads = self.loads_on(t, states, &self.movable);

@@ -388,7 +388,7 @@ impl Evaluated {
         let geometry = &kinematics.geometry;
         let point = acting_point(model, id, &kinematics);
         let mut evaluated = Self { point, ..Self::of(kinematics) };
-        if model.has_rotational_friction() {
+        if model.surfaces.have_rotational_friction() {
             evaluated.rotation = model.relative_rotation(states, id);
         }
         if with_slip {
@@ -396,7 +396,7 @@ impl Evaluated {
             let turning = model.relative_rotation(states, id).cross(point - geometry.point);
             evaluated.slip = terms.slip_velocity + in_plane(turning, geometry.normal);
             evaluated.normal_rate = terms.normal_rate;
-            if model.has_grain()
+            if model.surfaces.have_grain()
                 && let Some(coefficients) = model.friction_at(states, id, terms.basis)
             {
                 let along = evaluated.slip.try_normalize().unwrap_or(terms.basis[0]);

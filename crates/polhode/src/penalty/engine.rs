@@ -54,7 +54,7 @@ impl PenaltyEngine {
     /// Prepares a run.
     pub(crate) fn new(core: &mut Core, states: Vec<BodyState>) -> Self {
         let laws = Laws::new(&core.model, core.settings.penalty, &states);
-        let asked = core.settings.penalty.stiffness_n_m.is_none() && core.model.may_collide_at_all();
+        let asked = core.settings.penalty.stiffness_n_m.is_none() && core.model.surfaces.may_collide();
         let is_linear = core.settings.penalty.law.unwrap_or_default() == crate::scene::SpringLaw::Linear;
         let measured = SpringReport {
             penetration_asked_m: (asked && is_linear).then_some(laws.depth_m),
@@ -92,7 +92,7 @@ impl PenaltyEngine {
             islands: saved.islands.clone(),
             measured: restored_report(&saved.measured),
         };
-        core.model.contact_energy_j = energy(core, &engine.states, &engine.springs);
+        core.accounts.books.contact_energy_j = energy(core, &engine.states, &engine.springs);
         core.stated_depth_m = engine.measured.penetration_asked_m.unwrap_or(f64::INFINITY);
         Ok(engine)
     }
@@ -173,7 +173,7 @@ impl PenaltyEngine {
         core.model.prescribe(t_next, &mut self.states);
         core.model.count_all_turns(&self.states)?;
         core.t = t_next;
-        core.model.contact_energy_j = energy(core, &self.states, &self.springs);
+        core.accounts.books.contact_energy_j = energy(core, &self.states, &self.springs);
         core.accounts.observe(&core.model, &self.states, core.t)?;
         Ok(())
     }
@@ -186,7 +186,7 @@ impl PenaltyEngine {
         t_next: f64,
         observer: &mut dyn Observer,
     ) -> Result<(), SimulationError> {
-        let (springs, energy_j) = (self.springs.clone(), core.model.contact_energy_j);
+        let (springs, energy_j) = (self.springs.clone(), core.accounts.books.contact_energy_j);
         let emitted = emit_samples_before(t_next, self, core, observer, |engine, core, t| {
             let mut states = engine.states.clone();
             engine.springs.clear();
@@ -199,11 +199,11 @@ impl PenaltyEngine {
             }
             core.model.prescribe(t, &mut states);
             engine.springs.sort_by_key(|spring| spring.id);
-            core.model.contact_energy_j = energy(core, &states, &engine.springs);
+            core.accounts.books.contact_energy_j = energy(core, &states, &engine.springs);
             Ok(Some(Arc::new(states)))
         });
         self.springs = springs;
-        core.model.contact_energy_j = energy_j;
+        core.accounts.books.contact_energy_j = energy_j;
         emitted
     }
 }
@@ -285,10 +285,10 @@ impl Segment {
 impl PenaltyEngine {
     /// Keeps some of the springs. The energy of the others is what a program takes away.
     fn keep_springs(&mut self, core: &mut Core, keep: impl Fn(ContactId, &Model) -> bool) {
-        let before = core.model.contact_energy_j;
+        let before = core.accounts.books.contact_energy_j;
         self.springs.retain(|spring| keep(spring.id, &core.model));
-        core.model.contact_energy_j = energy(core, &self.states, &self.springs);
-        core.accounts.books.fields_changed(before, core.model.contact_energy_j);
+        core.accounts.books.contact_energy_j = energy(core, &self.states, &self.springs);
+        core.accounts.books.fields_changed(before, core.accounts.books.contact_energy_j);
     }
 }
 

@@ -152,7 +152,7 @@ impl SpringSystem<'_> {
         tail[20] += force.friction;
         // Kinematic bodies and driven surfaces give what movable bodies receive beyond the relative power.
         let is_driven = |body: usize| self.model.bodies[body].trajectory.is_some();
-        if is_driven(id.a) || is_driven(id.b) || self.model.has_moving_surfaces() {
+        if is_driven(id.a) || is_driven(id.b) || self.model.surfaces.are_driven() {
             let power = |body: usize, sign: f64| {
                 let Some(rigid) = &self.model.bodies[body].rigid else { return 0.0 };
                 let velocity = rigid.velocity(&self.states[body]);

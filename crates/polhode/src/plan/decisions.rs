@@ -239,7 +239,7 @@ fn has_loop(model: &Model) -> bool {
     let ground = model.bodies.len();
     let mut sets = DisjointSets::new(ground + 1);
     // A rope has no row: it closes nothing.
-    model.joints.iter().filter(|joint| joint.rows() > 0).any(|joint| {
+    model.joints.list.iter().filter(|joint| joint.rows() > 0).any(|joint| {
         let mut ends = joint.bodies().chain([ground]);
         let (a, b) = (ends.next().unwrap_or(ground), ends.next().unwrap_or(ground));
         let closes = sets.smallest(a) == sets.smallest(b);
@@ -251,23 +251,23 @@ fn has_loop(model: &Model) -> bool {
 /// The decision about joints. Constraint rows hold those of the scene, and pivots, unless the motion is reduced to
 /// rotation about them.
 fn joint_decision(model: &Model) -> EffectDecision {
-    if !model.joints.is_empty() {
-        let rows: usize = model.joints.iter().map(ModelJoint::rows).sum();
+    if !model.joints.list.is_empty() {
+        let rows: usize = model.joints.list.iter().map(ModelJoint::rows).sum();
         let form = if has_loop(model) { "some of them close loops" } else { "none of them closes a loop" };
-        let stops: usize = model.joints.iter().map(ModelJoint::stops).sum();
+        let stops: usize = model.joints.list.iter().map(ModelJoint::stops).sum();
         let limits = if stops > 0 { format!(", {stops} limits") } else { String::new() };
-        let tracks = model.joints.iter().filter(|joint| joint.is_on_track()).count();
+        let tracks = model.joints.list.iter().filter(|joint| joint.is_on_track()).count();
         let tracks = if tracks > 0 { format!(", {tracks} of them on tracks") } else { String::new() };
-        let fact = format!("{} joints with {rows} constraint rows{limits}{tracks}, {form}", model.joints.len());
+        let fact = format!("{} joints with {rows} constraint rows{limits}{tracks}, {form}", model.joints.list.len());
         if model.scene.method().coordinates == Some(Coordinates::Reduced) {
-            let bodies = model.held_by_rows.len();
+            let bodies = model.joints.held_by_rows.len();
             let fact = format!("{fact}; {bodies} bodies in the coordinates of joints (method.coordinates)");
             return decision(Effect::Joints, true, fact, REDUCED);
         }
         return decision(Effect::Joints, true, fact, SOLVED);
     }
     let pivots = present(model).filter(|(_, body)| body.pivot_point().is_some()).count();
-    let rows = model.held_by_rows.len();
+    let rows = model.joints.held_by_rows.len();
     let (fact, saves) = match (pivots, rows) {
         (0, _) => ("the scene has no joints and no pivots".to_owned(), "all work on joints"),
         (_, 0) => (
@@ -322,7 +322,7 @@ fn motion_decisions(model: &Model, settings: &Settings, findings: &Findings) -> 
 /// Effects of contact: of shapes, and of joints at their limits.
 fn contact_decisions(model: &Model, effects: Effects, findings: &Findings) -> Vec<EffectDecision> {
     let pairs = model.scene.colliding();
-    let limits: usize = model.joints.iter().map(ModelJoint::stops).sum();
+    let limits: usize = model.joints.list.iter().map(ModelJoint::stops).sum();
     let meets = pairs.count > 0 || limits > 0;
     let restitution = pairs.largest_restitution.max(model.largest_restitution_of_stops());
     let rest = match effects {

@@ -44,7 +44,7 @@ pub(crate) fn choose(model: &Model, states: &[BodyState], settings: &Settings) -
         (_, named) => named,
     };
     match named {
-        Some(Integrator::Rk4) if settings.constrains_by_rk4() && model.may_collide_at_all() => choice(
+        Some(Integrator::Rk4) if settings.constrains_by_rk4() && model.surfaces.may_collide() => choice(
             Integrator::Rk4,
             "the scene names it; it integrates constrained motion too, with the contact forces at every stage",
         ),
@@ -62,7 +62,7 @@ pub(crate) fn choose(model: &Model, states: &[BodyState], settings: &Settings) -
         None if !is_conservative(model) => {
             choice(Integrator::Dop853, "forces take or give energy: error control at order 8")
         }
-        None if model.may_collide_at_all() => choice(
+        None if model.surfaces.may_collide() => choice(
             Integrator::Dop853,
             "forces act on bodies that may collide: error control, with the contact forces at every stage",
         ),

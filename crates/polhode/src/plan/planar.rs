@@ -59,7 +59,7 @@ pub(crate) fn find(model: &Model, states: &[BodyState], settings: &Settings) -> 
     if model.has_friction() && !settings.takes(TierFeature::PlanarFriction) {
         return PlanarFinding::off("contacts have friction, which this tier solves for in space");
     }
-    if model.has_friction() && model.has_grain() {
+    if model.has_friction() && model.surfaces.have_grain() {
         return PlanarFinding::off("friction has a grain, and its symmetry is not examined");
     }
     if model.has_loads() {

@@ -504,7 +504,7 @@ impl Simulation {
             applied: self.core.model.applied(),
             steered: self.core.model.steered(),
             motors: self.core.model.motors(),
-            released: self.core.model.released.keys().copied().collect(),
+            released: self.core.model.joints.released.keys().copied().collect(),
             turns: self.core.model.turns(),
             in_plane: self.core.model.plane.is_some(),
             integrator: self.core.settings.integrator.name().to_owned(),

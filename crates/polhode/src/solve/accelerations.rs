@@ -448,7 +448,7 @@ fn rotations_of(
     frictional: &[Option<Frictional>],
 ) -> Result<ResistedRotations, ResponseError> {
     let mut found = ResistedRotations::default();
-    if !model.has_rotational_friction() {
+    if !model.surfaces.have_rotational_friction() {
         return Ok(found);
     }
     for (normal, (touch, frictional)) in contacts.iter().zip(frictional).enumerate() {
@@ -527,7 +527,7 @@ fn complete_slips(
     (assembly, accelerations): (&Assembly, &[f64]),
     tangential: &mut [Option<ContactTangent>],
 ) {
-    if !model.has_grain() {
+    if !model.surfaces.have_grain() {
         return;
     }
     for ((touch, friction), tangent) in contacts.iter().zip(frictional).zip(tangential) {

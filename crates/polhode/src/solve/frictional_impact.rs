@@ -241,7 +241,7 @@ fn rotations_of(
     before: &mut Vec<f64>,
 ) -> Result<Vec<ResistedRotation>, ResponseError> {
     let mut found = Vec::new();
-    if !model.has_rotational_friction() {
+    if !model.surfaces.have_rotational_friction() {
         return Ok(found);
     }
     for (normal, touch) in contacts.iter().enumerate() {

@@ -58,7 +58,7 @@ pub(crate) fn add_joint_loads<'a>(
     }
     for ContactForce { id, point, force } in contacts {
         let Some((joint, force)) = model.joint_force_of(id, force) else { continue };
-        let anchor = model.joints.iter().find(|own| own.number() == joint);
+        let anchor = model.joints.list.iter().find(|own| own.number() == joint);
         let anchor = anchor.map_or(point, |own| model.anchor_of(states, own));
         let own = views.entry(joint).or_insert_with(|| joint_view(joint, anchor, none));
         own.force_n += force;

@@ -47,7 +47,7 @@ impl IslandSearch {
         states: &[BodyState],
         interval: (f64, f64),
     ) -> Result<Vec<(usize, usize)>, BroadPhaseError> {
-        if !model.may_collide_at_all() {
+        if !model.surfaces.may_collide() {
             return Ok(model.joint_contact_pairs().collect());
         }
         let mut pairs = self.pairs_of_boxes(model, |body| swept_box(model, states, body, interval))?;
@@ -104,7 +104,7 @@ pub(super) fn travel_of(model: &Model, states: &[BodyState], body: usize, h: f64
 pub(super) fn islands(model: &Model, pairs: &[(usize, usize)]) -> Vec<Island> {
     let mut sets = DisjointSets::new(model.bodies.len());
     let mut taken = vec![false; model.bodies.len()];
-    for together in &model.couplings {
+    for together in &model.forces.couplings {
         for &body in together {
             sets.join(together[0], body);
         }

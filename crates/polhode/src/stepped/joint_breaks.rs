@@ -30,7 +30,7 @@ impl SteppedEngine {
         if broken.is_empty() {
             return Ok(());
         }
-        let of_broken = core.model.joints.iter().filter(|joint| broken.contains(&joint.number()));
+        let of_broken = core.model.joints.list.iter().filter(|joint| broken.contains(&joint.number()));
         let bodies: Vec<usize> = of_broken.flat_map(ModelJoint::bodies).collect();
         core.break_joints(core.t, &self.states, &broken)?;
         self.resting.wake_all();
@@ -47,13 +47,13 @@ impl SteppedEngine {
             let view = loads.get(&joint.number())?;
             Some((joint.number(), JointView { point_m: core.model.anchor_of(states, joint), ..*view }))
         };
-        core.model.joints.iter().filter_map(view).collect()
+        core.model.joints.list.iter().filter_map(view).collect()
     }
 
     /// The same by the law of the steps at the present.
     fn loads_at_instant(&self, core: &Core, states: &[BodyState]) -> BTreeMap<usize, JointView> {
         let mut loads = BTreeMap::new();
-        if core.model.joints.is_empty() {
+        if core.model.joints.list.is_empty() {
             return loads;
         }
         let pairs: BTreeSet<(usize, usize)> =

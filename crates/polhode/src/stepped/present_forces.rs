@@ -35,7 +35,7 @@ impl PresentForces {
         let body = |(body, linear, angular): (usize, DVec3, DVec3)| BodyAcceleration { body, linear, angular };
         let contacts: Vec<Touch> = contacts.iter().map(|touch| with_modes(core, states, touch)).collect();
         if contacts.len() >= LEAST_IN_BODIES
-            && !model.has_rotational_friction()
+            && !model.surfaces.have_rotational_friction()
             && let Some(found) = forces_of_many(model, (core.t, states), bodies, &contacts, &loads)?
         {
             return Ok(found);

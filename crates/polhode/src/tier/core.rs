@@ -60,7 +60,7 @@ impl Core {
         if joints.is_empty() {
             return Ok(());
         }
-        for joint in self.model.joints.iter().filter(|joint| joints.contains(&joint.number())) {
+        for joint in self.model.joints.list.iter().filter(|joint| joints.contains(&joint.number())) {
             let (first, second) = joint.pair();
             let body_b = (second != first).then(|| BodyId::new(second));
             let point = self.model.anchor_of(states, joint);

@@ -12,7 +12,7 @@ use polhode_dynamics::BodyState;
 /// removed are left out.
 pub(crate) fn joint_samples(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) -> Vec<JointSample> {
     let model = &core.model;
-    if model.joints.is_empty() {
+    if model.joints.list.is_empty() {
         return Vec::new();
     }
     let loads = tier.joint_loads(core, t, states);
@@ -24,5 +24,5 @@ pub(crate) fn joint_samples(tier: &dyn Tier, core: &Core, t: f64, states: &[Body
         let power_w = load.map(|load| model.power_of_joint(states, joint, (load.force_n, load.moment_n_m)));
         JointSample { joint: JointId::new(number), coordinates: coordinates.collect(), load, power_w }
     };
-    model.joints.iter().map(sample).collect()
+    model.joints.list.iter().map(sample).collect()
 }

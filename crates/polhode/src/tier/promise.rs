@@ -64,7 +64,7 @@ impl Core {
         let settings = &self.settings;
         let order = match settings.tier.facts().order {
             ErrorOrder::Fixed(order) => order,
-            ErrorOrder::WithContact(order) if self.model.may_collide_at_all() => order,
+            ErrorOrder::WithContact(order) if self.model.surfaces.may_collide() => order,
             ErrorOrder::WithContact(_) | ErrorOrder::OfIntegrator => settings.integrator.order(),
         };
         let is_fixed = !settings.controls_error();
