@@ -104,7 +104,7 @@ impl Books {
         let initial_j = kinetic + potential;
         let mut books = Self {
             ledger: Ledger { initial_j, current_j: initial_j, ..Ledger::default() },
-            initial_potential_j: model.start_potential(),
+            initial_potential_j: model.forces.start_potential(),
             contact_energy_j: 0.0,
         };
         books.note_scale(model, kinetic, potential);
@@ -265,7 +265,7 @@ impl Books {
         let about = self.ledger.momentum.about;
         let gravity = gravity_at(model, states, body, about, dt);
         let mut fields = Momentum::default();
-        if model.has_fields() {
+        if model.forces.has_fields() {
             // Forces on bodies that rest are the same at all times.
             let given = given_by_fields(model, 0.0, states, &[body], about).fields;
             fields = Momentum { linear: given.linear * dt, angular: given.angular * dt };
@@ -302,7 +302,7 @@ impl Books {
         self.ledger.current_j = kinetic_j + potential;
         self.note_scale(model, kinetic_j, potential);
         self.note_momentum(&totals);
-        let potential_j = model.start_potential() + potential;
+        let potential_j = model.forces.start_potential() + potential;
         let initial_j = self.initial_potential_j + self.ledger.initial_j;
         Energy { initial_j, final_j: kinetic_j + potential_j, kinetic_j, potential_j }
     }
@@ -310,8 +310,8 @@ impl Books {
     fn note_scale(&mut self, model: &Model, kinetic: f64, potential: f64) {
         let scale = kinetic + potential.abs();
         // In a scene at rest this scale is zero; its potential energy is used instead.
-        let scale = if scale == 0.0 { model.start_potential().abs() } else { scale };
-        self.ledger.scale_j = self.ledger.scale_j.max(scale).max(model.friction_energy_j());
+        let scale = if scale == 0.0 { model.forces.start_potential().abs() } else { scale };
+        self.ledger.scale_j = self.ledger.scale_j.max(scale).max(model.joints.friction_energy_j());
     }
 
     fn note_momentum(&mut self, totals: &Totals) {
@@ -390,7 +390,7 @@ pub(crate) fn given_by_fields(model: &Model, t: f64, states: &[BodyState], bodie
     let mut sum = crate::report::momentum_ledger::MomentumSum::default();
     let mut received = Received::default();
     for account in [Account::Potential, Account::Damping, Account::External] {
-        if !model.has_fields_of(account) {
+        if !model.forces.has_fields_of(account) {
             continue;
         }
         let wrenches = model.wrenches_of(account, t, states, bodies);

@@ -4,11 +4,12 @@ use super::long_steps::LongSteps;
 use super::numerical_loss::{FixedStep, LEFT_BY_SHORTER_STEP, NumericalLoss};
 use super::occurrences::Occurrences;
 use crate::identity::body_id::BodyId;
-use crate::model::Model;
+use crate::model::{Model, tolerances};
 use crate::report::broken_promise::BrokenPromise;
 use crate::report::ledger::Ledger;
 use crate::report::run_report::{Certificate, PairAt};
 use crate::snapshot::{SnapshotError, content};
+use crate::tier::promise;
 use polhode_spatial::CompensatedSum;
 
 /// Limits of the whole scene.
@@ -313,7 +314,7 @@ impl Measures {
             let worst = quantity.exceeded()?;
             let Measure { pair, value, allowed, .. } = worst;
             let of_size = if unit == "m" {
-                format!(", {:.1e} of the size of the smaller one", value / model.pair_size(pair.0, pair.1))
+                format!(", {:.1e} of the size of the smaller one", value / tolerances::pair_size(model, pair.0, pair.1))
             } else {
                 String::new()
             };
@@ -380,7 +381,7 @@ impl Measures {
 
 /// The bodies of a measure, as warnings name them.
 fn names(model: &Model, measure: &Measure) -> String {
-    model.pair_names(measure.pair.0, measure.pair.1)
+    promise::pair_names(model, measure.pair.0, measure.pair.1)
 }
 
 /// Energy relative to the largest of the run.

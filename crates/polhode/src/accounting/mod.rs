@@ -23,20 +23,21 @@ mod occurrences;
 mod saved;
 mod stretches;
 
-use crate::constraint::joint_error::JointError;
+use crate::collision::contact_set;
+use crate::constraint::joint_error::{self, JointError};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
+use crate::model::{Model, rates, reported, tolerances};
 use crate::report::energy::Energy;
-use crate::report::event::Event;
-use crate::report::event::EventKind;
+use crate::report::event::{Event, EventKind};
 use crate::report::ledger::Ledger;
 use crate::report::observer::Observer;
 use crate::report::run_report::{BrokenPromise, Certificate, Outcome, RunReport};
 use crate::scene::{ImpactLaw, Promise};
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::impact::raised_energy;
+use crate::tier::promise;
 use crate::time_stepping::{ImpulseKind, TimeStepReport};
 use books::Books;
 use measures::{Limits, Measure, Measures};
@@ -141,10 +142,11 @@ impl Accounts {
     /// Records how far the joints are from what they keep in these states at `t` (s).
     fn note_joints(&mut self, model: &Model, states: &[BodyState], t: f64) {
         let promised = self.promise.joint_gap.unwrap_or(f64::INFINITY);
-        for JointError { pair, apart_m, turned_rad } in model.joint_errors(states) {
+        for JointError { pair, apart_m, turned_rad } in joint_error::joint_errors(model, states) {
             self.measures.has_joints = true;
             let (a, b) = pair;
-            let allowed = promised * model.pair_size(a, b) + model.penetration_rounding(states, a, b);
+            let allowed =
+                promised * tolerances::pair_size(model, a, b) + tolerances::penetration_rounding(model, states, a, b);
             self.measures.joint_gap.note(Measure { t, pair, value: apart_m, allowed });
             self.measures.joint_rotation.note(Measure { t, pair, value: turned_rad, allowed: promised });
         }
@@ -200,7 +202,7 @@ impl Accounts {
     /// Adds an event at a contact point. If the contact also represents its mirror image, the event is reported at both
     /// points.
     pub(crate) fn add_contact_event(&mut self, model: &Model, states: &[BodyState], event: Event, id: ContactId) {
-        let Some(aside) = model.mirrored(states, id) else {
+        let Some(aside) = contact_set::mirrored(model, states, id) else {
             self.add_event(event);
             return;
         };
@@ -256,7 +258,7 @@ impl Accounts {
                 ),
             ),
             ImpactStatus::NotSolved => {
-                let (names, residual) = (model.names_of(bodies), outcome.residual);
+                let (names, residual) = (promise::names_of(model, bodies), outcome.residual);
                 let what = format!("an impact of {names} by {law} was not solved: the residual stays at {residual:e}");
                 self.note_unsolved(t, what);
             }
@@ -281,7 +283,7 @@ impl Accounts {
         // Where hardly anything has moved yet, energies are compared with what forces would do: nearly no run asks for
         // it.
         if ledger.numerical.value().abs() > self.measures.numerical.relative() * ledger.scale_j {
-            ledger.scale_j = ledger.scale_j.max(model.pressing_energy_j(t, states));
+            ledger.scale_j = ledger.scale_j.max(rates::pressing_energy_j(model, t, states));
         }
         self.measures.numerical.note(model, (t, states), ledger, self.promise.energy);
         self.note_joints(model, states, t);
@@ -358,7 +360,7 @@ impl Accounts {
             return true;
         }
         let shown = states.iter().take(model.shown()).enumerate();
-        let samples: Vec<_> = shown.map(|(body, state)| model.sample(body, state)).collect();
+        let samples: Vec<_> = shown.map(|(body, state)| reported::sample(model, body, state)).collect();
         observer.sample(t, &samples);
         true
     }
@@ -382,7 +384,7 @@ impl Accounts {
         report.steps = self.steps;
         report.events = self.event_count;
         report.crowded.clone_from(&self.crowded.0);
-        report.bodies = model.named_samples(states);
+        report.bodies = reported::named_samples(model, states);
     }
 }
 

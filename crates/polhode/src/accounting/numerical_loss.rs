@@ -9,7 +9,7 @@
 //! what the order describes, the fastest rates of the forces give it: an oscillation of rate w over the time T loses
 //! about `w T (w h)^p`, a decay of rate c about `(c h)^p`.
 
-use crate::model::{Model, Rates};
+use crate::model::{Model, Rates, rates};
 use crate::report::broken_promise::BrokenPromise;
 use crate::report::ledger::Ledger;
 use crate::snapshot::content;
@@ -63,13 +63,13 @@ impl NumericalLoss {
         if lost.abs() <= self.relative * ledger.scale_j {
             return;
         }
-        let scale = ledger.scale_j.max(model.lifting_energy_j());
-        let relative = (lost.abs() - POTENTIAL_ROUNDING * model.start_potential().abs()) / scale;
+        let scale = ledger.scale_j.max(rates::lifting_energy_j(model));
+        let relative = (lost.abs() - POTENTIAL_ROUNDING * model.forces.start_potential().abs()) / scale;
         if relative > self.relative {
             (self.energy_j, self.relative) = (lost, relative);
         }
         if relative > limit && self.first.is_none() {
-            self.first = Some(First { t, rates: model.fastest_rates(states) });
+            self.first = Some(First { t, rates: rates::fastest_rates(model, states) });
         }
     }
 

@@ -6,7 +6,7 @@ use super::system::received;
 use crate::accounting::books::Received;
 use crate::collision::active_contacts::ActiveContacts;
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
+use crate::model::{Model, prescribed};
 use crate::tier::core::Core;
 use polhode_dynamics::state::WIDTH;
 use polhode_dynamics::{BodyState, DenseStep, Flight, IntegratedMotion};
@@ -35,8 +35,8 @@ impl ConstrainedStep {
     /// The pairs whose contacts may close within the step: those with held contacts, and those with stops, ascending.
     pub(super) fn watched_pairs(&self, model: &Model) -> Vec<(usize, usize)> {
         let mut pairs: Vec<_> = self.active.held().iter().map(|id| (id.a, id.b)).collect();
-        if model.has_joint_contacts() {
-            pairs.extend(model.joint_contact_pairs_among(&self.bodies));
+        if model.joints.has_joint_contacts() {
+            pairs.extend(model.joints.joint_contact_pairs_among(&self.bodies));
             pairs.sort_unstable();
         }
         pairs.dedup();
@@ -46,7 +46,7 @@ impl ConstrainedStep {
     /// States of the island's bodies and of kinematic bodies at a time within the step, written over `states` (of all
     /// bodies).
     pub(super) fn states_at(&self, model: &Model, t: f64, states: &mut [BodyState]) {
-        model.prescribe(t, states);
+        prescribed::prescribe(model, t, states);
         let mut flat = vec![0.0; self.end_state.len()];
         self.dense.evaluate(t, &mut flat);
         for (index, &body) in self.bodies.iter().enumerate() {
@@ -116,7 +116,7 @@ pub(super) struct StepEndStates {
 /// motion of a kinematic body that they touch, or that joints hold to them, is not smooth.
 fn horizon(core: &Core, (bodies, held): (&[usize], &[ContactId]), t: f64) -> f64 {
     let end = core.horizon(t);
-    core.model.prescribed_corner_between(bodies, held, (t, end)).unwrap_or(end)
+    prescribed::prescribed_corner_between(&core.model, bodies, held, (t, end)).unwrap_or(end)
 }
 
 /// Longest step that may be tried from `t`, s.

@@ -19,6 +19,7 @@ use super::pace::is_instant;
 use super::stage_method::{MethodStep, StageMethod};
 use super::system::ContactSystem;
 use crate::collision::active_contacts::ActiveContacts;
+use crate::collision::contact_set;
 use crate::collision::friction_mode::Slide;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
@@ -222,8 +223,8 @@ impl Motions {
             scratch[body] = ahead;
         }
         let time = |(id, slide): (ContactId, Slide)| {
-            let slip = core.model.tangential_kinematics(&self.states, id)?.slip_velocity;
-            let change = core.model.tangential_kinematics(scratch, id)?.slip_velocity - slip;
+            let slip = contact_set::tangential_kinematics(&core.model, &self.states, id)?.slip_velocity;
+            let change = contact_set::tangential_kinematics(&core.model, scratch, id)?.slip_velocity - slip;
             (slip.length() > slide.zero_speed()).then(|| h * slip.length() / change.length())
         };
         active.sliding().filter_map(time).fold(f64::INFINITY, f64::min)
@@ -310,7 +311,7 @@ impl Motions {
         let loads = system.loads_at(t + h, ends.iter().copied());
         // What velocities change of a load, as of drag, no rounding of poses does; in an attempt that overflows it is
         // beyond all bounds.
-        let by_poses = core.model.has_loads_of_velocities().then(|| {
+        let by_poses = core.model.forces.has_loads_of_velocities().then(|| {
             let of = |(&body, end): (&usize, &BodyState)| BodyState { pose: end.pose, ..self.states[body] };
             system.loads_at(t + h, bodies.iter().zip(&ends).map(of).collect::<Vec<_>>().into_iter())
         });
@@ -363,7 +364,7 @@ fn allowance(core: &Core, body: usize, state: &BodyState, rates: &[f64], end: &[
     let model: &Model = &core.model;
     let tolerance = STEP_SHARE * core.settings.tolerance;
     let length = model.bodies[body].size;
-    let velocity = model.velocity(body, state);
+    let velocity = contact_set::velocity(model, body, state);
     let gravity_speed = (model.gravity().length() * length).sqrt();
     let rigid = model.bodies[body].rigid.as_ref();
     let moment = rigid.map_or(0.0, |rigid| rigid.moments().max_element());

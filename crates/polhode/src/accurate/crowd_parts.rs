@@ -15,7 +15,8 @@
 //! islands finds this, and the steps of both parts end there.
 
 use super::crowd_step::Crowd;
-use crate::model::Model;
+use crate::collision::contact_set;
+use crate::model::{Model, prescribed, tolerances};
 use polhode_contact::{Shape, separation};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DisjointSets, Velocity};
@@ -68,23 +69,23 @@ impl CrowdPart {
 /// Whether two bodies in these states may touch within `h` (s). Bodies without a shape, and those whose motion is
 /// prescribed, always may.
 pub(super) fn may_touch_within(model: &Model, states: &[BodyState], (a, b): (usize, usize), h: f64) -> bool {
-    if !model.joint_contacts_of_pair((a, b)).is_empty() {
+    if !model.joints.joint_contacts_of_pair((a, b)).is_empty() {
         return true;
     }
-    let Some((shape_a, shape_b)) = model.shapes(a, b) else { return true };
-    if [a, b].iter().any(|&body| model.trajectory(body).is_some()) {
+    let Some((shape_a, shape_b)) = contact_set::shapes(model, a, b) else { return true };
+    if [a, b].iter().any(|&body| prescribed::trajectory(model, body).is_some()) {
         return true;
     }
     let turn = |shape: &Shape, velocity: Velocity, body: usize| match shape {
         Shape::Sphere(_) => 0.0,
         _ => velocity.angular.length() * model.bodies[body].size,
     };
-    let [velocity_a, velocity_b] = [a, b].map(|body| model.velocity(body, &states[body]));
+    let [velocity_a, velocity_b] = [a, b].map(|body| contact_set::velocity(model, body, &states[body]));
     let speed = (velocity_a.linear - velocity_b.linear).length()
         + turn(shape_a, velocity_a, a)
         + turn(shape_b, velocity_b, b)
         + model.gravity().length() * h;
-    let way = model.touch_distance(states, a, b) + SWEEP_FACTOR * h * speed;
+    let way = tolerances::touch_distance(model, states, a, b) + SWEEP_FACTOR * h * speed;
     separation(shape_a, &states[a].pose, shape_b, &states[b].pose) <= way
 }
 

@@ -4,8 +4,8 @@
 //! do not change the step. Only the search for impacts of other islands takes each body along a line at constant
 //! angular velocity.
 
-use crate::model::Model;
 use crate::model::states_of::set_states;
+use crate::model::{Model, prescribed};
 use crate::time_stepping::{TimeStepReport, TimeStepper};
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
@@ -76,7 +76,7 @@ impl CrowdStep {
             return Ok(self.report.clone());
         }
         set_states(states, bodies, &self.start);
-        model.prescribe_members(&self.pairs, self.t, states);
+        prescribed::prescribe_members(model, &self.pairs, self.t, states);
         let mut stepper = self.stepper.clone();
         let about = stepper.about();
         if t <= self.t {

@@ -29,9 +29,10 @@ use super::island::{Island, Step};
 use super::motions::{Mode, Motions};
 use super::pace::{NoAdvance, Pace};
 use crate::collision::active_contacts::ActiveContacts;
+use crate::collision::contact_set;
 use crate::error::SimulationError;
-use crate::model::Model;
 use crate::model::states_of::{set_states, states_of};
+use crate::model::{Model, tolerances};
 use crate::solve::cone_violation::CONE_LIMIT;
 use crate::solve::overlap::Overlaps;
 use crate::tier::core::Core;
@@ -251,7 +252,9 @@ impl Engine {
                     }
                     pairs.insert((body.min(other), body.max(other)));
                 }
-                pairs.extend(core.model.joint_contact_partners(body).map(|other| (body.min(other), body.max(other))));
+                pairs.extend(
+                    core.model.joints.joint_contact_partners(body).map(|other| (body.min(other), body.max(other))),
+                );
                 let coupled = core.model.couplings_of(body).flatten();
                 joins.extend(coupled.copied().filter(|other| instant.bodies.binary_search(other).is_err()));
             }
@@ -562,8 +565,8 @@ fn taken_of_limit(
 
 /// How far a body in these states may travel within `h` (s), m.
 fn reach(core: &Core, states: &[BodyState], body: usize, h: f64) -> f64 {
-    let speed = core.model.point_speed(states, body) + core.model.gravity().length() * h;
-    core.model.touch_distance(states, body, body) + SWEEP_FACTOR * h * speed
+    let speed = tolerances::point_speed(&core.model, states, body) + core.model.gravity().length() * h;
+    tolerances::touch_distance(&core.model, states, body, body) + SWEEP_FACTOR * h * speed
 }
 
 /// The error of a time step that ends at `t` (s) with a large remaining penetration in one of `pairs`.
@@ -574,10 +577,12 @@ fn no_way_out(
     pairs: &[(usize, usize)],
     t: f64,
 ) -> Option<SimulationError> {
-    let overlap = |&(a, b): &(usize, usize)| Some((-core.model.separation_without_memory(states, a, b)?, (a, b)));
-    let is_large = |&(depth, (a, b)): &(f64, (usize, usize))| depth > NO_WAY_OUT * core.model.pair_size(a, b);
+    let overlap =
+        |&(a, b): &(usize, usize)| Some((-contact_set::separation_without_memory(&core.model, states, a, b)?, (a, b)));
+    let is_large =
+        |&(depth, (a, b)): &(f64, (usize, usize))| depth > NO_WAY_OUT * tolerances::pair_size(&core.model, a, b);
     // The remaining penetration bounds that of all pairs, and is usually zero.
-    let smallest = pairs.iter().map(|&(a, b)| core.model.pair_size(a, b)).fold(f64::INFINITY, f64::min);
+    let smallest = pairs.iter().map(|&(a, b)| tolerances::pair_size(&core.model, a, b)).fold(f64::INFINITY, f64::min);
     if report.left_penetration_m <= NO_WAY_OUT * smallest {
         return None;
     }

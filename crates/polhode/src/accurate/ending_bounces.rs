@@ -22,8 +22,10 @@
 use super::hold::Forces;
 use super::resolve::Resolution;
 use crate::collision::contact_set::Touch;
+use crate::constraint::joint_contacts;
 use crate::error::SimulationError;
 use crate::model::states_of::{set_states, states_of};
+use crate::model::tolerances;
 use crate::rows::groups::Group;
 use crate::solve::bounce_friction;
 use crate::tier::core::Core;
@@ -59,14 +61,15 @@ impl Resolution<'_> {
         let is_open = |i: &usize| candidates.binary_search(i).is_err() && !going_on.contains(i);
         for contact in group.contacts.iter().copied().filter(is_open) {
             let touch = self.instant.touches[contact];
-            let restitution = self.core.model.restitution_of(touch.id);
+            let restitution = joint_contacts::restitution_of(&self.core.model, touch.id);
             let speed = touch.kinematics.separation_rate;
             let acceleration = forces.relative_acceleration(&self.core.model, &self.motions.states, &touch);
             if restitution >= 1.0 || speed <= 0.0 || acceleration >= 0.0 {
                 continue;
             }
             let height = speed * speed / (-2.0 * acceleration);
-            let touch_distance = self.core.model.touch_distance(&self.motions.states, touch.id.a, touch.id.b);
+            let touch_distance =
+                tolerances::touch_distance(&self.core.model, &self.motions.states, touch.id.a, touch.id.b);
             if height <= NEGLIGIBLE_HEIGHT * touch_distance {
                 let rest = self.instant.t + 2.0 * speed / (-acceleration * (1.0 - restitution));
                 bounces.push(SmallBounce { contact, speed, lifting: -acceleration * touch_distance, rest });

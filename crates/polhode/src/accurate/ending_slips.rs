@@ -16,12 +16,12 @@ use super::constrained_step::{ConstrainedStep, StepEndStates};
 use super::hold::Forces;
 use super::motions::Motions;
 use super::resolve::Resolution;
-use crate::collision::contact_set::Touch;
+use crate::collision::contact_set::{self, Touch};
 use crate::collision::friction_mode::FrictionMode;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
 use crate::model::states_of::set_states;
+use crate::model::{Model, tolerances};
 use crate::rows::groups::Group;
 use crate::solve::projection::{self, Removal};
 use crate::tier::core::Core;
@@ -40,7 +40,7 @@ const SAME_END: f64 = 1.0 + 1e-6;
 
 /// Whether a slip of this speed (m/s) ends within a negligible distance when it loses speed at this rate (m/s^2).
 fn ends_at_once(model: &Model, states: &[BodyState], id: ContactId, speed: f64, deceleration: f64) -> bool {
-    let travel = NEGLIGIBLE_TRAVEL * model.touch_distance(states, id.a, id.b);
+    let travel = NEGLIGIBLE_TRAVEL * tolerances::touch_distance(model, states, id.a, id.b);
     speed > 0.0 && speed * speed <= 2.0 * deceleration * travel
 }
 
@@ -49,7 +49,7 @@ fn ends_at_once(model: &Model, states: &[BodyState], id: ContactId, speed: f64, 
 pub(super) fn fading_slips(core: &Core, step: &ConstrainedStep, states: &[BodyState]) -> BTreeSet<ContactId> {
     let (mut fading, mut turned) = (BTreeSet::new(), BTreeSet::new());
     for (id, slide) in step.active.sliding() {
-        let Some(terms) = core.model.tangential_kinematics(states, id) else { continue };
+        let Some(terms) = contact_set::tangential_kinematics(&core.model, states, id) else { continue };
         let speed = terms.slip_velocity.length();
         let deceleration = (slide.speed - speed) / (step.end - step.t);
         if speed < SLOWED * slide.speed && ends_at_once(&core.model, states, id, speed, deceleration) {
@@ -78,7 +78,7 @@ impl Motions {
         set_states(&mut states, &step.bodies, &repeated.states);
         let misses = |id: &ContactId| {
             let Some(FrictionMode::Sliding(slide)) = step.active.modes(*id).friction else { return false };
-            let terms = core.model.tangential_kinematics(&states, *id);
+            let terms = contact_set::tangential_kinematics(&core.model, &states, *id);
             terms.is_some_and(|terms| !slide.has_vanished(terms.slip_velocity))
         };
         let misses = stopping.iter().any(misses);
@@ -109,7 +109,10 @@ impl Resolution<'_> {
                 }
                 continue;
             };
-            let Some(terms) = self.core.model.tangential_kinematics(&self.motions.states, touch.id) else { continue };
+            let Some(terms) = contact_set::tangential_kinematics(&self.core.model, &self.motions.states, touch.id)
+            else {
+                continue;
+            };
             let (speed, deceleration) = (terms.slip_velocity.length(), -friction.growth_along(direction));
             let fades = self.instant.change.fading.contains(&touch.id);
             if fades && ends_at_once(&self.core.model, &self.motions.states, touch.id, speed, deceleration) {

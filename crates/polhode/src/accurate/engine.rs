@@ -8,6 +8,7 @@ use super::motions::{Mode, Motions};
 use super::near_pairs::NearPairs;
 use super::schedule::Schedule;
 use crate::error::SimulationError;
+use crate::model::prescribed;
 use crate::report::observer::Observer;
 use crate::tier::Reached;
 use crate::tier::core::Core;
@@ -117,7 +118,7 @@ impl Engine {
         self.schedule.expect_corner(core, body, t);
         let rests = |body: &usize| matches!(self.motions.tracks[*body].mode, Mode::Rest);
         let resting: Vec<usize> = self.schedule.contacts.partners(body).filter(rests).collect();
-        if resting.is_empty() || core.model.allows_rest(body, t) {
+        if resting.is_empty() || prescribed::allows_rest(&core.model, body, t) {
             return Ok(Reached::Limit);
         }
         self.resolve_event(core, t, &resting).map(|()| Reached::Event)
@@ -134,12 +135,8 @@ impl Engine {
 /// Whether a kinematic body that an island touches, or that a joint holds to it, stops at `t`, the end of the island's
 /// step: then the island may come to rest.
 pub(super) fn kinematic_member_stops(core: &Core, island: &Island, t: f64) -> bool {
-    let drivers = core.model.drivers_of(&island.bodies);
-    island
-        .active
-        .held()
-        .iter()
-        .flat_map(|id| [id.a, id.b])
-        .chain(drivers)
-        .any(|body| !core.model.stands_still(body, island.t, t) && core.model.allows_rest(body, t))
+    let drivers = core.model.joints.drivers_of(&island.bodies);
+    island.active.held().iter().flat_map(|id| [id.a, id.b]).chain(drivers).any(|body| {
+        !prescribed::stands_still(&core.model, body, island.t, t) && prescribed::allows_rest(&core.model, body, t)
+    })
 }

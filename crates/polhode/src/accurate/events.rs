@@ -16,10 +16,12 @@ use super::motions::{Mode, Motions};
 use super::pace::{NoAdvance, Pace, StepEnd};
 use super::resolve::Resolution;
 use crate::collision::active_contacts::ActiveContacts;
-use crate::collision::contact_set::{FoundContact, Hold, Touch};
+use crate::collision::contact_set::{self, FoundContact, Hold, Touch};
+use crate::constraint::turns;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
 use crate::model::states_of::set_states;
+use crate::model::{prescribed, tolerances};
 use crate::rows::assembly::free_acceleration;
 use crate::rows::groups::coupled_groups;
 use crate::solve::projection::Projected;
@@ -158,7 +160,7 @@ impl Engine {
         t: f64,
         bodies: Vec<usize>,
     ) -> Result<Instant, SimulationError> {
-        core.model.prescribe(t, &mut self.motions.states);
+        prescribed::prescribe(&core.model, t, &mut self.motions.states);
         let mut change = ContactChange { t, ..ContactChange::default() };
         let firsts: BTreeSet<usize> = bodies.iter().filter_map(|&body| self.motions.tracks[body].island).collect();
         let mut ended = Vec::with_capacity(firsts.len());
@@ -190,7 +192,7 @@ impl Engine {
         }
         let known = pairs.iter().flat_map(|&pair| self.schedule.contacts.of_pair(pair)).copied();
         let touches = known.filter_map(|touch| {
-            let kinematics = core.model.kinematics(&self.motions.states, touch.id)?;
+            let kinematics = contact_set::kinematics(&core.model, &self.motions.states, touch.id)?;
             Some(Touch { kinematics, is_defined: true, ..touch })
         });
         Ok(Instant {
@@ -278,8 +280,8 @@ impl Engine {
     /// one.
     fn ends_unseen_bounce(&self, core: &Core, (a, b): (usize, usize), (t, length_s): (f64, f64)) -> bool {
         let (model, states) = (&core.model, &self.motions.states);
-        let touch = model.touch_distance(states, a, b);
-        let touches = model.contacts_of_pair(states, a, b, touch);
+        let touch = tolerances::touch_distance(model, states, a, b);
+        let touches = contact_set::contacts_of_pair(model, states, a, b, touch);
         let approach = |touch: &FoundContact| -touch.kinematics.separation_rate;
         let Some(fastest) = touches.iter().max_by(|x, y| approach(x).total_cmp(&approach(y))) else { return true };
         let height = 0.25 * approach(fastest) * length_s;
@@ -287,7 +289,7 @@ impl Engine {
             return true;
         }
         let is_turned = || -self.free_separation_rate_change(core, t, fastest) * length_s >= approach(fastest);
-        height <= core.settings.crowding_tolerance * model.pair_size(a, b) && is_turned()
+        height <= core.settings.crowding_tolerance * tolerances::pair_size(model, a, b) && is_turned()
     }
 
     /// `chi''` of a contact at `t` (s) without contact forces, m/s^2.
@@ -304,7 +306,7 @@ impl Engine {
             let (linear, angular) = free_acceleration(model, states, &loads, body);
             linear + angular.cross(geometry.point - states[body].pose.translation)
         };
-        let driven = model.prescribed_acceleration_of(t, states, id, geometry);
+        let driven = prescribed::prescribed_acceleration_of(model, t, states, id, geometry);
         geometry.normal.dot(id.relative(at_point)) + contact.kinematics.acceleration_bias + driven
     }
 
@@ -327,7 +329,8 @@ impl Engine {
         }
         for &body in &bodies {
             self.motions.scratch[body] = self.motions.states[body];
-            self.motions.tracks[body].speed_scale = speed_scale.max(core.model.point_speed(&self.motions.states, body));
+            self.motions.tracks[body].speed_scale =
+                speed_scale.max(tolerances::point_speed(&core.model, &self.motions.states, body));
             if !self.motions.states[body].is_finite() {
                 return Err(SimulationError::Diverged { body: core.model.bodies[body].name.clone(), t_s: t });
             }
@@ -408,7 +411,7 @@ impl Engine {
         for first in self.motions.waiting_islands() {
             let Some(island) = self.motions.take_island(first) else { continue };
             let (bodies, t) = (island.bodies.clone(), island.t);
-            core.model.prescribe(t, &mut self.motions.states);
+            prescribed::prescribe(&core.model, t, &mut self.motions.states);
             let step = self.first_step(core, &bodies, &island.active, t)?;
             self.motions.insert_island(Island { step, ..island });
             self.look_ahead(core, &bodies, &[first], t)?;
@@ -422,7 +425,7 @@ impl Engine {
     /// When no step is possible.
     pub(super) fn next_step(&mut self, core: &mut Core, first: usize, t: f64) -> Result<(), SimulationError> {
         let Some(mut island) = self.remove_island(first) else { return Ok(()) };
-        core.model.prescribe(t, &mut self.motions.states);
+        prescribed::prescribe(&core.model, t, &mut self.motions.states);
         let balance = self.motions.end_motion(core, &mut island, t)?;
         self.finish_step(core, &island, balance, t)?;
         let Island { bodies, mut active, step, .. } = island;
@@ -503,15 +506,15 @@ impl Engine {
 impl Motions {
     /// Whether two bodies touch at `t`.
     pub(super) fn touch_at(&mut self, core: &Core, (a, b): (usize, usize), t: f64) -> Result<bool, SimulationError> {
-        let Some((shape_a, shape_b)) = core.model.shapes(a, b) else { return Ok(false) };
+        let Some((shape_a, shape_b)) = contact_set::shapes(&core.model, a, b) else { return Ok(false) };
         let (state_a, state_b) = (self.state_at(core, a, t)?, self.state_at(core, b, t)?);
         let mut states = std::mem::take(&mut self.scratch);
         (states[a], states[b]) = (state_a, state_b);
-        let reach = core.model.touch_distance(&states, a, b);
+        let reach = tolerances::touch_distance(&core.model, &states, a, b);
         let boxes = aabb_of(shape_a, &state_a.pose).and_then(|aabb| aabb.inflated(reach));
         // A shape without a bounding box may be anywhere.
         let apart = boxes.is_ok_and(|a| aabb_of(shape_b, &state_b.pose).is_ok_and(|b| !a.overlaps(&b)));
-        let touch = !apart && !core.model.contacts_of_pair(&states, a, b, reach).is_empty();
+        let touch = !apart && !contact_set::contacts_of_pair(&core.model, &states, a, b, reach).is_empty();
         self.restore_scratch(core, states, &[a, b]);
         Ok(touch)
     }
@@ -534,7 +537,7 @@ impl Motions {
             Step::Crowd(step) => {
                 let (states, report) = self.crowd_end(core, step, &island.bodies, t)?;
                 set_states(&mut self.states, &island.bodies, &states);
-                core.model.count_turns(&self.states, &island.bodies)?;
+                turns::count_turns(&mut core.model, &self.states, &island.bodies)?;
                 core.note_crowd_step(t, &self.states, &report);
                 return Ok(false);
             }
@@ -545,7 +548,7 @@ impl Motions {
             core.model.keep_in_plane(body, &mut state);
             self.states[body] = state;
         }
-        core.model.count_turns(&self.states, &island.bodies)?;
+        turns::count_turns(&mut core.model, &self.states, &island.bodies)?;
         let integrated = core.accounts.books.balance(&core.model, &self.states, &island.bodies);
         core.accounts.books.smooth_stage(before, integrated, received);
         Ok(true)
@@ -558,12 +561,12 @@ impl Motions {
                 return Err(SimulationError::Diverged { body: core.model.bodies[body].name.clone(), t_s: t });
             }
             self.tracks[body].speed_scale =
-                self.tracks[body].speed_scale.max(core.model.point_speed(&self.states, body));
+                self.tracks[body].speed_scale.max(tolerances::point_speed(&core.model, &self.states, body));
         }
         // The separation of a contact point measures penetration only while the point lies on its features. Held
         // contacts satisfy this; other contacts are measured when they are detected.
         for &id in held {
-            if let Some(kinematics) = core.model.kinematics(&self.states, id) {
+            if let Some(kinematics) = contact_set::kinematics(&core.model, &self.states, id) {
                 core.note_contact(t, &self.states, (id.a, id.b), &kinematics);
             }
         }

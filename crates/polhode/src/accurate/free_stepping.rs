@@ -18,8 +18,7 @@ use crate::scene::settings::Settings;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::{SnapshotError, content};
 use crate::tier::core::Core;
-use crate::tier::free_stage;
-use crate::tier::free_stage::Ends;
+use crate::tier::free_stage::{self, Ends};
 use polhode_dynamics::field::{self, Account, Dependence, Field, Wrench};
 use polhode_dynamics::integrated_motion::IntegratedMotion;
 use polhode_dynamics::integrator::{self, AdaptiveExact, Tolerance};
@@ -98,8 +97,8 @@ impl FreeStep {
         let model = &core.model;
         let rigid: Vec<RigidBody> = bodies.iter().filter_map(|&body| model.bodies[body].rigid).collect();
         let slots: Vec<usize> = bodies.iter().filter_map(|&body| model.slot(body)).collect();
-        let own = Restricted { fields: model.shared_fields(), all: model.shared_rigid(), slots };
-        let fields: Vec<Box<dyn Field>> = if model.has_fields() { vec![Box::new(own)] } else { Vec::new() };
+        let own = Restricted { fields: model.forces.shared_fields(), all: model.shared_rigid(), slots };
+        let fields: Vec<Box<dyn Field>> = if model.forces.has_fields() { vec![Box::new(own)] } else { Vec::new() };
         let integrator: Box<dyn integrator::Integrator> = if core.settings.splits_by_choice() {
             Box::new(AdaptiveExact::new(tolerance(&core.settings)).limited_to(MOST_SPLITTINGS))
         } else {

@@ -14,13 +14,14 @@
 
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_modes::ContactModes;
+use crate::collision::contact_set;
 use crate::collision::friction_mode::FrictionMode;
-use crate::collision::slip_directions::SlipDirections;
+use crate::collision::slip_directions::{self, SlipDirections};
 use crate::collision::turn::Turn;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::identity::contact_id::ContactId;
-use crate::model::{Loads, Model};
+use crate::model::{Loads, Model, tolerances};
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::push_contact;
 use crate::rows::rotation_row::RotationRow;
@@ -130,8 +131,8 @@ pub(super) fn friction_contacts<'a>(
     let friction = move |(contact, (id, kinematics)): (usize, &(ContactId, ContactKinematics))| {
         let ContactModes { friction, rotation: modes } = active.modes(*id);
         let mode = friction?;
-        let terms = model.tangential_kinematics(states, *id)?;
-        let coefficients = model.friction_at(states, *id, terms.basis);
+        let terms = contact_set::tangential_kinematics(model, states, *id)?;
+        let coefficients = contact_set::friction_at(model, states, *id, terms.basis);
         let at_rest = coefficients.map_or_else(FrictionEllipse::default, |own| own.at_rest);
         let sliding = match mode {
             FrictionMode::Sticking => None,
@@ -140,7 +141,7 @@ pub(super) fn friction_contacts<'a>(
                 Some(ellipse.opposed(terms.basis, slide.direction_of(terms.slip_velocity)))
             }
         };
-        let rotation = if resist { model.relative_rotation(states, *id) } else { DVec3::ZERO };
+        let rotation = if resist { contact_set::relative_rotation(model, states, *id) } else { DVec3::ZERO };
         let turns = Turn::ALL.map(|turn| {
             let turning = match modes.get(turn)? {
                 FrictionMode::Sticking => None,
@@ -152,8 +153,8 @@ pub(super) fn friction_contacts<'a>(
             Some(ResistedTurn { turn, turning })
         });
         let geometry = kinematics.geometry;
-        let turning_length = model.turning_length(id.a, id.b);
-        let slip = model.slip_directions();
+        let turning_length = tolerances::turning_length(model, id.a, id.b);
+        let slip = slip_directions::slip_directions(model);
         let id = *id;
         Some(FrictionContact { contact, id, geometry, terms, slip, sliding, at_rest, rotation, turning_length, turns })
     };

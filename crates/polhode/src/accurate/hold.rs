@@ -9,7 +9,7 @@ use crate::collision::friction_mode::FrictionMode;
 use crate::collision::turn::Turn;
 use crate::identity::contact_id::ContactId;
 use crate::model::Model;
-use crate::rows::assembly::Assembly;
+use crate::rows::assembly::{self, Assembly};
 use crate::solve::accelerations::{Accelerations, ContactTangent, ContactTurn};
 use crate::solve::cone_violation::{ConeViolation, largest_violation};
 use polhode_dynamics::{BodyState, RigidBody};
@@ -220,7 +220,7 @@ impl Forces {
         let geometry = &touch.kinematics.geometry;
         let at = (self.t, states);
         let along = (geometry, touch.kinematics.acceleration_bias);
-        model.relative_acceleration(at, touch.id, along, self.accelerations())
+        assembly::relative_acceleration(model, at, touch.id, along, self.accelerations())
     }
 
     /// Bodies in equilibrium: net force and net moment are negligible against the sums of their magnitudes.

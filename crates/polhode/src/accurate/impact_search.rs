@@ -16,8 +16,11 @@ use super::near_pairs::Watch;
 use super::penetration::PENETRATING_RELATIVE;
 use super::schedule::Schedule;
 use crate::collision::boxes::Boxes;
+use crate::collision::contact_set;
 use crate::error::SimulationError;
+use crate::model::{prescribed, tolerances};
 use crate::tier::core::Core;
+use crate::tier::promise;
 use polhode_contact::{Aabb, ImpactError, ImpactSearch, Shape, separation, time_of_further_impact, time_of_impact};
 use polhode_dynamics::Flight;
 use polhode_spatial::{Motion, Still};
@@ -64,9 +67,8 @@ impl Motions {
         let still = || BodyMotion::Still(Still(self.states[body].pose));
         match &self.tracks[body].mode {
             Mode::Fixed | Mode::Rest => still(),
-            Mode::Prescribed => {
-                core.model.trajectory(body).map_or_else(still, |trajectory| BodyMotion::Within(trajectory))
-            }
+            Mode::Prescribed => prescribed::trajectory(&core.model, body)
+                .map_or_else(still, |trajectory| BodyMotion::Within(trajectory)),
             Mode::Flight(flight) => BodyMotion::Flight(flight),
             Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => match self.island_of(body).map(|own| &own.step) {
                 Some(Step::Constrained(step)) => {
@@ -100,7 +102,7 @@ impl Motions {
     fn is_still(&self, core: &Core, body: usize, (start, end): (f64, f64)) -> bool {
         match &self.tracks[body].mode {
             Mode::Fixed | Mode::Rest => true,
-            Mode::Prescribed => core.model.stands_still(body, start, end),
+            Mode::Prescribed => prescribed::stands_still(&core.model, body, start, end),
             Mode::Flight(_) | Mode::Constrained | Mode::Stepped | Mode::Crowded(_) => false,
         }
     }
@@ -108,8 +110,9 @@ impl Motions {
     /// Whether two bodies penetrate measurably at `t` (s) if they continue their present motion.
     fn penetrates_at(&self, core: &Core, (a, b): (usize, usize), t: f64) -> bool {
         let [pose_a, pose_b] = [a, b].map(|body| self.motion(core, body).get().pose(t));
-        core.model.shapes(a, b).is_some_and(|(shape_a, shape_b)| {
-            separation(shape_a, &pose_a, shape_b, &pose_b) < -PENETRATING_RELATIVE * core.model.pair_size(a, b)
+        contact_set::shapes(&core.model, a, b).is_some_and(|(shape_a, shape_b)| {
+            separation(shape_a, &pose_a, shape_b, &pose_b)
+                < -PENETRATING_RELATIVE * tolerances::pair_size(&core.model, a, b)
         })
     }
 
@@ -120,7 +123,7 @@ impl Motions {
         (a, b): (usize, usize),
         (start, end): (f64, f64),
     ) -> Result<Option<f64>, SimulationError> {
-        let Some((shape_a, shape_b)) = core.model.shapes(a, b) else { return Ok(None) };
+        let Some((shape_a, shape_b)) = contact_set::shapes(&core.model, a, b) else { return Ok(None) };
         let (motion_a, motion_b) = (self.motion(core, a), self.motion(core, b));
         let (motion_a, motion_b) = (motion_a.get(), motion_b.get());
         let is_held = self.are_held(a, b);
@@ -184,7 +187,7 @@ impl Schedule {
 
     /// The time up to which the boxes of kinematic bodies are valid, s; infinite without such bodies.
     pub(super) fn end_of_kinematic_boxes(&self, core: &Core, t: f64) -> f64 {
-        let bounds = !core.model.prescribed().is_empty() && self.near.flight_end > t;
+        let bounds = !prescribed::prescribed(&core.model).is_empty() && self.near.flight_end > t;
         if bounds { self.near.flight_end } else { f64::INFINITY }
     }
 
@@ -245,7 +248,7 @@ impl Schedule {
                     motions.island_of(body).map_or((t, t), |own| (own.t, own.end()))
                 }
             };
-            let margin = core.model.touch_distance(&motions.states, body, body);
+            let margin = tolerances::touch_distance(&core.model, &motions.states, body, body);
             near.set(&core.model, body, motions.motion(core, body).get(), interval, margin);
         }
         // Pairs of a body and its partner; sorted below.
@@ -370,7 +373,7 @@ impl Schedule {
                 let retry = pace.retry_time(longest).min(until);
                 let is_postponed = pace.is_backing_off() && pace.is_stall(found, longest);
                 if is_postponed && !motions.penetrates_at(core, (a, b), retry) {
-                    let names = core.model.pair_names(a, b);
+                    let names = promise::pair_names(&core.model, a, b);
                     core.accounts.tolerate(found, format!("an impact of {names} was postponed for a short time"));
                     retry
                 } else {
@@ -413,5 +416,5 @@ fn is_fast(core: &Core, bodies: [(usize, &dyn Motion); 2], (start, end): (f64, f
         bounds.speed + bounds.angular_speed * core.model.bodies[body].size
     });
     let between = (end - start) / f64::from(PENETRATION_CHECKS);
-    (speed[0] + speed[1]) * between > FAST * core.model.pair_size(bodies[0].0, bodies[1].0)
+    (speed[0] + speed[1]) * between > FAST * tolerances::pair_size(&core.model, bodies[0].0, bodies[1].0)
 }

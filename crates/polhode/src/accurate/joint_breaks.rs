@@ -10,7 +10,7 @@ use super::contact_change::ContactChange;
 use super::hold::Forces;
 use super::locate::PENETRATION_CHECKS;
 use super::step_search::StepSearch;
-use crate::collision::contact_set::Touch;
+use crate::collision::contact_set::{self, Touch};
 use crate::constraint::locator::{Side, close_in};
 use crate::error::SimulationError;
 use crate::report::frame::JointView;
@@ -44,7 +44,7 @@ impl StepSearch<'_> {
         found: Option<ContactChange>,
         limit: f64,
     ) -> Result<Option<ContactChange>, SimulationError> {
-        if !self.core.model.may_break_among(&self.step.bodies) {
+        if !self.core.model.joints.may_break_among(&self.step.bodies) {
             return Ok(found);
         }
         let (start, end) = (self.step.t, found.as_ref().map_or(limit, |change| change.t));
@@ -94,6 +94,6 @@ impl StepSearch<'_> {
 
 /// The held contacts of a step in these states, with their modes.
 fn held_touches(core: &Core, step: &ConstrainedStep, states: &[BodyState]) -> Vec<Touch> {
-    let touch = |&id| Some(Touch::held(id, core.model.kinematics(states, id)?, step.active.modes(id)));
+    let touch = |&id| Some(Touch::held(id, contact_set::kinematics(&core.model, states, id)?, step.active.modes(id)));
     step.active.held().iter().filter_map(touch).collect()
 }

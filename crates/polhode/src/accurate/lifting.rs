@@ -10,7 +10,8 @@
 
 use super::resolve::Resolution;
 use crate::collision::contact_set::Touch;
-use crate::constraint::ConstraintId;
+use crate::constraint::{ConstraintId, held};
+use crate::model::tolerances;
 use crate::solve::projection::Projection;
 use polhode_dynamics::RigidBody;
 
@@ -29,8 +30,11 @@ impl Resolution<'_> {
             };
             let (of_a, of_b) = (inverse_mass(a), inverse_mass(b));
             let bodies: Vec<usize> = [(a, of_a), (b, of_b)].iter().filter(|(_, m)| *m > 0.0).map(|(i, _)| *i).collect();
-            let has_pivot = self.core.model.bilaterals(&self.motions.states, &bodies).next().is_some();
-            if depth <= self.core.model.rounding(&self.motions.states, a, b) || bodies.is_empty() || has_pivot {
+            let has_pivot = held::bilaterals(&self.core.model, &self.motions.states, &bodies).next().is_some();
+            if depth <= tolerances::rounding(&self.core.model, &self.motions.states, a, b)
+                || bodies.is_empty()
+                || has_pivot
+            {
                 continue;
             }
             self.motions.end_flights(self.core, self.instant.t, &bodies);

@@ -11,9 +11,10 @@ use super::engine::Engine;
 use super::hold::Forces;
 use super::joint_breaks::loads_of;
 use crate::collision::contact_set::Touch;
-use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::Reaction;
+use crate::constraint::{ConstraintId, held, joint_contacts};
 use crate::identity::body_id::BodyId;
+use crate::model::reported;
 use crate::report::frame::{JointView, PivotView};
 use crate::rows::assembly::free_acceleration;
 use crate::solve::joint_loads::joint_view;
@@ -29,14 +30,14 @@ impl Engine {
         let model = &core.model;
         let is_turning = |body: &usize| model.bodies[*body].rigid.as_ref().is_some_and(RigidBody::is_pivoted);
         let turning: Vec<usize> = model.movable.iter().copied().filter(is_turning).collect();
-        if turning.is_empty() && !model.has_rows() {
+        if turning.is_empty() && !model.joints.has_rows() {
             return Vec::new();
         }
         let loads = model.loads(t, states);
         let mut needed: BTreeMap<usize, DVec3> = BTreeMap::new();
         let newton = |body: usize, linear: DVec3, angular: DVec3| {
             let mass = model.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);
-            let of_center = model.reported_acceleration(body, &states[body], linear, angular).linear;
+            let of_center = reported::reported_acceleration(model, body, &states[body], linear, angular).linear;
             (of_center - model.gravity()) * mass - loads.of(body).force
         };
         for &body in &turning {
@@ -47,7 +48,7 @@ impl Engine {
         let mut solver = ComplementaritySolver::default();
         for (group, members) in self.present_groups(core, states) {
             let Ok(forces) = Forces::solve(model, t, states, &group, &members, &mut solver) else {
-                let unknown = group.iter().filter(|body| is_turning(body) || model.is_held_by_rows(**body));
+                let unknown = group.iter().filter(|body| is_turning(body) || model.joints.is_held_by_rows(**body));
                 needed.extend(unknown.map(|&body| (body, DVec3::NAN)));
                 continue;
             };
@@ -68,7 +69,8 @@ impl Engine {
                 force_n: force,
             }));
         }
-        let place = |body: usize| model.pivot(states, body).map_or(states[body].pose.translation, |pivot| pivot.point);
+        let place =
+            |body: usize| held::pivot(model, states, body).map_or(states[body].pose.translation, |pivot| pivot.point);
         let view = |(body, force_n)| PivotView { body: BodyId::new(body), point_m: place(body), force_n };
         let mut views: Vec<PivotView> = needed.into_iter().map(view).chain(by_rows).collect();
         views.sort_by_key(|view| view.body);
@@ -88,7 +90,7 @@ impl Engine {
             let Ok(forces) = Forces::solve(model, t, states, &group, &members, &mut solver) else {
                 let joints = group.iter().filter_map(|body| model.joints.of_body.get(body)).flatten();
                 for joint in joints.map(|&place| &model.joints.list[place]) {
-                    let (number, point_m) = (joint.number(), model.anchor_of(states, joint));
+                    let (number, point_m) = (joint.number(), joint_contacts::anchor_of(model, states, joint));
                     views.insert(number, joint_view(number, point_m, none));
                 }
                 continue;

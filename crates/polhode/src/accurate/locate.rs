@@ -18,16 +18,18 @@ use super::hold::Forces;
 use super::motions::Motions;
 use super::pace::Pace;
 use super::step_search::StepSearch;
-use crate::collision::contact_set::Touch;
+use crate::collision::contact_set::{self, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
+use crate::collision::passing;
 use crate::collision::turn::Turn;
 use crate::constraint::ContactEvent;
 use crate::constraint::locator::{Side, close_in};
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
-use crate::model::TOUCH_RELATIVE;
+use crate::model::{TOUCH_RELATIVE, prescribed, tolerances};
 use crate::solve::projection::rate_exceeds_drift;
 use crate::tier::core::Core;
+use crate::tier::promise;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
@@ -91,7 +93,7 @@ impl StepSearch<'_> {
         let mut pairs: Vec<_> = self.tolerated.iter().map(|id: &ContactId| (id.a, id.b)).collect();
         pairs.dedup();
         for (a, b) in pairs {
-            let names = self.core.model.pair_names(a, b);
+            let names = promise::pair_names(&self.core.model, a, b);
             self.core.accounts.tolerate(
                 self.step.t,
                 format!("contacts of {names} that no longer hold were self.tolerated for a short time"),
@@ -170,10 +172,10 @@ impl StepSearch<'_> {
     /// end alone would miss. It would also miss that a moving kinematic body, or a car at the top of a loop, loses
     /// contact for a short time: if one moves, or a track presses, forces are checked too.
     fn first_violation_interval(&mut self, start: f64, limit: f64) -> Result<Option<(f64, f64)>, SimulationError> {
-        let is_moved = |body| !self.core.model.stands_still(body, start, limit);
+        let is_moved = |body| !prescribed::stands_still(&self.core.model, body, start, limit);
         let driven = self.step.active.held().iter().flat_map(|id| [id.a, id.b]).any(is_moved)
-            || self.core.model.drivers_of(&self.step.bodies).any(is_moved)
-            || self.step.active.held().iter().any(|&id| self.core.model.is_side_of_track(id));
+            || self.core.model.joints.drivers_of(&self.step.bodies).any(is_moved)
+            || self.step.active.held().iter().any(|&id| self.core.model.joints.is_side_of_track(id));
         let first_check = start + (limit - start) / f64::from(PENETRATION_CHECKS);
         if let Some(interval) = self.approach_interval((start, first_check)) {
             return Ok(Some(interval));
@@ -213,7 +215,7 @@ impl StepSearch<'_> {
         for &id in self.step.active.held() {
             let is_tolerated = self.tolerated.contains(&id);
             let kinematics = if is_tolerated {
-                self.core.model.kinematics(self.states, id)
+                contact_set::kinematics(&self.core.model, self.states, id)
             } else {
                 held_kinematics(self.core, self.states, id)
             };
@@ -290,7 +292,7 @@ impl StepSearch<'_> {
                 .any(|id| !self.tolerated.contains(&id))),
             Violation::Breaks => {
                 let touches = self.step.active.held().iter().map(|&id| {
-                    let kinematics = self.core.model.kinematics(self.states, id)?;
+                    let kinematics = contact_set::kinematics(&self.core.model, self.states, id)?;
                     Some(held_touch(self.step, id, kinematics))
                 });
                 match touches.collect::<Option<Vec<_>>>() {
@@ -314,11 +316,12 @@ impl StepSearch<'_> {
         let penetrating = self.penetrating();
         self.tolerated = tolerated;
         let id = penetrating?;
-        let touch = TOUCH_RELATIVE * self.core.model.pair_size(id.a, id.b);
+        let touch = TOUCH_RELATIVE * tolerances::pair_size(&self.core.model, id.a, id.b);
         let start = self.step.t;
         let mut separation = |t: f64| {
             self.step.states_at(&self.core.model, t, self.states);
-            self.core.model.kinematics(self.states, id).map(|kinematics| ContactEvent::Closing.value(&kinematics))
+            contact_set::kinematics(&self.core.model, self.states, id)
+                .map(|kinematics| ContactEvent::Closing.value(&kinematics))
         };
         if separation(start)? <= touch {
             return None;
@@ -352,7 +355,8 @@ fn slips<'a>(
     step: &'a ConstrainedStep,
     states: &'a [BodyState],
 ) -> impl Iterator<Item = (ContactId, Slide, DVec3)> + 'a {
-    let slip = |(id, slide)| Some((id, slide, core.model.tangential_kinematics(states, id)?.slip_velocity));
+    let slip =
+        |(id, slide)| Some((id, slide, contact_set::tangential_kinematics(&core.model, states, id)?.slip_velocity));
     step.active.sliding().filter_map(slip)
 }
 
@@ -384,8 +388,8 @@ fn settled<'a>(
     states: &'a [BodyState],
 ) -> impl Iterator<Item = (ContactId, Turn)> + 'a {
     step.active.turning().filter_map(move |(id, turn, slide)| {
-        let normal = core.model.kinematics(states, id)?.geometry.normal;
-        let part = turn.part(core.model.relative_rotation(states, id), normal);
+        let normal = contact_set::kinematics(&core.model, states, id)?.geometry.normal;
+        let part = turn.part(contact_set::relative_rotation(&core.model, states, id), normal);
         has_stopped(step, t, &slide, part).then_some((id, turn))
     })
 }
@@ -427,11 +431,11 @@ fn sliding(touches: &[Touch]) -> impl Iterator<Item = ContactId> + '_ {
 /// The kinematics of a held contact, if its point lies on its features and has not jumped to a point at which the
 /// bodies approach or separate.
 fn held_kinematics(core: &Core, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
-    let tolerance = TOUCH_RELATIVE * core.model.pair_size(id.a, id.b);
-    let kinematics = core.model.kinematics(states, id)?;
+    let tolerance = TOUCH_RELATIVE * tolerances::pair_size(&core.model, id.a, id.b);
+    let kinematics = contact_set::kinematics(&core.model, states, id)?;
     let is_on_features = ContactEvent::Leaving.value(&kinematics) >= -tolerance;
     let stays = !rate_exceeds_drift(&core.model, states, id, &kinematics, core.settings.step_error())
-        && (is_on_features || core.model.holds_beyond_border(states, id));
+        && (is_on_features || passing::holds_beyond_border(&core.model, states, id));
     stays.then_some(kinematics)
 }
 
@@ -454,7 +458,7 @@ fn breaking(
             .held()
             .iter()
             .filter_map(|&id| {
-                let kinematics = core.model.kinematics(states, id)?;
+                let kinematics = contact_set::kinematics(&core.model, states, id)?;
                 Some(held_touch(step, id, kinematics))
             })
             .collect();
@@ -473,7 +477,7 @@ fn breaking(
     let change = ContactChange { t: violated, departing, slipping, turning, ..ContactChange::default() };
     // Where kinetic friction is below static friction, the slip accelerates at once.
     let is_sudden = |id: &ContactId| {
-        core.model.friction_of(*id).is_some_and(|friction| friction.sliding.is_below(friction.at_rest))
+        contact_set::friction_of(&core.model, *id).is_some_and(|friction| friction.sliding.is_below(friction.at_rest))
     };
     let any = !(change.departing.is_empty() && change.slipping.is_empty());
     if !any || begins_to_turn || second <= first || change.slipping.keys().any(is_sudden) {

@@ -9,7 +9,7 @@ use super::state_cache::StateCache;
 use crate::accounting::books::{Books, Received, gravity_at};
 use crate::collision::active_contacts::ActiveContacts;
 use crate::error::SimulationError;
-use crate::model::Model;
+use crate::model::{Model, prescribed};
 use crate::scene::Integrator;
 use crate::tier::core::Core;
 use polhode_dynamics::integrator::IntegrationError;
@@ -60,7 +60,7 @@ impl Track {
     /// A new body at the present.
     pub(super) fn new(core: &Core, body: usize) -> Self {
         Self {
-            mode: if core.model.trajectory(body).is_some() { Mode::Prescribed } else { Mode::Fixed },
+            mode: if prescribed::trajectory(&core.model, body).is_some() { Mode::Prescribed } else { Mode::Fixed },
             island: None,
             pace: Pace::starting_at(core.t),
             proposed_step_s: core.settings.step_s,
@@ -176,7 +176,7 @@ impl Motions {
 
     /// Restores the copy of the states after it was used for these bodies and for kinematic ones.
     pub(super) fn restore_scratch(&mut self, core: &Core, mut scratch: Vec<BodyState>, bodies: &[usize]) {
-        for &body in bodies.iter().chain(core.model.prescribed()) {
+        for &body in bodies.iter().chain(prescribed::prescribed(&core.model)) {
             scratch[body] = self.states[body];
         }
         self.scratch = scratch;
@@ -190,7 +190,7 @@ impl Motions {
         if let Mode::Flight(flight) = &self.tracks[body].mode {
             return Ok(flight.state(t));
         }
-        if let Some(state) = core.model.prescribed_state(body, t) {
+        if let Some(state) = prescribed::prescribed_state(&core.model, body, t) {
             return Ok(state);
         }
         let Some(first) = self.tracks[body].island else { return Ok(self.states[body]) };
@@ -252,7 +252,7 @@ impl Motions {
             _ => None,
         });
         Flight::write_states(flights, t, states);
-        core.model.prescribe(t, states);
+        prescribed::prescribe(&core.model, t, states);
     }
 
     /// Mode of a body that no contact holds.
@@ -260,7 +260,7 @@ impl Motions {
         let model = &core.model;
         let rigid = model.bodies[body].rigid.as_ref()?;
         Some(match core.settings.integrator {
-            _ if model.is_held_by_rows(body) => Mode::Constrained,
+            _ if model.joints.is_held_by_rows(body) => Mode::Constrained,
             _ if core.settings.flies() && !model.is_loaded(body) => {
                 // In planar motion the rotation is about a principal axis; rounding errors of the axis must not grow.
                 let record = if model.plane.is_some() { Flight::steady } else { Flight::new };

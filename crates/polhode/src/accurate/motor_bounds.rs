@@ -11,6 +11,7 @@ use super::constrained_step::ConstrainedStep;
 use super::locate::PENETRATION_CHECKS;
 use super::pace::is_instant;
 use crate::constraint::locator::{Side, close_in};
+use crate::constraint::motors;
 use crate::tier::core::Core;
 use polhode_dynamics::BodyState;
 use std::convert::Infallible;
@@ -18,12 +19,12 @@ use std::convert::Infallible;
 /// The first time of a step (s) at which a motor of its bodies reaches its bound or leaves it; none where that is
 /// hardly after its start. `states` are overwritten.
 pub(super) fn corner_within(core: &Core, step: &ConstrainedStep, states: &mut [BodyState]) -> Option<f64> {
-    if !core.model.has_bounded_motors_among(&step.bodies) {
+    if !core.model.joints.has_bounded_motors_among(&step.bodies) {
         return None;
     }
     let mut phases = |t: f64| {
         step.states_at(&core.model, t, states);
-        core.model.phases_of_motors(states, &step.bodies)
+        motors::phases_of_motors(&core.model, states, &step.bodies)
     };
     let (start, length) = (step.t, step.end - step.t);
     let (mut before, mut own) = (start, phases(start));

@@ -9,9 +9,10 @@
 //! Limit: a penetration that begins and ends between two checks is not found.
 
 use super::step_search::StepSearch;
-use crate::collision::contact_set::Pair;
+use crate::collision::contact_set::{self, Pair};
 use crate::constraint::locator::{Side, close_in};
 use crate::identity::contact_id::ContactId;
+use crate::model::tolerances;
 use std::convert::Infallible;
 
 /// Depth at which an open contact counts as penetrating, relative to size: a quarter of what a step aims at
@@ -75,11 +76,11 @@ impl StepSearch<'_> {
     }
 
     fn penetration_of_pair(&self, (a, b): (usize, usize)) -> Penetration {
-        let depth =
-            PENETRATING_RELATIVE * self.core.model.pair_size(a, b) + self.core.model.rounding(self.states, a, b);
+        let depth = PENETRATING_RELATIVE * tolerances::pair_size(&self.core.model, a, b)
+            + tolerances::rounding(&self.core.model, self.states, a, b);
         // The same reach as in the resolution of the event, so that both find the same contacts.
-        let reach = self.core.model.touch_distance(self.states, a, b);
-        let Some(pair) = self.core.model.penetrating_pair(self.states, (a, b), reach, depth) else {
+        let reach = tolerances::touch_distance(&self.core.model, self.states, a, b);
+        let Some(pair) = contact_set::penetrating_pair(&self.core.model, self.states, (a, b), reach, depth) else {
             return Penetration { contact: None, excess_depths: 0.0 };
         };
         let Pair { separation, contacts, .. } = pair;
@@ -96,7 +97,8 @@ impl StepSearch<'_> {
             return Penetration { contact, excess_depths: 0.0 };
         }
         let held = self.step.active.held().iter().filter(|id| (id.a, id.b) == (a, b));
-        let held = held.filter_map(|&id| Some(self.core.model.kinematics(self.states, id)?.geometry.separation));
+        let held = held
+            .filter_map(|&id| Some(contact_set::kinematics(&self.core.model, self.states, id)?.geometry.separation));
         let found = contacts.iter().map(|touch| touch.kinematics.geometry.separation);
         let shown = held.chain(found).fold(0.0, f64::min);
         Penetration { contact, excess_depths: (shown - separation) / depth }
@@ -104,13 +106,14 @@ impl StepSearch<'_> {
 
     /// Whether a contact had a gap at the start of the step.
     fn was_clear(&self, id: ContactId, depth: f64) -> bool {
-        self.core.model.kinematics(self.start, id).is_some_and(|k| k.geometry.separation > depth)
+        contact_set::kinematics(&self.core.model, self.start, id).is_some_and(|k| k.geometry.separation > depth)
     }
 
     /// Whether two bodies overlapped at the start of the step. If one has passed into the other since then, its nearest
     /// features may be on the far side, where there was never a gap.
     fn overlapped(&self, (a, b): (usize, usize), depth: f64) -> bool {
-        self.core.model.separation_without_memory(self.start, a, b).is_some_and(|separation| separation < -depth)
+        contact_set::separation_without_memory(&self.core.model, self.start, a, b)
+            .is_some_and(|separation| separation < -depth)
     }
 
     /// An interval from `start` at whose end a contact penetrates that approaches at `start` and would close before
@@ -120,10 +123,11 @@ impl StepSearch<'_> {
         self.step.states_at(&self.core.model, start, self.states);
         let mut closing = Vec::new();
         for (a, b) in self.step.watched_pairs(&self.core.model) {
-            let travel = (self.core.model.point_speed(self.start, a) + self.core.model.point_speed(self.start, b))
+            let travel = (tolerances::point_speed(&self.core.model, self.start, a)
+                + tolerances::point_speed(&self.core.model, self.start, b))
                 * (end - start);
-            let reach = travel + self.core.model.touch_distance(self.states, a, b);
-            let contacts = self.core.model.contacts_of_pair(self.states, a, b, reach);
+            let reach = travel + tolerances::touch_distance(&self.core.model, self.states, a, b);
+            let contacts = contact_set::contacts_of_pair(&self.core.model, self.states, a, b, reach);
             let open = contacts.iter().filter(|touch| !self.step.active.holds(touch.id));
             let wait = open.filter_map(|touch| {
                 let (gap, rate) = (touch.kinematics.geometry.separation, touch.kinematics.separation_rate);

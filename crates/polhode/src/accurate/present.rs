@@ -5,8 +5,9 @@ use super::hold::Forces;
 use super::island::Step;
 use super::motions::{Mode, Motions, Track};
 use super::present_crowds::StepKey;
-use crate::collision::contact_set::{Hold, Touch};
+use crate::collision::contact_set::{self, Hold, Touch};
 use crate::error::SimulationError;
+use crate::model::{prescribed, reported, tolerances};
 use crate::report::frame::MotionKind;
 use crate::report::observer::BodySample;
 use crate::rows::groups::{coupled_groups, groups};
@@ -24,7 +25,7 @@ impl Motions {
         if let Mode::Flight(flight) = &self.tracks[body].mode {
             return flight.state(t);
         }
-        if let Some(state) = core.model.prescribed_state(body, t) {
+        if let Some(state) = prescribed::prescribed_state(&core.model, body, t) {
             return state;
         }
         let start = self.states[body];
@@ -54,8 +55,8 @@ impl Motions {
     /// A body in this state as it is reported.
     pub(super) fn sample_in(&self, core: &Core, body: usize, state: &BodyState) -> BodySample {
         match &self.tracks[body].mode {
-            Mode::Flight(flight) => core.model.sample_of(body, flight.body(), state),
-            _ => core.model.sample(body, state),
+            Mode::Flight(flight) => reported::sample_of(&core.model, body, flight.body(), state),
+            _ => reported::sample(&core.model, body, state),
         }
     }
 }
@@ -63,7 +64,9 @@ impl Motions {
 impl Engine {
     /// The touching contacts of the last evaluation, evaluated in these states.
     pub(super) fn present_contacts(&self, core: &Core, states: &[BodyState]) -> Vec<Touch> {
-        let present = |touch: &Touch| Some(Touch { kinematics: core.model.kinematics(states, touch.id)?, ..*touch });
+        let present = |touch: &Touch| {
+            Some(Touch { kinematics: contact_set::kinematics(&core.model, states, touch.id)?, ..*touch })
+        };
         self.schedule.contacts.all().filter_map(present).collect()
     }
 
@@ -93,7 +96,7 @@ impl Engine {
         // A pivoted body without contacts is a group of its own, and so are jointed ones together.
         for &body in &core.model.joints.held_by_rows {
             if !found.iter().any(|(bodies, _)| bodies.binary_search(&body).is_ok()) {
-                found.push((core.model.with_jointed(vec![body]), Vec::new()));
+                found.push((core.model.joints.with_jointed(vec![body]), Vec::new()));
             }
         }
         found
@@ -160,9 +163,11 @@ impl Engine {
             pairs.dedup();
             let mut contacts = Vec::with_capacity(group.contacts.len());
             for (a, b) in pairs {
-                let reach = core.model.touch_distance(&self.motions.states, a, b);
+                let reach = tolerances::touch_distance(&core.model, &self.motions.states, a, b);
                 contacts.extend(
-                    core.model.contacts_of_pair(&self.motions.states, a, b, reach).into_iter().map(Touch::from),
+                    contact_set::contacts_of_pair(&core.model, &self.motions.states, a, b, reach)
+                        .into_iter()
+                        .map(Touch::from),
                 );
             }
             for touch in &mut contacts {

@@ -8,9 +8,10 @@ use super::impact_search::Search;
 use super::instant::Instant;
 use super::motions::{Mode, Track};
 use super::pace::Pace;
+use crate::constraint::added;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
+use crate::model::{Model, prescribed, tolerances};
 use crate::tier::core::Core;
 use polhode_dynamics::BodyState;
 use std::collections::BTreeSet;
@@ -29,7 +30,7 @@ impl Engine {
         for &body in bodies.iter().filter(|&&body| !core.model.bodies[body].moves()) {
             found_for.extend(self.schedule.contacts.partners(body));
             // Time steps of crowds were made with the motion that it had: it may come near any of them.
-            if core.model.trajectory(body).is_some() {
+            if prescribed::trajectory(&core.model, body).is_some() {
                 found_for.extend(
                     (0..self.motions.tracks.len())
                         .filter(|&other| matches!(self.motions.tracks[other].mode, Mode::Crowded(_))),
@@ -65,7 +66,8 @@ impl Engine {
             self.motions.scratch[body] = self.motions.states[body];
             self.motions.tracks[body].pace = Pace::starting_at(instant.t);
             self.motions.tracks[body].proposed_step_s = core.settings.step_s;
-            instant.speed_scale = instant.speed_scale.max(core.model.point_speed(&self.motions.states, body));
+            instant.speed_scale =
+                instant.speed_scale.max(tolerances::point_speed(&core.model, &self.motions.states, body));
         }
         for &body in moved {
             self.find_touched(core, &mut instant, body)?;
@@ -119,20 +121,20 @@ impl Engine {
         self.motions.scratch.push(state);
         let size = core.model.bodies[body].size;
         self.motions.tracks.push(Track::new(core, body));
-        self.motions.tracks[body].speed_scale =
-            core.model.point_speed(&self.motions.states, body).max((core.model.gravity().length() * size).sqrt());
+        self.motions.tracks[body].speed_scale = tolerances::point_speed(&core.model, &self.motions.states, body)
+            .max((core.model.gravity().length() * size).sqrt());
         self.schedule.contacts.make_room();
         self.schedule.near.make_room();
     }
 
     /// Forgets the contacts of a pair that are there no more, after a joint between its bodies was added or taken away.
     pub(super) fn change_contacts_of_joint(&mut self, model: &Model, pair: (usize, usize)) {
-        let stays = |contact: ContactId| (contact.a, contact.b) != pair || model.may_have(contact);
+        let stays = |contact: ContactId| (contact.a, contact.b) != pair || added::may_have(model, contact);
         let touches = self.schedule.contacts.of_pair(pair).iter().filter(|touch| stays(touch.id)).copied().collect();
         self.schedule.contacts.set(pair, touches);
         if let Some(instant) = &mut self.interrupted {
             instant.touches.retain(|touch| stays(touch.id));
-            instant.pairs.retain(|&own| own != pair || model.may_touch(own));
+            instant.pairs.retain(|&own| own != pair || added::may_touch(model, own));
         }
     }
 

@@ -11,10 +11,12 @@
 use super::motions::Motions;
 use super::schedule::Schedule;
 use crate::accounting::books::Balance;
+use crate::collision::contact_set;
 use crate::constraint::bilateral::Bilateral;
+use crate::constraint::held;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
+use crate::model::{Model, tolerances};
 use crate::solve::overlap::Overlaps;
 use crate::solve::projection::{self, Projected};
 use crate::tier::core::Core;
@@ -108,12 +110,14 @@ impl Motions {
 /// Whether all these contacts touch, and the pivots of these bodies are within the touch distance of their anchors.
 fn all_touch(model: &Model, states: &[BodyState], bodies: &[usize], contacts: &[ContactId]) -> bool {
     let touches = |&id: &ContactId| {
-        let kinematics = model.kinematics(states, id);
-        kinematics.is_some_and(|kinematics| kinematics.geometry.separation <= model.touch_distance(states, id.a, id.b))
+        let kinematics = contact_set::kinematics(model, states, id);
+        kinematics.is_some_and(|kinematics| {
+            kinematics.geometry.separation <= tolerances::touch_distance(model, states, id.a, id.b)
+        })
     };
     let is_in_place = |bilateral: Bilateral| {
         let (a, b) = bilateral.id.bodies();
-        bilateral.gap() <= model.touch_distance(states, a, b)
+        bilateral.gap() <= tolerances::touch_distance(model, states, a, b)
     };
-    contacts.iter().all(touches) && model.bilaterals(states, bodies).all(is_in_place)
+    contacts.iter().all(touches) && held::bilaterals(model, states, bodies).all(is_in_place)
 }

@@ -9,11 +9,14 @@ use super::instant::Instant;
 use super::motions::{Mode, Motions};
 use super::schedule::Schedule;
 use crate::collision::contact_modes::ContactModes;
-use crate::collision::contact_set::{FoundContact, Hold, Pair, Touch};
+use crate::collision::contact_set::{self, FoundContact, Hold, Pair, Touch};
+use crate::collision::covered_borders;
 use crate::collision::friction_mode::{FrictionMode, Slide};
+use crate::constraint::breaking;
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::ContactId;
+use crate::model::{prescribed, tolerances};
 use crate::report::event::{Event, EventKind};
 use crate::rows::groups::{Group, groups};
 use crate::solve::frictional_impact::Restitution;
@@ -22,6 +25,7 @@ use crate::solve::open_loads;
 use crate::solve::overlap::is_excess;
 use crate::solve::projection::{self, Projected};
 use crate::tier::core::Core;
+use crate::tier::promise;
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
@@ -119,8 +123,9 @@ impl Resolution<'_> {
                 found.extend(self.instant.touches.iter().filter(|touch| (touch.id.a, touch.id.b) == (a, b)).copied());
                 continue;
             }
-            let reach = self.core.model.touch_distance(&self.motions.states, a, b);
-            let Pair { separation, contacts, is_passing } = self.core.model.pair(&self.motions.states, a, b, reach);
+            let reach = tolerances::touch_distance(&self.core.model, &self.motions.states, a, b);
+            let Pair { separation, contacts, is_passing } =
+                contact_set::pair(&self.core.model, &self.motions.states, a, b, reach);
             // The overlap of two bodies may be larger than the penetration of each contact.
             let rate = contacts.iter().fold(0.0, |rate, contact| contact.kinematics.separation_rate.min(rate));
             self.core.note_separation(self.instant.t, &self.motions.states, (a, b), (separation, rate));
@@ -136,7 +141,7 @@ impl Resolution<'_> {
             }));
         }
         found.sort_by_key(|touch| touch.id);
-        self.core.model.remove_covered_borders(&self.motions.states, &mut found);
+        covered_borders::remove_covered_borders(&self.core.model, &self.motions.states, &mut found);
         self.instant.touches = found;
         // A contact point outside its features measures no penetration, nor does one with the plane of a face that the
         // bodies are about to pass onto.
@@ -187,7 +192,7 @@ impl Resolution<'_> {
         self.book_struck(&group.contacts, &struck, EventKind::Impact);
         self.core.accounts.note_impact(&self.core.model, self.instant.t, law, &group.bodies, outcome);
         if outcome.status == ImpactStatus::LimitReached {
-            let names = self.core.model.names_of(&group.bodies);
+            let names = promise::names_of(&self.core.model, &group.bodies);
             let what = format!("an impact of {names} by {} was not resolved within its limit", law.name());
             self.core.accounts.note_unsolved(self.instant.t, what);
         }
@@ -204,7 +209,7 @@ impl Resolution<'_> {
         self.core.accounts.books.impact((outcome.energy_change, struck.friction_j), given, work);
         self.core
             .note_friction(self.instant.t, struck.cone_violation(&self.core.model, &self.motions.states, &members));
-        self.instant.change.breaking.extend(self.core.model.broken_by(&struck.bilaterals));
+        self.instant.change.breaking.extend(breaking::broken_by(&self.core.model, &struck.bilaterals));
         let largest = outcome.applications.iter().fold(0.0, |most: f64, one| most.max(one.impulse.abs()));
         let is_event = |impulse: f64| impulse.abs() > NEGLIGIBLE_IMPULSE * largest;
         let applications = outcome.applications.iter().zip(&struck.constraints);
@@ -332,7 +337,7 @@ impl Resolution<'_> {
         self.core.accounts.note_solve(self.instant.t, &forces.solution.report)?;
         self.core.note_friction(self.instant.t, forces.violation);
         if forces.motion_depends_on_choice {
-            let names = self.core.model.names_of(&group.bodies);
+            let names = promise::names_of(&self.core.model, &group.bodies);
             self.core.accounts.choose(self.instant.t, format!("{LEAST_NORM} {names} depends on that choice"));
         }
         self.tell_open_loads(group)?;
@@ -344,7 +349,7 @@ impl Resolution<'_> {
         let is_open = open_loads::leave_open(&self.core.model, &self.motions.states, &group.bodies)
             .map_err(|source| Core::response_error(self.instant.t, source))?;
         if is_open {
-            let names = self.core.model.names_of(&group.bodies);
+            let names = promise::names_of(&self.core.model, &group.bodies);
             self.core.accounts.warn(self.instant.t, format!("{OPEN_LOADS} {names} depends on that choice"));
         }
         Ok(())
@@ -356,7 +361,7 @@ impl Resolution<'_> {
         let change = &self.instant.change;
         let noise = slip_noise(self.core, self.instant.speed_scale, touch);
         let friction = match change.slipping.get(&touch.id) {
-            Some(&direction) if self.core.model.friction_of(touch.id).is_some() => {
+            Some(&direction) if contact_set::friction_of(&self.core.model, touch.id).is_some() => {
                 Some(FrictionMode::Sliding(Slide::beginning(direction, noise)))
             }
             _ if change.stopping.contains(&touch.id) => None,
@@ -429,9 +434,9 @@ impl Resolution<'_> {
                 before,
             )?;
             let scale = self.instant.speed_scale;
-            let stands = |driver| self.core.model.stands_still(driver, self.instant.t, f64::INFINITY);
+            let stands = |driver| prescribed::stands_still(&self.core.model, driver, self.instant.t, f64::INFINITY);
             let rests = allow_rest(self.core, self.instant.t, &ids)
-                && self.core.model.drivers_of(&component.bodies).all(stands)
+                && self.core.model.joints.drivers_of(&component.bodies).all(stands)
                 && component.bodies.iter().all(|&body| {
                     balanced.contains(&body)
                         && self.motions.is_slow(self.core, scale, body)
@@ -481,7 +486,7 @@ impl Resolution<'_> {
         let overlaps = self.instant.touches.iter().filter(|touch| {
             touch.hold == Hold::Open
                 && touch.kinematics.geometry.separation
-                    < -self.core.model.rounding(&self.motions.states, touch.id.a, touch.id.b)
+                    < -tolerances::rounding(&self.core.model, &self.motions.states, touch.id.a, touch.id.b)
                 && within(touch.id.a)
                 && within(touch.id.b)
         });
@@ -514,7 +519,7 @@ impl Resolution<'_> {
         let held = self.instant.touches.iter().filter(|touch| touch.hold == Hold::Held);
         let held: BTreeSet<usize> = held.flat_map(|touch| [touch.id.a, touch.id.b]).collect();
         // Bodies that joints connect to a held one moved or came to rest with it.
-        let held = self.core.model.with_jointed(held.into_iter().collect());
+        let held = self.core.model.joints.with_jointed(held.into_iter().collect());
         for &body in &self.instant.bodies {
             if matches!(self.motions.tracks[body].mode, Mode::Constrained | Mode::Rest)
                 && held.binary_search(&body).is_err()
@@ -557,7 +562,7 @@ impl Resolution<'_> {
         let still = |&other: &usize| {
             matches!(self.motions.tracks[other].mode, Mode::Rest) || self.motions.is_slow(self.core, speed_scale, other)
         };
-        !self.core.model.is_driven(body) && couplings.flatten().all(still)
+        !self.core.model.forces.is_driven(body) && couplings.flatten().all(still)
     }
 
     /// Wakes resting bodies that a force couples to a moving body, and the bodies that rest in contact with them.
@@ -591,7 +596,7 @@ impl Resolution<'_> {
     /// place, by which groups know it, but neither holds nor approaches.
     pub(super) fn refresh_kinematics(&mut self) {
         for touch in &mut self.instant.touches {
-            let kinematics = self.core.model.kinematics(&self.motions.states, touch.id);
+            let kinematics = contact_set::kinematics(&self.core.model, &self.motions.states, touch.id);
             touch.is_defined = kinematics.is_some();
             touch.kinematics = kinematics.unwrap_or(touch.kinematics);
         }
@@ -601,8 +606,8 @@ impl Resolution<'_> {
 impl Motions {
     /// The friction of a contact that has a slip; none without a slip or friction.
     pub(super) fn slide_of(&self, core: &Core, speed_scale: f64, touch: &Touch) -> Option<FrictionMode> {
-        core.model.friction_of(touch.id)?;
-        let slip = core.model.tangential_kinematics(&self.states, touch.id)?.slip_velocity;
+        contact_set::friction_of(&core.model, touch.id)?;
+        let slip = contact_set::tangential_kinematics(&core.model, &self.states, touch.id)?.slip_velocity;
         let speed = slip.length();
         let slides = speed > self.sustained_speed(core, speed_scale, touch);
         let noise = slip_noise(core, speed_scale, touch);
@@ -621,7 +626,7 @@ impl Motions {
 
     /// Relative speed below which a contact counts as neither approaching nor separating, m/s.
     pub(super) fn sustained_speed(&self, core: &Core, speed_scale: f64, touch: &Touch) -> f64 {
-        let speed = |body: usize| core.model.point_speed(&self.states, body);
+        let speed = |body: usize| tolerances::point_speed(&core.model, &self.states, body);
         SUSTAINED_RELATIVE * (speed(touch.id.a) + speed(touch.id.b)) + SUSTAINED_SCENE_RELATIVE * speed_scale
     }
 
@@ -630,13 +635,13 @@ impl Motions {
     }
 
     fn is_slow(&self, core: &Core, speed_scale: f64, body: usize) -> bool {
-        core.model.point_speed(&self.states, body) <= STOPPED_RELATIVE * speed_scale
+        tolerances::point_speed(&core.model, &self.states, body) <= STOPPED_RELATIVE * speed_scale
     }
 }
 
 /// Whether other bodies can rest from `t` (s) on all kinematic members of the contacts.
 fn allow_rest(core: &Core, t: f64, contacts: &[ContactId]) -> bool {
-    contacts.iter().flat_map(|id| [id.a, id.b]).all(|body| core.model.allows_rest(body, t))
+    contacts.iter().flat_map(|id| [id.a, id.b]).all(|body| prescribed::allows_rest(&core.model, body, t))
 }
 
 /// Rounding error of the slips of a contact of bodies whose largest speed has been `speed_scale`, m/s.

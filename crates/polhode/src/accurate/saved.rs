@@ -21,7 +21,7 @@ use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::{RotationModes, Turn};
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
+use crate::model::{Model, prescribed};
 use crate::snapshot::numbers::{self, Contact, read_kinematics, read_states, write_kinematics};
 use crate::snapshot::parts::{restored_flight, restored_id, save_contact, save_flight};
 use crate::snapshot::{SnapshotError, content};
@@ -99,7 +99,7 @@ impl Engine {
     /// resolved it is empty.
     fn rebuild_agenda(&mut self, core: &Core) {
         if self.begun {
-            for &body in core.model.prescribed() {
+            for &body in prescribed::prescribed(&core.model) {
                 // A corner at the time of the snapshot may be due still. One that has been passed changes nothing.
                 self.schedule.expect_corner(core, body, core.t.next_down());
             }
@@ -124,7 +124,7 @@ impl Motions {
             content::Step::Waiting(t) => Step::Waiting(*t),
             content::Step::Crowd(end, pairs) => {
                 // A joint with the world has its contacts between its body and itself.
-                let is_at_joint = |pair: (usize, usize)| !core.model.joint_contacts_of_pair(pair).is_empty();
+                let is_at_joint = |pair: (usize, usize)| !core.model.joints.joint_contacts_of_pair(pair).is_empty();
                 let can_touch = |&(a, b): &(usize, usize)| (a < b || is_at_joint((a, b))) && b < self.states.len();
                 if !(pairs.iter().all(can_touch) && t < *end && end.is_finite()) {
                     return Err(SnapshotError::Invalid(
@@ -350,8 +350,12 @@ fn restored_tracks(model: &Model, saved: &[content::Track]) -> Result<Vec<Track>
     }
     let track = |(body, track): (usize, &content::Track)| {
         let mode = match (&track.mode, &model.bodies[body].rigid) {
-            (content::Mode::Fixed, _) if !model.bodies[body].moves() && model.trajectory(body).is_none() => Mode::Fixed,
-            (content::Mode::Prescribed, None) if model.trajectory(body).is_some() => Mode::Prescribed,
+            (content::Mode::Fixed, _)
+                if !model.bodies[body].moves() && prescribed::trajectory(model, body).is_none() =>
+            {
+                Mode::Fixed
+            }
+            (content::Mode::Prescribed, None) if prescribed::trajectory(model, body).is_some() => Mode::Prescribed,
             (content::Mode::Flight(flight), Some(rigid)) => Mode::Flight(Box::new(restored_flight(rigid, flight)?)),
             (content::Mode::Constrained, Some(_)) => Mode::Constrained,
             (content::Mode::Stepped, Some(_)) => Mode::Stepped,

@@ -6,8 +6,9 @@ use super::engine::Engine;
 use super::instant::Instant;
 use super::motions::Mode;
 use crate::collision::boxes::Boxes;
-use crate::collision::contact_set::{Hold, Touch};
+use crate::collision::contact_set::{self, Hold, Touch};
 use crate::error::SimulationError;
+use crate::model::{prescribed, tolerances};
 use crate::rows::groups::{coupled_groups, groups};
 use crate::scene::few_digits::length;
 use crate::solve::projection;
@@ -25,12 +26,12 @@ impl Engine {
             self.motions.begin_free_motion(core, body, core.t);
             let gravity_speed = (core.model.gravity().length() * core.model.bodies[body].size).sqrt();
             self.motions.tracks[body].speed_scale =
-                core.model.point_speed(&self.motions.states, body).max(gravity_speed);
+                tolerances::point_speed(&core.model, &self.motions.states, body).max(gravity_speed);
         }
         let mut contacts = Vec::new();
         for (a, b) in self.initial_pairs(core)? {
-            let touch_distance = core.model.touch_distance(&self.motions.states, a, b);
-            let of_pair = core.model.contacts_of_pair(&self.motions.states, a, b, touch_distance);
+            let touch_distance = tolerances::touch_distance(&core.model, &self.motions.states, a, b);
+            let of_pair = contact_set::contacts_of_pair(&core.model, &self.motions.states, a, b, touch_distance);
             contacts.extend(of_pair.into_iter().map(Touch::from));
         }
         contacts.sort_by_key(|touch| touch.id);
@@ -64,10 +65,10 @@ impl Engine {
             self.resolve(core, &mut instant)?;
             firsts.extend(self.form_islands(core, instant)?);
         }
-        if !core.model.prescribed().is_empty() {
+        if !prescribed::prescribed(&core.model).is_empty() {
             self.schedule.begin_flight_boxes(core, core.t);
         }
-        for &body in core.model.prescribed() {
+        for &body in prescribed::prescribed(&core.model) {
             self.schedule.expect_corner(core, body, core.t);
         }
         let unmoved = |body: &usize| matches!(self.motions.tracks[*body].mode, Mode::Fixed | Mode::Prescribed);
@@ -98,19 +99,20 @@ impl Engine {
     fn initial_pairs(&self, core: &Core) -> Result<Vec<(usize, usize)>, SimulationError> {
         let mut boxes = Boxes::new(&core.settings, self.motions.states.len());
         for (body, state) in self.motions.states.iter().enumerate() {
-            let margin = core.model.touch_distance(&self.motions.states, body, body);
+            let margin = tolerances::touch_distance(&core.model, &self.motions.states, body, body);
             boxes.set(&core.model, body, &Still(state.pose), (core.t, core.t), margin);
         }
         let mut pairs = Vec::new();
         boxes.all_pairs(&core.model, |a, b| pairs.push((a, b)))?;
-        pairs.extend(core.model.joint_contact_pairs());
+        pairs.extend(core.model.joints.joint_contact_pairs());
         Ok(pairs)
     }
 
     /// Moves bodies that overlap within the touch distance until they just touch, with a warning.
     fn separate_overlaps(&mut self, core: &mut Core, contacts: &mut Vec<Touch>) -> Result<(), SimulationError> {
         let overlapping = |touch: &&Touch| {
-            touch.kinematics.geometry.separation < -core.model.rounding(&self.motions.states, touch.id.a, touch.id.b)
+            touch.kinematics.geometry.separation
+                < -tolerances::rounding(&core.model, &self.motions.states, touch.id.a, touch.id.b)
         };
         let depths = contacts.iter().filter(overlapping).map(|touch| -touch.kinematics.geometry.separation);
         let deepest = depths.fold(0.0f64, f64::max);
@@ -134,7 +136,7 @@ impl Engine {
         for body in 0..self.motions.tracks.len() {
             self.motions.begin_free_motion(core, body, core.t);
         }
-        contacts.retain_mut(|touch| match core.model.kinematics(&self.motions.states, touch.id) {
+        contacts.retain_mut(|touch| match contact_set::kinematics(&core.model, &self.motions.states, touch.id) {
             Some(kinematics) => {
                 touch.kinematics = kinematics;
                 true

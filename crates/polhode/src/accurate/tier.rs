@@ -10,8 +10,9 @@ use crate::accounting::Accounts;
 use crate::accounting::books::Received;
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
+use crate::model::{prescribed, reported, tolerances};
 use crate::report::acceleration::Acceleration;
-use crate::report::frame::{ContactView, IslandView, JointView, MotionKind, PivotView};
+use crate::report::frame::{self, ContactView, IslandView, JointView, MotionKind, PivotView};
 use crate::report::observer::{BodySample, Observer};
 use crate::rows::assembly::free_acceleration;
 use crate::scene::effects::Effects;
@@ -177,12 +178,12 @@ impl Tier for Engine {
         let loads = model.loads(core.t, &states);
         let mut out: Vec<_> = (0..model.bodies.len())
             .map(|body| {
-                let (linear, angular) = if model.trajectory(body).is_some() {
-                    model.prescribed_acceleration(body, core.t)
+                let (linear, angular) = if prescribed::trajectory(model, body).is_some() {
+                    prescribed::prescribed_acceleration(model, body, core.t)
                 } else {
                     free_acceleration(model, &states, &loads, body)
                 };
-                model.reported_acceleration(body, &states[body], linear, angular)
+                reported::reported_acceleration(model, body, &states[body], linear, angular)
             })
             .collect();
         for (group, members) in self.present_groups(core, &states) {
@@ -190,7 +191,7 @@ impl Tier for Engine {
                 .map_err(|source| Core::response_error(core.t, source))?;
             core.accounts.note_solve(core.t, &forces.solution.report)?;
             for (body, linear, angular) in forces.accelerations() {
-                out[body] = core.model.reported_acceleration(body, &states[body], linear, angular);
+                out[body] = reported::reported_acceleration(&core.model, body, &states[body], linear, angular);
             }
         }
         Ok(out)
@@ -215,10 +216,10 @@ impl Tier for Engine {
             let (id, geometry) = (touch.id, touch.kinematics.geometry);
             let force = forces_by_id.get(&id).copied();
             // A contact that has opened since its last evaluation no longer touches.
-            if force.is_none() && geometry.separation > core.model.touch_distance(states, id.a, id.b) {
+            if force.is_none() && geometry.separation > tolerances::touch_distance(&core.model, states, id.a, id.b) {
                 continue;
             }
-            core.model.view_contact(states, &touch, force.unwrap_or_default(), &mut views);
+            frame::view_contact(&core.model, states, &touch, force.unwrap_or_default(), &mut views);
         }
         views
     }

@@ -5,7 +5,7 @@ use super::locate::PENETRATION_CHECKS;
 use super::resolve::Resolution;
 use super::step_search::StepSearch;
 use crate::constraint::locator::{Side, close_in};
-use crate::constraint::released::RunOff;
+use crate::constraint::released::{self, RunOff};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::report::event::{Event, EventKind};
@@ -37,7 +37,7 @@ impl StepSearch<'_> {
 
     fn running_off(&mut self, t: f64) -> Vec<RunOff> {
         self.step.states_at(&self.core.model, t, self.states);
-        self.core.model.run_off(self.states, &self.step.bodies)
+        released::run_off(&self.core.model, self.states, &self.step.bodies)
     }
 }
 
@@ -49,10 +49,12 @@ impl Resolution<'_> {
     pub(super) fn let_go_at_ends_of_tracks(&mut self) -> Result<(), SimulationError> {
         let joints = self.instant.change.running_off.clone();
         for joint in joints {
-            let Some(RunOff { body, point, .. }) = self.core.model.place_on_track(&self.motions.states, joint) else {
+            let Some(RunOff { body, point, .. }) =
+                released::place_on_track(&self.core.model, &self.motions.states, joint)
+            else {
                 continue;
             };
-            self.core.model.release(&[joint])?;
+            released::release(&mut self.core.model, &[joint])?;
             let event = Event::new(self.instant.t, EventKind::Detach, BodyId::new(body));
             self.core.accounts.add_event(Event { point, ..event });
         }

@@ -4,9 +4,10 @@ use super::hold::{Forces, FoundMode};
 use super::motions::Motions;
 use super::resolve::Resolution;
 use super::resolve::slip_noise;
-use crate::collision::contact_set::Touch;
+use crate::collision::contact_set::{self, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::{RotationModes, Turn};
+use crate::model::tolerances;
 use crate::tier::core::Core;
 
 impl Motions {
@@ -15,7 +16,7 @@ impl Motions {
         if !core.model.surfaces.have_rotational_friction() {
             return RotationModes::default();
         }
-        let rotation = core.model.relative_rotation(&self.states, touch.id);
+        let rotation = contact_set::relative_rotation(&core.model, &self.states, touch.id);
         RotationModes::of(|turn| {
             turn.friction(&core.model, (touch.id.a, touch.id.b))?;
             let part = turn.part(rotation, touch.kinematics.geometry.normal);
@@ -64,7 +65,7 @@ impl Resolution<'_> {
 
 /// The size of the smaller body of a contact that moves, m.
 fn size_of(core: &Core, touch: &Touch) -> f64 {
-    core.model.pair_size(touch.id.a, touch.id.b)
+    tolerances::pair_size(&core.model, touch.id.a, touch.id.b)
 }
 
 /// Rounding error of relative rotations at a contact, rad/s.

@@ -19,7 +19,7 @@
 
 use super::contact_set::Touch;
 use crate::identity::contact_id::{ContactId, Feature};
-use crate::model::Model;
+use crate::model::{Model, tolerances};
 use polhode_contact::{ContactFeature, DVec3, Side, SurfaceFeature, closest_point};
 use polhode_dynamics::BodyState;
 
@@ -44,74 +44,72 @@ struct Lying<'a> {
     on: usize,
 }
 
-impl Model {
-    /// Removes the contacts at borders that other touching bodies cover.
-    pub(crate) fn remove_covered_borders(&self, states: &[BodyState], touches: &mut Vec<Touch>) {
-        let others = |body: usize| {
-            let mut others = bodies_on(touches, body);
-            others.sort_unstable();
-            others.dedup();
-            others
-        };
-        let crossings = touches.iter().filter_map(crossed_edge);
-        let crossings = crossings.filter(|Lying { touch, body, .. }| {
-            self.cover(states, touch, &others(*body), self.touch_distance(states, touch.id.a, touch.id.b))
-        });
-        let both_ways = |touch| [lying_on(touch, Side::A), lying_on(touch, Side::B)];
-        let seams = touches.iter().flat_map(both_ways).filter(|lying| self.is_on_seam(lying, touches));
-        let seams = seams.filter(|Lying { touch, body, on, .. }| {
-            // The border of the higher one of two levels bears a load.
-            let level = self.rounding(states, touch.id.a, touch.id.b);
-            !self.cover(states, touch, &[*on], level) && self.cover(states, touch, &others(*body), level)
-        });
-        let lying = crossings.chain(seams);
-        let mut covered: Vec<ContactId> = lying.map(|lying| lying.touch.id).collect();
-        covered.sort_unstable();
-        if !covered.is_empty() {
-            touches.retain(|touch| covered.binary_search(&touch.id).is_err());
-        }
+/// Removes the contacts at borders that other touching bodies cover.
+pub(crate) fn remove_covered_borders(model: &Model, states: &[BodyState], touches: &mut Vec<Touch>) {
+    let others = |body: usize| {
+        let mut others = bodies_on(touches, body);
+        others.sort_unstable();
+        others.dedup();
+        others
+    };
+    let crossings = touches.iter().filter_map(crossed_edge);
+    let crossings = crossings.filter(|Lying { touch, body, .. }| {
+        cover(model, states, touch, &others(*body), tolerances::touch_distance(model, states, touch.id.a, touch.id.b))
+    });
+    let both_ways = |touch| [lying_on(touch, Side::A), lying_on(touch, Side::B)];
+    let seams = touches.iter().flat_map(both_ways).filter(|lying| is_on_seam(model, lying, touches));
+    let seams = seams.filter(|Lying { touch, body, on, .. }| {
+        // The border of the higher one of two levels bears a load.
+        let level = tolerances::rounding(model, states, touch.id.a, touch.id.b);
+        !cover(model, states, touch, &[*on], level) && cover(model, states, touch, &others(*body), level)
+    });
+    let lying = crossings.chain(seams);
+    let mut covered: Vec<ContactId> = lying.map(|lying| lying.touch.id).collect();
+    covered.sort_unstable();
+    if !covered.is_empty() {
+        touches.retain(|touch| covered.binary_search(&touch.id).is_err());
     }
+}
 
-    /// Whether a contact is one that [`Self::remove_covered_borders`] may remove.
-    pub(crate) fn may_be_at_border(&self, id: ContactId) -> bool {
-        let Feature::Shapes(feature) = id.feature else { return false };
-        let lies = |side: Side, body: usize, on: usize| {
-            self.bodies[body].moves() && !self.bodies[on].moves() && !is_extreme(id.feature, side)
-        };
-        is_crossing(feature) || lies(Side::A, id.a, id.b) || lies(Side::B, id.b, id.a)
-    }
+/// Whether a contact is one that [`Self::remove_covered_borders`] may remove.
+pub(crate) fn may_be_at_border(model: &Model, id: ContactId) -> bool {
+    let Feature::Shapes(feature) = id.feature else { return false };
+    let lies = |side: Side, body: usize, on: usize| {
+        model.bodies[body].moves() && !model.bodies[on].moves() && !is_extreme(id.feature, side)
+    };
+    is_crossing(feature) || lies(Side::A, id.a, id.b) || lies(Side::B, id.b, id.a)
+}
 
-    /// Whether an edge, a line or a face of a body that may move touches a second immovable body at the place of its
-    /// contact with an immovable one.
-    fn is_on_seam(&self, &Lying { touch, side, body, on }: &Lying<'_>, touches: &[Touch]) -> bool {
-        let moves = |body: usize| self.bodies[body].moves();
-        if !moves(body) || moves(on) || is_extreme(touch.id.feature, side) {
-            return false;
-        }
-        let near = PROBE * self.pair_size(touch.id.a, touch.id.b);
-        let here = &touch.kinematics.geometry;
-        touches.iter().any(|other| {
-            let partner = partner(other, body);
-            let there = &other.kinematics.geometry;
-            partner.is_some_and(|partner| partner != on && !moves(partner))
-                && there.point.distance(here.point) <= near
-                && there.normal.cross(here.normal).length() <= PROBE
-        })
+/// Whether an edge, a line or a face of a body that may move touches a second immovable body at the place of its
+/// contact with an immovable one.
+fn is_on_seam(model: &Model, &Lying { touch, side, body, on }: &Lying<'_>, touches: &[Touch]) -> bool {
+    let moves = |body: usize| model.bodies[body].moves();
+    if !moves(body) || moves(on) || is_extreme(touch.id.feature, side) {
+        return false;
     }
+    let near = PROBE * tolerances::pair_size(model, touch.id.a, touch.id.b);
+    let here = &touch.kinematics.geometry;
+    touches.iter().any(|other| {
+        let partner = partner(other, body);
+        let there = &other.kinematics.geometry;
+        partner.is_some_and(|partner| partner != on && !moves(partner))
+            && there.point.distance(here.point) <= near
+            && there.normal.cross(here.normal).length() <= PROBE
+    })
+}
 
-    /// Whether some bodies cover the contact plane all around a contact, within `allowed` (m) of their surfaces.
-    fn cover(&self, states: &[BodyState], touch: &Touch, bodies: &[usize], allowed: f64) -> bool {
-        let geometry = &touch.kinematics.geometry;
-        let size = self.pair_size(touch.id.a, touch.id.b);
-        places_around(geometry.point, geometry.normal, size)
-            .all(|place| bodies.iter().any(|&body| self.reaches(states, body, place, allowed)))
-    }
+/// Whether some bodies cover the contact plane all around a contact, within `allowed` (m) of their surfaces.
+fn cover(model: &Model, states: &[BodyState], touch: &Touch, bodies: &[usize], allowed: f64) -> bool {
+    let geometry = &touch.kinematics.geometry;
+    let size = tolerances::pair_size(model, touch.id.a, touch.id.b);
+    places_around(geometry.point, geometry.normal, size)
+        .all(|place| bodies.iter().any(|&body| reaches(model, states, body, place, allowed)))
+}
 
-    /// Whether a place is inside a body or at its surface, within `allowed` (m).
-    pub(super) fn reaches(&self, states: &[BodyState], body: usize, place: DVec3, allowed: f64) -> bool {
-        let near = self.bodies[body].shape.as_ref().map(|shape| closest_point(shape, &states[body].pose, place));
-        near.is_some_and(|near| near.is_ok_and(|near| near.distance <= allowed))
-    }
+/// Whether a place is inside a body or at its surface, within `allowed` (m).
+pub(super) fn reaches(model: &Model, states: &[BodyState], body: usize, place: DVec3, allowed: f64) -> bool {
+    let near = model.bodies[body].shape.as_ref().map(|shape| closest_point(shape, &states[body].pose, place));
+    near.is_some_and(|near| near.is_ok_and(|near| near.distance <= allowed))
 }
 
 /// The places that are probed around one, in the plane with this normal, where the smaller body has this size (m).

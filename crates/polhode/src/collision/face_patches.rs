@@ -10,7 +10,8 @@
 //! Patches are part of the state of a run: which poses they were found at decides their anchors. Failure: patches of
 //! bodies whose faces are strongly curved over the reach are flat.
 
-use crate::model::Model;
+use crate::collision::contact_set;
+use crate::model::{Model, tolerances};
 use polhode_contact::{
     Aabb, Contact, ContactFeature, ContactGeometry, Manifold, PairMemory, Shape, Side, Workspace, clipped_manifold,
     near_manifold_with,
@@ -199,7 +200,7 @@ impl PairPatches {
                 .as_ref()
                 .is_some_and(|shape| matches!(shape, Shape::Convex(_) | Shape::HalfSpace(_)))
         };
-        let size = model.pair_size(a, b);
+        let size = tolerances::pair_size(model, a, b);
         let smaller = if size == model.bodies[a].size { Side::A } else { Side::B };
         let base = match [a, b].map(|body| model.bodies[body].moves()) {
             [false, true] => Side::A,
@@ -275,7 +276,7 @@ impl PairPatches {
         if self.are_kept(&now, reach) {
             return;
         }
-        let Some((shape_a, shape_b)) = model.shapes(self.a, self.b) else {
+        let Some((shape_a, shape_b)) = contact_set::shapes(model, self.a, self.b) else {
             self.presses = false;
             return self.patches.clear();
         };

@@ -14,7 +14,8 @@
 
 use super::covered_borders::places_around;
 use super::face_patches::{PairPatches, Patch, PatchPoint};
-use crate::model::Model;
+use crate::collision::covered_borders;
+use crate::model::{Model, prescribed, tolerances};
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
@@ -28,7 +29,7 @@ struct Lying {
 
 /// Leaves out the points of patches at borders that other fixed bodies continue.
 pub(crate) fn leave_out_inner_borders(model: &Model, states: &[BodyState], pairs: &mut [PairPatches]) {
-    let is_fixed = |body: usize| !model.bodies[body].moves() && model.trajectory(body).is_none();
+    let is_fixed = |body: usize| !model.bodies[body].moves() && prescribed::trajectory(model, body).is_none();
     let lying =
         pairs.iter().enumerate().filter(|(_, pair)| !pair.patches.is_empty()).filter_map(|(place, pair)| {
             match [pair.a, pair.b].map(is_fixed) {
@@ -72,14 +73,16 @@ fn kept(
     let others: Vec<&Lying> = of_body.iter().filter(|other| other.place != own.place).collect();
     let lift = lift(states, others.iter().map(|other| (&pairs[other.place], other.body)));
     let pair = &pairs[own.place];
-    let allowed = model.touch_distance(states, pair.a, pair.b);
-    let size = model.pair_size(pair.a, pair.b);
-    let is_covered = |place: DVec3| others.iter().any(|other| model.reaches(states, other.on, place, allowed));
+    let allowed = tolerances::touch_distance(model, states, pair.a, pair.b);
+    let size = tolerances::pair_size(model, pair.a, pair.b);
+    let is_covered =
+        |place: DVec3| others.iter().any(|other| covered_borders::reaches(model, states, other.on, place, allowed));
     let is_kept = |patch: &Patch, point: &PatchPoint| {
         let normal = pair.normal(states, patch);
         let place = states[own.on].pose.transform_point(if own.on == pair.a { point.on_a } else { point.on_b });
         let lifted = place + (lift - normal * normal.dot(lift));
-        let is_free = |place: DVec3| model.reaches(states, own.on, place, allowed) && !is_covered(place);
+        let is_free =
+            |place: DVec3| covered_borders::reaches(model, states, own.on, place, allowed) && !is_covered(place);
         !is_covered(place) || places_around(lifted, normal, size).any(is_free)
     };
     pair.patches.iter().map(|patch| patch.points().iter().map(|point| is_kept(patch, point)).collect()).collect()

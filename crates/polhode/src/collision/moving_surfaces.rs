@@ -10,56 +10,55 @@
 //! at the contact, `u` the slip): the drives of the surfaces give `-f.w`. Assumes that a surface moves steadily, and
 //! that no momentum of what moves matters.
 
+use crate::collision::contact_set;
 use crate::identity::contact_id::ContactId;
 use crate::model::Model;
 use polhode_contact::{ContactGeometry, TangentialKinematics};
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
-impl Model {
-    /// Whether the surface of a body moves.
-    pub(crate) fn has_moving_surface(&self, body: usize) -> bool {
-        self.scene.bodies().get(body).is_some_and(|body| body.velocity_of_surface() != DVec3::ZERO)
-    }
+/// Whether the surface of a body moves.
+pub(crate) fn has_moving_surface(model: &Model, body: usize) -> bool {
+    model.scene.bodies().get(body).is_some_and(|body| body.velocity_of_surface() != DVec3::ZERO)
+}
 
-    /// `R s`, m/s.
-    pub(crate) fn surface_velocity(&self, states: &[BodyState], body: usize) -> DVec3 {
-        states[body].pose.rotation.rotate(self.scene.bodies()[body].velocity_of_surface())
-    }
+/// `R s`, m/s.
+pub(crate) fn surface_velocity(model: &Model, states: &[BodyState], body: usize) -> DVec3 {
+    states[body].pose.rotation.rotate(model.scene.bodies()[body].velocity_of_surface())
+}
 
-    /// `w`, m/s.
-    fn relative_surface_velocity(&self, states: &[BodyState], id: ContactId) -> DVec3 {
-        self.surface_velocity(states, id.a) - self.surface_velocity(states, id.b)
-    }
+/// `w`, m/s.
+fn relative_surface_velocity(model: &Model, states: &[BodyState], id: ContactId) -> DVec3 {
+    surface_velocity(model, states, id.a) - surface_velocity(model, states, id.b)
+}
 
-    /// Adds what the surfaces of the bodies of a contact do to its slip.
-    pub(super) fn add_surface_slip(&self, states: &[BodyState], id: ContactId, terms: &mut TangentialKinematics) {
-        let turned = |body: usize| {
-            let own = self.surface_velocity(states, body);
-            if own == DVec3::ZERO { own } else { self.velocity(body, &states[body]).angular.cross(own) }
-        };
-        let w = self.relative_surface_velocity(states, id);
-        let rate = turned(id.a) - turned(id.b);
-        let [x, y] = terms.basis;
-        let in_plane = |vector: DVec3| x * x.dot(vector) + y * y.dot(vector);
-        let (n, n_rate) = (x.cross(y), terms.normal_rate);
-        terms.slip_velocity += in_plane(w);
-        terms.acceleration_bias += in_plane(rate) - n * n_rate.dot(w) - n_rate * n.dot(w);
-    }
+/// Adds what the surfaces of the bodies of a contact do to its slip.
+pub(super) fn add_surface_slip(model: &Model, states: &[BodyState], id: ContactId, terms: &mut TangentialKinematics) {
+    let turned = |body: usize| {
+        let own = surface_velocity(model, states, body);
+        if own == DVec3::ZERO { own } else { contact_set::velocity(model, body, &states[body]).angular.cross(own) }
+    };
+    let w = relative_surface_velocity(model, states, id);
+    let rate = turned(id.a) - turned(id.b);
+    let [x, y] = terms.basis;
+    let in_plane = |vector: DVec3| x * x.dot(vector) + y * y.dot(vector);
+    let (n, n_rate) = (x.cross(y), terms.normal_rate);
+    terms.slip_velocity += in_plane(w);
+    terms.acceleration_bias += in_plane(rate) - n * n_rate.dot(w) - n_rate * n.dot(w);
+}
 
-    /// Work (J) of the drives of surfaces by impulses (N s) on A along tangents, which stand in the place of normals;
-    /// from forces (N), their power, W.
-    pub(crate) fn surface_work<'a>(
-        &self,
-        states: &[BodyState],
-        tangential: impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)>,
-    ) -> f64 {
-        if !self.surfaces.are_driven() {
-            return 0.0;
-        }
-        let work = |(id, along, p): (ContactId, &ContactGeometry, f64)| {
-            -p * along.normal.dot(self.relative_surface_velocity(states, id))
-        };
-        tangential.map(work).sum()
+/// Work (J) of the drives of surfaces by impulses (N s) on A along tangents, which stand in the place of normals;
+/// from forces (N), their power, W.
+pub(crate) fn surface_work<'a>(
+    model: &Model,
+    states: &[BodyState],
+    tangential: impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)>,
+) -> f64 {
+    if !model.surfaces.are_driven() {
+        return 0.0;
     }
+    let work = |(id, along, p): (ContactId, &ContactGeometry, f64)| {
+        -p * along.normal.dot(relative_surface_velocity(model, states, id))
+    };
+    tangential.map(work).sum()
 }

@@ -37,9 +37,7 @@ impl SlipDirections {
     }
 }
 
-impl Model {
-    /// The directions in which bodies may slip on each other.
-    pub(crate) fn slip_directions(&self) -> SlipDirections {
-        if self.plane.is_some() { SlipDirections::First } else { SlipDirections::Both }
-    }
+/// The directions in which bodies may slip on each other.
+pub(crate) fn slip_directions(model: &Model) -> SlipDirections {
+    if model.plane.is_some() { SlipDirections::First } else { SlipDirections::Both }
 }

@@ -2,7 +2,8 @@
 
 use super::friction_mode::FrictionMode;
 use super::slip_directions::SlipDirections;
-use crate::model::Model;
+use crate::collision::{contact_set, slip_directions};
+use crate::model::{Model, tolerances};
 use polhode_spatial::DVec3;
 
 /// A kind of rotation of two bodies on each other.
@@ -28,10 +29,10 @@ impl Turn {
 
     /// The length of its friction between two bodies, m; none without it, and of spinning in planar motion.
     pub(crate) fn friction(self, model: &Model, (a, b): (usize, usize)) -> Option<f64> {
-        let friction = model.rotational_friction_of(a, b)?;
+        let friction = contact_set::rotational_friction_of(model, a, b)?;
         let length = match self {
             Self::Rolling => friction.rolling,
-            Self::Spinning if model.slip_directions() == SlipDirections::First => return None,
+            Self::Spinning if slip_directions::slip_directions(model) == SlipDirections::First => return None,
             Self::Spinning => friction.spinning,
         };
         (length > 0.0).then_some(length)
@@ -40,7 +41,7 @@ impl Turn {
     /// Its friction between two bodies in the rows of their rotations: its length over that of the rows (no unit); none
     /// without it.
     pub(crate) fn coefficient(self, model: &Model, (a, b): (usize, usize)) -> Option<f64> {
-        Some(self.friction(model, (a, b))? / model.turning_length(a, b))
+        Some(self.friction(model, (a, b))? / tolerances::turning_length(model, a, b))
     }
 
     /// The part of a relative angular velocity (rad/s) that is of this kind.

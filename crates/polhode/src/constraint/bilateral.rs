@@ -18,9 +18,9 @@
 use super::ConstraintId;
 use super::row::{Action, BilateralRow, Member, Part, RowKind, RowsAt};
 use super::softness::Softness;
-use crate::model::Model;
-use crate::report::momentum_ledger::Momentum;
-use crate::report::momentum_ledger::MomentumSum;
+use crate::collision::contact_set;
+use crate::model::{Model, prescribed};
+use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
@@ -158,37 +158,35 @@ fn length(parts: impl Iterator<Item = f64>) -> f64 {
     parts.fold(0.0, |sum: f64, part| sum + part * part).sqrt()
 }
 
-impl Model {
-    /// Term of prescribed accelerations at `t` (s) in the second derivative of the gap of a row, m/s^2.
-    pub(crate) fn driven_acceleration(&self, t: f64, bilateral: &Bilateral, row: &BilateralRow) -> f64 {
-        let term = |driver: &Member| {
-            let (along, about) = row.entries(driver);
-            let (linear, angular) = self.prescribed_acceleration(driver.body, t);
-            along.dot(linear) + about.dot(angular)
-        };
-        bilateral.drivers.iter().map(term).reduce(|sum, own| sum + own).unwrap_or(0.0)
-    }
+/// Term of prescribed accelerations at `t` (s) in the second derivative of the gap of a row, m/s^2.
+pub(crate) fn driven_acceleration(model: &Model, t: f64, bilateral: &Bilateral, row: &BilateralRow) -> f64 {
+    let term = |driver: &Member| {
+        let (along, about) = row.entries(driver);
+        let (linear, angular) = prescribed::prescribed_acceleration(model, driver.body, t);
+        along.dot(linear) + about.dot(angular)
+    };
+    bilateral.drivers.iter().map(term).reduce(|sum, own| sum + own).unwrap_or(0.0)
+}
 
-    /// Work of kinematic bodies on those that constraints hold to them, J, by these impulses; of forces their power, W.
-    pub(crate) fn driven_work<'a>(
-        &self,
-        states: &[BodyState],
-        reactions: impl Iterator<Item = (&'a Bilateral, Reaction)>,
-    ) -> f64 {
-        let by_driver = |bilateral: &Bilateral, reaction: Reaction, driver: &Member| {
-            let velocity = self.velocity(driver.body, &states[driver.body]);
-            if let Some(row) = bilateral.tied() {
-                let (along, about) = row.entries(driver);
-                return -row.multiplier(reaction) * (along.dot(velocity.linear) + about.dot(velocity.angular));
-            }
-            let at_point = velocity.linear + velocity.angular.cross(driver.arm);
-            -driver.sign * (reaction.force.dot(at_point) + reaction.moment.dot(velocity.angular))
-        };
-        let work = |(bilateral, reaction): (&'a Bilateral, Reaction)| {
-            bilateral.drivers.iter().map(move |driver| by_driver(bilateral, reaction, driver))
-        };
-        reactions.flat_map(work).sum()
-    }
+/// Work of kinematic bodies on those that constraints hold to them, J, by these impulses; of forces their power, W.
+pub(crate) fn driven_work<'a>(
+    model: &Model,
+    states: &[BodyState],
+    reactions: impl Iterator<Item = (&'a Bilateral, Reaction)>,
+) -> f64 {
+    let by_driver = |bilateral: &Bilateral, reaction: Reaction, driver: &Member| {
+        let velocity = contact_set::velocity(model, driver.body, &states[driver.body]);
+        if let Some(row) = bilateral.tied() {
+            let (along, about) = row.entries(driver);
+            return -row.multiplier(reaction) * (along.dot(velocity.linear) + about.dot(velocity.angular));
+        }
+        let at_point = velocity.linear + velocity.angular.cross(driver.arm);
+        -driver.sign * (reaction.force.dot(at_point) + reaction.moment.dot(velocity.angular))
+    };
+    let work = |(bilateral, reaction): (&'a Bilateral, Reaction)| {
+        bilateral.drivers.iter().map(move |driver| by_driver(bilateral, reaction, driver))
+    };
+    reactions.flat_map(work).sum()
 }
 
 /// Momentum that reactions of constraints with the world, or with kinematic bodies (N s, N) give to the bodies that

@@ -2,34 +2,34 @@
 
 use super::ConstraintId;
 use super::bilateral::{Bilateral, Reaction};
-use crate::model::Model;
+use crate::model::{Joints, Model};
 use crate::scene::Strength;
 
-impl Model {
-    /// The load at which a joint breaks; none of one that nothing breaks.
-    pub(crate) fn strength_of(&self, joint: usize) -> Option<Strength> {
-        self.scene.joints().get(joint)?.strength()
-    }
-
+impl Joints {
     /// Whether any joint of the scene may break.
     pub(crate) fn may_break(&self) -> bool {
-        !self.joints.breakable.is_empty()
+        !self.breakable.is_empty()
     }
 
     /// Whether any joint of these bodies may break.
     pub(crate) fn may_break_among(&self, bodies: &[usize]) -> bool {
-        self.may_break() && self.joints_among(bodies).any(|joint| self.joints.breakable.contains(&joint.number()))
+        self.may_break() && self.joints_among(bodies).any(|joint| self.breakable.contains(&joint.number()))
     }
+}
 
-    /// The joints that impulses of an impact (N s) break.
-    pub(crate) fn broken_by(&self, impulses: &[(Bilateral, Reaction)]) -> Vec<usize> {
-        let is_broken = |(of, impulse): &(Bilateral, Reaction)| match of.id {
-            ConstraintId::Joint { joint, .. } => {
-                let most = self.strength_of(joint)?.greatest_impulse();
-                (impulse.force.length() >= most).then_some(joint)
-            }
-            _ => None,
-        };
-        if self.may_break() { impulses.iter().filter_map(is_broken).collect() } else { Vec::new() }
-    }
+/// The load at which a joint breaks; none of one that nothing breaks.
+pub(crate) fn strength_of(model: &Model, joint: usize) -> Option<Strength> {
+    model.scene.joints().get(joint)?.strength()
+}
+
+/// The joints that impulses of an impact (N s) break.
+pub(crate) fn broken_by(model: &Model, impulses: &[(Bilateral, Reaction)]) -> Vec<usize> {
+    let is_broken = |(of, impulse): &(Bilateral, Reaction)| match of.id {
+        ConstraintId::Joint { joint, .. } => {
+            let most = strength_of(model, joint)?.greatest_impulse();
+            (impulse.force.length() >= most).then_some(joint)
+        }
+        _ => None,
+    };
+    if model.joints.may_break() { impulses.iter().filter_map(is_broken).collect() } else { Vec::new() }
 }

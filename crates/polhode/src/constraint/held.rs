@@ -4,74 +4,33 @@ use super::ConstraintId;
 use super::bilateral::Bilateral;
 use super::joint::{ModelJoint, pivot_rows};
 use super::tie::Tie;
-use crate::model::Model;
+use crate::collision::contact_set;
+use crate::model::{Joints, Model};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DisjointSets, Pose, Velocity};
 use std::collections::BTreeSet;
 
-impl Model {
+impl Joints {
     /// Whether constraint rows hold any body.
     pub(crate) fn has_rows(&self) -> bool {
-        !self.joints.held_by_rows.is_empty()
+        !self.held_by_rows.is_empty()
     }
 
     /// Whether constraint rows hold this body.
     pub(crate) fn is_held_by_rows(&self, body: usize) -> bool {
-        self.joints.held_by_rows.binary_search(&body).is_ok()
-    }
-
-    /// The bilateral constraints of these bodies in these states: the pivots with constraint rows, in the order of the
-    /// bodies, then the joints, in that of the scene, then the ties.
-    pub(crate) fn bilaterals<'a>(
-        &'a self,
-        states: &'a [BodyState],
-        bodies: &'a [usize],
-    ) -> impl Iterator<Item = Bilateral> + 'a {
-        self.bilaterals_by(bodies, |body| self.motion_of(states, body))
-    }
-
-    /// The same where bodies have these poses of their moving frames, and velocities.
-    pub(crate) fn bilaterals_by<'a>(
-        &'a self,
-        bodies: &'a [usize],
-        motion: impl Fn(usize) -> (Pose, Velocity) + Copy + 'a,
-    ) -> impl Iterator<Item = Bilateral> + 'a {
-        let bodies = if self.joints.held_by_rows.is_empty() { &[] } else { bodies };
-        let joints = self.joints_among(bodies).map(move |joint| Bilateral::new(joint.id(), joint.rows_at(motion)));
-        let ties = self.ties_among(bodies).filter_map(move |tie| {
-            let rows = tie.row_at(motion)?;
-            let (first, last) = (rows.members.first()?.body, rows.members.last()?.body);
-            Some(Bilateral::new(ConstraintId::Tie { tie: tie.number(), bodies: (first, last) }, rows))
-        });
-        bodies.iter().filter_map(move |&body| self.pivot_by(body, motion)).chain(joints).chain(ties)
-    }
-
-    /// The pivot of a body with constraint rows; none for any other body.
-    pub(crate) fn pivot(&self, states: &[BodyState], body: usize) -> Option<Bilateral> {
-        self.pivot_by(body, |body| self.motion_of(states, body))
-    }
-
-    fn pivot_by(&self, body: usize, motion: impl Fn(usize) -> (Pose, Velocity)) -> Option<Bilateral> {
-        let held = self.bodies[body].held?;
-        let rows = pivot_rows((body, held.arm), held.place, motion);
-        Some(Bilateral::new(ConstraintId::Pivot { body }, rows))
-    }
-
-    /// The pose of the moving frame of a body, and its velocity.
-    pub(crate) fn motion_of(&self, states: &[BodyState], body: usize) -> (Pose, Velocity) {
-        (states[body].pose, self.velocity(body, &states[body]))
+        self.held_by_rows.binary_search(&body).is_ok()
     }
 
     /// The joints that hold some of these bodies, in the order of the scene.
     pub(crate) fn joints_among(&self, bodies: &[usize]) -> impl Iterator<Item = &ModelJoint> {
-        self.joint_places_among(bodies).into_iter().map(|joint| &self.joints.list[joint])
+        self.joint_places_among(bodies).into_iter().map(|joint| &self.list[joint])
     }
 
     /// The places of these joints in the world.
     pub(crate) fn joint_places_among(&self, bodies: &[usize]) -> Vec<usize> {
-        let bodies = if self.joints.list.is_empty() { &[] } else { bodies };
+        let bodies = if self.list.is_empty() { &[] } else { bodies };
         let mut joints: Vec<usize> =
-            bodies.iter().filter_map(|body| self.joints.of_body.get(body)).flatten().copied().collect();
+            bodies.iter().filter_map(|body| self.of_body.get(body)).flatten().copied().collect();
         joints.sort_unstable();
         joints.dedup();
         joints
@@ -79,7 +38,7 @@ impl Model {
 
     /// The kinematic bodies that joints and ties hold to these; one with several joints is repeated.
     pub(crate) fn drivers_of<'a>(&'a self, bodies: &'a [usize]) -> impl Iterator<Item = usize> + 'a {
-        let bodies = if self.joints.drivers.is_empty() { &[] } else { bodies };
+        let bodies = if self.drivers.is_empty() { &[] } else { bodies };
         self.joints_among(bodies)
             .filter_map(ModelJoint::driver)
             .chain(self.ties_among(bodies).filter_map(Tie::carriage))
@@ -87,50 +46,25 @@ impl Model {
 
     /// The bodies that joints hold to this kinematic one, and all that joints connect to them, ascending.
     pub(crate) fn driven_by(&self, driver: usize) -> Vec<usize> {
-        let own = self.joints.list.iter().filter(|joint| joint.driver() == Some(driver));
+        let own = self.list.iter().filter(|joint| joint.driver() == Some(driver));
         self.with_jointed(own.flat_map(ModelJoint::bodies).collect())
     }
 
     /// These bodies and all that joints and ties connect to them, ascending.
     pub(crate) fn with_jointed(&self, bodies: Vec<usize>) -> Vec<usize> {
-        if self.joints.list.is_empty() {
+        if self.list.is_empty() {
             return bodies;
         }
         let mut found: BTreeSet<usize> = bodies.iter().copied().collect();
         let mut left = bodies;
         while let Some(body) = left.pop() {
-            let joints = self.joints.of_body.get(&body).into_iter().flatten();
-            let reached = joints.flat_map(|&joint| self.joints.list[joint].bodies());
+            let joints = self.of_body.get(&body).into_iter().flatten();
+            let reached = joints.flat_map(|&joint| self.list[joint].bodies());
             left.extend(reached.filter(|&other| found.insert(other)));
-            let tied = self
-                .joints
-                .ties_of_body
-                .get(&body)
-                .into_iter()
-                .flatten()
-                .flat_map(|&tie| self.joints.ties[tie].bodies());
+            let tied = self.ties_of_body.get(&body).into_iter().flatten().flat_map(|&tie| self.ties[tie].bodies());
             left.extend(tied.filter(|&other| found.insert(other)));
         }
         found.into_iter().collect()
-    }
-
-    /// Whether joints and pivots of these bodies (ascending) close loops, through the world or kinematic bodies too.
-    /// Gears and prescribed motions close none.
-    pub(crate) fn has_loops_among(&self, bodies: &[usize]) -> bool {
-        // The world is the last place.
-        let mut sets = DisjointSets::new(bodies.len() + 1);
-        let place = |body: usize| bodies.binary_search(&body).unwrap_or(bodies.len());
-        let pivoted = bodies.iter().filter(|&&body| self.bodies[body].held.is_some());
-        let pivots = pivoted.map(|&body| [place(body), bodies.len()]);
-        let joints = self.joints_among(bodies).filter(|joint| joint.has_rows()).map(|joint| {
-            let mut held = joint.bodies().map(place);
-            [held.next().unwrap_or(bodies.len()), held.next().unwrap_or(bodies.len())]
-        });
-        pivots.chain(joints).any(|[a, b]| {
-            let is_closed = sets.smallest(a) == sets.smallest(b);
-            sets.join(a, b);
-            is_closed
-        })
     }
 
     /// Those of these bodies that constraint rows hold.
@@ -138,4 +72,65 @@ impl Model {
         let bodies = if self.has_rows() { bodies } else { &[] };
         bodies.iter().copied().filter(|&body| self.is_held_by_rows(body)).collect()
     }
+}
+
+/// The bilateral constraints of these bodies in these states: the pivots with constraint rows, in the order of the
+/// bodies, then the joints, in that of the scene, then the ties.
+pub(crate) fn bilaterals<'a>(
+    model: &'a Model,
+    states: &'a [BodyState],
+    bodies: &'a [usize],
+) -> impl Iterator<Item = Bilateral> + 'a {
+    bilaterals_by(model, bodies, |body| motion_of(model, states, body))
+}
+
+/// The same where bodies have these poses of their moving frames, and velocities.
+pub(crate) fn bilaterals_by<'a>(
+    model: &'a Model,
+    bodies: &'a [usize],
+    motion: impl Fn(usize) -> (Pose, Velocity) + Copy + 'a,
+) -> impl Iterator<Item = Bilateral> + 'a {
+    let bodies = if model.joints.held_by_rows.is_empty() { &[] } else { bodies };
+    let joints = model.joints.joints_among(bodies).map(move |joint| Bilateral::new(joint.id(), joint.rows_at(motion)));
+    let ties = model.joints.ties_among(bodies).filter_map(move |tie| {
+        let rows = tie.row_at(motion)?;
+        let (first, last) = (rows.members.first()?.body, rows.members.last()?.body);
+        Some(Bilateral::new(ConstraintId::Tie { tie: tie.number(), bodies: (first, last) }, rows))
+    });
+    bodies.iter().filter_map(move |&body| pivot_by(model, body, motion)).chain(joints).chain(ties)
+}
+
+/// The pivot of a body with constraint rows; none for any other body.
+pub(crate) fn pivot(model: &Model, states: &[BodyState], body: usize) -> Option<Bilateral> {
+    pivot_by(model, body, |body| motion_of(model, states, body))
+}
+
+fn pivot_by(model: &Model, body: usize, motion: impl Fn(usize) -> (Pose, Velocity)) -> Option<Bilateral> {
+    let held = model.bodies[body].held?;
+    let rows = pivot_rows((body, held.arm), held.place, motion);
+    Some(Bilateral::new(ConstraintId::Pivot { body }, rows))
+}
+
+/// The pose of the moving frame of a body, and its velocity.
+pub(crate) fn motion_of(model: &Model, states: &[BodyState], body: usize) -> (Pose, Velocity) {
+    (states[body].pose, contact_set::velocity(model, body, &states[body]))
+}
+
+/// Whether joints and pivots of these bodies (ascending) close loops, through the world or kinematic bodies too.
+/// Gears and prescribed motions close none.
+pub(crate) fn has_loops_among(model: &Model, bodies: &[usize]) -> bool {
+    // The world is the last place.
+    let mut sets = DisjointSets::new(bodies.len() + 1);
+    let place = |body: usize| bodies.binary_search(&body).unwrap_or(bodies.len());
+    let pivoted = bodies.iter().filter(|&&body| model.bodies[body].held.is_some());
+    let pivots = pivoted.map(|&body| [place(body), bodies.len()]);
+    let joints = model.joints.joints_among(bodies).filter(|joint| joint.has_rows()).map(|joint| {
+        let mut held = joint.bodies().map(place);
+        [held.next().unwrap_or(bodies.len()), held.next().unwrap_or(bodies.len())]
+    });
+    pivots.chain(joints).any(|[a, b]| {
+        let is_closed = sets.smallest(a) == sets.smallest(b);
+        sets.join(a, b);
+        is_closed
+    })
 }

@@ -3,6 +3,7 @@
 
 use super::ConstraintId;
 use super::row::{Action, BilateralRow, RowKind};
+use crate::constraint::held;
 use crate::model::Model;
 use polhode_dynamics::BodyState;
 
@@ -17,25 +18,23 @@ pub(crate) struct JointError {
     pub(crate) turned_rad: f64,
 }
 
-impl Model {
-    /// The errors of all joints, gears and prescribed motions in these states.
-    pub(crate) fn joint_errors<'a>(&'a self, states: &'a [BodyState]) -> impl Iterator<Item = JointError> + 'a {
-        let all = self.bilaterals(states, &self.movable);
-        all.filter(|own| !matches!(own.id, ConstraintId::Pivot { .. })).map(|own| {
-            let (mut apart_m, mut turned_rad) = (0.0_f64, 0.0_f64);
-            for BilateralRow { kind, gap, .. } in &own.rows {
-                match kind {
-                    RowKind::Along(_) | RowKind::Helix { .. } | RowKind::Tied { first: Action::Force { .. }, .. } => {
-                        apart_m = libm::hypot(apart_m, *gap);
-                    }
-                    RowKind::About(axis)
-                    | RowKind::Turning { about: axis, .. }
-                    | RowKind::Tied { first: Action::Moment(axis), .. } => {
-                        turned_rad = libm::hypot(turned_rad, gap / axis.length());
-                    }
+/// The errors of all joints, gears and prescribed motions in these states.
+pub(crate) fn joint_errors<'a>(model: &'a Model, states: &'a [BodyState]) -> impl Iterator<Item = JointError> + 'a {
+    let all = held::bilaterals(model, states, &model.movable);
+    all.filter(|own| !matches!(own.id, ConstraintId::Pivot { .. })).map(|own| {
+        let (mut apart_m, mut turned_rad) = (0.0_f64, 0.0_f64);
+        for BilateralRow { kind, gap, .. } in &own.rows {
+            match kind {
+                RowKind::Along(_) | RowKind::Helix { .. } | RowKind::Tied { first: Action::Force { .. }, .. } => {
+                    apart_m = libm::hypot(apart_m, *gap);
+                }
+                RowKind::About(axis)
+                | RowKind::Turning { about: axis, .. }
+                | RowKind::Tied { first: Action::Moment(axis), .. } => {
+                    turned_rad = libm::hypot(turned_rad, gap / axis.length());
                 }
             }
-            JointError { pair: own.id.bodies(), apart_m, turned_rad }
-        })
-    }
+        }
+        JointError { pair: own.id.bodies(), apart_m, turned_rad }
+    })
 }

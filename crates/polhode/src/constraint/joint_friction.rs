@@ -25,10 +25,11 @@
 use super::ConstraintId;
 use super::joint::ModelJoint;
 use super::joint_coordinate::JointCoordinate;
+use crate::collision::contact_set;
 use crate::collision::friction_mode::FrictionCoefficients;
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::identity::coordinate_id::CoordinateId;
-use crate::model::Model;
+use crate::model::{Joints, Model};
 use crate::scene::{FrictionEllipse, JointFriction};
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::{BodyState, RigidBody};
@@ -99,57 +100,12 @@ impl ModelJoint {
     }
 }
 
-impl Model {
-    /// The place of the shoe in these states, which always touches.
-    pub(crate) fn friction_kinematics(&self, states: &[BodyState], of: CoordinateId) -> Option<ContactKinematics> {
-        let (point, _) = self.slip_at_joint(states, of)?;
-        let geometry = ContactGeometry { point, normal: DVec3::ZERO, separation: 0.0, margin: f64::INFINITY };
-        Some(ContactKinematics { geometry, separation_rate: 0.0, acceleration_bias: 0.0 })
-    }
-
-    /// The slip of the shoe in these states.
-    pub(crate) fn friction_slip(&self, states: &[BodyState], of: CoordinateId) -> Option<TangentialKinematics> {
-        self.slip_at_joint(states, of).map(|(_, slip)| slip)
-    }
-
-    /// Where friction acts, and the slip of the first body of its contact on the second one.
-    fn slip_at_joint(&self, states: &[BodyState], of: CoordinateId) -> Option<(DVec3, TangentialKinematics)> {
-        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
-        let joint = self.joint_numbered(of.joint)?;
-        let JointCoordinate { measured, unit, near, .. } = joint.coordinates().get(of.place)?;
-        let at = joint.coordinate_at((measured, near * unit), motion)?.at_lever_of_second();
-        let basis = at.direction * joint.order().sign();
-        let terms = TangentialKinematics {
-            basis: [basis, DVec3::ZERO],
-            slip_velocity: basis * at.rate,
-            acceleration_bias: basis * at.bias,
-            point_velocity: DVec3::ZERO,
-            normal_rate: DVec3::ZERO,
-        };
-        Some((at.point, terms))
-    }
-
+impl Joints {
     /// The coefficients of the shoe.
     pub(crate) fn friction_of_joint(&self, of: CoordinateId) -> Option<FrictionCoefficients> {
         let (friction, _) = self.joint_numbered(of.joint)?.friction(of.place)?;
         let at_rest = FrictionEllipse::circle(friction.static_ratio());
         Some(FrictionCoefficients { at_rest, sliding: FrictionEllipse::circle(1.0) })
-    }
-
-    /// The bearings whose load presses their friction among the joints of these bodies: the joint, and its axis in
-    /// these states.
-    pub(crate) fn bearings_among(&self, states: &[BodyState], bodies: &[usize]) -> Vec<(ConstraintId, DVec3)> {
-        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
-        let mut bearings = Vec::new();
-        if !self.joints.have_friction {
-            return bearings;
-        }
-        for joint in self.joints_among(bodies) {
-            let is_bearing = |place: &usize| joint.friction(*place).is_some_and(|(friction, _)| friction.arm() > 0.0);
-            let places = joint.coordinates_with_friction().filter(is_bearing);
-            bearings.extend(places.map(|place| (joint.id(), joint.axis_of(place, motion))));
-        }
-        bearings
     }
 
     /// What friction of joints takes over a radian, and over the sizes of their bodies, J: the scale of energies where
@@ -162,22 +118,71 @@ impl Model {
             };
             (0..joint.coordinates().len()).map(span).sum::<f64>()
         };
-        if self.joints.have_friction { self.joints.list.iter().map(of_joint).sum() } else { 0.0 }
+        if self.have_friction { self.list.iter().map(of_joint).sum() } else { 0.0 }
     }
+}
 
-    /// What presses a contact in these states, bearings without load; none of one that bodies press.
-    pub(crate) fn pressed(&self, states: &[BodyState], id: ContactId) -> Option<Pressed> {
-        let Feature::JointFriction(of) = id.feature else { return None };
-        let joint = self.joint_numbered(of.joint)?;
-        let (friction, unit) = joint.friction(of.place)?;
-        let mass = |(body, _): (usize, f64)| self.bodies[body].rigid.as_ref().map(RigidBody::mass);
-        let compliance = id.members().filter_map(mass).map(f64::recip).sum();
-        let unloaded = friction.effort() / unit;
-        let bearing = (friction.arm() > 0.0).then(|| {
-            let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
-            let axis = joint.axis_of(of.place, motion);
-            Bearing { unloaded, share: friction.arm() / unit, axis, sign: joint.order().sign() }
-        });
-        Some(Pressed { force: unloaded, compliance, of, bearing })
+/// The place of the shoe in these states, which always touches.
+pub(crate) fn friction_kinematics(model: &Model, states: &[BodyState], of: CoordinateId) -> Option<ContactKinematics> {
+    let (point, _) = slip_at_joint(model, states, of)?;
+    let geometry = ContactGeometry { point, normal: DVec3::ZERO, separation: 0.0, margin: f64::INFINITY };
+    Some(ContactKinematics { geometry, separation_rate: 0.0, acceleration_bias: 0.0 })
+}
+
+/// The slip of the shoe in these states.
+pub(crate) fn friction_slip(model: &Model, states: &[BodyState], of: CoordinateId) -> Option<TangentialKinematics> {
+    slip_at_joint(model, states, of).map(|(_, slip)| slip)
+}
+
+/// Where friction acts, and the slip of the first body of its contact on the second one.
+fn slip_at_joint(model: &Model, states: &[BodyState], of: CoordinateId) -> Option<(DVec3, TangentialKinematics)> {
+    let motion =
+        |body: usize| -> (Pose, Velocity) { (states[body].pose, contact_set::velocity(model, body, &states[body])) };
+    let joint = model.joints.joint_numbered(of.joint)?;
+    let JointCoordinate { measured, unit, near, .. } = joint.coordinates().get(of.place)?;
+    let at = joint.coordinate_at((measured, near * unit), motion)?.at_lever_of_second();
+    let basis = at.direction * joint.order().sign();
+    let terms = TangentialKinematics {
+        basis: [basis, DVec3::ZERO],
+        slip_velocity: basis * at.rate,
+        acceleration_bias: basis * at.bias,
+        point_velocity: DVec3::ZERO,
+        normal_rate: DVec3::ZERO,
+    };
+    Some((at.point, terms))
+}
+
+/// The bearings whose load presses their friction among the joints of these bodies: the joint, and its axis in
+/// these states.
+pub(crate) fn bearings_among(model: &Model, states: &[BodyState], bodies: &[usize]) -> Vec<(ConstraintId, DVec3)> {
+    let motion =
+        |body: usize| -> (Pose, Velocity) { (states[body].pose, contact_set::velocity(model, body, &states[body])) };
+    let mut bearings = Vec::new();
+    if !model.joints.have_friction {
+        return bearings;
     }
+    for joint in model.joints.joints_among(bodies) {
+        let is_bearing = |place: &usize| joint.friction(*place).is_some_and(|(friction, _)| friction.arm() > 0.0);
+        let places = joint.coordinates_with_friction().filter(is_bearing);
+        bearings.extend(places.map(|place| (joint.id(), joint.axis_of(place, motion))));
+    }
+    bearings
+}
+
+/// What presses a contact in these states, bearings without load; none of one that bodies press.
+pub(crate) fn pressed(model: &Model, states: &[BodyState], id: ContactId) -> Option<Pressed> {
+    let Feature::JointFriction(of) = id.feature else { return None };
+    let joint = model.joints.joint_numbered(of.joint)?;
+    let (friction, unit) = joint.friction(of.place)?;
+    let mass = |(body, _): (usize, f64)| model.bodies[body].rigid.as_ref().map(RigidBody::mass);
+    let compliance = id.members().filter_map(mass).map(f64::recip).sum();
+    let unloaded = friction.effort() / unit;
+    let bearing = (friction.arm() > 0.0).then(|| {
+        let motion = |body: usize| -> (Pose, Velocity) {
+            (states[body].pose, contact_set::velocity(model, body, &states[body]))
+        };
+        let axis = joint.axis_of(of.place, motion);
+        Bearing { unloaded, share: friction.arm() / unit, axis, sign: joint.order().sign() }
+    });
+    Some(Pressed { force: unloaded, compliance, of, bearing })
 }

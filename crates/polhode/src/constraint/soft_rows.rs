@@ -6,61 +6,64 @@ use super::coordinate::CoordinateAt;
 use super::joint_forces::{Gains, JointForce, Source};
 use super::row::{BilateralRow, Member, Part, RowKind, RowsAt};
 use super::softness::{LinearForce, Softness};
-use crate::model::Model;
+use crate::collision::contact_set;
+use crate::model::{Forces, Model};
 use crate::scene::Drive;
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::{Dependence, Field};
 use polhode_spatial::{Pose, Velocity};
 
-impl Model {
-    /// The numbers, among the fields, of those forces at joints that a step gives as a kick: constant efforts, and
-    /// those of motors that ask for more than their bound in these states. All others are soft rows.
-    pub(crate) fn kicks_of_joints(&self, states: &[BodyState], bodies: &[usize]) -> Vec<usize> {
-        let own = self.joint_forces_among(bodies);
-        own.filter(|(_, force)| force.is_constant(self, states)).map(|(number, _)| number).collect()
-    }
-
+impl Forces {
     /// Whether any of these forces at joints, given as a kick, is that of a motor at its bound.
     pub(crate) fn are_motors_at_bounds(&self, kicks: &[usize]) -> bool {
-        let force = |number: &usize| self.forces.of_joints.get(number.checked_sub(self.forces.first_of_joints)?);
+        let force = |number: &usize| self.of_joints.get(number.checked_sub(self.first_of_joints)?);
         kicks.iter().filter_map(force).any(|force| force.dependence() == Dependence::Velocities)
-    }
-
-    /// The other forces at joints of these bodies as soft rows of a step of `h` (s) in the states of its middle;
-    /// `kicks` are the numbers of those that have been given, and `kicked` is by how much the kick has changed the rate
-    /// of a row (m/s).
-    pub(crate) fn soft_rows(
-        &self,
-        (states, bodies): (&[BodyState], &[usize]),
-        h: f64,
-        kicks: &[usize],
-        kicked: impl Fn(&Bilateral, &BilateralRow) -> f64,
-    ) -> Vec<Bilateral> {
-        let own: Vec<_> = self.joint_forces_among(bodies).filter(|(number, _)| !kicks.contains(number)).collect();
-        let coordinate = |force: &JointForce| (force.joint.number(), force.place);
-        let of_coordinate = |forces: &[(usize, &JointForce)]| JointForce::soft_row(forces, self, states, h);
-        let mut rows: Vec<Bilateral> =
-            own.chunk_by(|(_, x), (_, y)| coordinate(x) == coordinate(y)).filter_map(of_coordinate).collect();
-        for bilateral in &mut rows {
-            let change: f64 = bilateral.rows.iter().map(|row| kicked(bilateral, row)).sum();
-            if let Some(softness) = &mut bilateral.softness {
-                softness.rate_before = softness.rate - change;
-            }
-        }
-        rows
     }
 
     /// The forces at joints of these bodies, with their numbers among the fields.
     fn joint_forces_among<'a>(&'a self, bodies: &'a [usize]) -> impl Iterator<Item = (usize, &'a JointForce)> {
         let is_among = |end: &Option<(usize, usize)>| end.is_some_and(|(body, _)| bodies.binary_search(&body).is_ok());
-        let own = self.forces.of_joints.iter().enumerate().filter(move |(_, force)| force.ends.iter().any(is_among));
-        own.map(|(place, force)| (self.forces.first_of_joints + place, force))
+        let own = self.of_joints.iter().enumerate().filter(move |(_, force)| force.ends.iter().any(is_among));
+        own.map(|(place, force)| (self.first_of_joints + place, force))
     }
+}
+
+/// The numbers, among the fields, of those forces at joints that a step gives as a kick: constant efforts, and
+/// those of motors that ask for more than their bound in these states. All others are soft rows.
+pub(crate) fn kicks_of_joints(model: &Model, states: &[BodyState], bodies: &[usize]) -> Vec<usize> {
+    let own = model.forces.joint_forces_among(bodies);
+    own.filter(|(_, force)| force.is_constant(model, states)).map(|(number, _)| number).collect()
+}
+
+/// The other forces at joints of these bodies as soft rows of a step of `h` (s) in the states of its middle;
+/// `kicks` are the numbers of those that have been given, and `kicked` is by how much the kick has changed the rate
+/// of a row (m/s).
+pub(crate) fn soft_rows(
+    model: &Model,
+    (states, bodies): (&[BodyState], &[usize]),
+    h: f64,
+    kicks: &[usize],
+    kicked: impl Fn(&Bilateral, &BilateralRow) -> f64,
+) -> Vec<Bilateral> {
+    let own: Vec<_> = model.forces.joint_forces_among(bodies).filter(|(number, _)| !kicks.contains(number)).collect();
+    let coordinate = |force: &JointForce| (force.joint.number(), force.place);
+    let of_coordinate = |forces: &[(usize, &JointForce)]| JointForce::soft_row(forces, model, states, h);
+    let mut rows: Vec<Bilateral> =
+        own.chunk_by(|(_, x), (_, y)| coordinate(x) == coordinate(y)).filter_map(of_coordinate).collect();
+    for bilateral in &mut rows {
+        let change: f64 = bilateral.rows.iter().map(|row| kicked(bilateral, row)).sum();
+        if let Some(softness) = &mut bilateral.softness {
+            softness.rate_before = softness.rate - change;
+        }
+    }
+    rows
 }
 
 impl JointForce {
     fn in_world(&self, model: &Model, states: &[BodyState]) -> Option<CoordinateAt> {
-        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, model.velocity(body, &states[body])) };
+        let motion = |body: usize| -> (Pose, Velocity) {
+            (states[body].pose, contact_set::velocity(model, body, &states[body]))
+        };
         self.coordinate_at(motion)
     }
 
@@ -100,7 +103,7 @@ impl JointForce {
         let mut row = BilateralRow { kind, gap: 0.0, rate: 0.0, bias: 0.0 };
         let rate = |member: &Member| {
             let (along, about) = row.entries(member);
-            let velocity = model.velocity(member.body, &states[member.body]);
+            let velocity = contact_set::velocity(model, member.body, &states[member.body]);
             along.dot(velocity.linear) + about.dot(velocity.angular)
         };
         row.rate = members.iter().map(rate).sum();

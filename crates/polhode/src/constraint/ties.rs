@@ -6,7 +6,8 @@ use super::bilateral::{Bilateral, Reaction};
 use super::joint::ModelJoint;
 use super::row::{Action, BilateralRow, RowKind};
 use super::tie::{HeldTo, Tie, Tied};
-use crate::model::Model;
+use crate::collision::contact_set;
+use crate::model::{Joints, Model};
 use crate::scene::{Gear, GearEnd};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose, Velocity};
@@ -25,42 +26,16 @@ pub(crate) struct LoadOfTie {
     pub(crate) moment: DVec3,
 }
 
-impl Model {
-    /// Makes the ties of the scene, between bodies in their states at the start.
-    pub(crate) fn make_ties(&mut self, states: &[BodyState]) {
-        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, self.velocity(body, &states[body])) };
-        let tied = |end: GearEnd| -> Option<Tied> {
-            let joint = self.joint_numbered(end.joint.index())?;
-            let place = joint.place_of(end.coordinate)?;
-            let made = Tied { joint: joint.clone(), place, start: 0.0 };
-            let start = made.value(motion)?;
-            Some(Tied { start, ..made })
-        };
-        let gear = |(number, gear): (usize, &Gear)| {
-            let [first, second] = gear.ends().map(tied);
-            let to = HeldTo::Coordinate { second: Box::new(second?), ratio: gear.ratio(), last: 0.0 };
-            Some(Tie { number, first: first?, to })
-        };
-        let gears = self.scene.gears.len();
-        let mut ties: Vec<Tie> = self.scene.gears.iter().enumerate().filter_map(gear).collect();
-        let motions = self.scene.coordinate_motions.iter().zip(self.joints.carriages.clone()).enumerate();
-        ties.extend(motions.filter_map(|(number, ((end, _), body))| {
-            let to = HeldTo::Carriage { body, start: states[body].pose.translation.x };
-            Some(Tie { number: gears + number, first: tied(*end)?, to })
-        }));
-        self.joints.ties = ties;
-        self.index_ties();
-    }
-
+impl Joints {
     /// Enters the ties whose joints are there at their bodies.
     pub(crate) fn index_ties(&mut self) {
         let mut ties_of: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-        for (place, tie) in self.joints.ties.iter().enumerate().filter(|(_, tie)| self.is_at_work(tie)) {
+        for (place, tie) in self.ties.iter().enumerate().filter(|(_, tie)| self.is_at_work(tie)) {
             for body in tie.bodies() {
                 ties_of.entry(body).or_default().push(place);
             }
         }
-        self.joints.ties_of_body = ties_of;
+        self.ties_of_body = ties_of;
     }
 
     /// Whether the joints of a tie are there.
@@ -70,20 +45,20 @@ impl Model {
 
     /// The ties whose joints are there.
     pub(crate) fn ties_at_work(&self) -> impl Iterator<Item = &Tie> {
-        self.joints.ties.iter().filter(|tie| self.is_at_work(tie))
+        self.ties.iter().filter(|tie| self.is_at_work(tie))
     }
 
     /// The ties of these bodies, in order.
     pub(crate) fn ties_among(&self, bodies: &[usize]) -> impl Iterator<Item = &Tie> {
-        let bodies = if self.joints.ties.is_empty() { &[] } else { bodies };
+        let bodies = if self.ties.is_empty() { &[] } else { bodies };
         let ties: BTreeSet<usize> =
-            bodies.iter().filter_map(|body| self.joints.ties_of_body.get(body)).flatten().copied().collect();
-        ties.into_iter().map(|tie| &self.joints.ties[tie])
+            bodies.iter().filter_map(|body| self.ties_of_body.get(body)).flatten().copied().collect();
+        ties.into_iter().map(|tie| &self.ties[tie])
     }
 
     /// What a tie is, in words.
     pub(crate) fn name_of_tie(&self, number: usize) -> String {
-        let tie = self.joints.ties.iter().find(|tie| tie.number == number);
+        let tie = self.ties.iter().find(|tie| tie.number == number);
         match tie.map(|tie| (&tie.to, tie.first.joint.number())) {
             Some((HeldTo::Carriage { .. }, joint)) => format!("the prescribed motion of joint {joint}"),
             _ => format!("gear {number}"),
@@ -93,7 +68,7 @@ impl Model {
     /// What the reaction of a tie does at its joints: to the first body of each.
     pub(crate) fn joint_loads_of_tie(&self, of: &Bilateral, reaction: Reaction) -> Vec<LoadOfTie> {
         let ConstraintId::Tie { tie, .. } = of.id else { return Vec::new() };
-        let Some(tie) = self.joints.ties.iter().find(|own| own.number == tie) else { return Vec::new() };
+        let Some(tie) = self.ties.iter().find(|own| own.number == tie) else { return Vec::new() };
         let Some(BilateralRow { kind: RowKind::Tied { first, second }, .. }) = of.rows.first() else {
             return Vec::new();
         };
@@ -106,4 +81,31 @@ impl Model {
         };
         tie.joints().zip([first, second]).map(load).collect()
     }
+}
+
+/// Makes the ties of the scene, between bodies in their states at the start.
+pub(crate) fn make_ties(model: &mut Model, states: &[BodyState]) {
+    let motion =
+        |body: usize| -> (Pose, Velocity) { (states[body].pose, contact_set::velocity(model, body, &states[body])) };
+    let tied = |end: GearEnd| -> Option<Tied> {
+        let joint = model.joints.joint_numbered(end.joint.index())?;
+        let place = joint.place_of(end.coordinate)?;
+        let made = Tied { joint: joint.clone(), place, start: 0.0 };
+        let start = made.value(motion)?;
+        Some(Tied { start, ..made })
+    };
+    let gear = |(number, gear): (usize, &Gear)| {
+        let [first, second] = gear.ends().map(tied);
+        let to = HeldTo::Coordinate { second: Box::new(second?), ratio: gear.ratio(), last: 0.0 };
+        Some(Tie { number, first: first?, to })
+    };
+    let gears = model.scene.gears.len();
+    let mut ties: Vec<Tie> = model.scene.gears.iter().enumerate().filter_map(gear).collect();
+    let motions = model.scene.coordinate_motions.iter().zip(model.joints.carriages.clone()).enumerate();
+    ties.extend(motions.filter_map(|(number, ((end, _), body))| {
+        let to = HeldTo::Carriage { body, start: states[body].pose.translation.x };
+        Some(Tie { number: gears + number, first: tied(*end)?, to })
+    }));
+    model.joints.ties = ties;
+    model.joints.index_ties();
 }

@@ -14,12 +14,13 @@ use super::held::{HeldJoint, HeldLimit};
 use super::passage::{LEAST_WAY, Middles};
 use super::rules::{OVERLAP_GROWTH, Rules};
 use super::turning::turn;
+use crate::collision::contact_set;
 use crate::collision::face_patches::{LastingBoxes, PairPatches, Tools, follow_pairs};
 use crate::collision::inner_borders::leave_out_inner_borders;
-use crate::constraint::ConstraintId;
 use crate::constraint::joint::ModelJoint;
+use crate::constraint::{ConstraintId, added};
 use crate::error::SimulationError;
-use crate::model::Model;
+use crate::model::{Model, prescribed, tolerances};
 use crate::scene::settings::Settings;
 use crate::tier::executor::{Executor, Task};
 use polhode_dynamics::BodyState;
@@ -46,7 +47,7 @@ pub(super) enum Fault {
 impl Fault {
     /// That of a pair of which one has come through the other.
     fn passage(model: &Model, pair: &PairPatches) -> Self {
-        Self::Overlap { pair: (pair.a, pair.b), depth: model.pair_size(pair.a, pair.b) }
+        Self::Overlap { pair: (pair.a, pair.b), depth: tolerances::pair_size(model, pair.a, pair.b) }
     }
 
     /// The pair that overlaps, and how deep, m.
@@ -164,10 +165,10 @@ impl Course {
 
     /// Drops contacts and loads that are there no more, after a joint between two bodies was added or taken away.
     pub(super) fn change_joint(&mut self, model: &Model, pair: (usize, usize)) {
-        self.pairs.retain(|own| (own.a, own.b) != pair || model.may_touch(pair));
-        self.limits.retain(|limit| model.may_have(limit.id));
+        self.pairs.retain(|own| (own.a, own.b) != pair || added::may_touch(model, pair));
+        self.limits.retain(|limit| added::may_have(model, limit.id));
         self.held.retain(|held| match held.id {
-            ConstraintId::Joint { joint, .. } => model.pair_of_joint(joint).is_some(),
+            ConstraintId::Joint { joint, .. } => model.joints.pair_of_joint(joint).is_some(),
             _ => true,
         });
     }
@@ -191,13 +192,14 @@ impl Course {
         self.spins.clear();
         let mut travels = Vec::with_capacity(self.states.len());
         for (body, state) in self.states.iter().enumerate() {
-            let is_still = self.resting[body] || (!model.bodies[body].moves() && model.trajectory(body).is_none());
+            let is_still =
+                self.resting[body] || (!model.bodies[body].moves() && prescribed::trajectory(model, body).is_none());
             if is_still {
                 self.spins.push(0.0);
                 travels.push(0.0);
                 continue;
             }
-            let velocity = model.velocity(body, state);
+            let velocity = contact_set::velocity(model, body, state);
             let spin = velocity.angular.length() * model.bodies[body].size;
             self.spins.push(spin);
             travels.push((velocity.linear.length() + spin) * step + fall);
@@ -409,12 +411,12 @@ impl Course {
         }
         let has_sunk = |pair: &PairPatches| {
             let (a, b) = (pair.a, pair.b);
-            let least = OVERLAP_GROWTH * model.pair_size(a, b);
+            let least = OVERLAP_GROWTH * tolerances::pair_size(model, a, b);
             if aside[a] + aside[b] <= least {
                 return None;
             }
-            let now = model.separation_without_memory(&self.states, a, b).filter(|now| *now < -least)?;
-            let then = model.separation_without_memory(before, a, b);
+            let now = contact_set::separation_without_memory(model, &self.states, a, b).filter(|now| *now < -least)?;
+            let then = contact_set::separation_without_memory(model, before, a, b);
             then.is_none_or(|then| now < then.min(0.0) - least).then_some(((a, b), -now))
         };
         let deepest = self.pairs.iter().filter_map(has_sunk).max_by(|x, y| x.1.total_cmp(&y.1));

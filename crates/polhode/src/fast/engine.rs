@@ -10,26 +10,25 @@ use super::step::step;
 use crate::accounting::Accounts;
 use crate::accounting::books::{Received, SoftStep};
 use crate::accounting::measures::Measure;
-use crate::collision::contact_set::{FoundContact, Touch};
+use crate::collision::contact_set::{self, FoundContact, Touch};
 use crate::collision::face_patches::{FoundAt, PairPatches, Patch, PatchPoint};
-use crate::constraint::ConstraintId;
 use crate::constraint::joint::ModelJoint;
+use crate::constraint::{ConstraintId, added, joint_contacts, turns};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::identity::joint_id::JointId;
-use crate::model::Model;
+use crate::model::{Model, prescribed, reported, tolerances};
 use crate::report::acceleration::Acceleration;
 use crate::report::event::{Event, EventKind};
-use crate::report::frame::{ContactView, IslandView, JointView, MotionKind};
+use crate::report::frame::{self, ContactView, IslandView, JointView, MotionKind};
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use crate::report::observer::Observer;
 use crate::snapshot::numbers::{Contact, read_states, write_states};
 use crate::snapshot::parts::{restored_id, save_contact};
 use crate::snapshot::{SnapshotError, content};
 use crate::tier::core::Core;
-use crate::tier::free_stage;
-use crate::tier::free_stage::Ends;
+use crate::tier::free_stage::{self, Ends};
 use crate::tier::sampling::emit_samples_before;
 use crate::tier::{Reached, Tier};
 use polhode_contact::ContactKinematics;
@@ -112,7 +111,7 @@ impl FastEngine {
             core.accounts.measures.penetration.note(Measure { t, pair, value, allowed });
         }
         core.t = t_next;
-        core.model.count_all_turns(&self.course.states)?;
+        turns::count_all_turns(&mut core.model, &self.course.states)?;
         core.accounts.count_step();
         settle(&mut self.course, core, &rules)?;
         self.report_pairs(core);
@@ -293,13 +292,13 @@ impl Tier for FastEngine {
         let ends = self.states_within(core, core.t + h)?;
         let model = &core.model;
         let of = |(body, (start, end)): (usize, (&BodyState, &BodyState))| {
-            if model.trajectory(body).is_some() {
-                let (linear, angular) = model.prescribed_acceleration(body, core.t);
-                return model.reported_acceleration(body, start, linear, angular);
+            if prescribed::trajectory(model, body).is_some() {
+                let (linear, angular) = prescribed::prescribed_acceleration(model, body, core.t);
+                return reported::reported_acceleration(model, body, start, linear, angular);
             }
-            let [v0, v1] = [start, end].map(|state| model.velocity(body, state));
+            let [v0, v1] = [start, end].map(|state| contact_set::velocity(model, body, state));
             let (linear, angular) = ((v1.linear - v0.linear) / h, (v1.angular - v0.angular) / h);
-            model.reported_acceleration(body, start, linear, angular)
+            reported::reported_acceleration(model, body, start, linear, angular)
         };
         Ok(self.course.states.iter().zip(ends.iter()).enumerate().map(of).collect())
     }
@@ -307,7 +306,7 @@ impl Tier for FastEngine {
     fn contacts(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<ContactView> {
         let mut views = Vec::new();
         for pair in &self.course.pairs {
-            let distance = core.model.touch_distance(states, pair.a, pair.b);
+            let distance = tolerances::touch_distance(&core.model, states, pair.a, pair.b);
             for patch in &pair.patches {
                 for point in patch.points() {
                     let id = ContactId { a: pair.a, b: pair.b, feature: Feature::Shapes(point.feature) };
@@ -315,7 +314,13 @@ impl Tier for FastEngine {
                     if point.normal_force > 0.0 || geometry.separation <= distance {
                         let kinematics = ContactKinematics { geometry, separation_rate: 0.0, acceleration_bias: 0.0 };
                         let touch = Touch::from(FoundContact { id, kinematics });
-                        core.model.view_contact(states, &touch, (point.normal_force, point.friction_force), &mut views);
+                        frame::view_contact(
+                            &core.model,
+                            states,
+                            &touch,
+                            (point.normal_force, point.friction_force),
+                            &mut views,
+                        );
                     }
                 }
             }
@@ -328,7 +333,7 @@ impl Tier for FastEngine {
         let view = |held: &HeldJoint| {
             let ConstraintId::Joint { joint, bodies } = held.id else { return None };
             let own = model.joints.list.iter().find(|own| own.number() == joint)?;
-            let point_m = model.anchor_of(states, own);
+            let point_m = joint_contacts::anchor_of(model, states, own);
             let moment = held.moment - (point_m - states[held.body].pose.translation).cross(held.force);
             // Of a joint of the world with its second body the first end is the world.
             let sign = if core.model.scene.joints().get(joint)?.body().index() == held.body { 1.0 } else { -1.0 };
@@ -397,7 +402,7 @@ impl Tier for FastEngine {
     fn change_joint(&mut self, core: &mut Core, pair: (usize, usize)) {
         self.course.change_joint(&core.model, pair);
         self.course.wake_all();
-        self.touching.retain(|&own| own != pair || core.model.may_touch(own));
+        self.touching.retain(|&own| own != pair || added::may_touch(&core.model, own));
     }
 
     fn touching_pairs(&self) -> usize {
@@ -471,7 +476,7 @@ fn save_pair(pair: &PairPatches) -> content::PairPatches {
 fn restored_pair(core: &Core, saved: &content::PairPatches) -> Result<PairPatches, SnapshotError> {
     let (a, b) = saved.pair;
     let model = &core.model;
-    if a >= b || b >= model.bodies.len() || model.shapes(a, b).is_none() {
+    if a >= b || b >= model.bodies.len() || contact_set::shapes(model, a, b).is_none() {
         return Err(SnapshotError::Invalid("a contact is not of two bodies that can touch"));
     }
     let point = |saved: &content::PatchPoint| {

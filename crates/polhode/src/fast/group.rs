@@ -6,9 +6,10 @@
 use super::held::{Held, HeldJoint, HeldLimit};
 use super::rules::Rules;
 use super::turning::turn;
+use crate::collision::contact_set;
 use crate::collision::face_patches::PairPatches;
 use crate::model::prescribed_state::{state_at, velocity_of};
-use crate::model::{Loads, Model};
+use crate::model::{Loads, Model, prescribed};
 use crate::report::momentum_ledger::Momentum;
 use polhode_contact::tangent_basis;
 use polhode_dynamics::{BodyState, RigidBody};
@@ -210,7 +211,7 @@ impl Group {
 
     /// The rows of joints where the bodies are now.
     fn find_rows(&mut self, given: &Given<'_>) {
-        if given.model.has_rows() {
+        if given.model.joints.has_rows() {
             self.members.iter().for_each(|member| self.present[member.body] = member.state);
             self.held.find_rows(given.model, &self.solver, &self.present);
         }
@@ -263,7 +264,7 @@ impl Group {
             let pair = &given.pairs[place.pair];
             let (state_a, state_b) = (&states[pair.a], &states[pair.b]);
             let numbers = [pair.a, pair.b].map(|body| self.number(given, body));
-            let is_driven = [pair.a, pair.b].iter().any(|&body| model.trajectory(body).is_some());
+            let is_driven = [pair.a, pair.b].iter().any(|&body| prescribed::trajectory(model, body).is_some());
             let normal = pair.normal(states, &pair.patches[place.patch]);
             let tangent = tangent_basis(normal)[0];
             let second = normal.cross(tangent);
@@ -307,8 +308,8 @@ impl Group {
         if model.bodies[body].moves() {
             return given.numbers[body];
         }
-        let Velocity { linear, angular } = model.velocity(body, &given.states[body]);
-        if model.trajectory(body).is_none() {
+        let Velocity { linear, angular } = contact_set::velocity(model, body, &given.states[body]);
+        if prescribed::trajectory(model, body).is_none() {
             return SequentialImpulses::IMMOVABLE;
         }
         let number = self.solver.add_body(ImpulseBody::immovable());
@@ -326,7 +327,7 @@ impl Group {
     ) {
         let sides = [(pair.a, 0, 1.0), (pair.b, 1, -1.0)];
         for (body, side, sign) in sides {
-            if given.model.trajectory(body).is_none() || numbers[side] == SequentialImpulses::IMMOVABLE {
+            if prescribed::trajectory(&given.model, body).is_none() || numbers[side] == SequentialImpulses::IMMOVABLE {
                 continue;
             }
             self.drivers.push(Driver {
@@ -357,7 +358,7 @@ impl Group {
     /// The velocity of the surface of a kinematic body `time` (s) after the start of the step, where the patch is when
     /// the other body has moved on for `ahead` (s).
     fn surface_velocity(&self, given: &Given<'_>, driver: &Driver, (time, ahead): (f64, f64)) -> Velocity {
-        let Some(trajectory) = given.model.trajectory(driver.body) else { return Velocity::default() };
+        let Some(trajectory) = prescribed::trajectory(&given.model, driver.body) else { return Velocity::default() };
         let (now, start) = (state_at(trajectory, given.t + time), &given.states[driver.body]);
         let Velocity { linear, angular } = velocity_of(&now);
         let of_patch = self.members.get(driver.member).map_or(DVec3::ZERO, |member| {
@@ -375,7 +376,7 @@ impl Group {
         let time = f64::from(substep + 1) * given.rules.h;
         for place in 0..self.drivers.len() {
             let driver = self.drivers[place];
-            let Some(trajectory) = given.model.trajectory(driver.body) else { continue };
+            let Some(trajectory) = prescribed::trajectory(&given.model, driver.body) else { continue };
             let (now, start) = (state_at(trajectory, given.t + time).pose, given.states[driver.body].pose);
             let turn = now.rotation * start.rotation.inverse();
             let vector = turn.to_rotation_vector();

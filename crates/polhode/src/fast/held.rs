@@ -7,9 +7,9 @@
 //! Assumption: no member is kinematic, and no coordinate has forces of its own (`TierFeature::AllOfJoints` refuses
 //! these). Failure: loads that need more rounds than there are sweeps leave gaps, which the certificate tells.
 
-use crate::constraint::ConstraintId;
 use crate::constraint::joint::pivot_rows;
 use crate::constraint::row::{BilateralRow, Member, RowsAt};
+use crate::constraint::{ConstraintId, joint_contacts};
 use crate::identity::contact_id::ContactId;
 use crate::model::Model;
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
@@ -82,20 +82,20 @@ impl Held {
         self.joints.clear();
         self.known.clear();
         self.support = MomentumSum::default();
-        if !model.has_rows() {
+        if !model.joints.has_rows() {
             return;
         }
         let pivots = bodies.iter().filter(|&&body| model.bodies[body].held.is_some());
         let pivots = pivots.map(|&body| (Source::Pivot(body), Some(ConstraintId::Pivot { body })));
-        let joints = model.joint_places_among(bodies);
+        let joints = model.joints.joint_places_among(bodies);
         let joints = joints.into_iter().map(|place| (Source::Joint(place), Some(model.joints.list[place].id())));
         for (source, id) in pivots.chain(joints) {
             let at = rows_at(model, states, source);
             let sides = [0, 1].map(|side| at.as_ref()?.members.get(side).map(|member| member.body));
             self.add(Known { source, id, sides }, JointLaw::Hold, at.map_or(0, |at| at.rows.len()), numbers);
         }
-        for (a, b) in model.joint_contact_pairs_among(bodies) {
-            for &feature in model.joint_contacts_of_pair((a, b)) {
+        for (a, b) in model.joints.joint_contact_pairs_among(bodies) {
+            for &feature in model.joints.joint_contacts_of_pair((a, b)) {
                 let id = ContactId { a, b, feature };
                 let known = Known { source: Source::Limit(id), id: None, sides: [Some(a), id.second()] };
                 self.add(known, JointLaw::Limit, 1, numbers);
@@ -235,7 +235,7 @@ fn row_of(row: &BilateralRow, members: &[Member]) -> JointRow {
 
 /// The row of a limit of a joint; none where its coordinate has no direction.
 fn limit_row(model: &Model, states: &[BodyState], id: ContactId) -> Option<JointRow> {
-    let geometry = model.joint_contact_kinematics(states, id)?.geometry;
+    let geometry = joint_contacts::joint_contact_kinematics(model, states, id)?.geometry;
     let moment = |body: usize| (geometry.point - states[body].pose.translation).cross(geometry.normal);
     let second = id.second().map_or(DVec3::ZERO, |second| -moment(second));
     Some(JointRow { force: geometry.normal, moments: [moment(id.a), second], gap: geometry.separation })

@@ -13,12 +13,13 @@
 
 use super::course::Course;
 use super::rules::Rules;
-use crate::collision::contact_set::{FoundContact, Touch};
+use crate::collision::contact_set::{self, FoundContact, Touch};
 use crate::collision::face_patches::PairPatches;
 use crate::constraint::joint::ModelJoint;
+use crate::constraint::joint_contacts;
 use crate::error::SimulationError;
 use crate::identity::contact_id::{ContactId, Feature};
-use crate::model::Model;
+use crate::model::{Model, prescribed, tolerances};
 use crate::solve::held_at_rest::HeldAtRest;
 use crate::tier::core::Core;
 use polhode_contact::{ContactFeature, ContactGeometry, ContactKinematics};
@@ -74,7 +75,7 @@ fn slow_islands(course: &mut Course, model: &Model, rules: &Rules) -> Vec<Vec<us
             model.bodies[body].moves()
                 && !course.resting[body]
                 && !model.has_fields_on(body)
-                && model.point_speed(&course.states, body) <= slow
+                && tolerances::point_speed(model, &course.states, body) <= slow
         })
         .collect();
     for (quiet, may) in course.quiet.iter_mut().zip(&may_rest) {
@@ -86,8 +87,8 @@ fn slow_islands(course: &mut Course, model: &Model, rules: &Rules) -> Vec<Vec<us
     for pair in course.pairs.iter().filter(|pair| !pair.patches.is_empty()) {
         match [pair.a, pair.b].map(|body| awake(course, body)) {
             [true, true] => sets.join(pair.a, pair.b),
-            [true, false] => may_rest[pair.a] &= model.trajectory(pair.b).is_none(),
-            [false, true] => may_rest[pair.b] &= model.trajectory(pair.a).is_none(),
+            [true, false] => may_rest[pair.a] &= prescribed::trajectory(model, pair.b).is_none(),
+            [false, true] => may_rest[pair.b] &= prescribed::trajectory(model, pair.a).is_none(),
             [false, false] => {}
         }
     }
@@ -147,7 +148,7 @@ fn are_held(course: &Course, core: &Core, island: &[usize]) -> Result<bool, Resp
 fn present_geometry(model: &Model, states: &[BodyState], id: ContactId, of_patch: ContactGeometry) -> ContactGeometry {
     match id.feature {
         Feature::Shapes(ContactFeature::Smooth { .. }) => {
-            model.kinematics(states, id).map_or(of_patch, |at| at.geometry)
+            contact_set::kinematics(model, states, id).map_or(of_patch, |at| at.geometry)
         }
         _ => of_patch,
     }
@@ -156,10 +157,10 @@ fn present_geometry(model: &Model, states: &[BodyState], id: ContactId, of_patch
 /// The limits of joints of these bodies that are reached, or pressed in the last step.
 fn limits_that_may_press(course: &Course, model: &Model, (states, island): (&[BodyState], &[usize])) -> Vec<Touch> {
     let mut touches = Vec::new();
-    for (a, b) in model.joint_contact_pairs_among(island) {
-        for &feature in model.joint_contacts_of_pair((a, b)) {
+    for (a, b) in model.joints.joint_contact_pairs_among(island) {
+        for &feature in model.joints.joint_contacts_of_pair((a, b)) {
             let id = ContactId { a, b, feature };
-            let Some(kinematics) = model.joint_contact_kinematics(states, id) else { continue };
+            let Some(kinematics) = joint_contacts::joint_contact_kinematics(model, states, id) else { continue };
             let has_pressed = course.limits.binary_search_by_key(&id, |limit| limit.id).is_ok();
             if kinematics.geometry.separation <= 0.0 || has_pressed {
                 touches.push(Touch::from(FoundContact { id, kinematics }));
@@ -178,14 +179,15 @@ pub(super) fn wake(course: &mut Course, model: &Model, rules: &Rules) -> bool {
     let step = rules.h * f64::from(rules.substeps);
     let fall = model.gravity().length() * step * step;
     let (resting, states) = (&course.resting, &course.states);
-    let moves = |body: usize| (model.bodies[body].moves() && !resting[body]) || model.trajectory(body).is_some();
+    let moves =
+        |body: usize| (model.bodies[body].moves() && !resting[body]) || prescribed::trajectory(model, body).is_some();
     let reaches = |pair: &&PairPatches| {
         let mover = match [pair.a, pair.b] {
             [a, b] if resting[a] && moves(b) => b,
             [a, b] if resting[b] && moves(a) => a,
             _ => return false,
         };
-        let reach = model.point_speed(states, mover) * step + fall;
+        let reach = tolerances::point_speed(model, states, mover) * step + fall;
         let mut points = pair.patches.iter().flat_map(|patch| patch.points().iter().map(move |point| (patch, point)));
         points.any(|(patch, point)| pair.geometry(states, patch, point).separation <= reach)
     };

@@ -90,7 +90,7 @@ impl Rules {
             h,
             frequency,
             has_loads: model.has_loads(),
-            has_fields: model.has_fields(),
+            has_fields: model.forces.has_fields(),
             soft: relax,
             soft_joints: relax,
             relax,

@@ -11,7 +11,7 @@ use super::course::Course;
 use super::rest::wake;
 use super::rules::Rules;
 use crate::error::SimulationError;
-use crate::model::Model;
+use crate::model::{Model, prescribed};
 use crate::tier::executor::Executor;
 use polhode_dynamics::BodyState;
 
@@ -93,7 +93,7 @@ fn piece(
     course.make_groups(model, rules);
     course.solve(model, executor, (t, rules));
     course.fly(model, rules);
-    model.prescribe(end, &mut course.states);
+    prescribed::prescribe(model, end, &mut course.states);
     course.fault = course.fault_since(model, &before, rules);
     if course.fault.is_some() && divisions > 0 {
         course.states = before;

@@ -1,13 +1,13 @@
 //! A run by micro-collisions: one step, and queries at the present.
 
 use crate::collision::boxes::Boxes;
-use crate::collision::contact_set::Touch;
+use crate::collision::contact_set::{self, Touch};
 use crate::collision::envelope::CollisionEnvelope;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
 use crate::report::acceleration::Acceleration;
 use crate::report::event::EventKind;
-use crate::report::frame::{ContactView, IslandView, MotionKind};
+use crate::report::frame::{self, ContactView, IslandView, MotionKind};
 use crate::report::observer::Observer;
 use crate::rows::groups::{Group, groups};
 use crate::snapshot::parts::{restored_id, save_contact};
@@ -15,8 +15,7 @@ use crate::snapshot::{SnapshotError, content};
 use crate::solve::impact::{Struck, impulse_event, strike};
 use crate::tier::core::Core;
 use crate::tier::fixed_steps::{Continues, SteppedBodies, accelerations_under, contacts_within, next_step_end};
-use crate::tier::free_stage;
-use crate::tier::free_stage::Ends;
+use crate::tier::free_stage::{self, Ends};
 use crate::tier::sampling::emit_samples_before;
 use crate::tier::{Reached, Tier};
 use polhode_dynamics::BodyState;
@@ -232,7 +231,7 @@ impl Tier for MicroCollisionEngine {
         for touch in contacts_within(core, states, &mut boxes, self.envelope.depth_m).unwrap_or_default() {
             let force = self.forces.iter().find(|force| force.id == touch.id);
             let force = force.map_or((0.0, DVec3::ZERO), |force| (force.normal, force.friction));
-            core.model.view_contact(states, &touch, force, &mut views);
+            frame::view_contact(&core.model, states, &touch, force, &mut views);
         }
         views
     }
@@ -277,7 +276,7 @@ impl Tier for MicroCollisionEngine {
 fn fastest(core: &Core, states: &[BodyState]) -> f64 {
     let model = &core.model;
     let speed = |(body, state): (usize, &BodyState)| {
-        let velocity = model.velocity(body, state);
+        let velocity = contact_set::velocity(model, body, state);
         velocity.linear.length() + velocity.angular.length() * model.bodies[body].size
     };
     states.iter().enumerate().map(speed).fold(0.0, f64::max)

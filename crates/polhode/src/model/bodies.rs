@@ -14,6 +14,7 @@ use super::surfaces::Surfaces;
 use crate::collision::envelope::CollisionEnvelope;
 use crate::collision::narrow_phase::NarrowPhase;
 use crate::constraint::joint::{HeldBody, ModelJoint, row_length};
+use crate::constraint::ties;
 use crate::identity::contact_id::Feature;
 use crate::identity::coordinate_id::CoordinateId;
 use crate::identity::stop_id::StopId;
@@ -93,7 +94,7 @@ impl Model {
             plane: None,
         };
         model.make_joints(&states);
-        model.make_ties(&states);
+        ties::make_ties(&mut model, &states);
         model.index_joints();
         model.make_fields()?;
         model.forces.initial_potential_j = model.field_potential(&states);
@@ -128,7 +129,7 @@ impl Model {
                 self.joints.of_body.entry(body).or_default().push(number);
             }
         }
-        self.index_ties();
+        self.joints.index_ties();
         let tied: BTreeSet<usize> = self.joints.ties_of_body.values().flatten().copied().collect();
         let carriages = tied.into_iter().filter_map(|tie| self.joints.ties[tie].carriage());
         let drivers: BTreeSet<usize> =

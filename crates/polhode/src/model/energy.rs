@@ -42,11 +42,6 @@ impl Model {
         potentials.collect::<CompensatedSum>().value() + self.forces.initial_potential_j
     }
 
-    /// [`Model::sum_start_potentials`] of the bodies that are there now, J.
-    pub(crate) fn start_potential(&self) -> f64 {
-        self.forces.start_potential_j
-    }
-
     /// Centre of mass of the movable bodies at the start, m; the origin when there are none.
     pub(crate) fn initial_center_of_mass(&self) -> DVec3 {
         let (mut mass, mut moment) = (0.0, DVec3::ZERO);
@@ -55,5 +50,12 @@ impl Model {
             moment += start * rigid.mass();
         }
         if mass > 0.0 { moment / mass } else { DVec3::ZERO }
+    }
+}
+
+impl super::forces::Forces {
+    /// [`Model::sum_start_potentials`] of the bodies that are there now, J.
+    pub(crate) fn start_potential(&self) -> f64 {
+        self.start_potential_j
     }
 }

@@ -101,7 +101,7 @@ impl Model {
             }
         }
         let of_joints = self.joints.list.iter().map(|joint| joint.bodies().collect::<Vec<usize>>());
-        let together: Vec<Vec<usize>> = of_joints.chain(self.ties_at_work().map(Tie::bodies)).collect();
+        let together: Vec<Vec<usize>> = of_joints.chain(self.joints.ties_at_work().map(Tie::bodies)).collect();
         for together in together {
             let slots: Vec<usize> = together.iter().filter_map(|&body| self.slot(body)).collect();
             if slots.len() > 1 {
@@ -133,12 +133,6 @@ impl Model {
         made
     }
 
-    /// The forces and torques (N, N m) that a program applies, by body, as plain numbers.
-    pub(crate) fn applied(&self) -> Vec<(usize, [[f64; 3]; 2])> {
-        let numbers = |(&body, wrench): (&usize, &Wrench)| (body, [wrench.force.to_array(), wrench.torque.to_array()]);
-        self.forces.applied.iter().map(numbers).collect()
-    }
-
     /// Replaces all forces and torques that a program applies.
     ///
     /// # Errors
@@ -159,16 +153,11 @@ impl Model {
         FreeMotion::new(&self.rigid, self.gravity(), &self.forces.fields)
     }
 
-    /// The force fields, shared.
-    pub(crate) fn shared_fields(&self) -> Arc<[Box<dyn Field>]> {
-        Arc::clone(&self.forces.fields)
-    }
-
     /// Whether anything but uniform gravity on its centre of mass can act on a body between contacts: a field, gravity
     /// about a pivot, or the constraint rows of a pivot.
     pub(crate) fn is_loaded(&self, body: usize) -> bool {
         let swings = FreeMotion::new(&self.rigid, self.gravity(), &[]);
-        self.is_held_by_rows(body)
+        self.joints.is_held_by_rows(body)
             || self
                 .slot(body)
                 .is_some_and(|slot| swings.is_loaded(slot) || self.forces.index.acts_on(&self.forces.fields, slot))
@@ -177,7 +166,7 @@ impl Model {
     /// Whether fields act on a body, but none exerts a torque.
     pub(crate) fn is_loaded_without_torque(&self, body: usize) -> bool {
         let motion = self.free_motion();
-        !self.is_held_by_rows(body)
+        !self.joints.is_held_by_rows(body)
             && self.is_loaded(body)
             && self.slot(body).is_some_and(|slot| !motion.is_turned(slot))
     }
@@ -194,7 +183,7 @@ impl Model {
 
     /// Whether anything but uniform gravity acts on bodies between contacts.
     pub(crate) fn has_loads(&self) -> bool {
-        self.has_rows() || self.free_motion().has_loads()
+        self.joints.has_rows() || self.free_motion().has_loads()
     }
 
     /// Wrenches of the fields and of gravity about pivots on all bodies.
@@ -224,15 +213,8 @@ impl Model {
         let swing = |slot: usize, wrench: &mut Wrench| {
             motion.add_swing(&self.rigid[slot], &states[self.movable[slot]], wrench);
         };
-        let is_kick = |number: usize, _: &dyn Field| self.is_kick(number, kicks);
+        let is_kick = |number: usize, _: &dyn Field| self.forces.is_kick(number, kicks);
         self.field_wrenches_on(t, states, bodies, is_kick, swing).unwrap_or_else(|| self.loads(t, states))
-    }
-
-    /// Whether a step gives the field of this number as a kick: all but the forces at joints that are not among
-    /// `kicks`.
-    fn is_kick(&self, number: usize, kicks: &[usize]) -> bool {
-        let at_joints = self.forces.first_of_joints..self.forces.first_of_joints + self.forces.of_joints.len();
-        !at_joints.contains(&number) || kicks.contains(&number)
     }
 
     /// [`Self::wrenches_of`] as [`Self::kick_loads_on`].
@@ -243,7 +225,8 @@ impl Model {
         states: &[BodyState],
         (bodies, kicks): (&[usize], &[usize]),
     ) -> Loads {
-        let chosen = |number: usize, field: &dyn Field| field.account() == account && self.is_kick(number, kicks);
+        let chosen =
+            |number: usize, field: &dyn Field| field.account() == account && self.forces.is_kick(number, kicks);
         let found = self.field_wrenches_on(t, states, bodies, chosen, |_, _| ());
         found.unwrap_or_else(|| self.wrenches_of(account, t, states, bodies))
     }
@@ -309,7 +292,7 @@ impl Model {
         for slot in read {
             own[slot] = states[self.movable[slot]];
         }
-        let kicks = fields.iter().filter(|&&number| self.is_kick(number, kicks));
+        let kicks = fields.iter().filter(|&&number| self.forces.is_kick(number, kicks));
         for field in kicks.map(|&number| &self.forces.fields[number]) {
             let Some(responses) = field.responses(&self.rigid, own) else {
                 found.are_known &= field.dependence() != Dependence::Velocities;
@@ -351,30 +334,50 @@ impl Model {
         self.surfaces.may_collide() && !self.forces.couplings.is_empty()
     }
 
-    /// Whether a force on the body changes with time even while all bodies rest.
-    pub(crate) fn is_driven(&self, body: usize) -> bool {
-        self.forces.driven.binary_search(&body).is_ok()
-    }
-
-    /// Whether any force field acts.
-    pub(crate) fn has_fields(&self) -> bool {
-        !self.forces.fields.is_empty()
-    }
-
-    /// Whether any force field depends on velocities.
-    pub(crate) fn has_loads_of_velocities(&self) -> bool {
-        self.forces.fields.iter().any(|field| field.dependence() == Dependence::Velocities)
-    }
-
-    /// Whether any force field's work belongs to this account.
-    pub(crate) fn has_fields_of(&self, account: Account) -> bool {
-        self.forces.fields.iter().any(|field| field.account() == account)
-    }
-
     /// Acceleration of the origin of a body's moving frame by gravity, m/s^2: zero if that origin is a pivot.
     pub(crate) fn free_acceleration(&self, body: usize) -> DVec3 {
         let held = self.bodies[body].rigid.as_ref().is_some_and(RigidBody::is_pivoted);
         if held { DVec3::ZERO } else { self.gravity() }
+    }
+}
+
+impl Forces {
+    /// The forces and torques (N, N m) that a program applies, by body, as plain numbers.
+    pub(crate) fn applied(&self) -> Vec<(usize, [[f64; 3]; 2])> {
+        let numbers = |(&body, wrench): (&usize, &Wrench)| (body, [wrench.force.to_array(), wrench.torque.to_array()]);
+        self.applied.iter().map(numbers).collect()
+    }
+
+    /// The force fields, shared.
+    pub(crate) fn shared_fields(&self) -> Arc<[Box<dyn Field>]> {
+        Arc::clone(&self.fields)
+    }
+
+    /// Whether a step gives the field of this number as a kick: all but the forces at joints that are not among
+    /// `kicks`.
+    fn is_kick(&self, number: usize, kicks: &[usize]) -> bool {
+        let at_joints = self.first_of_joints..self.first_of_joints + self.of_joints.len();
+        !at_joints.contains(&number) || kicks.contains(&number)
+    }
+
+    /// Whether a force on the body changes with time even while all bodies rest.
+    pub(crate) fn is_driven(&self, body: usize) -> bool {
+        self.driven.binary_search(&body).is_ok()
+    }
+
+    /// Whether any force field acts.
+    pub(crate) fn has_fields(&self) -> bool {
+        !self.fields.is_empty()
+    }
+
+    /// Whether any force field depends on velocities.
+    pub(crate) fn has_loads_of_velocities(&self) -> bool {
+        self.fields.iter().any(|field| field.dependence() == Dependence::Velocities)
+    }
+
+    /// Whether any force field's work belongs to this account.
+    pub(crate) fn has_fields_of(&self, account: Account) -> bool {
+        self.fields.iter().any(|field| field.account() == account)
     }
 }
 

@@ -42,7 +42,8 @@ pub(crate) struct Joints {
 }
 
 impl Joints {
-    /// None yet, of a scene some of whose joints may break, and some of whose bodies carry prescribed motions of joints.
+    /// None yet, of a scene some of whose joints may break, and some of whose bodies carry prescribed motions of
+    /// joints.
     pub(super) fn none(breakable: BTreeSet<usize>, carriages: Range<usize>) -> Self {
         Self {
             list: Vec::new(),

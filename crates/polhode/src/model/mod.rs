@@ -30,19 +30,20 @@ mod forces;
 mod joints;
 pub(crate) mod pivot_form;
 pub(crate) mod plane_of_motion;
-mod prescribed;
+pub(crate) mod prescribed;
 pub(crate) mod prescribed_state;
-mod rates;
-mod reported;
+pub(crate) mod rates;
+pub(crate) mod reported;
 pub(crate) mod states_of;
 pub(crate) mod steered;
 mod steering;
 mod surfaces;
-mod tolerances;
+pub(crate) mod tolerances;
 
 pub(crate) use bodies::Model;
 pub(crate) use body::ModelBody;
-pub(crate) use forces::Loads;
+pub(crate) use forces::{Forces, Loads};
+pub(crate) use joints::Joints;
 pub(crate) use rates::{Rates, largest_eigenvalue};
 pub(crate) use tolerances::{INITIAL_OVERLAP_RELATIVE, TOUCH_RELATIVE};
 

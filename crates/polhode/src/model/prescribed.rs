@@ -18,6 +18,7 @@
 //! external work. The change of energy that an impact law reports is computed from relative velocities and does not
 //! include this work.
 
+use crate::collision::contact_set;
 use crate::identity::contact_id::ContactId;
 use crate::model::Model;
 use crate::model::prescribed_state::state_at;
@@ -26,168 +27,173 @@ use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Motion};
 
-impl Model {
-    /// The kinematic bodies, ascending.
-    pub(crate) fn prescribed(&self) -> &[usize] {
-        &self.prescribed
-    }
+/// The kinematic bodies, ascending.
+pub(crate) fn prescribed(model: &Model) -> &[usize] {
+    &model.prescribed
+}
 
-    /// Motion of the moving frame of a kinematic body; none for other bodies.
-    pub(crate) fn trajectory(&self, body: usize) -> Option<&Trajectory> {
-        self.bodies[body].trajectory.as_ref()
-    }
+/// Motion of the moving frame of a kinematic body; none for other bodies.
+pub(crate) fn trajectory(model: &Model, body: usize) -> Option<&Trajectory> {
+    model.bodies[body].trajectory.as_ref()
+}
 
-    /// State of a kinematic body at `t` (s); none for other bodies.
-    pub(crate) fn prescribed_state(&self, body: usize, t: f64) -> Option<BodyState> {
-        self.trajectory(body).map(|trajectory| state_at(trajectory, t))
-    }
+/// State of a kinematic body at `t` (s); none for other bodies.
+pub(crate) fn prescribed_state(model: &Model, body: usize, t: f64) -> Option<BodyState> {
+    trajectory(model, body).map(|trajectory| state_at(trajectory, t))
+}
 
-    /// Sets the states of all kinematic bodies to those at `t` (s).
-    pub(crate) fn prescribe(&self, t: f64, states: &mut [BodyState]) {
-        for &body in &self.prescribed {
-            if let (Some(trajectory), Some(state)) = (self.trajectory(body), states.get_mut(body)) {
-                *state = state_at(trajectory, t);
-            }
+/// Sets the states of all kinematic bodies to those at `t` (s).
+pub(crate) fn prescribe(model: &Model, t: f64, states: &mut [BodyState]) {
+    for &body in &model.prescribed {
+        if let (Some(trajectory), Some(state)) = (trajectory(model, body), states.get_mut(body)) {
+            *state = state_at(trajectory, t);
         }
     }
+}
 
-    /// Sets the states of the kinematic members of these pairs, and of those that joints hold, to those at `t` (s).
-    pub(crate) fn prescribe_members(&self, pairs: &[(usize, usize)], t: f64, states: &mut [BodyState]) {
-        for body in self.prescribed_members(pairs).chain(self.joints.drivers.iter().copied()) {
-            if let Some(state) = self.prescribed_state(body, t) {
-                states[body] = state;
-            }
+/// Sets the states of the kinematic members of these pairs, and of those that joints hold, to those at `t` (s).
+pub(crate) fn prescribe_members(model: &Model, pairs: &[(usize, usize)], t: f64, states: &mut [BodyState]) {
+    for body in prescribed_members(model, pairs).chain(model.joints.drivers.iter().copied()) {
+        if let Some(state) = prescribed_state(model, body, t) {
+            states[body] = state;
         }
     }
+}
 
-    /// Whether all kinematic members of these pairs, and those that joints hold to these bodies, stand still from
-    /// `from` to `to` (s).
-    pub(crate) fn members_stand_still(
-        &self,
-        bodies: &[usize],
-        pairs: &[(usize, usize)],
-        (from, to): (f64, f64),
-    ) -> bool {
-        self.prescribed_members(pairs).chain(self.drivers_of(bodies)).all(|body| self.stands_still(body, from, to))
+/// Whether all kinematic members of these pairs, and those that joints hold to these bodies, stand still from
+/// `from` to `to` (s).
+pub(crate) fn members_stand_still(
+    model: &Model,
+    bodies: &[usize],
+    pairs: &[(usize, usize)],
+    (from, to): (f64, f64),
+) -> bool {
+    prescribed_members(model, pairs)
+        .chain(model.joints.drivers_of(bodies))
+        .all(|body| stands_still(model, body, from, to))
+}
+
+/// The kinematic members of these pairs; a body in several pairs is repeated.
+fn prescribed_members<'a>(model: &'a Model, pairs: &'a [(usize, usize)]) -> impl Iterator<Item = usize> + 'a {
+    let pairs = if model.prescribed.is_empty() { &[] } else { pairs };
+    pairs.iter().flat_map(|&(a, b)| [a, b]).filter(|&body| trajectory(model, body).is_some())
+}
+
+/// Bound on the speed from `t` to `t + h` (s) of the points of a kinematic body in the region that another body
+/// occupies at `t`, m/s; zero for other bodies.
+pub(crate) fn prescribed_speed_at(
+    model: &Model,
+    body: usize,
+    other: usize,
+    states: &[BodyState],
+    (t, h): (f64, f64),
+) -> f64 {
+    trajectory(model, body).map_or(0.0, |trajectory| {
+        let bounds = trajectory.bounds(t, t + h);
+        let distance = (states[other].pose.translation - states[body].pose.translation).length();
+        bounds.speed + bounds.angular_speed * (distance + model.bodies[other].size)
+    })
+}
+
+/// Prescribed acceleration of a kinematic body's own origin (m/s^2) and angular acceleration (rad/s^2) at `t` (s),
+/// world; zero for other bodies.
+pub(crate) fn prescribed_acceleration(model: &Model, body: usize, t: f64) -> (DVec3, DVec3) {
+    trajectory(model, body).map_or((DVec3::ZERO, DVec3::ZERO), |trajectory| {
+        let acceleration = trajectory.acceleration(t);
+        (acceleration.linear, acceleration.angular)
+    })
+}
+
+/// The first time strictly between `from` and `to` (s, `from < to`) at which the motion of a kinematic body of
+/// these contacts, or of one that joints hold to these bodies, is not smooth.
+pub(crate) fn prescribed_corner_between(
+    model: &Model,
+    bodies: &[usize],
+    contacts: &[ContactId],
+    (from, to): (f64, f64),
+) -> Option<f64> {
+    if model.prescribed.is_empty() {
+        return None;
     }
+    let members = contacts.iter().flat_map(|id| [id.a, id.b]).chain(model.joints.drivers_of(bodies));
+    members.filter_map(|body| trajectory(model, body)?.corner_between(from, to)).reduce(f64::min)
+}
 
-    /// The kinematic members of these pairs; a body in several pairs is repeated.
-    fn prescribed_members<'a>(&'a self, pairs: &'a [(usize, usize)]) -> impl Iterator<Item = usize> + 'a {
-        let pairs = if self.prescribed.is_empty() { &[] } else { pairs };
-        pairs.iter().flat_map(|&(a, b)| [a, b]).filter(|&body| self.trajectory(body).is_some())
+/// Whether a kinematic body stands still from `from` to `to` (s), so that bodies may rest on it; true for other
+/// bodies.
+pub(crate) fn stands_still(model: &Model, body: usize, from: f64, to: f64) -> bool {
+    trajectory(model, body).is_none_or(|trajectory| {
+        let bounds = trajectory.bounds(from, to);
+        bounds.speed == 0.0 && bounds.angular_speed == 0.0
+    })
+}
+
+/// The first time after `t` (s) at which the motion of a kinematic body is not smooth; infinite when there is none.
+pub(crate) fn next_corner(model: &Model, body: usize, t: f64) -> f64 {
+    let corner = trajectory(model, body).and_then(|trajectory| trajectory.corner_between(t, f64::INFINITY));
+    corner.unwrap_or(f64::INFINITY)
+}
+
+/// Whether bodies may rest on this one from `t` (s): on a kinematic body if it stands still until the next time at
+/// which its motion is not smooth, on one whose surface moves never, on any other body always.
+pub(crate) fn allows_rest(model: &Model, body: usize, t: f64) -> bool {
+    let stands = !model.surfaces.are_driven() || model.scene.bodies()[body].velocity_of_surface() == DVec3::ZERO;
+    stands && stands_still(model, body, t, next_corner(model, body, t).next_down())
+}
+
+/// Term of prescribed velocities in the rate of a contact's separation, m/s.
+pub(crate) fn prescribed_rate_of(
+    model: &Model,
+    states: &[BodyState],
+    id: ContactId,
+    geometry: &ContactGeometry,
+) -> f64 {
+    prescribed_term(model, states, id, geometry, |body| {
+        let velocity = contact_set::velocity(model, body, &states[body]);
+        (velocity.linear, velocity.angular)
+    })
+}
+
+/// Work of kinematic bodies on the others by impulses p (N s) along contact normals, J; from forces (N) instead of
+/// impulses, their power, W.
+pub(crate) fn prescribed_work<'a>(
+    model: &Model,
+    states: &[BodyState],
+    impulses: impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)>,
+) -> f64 {
+    impulses.map(|(id, geometry, p)| -p * prescribed_rate_of(model, states, id, geometry)).sum()
+}
+
+/// Term of prescribed accelerations at `t` (s) in the second derivative of a contact's separation, m/s^2.
+pub(crate) fn prescribed_acceleration_of(
+    model: &Model,
+    t: f64,
+    states: &[BodyState],
+    id: ContactId,
+    geometry: &ContactGeometry,
+) -> f64 {
+    prescribed_term(model, states, id, geometry, |body| prescribed_acceleration(model, body, t))
+}
+
+/// `sum +-n.(linear + angular x r)` over the kinematic bodies of a contact.
+fn prescribed_term(
+    model: &Model,
+    states: &[BodyState],
+    id: ContactId,
+    geometry: &ContactGeometry,
+    rates: impl Fn(usize) -> (DVec3, DVec3),
+) -> f64 {
+    if model.prescribed.is_empty() {
+        return 0.0;
     }
-
-    /// Bound on the speed from `t` to `t + h` (s) of the points of a kinematic body in the region that another body
-    /// occupies at `t`, m/s; zero for other bodies.
-    pub(crate) fn prescribed_speed_at(
-        &self,
-        body: usize,
-        other: usize,
-        states: &[BodyState],
-        (t, h): (f64, f64),
-    ) -> f64 {
-        self.trajectory(body).map_or(0.0, |trajectory| {
-            let bounds = trajectory.bounds(t, t + h);
-            let distance = (states[other].pose.translation - states[body].pose.translation).length();
-            bounds.speed + bounds.angular_speed * (distance + self.bodies[other].size)
+    let members = [(id.a, 1.0), (id.b, -1.0)].into_iter().filter(|&(body, _)| trajectory(model, body).is_some());
+    members
+        .map(|(body, sign)| {
+            let (linear, angular) = rates(body);
+            let arm = geometry.point - states[body].pose.translation;
+            sign * geometry.normal.dot(linear + angular.cross(arm))
         })
-    }
-
-    /// Prescribed acceleration of a kinematic body's own origin (m/s^2) and angular acceleration (rad/s^2) at `t` (s),
-    /// world; zero for other bodies.
-    pub(crate) fn prescribed_acceleration(&self, body: usize, t: f64) -> (DVec3, DVec3) {
-        self.trajectory(body).map_or((DVec3::ZERO, DVec3::ZERO), |trajectory| {
-            let acceleration = trajectory.acceleration(t);
-            (acceleration.linear, acceleration.angular)
-        })
-    }
-
-    /// The first time strictly between `from` and `to` (s, `from < to`) at which the motion of a kinematic body of
-    /// these contacts, or of one that joints hold to these bodies, is not smooth.
-    pub(crate) fn prescribed_corner_between(
-        &self,
-        bodies: &[usize],
-        contacts: &[ContactId],
-        (from, to): (f64, f64),
-    ) -> Option<f64> {
-        if self.prescribed.is_empty() {
-            return None;
-        }
-        let members = contacts.iter().flat_map(|id| [id.a, id.b]).chain(self.drivers_of(bodies));
-        members.filter_map(|body| self.trajectory(body)?.corner_between(from, to)).reduce(f64::min)
-    }
-
-    /// Whether a kinematic body stands still from `from` to `to` (s), so that bodies may rest on it; true for other
-    /// bodies.
-    pub(crate) fn stands_still(&self, body: usize, from: f64, to: f64) -> bool {
-        self.trajectory(body).is_none_or(|trajectory| {
-            let bounds = trajectory.bounds(from, to);
-            bounds.speed == 0.0 && bounds.angular_speed == 0.0
-        })
-    }
-
-    /// The first time after `t` (s) at which the motion of a kinematic body is not smooth; infinite when there is none.
-    pub(crate) fn next_corner(&self, body: usize, t: f64) -> f64 {
-        let corner = self.trajectory(body).and_then(|trajectory| trajectory.corner_between(t, f64::INFINITY));
-        corner.unwrap_or(f64::INFINITY)
-    }
-
-    /// Whether bodies may rest on this one from `t` (s): on a kinematic body if it stands still until the next time at
-    /// which its motion is not smooth, on one whose surface moves never, on any other body always.
-    pub(crate) fn allows_rest(&self, body: usize, t: f64) -> bool {
-        let stands = !self.surfaces.are_driven() || self.scene.bodies()[body].velocity_of_surface() == DVec3::ZERO;
-        stands && self.stands_still(body, t, self.next_corner(body, t).next_down())
-    }
-
-    /// Term of prescribed velocities in the rate of a contact's separation, m/s.
-    pub(crate) fn prescribed_rate_of(&self, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> f64 {
-        self.prescribed_term(states, id, geometry, |body| {
-            let velocity = self.velocity(body, &states[body]);
-            (velocity.linear, velocity.angular)
-        })
-    }
-
-    /// Work of kinematic bodies on the others by impulses p (N s) along contact normals, J; from forces (N) instead of
-    /// impulses, their power, W.
-    pub(crate) fn prescribed_work<'a>(
-        &self,
-        states: &[BodyState],
-        impulses: impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)>,
-    ) -> f64 {
-        impulses.map(|(id, geometry, p)| -p * self.prescribed_rate_of(states, id, geometry)).sum()
-    }
-
-    /// Term of prescribed accelerations at `t` (s) in the second derivative of a contact's separation, m/s^2.
-    pub(crate) fn prescribed_acceleration_of(
-        &self,
-        t: f64,
-        states: &[BodyState],
-        id: ContactId,
-        geometry: &ContactGeometry,
-    ) -> f64 {
-        self.prescribed_term(states, id, geometry, |body| self.prescribed_acceleration(body, t))
-    }
-
-    /// `sum +-n.(linear + angular x r)` over the kinematic bodies of a contact.
-    fn prescribed_term(
-        &self,
-        states: &[BodyState],
-        id: ContactId,
-        geometry: &ContactGeometry,
-        rates: impl Fn(usize) -> (DVec3, DVec3),
-    ) -> f64 {
-        if self.prescribed.is_empty() {
-            return 0.0;
-        }
-        let members = [(id.a, 1.0), (id.b, -1.0)].into_iter().filter(|&(body, _)| self.trajectory(body).is_some());
-        members
-            .map(|(body, sign)| {
-                let (linear, angular) = rates(body);
-                let arm = geometry.point - states[body].pose.translation;
-                sign * geometry.normal.dot(linear + angular.cross(arm))
-            })
-            .sum()
-    }
+        .sum()
 }
 
 #[cfg(test)]
@@ -196,6 +202,7 @@ mod tests {
     use crate::collision::contact_set::Touch;
     use crate::identity::contact_id::Feature;
     use crate::model::pivot_form::PivotRows;
+    use crate::model::reported;
     use crate::rows::assembly::Assembly;
     use crate::rows::groups::Group;
     use crate::scene::{
@@ -249,7 +256,7 @@ mod tests {
         if let Some(rigid) = &model.bodies[BODY].rigid {
             states[BODY] = Flight::new(rigid, 0.0, &start[BODY], model.gravity()).state(t);
         }
-        model.prescribe(t, &mut states);
+        prescribe(model, t, &mut states);
         states
     }
 
@@ -273,7 +280,7 @@ mod tests {
                 for t in [0.2, 0.3, 0.5] {
                     let states = states_at(&model, &start, t);
                     for (a, b) in [(TABLE, BODY), (BODY, TABLE)] {
-                        for touch in model.contacts_of_pair(&states, a, b, 10.0) {
+                        for touch in contact_set::contacts_of_pair(&model, &states, a, b, 10.0) {
                             check_derivatives(&model, &start, touch.id, t)?;
                             contacts += 1;
                             with_b += usize::from(b == TABLE);
@@ -289,7 +296,7 @@ mod tests {
     fn check_derivatives(model: &Model, start: &[BodyState], id: ContactId, t: f64) -> TestResult {
         let h = 3e-4;
         let separation = |t: f64| {
-            let kinematics = model.kinematics(&states_at(model, start, t), id);
+            let kinematics = contact_set::kinematics(model, &states_at(model, start, t), id);
             kinematics.map(|k| k.geometry.separation).ok_or("no contact")
         };
         let (near, far) =
@@ -298,7 +305,7 @@ mod tests {
         let second = (16.0 * (near[0] + near[1]) - (far[0] + far[1]) - 30.0 * separation(t)?) / (12.0 * h * h);
 
         let states = states_at(model, start, t);
-        let kinematics = model.kinematics(&states, id).ok_or("no contact")?;
+        let kinematics = contact_set::kinematics(model, &states, id).ok_or("no contact")?;
         let assembly = Assembly::new(model, &states, &[BODY], [(id, kinematics.geometry)].into_iter())?;
         let free = assembly.free_accelerations(model, &states, &model.loads(t, &states));
         let b = assembly.acceleration_constants(model, t, &states, &free, [(id, &kinematics)].into_iter())?;
@@ -307,10 +314,10 @@ mod tests {
         assert!((b[0] - second).abs() < 1e-6, "{id:?} {} {second}", b[0]);
 
         // The rate of separation is the sum of the movable body's part and the kinematic body's term.
-        let velocity = model.velocity(BODY, &states[BODY]);
+        let velocity = contact_set::velocity(model, BODY, &states[BODY]);
         let columns = [velocity.linear.to_array(), velocity.angular.to_array()].concat();
         let moved = assembly.problem.row_velocities(&columns)?[0];
-        let prescribed = model.prescribed_rate_of(&states, id, &kinematics.geometry);
+        let prescribed = prescribed_rate_of(model, &states, id, &kinematics.geometry);
         assert!((moved + prescribed - kinematics.separation_rate).abs() < 1e-12);
         Ok(())
     }
@@ -324,10 +331,10 @@ mod tests {
             let (model, start) = model(motion, Shape::cuboid(DVec3::new(1.5, 1.0, 0.8))?, Shape::sphere(0.4)?)?;
             let mut states = states_at(&model, &start, 0.3);
             states[BODY].linear_velocity = DVec3::new(0.3, 0.2, -9.0);
-            let contacts = model.contacts_of_pair(&states, TABLE, BODY, 10.0);
+            let contacts = contact_set::contacts_of_pair(&model, &states, TABLE, BODY, 10.0);
             let touches: Vec<Touch> = contacts.into_iter().map(Touch::from).collect();
             let group = Group { bodies: vec![BODY], contacts: vec![0] };
-            let term = model.prescribed_rate_of(&states, touches[0].id, &touches[0].kinematics.geometry);
+            let term = prescribed_rate_of(&model, &states, touches[0].id, &touches[0].kinematics.geometry);
             let before = model.energies(BODY, &states[BODY]).0;
             let law = ImpactLaw::Simultaneous;
             let solver = &mut ComplementaritySolver::default();
@@ -340,7 +347,7 @@ mod tests {
             );
             assert!((gained - outcome.energy_change - work).abs() < 1e-12 * before, "{gained} {outcome:?} {work}");
             // Without restitution the contact neither opens nor closes afterwards.
-            let after = model.kinematics(&states, touches[0].id).ok_or("no contact")?;
+            let after = contact_set::kinematics(&model, &states, touches[0].id).ok_or("no contact")?;
             assert!(after.separation_rate.abs() < 1e-12);
         }
         Ok(())
@@ -353,25 +360,28 @@ mod tests {
         for motion in motions()? {
             let trajectory = motion.from_pose(&motion.initial_pose(&Pose::IDENTITY));
             let (model, states) = model(motion, Shape::sphere(0.4)?, Shape::sphere(0.4)?)?;
-            assert_eq!((model.prescribed(), model.movable.as_slice()), (&[TABLE][..], &[BODY][..]));
+            assert_eq!((prescribed(&model), model.movable.as_slice()), (&[TABLE][..], &[BODY][..]));
             for t in [0.0, 0.35, 3.0] {
                 let now = states_at(&model, &states, t);
-                let sample = model.sample(TABLE, &now[TABLE]);
+                let sample = reported::sample(&model, TABLE, &now[TABLE]);
                 assert_eq!((sample.pose, sample.velocity), (trajectory.pose(t), trajectory.velocity(t)));
-                assert_eq!(model.velocity(TABLE, &now[TABLE]), trajectory.velocity(t));
-                assert_eq!(model.prescribed_state(TABLE, t), Some(now[TABLE]));
-                assert_eq!(model.prescribed_acceleration(TABLE, t).0, trajectory.acceleration(t).linear);
+                assert_eq!(contact_set::velocity(&model, TABLE, &now[TABLE]), trajectory.velocity(t));
+                assert_eq!(prescribed_state(&model, TABLE, t), Some(now[TABLE]));
+                assert_eq!(prescribed_acceleration(&model, TABLE, t).0, trajectory.acceleration(t).linear);
             }
             assert_eq!(states[TABLE], states_at(&model, &states, 0.0)[TABLE]);
-            assert_eq!((model.prescribed_state(BODY, 0.0), model.energies(TABLE, &states[TABLE])), (None, (0.0, 0.0)));
-            assert_eq!(model.prescribed_acceleration(BODY, 0.0), (DVec3::ZERO, DVec3::ZERO));
+            assert_eq!(
+                (prescribed_state(&model, BODY, 0.0), model.energies(TABLE, &states[TABLE])),
+                (None, (0.0, 0.0))
+            );
+            assert_eq!(prescribed_acceleration(&model, BODY, 0.0), (DVec3::ZERO, DVec3::ZERO));
         }
         Ok(())
     }
 
     fn first_feature(model: &Model) -> Result<Feature, Box<dyn Error>> {
         let states = [TABLE, BODY].map(|body| BodyState::at_rest(Pose::from_translation(DVec3::Z * body as f64)));
-        let touches = model.contacts_of_pair(&states, TABLE, BODY, 10.0);
+        let touches = contact_set::contacts_of_pair(model, &states, TABLE, BODY, 10.0);
         Ok(touches.first().ok_or("no contact")?.id.feature)
     }
 
@@ -381,13 +391,13 @@ mod tests {
         let [screw, _, table] = motions()?;
         let (model, _) = model(table, Shape::sphere(0.4)?, Shape::sphere(0.4)?)?;
         let touching = [ContactId { a: TABLE, b: BODY, feature: first_feature(&model)? }];
-        assert_eq!(model.prescribed_corner_between(&[], &touching, (0.0, 2.0)), Some(0.1));
-        assert_eq!(model.prescribed_corner_between(&[], &touching, (1.2, f64::INFINITY)), None);
-        assert_eq!(model.prescribed_corner_between(&[], &[], (0.0, 2.0)), None);
-        assert!(!model.stands_still(TABLE, 1.0, 2.0) && model.stands_still(TABLE, 1.2, f64::INFINITY));
-        assert!(model.stands_still(BODY, 0.0, 2.0));
+        assert_eq!(prescribed_corner_between(&model, &[], &touching, (0.0, 2.0)), Some(0.1));
+        assert_eq!(prescribed_corner_between(&model, &[], &touching, (1.2, f64::INFINITY)), None);
+        assert_eq!(prescribed_corner_between(&model, &[], &[], (0.0, 2.0)), None);
+        assert!(!stands_still(&model, TABLE, 1.0, 2.0) && stands_still(&model, TABLE, 1.2, f64::INFINITY));
+        assert!(stands_still(&model, BODY, 0.0, 2.0));
         let (model, _) = self::model(screw, Shape::sphere(0.4)?, Shape::sphere(0.4)?)?;
-        assert!(!model.stands_still(TABLE, 5.0, 6.0));
+        assert!(!stands_still(&model, TABLE, 5.0, 6.0));
         Ok(())
     }
 }

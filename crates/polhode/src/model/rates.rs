@@ -2,6 +2,8 @@
 //! enough.
 
 use super::bodies::Model;
+use crate::collision::contact_set;
+use crate::constraint::soft_rows;
 use polhode_dynamics::field::{ForceResponse, ResponseEnd};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::DMat3;
@@ -22,67 +24,64 @@ impl Rates {
     }
 }
 
-impl Model {
-    /// The fastest rates in these states; fields that do not say how they respond are left out.
-    pub(crate) fn fastest_rates(&self, states: &[BodyState]) -> Rates {
-        let mut sums = vec![Rates::default(); self.bodies.len()];
-        for (_, response) in
-            &self.responses_on(states, &self.movable, &self.kicks_of_joints(states, &self.movable)).of_fields
-        {
-            for end in response.ends.iter().flatten() {
-                let lightness = self.lightness(end);
-                sums[end.body].oscillation += lightness * largest_eigenvalue(&response.stiffness);
-                sums[end.body].decay += lightness * largest_eigenvalue(&response.damping);
-            }
-            sums = self.with_rotation(sums, response);
+/// The fastest rates in these states; fields that do not say how they respond are left out.
+pub(crate) fn fastest_rates(model: &Model, states: &[BodyState]) -> Rates {
+    let mut sums = vec![Rates::default(); model.bodies.len()];
+    for (_, response) in &model
+        .responses_on(states, &model.movable, &soft_rows::kicks_of_joints(model, states, &model.movable))
+        .of_fields
+    {
+        for end in response.ends.iter().flatten() {
+            let lightness = lightness(model, end);
+            sums[end.body].oscillation += lightness * largest_eigenvalue(&response.stiffness);
+            sums[end.body].decay += lightness * largest_eigenvalue(&response.damping);
         }
-        let mut rates = Rates::default();
-        for &body in &self.movable {
-            let turning = self.velocity(body, &states[body]).angular.length();
-            rates.oscillation = rates.oscillation.max(sums[body].oscillation.sqrt()).max(turning);
-            rates.decay = rates.decay.max(sums[body].decay);
-        }
-        rates
+        sums = with_rotation(model, sums, response);
     }
-
-    fn with_rotation(&self, mut sums: Vec<Rates>, response: &ForceResponse) -> Vec<Rates> {
-        let turned = response.ends[0].and_then(|end| Some((end.body, self.bodies[end.body].rigid.as_ref()?)));
-        if let Some((body, rigid)) = turned {
-            sums[body].decay += largest_eigenvalue(&response.rotational_damping) / rigid.moments().min_element();
-        }
-        sums
+    let mut rates = Rates::default();
+    for &body in &model.movable {
+        let turning = contact_set::velocity(model, body, &states[body]).angular.length();
+        rates.oscillation = rates.oscillation.max(sums[body].oscillation.sqrt()).max(turning);
+        rates.decay = rates.decay.max(sums[body].decay);
     }
-
-    /// The largest inverse mass that a force meets at a point of a body, 1/kg.
-    pub(crate) fn lightness(&self, end: &ResponseEnd) -> f64 {
-        let Some(rigid) = &self.bodies[end.body].rigid else { return 0.0 };
-        rigid.inverse_mass() + end.arm.length_squared() / rigid.moments().min_element()
-    }
-
-    /// The energy that would lift every body by its size, J: the scale for scenes with hardly any energy.
-    pub(crate) fn lifting_energy_j(&self) -> f64 {
-        let lift_j = |body: &super::ModelBody| {
-            let mass = body.rigid.as_ref().map_or(0.0, RigidBody::mass);
-            mass * self.gravity().length() * body.size
-        };
-        self.bodies.iter().map(lift_j).sum()
-    }
+    rates
 }
 
-impl Model {
-    /// The energy that the fields at `t` (s) would give the bodies, each along its size and over one radian, J: the
-    /// scale for bodies that forces press against others, and that hold still.
-    pub(crate) fn pressing_energy_j(&self, t: f64, states: &[BodyState]) -> f64 {
-        if self.forces.fields.is_empty() {
-            return 0.0;
-        }
-        let loads = self.loads_on(t, states, &self.movable);
-        let of_body = |&body: &usize| {
-            let load = loads.of(body);
-            load.force.length() * self.bodies[body].size + load.torque.length()
-        };
-        self.movable.iter().map(of_body).sum()
+fn with_rotation(model: &Model, mut sums: Vec<Rates>, response: &ForceResponse) -> Vec<Rates> {
+    let turned = response.ends[0].and_then(|end| Some((end.body, model.bodies[end.body].rigid.as_ref()?)));
+    if let Some((body, rigid)) = turned {
+        sums[body].decay += largest_eigenvalue(&response.rotational_damping) / rigid.moments().min_element();
     }
+    sums
+}
+
+/// The largest inverse mass that a force meets at a point of a body, 1/kg.
+pub(crate) fn lightness(model: &Model, end: &ResponseEnd) -> f64 {
+    let Some(rigid) = &model.bodies[end.body].rigid else { return 0.0 };
+    rigid.inverse_mass() + end.arm.length_squared() / rigid.moments().min_element()
+}
+
+/// The energy that would lift every body by its size, J: the scale for scenes with hardly any energy.
+pub(crate) fn lifting_energy_j(model: &Model) -> f64 {
+    let lift_j = |body: &super::ModelBody| {
+        let mass = body.rigid.as_ref().map_or(0.0, RigidBody::mass);
+        mass * model.gravity().length() * body.size
+    };
+    model.bodies.iter().map(lift_j).sum()
+}
+
+/// The energy that the fields at `t` (s) would give the bodies, each along its size and over one radian, J: the
+/// scale for bodies that forces press against others, and that hold still.
+pub(crate) fn pressing_energy_j(model: &Model, t: f64, states: &[BodyState]) -> f64 {
+    if model.forces.fields.is_empty() {
+        return 0.0;
+    }
+    let loads = model.loads_on(t, states, &model.movable);
+    let of_body = |&body: &usize| {
+        let load = loads.of(body);
+        load.force.length() * model.bodies[body].size + load.torque.length()
+    };
+    model.movable.iter().map(of_body).sum()
 }
 
 /// The largest eigenvalue of a symmetric matrix without negative ones, bounded by its trace; that of a multiple of the

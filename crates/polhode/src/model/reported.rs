@@ -9,53 +9,51 @@ use crate::report::body_sample::{BodySample, ReportedBody};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::{DVec3, Pose, Velocity};
 
-impl Model {
-    /// A body's pose and velocity as they are reported. The velocity is that of the centre of mass; of a kinematic
-    /// body, which has none, that of its own origin.
-    pub(crate) fn sample(&self, index: usize, state: &BodyState) -> BodySample {
-        let body = &self.bodies[index];
-        let velocity = match (&body.rigid, &body.trajectory) {
-            (Some(rigid), _) => rigid.center_of_mass_velocity(state),
-            (None, Some(_)) => prescribed_state::velocity_of(state),
-            (None, None) => Velocity::ZERO,
-        };
-        BodySample { pose: state.pose * Pose::from_translation(-body.origin), velocity }
-    }
+/// A body's pose and velocity as they are reported. The velocity is that of the centre of mass; of a kinematic
+/// body, which has none, that of its own origin.
+pub(crate) fn sample(model: &Model, index: usize, state: &BodyState) -> BodySample {
+    let body = &model.bodies[index];
+    let velocity = match (&body.rigid, &body.trajectory) {
+        (Some(rigid), _) => rigid.center_of_mass_velocity(state),
+        (None, Some(_)) => prescribed_state::velocity_of(state),
+        (None, None) => Velocity::ZERO,
+    };
+    BodySample { pose: state.pose * Pose::from_translation(-body.origin), velocity }
+}
 
-    /// As [`Model::sample`], of a movable body with its mass properties `rigid`.
-    pub(crate) fn sample_of(&self, index: usize, rigid: &RigidBody, state: &BodyState) -> BodySample {
-        let pose = state.pose * Pose::from_translation(-self.bodies[index].origin);
-        BodySample { pose, velocity: rigid.center_of_mass_velocity(state) }
-    }
+/// As [`Model::sample`], of a movable body with its mass properties `rigid`.
+pub(crate) fn sample_of(model: &Model, index: usize, rigid: &RigidBody, state: &BodyState) -> BodySample {
+    let pose = state.pose * Pose::from_translation(-model.bodies[index].origin);
+    BodySample { pose, velocity: rigid.center_of_mass_velocity(state) }
+}
 
-    /// A body's acceleration as it is reported: that of the centre of mass, computed from that of the origin of the
-    /// moving frame.
-    pub(crate) fn reported_acceleration(
-        &self,
-        body: usize,
-        state: &BodyState,
-        linear: DVec3,
-        angular: DVec3,
-    ) -> Acceleration {
-        let Some(rigid) = &self.bodies[body].rigid else { return Acceleration { linear, angular } };
-        let arm = state.pose.rotation.rotate(rigid.arm());
-        let w = rigid.angular_velocity(state);
-        Acceleration { linear: linear + angular.cross(arm) + w.cross(w.cross(arm)), angular }
-    }
+/// A body's acceleration as it is reported: that of the centre of mass, computed from that of the origin of the
+/// moving frame.
+pub(crate) fn reported_acceleration(
+    model: &Model,
+    body: usize,
+    state: &BodyState,
+    linear: DVec3,
+    angular: DVec3,
+) -> Acceleration {
+    let Some(rigid) = &model.bodies[body].rigid else { return Acceleration { linear, angular } };
+    let arm = state.pose.rotation.rotate(rigid.arm());
+    let w = rigid.angular_velocity(state);
+    Acceleration { linear: linear + angular.cross(arm) + w.cross(w.cross(arm)), angular }
+}
 
-    /// The pose of a body's moving frame from that of its own origin.
-    pub(crate) fn moving_pose(&self, body: usize, pose: Pose) -> Pose {
-        pose * Pose::from_translation(self.bodies[body].origin)
-    }
+/// The pose of a body's moving frame from that of its own origin.
+pub(crate) fn moving_pose(model: &Model, body: usize, pose: Pose) -> Pose {
+    pose * Pose::from_translation(model.bodies[body].origin)
+}
 
-    /// Names of all bodies and their states as they are reported.
-    pub(crate) fn named_samples(&self, states: &[BodyState]) -> Vec<ReportedBody> {
-        let named = self.bodies.iter().zip(states).take(self.shown()).enumerate();
-        let reported = |(index, (body, state)): (usize, (&ModelBody, &BodyState))| ReportedBody {
-            body: BodyId::new(index),
-            name: body.name.clone(),
-            state: self.sample(index, state),
-        };
-        named.map(reported).collect()
-    }
+/// Names of all bodies and their states as they are reported.
+pub(crate) fn named_samples(model: &Model, states: &[BodyState]) -> Vec<ReportedBody> {
+    let named = model.bodies.iter().zip(states).take(model.shown()).enumerate();
+    let reported = |(index, (body, state)): (usize, (&ModelBody, &BodyState))| ReportedBody {
+        body: BodyId::new(index),
+        name: body.name.clone(),
+        state: sample(model, index, state),
+    };
+    named.map(reported).collect()
 }

@@ -2,6 +2,7 @@
 //! allowance for the rounding of their poses; and the rounding of the velocities of contacts.
 
 use super::bodies::Model;
+use crate::collision::contact_set;
 use polhode_dynamics::BodyState;
 use polhode_spatial::Velocity;
 
@@ -24,75 +25,73 @@ const PENETRATION_ULPS: f64 = 2.0 * ROUNDING_ULPS + 2.0;
 /// Error of the velocity of a contact by rounding, in rounding units of the largest speed of a point of its bodies.
 const VELOCITY_UNITS: f64 = 4.0;
 
-impl Model {
-    /// Size that the tolerances of a pair are relative to, m: that of the smaller body. A half-space has none and does
-    /// not count.
-    pub(crate) fn pair_size(&self, a: usize, b: usize) -> f64 {
-        let (size_a, size_b) = (self.bodies[a].size, self.bodies[b].size);
-        if size_a == 0.0 {
-            size_b
-        } else if size_b == 0.0 {
-            size_a
-        } else {
-            size_a.min(size_b)
-        }
+/// Size that the tolerances of a pair are relative to, m: that of the smaller body. A half-space has none and does
+/// not count.
+pub(crate) fn pair_size(model: &Model, a: usize, b: usize) -> f64 {
+    let (size_a, size_b) = (model.bodies[a].size, model.bodies[b].size);
+    if size_a == 0.0 {
+        size_b
+    } else if size_b == 0.0 {
+        size_a
+    } else {
+        size_a.min(size_b)
     }
+}
 
-    /// The length (m) that makes velocities of rotations of a pair on each other: the largest power of two that is not
-    /// above the pair's size.
-    pub(crate) fn turning_length(&self, a: usize, b: usize) -> f64 {
-        let (_, exponent) = libm::frexp(self.pair_size(a, b));
-        libm::scalbn(1.0, exponent - 1)
-    }
+/// The length (m) that makes velocities of rotations of a pair on each other: the largest power of two that is not
+/// above the pair's size.
+pub(crate) fn turning_length(model: &Model, a: usize, b: usize) -> f64 {
+    let (_, exponent) = libm::frexp(pair_size(model, a, b));
+    libm::scalbn(1.0, exponent - 1)
+}
 
-    /// Distance within which two bodies touch, m.
-    pub(crate) fn touch_distance(&self, states: &[BodyState], a: usize, b: usize) -> f64 {
-        TOUCH_RELATIVE * self.pair_size(a, b) + self.rounding(states, a, b)
-    }
+/// Distance within which two bodies touch, m.
+pub(crate) fn touch_distance(model: &Model, states: &[BodyState], a: usize, b: usize) -> f64 {
+    TOUCH_RELATIVE * pair_size(model, a, b) + rounding(model, states, a, b)
+}
 
-    /// Largest displacement of two surfaces by the rounding of their poses, m.
-    pub(crate) fn rounding(&self, states: &[BodyState], a: usize, b: usize) -> f64 {
-        ROUNDING_ULPS * self.ulp(states, a, b)
-    }
+/// Largest displacement of two surfaces by the rounding of their poses, m.
+pub(crate) fn rounding(model: &Model, states: &[BodyState], a: usize, b: usize) -> f64 {
+    ROUNDING_ULPS * ulp(model, states, a, b)
+}
 
-    /// Allowance for rounding in the penetration of a pair that a tier promises, m.
-    pub(crate) fn penetration_rounding(&self, states: &[BodyState], a: usize, b: usize) -> f64 {
-        PENETRATION_ULPS * self.ulp(states, a, b)
-    }
+/// Allowance for rounding in the penetration of a pair that a tier promises, m.
+pub(crate) fn penetration_rounding(model: &Model, states: &[BodyState], a: usize, b: usize) -> f64 {
+    PENETRATION_ULPS * ulp(model, states, a, b)
+}
 
-    /// Unit in the last place of the largest coordinate of two bodies, m.
-    fn ulp(&self, states: &[BodyState], a: usize, b: usize) -> f64 {
-        let coordinate = |i: usize| {
-            let body = &self.bodies[i];
-            // A half-space has no size. Its plane may be far from its origin, and only the other body's coordinates
-            // count.
-            if body.size == 0.0 { 0.0 } else { states[i].pose.translation.abs().max_element() + body.size }
-        };
-        f64::EPSILON * coordinate(a).max(coordinate(b))
-    }
+/// Unit in the last place of the largest coordinate of two bodies, m.
+fn ulp(model: &Model, states: &[BodyState], a: usize, b: usize) -> f64 {
+    let coordinate = |i: usize| {
+        let body = &model.bodies[i];
+        // A half-space has no size. Its plane may be far from its origin, and only the other body's coordinates
+        // count.
+        if body.size == 0.0 { 0.0 } else { states[i].pose.translation.abs().max_element() + body.size }
+    };
+    f64::EPSILON * coordinate(a).max(coordinate(b))
+}
 
-    /// Largest speed of any point of a body, m/s, bounded by its size.
-    pub(crate) fn point_speed(&self, states: &[BodyState], body: usize) -> f64 {
-        self.fastest_point(body, &self.velocity(body, &states[body]))
-    }
+/// Largest speed of any point of a body, m/s, bounded by its size.
+pub(crate) fn point_speed(model: &Model, states: &[BodyState], body: usize) -> f64 {
+    fastest_point(model, body, &contact_set::velocity(model, body, &states[body]))
+}
 
-    /// [`Self::point_speed`] of a body with a velocity.
-    pub(crate) fn fastest_point(&self, body: usize, velocity: &Velocity) -> f64 {
-        velocity.linear.length() + velocity.angular.length() * self.bodies[body].size
-    }
+/// [`Self::point_speed`] of a body with a velocity.
+pub(crate) fn fastest_point(model: &Model, body: usize, velocity: &Velocity) -> f64 {
+    velocity.linear.length() + velocity.angular.length() * model.bodies[body].size
+}
 
-    /// Error of the centripetal terms in accelerations of these bodies by rounding, m/s^2.
-    pub(crate) fn acceleration_rounding(&self, states: &[BodyState], bodies: &[usize]) -> f64 {
-        let term = |&body: &usize| {
-            let velocity = self.velocity(body, &states[body]);
-            velocity.angular.length() * self.fastest_point(body, &velocity)
-        };
-        VELOCITY_UNITS * f64::EPSILON * bodies.iter().map(term).fold(0.0, f64::max)
-    }
+/// Error of the centripetal terms in accelerations of these bodies by rounding, m/s^2.
+pub(crate) fn acceleration_rounding(model: &Model, states: &[BodyState], bodies: &[usize]) -> f64 {
+    let term = |&body: &usize| {
+        let velocity = contact_set::velocity(model, body, &states[body]);
+        velocity.angular.length() * fastest_point(model, body, &velocity)
+    };
+    VELOCITY_UNITS * f64::EPSILON * bodies.iter().map(term).fold(0.0, f64::max)
+}
 
-    /// Error of the velocities of contacts of these bodies by rounding, m/s.
-    pub(crate) fn velocity_rounding(&self, states: &[BodyState], bodies: &[usize]) -> f64 {
-        let speed = bodies.iter().fold(0.0, |most, &body| self.point_speed(states, body).max(most));
-        VELOCITY_UNITS * f64::EPSILON * speed
-    }
+/// Error of the velocities of contacts of these bodies by rounding, m/s.
+pub(crate) fn velocity_rounding(model: &Model, states: &[BodyState], bodies: &[usize]) -> f64 {
+    let speed = bodies.iter().fold(0.0, |most, &body| point_speed(model, states, body).max(most));
+    VELOCITY_UNITS * f64::EPSILON * speed
 }

@@ -7,13 +7,14 @@ use super::run::{Group, GroupRun, Run, Segment};
 use super::saved::{restored_laws, restored_report, restored_spring, save_laws, save_report, save_spring};
 use super::{fixed, stepping};
 use crate::collision::boxes::Boxes;
-use crate::collision::contact_set::Touch;
+use crate::collision::contact_set::{self, Touch};
+use crate::constraint::{added, turns};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
+use crate::model::{Model, prescribed, tolerances};
 use crate::report::acceleration::Acceleration;
-use crate::report::frame::{ContactView, IslandView, JointView, MotionKind};
+use crate::report::frame::{self, ContactView, IslandView, JointView, MotionKind};
 use crate::report::observer::Observer;
 use crate::report::run_report::RunReport;
 use crate::report::springs::SpringReport;
@@ -170,8 +171,8 @@ impl PenaltyEngine {
             self.islands.push(run.group.bodies);
         }
         self.springs.sort_by_key(|spring| spring.id);
-        core.model.prescribe(t_next, &mut self.states);
-        core.model.count_all_turns(&self.states)?;
+        prescribed::prescribe(&core.model, t_next, &mut self.states);
+        turns::count_all_turns(&mut core.model, &self.states)?;
         core.t = t_next;
         core.accounts.books.contact_energy_j = energy(core, &self.states, &self.springs);
         core.accounts.observe(&core.model, &self.states, core.t)?;
@@ -197,7 +198,7 @@ impl PenaltyEngine {
                 }
                 engine.springs.extend(segment.springs_at(run.group.bodies.len(), t));
             }
-            core.model.prescribe(t, &mut states);
+            prescribed::prescribe(&core.model, t, &mut states);
             engine.springs.sort_by_key(|spring| spring.id);
             core.accounts.books.contact_energy_j = energy(core, &states, &engine.springs);
             Ok(Some(Arc::new(states)))
@@ -234,7 +235,7 @@ impl PenaltyEngine {
         states: &[BodyState],
     ) -> Result<Option<JointReactions>, ResponseError> {
         let model = &core.model;
-        if !model.has_rows() {
+        if !model.joints.has_rows() {
             return Ok(None);
         }
         let springs = self.loads_of_springs(core, states).into_iter().enumerate();
@@ -353,15 +354,15 @@ impl Tier for PenaltyEngine {
         pairs.sort_unstable();
         let mut views = Vec::new();
         for (a, b) in pairs {
-            let reach = core.model.rounding(states, a, b);
-            for found in core.model.contacts_of_pair(states, a, b, reach) {
+            let reach = tolerances::rounding(&core.model, states, a, b);
+            for found in contact_set::contacts_of_pair(&core.model, states, a, b, reach) {
                 let own = self.springs.iter().find(|spring| spring.id == found.id);
                 let force = own.and_then(|spring| {
                     let at = Evaluated::new(&core.model, states, spring.id, spring.friction.is_some())?;
                     let force = spring.force(&at);
                     Some((force.normal, force.tangential))
                 });
-                core.model.view_contact(states, &Touch::from(found), force.unwrap_or_default(), &mut views);
+                frame::view_contact(&core.model, states, &Touch::from(found), force.unwrap_or_default(), &mut views);
             }
         }
         views
@@ -390,12 +391,12 @@ impl Tier for PenaltyEngine {
     }
 
     fn change_joint(&mut self, core: &mut Core, pair: (usize, usize)) {
-        self.keep_springs(core, |contact, model| (contact.a, contact.b) != pair || model.may_have(contact));
+        self.keep_springs(core, |contact, model| (contact.a, contact.b) != pair || added::may_have(model, contact));
     }
 
     fn add_body(&mut self, core: &Core, state: BodyState) {
         self.states.push(state);
-        self.laws.add_body(core.model.point_speed(&self.states, self.states.len() - 1));
+        self.laws.add_body(tolerances::point_speed(&core.model, &self.states, self.states.len() - 1));
         self.proposed.push(core.settings.step_s);
         self.boxes.make_room();
     }

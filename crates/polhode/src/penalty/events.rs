@@ -35,7 +35,9 @@
 use super::contact::{ContactSpring, Evaluated, Grip, Push};
 use super::laws::Laws;
 use super::system::SpringSystem;
+use crate::collision::contact_set;
 use crate::identity::contact_id::ContactId;
+use crate::model::tolerances;
 use polhode_dynamics::DenseStep;
 use polhode_response::penalty::{Damping, NormalSpring};
 use polhode_spatial::DVec3;
@@ -257,7 +259,7 @@ impl Looking<'_, '_> {
 
     /// The margin of a point within its features, and the force of its spring (N), which it loses there.
     fn leaving(&self, id: ContactId, at: &Evaluated, force: f64) -> Signal {
-        let rounding = self.system.model.rounding(self.system.states, id.a, id.b);
+        let rounding = tolerances::rounding(&self.system.model, self.system.states, id.a, id.b);
         let value = at.kinematics.geometry.margin + rounding;
         Signal::of(value, if value < 0.0 { force } else { 0.0 })
     }
@@ -275,7 +277,7 @@ impl Looking<'_, '_> {
 
     /// What the rounding of positions makes of the force of a normal spring (N).
     fn rounding_of(&self, id: ContactId, spring: &NormalSpring, at: &Evaluated) -> f64 {
-        let rounding = self.system.model.rounding(self.system.states, id.a, id.b);
+        let rounding = tolerances::rounding(&self.system.model, self.system.states, id.a, id.b);
         spring.slope(at.depth.max(rounding)) * rounding
     }
 
@@ -300,7 +302,7 @@ impl Looking<'_, '_> {
         let is_known = |found: &ContactId| {
             self.candidates.contains(found) || self.system.springs.iter().any(|spring| spring.id == *found)
         };
-        let contacts = model.contacts_of_pair(states, id.a, id.b, 0.0).into_iter();
+        let contacts = contact_set::contacts_of_pair(model, states, id.a, id.b, 0.0).into_iter();
         let unknown = contacts.filter(|found| !is_known(&found.id));
         unknown.map(|found| self.force_of_begun(found.id, &Evaluated::of(found.kinematics), begun)).sum()
     }
@@ -401,7 +403,7 @@ impl Looking<'_, '_> {
             let least = match what {
                 // Contacts that overlap where a step begins get their springs then.
                 Happening::Begin(_) | Happening::Leave(_) => continue,
-                Happening::End(_) => -self.system.model.rounding(self.system.states, id.a, id.b),
+                Happening::End(_) => -tolerances::rounding(&self.system.model, self.system.states, id.a, id.b),
                 _ => 0.0,
             };
             if signal.value >= least || signal.value.is_nan() {

@@ -17,7 +17,7 @@
 //! wedges that multiply a weight, overlaps by more than stated; the report gives both.
 
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
+use crate::model::{Model, tolerances};
 use polhode_contact::{Aabb, Shape, aabb_of};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::{DQuat, DVec3, Pose, Rotation};
@@ -31,7 +31,7 @@ pub(super) fn blows(model: &Model, states: &[BodyState]) -> Vec<f64> {
     let gravity = model.gravity().length();
     let drops = drops(model, states);
     let square = |body: usize| {
-        let speed = model.point_speed(states, body);
+        let speed = tolerances::point_speed(model, states, body);
         speed * speed + 2.0 * gravity * drops[body]
     };
     (0..states.len()).map(square).collect()

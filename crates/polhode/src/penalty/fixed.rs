@@ -18,6 +18,7 @@ use super::run::{GroupRun, Run, Segment};
 use super::system::SpringSystem;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
+use crate::model::tolerances;
 use crate::report::event::EventKind;
 use crate::scene::Integrator;
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, QUATERNION, WIDTH};
@@ -93,7 +94,8 @@ fn time_to_contact(run: &Run<'_>) -> f64 {
     let model = &run.core.model;
     let of = |spring: &ContactSpring| {
         let gap = run.evaluated(spring).map_or(0.0, |at| -at.depth).max(0.0);
-        let speed = model.point_speed(&run.states, spring.id.a) + model.point_speed(&run.states, spring.id.b);
+        let speed = tolerances::point_speed(model, &run.states, spring.id.a)
+            + tolerances::point_speed(model, &run.states, spring.id.b);
         if gap > 0.0 { gap / speed } else { 0.0 }
     };
     run.done.springs.iter().map(of).fold(f64::INFINITY, f64::min)

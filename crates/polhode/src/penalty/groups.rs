@@ -9,6 +9,7 @@
 use super::run::{Group, GroupRun};
 use crate::collision::boxes::Boxes;
 use crate::error::SimulationError;
+use crate::model::tolerances;
 use crate::tier::core::Core;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::Still;
@@ -26,7 +27,7 @@ impl Margins {
         let model = &core.model;
         let loads = model.loads(core.t, states);
         let margin = |body: usize| {
-            let speed = model.point_speed(states, body);
+            let speed = tolerances::point_speed(model, states, body);
             let of_field = model.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass);
             let acceleration = model.gravity().length() + loads.of(body).force.length() * of_field;
             SLACK * h * (speed + acceleration * h)
@@ -75,7 +76,7 @@ pub(super) fn groups(
     let mut of_body: Vec<usize> = (0..states.len()).collect();
     let joined = pairs.iter().copied().filter(|&(a, b)| moves(a) && moves(b));
     let coupled = model.couplings_among(&movable).flat_map(|bodies| bodies.windows(2).map(|pair| (pair[0], pair[1])));
-    let jointed = model.joints_among(&movable).filter_map(|joint| {
+    let jointed = model.joints.joints_among(&movable).filter_map(|joint| {
         let mut bodies = joint.bodies();
         bodies.next().zip(bodies.next())
     });

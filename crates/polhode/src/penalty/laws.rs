@@ -28,9 +28,10 @@
 //! contact begins.
 
 use super::expected::{blows, burden, load_on, reduced_mass};
+use crate::collision::contact_set;
 use crate::collision::turn::Turn;
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
+use crate::model::{Model, tolerances};
 use crate::scene::spring_checks::elastic_pair;
 use crate::scene::{PenaltyMethod, SceneError, SpringLaw};
 use polhode_contact::{ContactGeometry, Shape};
@@ -152,7 +153,7 @@ impl Laws {
     /// at the length of the pair.
     fn resistance(&self, model: &Model, id: ContactId) -> Option<Resistance> {
         let [rolling, spinning] = [Turn::Rolling, Turn::Spinning].map(|turn| turn.friction(model, (id.a, id.b)));
-        let rate = self.slip_speed(model) / model.turning_length(id.a, id.b);
+        let rate = self.slip_speed(model) / tolerances::turning_length(model, id.a, id.b);
         (rolling.is_some() || spinning.is_some()).then(|| Resistance {
             rolling: rolling.unwrap_or(0.0),
             spinning: spinning.unwrap_or(0.0),
@@ -254,7 +255,7 @@ impl Laws {
     /// The number of points of a pair within the stated penetration of touching.
     fn sharing(&self, model: &Model, states: &[BodyState], (id, geometry): (ContactId, &ContactGeometry)) -> f64 {
         let reach = geometry.separation.max(0.0) + self.depth_m;
-        let points = model.contacts_of_pair(states, id.a, id.b, reach).into_iter();
+        let points = contact_set::contacts_of_pair(model, states, id.a, id.b, reach).into_iter();
         let sharing = points.filter(|point| point.kinematics.geometry.separation <= reach).count();
         sharing.max(1) as f64
     }

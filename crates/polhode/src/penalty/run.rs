@@ -8,9 +8,11 @@ use super::events::Peak;
 use super::laws::Laws;
 use super::system::SpringSystem;
 use crate::accounting::books::{Balance, Books};
+use crate::collision::contact_set;
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::ContactId;
+use crate::model::tolerances;
 use crate::report::event::{Event, EventKind};
 use crate::report::springs::SpringReport;
 use crate::solve::projection::{Projection, Removal, project_positions, project_velocities};
@@ -128,9 +130,10 @@ impl<'a> Run<'a> {
         let fall = model.gravity().length() * h * h;
         let mut found = Vec::new();
         for &(a, b) in &self.done.group.pairs {
-            let speed = model.point_speed(&self.states, a) + model.point_speed(&self.states, b);
-            let reach = REACH * (speed * h + fall) + model.rounding(&self.states, a, b);
-            let contacts = model.contacts_of_pair(&self.states, a, b, reach).into_iter();
+            let speed =
+                tolerances::point_speed(model, &self.states, a) + tolerances::point_speed(model, &self.states, b);
+            let reach = REACH * (speed * h + fall) + tolerances::rounding(model, &self.states, a, b);
+            let contacts = contact_set::contacts_of_pair(model, &self.states, a, b, reach).into_iter();
             found.extend(contacts.map(|found| (found.id, found.kinematics)));
         }
         found.sort_by_key(|(id, _)| *id);
@@ -199,7 +202,7 @@ impl<'a> Run<'a> {
     /// `before` is their balance.
     fn project(&mut self, before: Balance) {
         let model = &self.core.model;
-        if !model.has_rows() || model.held_among(&self.done.group.bodies).is_empty() {
+        if !model.joints.has_rows() || model.joints.held_among(&self.done.group.bodies).is_empty() {
             return;
         }
         let bodies = self.done.group.bodies.clone();

@@ -14,8 +14,10 @@ use super::contact::{ContactSpring, Grip, SPRING};
 use super::events::{Allowed, Happening, Looking, Passed};
 use super::run::{GroupRun, Run, Segment};
 use super::system::{DISSIPATION, DISSIPATIONS, SpringSystem};
+use crate::collision::contact_set;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
+use crate::model::tolerances;
 use polhode_dynamics::error_allowance::{ErrorAllowance, LargestError};
 use polhode_dynamics::state::WIDTH;
 use polhode_dynamics::step_control::REFUSED_FACTOR;
@@ -71,8 +73,8 @@ fn longest(run: &Run<'_>, t_end: f64) -> f64 {
     let model = &run.core.model;
     let own = (t_end - run.t).min(run.core.settings.step_s);
     run.done.group.pairs.iter().fold(own, |longest, &(a, b)| {
-        let speed = model.point_speed(&run.states, a) + model.point_speed(&run.states, b);
-        let passing = PASSING * model.pair_size(a, b) / speed;
+        let speed = tolerances::point_speed(model, &run.states, a) + tolerances::point_speed(model, &run.states, b);
+        let passing = PASSING * tolerances::pair_size(model, a, b) / speed;
         if passing > 0.0 { longest.min(passing) } else { longest }
     })
 }
@@ -105,7 +107,7 @@ fn settle(run: &mut Run<'_>, done: &[Happening], h: f64) -> Result<Vec<ContactId
             continue;
         }
         let separation = kinematics.geometry.separation;
-        let rounding = run.core.model.rounding(&run.states, id.a, id.b);
+        let rounding = tolerances::rounding(&run.core.model, &run.states, id.a, id.b);
         let touches = separation <= rounding && kinematics.separation_rate <= 0.0;
         let has_ended = done.contains(&Happening::End(*id));
         if (touches || separation < -rounding) && !has_ended {
@@ -225,10 +227,10 @@ fn allowances(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[ContactS
     let end = method.end_state();
     let ends = end.as_chunks::<WIDTH>().0.iter().map(BodyState::from_array);
     let speed_at_end = bodies.iter().zip(ends).map(|(&body, state)| {
-        let velocity = model.velocity(body, &state);
-        model.fastest_point(body, &velocity)
+        let velocity = contact_set::velocity(model, body, &state);
+        tolerances::fastest_point(model, body, &velocity)
     });
-    let speeds = bodies.iter().map(|&body| model.point_speed(&run.states, body)).chain(speed_at_end);
+    let speeds = bodies.iter().map(|&body| tolerances::point_speed(model, &run.states, body)).chain(speed_at_end);
     let speed = speeds.fold(run.laws.resting_speed(model), f64::max);
     let near_contact = !(springs.is_empty() && candidates.is_empty());
     let frequency = springs.iter().map(|spring| spring.frequency(run.laws.depth_m)).fold(0.0, f64::max);

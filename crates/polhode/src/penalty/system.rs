@@ -9,9 +9,9 @@
 
 use super::contact::{ContactSpring, Evaluated, Force, Grip, SPRING};
 use crate::accounting::books::Received;
-use crate::constraint::bilateral::bilateral_support;
+use crate::constraint::bilateral::{self, bilateral_support};
 use crate::identity::contact_id::ContactId;
-use crate::model::{Loads, Model};
+use crate::model::{Loads, Model, prescribed};
 use crate::report::momentum_ledger::Momentum;
 use crate::solve::joint_reactions::JointReactions;
 use crate::tier::smooth_rates::{add, add_outside_rates, free_rates};
@@ -52,7 +52,7 @@ impl SpringSystem<'_> {
         for (&body, numbers) in self.bodies.iter().zip(flat.as_chunks::<WIDTH>().0) {
             self.states[body] = BodyState::from_array(numbers);
         }
-        self.model.prescribe(t, self.states);
+        prescribed::prescribe(&self.model, t, self.states);
     }
 
     /// A spring with its vector of a flat state.
@@ -118,7 +118,7 @@ impl SpringSystem<'_> {
         let support = bilateral_support(self.about, found.reactions());
         add(tail, support.linear);
         add(&mut tail[3..], support.angular);
-        tail[19] += self.model.driven_work(self.states, found.reactions());
+        tail[19] += bilateral::driven_work(&self.model, self.states, found.reactions());
     }
 
     /// Adds a force on a body and its moment about the centre of mass to the rates.
@@ -204,7 +204,7 @@ impl System for SpringSystem<'_> {
             rates[place..place + SPRING].copy_from_slice(&[x, y, z, spring.slipping(&at)]);
             self.contact_rates(spring.id, &at, &force, &mut rates[end..]);
         }
-        if self.model.has_rows() {
+        if self.model.joints.has_rows() {
             self.add_reactions(t, (&loads, &sums), rates);
         }
         add_outside_rates(self.model, t, (self.bodies, self.states), self.about, &mut rates[end..]);

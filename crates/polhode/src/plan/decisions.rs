@@ -324,7 +324,7 @@ fn contact_decisions(model: &Model, effects: Effects, findings: &Findings) -> Ve
     let pairs = model.scene.colliding();
     let limits: usize = model.joints.list.iter().map(ModelJoint::stops).sum();
     let meets = pairs.count > 0 || limits > 0;
-    let restitution = pairs.largest_restitution.max(model.largest_restitution_of_stops());
+    let restitution = pairs.largest_restitution.max(model.joints.largest_restitution_of_stops());
     let rest = match effects {
         Effects::Planned => decision(
             Effect::Rest,

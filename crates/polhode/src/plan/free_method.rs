@@ -55,7 +55,7 @@ pub(crate) fn choose(model: &Model, states: &[BodyState], settings: &Settings) -
         None if !model.has_loads() => {
             choice(Integrator::Exact, "no force but gravity acts between contacts: closed form")
         }
-        None if model.has_rows() => choice(
+        None if model.joints.has_rows() => choice(
             Integrator::Dop853,
             "bodies are held at pivots or joints: error control, with the forces of constraint at every stage",
         ),

@@ -9,5 +9,5 @@
 
 pub mod decisions;
 pub(crate) mod free_method;
-mod pivots;
+pub(crate) mod pivots;
 pub(crate) mod planar;

@@ -27,34 +27,32 @@ use crate::model::pivot_form::HeldPoint;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::{DVec3, Pose, Velocity};
 
-impl Model {
-    /// The velocity that a body takes when a program gives it `velocity`: a body that constraint rows hold takes the
-    /// angular velocity, and the linear one that follows from it.
-    pub(crate) fn admitted_velocity(&self, body: usize, pose: &Pose, velocity: Velocity) -> Velocity {
-        self.bodies[body].held.map_or(velocity, |held| held.velocity_of_rotation(pose, velocity.angular))
-    }
+/// The velocity that a body takes when a program gives it `velocity`: a body that constraint rows hold takes the
+/// angular velocity, and the linear one that follows from it.
+pub(crate) fn admitted_velocity(model: &Model, body: usize, pose: &Pose, velocity: Velocity) -> Velocity {
+    model.bodies[body].held.map_or(velocity, |held| held.velocity_of_rotation(pose, velocity.angular))
+}
 
-    /// Distance by which a pose (of the moving frame, world) would move a body away from its pivot, m; zero for a body
-    /// without a pivot.
-    pub(crate) fn leaves_pivot_by(&self, body: usize, now: &BodyState, pose: &Pose) -> f64 {
-        let own = &self.bodies[body];
-        if let Some(held) = own.held {
-            return (pose.transform_point(held.arm) - held.place).length();
-        }
-        let pivoted = own.rigid.as_ref().is_some_and(RigidBody::is_pivoted);
-        if pivoted { (pose.translation - now.pose.translation).length() } else { 0.0 }
+/// Distance by which a pose (of the moving frame, world) would move a body away from its pivot, m; zero for a body
+/// without a pivot.
+pub(crate) fn leaves_pivot_by(model: &Model, body: usize, now: &BodyState, pose: &Pose) -> f64 {
+    let own = &model.bodies[body];
+    if let Some(held) = own.held {
+        return (pose.transform_point(held.arm) - held.place).length();
     }
+    let pivoted = own.rigid.as_ref().is_some_and(RigidBody::is_pivoted);
+    if pivoted { (pose.translation - now.pose.translation).length() } else { 0.0 }
+}
 
-    /// Applies the impulse at its pivot to a body that constraint rows hold, so that the held point has no velocity.
-    pub(crate) fn hold_velocity(&self, body: usize, state: &mut BodyState) {
-        let own = &self.bodies[body];
-        let (Some(held), Some(free)) = (own.held, own.rigid) else { return };
-        let Some(properties) = self.scene.bodies[body].mass_properties() else { return };
-        let turning = RigidBody::pivoted(properties, own.origin + held.arm);
-        let w = turning.angular_velocity(&to_pivot_frame(&free, &held, state));
-        let velocity = self.admitted_velocity(body, &state.pose, Velocity::new(DVec3::ZERO, w));
-        *state = free.at_velocity(state.pose, velocity);
-    }
+/// Applies the impulse at its pivot to a body that constraint rows hold, so that the held point has no velocity.
+pub(crate) fn hold_velocity(model: &Model, body: usize, state: &mut BodyState) {
+    let own = &model.bodies[body];
+    let (Some(held), Some(free)) = (own.held, own.rigid) else { return };
+    let Some(properties) = model.scene.bodies[body].mass_properties() else { return };
+    let turning = RigidBody::pivoted(properties, own.origin + held.arm);
+    let w = turning.angular_velocity(&to_pivot_frame(&free, &held, state));
+    let velocity = admitted_velocity(model, body, &state.pose, Velocity::new(DVec3::ZERO, w));
+    *state = free.at_velocity(state.pose, velocity);
 }
 
 /// The state in the frame at the pivot, from that in the frame at the centre of mass: `L_Q = L - r x m v`.

@@ -12,6 +12,7 @@
 //! same way.
 
 use super::tree::{Node, Tree};
+use crate::collision::contact_set;
 use crate::constraint::tree_joint::{FreeMotionOfJoint, JointOfChild};
 use crate::model::Model;
 use polhode_dynamics::BodyState;
@@ -121,7 +122,7 @@ impl Tree {
 
 /// The pose of the moving frame of a body, and its velocity.
 fn motion(model: &Model, states: &[BodyState], body: usize) -> (Pose, Velocity) {
-    (states[body].pose, model.velocity(body, &states[body]))
+    (states[body].pose, contact_set::velocity(model, body, &states[body]))
 }
 
 /// Three numbers of a flat state.

@@ -71,7 +71,7 @@ impl Tree {
         // The joints of each body, with the end that it is at and the body at the other one.
         let mut joints_of: BTreeMap<usize, Vec<(usize, usize, Option<usize>)>> = BTreeMap::new();
         let mut roots = Vec::new();
-        let joints: Vec<_> = model.joints_among(bodies).map(ModelJoint::tree_joint).collect::<Option<_>>()?;
+        let joints: Vec<_> = model.joints.joints_among(bodies).map(ModelJoint::tree_joint).collect::<Option<_>>()?;
         for (number, joint) in joints.iter().enumerate() {
             for end in 0..2 {
                 let other = joint.ends[1 - end].body;

@@ -5,14 +5,14 @@
 //! (thesis 3.4, equations 15-18). Immovable bodies have no entry (erratum E17). In planar motion a velocity has three
 //! coordinates instead of six, and everything else is the same.
 
-use crate::constraint::ConstraintId;
-use crate::constraint::bilateral::{Bilateral, Reaction};
-use crate::constraint::joint_friction::{JointForces, Pressed};
+use crate::constraint::bilateral::{self, Bilateral, Reaction};
+use crate::constraint::joint_friction::{self, JointForces, Pressed};
 use crate::constraint::row::{BilateralRow, Member, RowKind};
 use crate::constraint::softness::Softness;
+use crate::constraint::{ConstraintId, held};
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::model::plane_of_motion::PlaneOfMotion;
-use crate::model::{Loads, Model};
+use crate::model::{Loads, Model, prescribed};
 use crate::rows::rotation_row::RotationRow;
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
@@ -122,7 +122,7 @@ impl Assembly {
         bodies: &[usize],
         contacts: impl Iterator<Item = (ContactId, ContactGeometry)>,
     ) -> Result<Self, ResponseError> {
-        let bilaterals = model.bilaterals(states, bodies).collect();
+        let bilaterals = held::bilaterals(model, states, bodies).collect();
         Self::with_bilaterals(model, (states, bodies), contacts, bilaterals)
     }
 
@@ -151,7 +151,7 @@ impl Assembly {
             if let Feature::Stop(stop) = id.feature {
                 stops.push((problem.len(), stop.joint, geometry.normal));
             }
-            if let Some(own) = model.pressed(states, id) {
+            if let Some(own) = joint_friction::pressed(model, states, id) {
                 let row = problem.len();
                 rows.row(id, &geometry, |entries| problem.push_held_row(entries))?;
                 problem.soften(row, own.compliance)?;
@@ -371,16 +371,18 @@ impl Assembly {
     ) -> Result<Vec<f64>, ResponseError> {
         let mut b = self.problem.row_velocities(free)?;
         for (constant, (id, k)) in b.iter_mut().zip(contacts) {
-            *constant += k.acceleration_bias + model.prescribed_acceleration_of(t, states, id, &k.geometry);
+            *constant +=
+                k.acceleration_bias + prescribed::prescribed_acceleration_of(model, t, states, id, &k.geometry);
         }
         self.press(&mut b, 1.0);
         let rows = self.bilaterals.iter().flat_map(|own| own.rows.iter().map(move |row| (own, row)));
         for (constant, (bilateral, row)) in b.iter_mut().skip(self.contacts).zip(rows) {
-            *constant += row.bias + model.driven_acceleration(t, bilateral, row);
+            *constant += row.bias + bilateral::driven_acceleration(model, t, bilateral, row);
         }
         for (&index, row) in self.tangent_rows.iter().zip(&self.tangents) {
             let Some(constant) = b.get_mut(index) else { continue };
-            *constant += row.acceleration_bias + model.prescribed_acceleration_of(t, states, row.id, &row.along);
+            *constant +=
+                row.acceleration_bias + prescribed::prescribed_acceleration_of(model, t, states, row.id, &row.along);
         }
         for (&index, row) in self.rotation_rows.iter().zip(&self.rotations) {
             let Some(constant) = b.get_mut(index) else { continue };
@@ -502,30 +504,28 @@ fn merge(entries: &mut Vec<(usize, [f64; SPACE_WIDTH])>) {
     });
 }
 
-impl Model {
-    /// Relative acceleration of the bodies of a contact along the normal of `geometry` (m/s^2) at `t` (s): its terms
-    /// that depend on velocities, `bias`, prescribed accelerations, and those of bodies (body, linear, angular).
-    pub(crate) fn relative_acceleration(
-        &self,
-        (t, states): (f64, &[BodyState]),
-        id: ContactId,
-        (geometry, bias): (&ContactGeometry, f64),
-        accelerations: impl Iterator<Item = (usize, DVec3, DVec3)>,
-    ) -> f64 {
-        let mut relative = bias + self.prescribed_acceleration_of(t, states, id, geometry);
-        for (body, linear, angular) in accelerations {
-            let sign = if body == id.a {
-                1.0
-            } else if body == id.b {
-                -1.0
-            } else {
-                continue;
-            };
-            let arm = geometry.point - states[body].pose.translation;
-            relative += sign * geometry.normal.dot(linear + angular.cross(arm));
-        }
-        relative
+/// Relative acceleration of the bodies of a contact along the normal of `geometry` (m/s^2) at `t` (s): its terms
+/// that depend on velocities, `bias`, prescribed accelerations, and those of bodies (body, linear, angular).
+pub(crate) fn relative_acceleration(
+    model: &Model,
+    (t, states): (f64, &[BodyState]),
+    id: ContactId,
+    (geometry, bias): (&ContactGeometry, f64),
+    accelerations: impl Iterator<Item = (usize, DVec3, DVec3)>,
+) -> f64 {
+    let mut relative = bias + prescribed::prescribed_acceleration_of(model, t, states, id, geometry);
+    for (body, linear, angular) in accelerations {
+        let sign = if body == id.a {
+            1.0
+        } else if body == id.b {
+            -1.0
+        } else {
+            continue;
+        };
+        let arm = geometry.point - states[body].pose.translation;
+        relative += sign * geometry.normal.dot(linear + angular.cross(arm));
     }
+    relative
 }
 
 /// Linear and angular acceleration of a body without contact forces.

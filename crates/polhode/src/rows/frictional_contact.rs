@@ -1,8 +1,8 @@
 //! A contact with friction among the rows of a group: its coefficients, its directions, and how it slides.
 
-use crate::collision::contact_set::Touch;
+use crate::collision::contact_set::{self, Touch};
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
-use crate::collision::slip_directions::SlipDirections;
+use crate::collision::slip_directions::{self, SlipDirections};
 use crate::model::Model;
 use crate::rows::friction_blocks::push_contact;
 use crate::scene::FrictionEllipse;
@@ -45,16 +45,16 @@ impl Sliding {
 
 impl Frictional {
     pub(crate) fn of(model: &Model, states: &[BodyState], touch: &Touch) -> Option<Self> {
-        model.friction_of(touch.id)?;
-        let terms = model.tangential_kinematics(states, touch.id)?;
-        let coefficients = model.friction_at(states, touch.id, terms.basis)?;
+        contact_set::friction_of(model, touch.id)?;
+        let terms = contact_set::tangential_kinematics(model, states, touch.id)?;
+        let coefficients = contact_set::friction_at(model, states, touch.id, terms.basis)?;
         let sliding = match touch.modes.friction {
             None | Some(FrictionMode::Sticking) => None,
             Some(FrictionMode::Sliding(slide)) => Some(slide.direction_of(terms.slip_velocity)),
         };
         let sliding = sliding.map(|direction| Sliding::along(direction, &coefficients, &terms));
-        let rotation = model.relative_rotation(states, touch.id);
-        Some(Self { coefficients, terms, slip: model.slip_directions(), rotation, sliding })
+        let rotation = contact_set::relative_rotation(model, states, touch.id);
+        Some(Self { coefficients, terms, slip: slip_directions::slip_directions(model), rotation, sliding })
     }
 
     /// Adds the block of a contact with these rows: what they ask for together.

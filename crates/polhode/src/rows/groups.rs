@@ -38,7 +38,7 @@ fn joined(model: &Model, contacts: impl Iterator<Item = (usize, usize, usize)>, 
     members.extend_from_slice(bodies);
     members.sort_unstable();
     members.dedup();
-    let members = model.with_jointed(members);
+    let members = model.joints.with_jointed(members);
     let mut belongs = bodies.to_vec();
     belongs.sort_unstable();
     let place = |body: usize| members.binary_search(&body).ok();
@@ -53,12 +53,12 @@ fn joined(model: &Model, contacts: impl Iterator<Item = (usize, usize, usize)>, 
         let Some(first) = coupled.next() else { continue };
         coupled.for_each(|body| join(first, body));
     }
-    for joint in model.joints_among(&members) {
+    for joint in model.joints.joints_among(&members) {
         if let [a, b] = joint.bodies().collect::<Vec<_>>()[..] {
             join(a, b);
         }
     }
-    for tie in model.ties_among(&members) {
+    for tie in model.joints.ties_among(&members) {
         let together = tie.bodies();
         together.iter().skip(1).for_each(|&body| join(together[0], body));
     }

@@ -5,8 +5,9 @@
 //! would otherwise add newtons to newton metres and depend on the unit of length. It is a power of two, so that it
 //! rounds nothing.
 
+use crate::collision::contact_set;
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
+use crate::model::{Model, prescribed, tolerances};
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
@@ -21,12 +22,12 @@ pub(crate) struct RotationRow {
 impl RotationRow {
     /// The row of a rotation about an axis (unit vector, world).
     pub(crate) fn about(model: &Model, id: ContactId, axis: DVec3) -> Self {
-        Self { id, axis: axis * model.turning_length(id.a, id.b) }
+        Self { id, axis: axis * tolerances::turning_length(model, id.a, id.b) }
     }
 
     /// The relative angular velocity along the axis, times the length, m/s.
     pub(crate) fn rate(&self, model: &Model, states: &[BodyState]) -> f64 {
-        self.axis.dot(model.relative_rotation(states, self.id))
+        self.axis.dot(contact_set::relative_rotation(model, states, self.id))
     }
 
     /// Term of prescribed accelerations at `t` (s) in the derivative of its rate, m/s^2. The turning of the axis
@@ -34,7 +35,11 @@ impl RotationRow {
     /// drifts little within a step.
     pub(crate) fn prescribed_acceleration(&self, model: &Model, t: f64) -> f64 {
         let of = |body: usize| {
-            if model.trajectory(body).is_some() { model.prescribed_acceleration(body, t).1 } else { DVec3::ZERO }
+            if prescribed::trajectory(model, body).is_some() {
+                prescribed::prescribed_acceleration(model, body, t).1
+            } else {
+                DVec3::ZERO
+            }
         };
         self.axis.dot(of(self.id.a) - of(self.id.b))
     }

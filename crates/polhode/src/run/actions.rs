@@ -6,15 +6,15 @@
 //! After an action the plan is derived again, because the action may end a reduction (planar motion, free flight in
 //! closed form, no contact); the report says when and what changed.
 
+use crate::collision::contact_set;
+use crate::constraint::{added, held, joint_contacts, motors, released};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::joint_id::JointId;
-use crate::model::{INITIAL_OVERLAP_RELATIVE, Model};
-use crate::plan::decisions::Findings;
-use crate::plan::decisions::Plan;
-use crate::plan::free_method;
-use crate::plan::planar;
-use crate::plan::planar::PlanarFinding;
+use crate::model::{INITIAL_OVERLAP_RELATIVE, Model, prescribed, reported, tolerances};
+use crate::plan::decisions::{Findings, Plan};
+use crate::plan::planar::{self, PlanarFinding};
+use crate::plan::{free_method, pivots};
 use crate::report::run_report::PlanChange;
 use crate::run::action_error::ActionError;
 use crate::run::simulation::Simulation;
@@ -71,9 +71,9 @@ impl Simulation {
         motor: Option<Motor>,
     ) -> Result<(), SimulationError> {
         let refused = || ActionError::NoCoordinate { joint: joint.index(), coordinate: coordinate.name() };
-        let bodies = self.core.model.bodies_at(joint.index(), coordinate).ok_or_else(refused)?;
+        let bodies = self.core.model.joints.bodies_at(joint.index(), coordinate).ok_or_else(refused)?;
         self.act(&bodies, &[], "set_motor", |simulation| {
-            Ok(simulation.core.model.set_motor(joint.index(), coordinate, motor)?)
+            Ok(motors::set_motor(&mut simulation.core.model, joint.index(), coordinate, motor)?)
         })?;
         self.repeat_on_companion(|companion| companion.set_motor(joint, coordinate, motor));
         Ok(())
@@ -92,7 +92,7 @@ impl Simulation {
             if !rigid.is_pivoted() {
                 state.linear_velocity += impulse_ns * rigid.inverse_mass();
             }
-            model.hold_velocity(index, state);
+            pivots::hold_velocity(model, index, state);
         })?;
         self.repeat_on_companion(|companion| companion.apply_impulse(body, impulse_ns, point_m));
         Ok(())
@@ -109,7 +109,7 @@ impl Simulation {
         self.finite(index, "the velocity", velocity.linear)?;
         self.finite(index, "the angular velocity", velocity.angular)?;
         self.change_state(index, &[], "set_velocity", |model, rigid, state| {
-            *state = rigid.at_velocity(state.pose, model.admitted_velocity(index, &state.pose, velocity));
+            *state = rigid.at_velocity(state.pose, pivots::admitted_velocity(model, index, &state.pose, velocity));
         })?;
         self.repeat_on_companion(|companion| companion.set_velocity(body, velocity));
         Ok(())
@@ -126,24 +126,26 @@ impl Simulation {
             return Err(ActionError::NotFinite { body: self.name(index), what: "the pose" }.into());
         }
         let mut states = self.tier.states(&self.core);
-        let moved = self.core.model.moving_pose(index, pose);
-        let distance = self.core.model.leaves_pivot_by(index, &states[index], &moved);
-        if distance > self.core.model.touch_distance(&states, index, index) {
+        let moved = reported::moving_pose(&self.core.model, index, pose);
+        let distance = pivots::leaves_pivot_by(&self.core.model, index, &states[index], &moved);
+        if distance > tolerances::touch_distance(&self.core.model, &states, index, index) {
             return Err(ActionError::PivotedBody(self.name(index)).into());
         }
         states[index].pose = moved;
-        let joints = self.core.model.bilaterals(&states, std::slice::from_ref(&index));
-        if joints.map(|joint| joint.gap()).fold(0.0, f64::max) > self.core.model.touch_distance(&states, index, index) {
+        let joints = held::bilaterals(&self.core.model, &states, std::slice::from_ref(&index));
+        if joints.map(|joint| joint.gap()).fold(0.0, f64::max)
+            > tolerances::touch_distance(&self.core.model, &states, index, index)
+        {
             return Err(ActionError::JointedBody(self.name(index)).into());
         }
-        if self.core.model.exceeds_limits(&states, index) {
+        if joint_contacts::exceeds_limits(&self.core.model, &states, index) {
             return Err(ActionError::BeyondLimits(self.name(index)).into());
         }
         self.check_clear(index, &states)?;
         self.change_state(index, &[index], "set_pose", |model, rigid, state| {
             // The velocities stay; the angular momentum follows from the new attitude.
             let velocity = rigid.center_of_mass_velocity(state);
-            *state = rigid.at_velocity(moved, model.admitted_velocity(index, &moved, velocity));
+            *state = rigid.at_velocity(moved, pivots::admitted_velocity(model, index, &moved, velocity));
         })?;
         self.repeat_on_companion(|companion| companion.set_pose(body, pose));
         Ok(())
@@ -187,7 +189,7 @@ impl Simulation {
     pub fn remove_body(&mut self, body: BodyId) -> Result<(), SimulationError> {
         let index = self.present(body)?;
         // Bodies that joints held to it go on without it.
-        let together = self.core.model.with_jointed(vec![index]);
+        let together = self.core.model.joints.with_jointed(vec![index]);
         self.act(&together, &[], "remove_body", |simulation| {
             let states = simulation.tier.states_mut().to_vec();
             let fields_before_j = simulation.field_potential();
@@ -237,14 +239,14 @@ impl Simulation {
         }
         let tier = self.core.settings.tier;
         let mut probe = self.core.model.clone();
-        let number = probe.add_joint(&joint, &self.tier.states(&self.core), tier)?;
+        let number = added::add_joint(&mut probe, &joint, &self.tier.states(&self.core), tier)?;
         let held = bodies.into_iter().filter(|&body| probe.bodies[body].moves()).collect();
-        let together = probe.with_jointed(held);
+        let together = probe.joints.with_jointed(held);
         self.act(&together, &[], "add_joint", |simulation| {
             let fields_before_j = simulation.field_potential();
             let states = simulation.tier.states(&simulation.core);
-            simulation.core.model.add_joint(&joint, &states, tier)?;
-            simulation.change_joint(probe.pair_of_joint(number), fields_before_j);
+            added::add_joint(&mut simulation.core.model, &joint, &states, tier)?;
+            simulation.change_joint(probe.joints.pair_of_joint(number), fields_before_j);
             simulation.stop_at_joints(&together)
         })?;
         self.repeat_on_companion(|companion| companion.add_joint(joint).map(|_| ()));
@@ -261,12 +263,12 @@ impl Simulation {
         if index >= joints {
             return Err(ActionError::UnknownJoint { index, joints }.into());
         }
-        let pair = self.core.model.pair_of_joint(index).ok_or(ActionError::RemovedJoint(index))?;
+        let pair = self.core.model.joints.pair_of_joint(index).ok_or(ActionError::RemovedJoint(index))?;
         let held = [pair.0, pair.1].into_iter().filter(|&body| self.core.model.bodies[body].moves()).collect();
-        let together = self.core.model.with_jointed(held);
+        let together = self.core.model.joints.with_jointed(held);
         self.act(&together, &[], "remove_joint", |simulation| {
             let fields_before_j = simulation.field_potential();
-            simulation.core.model.release(&[index])?;
+            released::release(&mut simulation.core.model, &[index])?;
             simulation.change_joint(Some(pair), fields_before_j);
             Ok(())
         })?;
@@ -298,7 +300,7 @@ impl Simulation {
     /// Takes out of the velocities of bodies that joints hold together what the joints do not allow.
     fn keep_velocities_of_joints(&mut self, bodies: &[usize]) -> Result<(), SimulationError> {
         let (model, states) = (&self.core.model, self.tier.states_mut());
-        if bodies.len() > 1 || model.joints_among(bodies).next().is_some() {
+        if bodies.len() > 1 || model.joints.joints_among(bodies).next().is_some() {
             project_velocities(model, states, bodies, (&[], &[], &[]), Removal::Complete)
                 .map_err(|source| Core::response_error(self.core.t, source))?;
         }
@@ -330,7 +332,7 @@ impl Simulation {
             }
         }
         // Joints pass on at once what the program does to one of their bodies.
-        let together = self.core.model.with_jointed(vec![index]);
+        let together = self.core.model.joints.with_jointed(vec![index]);
         self.act(&together, moved, what, |simulation| {
             let Some(rigid) = simulation.core.model.bodies[index].rigid else { return Ok(()) };
             let before = simulation.tier.states_mut().to_vec();
@@ -401,7 +403,7 @@ impl Simulation {
     /// Index of a body that follows a motion.
     pub(crate) fn kinematic(&self, body: BodyId) -> Result<usize, ActionError> {
         let index = self.present(body)?;
-        let follows = self.core.model.trajectory(index).is_some();
+        let follows = prescribed::trajectory(&self.core.model, index).is_some();
         if follows { Ok(index) } else { Err(ActionError::NotKinematic(self.name(index))) }
     }
 
@@ -427,8 +429,9 @@ impl Simulation {
 /// Checks that a body overlaps no other body by more than counts as touch.
 fn check_clear(model: &Model, index: usize, states: &[BodyState]) -> Result<(), ActionError> {
     for other in (0..model.bodies.len()).filter(|&other| model.scene.may_collide(index, other)) {
-        let Some(separation) = model.separation_without_memory(states, index, other) else { continue };
-        let allowed_m = INITIAL_OVERLAP_RELATIVE * model.pair_size(index, other) + model.rounding(states, index, other);
+        let Some(separation) = contact_set::separation_without_memory(model, states, index, other) else { continue };
+        let allowed_m = INITIAL_OVERLAP_RELATIVE * tolerances::pair_size(model, index, other)
+            + tolerances::rounding(model, states, index, other);
         if separation < -allowed_m {
             let name = |body: usize| model.bodies[body].name.clone();
             let (body_a, body_b) = (name(index), name(other));

@@ -2,6 +2,7 @@
 
 use crate::accounting::Accounts;
 use crate::accounting::last_sample::LastSample;
+use crate::constraint::{added, motors, released, turns};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::joint_id::JointId;
@@ -9,32 +10,24 @@ use crate::model::body_queries::BodyQueries;
 use crate::model::pivot_form::PivotRows;
 use crate::model::plane_of_motion::PlaneOfMotion;
 use crate::model::{Model, ModelBody};
-use crate::plan::decisions::Findings;
-use crate::plan::decisions::Plan;
+use crate::plan::decisions::{Findings, Plan};
 use crate::plan::free_method;
-use crate::plan::planar;
-use crate::plan::planar::PlanarFinding;
+use crate::plan::planar::{self, PlanarFinding};
 use crate::report::acceleration::Acceleration;
 use crate::report::frame::{ContactView, Frame, IslandView, JointView, MotionKind, PivotView};
-use crate::report::joint_sample::CoordinateSample;
-use crate::report::joint_sample::JointSample;
+use crate::report::joint_sample::{CoordinateSample, JointSample};
 use crate::report::momentum_ledger::Momentum;
 use crate::report::observer::{BodySample, Flow, Observer, Unobserved};
 use crate::report::run_report::{Energy, Outcome, PlanChange, RunReport};
 use crate::run::companion::Companion;
-use crate::run::engines;
-use crate::run::stability::Stability;
-use crate::run::{singular_force, stability, start_overlap};
-use crate::scene::Scene;
+use crate::run::stability::{self, Stability};
+use crate::run::{engines, singular_force, start_overlap};
 use crate::scene::effects::Effects;
 use crate::scene::settings::Settings;
-use crate::scene::{Coordinate, Integrator};
-use crate::snapshot;
-use crate::snapshot::content;
-use crate::snapshot::content::Content;
-use crate::snapshot::{Snapshot, SnapshotError};
-use crate::tier::choice;
-use crate::tier::choice::{Candidate, TierChoice};
+use crate::scene::{Coordinate, Integrator, Scene};
+use crate::snapshot::content::{self, Content};
+use crate::snapshot::{self, Snapshot, SnapshotError};
+use crate::tier::choice::{self, Candidate, TierChoice};
 use crate::tier::core::Core;
 use crate::tier::executor::{Executor, OneThread};
 use crate::tier::joint_samples::joint_samples;
@@ -401,12 +394,12 @@ impl Simulation {
     /// A coordinate of a joint at the present; none of one that the joint does not have, or of a joint that was removed
     /// with a body.
     pub fn coordinate(&self, joint: JointId, coordinate: Coordinate) -> Option<CoordinateSample> {
-        self.core.model.coordinate_of(&self.tier.states(&self.core), joint.index(), coordinate)
+        motors::coordinate_of(&self.core.model, &self.tier.states(&self.core), joint.index(), coordinate)
     }
 
     /// Whether a joint is there: it has not been removed, with a body either, and has not let go.
     pub fn has_joint(&self, joint: JointId) -> bool {
-        self.core.model.pair_of_joint(joint.index()).is_some()
+        self.core.model.joints.pair_of_joint(joint.index()).is_some()
     }
 
     /// The islands at the present: bodies that move together or rest together.
@@ -497,15 +490,15 @@ impl Simulation {
         };
         Content {
             scene: self.scene.name().to_owned(),
-            scene_hash: snapshot::scene_hash(self.core.model.scene_and_joints()),
+            scene_hash: snapshot::scene_hash(added::scene_and_joints(&self.core.model)),
             all_effects: self.core.effects == Effects::All,
             t: self.core.t,
             ended: self.ended,
-            applied: self.core.model.applied(),
+            applied: self.core.model.forces.applied(),
             steered: self.core.model.steered(),
-            motors: self.core.model.motors(),
+            motors: self.core.model.joints.motors(),
             released: self.core.model.joints.released.keys().copied().collect(),
-            turns: self.core.model.turns(),
+            turns: self.core.model.joints.turns(),
             in_plane: self.core.model.plane.is_some(),
             integrator: self.core.settings.integrator.name().to_owned(),
             plan: self.plan.save(&self.plan_at_start),
@@ -524,7 +517,7 @@ impl Simulation {
     /// # Errors
     /// When the snapshot is of another scene or other effects, or contradicts itself; the simulation is then as it was.
     pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), SimulationError> {
-        let content = snapshot.content_for(self.core.model.scene_and_joints(), self.core.effects)?;
+        let content = snapshot.content_for(added::scene_and_joints(&self.core.model), self.core.effects)?;
         let companion = self.restored_companion(&content.companion)?;
         *self = Self { companion, ..self.twin(content, self.core.settings)? };
         Ok(())
@@ -539,10 +532,10 @@ impl Simulation {
         model.replace_applied(&content.applied)?;
         model.replace_steered(&content.steered)?;
         // Joints that have let go have motors too.
-        model.replace_released(&[])?;
-        model.replace_motors(&content.motors)?;
-        model.replace_released(&content.released)?;
-        model.replace_turns(&content.turns)?;
+        released::replace_released(&mut model, &[])?;
+        motors::replace_motors(&mut model, &content.motors)?;
+        released::replace_released(&mut model, &content.released)?;
+        turns::replace_turns(&mut model, &content.turns)?;
         model.plane = self.plane_at_start.filter(|_| content.in_plane);
         settings.integrator = Integrator::from_name(&content.integrator)
             .map_err(|_| SnapshotError::Invalid("it names an integrator that does not exist"))?;

@@ -17,7 +17,7 @@
 //! a belt runs, or whose joints have limits are left out, with all that touches them.
 
 use crate::collision::contact_modes::ContactModes;
-use crate::collision::contact_set::Touch;
+use crate::collision::contact_set::{self, Touch};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::{ContactId, Feature};
@@ -163,7 +163,7 @@ pub(crate) fn of_contacts(
     for group in coupled_groups(&core.model, ids, &at_rest) {
         let members: Vec<Touch> = group.contacts.iter().map(|&index| touches[index]).collect();
         let is_still = group.bodies.iter().all(|body| at_rest.binary_search(body).is_ok());
-        let has_limits = core.model.joint_contact_pairs_among(&group.bodies).next().is_some();
+        let has_limits = core.model.joints.joint_contact_pairs_among(&group.bodies).next().is_some();
         if members.is_empty() || !is_still || has_limits || members.iter().any(|touch| slips(core, states, touch)) {
             continue;
         }
@@ -177,7 +177,7 @@ pub(crate) fn of_contacts(
 /// The contact of a view.
 fn touch(core: &Core, states: &[BodyState], view: &ContactView) -> Option<Touch> {
     let id = ContactId { a: view.body_a.index(), b: view.body_b.index(), feature: Feature::Shapes(view.feature) };
-    Some(Touch::held(id, core.model.kinematics(states, id)?, ContactModes::default()))
+    Some(Touch::held(id, contact_set::kinematics(&core.model, states, id)?, ContactModes::default()))
 }
 
 fn is_at_rest(core: &Core, state: &BodyState, body: usize) -> bool {
@@ -188,7 +188,7 @@ fn is_at_rest(core: &Core, state: &BodyState, body: usize) -> bool {
 /// Whether the surfaces of a contact move over each other: a belt, or a body that a motion carries.
 fn slips(core: &Core, states: &[BodyState], touch: &Touch) -> bool {
     let limit = SLIP_RELATIVE * core.model.gravity().length().max(1.0);
-    let tangential = core.model.tangential_kinematics(states, touch.id);
+    let tangential = contact_set::tangential_kinematics(&core.model, states, touch.id);
     tangential.is_some_and(|terms| terms.slip_velocity.length() > limit)
         || touch.kinematics.separation_rate.abs() > limit
 }

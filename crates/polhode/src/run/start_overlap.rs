@@ -7,8 +7,9 @@
 //! that of the separated bodies. Deeper overlaps are refused.
 
 use crate::collision::boxes::Boxes;
+use crate::collision::contact_set;
 use crate::error::SimulationError;
-use crate::model::{INITIAL_OVERLAP_RELATIVE, Model};
+use crate::model::{INITIAL_OVERLAP_RELATIVE, Model, tolerances};
 use crate::scene::few_digits::length;
 use crate::scene::settings::Settings;
 use crate::scene::{OverlapAtStart, SceneError};
@@ -56,11 +57,12 @@ pub(crate) fn judge(
 fn overlaps(model: &Model, settings: &Settings, states: &[BodyState]) -> Result<Vec<OverlapAtStart>, SimulationError> {
     let mut found = Vec::new();
     for (a, b) in near_pairs(model, settings, states)? {
-        let Some(separation) = model.separation_without_memory(states, a, b) else { continue };
-        let allowed_m = INITIAL_OVERLAP_RELATIVE * model.pair_size(a, b) + model.rounding(states, a, b);
+        let Some(separation) = contact_set::separation_without_memory(model, states, a, b) else { continue };
+        let allowed_m =
+            INITIAL_OVERLAP_RELATIVE * tolerances::pair_size(model, a, b) + tolerances::rounding(model, states, a, b);
         if separation < -allowed_m {
-            let touch_distance = model.touch_distance(states, a, b);
-            let contacts = model.contacts_of_pair(states, a, b, touch_distance);
+            let touch_distance = tolerances::touch_distance(model, states, a, b);
+            let contacts = contact_set::contacts_of_pair(model, states, a, b, touch_distance);
             let deepest = contacts.iter().fold(separation, |s, touch| s.min(touch.kinematics.geometry.separation));
             let [body_a, body_b] = [a, b].map(|body| model.bodies[body].name.clone());
             found.push(OverlapAtStart { body_a, body_b, depth_m: -deepest, allowed_m });
@@ -77,7 +79,7 @@ fn near_pairs(
 ) -> Result<Vec<(usize, usize)>, SimulationError> {
     let mut boxes = Boxes::new(settings, states.len());
     for (body, state) in states.iter().enumerate() {
-        boxes.set(model, body, &Still(state.pose), (0.0, 0.0), model.touch_distance(states, body, body));
+        boxes.set(model, body, &Still(state.pose), (0.0, 0.0), tolerances::touch_distance(model, states, body, body));
     }
     let mut pairs = Vec::new();
     boxes.all_pairs(model, |a, b| pairs.push((a, b)))?;

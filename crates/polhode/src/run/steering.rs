@@ -20,8 +20,10 @@
 //! without an impact, give a pose. Bodies that joints hold to it take its velocity at once, by an impulse that the
 //! ledger books as the program's.
 
+use crate::collision::contact_set;
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
+use crate::model::prescribed;
 use crate::model::steered::{Goal, Steered};
 use crate::run::action_error::ActionError;
 use crate::run::simulation::Simulation;
@@ -79,7 +81,7 @@ impl Simulation {
     pub fn set_motion(&mut self, body: BodyId, steering: Steering) -> Result<(), SimulationError> {
         let index = self.kinematic(body)?;
         let steered = self.steered(index, steering)?;
-        let driven = self.core.model.driven_by(index);
+        let driven = self.core.model.joints.driven_by(index);
         let concerned: Vec<usize> = driven.iter().copied().chain([index]).collect();
         self.act(&concerned, &[index], "set_motion", |simulation| {
             let state = simulation.core.model.steer(index, steered, simulation.core.t);
@@ -109,7 +111,7 @@ impl Simulation {
     /// The motion of a kinematic body that is steered from the present on, checked.
     fn steered(&self, index: usize, steering: Steering) -> Result<Steered, ActionError> {
         let (t, model) = (self.core.t, &self.core.model);
-        let now = model.prescribed_state(index, t).unwrap_or(self.tier.state(&self.core, index));
+        let now = prescribed::prescribed_state(model, index, t).unwrap_or(self.tier.state(&self.core, index));
         let goal = match steering {
             Steering::Velocity(velocity) => {
                 self.finite(index, "the velocity", velocity.linear)?;
@@ -130,8 +132,11 @@ impl Simulation {
         let (velocity, acceleration) = match steering {
             Steering::Velocity(velocity) => (velocity, crate::report::acceleration::Acceleration::default()),
             Steering::Pose { .. } => {
-                let (linear, angular) = model.prescribed_acceleration(index, t);
-                (model.velocity(index, &now), crate::report::acceleration::Acceleration { linear, angular })
+                let (linear, angular) = prescribed::prescribed_acceleration(model, index, t);
+                (
+                    contact_set::velocity(model, index, &now),
+                    crate::report::acceleration::Acceleration { linear, angular },
+                )
             }
         };
         let steered = Steered { from_s: t, pose: now.pose, velocity, acceleration, goal };

@@ -1,8 +1,7 @@
 //! Errors of a scene: why it is refused.
 
 use super::MotionError;
-use crate::scene::few_digits;
-use crate::scene::few_digits::length;
+use crate::scene::few_digits::{self, length};
 use polhode_contact::ShapeError;
 use polhode_dynamics::field::FieldError;
 use polhode_response::penalty::SpringError;

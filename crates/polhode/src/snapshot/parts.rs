@@ -2,6 +2,7 @@
 
 use super::numbers::{Contact, read_state};
 use super::{SnapshotError, content};
+use crate::collision::contact_set;
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::model::Model;
 use polhode_dynamics::{Flight, RigidBody};
@@ -20,8 +21,8 @@ pub(crate) fn restored_id(model: &Model, saved: &Contact) -> Result<ContactId, S
     let Contact { a, b, feature } = *saved;
     let feature = feature.into();
     let can_touch = match feature {
-        Feature::Shapes(_) => a < b && b < model.bodies.len() && model.shapes(a, b).is_some(),
-        Feature::Stop(_) | Feature::JointFriction(_) => model.joint_contacts_of_pair((a, b)).contains(&feature),
+        Feature::Shapes(_) => a < b && b < model.bodies.len() && contact_set::shapes(model, a, b).is_some(),
+        Feature::Stop(_) | Feature::JointFriction(_) => model.joints.joint_contacts_of_pair((a, b)).contains(&feature),
     };
     if can_touch {
         Ok(ContactId { a, b, feature })

@@ -14,8 +14,8 @@ use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::collision::turn::Turn;
 use crate::constraint::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::identity::contact_id::ContactId;
-use crate::model::{Loads, Model};
-use crate::rows::assembly::{Assembly, TangentRow};
+use crate::model::{Loads, Model, tolerances};
+use crate::rows::assembly::{self, Assembly, TangentRow};
 use crate::rows::friction_blocks::{direction_of, push_held, with_rotations};
 use crate::rows::frictional_contact::{Frictional, Sliding};
 use crate::rows::resisted_rotation::ResistedRotation;
@@ -164,7 +164,7 @@ impl Accelerations {
         if !assembly.bilaterals().is_empty() {
             // Accelerations of joints are differences of centripetal terms, whatever the forces are that follow from
             // them.
-            let noise_floor = usual.noise_floor.max(model.acceleration_rounding(states, bodies));
+            let noise_floor = usual.noise_floor.max(tolerances::acceleration_rounding(model, states, bodies));
             solver.set_settings(SolverSettings { noise_floor, ..usual });
         }
         let solution = match trees_of(&assembly) {
@@ -536,7 +536,8 @@ fn complete_slips(
         if row != direction {
             let row = TangentRow::new(touch.id, &touch.kinematics.geometry, &friction.terms, direction);
             let along = (&row.along, row.acceleration_bias);
-            let rate = model.relative_acceleration((t, states), row.id, along, assembly.split(accelerations));
+            let rate =
+                assembly::relative_acceleration(model, (t, states), row.id, along, assembly.split(accelerations));
             tangent.slip_acceleration = direction * rate;
         }
     }

@@ -21,9 +21,10 @@
 //! rolling and spinning, whose moments of friction are smaller by their length than those of the slip. Where the rounds
 //! do not converge, as where a slip presses its own contact, nothing is given back.
 
+use crate::collision::{contact_set, moving_surfaces};
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
 use crate::model::states_of::{set_states, states_of};
+use crate::model::{Model, prescribed};
 use crate::rows::assembly::{TangentRow, apply_impulses};
 use crate::solve::projection::{Removal, RemovedVelocities, project_velocities};
 use polhode_contact::ContactGeometry;
@@ -58,11 +59,11 @@ struct Sliding {
 impl Sliding {
     /// A contact whose slip is faster than `slowest` (m/s); none for another one, or without friction.
     fn of(model: &Model, states: &[BodyState], id: ContactId, slowest: f64) -> Option<Self> {
-        let terms = model.tangential_kinematics(states, id)?;
-        let friction = model.friction_at(states, id, terms.basis)?;
+        let terms = contact_set::tangential_kinematics(model, states, id)?;
+        let friction = contact_set::friction_at(model, states, id, terms.basis)?;
         let direction = (terms.slip_velocity.length() > slowest).then(|| terms.slip_velocity.try_normalize())??;
         let (against, coefficient) = friction.sliding.opposed(terms.basis, direction);
-        let geometry = model.kinematics(states, id)?.geometry;
+        let geometry = contact_set::kinematics(model, states, id)?.geometry;
         Some(Self { row: TangentRow::new(id, &geometry, &terms, against), coefficient })
     }
 
@@ -74,7 +75,7 @@ impl Sliding {
 
     /// Its slip along the row, m/s.
     fn slip(&self, model: &Model, states: &[BodyState]) -> f64 {
-        let terms = model.tangential_kinematics(states, self.row.id);
+        let terms = contact_set::tangential_kinematics(model, states, self.row.id);
         terms.map_or(0.0, |terms| self.row.along.normal.dot(terms.slip_velocity))
     }
 }
@@ -103,8 +104,8 @@ pub(crate) fn end_bounces(
         let change = next.iter().zip(&rubbed).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
         if change <= SETTLED_IMPULSES * largest {
             let work_j = removed.work_j
-                + model.prescribed_work(states, along_tangents(&sliding, &rubbed))
-                + model.surface_work(states, along_tangents(&sliding, &rubbed));
+                + prescribed::prescribed_work(model, states, along_tangents(&sliding, &rubbed))
+                + moving_surfaces::surface_work(model, states, along_tangents(&sliding, &rubbed));
             let lost = |((one, before), impulse): ((&Sliding, &f64), &f64)| {
                 -0.5 * impulse * (before + one.slip(model, states))
             };

@@ -18,6 +18,7 @@
 
 use super::projection::project_positions;
 use crate::constraint::bilateral::{Bilateral, Reaction, bilateral_support};
+use crate::constraint::held;
 use crate::model::Model;
 use crate::model::states_of::{set_states, states_of};
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
@@ -42,11 +43,11 @@ impl ClosedLoops {
     /// When a number is not finite.
     pub(crate) fn of(model: &Model, states: &mut [BodyState], bodies: &[usize]) -> Result<Self, ResponseError> {
         let mut closed = Self::default();
-        if !model.has_loops_among(bodies) {
+        if !held::has_loops_among(model, bodies) {
             return Ok(closed);
         }
         for group in coupled_groups(model, std::iter::empty(), bodies) {
-            if !model.has_loops_among(&group.bodies) {
+            if !held::has_loops_among(model, &group.bodies) {
                 continue;
             }
             let present = states_of(states, &group.bodies);
@@ -65,8 +66,8 @@ impl ClosedLoops {
         states: &'a [BodyState],
         bodies: &'a [usize],
     ) -> impl Iterator<Item = Bilateral> + 'a {
-        model.bilaterals_by(bodies, |body| {
-            let (pose, velocity) = model.motion_of(states, body);
+        held::bilaterals_by(model, bodies, |body| {
+            let (pose, velocity) = held::motion_of(model, states, body);
             (self.poses.get(&body).copied().unwrap_or(pose), velocity)
         })
     }

@@ -8,8 +8,10 @@
 //! Limit: where a mechanism passes a singular position the rank is that of rounding, and a motion that is driven
 //! through it may be told to contradict itself there, as it does.
 
+use crate::collision::contact_set;
 use crate::constraint::ConstraintId;
 use crate::error::SimulationError;
+use crate::model::prescribed;
 use crate::rows::assembly::Assembly;
 use crate::tier::core::Core;
 use polhode_dynamics::BodyState;
@@ -29,12 +31,12 @@ pub(crate) fn refuse_contradictions(
     states: &[BodyState],
     bodies: &[usize],
 ) -> Result<(), SimulationError> {
-    if core.model.ties_among(bodies).next().is_none() {
+    if core.model.joints.ties_among(bodies).next().is_none() {
         return Ok(());
     }
     match contradicted(core, t, states, bodies).map_err(|source| Core::response_error(t, source))? {
         None => Ok(()),
-        Some(tie) => Err(SimulationError::JointsContradict { t_s: t, what: core.model.name_of_tie(tie) }),
+        Some(tie) => Err(SimulationError::JointsContradict { t_s: t, what: core.model.joints.name_of_tie(tie) }),
     }
 }
 
@@ -46,8 +48,8 @@ fn contradicted(core: &Core, t: f64, states: &[BodyState], bodies: &[usize]) -> 
     let constants = assembly.acceleration_constants(model, t, states, &still, std::iter::empty())?;
     let largest = constants.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
     // Terms of motions that cancel leave the rounding of their parts.
-    let parts = bodies.iter().chain(model.prescribed()).map(|&body| {
-        let velocity = model.velocity(body, &states[body]);
+    let parts = bodies.iter().chain(prescribed::prescribed(model)).map(|&body| {
+        let velocity = contact_set::velocity(model, body, &states[body]);
         let turning = velocity.angular.length();
         turning * (turning * model.bodies[body].size + velocity.linear.length())
     });

@@ -11,10 +11,12 @@
 //! An impact without a collision has the same impulses, but no approach: contacts slide, and no finite forces satisfy
 //! Coulomb's law (Painleve).
 
-use crate::collision::contact_set::Touch;
+use crate::collision::contact_set::{self, Touch};
+use crate::collision::slip_directions;
 use crate::collision::turn::Turn;
+use crate::constraint::joint_contacts;
 use crate::identity::contact_id::ContactId;
-use crate::model::{Loads, Model};
+use crate::model::{Loads, Model, tolerances};
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{push_contact, push_held, with_rotations};
 use crate::rows::resisted_rotation::ResistedRotation;
@@ -72,7 +74,7 @@ pub(crate) enum Restitution {
 
 /// Whether one of some contacts has friction.
 pub(crate) fn have_friction(model: &Model, contacts: &[Touch]) -> bool {
-    model.has_friction() && contacts.iter().any(|touch| model.friction_of(touch.id).is_some())
+    model.has_friction() && contacts.iter().any(|touch| contact_set::friction_of(model, touch.id).is_some())
 }
 
 /// Solves for the impulses at `contacts` and at the pivots of `bodies` (movable, ascending).
@@ -102,15 +104,16 @@ pub(crate) fn solve(
             Some(assembly.acceleration_constants(model, t, states, &free, kinematics)?)
         }
     };
-    let rounding = model.velocity_rounding(states, bodies);
+    let rounding = tolerances::velocity_rounding(model, states, bodies);
     take_out_rounding(&mut before, rounding);
     let settings = settings_for(rounding, &before, cause);
     let blocks = with_rotations(blocks, &rotations);
-    let mut restitution: Vec<f64> = contacts.iter().map(|touch| model.restitution_at(touch)).collect();
+    let mut restitution: Vec<f64> = contacts.iter().map(|touch| joint_contacts::restitution_at(model, touch)).collect();
     // Pivots have no restitution.
     restitution.resize(blocks.len(), 0.0);
-    let mirrored: Vec<usize> =
-        (0..contacts.len()).filter(|&contact| model.mirrored(states, contacts[contact].id).is_some()).collect();
+    let mirrored: Vec<usize> = (0..contacts.len())
+        .filter(|&contact| contact_set::mirrored(model, states, contacts[contact].id).is_some())
+        .collect();
     let impact = MultipleFrictionalImpact {
         contacts: &blocks.problem(&delassus, &before)?,
         restitution: &restitution,
@@ -155,7 +158,7 @@ fn single_law(model: &Model, law: ImpactLaw) -> RestitutionLaw {
 pub(crate) fn rate_of_separation(model: &Model, states: &[BodyState], touch: &Touch) -> f64 {
     let geometry = &touch.kinematics.geometry;
     let at_point = |body: usize| {
-        let velocity = model.velocity(body, &states[body]);
+        let velocity = contact_set::velocity(model, body, &states[body]);
         velocity.linear + velocity.angular.cross(geometry.point - states[body].pose.translation)
     };
     geometry.normal.dot(touch.id.relative(at_point))
@@ -247,9 +250,11 @@ fn rotations_of(
     for (normal, touch) in contacts.iter().enumerate() {
         for turn in Turn::ALL {
             let Some(friction) = turn.coefficient(model, (touch.id.a, touch.id.b)) else { continue };
-            let Some(terms) = model.tangential_kinematics(states, touch.id) else { continue };
+            let Some(terms) = contact_set::tangential_kinematics(model, states, touch.id) else { continue };
             let first = assembly.problem.len();
-            let axes = turn.axes(touch.kinematics.geometry.normal, (&terms.basis, model.slip_directions())).into_iter();
+            let axes = turn
+                .axes(touch.kinematics.geometry.normal, (&terms.basis, slip_directions::slip_directions(model)))
+                .into_iter();
             let axes: Vec<RotationRow> = axes.map(|axis| RotationRow::about(model, touch.id, axis)).collect();
             before.extend(axes.iter().map(|row| row.rate(model, states)));
             assembly.push_rotations(axes.into_iter())?;
@@ -271,14 +276,15 @@ fn blocks_of(
     let mut before = assembly.rates(contacts.iter().map(|touch| touch.kinematics.separation_rate));
     let mut blocks = Blocks::default();
     for (normal, touch) in contacts.iter().enumerate() {
-        let friction = model.friction_of(touch.id).filter(|friction| friction.sliding.largest() > 0.0);
-        let terms = friction.and_then(|_| model.tangential_kinematics(states, touch.id));
+        let friction = contact_set::friction_of(model, touch.id).filter(|friction| friction.sliding.largest() > 0.0);
+        let terms = friction.and_then(|_| contact_set::tangential_kinematics(model, states, touch.id));
         let first = assembly.problem.len();
         let mut ellipse = FrictionEllipse::default();
         if let Some(terms) = terms {
-            ellipse = model.friction_at(states, touch.id, terms.basis).map_or(ellipse, |friction| friction.sliding);
+            ellipse = contact_set::friction_at(model, states, touch.id, terms.basis)
+                .map_or(ellipse, |friction| friction.sliding);
             let row = |tangent| TangentRow::new(touch.id, &touch.kinematics.geometry, &terms, tangent);
-            let tangents = model.slip_directions().tangents(&terms.basis);
+            let tangents = slip_directions::slip_directions(model).tangents(&terms.basis);
             assembly.push_tangents(states, tangents.iter().copied().map(row))?;
             before.extend(tangents.iter().map(|tangent| tangent.dot(terms.slip_velocity)));
         }

@@ -1,12 +1,13 @@
 //! Impacts: the impact law acts on approaching contacts, together with all contacts connected to them.
 
-use crate::collision::contact_set::Touch;
-use crate::constraint::ConstraintId;
-use crate::constraint::bilateral::{Bilateral, Reaction, apply_reactions, bilateral_support};
+use crate::collision::contact_set::{self, Touch};
+use crate::collision::moving_surfaces;
+use crate::constraint::bilateral::{self, Bilateral, Reaction, apply_reactions, bilateral_support};
+use crate::constraint::{ConstraintId, joint_contacts};
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
 use crate::model::states_of::{set_states, states_of};
+use crate::model::{Model, prescribed, tolerances};
 use crate::report::event::{Event, EventKind};
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use crate::rows::assembly::{Assembly, apply_impulses};
@@ -67,10 +68,10 @@ impl Struck {
     /// Work of prescribed motions and of surfaces that move, J.
     pub(crate) fn work(&self, model: &Model, states: &[BodyState], contacts: &[Touch]) -> f64 {
         let moments = self.moments.iter().copied();
-        model.prescribed_work(states, self.impulses(contacts.iter()))
-            + model.surface_work(states, self.along_tangents())
+        prescribed::prescribed_work(model, states, self.impulses(contacts.iter()))
+            + moving_surfaces::surface_work(model, states, self.along_tangents())
             + moment_work(model, states, moments)
-            + model.driven_work(states, self.reactions())
+            + bilateral::driven_work(model, states, self.reactions())
     }
 
     /// The impulses of bilateral constraints.
@@ -99,7 +100,7 @@ impl Struck {
         };
         let rubbing = |own: &[(ContactId, ContactGeometry, f64)]| {
             let ((id, first, _), (_, last, _)) = (own.first()?, own.last()?);
-            let ellipse = model.friction_at(states, *id, [first.normal, last.normal])?.sliding;
+            let ellipse = contact_set::friction_at(model, states, *id, [first.normal, last.normal])?.sliding;
             let tangential = ellipse.length(&own.iter().map(|(.., p)| *p).collect::<Vec<_>>());
             let friction = ellipse.largest();
             Some(RubbingForce { pair: (id.a, id.b), normal: normal_of(*id)?, tangential, friction })
@@ -130,7 +131,7 @@ const RATE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Largest speed of any point of some bodies, m/s, bounded by their sizes.
 fn largest_speed(model: &Model, states: &[BodyState], bodies: &[usize]) -> f64 {
     let speed = |&body: &usize| {
-        let velocity = model.velocity(body, &states[body]);
+        let velocity = contact_set::velocity(model, body, &states[body]);
         velocity.linear.length() + velocity.angular.length() * model.bodies[body].size
     };
     bodies.iter().map(speed).fold(0.0, f64::max)
@@ -176,8 +177,8 @@ pub(crate) fn apply_with_gain<'a>(
     let kinetic = |states: &[BodyState]| bodies.iter().map(|&body| model.energies(body, &states[body]).0).sum::<f64>();
     let before = kinetic(states);
     let by_moments = moment_work(model, states, moments.iter().copied());
-    let by_drivers = model.driven_work(states, reactions.clone());
-    let work = model.prescribed_work(states, impulses.clone()) + by_moments + by_surfaces + by_drivers;
+    let by_drivers = bilateral::driven_work(model, states, reactions.clone());
+    let work = prescribed::prescribed_work(model, states, impulses.clone()) + by_moments + by_surfaces + by_drivers;
     apply_impulses(model, states, impulses);
     apply_reactions(model, states, reactions);
     apply_moments(model, states, moments.iter().copied());
@@ -225,7 +226,7 @@ pub(crate) fn strike(
     let rows = members.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let assembly = Assembly::new(model, states, &group.bodies, rows)?;
     let before = assembly.rates(members.iter().map(|touch| touch.kinematics.separation_rate));
-    let mut restitution: Vec<f64> = members.iter().map(|touch| model.restitution_at(touch)).collect();
+    let mut restitution: Vec<f64> = members.iter().map(|touch| joint_contacts::restitution_at(model, touch)).collect();
     // Bilateral constraints have no restitution.
     restitution.resize(before.len(), 0.0);
     let row_law = law.of_rows(model.scene.method().pulse_exponent.unwrap_or_default());
@@ -289,7 +290,7 @@ pub(crate) fn strike_with_friction(
     };
     let start = states_of(states, bodies);
     let approach = members.iter().map(|touch| -touch.kinematics.separation_rate).fold(0.0, f64::max);
-    let slow = model.velocity_rounding(states, bodies) + LEFT_APPROACHING * approach;
+    let slow = tolerances::velocity_rounding(model, states, bodies) + LEFT_APPROACHING * approach;
     loop {
         let mut places: Vec<usize> = (0..members.len()).filter(|&place| taken[place]).collect();
         let order = match law.1 {
@@ -423,7 +424,7 @@ fn strike_all_with_friction(
             apply_moments(model, states, struck.moments.iter().copied());
             return Ok(struck);
         }
-        let by_surfaces = model.surface_work(states, struck.along_tangents());
+        let by_surfaces = moving_surfaces::surface_work(model, states, struck.along_tangents());
         if apply_without_gain(model, states, bodies, (impulses, reactions), (&struck.moments, by_surfaces)) {
             return Ok(struck);
         }

@@ -1,9 +1,9 @@
 //! What joints bear, from the forces of all rows of a group: their reactions, what gears and prescribed motions do
 //! along their coordinates, and what their stops and their friction do at levers.
 
-use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::ties::LoadOfTie;
+use crate::constraint::{ConstraintId, breaking, joint_contacts};
 use crate::identity::contact_id::ContactId;
 use crate::identity::joint_id::JointId;
 use crate::model::Model;
@@ -50,16 +50,16 @@ pub(crate) fn add_joint_loads<'a>(
             own.force_n += reaction.force;
             own.moment_n_m += reaction.moment;
         }
-        for LoadOfTie { joint, point, force, moment } in model.joint_loads_of_tie(of, reaction) {
+        for LoadOfTie { joint, point, force, moment } in model.joints.joint_loads_of_tie(of, reaction) {
             let own = views.entry(joint).or_insert_with(|| joint_view(joint, point, none));
             own.force_n += force;
             own.moment_n_m += moment + (point - own.point_m).cross(force);
         }
     }
     for ContactForce { id, point, force } in contacts {
-        let Some((joint, force)) = model.joint_force_of(id, force) else { continue };
+        let Some((joint, force)) = model.joints.joint_force_of(id, force) else { continue };
         let anchor = model.joints.list.iter().find(|own| own.number() == joint);
-        let anchor = anchor.map_or(point, |own| model.anchor_of(states, own));
+        let anchor = anchor.map_or(point, |own| joint_contacts::anchor_of(model, states, own));
         let own = views.entry(joint).or_insert_with(|| joint_view(joint, anchor, none));
         own.force_n += force;
         own.moment_n_m += (point - own.point_m).cross(force);
@@ -74,7 +74,7 @@ pub(crate) fn joint_view(joint: usize, point_m: DVec3, (force_n, moment_n_m): (D
 /// The joints among these that bear as much as they can.
 pub(crate) fn overloaded(model: &Model, loads: &BTreeMap<usize, JointView>) -> Vec<usize> {
     let is_over = |(joint, load): (&usize, &JointView)| {
-        let used = model.strength_of(*joint)?.used(load.force_n.length(), load.moment_n_m.length());
+        let used = breaking::strength_of(model, *joint)?.used(load.force_n.length(), load.moment_n_m.length());
         (used >= 1.0).then_some(*joint)
     };
     loads.iter().filter_map(is_over).collect()

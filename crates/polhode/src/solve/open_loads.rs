@@ -10,8 +10,8 @@
 //! Source: the row space projection of Golub and Van Loan 2013, 5.5 (docs/REFERENCES.md). Assumption: contacts beside
 //! the joints bear nothing of it.
 
-use crate::constraint::ConstraintId;
 use crate::constraint::bilateral::Reaction;
+use crate::constraint::{ConstraintId, held, joint_friction};
 use crate::model::Model;
 use crate::rows::assembly::Assembly;
 use polhode_dynamics::BodyState;
@@ -27,8 +27,8 @@ const OPEN_PART: f64 = 1e-4;
 /// # Errors
 /// When a number is not finite.
 pub(crate) fn leave_open(model: &Model, states: &[BodyState], bodies: &[usize]) -> Result<bool, ResponseError> {
-    let bearings = model.bearings_among(states, bodies);
-    if bearings.is_empty() || !model.has_loops_among(bodies) {
+    let bearings = joint_friction::bearings_among(model, states, bodies);
+    if bearings.is_empty() || !held::has_loops_among(model, bodies) {
         return Ok(false);
     }
     let assembly = Assembly::new(model, states, bodies, std::iter::empty())?;

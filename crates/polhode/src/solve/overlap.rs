@@ -11,10 +11,12 @@
 //! Pivots and joints of the bodies are rows of the same problem, whose gaps stay zero to first order. A displacement
 //! `d` opens them by some `d^2/r`, so that rounds go on until they are closed too.
 
+use crate::collision::contact_set;
 use crate::constraint::bilateral::Bilateral;
+use crate::constraint::held;
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
 use crate::model::states_of::states_of;
+use crate::model::{Model, tolerances};
 use crate::rows::assembly::{Assembly, largest_change};
 use crate::rows::friction_blocks::push_held;
 use crate::rows::groups::groups;
@@ -112,8 +114,8 @@ impl Overlaps {
     fn within(model: &Model, states: &[BodyState], pairs: &[(usize, usize)], beyond: f64) -> Self {
         let mut found = Self::default();
         for &(a, b) in pairs {
-            let reach = model.touch_distance(states, a, b) + beyond;
-            for touch in model.pair_at_poses(states, a, b, reach).contacts {
+            let reach = tolerances::touch_distance(model, states, a, b) + beyond;
+            for touch in contact_set::pair_at_poses(model, states, a, b, reach).contacts {
                 let overlap = Overlap { id: touch.id, geometry: touch.kinematics.geometry };
                 if lies_on_features(model, states, touch.id, &overlap.geometry)
                     && -overlap.geometry.separation > found.deepest_m
@@ -131,7 +133,8 @@ impl Overlaps {
     pub(crate) fn deeper_than(&self, model: &Model, states: &[BodyState], part: f64) -> Vec<(ContactId, f64)> {
         let deep = |overlap: &&Overlap| {
             let Overlap { id, geometry } = overlap;
-            -geometry.separation > part * model.pair_size(id.a, id.b) && lies_on_features(model, states, *id, geometry)
+            -geometry.separation > part * tolerances::pair_size(model, id.a, id.b)
+                && lies_on_features(model, states, *id, geometry)
         };
         self.contacts.iter().filter(deep).map(|overlap| (overlap.id, -overlap.geometry.separation)).collect()
     }
@@ -169,7 +172,7 @@ impl Overlaps {
 
     /// Whether a contact is among these, at its old point.
     fn has_at_place(&self, model: &Model, old: Overlap) -> bool {
-        let near = MOVED_AWAY_RELATIVE * model.pair_size(old.id.a, old.id.b);
+        let near = MOVED_AWAY_RELATIVE * tolerances::pair_size(model, old.id.a, old.id.b);
         let same = |now: &&Overlap| now.id == old.id && now.geometry.point.distance(old.geometry.point) <= near;
         let pair = |of: &Overlap| (of.id.a, of.id.b);
         // Pairs are in ascending order.
@@ -198,7 +201,7 @@ fn move_out(
         let forces = if let Some(found) = forces_of_many(&assembly, &separations, accuracy(model, &members))? {
             found
         } else {
-            let roundings = members.iter().map(|row| model.rounding(states, row.id.a, row.id.b));
+            let roundings = members.iter().map(|row| tolerances::rounding(model, states, row.id.a, row.id.b));
             let noise_floor = LEFT_ROUNDING * roundings.fold(f64::INFINITY, f64::min);
             solver.set_settings(SolverSettings { noise_floor, ..SolverSettings::default() });
             let solution = if let Some(forest) = trees_of(&assembly) {
@@ -226,7 +229,7 @@ fn move_out(
 /// an overlap `d` of bodies of size `r` is about `d^2 / r`, and what may be left is a part of `r`: the next round
 /// removes either.
 fn accuracy(model: &Model, rows: &[Overlap]) -> f64 {
-    let part = |row: &Overlap| -row.geometry.separation / model.pair_size(row.id.a, row.id.b);
+    let part = |row: &Overlap| -row.geometry.separation / tolerances::pair_size(model, row.id.a, row.id.b);
     let deepest = rows.iter().map(part).fold(LEFT_OVERLAP_RELATIVE, f64::max);
     SHARE_OF_ROUND * deepest.max(LEFT_OVERLAP_RELATIVE / deepest).min(1.0)
 }
@@ -259,7 +262,7 @@ fn share_of_move(
     changes: impl Iterator<Item = (usize, DVec3, DVec3)>,
 ) -> f64 {
     let deepest = rows.iter().map(|row| -row.geometry.separation).fold(open_joint, f64::max);
-    let size = rows.iter().map(|row| model.pair_size(row.id.a, row.id.b)).fold(f64::INFINITY, f64::min);
+    let size = rows.iter().map(|row| tolerances::pair_size(model, row.id.a, row.id.b)).fold(f64::INFINITY, f64::min);
     ((deepest * size).sqrt() / largest_change(model, changes).max(f64::MIN_POSITIVE)).min(1.0)
 }
 
@@ -267,20 +270,21 @@ fn share_of_move(
 fn open_joint(model: &Model, states: &[BodyState], bodies: &[usize]) -> f64 {
     let open = |bilateral: &Bilateral| {
         let (a, b) = bilateral.id.bodies();
-        bilateral.gap() > LEFT_ROUNDING * model.rounding(states, a, b)
+        bilateral.gap() > LEFT_ROUNDING * tolerances::rounding(model, states, a, b)
     };
-    model.bilaterals(states, bodies).filter(open).map(|bilateral| bilateral.gap()).fold(0.0, f64::max)
+    held::bilaterals(model, states, bodies).filter(open).map(|bilateral| bilateral.gap()).fold(0.0, f64::max)
 }
 
 /// Whether a contact penetrates by more than may remain.
 pub(crate) fn is_excess(model: &Model, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> bool {
-    let left = LEFT_OVERLAP_RELATIVE * model.pair_size(id.a, id.b) + LEFT_ROUNDING * model.rounding(states, id.a, id.b);
+    let left = LEFT_OVERLAP_RELATIVE * tolerances::pair_size(model, id.a, id.b)
+        + LEFT_ROUNDING * tolerances::rounding(model, states, id.a, id.b);
     lies_on_features(model, states, id, geometry) && geometry.separation < -left
 }
 
 /// A contact point outside its features measures no penetration; one at their boundary, within rounding, does.
 fn lies_on_features(model: &Model, states: &[BodyState], id: ContactId, geometry: &ContactGeometry) -> bool {
-    geometry.margin >= -model.rounding(states, id.a, id.b)
+    geometry.margin >= -tolerances::rounding(model, states, id.a, id.b)
 }
 
 /// How far any point of a body has moved, m, bounded by its size.

@@ -6,11 +6,12 @@
 //! motion as a force. The ledger books their change of energy.
 
 use crate::collision::turn::Turn;
-use crate::constraint::ConstraintId;
-use crate::constraint::bilateral::{Bilateral, Reaction, apply_reactions};
+use crate::collision::{contact_set, moving_surfaces, slip_directions};
+use crate::constraint::bilateral::{self, Bilateral, Reaction, apply_reactions};
+use crate::constraint::{ConstraintId, held};
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
 use crate::model::states_of::{set_states, states_of};
+use crate::model::{Model, prescribed, tolerances};
 use crate::rows::assembly::{Assembly, TangentRow, apply_impulses, largest_change};
 use crate::rows::rotation_row::RotationRow;
 use crate::solve::jointed::trees_of;
@@ -144,7 +145,7 @@ pub(crate) fn project(
         }
     }
     let (jumped, drifting): (Vec<_>, Vec<_>) = held.iter().copied().partition(|&id| {
-        let kinematics = model.kinematics(states, id);
+        let kinematics = contact_set::kinematics(model, states, id);
         kinematics.is_some_and(|kinematics| rate_exceeds_drift(model, states, id, &kinematics, tolerance))
     });
     done.jumped.extend(jumped.into_iter().map(ConstraintId::Contact));
@@ -157,8 +158,9 @@ pub(crate) fn project(
 
 /// Whether a contact penetrates by more than a projection may leave.
 fn penetrates(model: &Model, states: &[BodyState], id: ContactId) -> bool {
-    let left = UNCONVERGED_RELATIVE * model.pair_size(id.a, id.b) + model.rounding(states, id.a, id.b);
-    model.kinematics(states, id).is_some_and(|kinematics| kinematics.geometry.separation < -left)
+    let left = UNCONVERGED_RELATIVE * tolerances::pair_size(model, id.a, id.b)
+        + tolerances::rounding(model, states, id.a, id.b);
+    contact_set::kinematics(model, states, id).is_some_and(|kinematics| kinematics.geometry.separation < -left)
 }
 
 /// Whether a held contact approaches or separates faster than the drift of a step within `tolerance`: its point has
@@ -193,9 +195,9 @@ pub(crate) fn remove_overlap(
 
 /// Sum of the speeds of a contact's bodies and of a fall over their size, m/s.
 fn speed_of_pair(model: &Model, states: &[BodyState], id: ContactId) -> f64 {
-    let fall = (model.gravity().length() * model.pair_size(id.a, id.b)).sqrt();
+    let fall = (model.gravity().length() * tolerances::pair_size(model, id.a, id.b)).sqrt();
     let speed = |body: usize| {
-        let velocity = model.velocity(body, &states[body]);
+        let velocity = contact_set::velocity(model, body, &states[body]);
         velocity.linear.length() + velocity.angular.length() * model.bodies[body].size
     };
     fall + speed(id.a) + speed(id.b)
@@ -218,19 +220,20 @@ pub(crate) fn project_positions(
         |(id, geometry): &(ContactId, ContactGeometry)| (geometry.separation.abs(), ConstraintId::Contact(*id));
     let most = if contacts.is_empty() { MAX_CLOSING_STEPS } else { MAX_NEWTON_STEPS };
     for step in 0..=most {
-        let geometries = contacts.iter().filter_map(|&id| Some((id, model.kinematics(states, id)?.geometry)));
+        let geometries =
+            contacts.iter().filter_map(|&id| Some((id, contact_set::kinematics(model, states, id)?.geometry)));
         let drifted = |(id, geometry): &(ContactId, ContactGeometry)| {
-            geometry.separation.abs() <= JUMPED_RELATIVE * model.pair_size(id.a, id.b)
+            geometry.separation.abs() <= JUMPED_RELATIVE * tolerances::pair_size(model, id.a, id.b)
         };
         let (geometries, jumped): (Vec<_>, Vec<_>) = geometries.partition(drifted);
         done.jumped.extend(jumped.iter().map(|(id, _)| ConstraintId::Contact(*id)));
-        let at_rounding = geometries
-            .iter()
-            .all(|(id, geometry)| geometry.separation.abs() <= ROUNDING_FRACTION * model.rounding(states, id.a, id.b));
-        let bilaterals: Vec<Bilateral> = model.bilaterals(states, bodies).collect();
+        let at_rounding = geometries.iter().all(|(id, geometry)| {
+            geometry.separation.abs() <= ROUNDING_FRACTION * tolerances::rounding(model, states, id.a, id.b)
+        });
+        let bilaterals: Vec<Bilateral> = held::bilaterals(model, states, bodies).collect();
         let is_in_place = |bilateral: &Bilateral| {
             let (a, b) = bilateral.id.bodies();
-            bilateral.gap() <= ROUNDING_FRACTION * model.rounding(states, a, b)
+            bilateral.gap() <= ROUNDING_FRACTION * tolerances::rounding(model, states, a, b)
         };
         // After a partial projection separations within the touch distance remain, and repetition would not reduce
         // them.
@@ -240,7 +243,8 @@ pub(crate) fn project_positions(
         if step == most {
             let is_unconverged = |(id, geometry): &&(ContactId, ContactGeometry)| {
                 geometry.separation.abs()
-                    > UNCONVERGED_RELATIVE * model.pair_size(id.a, id.b) + model.rounding(states, id.a, id.b)
+                    > UNCONVERGED_RELATIVE * tolerances::pair_size(model, id.a, id.b)
+                        + tolerances::rounding(model, states, id.a, id.b)
             };
             done.unconverged.extend(geometries.iter().filter(is_unconverged).map(|(id, _)| ConstraintId::Contact(*id)));
             done.unconverged.extend(unconverged_bilaterals(model, states, bodies));
@@ -250,13 +254,14 @@ pub(crate) fn project_positions(
             let gaps = bilaterals.iter().map(|bilateral| (bilateral.gap(), bilateral.id));
             done.farthest = farthest(geometries.iter().map(distance).chain(gaps));
         }
-        done.exceeds_tolerance |= geometries
-            .iter()
-            .any(|(id, geometry)| geometry.separation.abs() > UNCONVERGED_RELATIVE * model.pair_size(id.a, id.b));
+        done.exceeds_tolerance |= geometries.iter().any(|(id, geometry)| {
+            geometry.separation.abs() > UNCONVERGED_RELATIVE * tolerances::pair_size(model, id.a, id.b)
+        });
         let opened = opened(model, &bilaterals);
         let assembly = Assembly::with_bilaterals(model, (states, bodies), geometries.iter().copied(), bilaterals)?;
         let separations = assembly.gaps(geometries.iter().map(|(_, g)| g.separation));
-        let size = geometries.iter().map(|(id, _)| model.pair_size(id.a, id.b)).fold(f64::INFINITY, f64::min);
+        let size =
+            geometries.iter().map(|(id, _)| tolerances::pair_size(model, id.a, id.b)).fold(f64::INFINITY, f64::min);
         // All Newton steps share one allowance; otherwise nearly dependent rows could use all of it in every step.
         let allowance = *allowance.get_or_insert_with(|| allowed_change(&separations, size));
         let displacement =
@@ -292,7 +297,7 @@ fn move_by(
 fn opened(model: &Model, bilaterals: &[Bilateral]) -> f64 {
     let of = |bilateral: &Bilateral| {
         let (a, b) = bilateral.id.bodies();
-        let size = model.pair_size(a, b);
+        let size = tolerances::pair_size(model, a, b);
         if size > 0.0 { bilateral.gap() / size } else { 0.0 }
     };
     bilaterals.iter().map(of).fold(0.0, f64::max)
@@ -306,9 +311,10 @@ fn unconverged_bilaterals<'a>(
 ) -> impl Iterator<Item = ConstraintId> + 'a {
     let is_unconverged = |bilateral: &Bilateral| {
         let (a, b) = bilateral.id.bodies();
-        bilateral.gap() > UNCONVERGED_RELATIVE * model.pair_size(a, b) + model.rounding(states, a, b)
+        bilateral.gap()
+            > UNCONVERGED_RELATIVE * tolerances::pair_size(model, a, b) + tolerances::rounding(model, states, a, b)
     };
-    model.bilaterals(states, bodies).filter(is_unconverged).map(|bilateral| bilateral.id)
+    held::bilaterals(model, states, bodies).filter(is_unconverged).map(|bilateral| bilateral.id)
 }
 
 /// The constraint of the largest of some distances or speeds.
@@ -356,10 +362,11 @@ pub(crate) fn project_velocities(
     (contacts, sticking, turns): (&[ContactId], &[ContactId], &[(ContactId, Turn)]),
     removal: Removal,
 ) -> Result<RemovedVelocities, ResponseError> {
-    let contacts: Vec<_> = contacts.iter().filter_map(|&id| Some((id, model.kinematics(states, id)?))).collect();
+    let contacts: Vec<_> =
+        contacts.iter().filter_map(|&id| Some((id, contact_set::kinematics(model, states, id)?))).collect();
     let slips: Vec<(TangentRow, f64)> = sticking.iter().flat_map(|&id| slip_rows(model, states, id)).collect();
     let turns: Vec<(RotationRow, f64)> = turns.iter().flat_map(|&turn| turn_rows(model, states, turn)).collect();
-    let bilaterals: Vec<Bilateral> = model.bilaterals(states, bodies).collect();
+    let bilaterals: Vec<Bilateral> = held::bilaterals(model, states, bodies).collect();
     if contacts.iter().all(|(_, k)| k.separation_rate == 0.0)
         && slips.iter().all(|&(_, slip)| slip == 0.0)
         && turns.iter().all(|&(_, rate)| rate == 0.0)
@@ -389,9 +396,9 @@ pub(crate) fn project_velocities(
     apply_moments(model, states, moments.iter().copied());
     let along_tangents = slips.iter().zip(multipliers.iter().skip(assembly.first_tangent()));
     let along_tangents = along_tangents.map(|((row, _), &p)| (row.id, &row.along, p));
-    let work_j = model.prescribed_work(states, impulses)
-        + model.surface_work(states, along_tangents)
-        + model.driven_work(states, assembly.reactions(&multipliers))
+    let work_j = prescribed::prescribed_work(model, states, impulses)
+        + moving_surfaces::surface_work(model, states, along_tangents)
+        + bilateral::driven_work(model, states, assembly.reactions(&multipliers))
         + moment_work(model, states, moments.into_iter());
     let speeds = contacts.iter().map(|(id, k)| (k.separation_rate.abs(), ConstraintId::Contact(*id)));
     let bilaterals = assembly.bilaterals().iter().map(|bilateral| (bilateral.speed(), bilateral.id));
@@ -402,22 +409,23 @@ pub(crate) fn project_velocities(
 
 /// Rows along the tangents of a contact, each with the slip along it, m/s.
 fn slip_rows(model: &Model, states: &[BodyState], id: ContactId) -> Vec<(TangentRow, f64)> {
-    let both = model.kinematics(states, id).zip(model.tangential_kinematics(states, id));
+    let both = contact_set::kinematics(model, states, id).zip(contact_set::tangential_kinematics(model, states, id));
     let rows = both.map(|(kinematics, terms)| {
         let row = |&tangent: &DVec3| {
             let row = TangentRow::new(id, &kinematics.geometry, &terms, tangent);
             (row, tangent.dot(terms.slip_velocity))
         };
-        model.slip_directions().tangents(&terms.basis).iter().map(row).collect::<Vec<_>>()
+        slip_directions::slip_directions(model).tangents(&terms.basis).iter().map(row).collect::<Vec<_>>()
     });
     rows.into_iter().flatten().collect()
 }
 
 /// Rows of a rotation, each with its rate, m/s.
 fn turn_rows(model: &Model, states: &[BodyState], (id, turn): (ContactId, Turn)) -> Vec<(RotationRow, f64)> {
-    let both = model.kinematics(states, id).zip(model.tangential_kinematics(states, id));
-    let rows =
-        both.map(|(kinematics, terms)| turn.axes(kinematics.geometry.normal, (&terms.basis, model.slip_directions())));
+    let both = contact_set::kinematics(model, states, id).zip(contact_set::tangential_kinematics(model, states, id));
+    let rows = both.map(|(kinematics, terms)| {
+        turn.axes(kinematics.geometry.normal, (&terms.basis, slip_directions::slip_directions(model)))
+    });
     let row = |axis| {
         let row = RotationRow::about(model, id, axis);
         (row, row.rate(model, states))

@@ -15,8 +15,9 @@
 //! The solver finds slip, rolling and spinning together ([`polhode_response::friction::Law::Resist`]). A rotation that
 //! turns already has one row, along its direction.
 
+use crate::collision::contact_set;
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
+use crate::model::{Model, prescribed};
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
@@ -58,7 +59,11 @@ pub(crate) fn moment_work(
     moments: impl Iterator<Item = (ContactId, DVec3)>,
 ) -> f64 {
     let rotation = |body: usize| {
-        if model.trajectory(body).is_some() { model.velocity(body, &states[body]).angular } else { DVec3::ZERO }
+        if prescribed::trajectory(model, body).is_some() {
+            contact_set::velocity(model, body, &states[body]).angular
+        } else {
+            DVec3::ZERO
+        }
     };
     moments.map(|(id, moment)| -moment.dot(rotation(id.a) - rotation(id.b))).sum()
 }

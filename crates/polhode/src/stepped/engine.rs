@@ -10,15 +10,16 @@ use super::track_ends::let_go_at_ends_of_tracks;
 use super::unexpected::Unexpected;
 use crate::accounting::books::Received;
 use crate::accounting::long_steps::Movement;
-use crate::collision::contact_set::{FoundContact, Touch};
+use crate::collision::contact_set::{self, FoundContact, Touch};
+use crate::constraint::{added, turns};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::model::states_of::{set_states, states_of};
-use crate::model::{Loads, Model};
+use crate::model::{Loads, Model, prescribed, reported, tolerances};
 use crate::report::acceleration::Acceleration;
 use crate::report::event::{Event, EventKind};
-use crate::report::frame::{ContactView, IslandView, JointView, MotionKind};
+use crate::report::frame::{self, ContactView, IslandView, JointView, MotionKind};
 use crate::report::observer::Observer;
 use crate::rows::assembly::free_acceleration;
 use crate::rows::groups::coupled_groups;
@@ -206,7 +207,7 @@ impl SteppedEngine {
         let Advanced { resting, islands, reports } = self.advance_all(core, pairs, interval)?;
         self.compare_with_halves(core, &begin, (&islands, &reports), interval)?;
         // Islands that were advanced in copies have left them where they were.
-        core.model.prescribe(t_next, &mut self.states);
+        prescribed::prescribe(&core.model, t_next, &mut self.states);
         self.fly(core, t_next);
         if core.effects == Effects::All {
             self.repeat_rest(core, &resting, interval)?;
@@ -227,7 +228,7 @@ impl SteppedEngine {
             touching.extend(report.touching.iter().copied());
         }
         let_go_at_ends_of_tracks(core, &self.states, t_next)?;
-        core.model.count_all_turns(&self.states)?;
+        turns::count_all_turns(&mut core.model, &self.states)?;
         core.t = t_next;
         let before = std::mem::replace(&mut self.touching, touching);
         if core.accounts.steps().is_multiple_of(EVERY) {
@@ -300,7 +301,7 @@ impl SteppedEngine {
     /// When a number is not finite.
     fn come_to_rest(&mut self, core: &Core, island: &Island) -> Result<(), ResponseError> {
         let model = &core.model;
-        let is_still = |&body: &usize| model.point_speed(&self.states, body) == 0.0;
+        let is_still = |&body: &usize| tolerances::point_speed(model, &self.states, body) == 0.0;
         if self.resting.contains_all(island) || !island.bodies.iter().all(is_still) || !may_rest(model, island) {
             return Ok(());
         }
@@ -332,7 +333,7 @@ impl SteppedEngine {
         let slow = STICKING_RELATIVE * core.model.gravity().length() * h;
         for group in touching_groups(&core.model, island, pairs) {
             let model = &core.model;
-            let is_slow = |&body: &usize| model.point_speed(&self.states, body) <= slow;
+            let is_slow = |&body: &usize| tolerances::point_speed(model, &self.states, body) <= slow;
             if !group.bodies.iter().all(is_slow) || !may_rest(model, &group) {
                 continue;
             }
@@ -438,7 +439,13 @@ impl SteppedEngine {
             return;
         }
         let event = |kind, &(a, b): &(usize, usize)| {
-            let contacts = core.model.contacts_of_pair(&self.states, a, b, core.model.pair_size(a, b));
+            let contacts = contact_set::contacts_of_pair(
+                &core.model,
+                &self.states,
+                a,
+                b,
+                tolerances::pair_size(&core.model, a, b),
+            );
             let geometries = contacts.iter().map(|touch| &touch.kinematics.geometry);
             let nearest = geometries.min_by(|g, other| g.separation.total_cmp(&other.separation));
             let moving = if core.model.bodies[a].moves() { a } else { b };
@@ -495,7 +502,7 @@ impl SteppedEngine {
                 core.model.keep_in_plane(body, &mut states[body]);
             }
         }
-        core.model.prescribe(t, &mut states);
+        prescribed::prescribe(&core.model, t, &mut states);
         Ok(states)
     }
 
@@ -504,7 +511,13 @@ impl SteppedEngine {
         let model = &core.model;
         let slow = RESTING_STEPS * model.gravity().length() * core.settings.step_s;
         let of_pair = |&(a, b): &(usize, usize)| {
-            model.contacts_of_pair(&self.states, a, b, model.touch_distance(&self.states, a, b))
+            contact_set::contacts_of_pair(
+                model,
+                &self.states,
+                a,
+                b,
+                tolerances::touch_distance(model, &self.states, a, b),
+            )
         };
         let touches = pairs.iter().flat_map(of_pair);
         touches.filter(|touch| touch.kinematics.separation_rate.abs() <= slow).map(Touch::from).collect()
@@ -515,7 +528,7 @@ impl SteppedEngine {
 pub(super) fn joined(model: &Model, touches: &[Touch]) -> Vec<(Vec<usize>, Vec<Touch>)> {
     let all = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b));
     let members = |contacts: &[usize]| contacts.iter().map(|&index| touches[index]).collect();
-    let held = model.held_among(&model.movable);
+    let held = model.joints.held_among(&model.movable);
     coupled_groups(model, all, &held).into_iter().map(|group| (group.bodies, members(&group.contacts))).collect()
 }
 
@@ -560,8 +573,8 @@ impl Tier for SteppedEngine {
         let touches = self.resting_touches(core, &pairs);
         let loads = model.loads(core.t, &self.states);
         let own_acceleration = |body: usize| {
-            if model.trajectory(body).is_some() {
-                model.prescribed_acceleration(body, core.t)
+            if prescribed::trajectory(model, body).is_some() {
+                prescribed::prescribed_acceleration(model, body, core.t)
             } else {
                 free_acceleration(model, &self.states, &loads, body)
             }
@@ -574,7 +587,7 @@ impl Tier for SteppedEngine {
             }
         }
         let report = |(body, &(linear, angular)): (usize, &(DVec3, DVec3))| {
-            model.reported_acceleration(body, &self.states[body], linear, angular)
+            reported::reported_acceleration(model, body, &self.states[body], linear, angular)
         };
         Ok(found.iter().enumerate().map(report).collect())
     }
@@ -586,14 +599,15 @@ impl Tier for SteppedEngine {
     fn contacts(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<ContactView> {
         // Those that the last step used, wherever it has left them, and those that touch without a force.
         let model = &core.model;
-        let touching =
-            |&(a, b): &(usize, usize)| model.contacts_of_pair(states, a, b, model.touch_distance(states, a, b));
+        let touching = |&(a, b): &(usize, usize)| {
+            contact_set::contacts_of_pair(model, states, a, b, tolerances::touch_distance(model, states, a, b))
+        };
         let mut found: BTreeMap<ContactId, FoundContact> =
             self.touching.iter().flat_map(touching).map(|touch| (touch.id, touch)).collect();
         let is_of_shapes = |id: &ContactId| matches!(id.feature, Feature::Shapes(_));
         for &id in self.forces.keys().filter(|id| is_of_shapes(id)) {
             if let Entry::Vacant(place) = found.entry(id)
-                && let Some(kinematics) = model.kinematics(states, id)
+                && let Some(kinematics) = contact_set::kinematics(model, states, id)
             {
                 place.insert(FoundContact { id, kinematics });
             }
@@ -601,7 +615,7 @@ impl Tier for SteppedEngine {
         let mut views = Vec::new();
         for (id, touch) in found {
             let MeanForce { normal, friction } = self.forces.get(&id).copied().unwrap_or_default();
-            model.view_contact(states, &Touch::from(touch), (normal, friction), &mut views);
+            frame::view_contact(model, states, &Touch::from(touch), (normal, friction), &mut views);
         }
         views
     }
@@ -654,8 +668,8 @@ impl Tier for SteppedEngine {
 
     fn change_joint(&mut self, core: &mut Core, pair: (usize, usize)) {
         self.resting.wake_all();
-        self.touching.retain(|&own| own != pair || core.model.may_touch(own));
-        let stays = |contact: ContactId| (contact.a, contact.b) != pair || core.model.may_have(contact);
+        self.touching.retain(|&own| own != pair || added::may_touch(&core.model, own));
+        let stays = |contact: ContactId| (contact.a, contact.b) != pair || added::may_have(&core.model, contact);
         self.stepper.keep_contacts(stays);
         self.forces.retain(|&id, _| stays(id));
         self.loads = None;

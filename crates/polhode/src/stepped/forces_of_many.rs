@@ -6,8 +6,9 @@
 //! contacts and bodies.
 
 use super::instant_forces::{BodyAcceleration, PresentForces, forces_on};
-use crate::collision::contact_set::Touch;
+use crate::collision::contact_set::{self, Touch};
 use crate::collision::friction_mode::FrictionMode;
+use crate::collision::slip_directions;
 use crate::model::{Loads, Model};
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{push_contact, push_held};
@@ -90,18 +91,18 @@ enum Rubs {
 
 fn rubbing(model: &Model, states: &[BodyState], touch: &Touch) -> Rubbing {
     let none = Rubbing { rows: Vec::new(), law: Rubs::Sticks(FrictionEllipse::default()) };
-    if model.friction_of(touch.id).is_none() {
+    if contact_set::friction_of(model, touch.id).is_none() {
         return none;
     }
-    let Some(terms) = model.tangential_kinematics(states, touch.id) else { return none };
-    let Some(coefficients) = model.friction_at(states, touch.id, terms.basis) else { return none };
+    let Some(terms) = contact_set::tangential_kinematics(model, states, touch.id) else { return none };
+    let Some(coefficients) = contact_set::friction_at(model, states, touch.id, terms.basis) else { return none };
     let row =
         |terms: &TangentialKinematics, tangent| TangentRow::new(touch.id, &touch.kinematics.geometry, terms, tangent);
     if let Some(FrictionMode::Sliding(slide)) = touch.modes.friction {
         let (against, friction) = coefficients.sliding.opposed(terms.basis, slide.direction);
         return Rubbing { rows: vec![row(&terms, against)], law: Rubs::Slides(friction) };
     }
-    let tangents = model.slip_directions().tangents(&terms.basis);
+    let tangents = slip_directions::slip_directions(model).tangents(&terms.basis);
     let rows = tangents.iter().map(|&tangent| row(&terms, tangent)).collect();
     Rubbing { rows, law: Rubs::Sticks(coefficients.at_rest) }
 }

@@ -1,6 +1,7 @@
 //! Islands of a time step: bodies that may touch within it, or that force fields couple.
 
-use crate::model::Model;
+use crate::collision::contact_set;
+use crate::model::{Model, prescribed, tolerances};
 use polhode_contact::{Aabb, BroadPhase, BroadPhaseError, swept_aabb};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DisjointSets, Still};
@@ -48,10 +49,10 @@ impl IslandSearch {
         interval: (f64, f64),
     ) -> Result<Vec<(usize, usize)>, BroadPhaseError> {
         if !model.surfaces.may_collide() {
-            return Ok(model.joint_contact_pairs().collect());
+            return Ok(model.joints.joint_contact_pairs().collect());
         }
         let mut pairs = self.pairs_of_boxes(model, |body| swept_box(model, states, body, interval))?;
-        pairs.extend(model.joint_contact_pairs());
+        pairs.extend(model.joints.joint_contact_pairs());
         pairs.sort_unstable();
         Ok(pairs)
     }
@@ -78,8 +79,8 @@ impl IslandSearch {
 fn swept_box(model: &Model, states: &[BodyState], body: usize, (t, h): (f64, f64)) -> Aabb {
     let state = &states[body];
     let Some(shape) = &model.bodies[body].shape else { return Aabb::UNBOUNDED };
-    let travel = model.touch_distance(states, body, body) + travel_of(model, states, body, h);
-    let swept = match model.trajectory(body) {
+    let travel = tolerances::touch_distance(model, states, body, body) + travel_of(model, states, body, h);
+    let swept = match prescribed::trajectory(model, body) {
         Some(trajectory) => swept_aabb(shape, trajectory, t, t + h),
         None => swept_aabb(shape, &Still(state.pose), 0.0, 0.0),
     };
@@ -94,7 +95,7 @@ pub(super) fn travel_of(model: &Model, states: &[BodyState], body: usize, h: f64
     if !own.moves() {
         return 0.0;
     }
-    let velocity = model.velocity(body, &states[body]);
+    let velocity = contact_set::velocity(model, body, &states[body]);
     let speed = velocity.linear.length() + velocity.angular.length() * own.size;
     SWEEP_FACTOR * h * (speed + model.gravity().length() * h)
 }

@@ -8,6 +8,7 @@
 use super::engine::{SteppedEngine, joined};
 use super::instant_forces::PresentForces;
 use crate::constraint::joint::ModelJoint;
+use crate::constraint::joint_contacts;
 use crate::error::SimulationError;
 use crate::report::frame::JointView;
 use crate::solve::joint_loads::{joint_view, overloaded};
@@ -45,7 +46,10 @@ impl SteppedEngine {
         let Some(loads) = &self.loads else { return self.loads_at_instant(core, states) };
         let view = |joint: &ModelJoint| {
             let view = loads.get(&joint.number())?;
-            Some((joint.number(), JointView { point_m: core.model.anchor_of(states, joint), ..*view }))
+            Some((
+                joint.number(),
+                JointView { point_m: joint_contacts::anchor_of(&core.model, states, joint), ..*view },
+            ))
         };
         core.model.joints.list.iter().filter_map(view).collect()
     }
@@ -57,13 +61,13 @@ impl SteppedEngine {
             return loads;
         }
         let pairs: BTreeSet<(usize, usize)> =
-            self.touching.iter().copied().chain(core.model.joint_contact_pairs()).collect();
+            self.touching.iter().copied().chain(core.model.joints.joint_contact_pairs()).collect();
         let touches = self.resting_touches(core, &pairs.into_iter().collect::<Vec<_>>());
         for (bodies, contacts) in joined(&core.model, &touches) {
             match PresentForces::solve(core, states, &bodies, &contacts) {
                 Ok(forces) => loads.extend(forces.joints),
-                Err(_) => loads.extend(core.model.joints_among(&bodies).map(|joint| {
-                    let point = core.model.anchor_of(states, joint);
+                Err(_) => loads.extend(core.model.joints.joints_among(&bodies).map(|joint| {
+                    let point = joint_contacts::anchor_of(&core.model, states, joint);
                     (joint.number(), joint_view(joint.number(), point, (DVec3::NAN, DVec3::NAN)))
                 })),
             }

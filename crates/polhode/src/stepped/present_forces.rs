@@ -4,9 +4,10 @@
 use super::forces_of_many::forces_of_many;
 use super::instant_forces::{BodyAcceleration, PresentForces, forces_on};
 use crate::collision::contact_modes::ContactModes;
-use crate::collision::contact_set::Touch;
+use crate::collision::contact_set::{self, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::turn::{RotationModes, Turn};
+use crate::model::tolerances;
 use crate::solve::accelerations::Accelerations;
 use crate::solve::joint_loads::joint_loads;
 use crate::tier::core::Core;
@@ -56,15 +57,16 @@ impl PresentForces {
 fn with_modes(core: &Core, states: &[BodyState], touch: &Touch) -> Touch {
     let model = &core.model;
     let none = STICKING_RELATIVE * model.gravity().length() * core.settings.step_s;
-    let noise = model.velocity_rounding(states, &[touch.id.a, touch.id.b]);
+    let noise = tolerances::velocity_rounding(model, states, &[touch.id.a, touch.id.b]);
     let mode = |velocity: DVec3, size: f64| {
         let speed = velocity.length();
         let slide = Slide { direction: velocity / speed, speed, noise: noise / size };
         (speed > none.max(noise) / size).then_some(FrictionMode::Sliding(slide))
     };
-    let slip = model.tangential_kinematics(states, touch.id).map_or(DVec3::ZERO, |terms| terms.slip_velocity);
-    let rotation = model.relative_rotation(states, touch.id);
-    let size = model.pair_size(touch.id.a, touch.id.b);
+    let slip =
+        contact_set::tangential_kinematics(model, states, touch.id).map_or(DVec3::ZERO, |terms| terms.slip_velocity);
+    let rotation = contact_set::relative_rotation(model, states, touch.id);
+    let size = tolerances::pair_size(model, touch.id.a, touch.id.b);
     let turn = |turn: Turn| {
         turn.friction(model, (touch.id.a, touch.id.b))?;
         mode(turn.part(rotation, touch.kinematics.geometry.normal), size)

@@ -17,7 +17,8 @@
 
 use super::islands::{Island, travel_of};
 use crate::accounting::books::Books;
-use crate::model::Model;
+use crate::collision::{contact_set, moving_surfaces};
+use crate::model::{Model, prescribed, tolerances};
 use crate::report::momentum_ledger::Momentum;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DisjointSets;
@@ -104,8 +105,8 @@ impl Resting {
                 _ if moves != [true, true] => true,
                 _ => {
                     let reach = travel_of(model, states, a, h) + travel_of(model, states, b, h);
-                    let reach = reach + model.touch_distance(states, a, b);
-                    !model.contacts_of_pair(states, a, b, reach).is_empty()
+                    let reach = reach + tolerances::touch_distance(model, states, a, b);
+                    !contact_set::contacts_of_pair(model, states, a, b, reach).is_empty()
                 }
             }
         });
@@ -165,7 +166,8 @@ pub(super) fn touching_groups(model: &Model, island: &Island, touching: &[(usize
 
 /// Whether nothing that acts on an island depends on time.
 pub(super) fn may_rest(model: &Model, island: &Island) -> bool {
-    let is_driven = |body: usize| model.trajectory(body).is_some() || model.has_moving_surface(body);
-    let is_loaded = |&body: &usize| model.is_loaded(body) || model.has_moving_surface(body);
+    let is_driven =
+        |body: usize| prescribed::trajectory(model, body).is_some() || moving_surfaces::has_moving_surface(model, body);
+    let is_loaded = |&body: &usize| model.is_loaded(body) || moving_surfaces::has_moving_surface(model, body);
     !island.bodies.iter().any(is_loaded) && !island.pairs.iter().any(|&(a, b)| is_driven(a) || is_driven(b))
 }

@@ -1,7 +1,7 @@
 //! Bodies that run off the ends of their tracks: at the end of the step in which they do, an error of the first order
 //! in its length.
 
-use crate::constraint::released::RunOff;
+use crate::constraint::released::{self, RunOff};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::report::event::{Event, EventKind};
@@ -13,8 +13,8 @@ use polhode_dynamics::BodyState;
 /// # Errors
 /// When the forces on the bodies cannot be made.
 pub(super) fn let_go_at_ends_of_tracks(core: &mut Core, states: &[BodyState], t: f64) -> Result<(), SimulationError> {
-    for RunOff { joint, body, point } in core.model.run_off(states, &core.model.movable) {
-        core.model.release(&[joint])?;
+    for RunOff { joint, body, point } in released::run_off(&core.model, states, &core.model.movable) {
+        released::release(&mut core.model, &[joint])?;
         core.accounts.add_event(Event { point, ..Event::new(t, EventKind::Detach, BodyId::new(body)) });
     }
     Ok(())

@@ -6,7 +6,7 @@
 //! with, the step is made again with that pair.
 
 use super::islands::{Island, IslandSearch, travel_of};
-use crate::model::Model;
+use crate::model::{Model, prescribed};
 use crate::solve::overlap::{Overlaps, displacement};
 use crate::time_stepping::{SHARE_OF_SIZE, drift};
 use polhode_contact::{Aabb, BroadPhaseError, swept_aabb};
@@ -50,7 +50,7 @@ impl Unexpected<'_> {
         for &body in model.movable.iter().filter(|&&body| !in_island[body] && model.bodies[body].moves()) {
             end[body] = drift(model, body, &self.begin[body], h);
         }
-        model.prescribe(t + h, &mut end);
+        prescribed::prescribe(model, t + h, &mut end);
         let of = |body: usize| {
             let shape = model.bodies[body].shape.as_ref();
             let swept = shape.and_then(|shape| swept_aabb(shape, &Still(end[body].pose), 0.0, 0.0).ok());

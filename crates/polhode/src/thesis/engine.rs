@@ -8,9 +8,10 @@ use crate::collision::boxes::Boxes;
 use crate::collision::contact_set::Touch;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
+use crate::model::prescribed;
 use crate::report::acceleration::Acceleration;
 use crate::report::event::EventKind;
-use crate::report::frame::{ContactView, IslandView, MotionKind};
+use crate::report::frame::{self, ContactView, IslandView, MotionKind};
 use crate::report::momentum_ledger::Momentum;
 use crate::report::observer::Observer;
 use crate::rows::assembly::Assembly;
@@ -22,10 +23,9 @@ use crate::solve::impact::{impulse_event, strike, support};
 use crate::tier::core::Core;
 use crate::tier::error_estimate::{EVERY, ErrorEstimate};
 use crate::tier::fixed_steps::{Continues, SteppedBodies, accelerations_under, contacts_within, next_step_end};
-use crate::tier::free_stage;
-use crate::tier::free_stage::Ends;
+use crate::tier::free_stage::{self, Ends};
 use crate::tier::sampling::emit_samples_before;
-use crate::tier::{Reached, Tier};
+use crate::tier::{Reached, Tier, promise};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::Wrench;
 use polhode_response::impact::{ImpactOutcome, ImpactSettings};
@@ -133,7 +133,7 @@ impl ThesisEngine {
 
     /// States of all bodies after two steps of half the length `h` (s) under the same loads.
     fn in_two_halves(&self, core: &Core, loads: &[Wrench], h: f64) -> Result<Vec<BodyState>, SimulationError> {
-        let loaded = LoadedBodies::new(core.model.shared_fields(), loads.to_vec());
+        let loaded = LoadedBodies::new(core.model.forces.shared_fields(), loads.to_vec());
         let motion = loaded.motion(core.model.free_motion().bodies(), core.model.gravity());
         let mut integrator = core.settings.build_integrator();
         integrator.start(&motion, core.t, &core.model.movable_states(&self.bodies.states));
@@ -171,7 +171,7 @@ impl ThesisEngine {
             let Some(outcome) = self.strike(core, &group, touches)? else { continue };
             let impulses = group.contacts.iter().zip(&outcome.impulses);
             let impulses = impulses.map(|(&i, &p)| (touches[i].id, &touches[i].kinematics.geometry, p));
-            let work = core.model.prescribed_work(&self.bodies.states, impulses.clone());
+            let work = prescribed::prescribed_work(&core.model, &self.bodies.states, impulses.clone());
             let given = support(&core.model, core.accounts.books.ledger.momentum.about, impulses);
             core.accounts.books.impact((outcome.energy_change, 0.0), given, work);
             core.accounts.note_impact(&core.model, core.t, core.settings.impact, &group.bodies, &outcome);
@@ -245,10 +245,10 @@ impl ThesisEngine {
         // The work of constant forces is along the path of the contact points: to second order, by their speed in the
         // middle.
         let mut middle = self.bodies.states.clone();
-        model.prescribe(core.t + 0.5 * h, &mut middle);
+        prescribed::prescribe(model, core.t + 0.5 * h, &mut middle);
         let contacts = resting.touches.iter().zip(&resting.forces);
         let impulses = contacts.map(|(touch, &force)| (touch.id, &touch.kinematics.geometry, force * h));
-        received.external_j += model.prescribed_work(&middle, impulses);
+        received.external_j += prescribed::prescribed_work(model, &middle, impulses);
         for (&body, (rigid, load)) in model.movable.iter().zip(model.free_motion().bodies().iter().zip(loads)) {
             let state = &self.bodies.states[body];
             let acceleration = model.gravity() + load.force * rigid.inverse_mass();
@@ -267,7 +267,7 @@ impl ThesisEngine {
     /// if only it has changed the states since its last step.
     fn integrate(&mut self, core: &Core, loads: Vec<Wrench>, h: f64) -> Result<(), SimulationError> {
         let loaded = loads.iter().any(|load| *load != Wrench::default());
-        self.loaded = LoadedBodies::new(core.model.shared_fields(), loads);
+        self.loaded = LoadedBodies::new(core.model.forces.shared_fields(), loads);
         let motion = self.loaded.motion(core.model.free_motion().bodies(), core.model.gravity());
         let continues = if loaded { Continues::Anew } else { Continues::Untouched };
         self.bodies.integrate(core, &motion, (h, continues))
@@ -334,7 +334,7 @@ impl Tier for ThesisEngine {
             let id = touch.id;
             let resting = self.resting.iter().find(|(known, _)| *known == id);
             let force = resting.map_or(0.0, |(_, force)| *force);
-            core.model.view_contact(states, &touch, (force, DVec3::ZERO), &mut views);
+            frame::view_contact(&core.model, states, &touch, (force, DVec3::ZERO), &mut views);
         }
         views
     }
@@ -468,7 +468,7 @@ fn exact_forces(
 ) -> Result<(Vec<f64>, f64), ResponseError> {
     let solution = core.solver.solve(&assembly.problem, delassus, b, None)?;
     if solution.report.status != SolverStatus::Solved {
-        let names = core.model.names_of(assembly.bodies());
+        let names = promise::names_of(&core.model, assembly.bodies());
         let residual = solution.report.residual;
         let what =
             format!("the solver found no contact forces of {names}: the relative residual stays at {residual:e}");

@@ -2,6 +2,7 @@
 
 use crate::accounting::Accounts;
 use crate::accounting::last_sample::LastSample;
+use crate::constraint::{joint_contacts, released};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::model::Model;
@@ -63,11 +64,11 @@ impl Core {
         for joint in self.model.joints.list.iter().filter(|joint| joints.contains(&joint.number())) {
             let (first, second) = joint.pair();
             let body_b = (second != first).then(|| BodyId::new(second));
-            let point = self.model.anchor_of(states, joint);
+            let point = joint_contacts::anchor_of(&self.model, states, joint);
             let event = Event::new(t, EventKind::Break, BodyId::new(first));
             self.accounts.add_event(Event { body_b, point, ..event });
         }
-        Ok(self.model.release(joints)?)
+        Ok(released::release(&mut self.model, joints)?)
     }
 
     /// The error of a contact problem at `t` (s) that could not be set up.

@@ -15,7 +15,8 @@
 //! amplifies errors (a die that is about to fall on one face or another) makes them larger than their sum. A motion
 //! that damps errors makes them smaller.
 
-use crate::model::Model;
+use crate::collision::contact_set;
+use crate::model::{Model, tolerances};
 use crate::snapshot::SnapshotError;
 use crate::solve::overlap::displacement;
 use polhode_dynamics::BodyState;
@@ -55,7 +56,7 @@ impl ErrorEstimate {
     pub(crate) fn go_on(&mut self, model: &Model, states: &[BodyState], h: f64) {
         for (body, error) in self.of_bodies.iter_mut().enumerate() {
             error.position += h * error.velocity;
-            if error.velocity > 0.0 && model.point_speed(states, body) == 0.0 {
+            if error.velocity > 0.0 && tolerances::point_speed(model, states, body) == 0.0 {
                 error.velocity = 0.0;
             }
         }
@@ -69,7 +70,7 @@ impl ErrorEstimate {
         (whole, halves): (&BodyState, &BodyState),
         stands_for: u64,
     ) {
-        let [one, two] = [whole, halves].map(|state| model.velocity(body, state));
+        let [one, two] = [whole, halves].map(|state| contact_set::velocity(model, body, state));
         let size = model.bodies[body].size;
         let faster = (one.linear - two.linear).length() + (one.angular - two.angular).length() * size;
         let error = &mut self.of_bodies[body];

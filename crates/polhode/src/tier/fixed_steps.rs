@@ -4,10 +4,10 @@
 //! Such a tier books every step when it makes it, and whose states are all those of the present between two steps.
 
 use crate::collision::boxes::Boxes;
-use crate::collision::contact_set::Touch;
+use crate::collision::contact_set::{self, Touch};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
-use crate::model::ModelBody;
+use crate::model::{ModelBody, prescribed, reported, tolerances};
 use crate::report::acceleration::Acceleration;
 use crate::report::frame::{IslandView, MotionKind};
 use crate::rows::assembly::free_acceleration;
@@ -67,7 +67,7 @@ impl SteppedBodies {
     /// States of all bodies at `t` (s), given those of the movable ones.
     pub(crate) fn all_states(&self, core: &Core, movable: &[BodyState], t: f64) -> Vec<BodyState> {
         let mut states = self.states.clone();
-        core.model.prescribe(t, &mut states);
+        prescribed::prescribe(&core.model, t, &mut states);
         for (&body, state) in core.model.movable.iter().zip(movable) {
             states[body] = *state;
         }
@@ -170,8 +170,8 @@ pub(crate) fn contacts_within(
     }
     let mut touches = Vec::new();
     boxes.all_pairs(&core.model, |a, b| {
-        let reach = reach.max(core.model.rounding(states, a, b));
-        touches.extend(core.model.contacts_of_pair(states, a, b, reach).into_iter().map(Touch::from));
+        let reach = reach.max(tolerances::rounding(&core.model, states, a, b));
+        touches.extend(contact_set::contacts_of_pair(&core.model, states, a, b, reach).into_iter().map(Touch::from));
     })?;
     Ok(touches)
 }
@@ -187,8 +187,8 @@ pub(crate) fn accelerations_under(
     let model = &core.model;
     let fields = model.loads(core.t, states);
     let mut out = vec![Acceleration { linear: DVec3::ZERO, angular: DVec3::ZERO }; model.bodies.len()];
-    for &body in model.prescribed() {
-        let (linear, angular) = model.prescribed_acceleration(body, core.t);
+    for &body in prescribed::prescribed(model) {
+        let (linear, angular) = prescribed::prescribed_acceleration(model, body, core.t);
         out[body] = Acceleration { linear, angular };
     }
     for (place, (&body, rigid)) in model.movable.iter().zip(model.free_motion().bodies()).enumerate() {
@@ -198,7 +198,7 @@ pub(crate) fn accelerations_under(
             linear += force * rigid.inverse_mass();
             angular += rigid.inverse_inertia_world(state.pose.rotation) * torque;
         }
-        out[body] = model.reported_acceleration(body, state, linear, angular);
+        out[body] = reported::reported_acceleration(model, body, state, linear, angular);
     }
     out
 }

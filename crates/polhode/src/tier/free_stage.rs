@@ -23,7 +23,7 @@ pub(crate) struct Ends<'a> {
 /// Impulse and work of gravity and the fields on `bodies` over the step, moments about `about`.
 pub(crate) fn received(model: &Model, ends: Ends<'_>, bodies: &[usize], about: DVec3) -> Received {
     let mut received = Received { gravity: gravity(model, ends, bodies, about), ..Received::default() };
-    if !model.has_fields() {
+    if !model.forces.has_fields() {
         return received;
     }
     let [t0, t1] = ends.t;

@@ -1,6 +1,7 @@
 //! The joints of a simulation at one time.
 
 use crate::constraint::joint::ModelJoint;
+use crate::constraint::{joint_power, motors};
 use crate::identity::joint_id::JointId;
 use crate::report::joint_sample::JointSample;
 use crate::scene::Coordinate;
@@ -19,9 +20,10 @@ pub(crate) fn joint_samples(tier: &dyn Tier, core: &Core, t: f64, states: &[Body
     let sample = |joint: &ModelJoint| {
         let number = joint.number();
         let coordinates = Coordinate::ALL.into_iter();
-        let coordinates = coordinates.filter_map(|own| Some((own, model.coordinate_of(states, number, own)?)));
+        let coordinates = coordinates.filter_map(|own| Some((own, motors::coordinate_of(model, states, number, own)?)));
         let load = loads.iter().find(|load| load.joint.index() == number).copied();
-        let power_w = load.map(|load| model.power_of_joint(states, joint, (load.force_n, load.moment_n_m)));
+        let power_w =
+            load.map(|load| joint_power::power_of_joint(model, states, joint, (load.force_n, load.moment_n_m)));
         JointSample { joint: JointId::new(number), coordinates: coordinates.collect(), load, power_w }
     };
     model.joints.list.iter().map(sample).collect()

@@ -24,13 +24,14 @@ pub(crate) mod executor;
 pub(crate) mod fixed_steps;
 pub(crate) mod free_stage;
 pub(crate) mod joint_samples;
-mod promise;
+pub(crate) mod promise;
 mod sample_penetration;
 pub(crate) mod sampling;
 pub(crate) mod smooth_rates;
 
 use crate::accounting::Accounts;
 use crate::error::SimulationError;
+use crate::model::reported;
 use crate::report::acceleration::Acceleration;
 use crate::report::frame::{ContactView, IslandView, JointView, MotionKind, PivotView};
 use crate::report::observer::{BodySample, Observer};
@@ -79,12 +80,12 @@ pub(crate) trait Tier: std::fmt::Debug + Send {
 
     /// One body at the present, as it is reported.
     fn sample(&self, core: &Core, body: usize) -> BodySample {
-        core.model.sample(body, &self.state(core, body))
+        reported::sample(&core.model, body, &self.state(core, body))
     }
 
     /// All bodies at the present, as they are reported.
     fn samples(&self, core: &Core) -> Vec<BodySample> {
-        self.states(core).iter().enumerate().map(|(body, state)| core.model.sample(body, state)).collect()
+        self.states(core).iter().enumerate().map(|(body, state)| reported::sample(&core.model, body, state)).collect()
     }
 
     /// Books the motion since the last booking, up to the present, into `accounts`, which are a copy.

@@ -29,7 +29,7 @@ use crate::accounting::measures::{Limits, Measure};
 use crate::accounting::numerical_loss::FixedStep;
 use crate::collision::contact_set::Touch;
 use crate::constraint::ConstraintId;
-use crate::model::Model;
+use crate::model::{Model, rates, tolerances};
 use crate::scene::{ErrorOrder, OverlapLimit};
 use crate::solve::bounce_friction::EndedBounces;
 use crate::solve::cone_violation::ConeViolation;
@@ -77,7 +77,7 @@ impl Core {
             crowd_projection_relative: self.crowding_allowed(),
             numerical_relative: if is_fixed { energy } else { energy.max(of_steps) + self.crowding_allowed() },
             replaced_relative: REPLACED_RELATIVE,
-            smallest_energy_j: self.model.lifting_energy_j(),
+            smallest_energy_j: rates::lifting_energy_j(&self.model),
             step,
             remedy: settings.tier.facts().remedy,
         }
@@ -135,13 +135,13 @@ impl Core {
     pub(crate) fn penetration_allowed(&self, t: f64, states: &[BodyState], (a, b): (usize, usize), rate: f64) -> f64 {
         // The time of an impact is known to its rounding only.
         let late_approach = TIME_ULPS * f64::EPSILON * t.abs() * rate.abs();
-        self.promised_overlap_m((a, b)) + self.model.penetration_rounding(states, a, b) + late_approach
+        self.promised_overlap_m((a, b)) + tolerances::penetration_rounding(&self.model, states, a, b) + late_approach
     }
 
     /// The overlap (m) that the run promises not to exceed for a pair, without rounding.
     fn promised_overlap_m(&self, (a, b): (usize, usize)) -> f64 {
         match self.settings.promise.overlap {
-            OverlapLimit::OfSize(part) => part * self.model.pair_size(a, b),
+            OverlapLimit::OfSize(part) => part * tolerances::pair_size(&self.model, a, b),
             OverlapLimit::OfStatedPenetration(times) | OverlapLimit::OfEnvelope(times) => times * self.stated_depth_m,
         }
     }
@@ -149,7 +149,7 @@ impl Core {
     /// Whether a pair overlaps by more than a step under error control leaves, which is far less than is promised.
     pub(crate) fn overlaps_beyond_aim(&self, overlap: &Measure) -> bool {
         let (a, b) = overlap.pair;
-        let aim = self.settings.penetration_aim() * self.model.pair_size(a, b);
+        let aim = self.settings.penetration_aim() * tolerances::pair_size(&self.model, a, b);
         overlap.value > overlap.allowed - self.promised_overlap_m(overlap.pair) + aim
     }
 
@@ -223,7 +223,8 @@ impl Core {
         let Some(pair @ (a, b)) = done.pair() else { return };
         let allowed = match self.settings.promise.overlap {
             OverlapLimit::OfSize(part) if self.settings.projects_within_promise() => {
-                part * self.model.pair_size(a, b) + MOVED_BY_ROUNDING * self.model.rounding(states, a, b)
+                part * tolerances::pair_size(&self.model, a, b)
+                    + MOVED_BY_ROUNDING * tolerances::rounding(&self.model, states, a, b)
             }
             _ => f64::INFINITY,
         };
@@ -248,12 +249,12 @@ impl Core {
             self.accounts.measures.projection_energy.note(taken);
         }
         for (a, b) in done.jumped.iter().map(ConstraintId::bodies) {
-            let names = self.model.pair_names(a, b);
+            let names = pair_names(&self.model, a, b);
             self.accounts.tolerate(t, format!("a contact of {names} whose point had jumped was not projected"));
         }
         for constraint in &done.unconverged {
             let (a, b) = constraint.bodies();
-            let names = self.model.pair_names(a, b);
+            let names = pair_names(&self.model, a, b);
             let what = if constraint.contact().is_some() { "contact" } else { "pivot" };
             self.accounts.tolerate(t, format!("the projection of a {what} of {names} did not converge"));
         }
@@ -261,19 +262,17 @@ impl Core {
     }
 }
 
-impl Model {
-    /// The names of two bodies, as warnings give them.
-    pub(crate) fn pair_names(&self, a: usize, b: usize) -> String {
-        if a == b { self.names_of(&[a]) } else { self.names_of(&[a, b]) }
-    }
+/// The names of two bodies, as warnings give them.
+pub(crate) fn pair_names(model: &Model, a: usize, b: usize) -> String {
+    if a == b { names_of(model, &[a]) } else { names_of(model, &[a, b]) }
+}
 
-    /// The names of some bodies, as warnings give them; of many only the first.
-    pub(crate) fn names_of(&self, bodies: &[usize]) -> String {
-        let names: Vec<_> = bodies.iter().take(MOST_NAMES).map(|&body| self.bodies[body].name.as_str()).collect();
-        let named = names.join(" and ");
-        match bodies.len().saturating_sub(MOST_NAMES) {
-            0 => named,
-            more => format!("{named} and {more} more"),
-        }
+/// The names of some bodies, as warnings give them; of many only the first.
+pub(crate) fn names_of(model: &Model, bodies: &[usize]) -> String {
+    let names: Vec<_> = bodies.iter().take(MOST_NAMES).map(|&body| model.bodies[body].name.as_str()).collect();
+    let named = names.join(" and ");
+    match bodies.len().saturating_sub(MOST_NAMES) {
+        0 => named,
+        more => format!("{named} and {more} more"),
     }
 }

@@ -7,7 +7,9 @@
 use crate::accounting::last_sample::LastSample;
 use crate::accounting::measures::Measure;
 use crate::collision::boxes::Boxes;
+use crate::collision::contact_set;
 use crate::error::SimulationError;
+use crate::model::tolerances;
 use crate::tier::core::Core;
 use polhode_contact::aabb_of;
 use polhode_dynamics::BodyState;
@@ -29,9 +31,9 @@ impl Core {
         }
         let mut overlaps = Vec::new();
         boxes.all_pairs(model, |a, b| {
-            let Some(separation) = model.separation_without_memory(states, a, b) else { return };
+            let Some(separation) = contact_set::separation_without_memory(model, states, a, b) else { return };
             if separation < 0.0 {
-                let rate = model.point_speed(states, a) + model.point_speed(states, b);
+                let rate = tolerances::point_speed(model, states, a) + tolerances::point_speed(model, states, b);
                 let allowed = self.penetration_allowed(t, states, (a, b), rate);
                 overlaps.push(Measure { t, pair: (a, b), value: -separation, allowed });
             }

@@ -1,6 +1,7 @@
 //! Samples and frames of the motion between two events, for the observer.
 
 use crate::error::SimulationError;
+use crate::model::reported;
 use crate::report::frame::Frame;
 use crate::report::observer::Observer;
 use crate::tier::Tier;
@@ -11,7 +12,7 @@ use std::sync::Arc;
 
 /// The frame at `t` (s), when the bodies have these states.
 pub(crate) fn frame(tier: &dyn Tier, core: &Core, t: f64, states: &[BodyState]) -> Frame {
-    let sample = |(body, state)| core.model.sample(body, state);
+    let sample = |(body, state)| reported::sample(&core.model, body, state);
     let mut books = core.accounts.books.clone();
     let energy = books.observe(&core.model, states);
     Frame {

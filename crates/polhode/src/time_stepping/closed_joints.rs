@@ -16,7 +16,7 @@ pub(super) fn close_joints(
     bodies: &[usize],
     report: &mut TimeStepReport,
 ) -> Result<(), ResponseError> {
-    if model.held_among(bodies).is_empty() {
+    if model.joints.held_among(bodies).is_empty() {
         return Ok(());
     }
     let before = report.books.balance(model, states, bodies);

@@ -21,7 +21,7 @@ use super::middle::{Middle, Problem, Stops};
 use super::repeated::SHARE_OF_SIZE;
 use super::report::TimeStepReport;
 use super::step::{Substep, TimeStepper};
-use crate::model::Model;
+use crate::model::{Model, tolerances};
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 
@@ -41,7 +41,7 @@ impl TimeStepper {
         report: &mut TimeStepReport,
     ) -> Result<(), ResponseError> {
         let acts = |contact: &NearContact| {
-            let allowed = SHARE_OF_SIZE * model.pair_size(contact.id.a, contact.id.b);
+            let allowed = SHARE_OF_SIZE * tolerances::pair_size(model, contact.id.a, contact.id.b);
             contact.impact_time(h).is_some() || contact.kept_off > 0.0 || contact.overlaps_in_middle(h, allowed)
         };
         if !near.iter().any(acts) {

@@ -257,6 +257,7 @@ mod tests {
     //! move.
     #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
     use super::*;
+    use crate::collision::contact_set;
     use crate::model::Model;
     use crate::model::pivot_form::PivotRows;
     use crate::rows::assembly::TangentRow;
@@ -290,14 +291,15 @@ mod tests {
         let (model, states) = pile();
         let bodies: Vec<usize> = (1..states.len()).collect();
         let pairs = (0..states.len()).flat_map(|a| (a + 1..states.len()).map(move |b| (a, b)));
-        let touches: Vec<_> = pairs.flat_map(|(a, b)| model.contacts_of_pair(&states, a, b, 1e-9)).collect();
+        let touches: Vec<_> =
+            pairs.flat_map(|(a, b)| contact_set::contacts_of_pair(&model, &states, a, b, 1e-9)).collect();
         let geometries = touches.iter().map(|touch| (touch.id, touch.kinematics.geometry));
         let mut assembly = Assembly::new(&model, &states, &bodies, geometries).unwrap();
         let mut constants: Vec<f64> = touches.iter().map(|touch| touch.kinematics.separation_rate).collect();
         let mut blocks = Blocks::default();
         for (normal, touch) in touches.iter().enumerate() {
-            let terms = model.tangential_kinematics(&states, touch.id).unwrap();
-            let ellipse = model.friction_at(&states, touch.id, terms.basis).unwrap().at_rest;
+            let terms = contact_set::tangential_kinematics(&model, &states, touch.id).unwrap();
+            let ellipse = contact_set::friction_at(&model, &states, touch.id, terms.basis).unwrap().at_rest;
             let first = assembly.problem.len();
             let row = |tangent| TangentRow::new(touch.id, &touch.kinematics.geometry, &terms, tangent);
             assembly.push_tangents(&states, terms.basis.map(row).into_iter()).unwrap();

@@ -1,10 +1,12 @@
 //! The contacts that may act within a step, with their kinematics at its start.
 
 use super::drift;
-use crate::collision::contact_set::{FoundContact, Touch};
+use crate::collision::contact_set::{self, FoundContact, Touch};
+use crate::collision::{covered_borders, passing};
+use crate::constraint::joint_contacts;
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
 use crate::model::states_of::{set_states, states_of};
+use crate::model::{Model, prescribed, tolerances};
 use crate::rows::assembly::free_acceleration;
 use crate::solve::joint_reactions::JointReactions;
 use polhode_contact::{ContactKinematics, Shape};
@@ -97,7 +99,7 @@ impl NearContact {
     /// is one whose bounce would be too low to be seen: of bodies that lean on each other each such bounce makes the
     /// next step shorter.
     pub(super) fn is_struck(&self, model: &Model, h: f64, instant: f64) -> bool {
-        let bounces = || model.restitution_of(self.id) > 0.0;
+        let bounces = || joint_contacts::restitution_of(model, self.id) > 0.0;
         let is_seen = self.kinematics.separation_rate < -self.unseen_speed;
         self.impact_time(h).is_some_and(|time| is_seen && (time <= instant || bounces()))
     }
@@ -143,7 +145,7 @@ impl<'a> FreeAccelerations<'a> {
             linear + angular.cross(geometry.point - states[body].pose.translation)
         };
         let relative = geometry.normal.dot(id.relative(at_point)) + kinematics.acceleration_bias;
-        relative + self.model.prescribed_acceleration_of(self.t, states, id, geometry)
+        relative + prescribed::prescribed_acceleration_of(&self.model, self.t, states, id, geometry)
     }
 
     /// Largest linear acceleration, m/s^2.
@@ -156,7 +158,7 @@ impl<'a> FreeAccelerations<'a> {
 /// The rate of the separation differs from it if the contact point is very close to the end of a rim or an edge. The
 /// change of energy by impulses is exact only in the relative velocity.
 pub(super) fn kinematics_at_point(model: &Model, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
-    model.kinematics(states, id).map(|kinematics| with_rate_at_point(model, states, id, kinematics))
+    contact_set::kinematics(model, states, id).map(|kinematics| with_rate_at_point(model, states, id, kinematics))
 }
 
 /// A contact with the rate of separation at its point, m/s.
@@ -168,7 +170,7 @@ pub(super) fn with_rate_at_point(
 ) -> ContactKinematics {
     let point = kinematics.geometry.point;
     let at_point = |body: usize| {
-        let velocity = model.velocity(body, &states[body]);
+        let velocity = contact_set::velocity(model, body, &states[body]);
         velocity.linear + velocity.angular.cross(point - states[body].pose.translation)
     };
     ContactKinematics { separation_rate: kinematics.geometry.normal.dot(id.relative(at_point)), ..kinematics }
@@ -186,7 +188,7 @@ pub(super) fn near_contacts(
     span: Span,
 ) -> Vec<NearContact> {
     let h = span.h;
-    model.prescribe_members(pairs, t, states);
+    prescribed::prescribe_members(model, pairs, t, states);
     let mut near = contacts_within_reach(model, states, bodies, pairs, t, span);
     remove_covered_borders(model, states, &mut near);
     let pairs: Vec<_> = pairs.iter().copied().filter(|&pair| may_change_features(model, states, pair, h)).collect();
@@ -198,22 +200,22 @@ pub(super) fn near_contacts(
     for (&body, state) in bodies.iter().zip(&start) {
         states[body] = drift(model, body, state, h);
     }
-    model.prescribe_members(&pairs, t + h, states);
+    prescribed::prescribe_members(model, &pairs, t + h, states);
     let mut ahead = Vec::new();
     for &(a, b) in &pairs {
-        let reach = model.touch_distance(states, a, b);
-        ahead.extend(model.contacts_of_pair(states, a, b, reach).into_iter().map(|touch| touch.id));
+        let reach = tolerances::touch_distance(model, states, a, b);
+        ahead.extend(contact_set::contacts_of_pair(model, states, a, b, reach).into_iter().map(|touch| touch.id));
     }
     set_states(states, bodies, &start);
-    model.prescribe_members(&pairs, t, states);
+    prescribed::prescribe_members(model, &pairs, t, states);
     ahead.retain(|id| near.binary_search_by(|contact| contact.id.cmp(id)).is_err());
     let free = FreeAccelerations::with_fields(model, t, states, bodies);
     for id in ahead {
         let Some(kinematics) = kinematics_at_point(model, states, id) else { continue };
         // Features that already penetrate are not those at which the bodies will meet.
         // Nor are those at a border that the bodies pass.
-        if kinematics.geometry.separation >= -model.touch_distance(states, id.a, id.b)
-            && !model.pass_each_other(states, id, &kinematics)
+        if kinematics.geometry.separation >= -tolerances::touch_distance(model, states, id.a, id.b)
+            && !passing::pass_each_other(model, states, id, &kinematics)
         {
             near.push(near_contact(model, states, &free, id, kinematics, span));
         }
@@ -232,11 +234,11 @@ pub(super) fn foresee_with_joints(
     near: &mut [NearContact],
     t: f64,
 ) {
-    let held = model.held_among(bodies);
+    let held = model.joints.held_among(bodies);
     let may_bounce = |contact: &NearContact| {
         contact.kinematics.separation_rate < -contact.resting_speed
             && contact.id.members().any(|(body, _)| held.binary_search(&body).is_ok())
-            && model.restitution_of(contact.id) > 0.0
+            && joint_contacts::restitution_of(model, contact.id) > 0.0
     };
     if held.is_empty() || !near.iter().any(may_bounce) {
         return;
@@ -246,7 +248,7 @@ pub(super) fn foresee_with_joints(
         of_bouncing.map(|(body, _)| body).filter(|body| held.binary_search(body).is_ok()).collect();
     members.sort_unstable();
     members.dedup();
-    let members = model.with_jointed(members);
+    let members = model.joints.with_jointed(members);
     let loads = model.loads_on(t, states, &members);
     let Ok(reactions) = JointReactions::solve(model, (t, states), &members, &loads) else { return };
     let Ok(given) = reactions.assembly.problem.response(&reactions.forces) else { return };
@@ -268,23 +270,23 @@ pub(super) fn foresee_with_joints(
 pub(super) fn await_impacts(model: &Model, near: &mut [NearContact], (h, left): (f64, f64), instant: f64) {
     for contact in near {
         let closes = contact.impact_time(left).is_some_and(|time| time > instant && (time - h).abs() <= instant);
-        let is_held = contact.id.members().any(|(body, _)| model.is_held_by_rows(body));
-        contact.is_awaited = closes && is_held && model.restitution_of(contact.id) > 0.0;
+        let is_held = contact.id.members().any(|(body, _)| model.joints.is_held_by_rows(body));
+        contact.is_awaited = closes && is_held && joint_contacts::restitution_of(model, contact.id) > 0.0;
     }
 }
 
 /// Removes the touching contacts at borders that other touching bodies cover: whether a surface is of one body or of
 /// several that are flush makes no difference.
 fn remove_covered_borders(model: &Model, states: &[BodyState], near: &mut Vec<NearContact>) {
-    if !near.iter().any(|contact| model.may_be_at_border(contact.id)) {
+    if !near.iter().any(|contact| covered_borders::may_be_at_border(model, contact.id)) {
         return;
     }
     let is_touching = |contact: &&NearContact| {
-        contact.kinematics.geometry.separation <= model.touch_distance(states, contact.id.a, contact.id.b)
+        contact.kinematics.geometry.separation <= tolerances::touch_distance(model, states, contact.id.a, contact.id.b)
     };
     let all: Vec<Touch> = near.iter().filter(is_touching).map(touch).collect();
     let mut left = all.clone();
-    model.remove_covered_borders(states, &mut left);
+    covered_borders::remove_covered_borders(model, states, &mut left);
     if left.len() < all.len() {
         let is_in = |touches: &[Touch], id: ContactId| touches.binary_search_by(|touch| touch.id.cmp(&id)).is_ok();
         near.retain(|contact| !is_in(&all, contact.id) || is_in(&left, contact.id));
@@ -299,7 +301,7 @@ pub(super) fn touch(contact: &NearContact) -> Touch {
 /// Whether the features at which two bodies meet may change within a step of `h` (s). They do not for two spheres, nor
 /// for a polyhedron and a half-space, whose vertices are all within reach, nor for bodies that hardly move.
 pub(super) fn may_change_features(model: &Model, states: &[BodyState], (a, b): (usize, usize), h: f64) -> bool {
-    let Some((shape_a, shape_b)) = model.shapes(a, b) else { return false };
+    let Some((shape_a, shape_b)) = contact_set::shapes(model, a, b) else { return false };
     let is_simple = |shape: &Shape| matches!(shape, Shape::HalfSpace(_));
     let is_sphere = |shape: &Shape| matches!(shape, Shape::Sphere(_));
     let is_polyhedral = |shape: &Shape| matches!(shape, Shape::Convex(_) | Shape::Sphere(_) | Shape::Points(_));
@@ -309,8 +311,8 @@ pub(super) fn may_change_features(model: &Model, states: &[BodyState], (a, b): (
     if is_sphere(shape_a) && is_sphere(shape_b) {
         return false;
     }
-    let travel = h * (model.point_speed(states, a) + model.point_speed(states, b));
-    travel > STANDING_RELATIVE * model.pair_size(a, b)
+    let travel = h * (tolerances::point_speed(model, states, a) + tolerances::point_speed(model, states, b));
+    travel > STANDING_RELATIVE * tolerances::pair_size(model, a, b)
 }
 
 /// As [`near_contacts`], only those within reach now.
@@ -324,13 +326,15 @@ fn contacts_within_reach(
 ) -> Vec<NearContact> {
     let h = span.h;
     let free = FreeAccelerations::with_fields(model, t, states, bodies);
-    let speed = bodies.iter().fold(0.0, |most, &body| model.point_speed(states, body).max(most));
+    let speed = bodies.iter().fold(0.0, |most, &body| tolerances::point_speed(model, states, body).max(most));
     let reach = REACH_FACTOR * h * (speed + free.largest() * h);
     let mut near = Vec::new();
     for &(a, b) in pairs {
-        let driven = [(a, b), (b, a)].map(|(body, other)| model.prescribed_speed_at(body, other, states, (t, h)));
-        let reach = reach + REACH_FACTOR * h * (driven[0] + driven[1]) + model.touch_distance(states, a, b);
-        for touch in model.contacts_of_pair(states, a, b, reach) {
+        let driven =
+            [(a, b), (b, a)].map(|(body, other)| prescribed::prescribed_speed_at(model, body, other, states, (t, h)));
+        let reach =
+            reach + REACH_FACTOR * h * (driven[0] + driven[1]) + tolerances::touch_distance(model, states, a, b);
+        for touch in contact_set::contacts_of_pair(model, states, a, b, reach) {
             let kinematics = with_rate_at_point(model, states, touch.id, touch.kinematics);
             near.push(near_contact(model, states, &free, touch.id, kinematics, span));
         }
@@ -348,10 +352,10 @@ pub(super) fn near_contact(
     span: Span,
 ) -> NearContact {
     let pressing = [id.a, id.b].map(|body| if model.bodies[body].moves() { free.of(body).0.length() } else { 0.0 });
-    let driven = model.prescribed_acceleration_of(free.t, states, id, &kinematics.geometry).abs();
+    let driven = prescribed::prescribed_acceleration_of(model, free.t, states, id, &kinematics.geometry).abs();
     let pressing = pressing[0].max(pressing[1]) + driven;
     // The speed of a fall from the height of a bounce that need not be resolved.
-    let unseen = (2.0 * pressing * span.unseen_bounce * model.pair_size(id.a, id.b)).sqrt();
+    let unseen = (2.0 * pressing * span.unseen_bounce * tolerances::pair_size(model, id.a, id.b)).sqrt();
     NearContact {
         id,
         kinematics,
@@ -366,8 +370,8 @@ pub(super) fn near_contact(
 /// The speeds of slip of contacts at the start of a step, m/s; zero without friction.
 pub(super) fn slips_at_start(model: &Model, states: &[BodyState], near: &[NearContact]) -> Vec<f64> {
     let slip = |near: &NearContact| {
-        model.friction_of(near.id)?;
-        Some(model.tangential_kinematics(states, near.id)?.slip_velocity.length())
+        contact_set::friction_of(model, near.id)?;
+        Some(contact_set::tangential_kinematics(model, states, near.id)?.slip_velocity.length())
     };
     near.iter().map(|near| slip(near).unwrap_or(0.0)).collect()
 }

@@ -12,7 +12,7 @@ use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Substep, TimeStepper};
 use crate::collision::contact_set::Touch;
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
+use crate::model::{Model, tolerances};
 use crate::rows::groups::{Group, groups};
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::frictional_impact::Restitution;
@@ -52,7 +52,7 @@ impl TimeStepper {
                 return Ok(());
             }
             for (index, contact) in near.iter().enumerate() {
-                let touch_distance = model.touch_distance(states, contact.id.a, contact.id.b);
+                let touch_distance = tolerances::touch_distance(model, states, contact.id.a, contact.id.b);
                 is_member[index] |= hits[index] || contact.touches(h, touch_distance);
             }
             let members = near.iter().enumerate().filter(|(index, _)| is_member[*index]);

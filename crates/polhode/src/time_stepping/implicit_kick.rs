@@ -25,6 +25,7 @@
 //! ledger shows it. The impulses of contacts come after the kick, and `c` is that of one solution before: a body that a
 //! stiff spring presses against another one bears the spring's force less the part `(x/(1 + x))^2`, `x = a h^2 K/M`.
 
+use crate::model::rates;
 use crate::model::states_of::set_states;
 use crate::model::{Model, largest_eigenvalue as largest};
 use polhode_dynamics::BodyState;
@@ -126,7 +127,7 @@ impl<'a> ImplicitKick<'a> {
                 let Some(end) = end else { continue };
                 let rigid = self.model.bodies[end.body].rigid.as_ref();
                 if let (Some(place), Some(rigid)) = (self.place(end), rigid) {
-                    let stiffness = largest(&response.stiffness) * self.model.lightness(end);
+                    let stiffness = largest(&response.stiffness) * rates::lightness(&self.model, end);
                     sums[place] += h * h * (stiffness + turning / rigid.moments().min_element());
                 }
             }

@@ -15,6 +15,7 @@
 
 use super::implicit_kick::{Difference, ImplicitKick, Twist, change_velocities};
 use crate::accounting::books::{Books, Received};
+use crate::constraint::soft_rows;
 use crate::model::states_of::{set_states, states_of};
 use crate::model::{Loads, Model};
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
@@ -53,7 +54,7 @@ impl Kick {
             return Self::default();
         }
         let before = states_of(states, bodies);
-        let of_joints = model.kicks_of_joints(states, bodies);
+        let of_joints = soft_rows::kicks_of_joints(model, states, bodies);
         let kicks = &of_joints[..];
         let responses = model.responses_on(states, bodies, kicks);
         if responses.are_known
@@ -69,7 +70,7 @@ impl Kick {
         }
         let mut loads = model.kick_loads_on(t, states, bodies, kicks);
         let (mut accounts, mut is_resisting) = (None, false);
-        if model.are_motors_at_bounds(kicks) {
+        if model.forces.are_motors_at_bounds(kicks) {
             // What they give is known before. At velocities that no joint has held yet they would ask for something
             // else.
             accounts = Some(wrenches(model, t, states, (bodies, kicks)));

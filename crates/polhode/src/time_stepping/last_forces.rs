@@ -8,9 +8,8 @@ use crate::constraint::ConstraintId;
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::model::Model;
 use crate::rows::assembly::Assembly;
-use crate::snapshot::SnapshotError;
-use crate::snapshot::content;
 use crate::snapshot::parts::{restored_id, save_contact};
+use crate::snapshot::{SnapshotError, content};
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
 

@@ -8,7 +8,7 @@
 use super::kick::Kick;
 use super::report::TimeStepReport;
 use crate::identity::contact_id::Feature;
-use crate::model::Model;
+use crate::model::{Model, tolerances};
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 
@@ -41,7 +41,7 @@ pub(super) fn newton_residual(
         given.id.members().for_each(|(body, sign)| give(body, on_a * sign));
     }
     for (&joint, view) in report.told.joints.iter().chain(&report.told.struck) {
-        for (body, sign) in model.ends_of_joint(joint) {
+        for (body, sign) in model.joints.ends_of_joint(joint) {
             give(body, view.force_n * sign);
         }
     }
@@ -49,7 +49,7 @@ pub(super) fn newton_residual(
     let is_held = |body: usize| model.bodies[body].rigid.as_ref().is_none_or(polhode_dynamics::RigidBody::is_pivoted);
     let defect = |(&body, (left, all)): (&usize, &(DVec3, f64))| {
         let mass = model.bodies[body].rigid.as_ref().map_or(0.0, polhode_dynamics::RigidBody::mass);
-        let rounding = mass * model.velocity_rounding(after, &[body]);
+        let rounding = mass * tolerances::velocity_rounding(model, after, &[body]);
         let defect = left.length() - rounding;
         if is_held(body) || defect <= 0.0 { 0.0 } else { defect / all }
     };

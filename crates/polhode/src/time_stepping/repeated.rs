@@ -18,9 +18,10 @@ use super::drift;
 use super::middle::Stops;
 use super::report::TimeStepReport;
 use super::step::{Substep, TimeStepper};
+use crate::collision::contact_set;
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
 use crate::model::states_of::{set_states, states_of};
+use crate::model::{Model, prescribed, tolerances};
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 use std::collections::BTreeMap;
@@ -57,7 +58,7 @@ impl TimeStepper {
             let made = made.inspect_err(|_| set_states(states, bodies, &start))?;
             if !made.report.stops.is_empty() {
                 set_states(states, bodies, &start);
-                model.prescribe_members(pairs, interval.t, states);
+                prescribed::prescribe_members(model, pairs, interval.t, states);
                 return Ok(made.report);
             }
             let end = states_of(states, bodies);
@@ -66,7 +67,7 @@ impl TimeStepper {
             let is_last = deep.is_empty() || time == MOST_TIMES;
             if is_last || !search.improve(states, &mut near, (&start, &made.struck), &deep) {
                 set_states(states, bodies, &end);
-                model.prescribe_members(pairs, interval.t + interval.h, states);
+                prescribed::prescribe_members(model, pairs, interval.t + interval.h, states);
                 let removed = self.remove_overlaps(model, states, bodies, made);
                 return removed.inspect_err(|_| set_states(states, bodies, &start));
             }
@@ -96,7 +97,7 @@ impl Search<'_> {
     ) -> bool {
         let Self { model, bodies, pairs, interval, .. } = *self;
         set_states(states, bodies, start);
-        model.prescribe_members(pairs, interval.t, states);
+        prescribed::prescribe_members(model, pairs, interval.t, states);
         let mut any = false;
         let mut unknown: BTreeMap<(usize, usize), Vec<ContactId>> = BTreeMap::new();
         for &(id, overlap) in deep {
@@ -132,7 +133,8 @@ impl Search<'_> {
         let usable = |id: ContactId| {
             near.binary_search_by(|contact| contact.id.cmp(&id)).err()?;
             let kinematics = kinematics_at_point(model, states, id)?;
-            let touches_or_is_apart = kinematics.geometry.separation >= -model.touch_distance(states, id.a, id.b);
+            let touches_or_is_apart =
+                kinematics.geometry.separation >= -tolerances::touch_distance(model, states, id.a, id.b);
             touches_or_is_apart.then(|| near_contact(model, states, &free, id, kinematics, span))
         };
         ids.into_iter().filter_map(usable).collect()
@@ -152,14 +154,14 @@ impl Search<'_> {
                 states[body] = drift(model, body, &struck[place], part * interval.h);
             }
         }
-        model.prescribe_members(&[(a, b)], interval.t + part * interval.h, states);
-        let met = model.contacts_of_pair(states, a, b, model.touch_distance(states, a, b));
+        prescribed::prescribe_members(model, &[(a, b)], interval.t + part * interval.h, states);
+        let met = contact_set::contacts_of_pair(model, states, a, b, tolerances::touch_distance(model, states, a, b));
         for body in [a, b] {
             if let Ok(place) = bodies.binary_search(&body) {
                 states[body] = start[place];
             }
         }
-        model.prescribe_members(&[(a, b)], interval.t, states);
+        prescribed::prescribe_members(model, &[(a, b)], interval.t, states);
         met.into_iter().map(|touch| touch.id).collect()
     }
 }

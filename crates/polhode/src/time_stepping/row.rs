@@ -4,7 +4,7 @@ use super::contacts::NearContact;
 use super::middle::Problem;
 use super::report::ImpulseKind;
 use super::sustained_friction::TangentialRow;
-use crate::model::Model;
+use crate::model::{Model, tolerances};
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 
@@ -57,7 +57,7 @@ impl Row {
 
     /// Whether the row is in the problem of a step of `h` (s) from the beginning.
     pub(super) fn is_first_choice(&self, model: &Model, states: &[BodyState], contact: &NearContact, h: f64) -> bool {
-        let touch_distance = model.touch_distance(states, contact.id.a, contact.id.b);
+        let touch_distance = tolerances::touch_distance(model, states, contact.id.a, contact.id.b);
         let lasts = contact.kinematics.separation_rate >= -contact.resting_speed;
         let presses = self.is_sustained() && lasts && self.half_fall <= 0.0 && contact.touches(h, touch_distance);
         presses || self.closes(self.kinematics.separation_rate)

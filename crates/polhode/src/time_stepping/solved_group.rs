@@ -12,6 +12,7 @@ use super::report::{Stop, TimeStepReport};
 use super::row::Row;
 use super::shared_work::Kicked;
 use super::sustained_friction::{SustainedMoment, TangentialImpulse};
+use crate::collision::moving_surfaces;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::softness::SoftWork;
 use crate::identity::contact_id::ContactId;
@@ -101,7 +102,7 @@ impl SolvedGroup {
 
     /// Work of surfaces that move, J.
     pub(super) fn work_of_surfaces(&self, model: &Model, states: &[BodyState]) -> f64 {
-        model.surface_work(states, self.tangential.iter().flat_map(TangentialImpulse::parts))
+        moving_surfaces::surface_work(model, states, self.tangential.iter().flat_map(TangentialImpulse::parts))
     }
 
     /// Energy lost to friction of rolling and spinning, J: `-p.(w- + w+)/2`, where `w+` are the present rotations.

@@ -13,10 +13,9 @@ use super::newton_law::newton_residual;
 use super::report::{Stop, TimeStepReport};
 use crate::accounting::books::Received;
 use crate::identity::contact_id::{ContactId, Feature};
-use crate::model::Model;
 use crate::model::states_of::states_of;
-use crate::report::momentum_ledger::Momentum;
-use crate::report::momentum_ledger::MomentumSum;
+use crate::model::{Model, prescribed, tolerances};
+use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use crate::scene::ImpactLaw;
 use crate::snapshot::{SnapshotError, content};
 use crate::solve::overlap::Overlaps;
@@ -274,11 +273,11 @@ impl TimeStepper {
         self.stop_closing(model, states, bodies, &mut near, part, &mut report)?;
         let start = states_of(states, bodies);
         let slips = slips_at_start(model, states, &near);
-        let speeds: Vec<f64> = bodies.iter().map(|&body| model.point_speed(states, body)).collect();
+        let speeds: Vec<f64> = bodies.iter().map(|&body| tolerances::point_speed(model, states, body)).collect();
 
         let before = report.books.balance(model, states, bodies);
         let mut received = self.fly(model, states, bodies, 0.5 * h);
-        model.prescribe_members(pairs, t + 0.5 * h, states);
+        prescribed::prescribe_members(model, pairs, t + 0.5 * h, states);
         let middle = (t + 0.5 * h, h, stops);
         let Some(kick) = self.kick(model, states, bodies, (&near, &slips), middle, &mut report)? else {
             return Ok(Made { report, struck: start, pairs: Vec::new(), overlaps: Overlaps::default() });
@@ -294,14 +293,14 @@ impl TimeStepper {
         report.books.smooth_stage(before, kicked, received);
         let before = report.books.balance(model, states, bodies);
         let received = self.fly(model, states, bodies, 0.5 * h);
-        model.prescribe_members(pairs, t + h, states);
+        prescribed::prescribe_members(model, pairs, t + h, states);
         let after = report.books.balance(model, states, bodies);
         report.books.smooth_stage(before, after, received);
 
         let ids: Vec<ContactId> = carrying.iter().map(|&contact| near[contact].id).collect();
         self.cones.last.keep(pairs, &ids);
         self.carried.replace(pairs, ids.into_iter());
-        if model.members_stand_still(bodies, pairs, (t, t + h)) {
+        if prescribed::members_stand_still(model, bodies, pairs, (t, t + h)) {
             rest_exactly(model, states, bodies, (&start, &speeds), h, &mut report);
         }
         let (mut overlaps, mut near_pairs) = (Overlaps::default(), Vec::new());
@@ -388,7 +387,7 @@ fn rest_exactly(
         }
     }
     let rests = |((&body, &speed), &given): ((&usize, &f64), &f64)| {
-        speed.max(model.point_speed(states, body)) <= REST_RELATIVE * given
+        speed.max(tolerances::point_speed(model, states, body)) <= REST_RELATIVE * given
     };
     report.at_rest = !bodies.is_empty() && bodies.iter().zip(speeds).zip(&given).all(rests);
     if report.at_rest {

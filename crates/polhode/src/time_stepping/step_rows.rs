@@ -8,8 +8,8 @@ use super::middle::Problem;
 use super::row::Row;
 use super::shared_work::Kicked;
 use super::sustained_friction::TangentialRow;
-use crate::constraint::joint_friction::Pressed;
-use crate::model::{Loads, Model};
+use crate::constraint::joint_friction::{self, Pressed};
+use crate::model::{Loads, Model, tolerances};
 use crate::rows::assembly::Assembly;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
@@ -31,7 +31,7 @@ pub(super) fn rows(
         .iter()
         .enumerate()
         .filter(|(_, near)| !near.is_awaited)
-        .filter(|(_, near)| problem == Problem::Sustained || model.pressed(states, near.id).is_none())
+        .filter(|(_, near)| problem == Problem::Sustained || joint_friction::pressed(model, states, near.id).is_none())
         .filter_map(|(contact, near)| Some((contact, kinematics_at_point(model, states, near.id)?)))
         .filter(|(contact, kinematics)| near[*contact].is_same(kinematics))
         .collect();
@@ -90,14 +90,14 @@ fn row_in_middle(
     (half_fall, h): (f64, f64),
 ) -> Row {
     let id = near[contact].id;
-    let rounding = 2.0 * SEPARATION_ROUNDING * model.rounding(kicked.states, id.a, id.b) / h;
+    let rounding = 2.0 * SEPARATION_ROUNDING * tolerances::rounding(model, kicked.states, id.a, id.b) / h;
     let gap_bound = 2.0 * kinematics.geometry.separation / h + 0.5 * half_fall;
     // A gap within rounding counts as zero.
     let gap_bound = if gap_bound <= half_fall + rounding { half_fall } else { gap_bound };
     let geometry = &kinematics.geometry;
     let rate_before = kinematics.separation_rate - geometry.normal.dot(kicked.change_at(id, geometry.point));
     // What presses a joint with friction gives the impulse of its force.
-    let bound = match model.pressed(kicked.states, id) {
+    let bound = match joint_friction::pressed(model, kicked.states, id) {
         Some(Pressed { force, compliance, .. }) => -compliance * force * h,
         None => gap_bound.max(rate_before),
     };
@@ -116,7 +116,7 @@ fn row_at_start(
     h: f64,
 ) -> Row {
     let id = near[contact].id;
-    let rounding = SEPARATION_ROUNDING * model.rounding(states, id.a, id.b) / h;
+    let rounding = SEPARATION_ROUNDING * tolerances::rounding(model, states, id.a, id.b) / h;
     let bound = ((kinematics.geometry.separation - near[contact].kept_off) / h).max(0.0);
     let bound = if bound <= rounding { 0.0 } else { bound };
     let rate_before = kinematics.separation_rate;

@@ -40,10 +40,11 @@ use super::solved_group::{Found, SolvedGroup};
 use super::step::TimeStepper;
 use super::step_rows::rows;
 use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
-use crate::constraint::bilateral::{Bilateral, bilateral_support};
+use crate::constraint::bilateral::{self, Bilateral, bilateral_support};
 use crate::constraint::row::BilateralRow;
-use crate::model::Model;
+use crate::constraint::soft_rows;
 use crate::model::states_of::{set_states, states_of};
+use crate::model::{Model, prescribed, tolerances};
 use crate::rows::assembly::Assembly;
 use crate::rows::groups::{Group, coupled_groups};
 use crate::rows::many_contacts::{MANY_CONTACTS, furthest_out};
@@ -89,7 +90,7 @@ impl TimeStepper {
             }
         }
         let before = states_of(states, bodies);
-        let held = model.held_among(bodies);
+        let held = model.joints.held_among(bodies);
         let of_joints = if held.is_empty() { Held::Nothing } else { Held::ByJoints };
         let mut taken = self.first_choice(model, states, near, &rows, (h, of_joints));
         let mut solved: Vec<SolvedGroup> = Vec::new();
@@ -210,7 +211,7 @@ impl TimeStepper {
         let mut assembly = Assembly::with_bilaterals(model, (states, &group.bodies), geometries, bilaterals)?;
         let kick_of_row = |of: &Bilateral, row: &BilateralRow| kicked.change_of_row(of, row);
         if of_step == Problem::Sustained {
-            let soft = model.soft_rows((states, &group.bodies), h, &kicked.kick.of_joints, kick_of_row);
+            let soft = soft_rows::soft_rows(model, (states, &group.bodies), h, &kicked.kick.of_joints, kick_of_row);
             assembly.push_soft(states, soft)?;
         }
         let of_contacts = members.iter().map(|row| row.kinematics.separation_rate + row.bound);
@@ -230,8 +231,11 @@ impl TimeStepper {
         }
         let carried = (0..members.len()).filter(|&i| self.carried.contains(near[members[i].contact].id)).collect();
         // Rates of joints are differences of velocities, whatever the impulses are that follow from them.
-        let noise_floor =
-            if assembly.bilaterals().is_empty() { 0.0 } else { model.velocity_rounding(states, &group.bodies) };
+        let noise_floor = if assembly.bilaterals().is_empty() {
+            0.0
+        } else {
+            tolerances::velocity_rounding(model, states, &group.bodies)
+        };
         self.solver.set_settings(SolverSettings { noise_floor, ..SolverSettings::default() });
         let start = WarmStart::new(carried);
         let solution = if let Some(forest) = trees_of(&assembly) {
@@ -345,8 +349,8 @@ fn note(
         let given = support(model, about, group.impulses_of(rows, near))
             + moment_support(model, moments())
             + bilateral_support(about, reactions());
-        let work = model.prescribed_work(states, group.impulses_of(rows, near))
-            + model.driven_work(states, reactions())
+        let work = prescribed::prescribed_work(model, states, group.impulses_of(rows, near))
+            + bilateral::driven_work(model, states, reactions())
             + moment_work(model, states, moments())
             + group.work_of_surfaces(model, states);
         let friction_j = group.lost_to_friction_j(model, states) + group.lost_to_moments_j(model, states);

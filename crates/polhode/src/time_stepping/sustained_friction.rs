@@ -26,13 +26,14 @@ use super::contacts::kinematics_at_point;
 use super::middle::Stops;
 use super::report::Stop;
 use super::shared_work::Kicked;
+use crate::collision::contact_set;
 use crate::collision::friction_mode::FrictionCoefficients;
-use crate::collision::slip_directions::SlipDirections;
+use crate::collision::slip_directions::{self, SlipDirections};
 use crate::collision::turn::Turn;
 use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::identity::contact_id::ContactId;
-use crate::model::Model;
+use crate::model::{Model, tolerances};
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{push_contact, push_held, with_rotations};
 use crate::rows::resisted_rotation::ResistedRotation;
@@ -94,14 +95,14 @@ impl TangentialRow {
         id: ContactId,
         (kinematics, kicked): (&ContactKinematics, Kicked<'_>),
     ) -> Option<Self> {
-        model.friction_of(id)?;
-        let terms = model.tangential_kinematics(states, id)?;
-        let coefficients = model.friction_at(states, id, terms.basis)?;
+        contact_set::friction_of(model, id)?;
+        let terms = contact_set::tangential_kinematics(model, states, id)?;
+        let coefficients = contact_set::friction_at(model, states, id, terms.basis)?;
         let along = terms.basis.map(|tangent| TangentRow::new(id, &kinematics.geometry, &terms, tangent));
         let slip = terms.basis.map(|tangent| tangent.dot(terms.slip_velocity));
         let rotational = Turn::ALL.map(|turn| turn.coefficient(model, (id.a, id.b)));
-        let turning_length = model.turning_length(id.a, id.b);
-        let rotation = model.relative_rotation(states, id);
+        let turning_length = tolerances::turning_length(model, id.a, id.b);
+        let rotation = contact_set::relative_rotation(model, states, id);
         let normal = kinematics.geometry.normal;
         let kicked = (kicked.change_at(id, kinematics.geometry.point), kicked.change_of_rotation(id));
         let half_change = [0.0; 2];
@@ -111,7 +112,7 @@ impl TangentialRow {
             whole_change: [0.0; 2],
             given: 0.0,
             along,
-            slips: model.slip_directions(),
+            slips: slip_directions::slip_directions(model),
             offset: None,
             slip,
             kicked,
@@ -319,11 +320,11 @@ impl TangentialImpulse {
     /// The relative velocity of the bodies where its rows act, in the present states, m/s; beside those along its
     /// tangents its components are of no use.
     fn slip(&self, model: &Model, states: &[BodyState]) -> Option<DVec3> {
-        let slip = model.tangential_kinematics(states, self.id())?.slip_velocity;
+        let slip = contact_set::tangential_kinematics(model, states, self.id())?.slip_velocity;
         let Some(offset) = self.row.offset else { return Some(slip) };
         let now = kinematics_at_point(model, states, self.id())?;
         let approach = now.geometry.normal * now.separation_rate;
-        Some(slip + approach + model.relative_rotation(states, self.id()).cross(offset))
+        Some(slip + approach + contact_set::relative_rotation(model, states, self.id()).cross(offset))
     }
 
     /// Energy lost to friction in the order of action, J: `-p.(u + u+)/2` with the slips after the kick and, in the
@@ -363,7 +364,7 @@ impl SustainedMoment {
 
     /// Energy lost to it, J: `-p.(w- + w+)/2` with the rotations in these states.
     pub(super) fn lost_j(&self, model: &Model, states: &[BodyState]) -> f64 {
-        -0.5 * self.moment.dot(self.rotation_before + model.relative_rotation(states, self.id))
+        -0.5 * self.moment.dot(self.rotation_before + contact_set::relative_rotation(model, states, self.id))
     }
 }
 
