@@ -1,6 +1,6 @@
 //! Errors of a simulation: why it cannot be made, cannot continue, or refuses what a program asks for.
 
-use crate::run::action_error::ActionError;
+use crate::action_error::ActionError;
 use crate::scene::SceneError;
 use crate::scene::few_digits::length;
 use crate::snapshot::SnapshotError;
@@ -240,6 +240,11 @@ fn impact_fault(source: &ImpactError) -> String {
 }
 
 impl SimulationError {
+    /// The error of a contact problem at `t_s` (s) that could not be set up.
+    pub(crate) fn of_response(t_s: f64, source: ResponseError) -> Self {
+        Self::ContactProblem { t_s, source }
+    }
+
     /// When it happened, s; none of what has no time.
     pub const fn time(&self) -> Option<f64> {
         match self {

@@ -120,9 +120,10 @@
 //! | [`mod@report`] | what a run tells: [`RunReport`], [`Ledger`], [`Certificate`], [`Event`], [`Frame`], [`Observer`] |
 //! | [`mod@scene`] | [`Scene`], [`Body`], [`Geometry`]; materials, forces, prescribed motions, methods, and the list of tiers |
 //! | `snapshot` | [`Snapshot`]: a simulation at one time as bytes |
+//! | `constraint` | what holds bodies together: kinds of joints, their rows, coordinates and stops; location of events |
 //! | `model` | bodies in their moving frames, and the forces on them |
-//! | `collision` | boxes, narrow phase and contacts of a pair |
-//! | `constraint` | what holds bodies together: identities, rows and reactions of pivots and joints, location of events |
+//! | `collision` | boxes and contacts of pairs |
+//! | `joints` | the joints of a model: whom they hold, what acts along their coordinates |
 //! | `reduced` | trees of joints in the coordinates of the joints |
 //! | [`mod@plan`] | [`Plan`]: the decision about each [`Effect`], with its reason |
 //! | `rows` | rows of contacts and bilateral constraints, by groups of bodies, which the tiers share |
@@ -138,11 +139,13 @@
 
 mod accounting;
 mod accurate;
+mod action_error;
 mod collision;
 mod constraint;
 pub mod error;
 mod fast;
 mod identity;
+mod joints;
 mod micro_collisions;
 mod model;
 mod penalty;
@@ -160,6 +163,7 @@ mod thesis;
 mod tier;
 mod time_stepping;
 
+pub use action_error::ActionError;
 pub use error::SimulationError;
 pub use identity::body_id::BodyId;
 pub use identity::joint_id::JointId;
@@ -179,7 +183,7 @@ pub use report::run_report::{
     RunReport,
 };
 pub use report::springs::{SpringImpact, SpringReport};
-pub use run::action_error::ActionError;
+
 pub use run::simulation::{Simulation, StepEnd, StepOutcome};
 pub use run::stability;
 pub use run::stability::Stability;

@@ -5,7 +5,6 @@
 //! size in a step may pass another body, and one that turns by a radian may turn a corner through it, without a
 //! contact. Only steps in which a body may touch another one count: a flight alone is exact at any step.
 
-use crate::collision::contact_set;
 use crate::model::Model;
 use crate::snapshot::content;
 use polhode_dynamics::BodyState;
@@ -42,7 +41,7 @@ impl Movement {
         (t, h): (f64, f64),
     ) -> Self {
         let way = (end.pose.translation - start.pose.translation).length();
-        let rates = [start, end].map(|state| contact_set::velocity(model, body, state).angular.length());
+        let rates = [start, end].map(|state| model.velocity(body, state).angular.length());
         let size = model.bodies[body].size;
         let (travel, turn) = (way / size, h * rates[0].max(rates[1]));
         let falls = (2.0 * size / model.gravity().length()).sqrt();

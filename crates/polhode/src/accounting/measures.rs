@@ -4,12 +4,11 @@ use super::long_steps::LongSteps;
 use super::numerical_loss::{FixedStep, LEFT_BY_SHORTER_STEP, NumericalLoss};
 use super::occurrences::Occurrences;
 use crate::identity::body_id::BodyId;
-use crate::model::{Model, tolerances};
+use crate::model::{Model, reported, tolerances};
 use crate::report::broken_promise::BrokenPromise;
 use crate::report::ledger::Ledger;
 use crate::report::run_report::{Certificate, PairAt};
 use crate::snapshot::{SnapshotError, content};
-use crate::tier::promise;
 use polhode_spatial::CompensatedSum;
 
 /// Limits of the whole scene.
@@ -381,7 +380,7 @@ impl Measures {
 
 /// The bodies of a measure, as warnings name them.
 fn names(model: &Model, measure: &Measure) -> String {
-    promise::pair_names(model, measure.pair.0, measure.pair.1)
+    reported::pair_names(model, measure.pair.0, measure.pair.1)
 }
 
 /// Energy relative to the largest of the run.

@@ -11,6 +11,7 @@
 //! | `last_sample` | the overlaps of the last sample, so that bodies at rest are measured once |
 //! | `long_steps` | steps of a fixed length that are too long for what they move |
 //! | `stretches` | stretches of crowded events |
+//! | `time_step_report`, `told_loads` | what a time step tells: books, impulses, loads |
 //! | `occurrences` | repeated messages: first time, last time, number |
 //! | `saved` | the accounts as plain data of a snapshot |
 
@@ -22,12 +23,15 @@ pub(crate) mod numerical_loss;
 mod occurrences;
 mod saved;
 mod stretches;
+pub(crate) mod time_step_report;
+pub(crate) mod told_loads;
 
-use crate::collision::contact_set;
-use crate::constraint::joint_error::{self, JointError};
+use crate::accounting::time_step_report::{ImpulseKind, TimeStepReport};
+use crate::collision::contact_kinematics;
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::ContactId;
+use crate::joints::joint_error::{self, JointError};
 use crate::model::{Model, rates, reported, tolerances};
 use crate::report::energy::Energy;
 use crate::report::event::{Event, EventKind};
@@ -37,8 +41,6 @@ use crate::report::run_report::{BrokenPromise, Certificate, Outcome, RunReport};
 use crate::scene::{ImpactLaw, Promise};
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::impact::raised_energy;
-use crate::tier::promise;
-use crate::time_stepping::{ImpulseKind, TimeStepReport};
 use books::Books;
 use measures::{Limits, Measure, Measures};
 use occurrences::Occurrences;
@@ -202,7 +204,7 @@ impl Accounts {
     /// Adds an event at a contact point. If the contact also represents its mirror image, the event is reported at both
     /// points.
     pub(crate) fn add_contact_event(&mut self, model: &Model, states: &[BodyState], event: Event, id: ContactId) {
-        let Some(aside) = contact_set::mirrored(model, states, id) else {
+        let Some(aside) = contact_kinematics::mirrored(model, states, id) else {
             self.add_event(event);
             return;
         };
@@ -258,7 +260,7 @@ impl Accounts {
                 ),
             ),
             ImpactStatus::NotSolved => {
-                let (names, residual) = (promise::names_of(model, bodies), outcome.residual);
+                let (names, residual) = (reported::names_of(model, bodies), outcome.residual);
                 let what = format!("an impact of {names} by {law} was not solved: the residual stays at {residual:e}");
                 self.note_unsolved(t, what);
             }

@@ -1,8 +1,8 @@
 //! Stretches of crowded events (intervals passed by time steps), each with a number. Those of two islands may overlap
 //! in time.
 
+use crate::accounting::time_step_report::TimeStepReport;
 use crate::report::run_report::CrowdedStretch;
-use crate::time_stepping::TimeStepReport;
 
 /// The stretches of a run, in the order in which they began.
 #[derive(Debug, Clone, Default)]

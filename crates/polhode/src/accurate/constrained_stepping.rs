@@ -19,7 +19,7 @@ use super::pace::is_instant;
 use super::stage_method::{MethodStep, StageMethod};
 use super::system::ContactSystem;
 use crate::collision::active_contacts::ActiveContacts;
-use crate::collision::contact_set;
+use crate::collision::contact_kinematics;
 use crate::collision::friction_mode::Slide;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
@@ -133,7 +133,7 @@ impl Motions {
         active: &ActiveContacts,
         t: f64,
     ) -> Result<ConstrainedStep, SimulationError> {
-        refuse_contradictions(core, t, &self.states, bodies)?;
+        refuse_contradictions(&core.model, t, &self.states, bodies)?;
         let longest = core.settings.step_s;
         let proposed = bodies.iter().map(|&body| self.tracks[body].proposed_step_s).fold(longest, f64::min);
         let mut control = StepControl::proposing(proposed);
@@ -223,8 +223,8 @@ impl Motions {
             scratch[body] = ahead;
         }
         let time = |(id, slide): (ContactId, Slide)| {
-            let slip = contact_set::tangential_kinematics(&core.model, &self.states, id)?.slip_velocity;
-            let change = contact_set::tangential_kinematics(&core.model, scratch, id)?.slip_velocity - slip;
+            let slip = contact_kinematics::tangential_kinematics(&core.model, &self.states, id)?.slip_velocity;
+            let change = contact_kinematics::tangential_kinematics(&core.model, scratch, id)?.slip_velocity - slip;
             (slip.length() > slide.zero_speed()).then(|| h * slip.length() / change.length())
         };
         active.sliding().filter_map(time).fold(f64::INFINITY, f64::min)
@@ -350,7 +350,7 @@ impl Motions {
         let mut system = ContactSystem::new(&core.model, &mut scratch, &step.bodies, &step.active, about);
         let attempt = self.attempt(core, &mut system, (step.t, t_next - step.t));
         self.restore_scratch(core, scratch, &step.bodies);
-        let (made, _) = attempt.map_err(|source| Core::response_error(step.t, source))?;
+        let (made, _) = attempt.map_err(|source| SimulationError::of_response(step.t, source))?;
         Ok(step.at_end(made.end_state(), t_next))
     }
 }
@@ -364,7 +364,7 @@ fn allowance(core: &Core, body: usize, state: &BodyState, rates: &[f64], end: &[
     let model: &Model = &core.model;
     let tolerance = STEP_SHARE * core.settings.tolerance;
     let length = model.bodies[body].size;
-    let velocity = contact_set::velocity(model, body, state);
+    let velocity = model.velocity(body, state);
     let gravity_speed = (model.gravity().length() * length).sqrt();
     let rigid = model.bodies[body].rigid.as_ref();
     let moment = rigid.map_or(0.0, |rigid| rigid.moments().max_element());

@@ -1,6 +1,6 @@
 //! The touching contacts at their last evaluation, by pair.
 
-use crate::collision::contact_set::{Hold, Touch};
+use crate::collision::touch::{Hold, Touch};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Contacts by pair, sorted by identity.

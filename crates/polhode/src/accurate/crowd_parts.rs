@@ -15,7 +15,7 @@
 //! islands finds this, and the steps of both parts end there.
 
 use super::crowd_step::Crowd;
-use crate::collision::contact_set;
+use crate::collision::contact_kinematics;
 use crate::model::{Model, prescribed, tolerances};
 use polhode_contact::{Shape, separation};
 use polhode_dynamics::BodyState;
@@ -72,7 +72,7 @@ pub(super) fn may_touch_within(model: &Model, states: &[BodyState], (a, b): (usi
     if !model.joints.joint_contacts_of_pair((a, b)).is_empty() {
         return true;
     }
-    let Some((shape_a, shape_b)) = contact_set::shapes(model, a, b) else { return true };
+    let Some((shape_a, shape_b)) = contact_kinematics::shapes(model, a, b) else { return true };
     if [a, b].iter().any(|&body| prescribed::trajectory(model, body).is_some()) {
         return true;
     }
@@ -80,7 +80,7 @@ pub(super) fn may_touch_within(model: &Model, states: &[BodyState], (a, b): (usi
         Shape::Sphere(_) => 0.0,
         _ => velocity.angular.length() * model.bodies[body].size,
     };
-    let [velocity_a, velocity_b] = [a, b].map(|body| contact_set::velocity(model, body, &states[body]));
+    let [velocity_a, velocity_b] = [a, b].map(|body| model.velocity(body, &states[body]));
     let speed = (velocity_a.linear - velocity_b.linear).length()
         + turn(shape_a, velocity_a, a)
         + turn(shape_b, velocity_b, b)

@@ -4,9 +4,10 @@
 //! do not change the step. Only the search for impacts of other islands takes each body along a line at constant
 //! angular velocity.
 
+use crate::accounting::time_step_report::TimeStepReport;
 use crate::model::states_of::set_states;
 use crate::model::{Model, prescribed};
-use crate::time_stepping::{TimeStepReport, TimeStepper};
+use crate::time_stepping::TimeStepper;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 use polhode_spatial::{ConstantVelocity, Motion, MotionBounds, Pose, Still, Velocity};

@@ -28,6 +28,7 @@ use super::instant::Instant;
 use super::island::{Island, Step};
 use super::motions::{Mode, Motions};
 use super::pace::{NoAdvance, Pace};
+use crate::accounting::time_step_report::TimeStepReport;
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_set;
 use crate::error::SimulationError;
@@ -36,7 +37,7 @@ use crate::model::{Model, tolerances};
 use crate::solve::cone_violation::CONE_LIMIT;
 use crate::solve::overlap::Overlaps;
 use crate::tier::core::Core;
-use crate::time_stepping::{TimeStepReport, TimeStepper};
+use crate::time_stepping::TimeStepper;
 use polhode_contact::aabb_of;
 use polhode_dynamics::BodyState;
 use polhode_response::{Delassus, ResponseError};
@@ -285,7 +286,7 @@ impl Engine {
     /// Removes the penetration that the time steps of a stretch have left, of all pairs: a step checks only those that
     /// move in it. The removal is booked but is not measured as drift.
     fn remove_overlap_at_end(&mut self, core: &mut Core, instant: &Instant) -> Result<(), SimulationError> {
-        let failed = |source: ResponseError| Core::response_error(instant.t, source);
+        let failed = |source: ResponseError| SimulationError::of_response(instant.t, source);
         let overlaps = Overlaps::find(&core.model, &self.motions.states, &instant.pairs);
         if !overlaps.is_excess {
             return Ok(());
@@ -423,7 +424,7 @@ impl Motions {
         let made = time_step(&core.model, &mut before.clone(), &mut scratch, of, (t, end - t));
         let states = states_of(&scratch, bodies);
         self.restore_scratch(core, scratch, bodies);
-        let (report, _) = made.map_err(|source| Core::response_error(t, source))?;
+        let (report, _) = made.map_err(|source| SimulationError::of_response(t, source))?;
         let motions = motions((t, &start), (end, &states));
         Ok(CrowdStep { t, end, start, states, pairs, report, stepper: before, motions })
     }
@@ -466,7 +467,7 @@ impl Motions {
         let made = step.advance_to(&core.model, bodies, t, &mut scratch);
         let states = states_of(&scratch, bodies);
         self.restore_scratch(core, scratch, bodies);
-        made.map(|report| (states, report)).map_err(|source| Core::response_error(step.t, source))
+        made.map(|report| (states, report)).map_err(|source| SimulationError::of_response(step.t, source))
     }
 }
 
@@ -496,7 +497,7 @@ fn attempt(
         // The length is the difference of the rounded ends, so that the step can be repeated from them exactly.
         let end = if h >= limit - t { limit } else { t + h };
         let made = time_step(&core.model, &mut stepper, states, (bodies, pairs), (t, end - t));
-        let (report, error) = made.map_err(|source| Core::response_error(t, source))?;
+        let (report, error) = made.map_err(|source| SimulationError::of_response(t, source))?;
         let even = EVEN_SHARE * core.settings.crowd_error_allowed() * h / longest;
         let allowed = even.max(SHARE_OF_SPARE * crowd.spare_error);
         let taken = taken_of_limit(core, (bodies, start), &report, even);

@@ -21,14 +21,13 @@
 
 use super::hold::Forces;
 use super::resolve::Resolution;
-use crate::collision::contact_set::Touch;
-use crate::constraint::joint_contacts;
+use crate::collision::touch::Touch;
 use crate::error::SimulationError;
+use crate::joints::joint_contacts;
 use crate::model::states_of::{set_states, states_of};
 use crate::model::tolerances;
 use crate::rows::groups::Group;
 use crate::solve::bounce_friction;
-use crate::tier::core::Core;
 use polhode_dynamics::RigidBody;
 use std::collections::BTreeSet;
 
@@ -119,7 +118,7 @@ impl Resolution<'_> {
         let largest = |of: fn(&SmallBounce) -> f64| bounces.iter().map(of).fold(0.0, f64::max);
         let w = largest(|bounce| bounce.speed);
         let ended = bounce_friction::end_bounces(&self.core.model, &mut self.motions.states, &group.bodies, (&ids, w))
-            .map_err(|source| Core::response_error(self.instant.t, source))?;
+            .map_err(|source| SimulationError::of_response(self.instant.t, source))?;
         let after = self.core.accounts.books.balance(&self.core.model, &self.motions.states, &group.bodies);
         let taken = before.lost_until(after, ended.work_j) - ended.friction_j;
         let mass = |&body: &usize| self.core.model.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::mass);

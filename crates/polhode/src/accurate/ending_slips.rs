@@ -16,8 +16,9 @@ use super::constrained_step::{ConstrainedStep, StepEndStates};
 use super::hold::Forces;
 use super::motions::Motions;
 use super::resolve::Resolution;
-use crate::collision::contact_set::{self, Touch};
+use crate::collision::contact_kinematics;
 use crate::collision::friction_mode::FrictionMode;
+use crate::collision::touch::Touch;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
 use crate::model::states_of::set_states;
@@ -49,7 +50,7 @@ fn ends_at_once(model: &Model, states: &[BodyState], id: ContactId, speed: f64, 
 pub(super) fn fading_slips(core: &Core, step: &ConstrainedStep, states: &[BodyState]) -> BTreeSet<ContactId> {
     let (mut fading, mut turned) = (BTreeSet::new(), BTreeSet::new());
     for (id, slide) in step.active.sliding() {
-        let Some(terms) = contact_set::tangential_kinematics(&core.model, states, id) else { continue };
+        let Some(terms) = contact_kinematics::tangential_kinematics(&core.model, states, id) else { continue };
         let speed = terms.slip_velocity.length();
         let deceleration = (slide.speed - speed) / (step.end - step.t);
         if speed < SLOWED * slide.speed && ends_at_once(&core.model, states, id, speed, deceleration) {
@@ -78,7 +79,7 @@ impl Motions {
         set_states(&mut states, &step.bodies, &repeated.states);
         let misses = |id: &ContactId| {
             let Some(FrictionMode::Sliding(slide)) = step.active.modes(*id).friction else { return false };
-            let terms = contact_set::tangential_kinematics(&core.model, &states, *id);
+            let terms = contact_kinematics::tangential_kinematics(&core.model, &states, *id);
             terms.is_some_and(|terms| !slide.has_vanished(terms.slip_velocity))
         };
         let misses = stopping.iter().any(misses);
@@ -109,7 +110,8 @@ impl Resolution<'_> {
                 }
                 continue;
             };
-            let Some(terms) = contact_set::tangential_kinematics(&self.core.model, &self.motions.states, touch.id)
+            let Some(terms) =
+                contact_kinematics::tangential_kinematics(&self.core.model, &self.motions.states, touch.id)
             else {
                 continue;
             };
@@ -142,7 +144,7 @@ impl Resolution<'_> {
             of,
             Removal::Complete,
         )
-        .map_err(|source| Core::response_error(self.instant.t, source))?;
+        .map_err(|source| SimulationError::of_response(self.instant.t, source))?;
         let newly: Vec<ContactId> =
             ended.iter().copied().filter(|&id| self.instant.change.stopping.insert(id)).collect();
         self.refresh_kinematics();

@@ -16,10 +16,11 @@ use super::motions::{Mode, Motions};
 use super::pace::{NoAdvance, Pace, StepEnd};
 use super::resolve::Resolution;
 use crate::collision::active_contacts::ActiveContacts;
-use crate::collision::contact_set::{self, FoundContact, Hold, Touch};
-use crate::constraint::turns;
+use crate::collision::touch::{FoundContact, Hold, Touch};
+use crate::collision::{contact_kinematics, contact_set};
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
+use crate::joints::turns;
 use crate::model::states_of::set_states;
 use crate::model::{prescribed, tolerances};
 use crate::rows::assembly::free_acceleration;
@@ -192,7 +193,7 @@ impl Engine {
         }
         let known = pairs.iter().flat_map(|&pair| self.schedule.contacts.of_pair(pair)).copied();
         let touches = known.filter_map(|touch| {
-            let kinematics = contact_set::kinematics(&core.model, &self.motions.states, touch.id)?;
+            let kinematics = contact_kinematics::kinematics(&core.model, &self.motions.states, touch.id)?;
             Some(Touch { kinematics, is_defined: true, ..touch })
         });
         Ok(Instant {
@@ -506,7 +507,7 @@ impl Engine {
 impl Motions {
     /// Whether two bodies touch at `t`.
     pub(super) fn touch_at(&mut self, core: &Core, (a, b): (usize, usize), t: f64) -> Result<bool, SimulationError> {
-        let Some((shape_a, shape_b)) = contact_set::shapes(&core.model, a, b) else { return Ok(false) };
+        let Some((shape_a, shape_b)) = contact_kinematics::shapes(&core.model, a, b) else { return Ok(false) };
         let (state_a, state_b) = (self.state_at(core, a, t)?, self.state_at(core, b, t)?);
         let mut states = std::mem::take(&mut self.scratch);
         (states[a], states[b]) = (state_a, state_b);
@@ -566,7 +567,7 @@ impl Motions {
         // The separation of a contact point measures penetration only while the point lies on its features. Held
         // contacts satisfy this; other contacts are measured when they are detected.
         for &id in held {
-            if let Some(kinematics) = contact_set::kinematics(&core.model, &self.states, id) {
+            if let Some(kinematics) = contact_kinematics::kinematics(&core.model, &self.states, id) {
                 core.note_contact(t, &self.states, (id.a, id.b), &kinematics);
             }
         }

@@ -14,13 +14,13 @@
 
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_modes::ContactModes;
-use crate::collision::contact_set;
 use crate::collision::friction_mode::FrictionMode;
 use crate::collision::slip_directions::{self, SlipDirections};
 use crate::collision::turn::Turn;
-use crate::constraint::bilateral::{Bilateral, Reaction};
-use crate::constraint::joint_friction::MOST_ROUNDS_OF_BEARINGS;
+use crate::collision::{contact_kinematics, friction};
 use crate::identity::contact_id::ContactId;
+use crate::joints::bilateral::{Bilateral, Reaction};
+use crate::joints::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::model::{Loads, Model, tolerances};
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::push_contact;
@@ -131,8 +131,8 @@ pub(super) fn friction_contacts<'a>(
     let friction = move |(contact, (id, kinematics)): (usize, &(ContactId, ContactKinematics))| {
         let ContactModes { friction, rotation: modes } = active.modes(*id);
         let mode = friction?;
-        let terms = contact_set::tangential_kinematics(model, states, *id)?;
-        let coefficients = contact_set::friction_at(model, states, *id, terms.basis);
+        let terms = contact_kinematics::tangential_kinematics(model, states, *id)?;
+        let coefficients = friction::friction_at(model, states, *id, terms.basis);
         let at_rest = coefficients.map_or_else(FrictionEllipse::default, |own| own.at_rest);
         let sliding = match mode {
             FrictionMode::Sticking => None,
@@ -141,7 +141,7 @@ pub(super) fn friction_contacts<'a>(
                 Some(ellipse.opposed(terms.basis, slide.direction_of(terms.slip_velocity)))
             }
         };
-        let rotation = if resist { contact_set::relative_rotation(model, states, *id) } else { DVec3::ZERO };
+        let rotation = if resist { contact_kinematics::relative_rotation(model, states, *id) } else { DVec3::ZERO };
         let turns = Turn::ALL.map(|turn| {
             let turning = match modes.get(turn)? {
                 FrictionMode::Sticking => None,

@@ -4,8 +4,8 @@
 //! force holds; a contact whose bodies accelerate apart breaks. The accelerations are unique, the forces may not be
 //! (erratum E13).
 
-use crate::collision::contact_set::Touch;
 use crate::collision::friction_mode::FrictionMode;
+use crate::collision::touch::Touch;
 use crate::collision::turn::Turn;
 use crate::identity::contact_id::ContactId;
 use crate::model::Model;

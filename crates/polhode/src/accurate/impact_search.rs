@@ -16,11 +16,10 @@ use super::near_pairs::Watch;
 use super::penetration::PENETRATING_RELATIVE;
 use super::schedule::Schedule;
 use crate::collision::boxes::Boxes;
-use crate::collision::contact_set;
+use crate::collision::contact_kinematics;
 use crate::error::SimulationError;
-use crate::model::{prescribed, tolerances};
+use crate::model::{prescribed, reported, tolerances};
 use crate::tier::core::Core;
-use crate::tier::promise;
 use polhode_contact::{Aabb, ImpactError, ImpactSearch, Shape, separation, time_of_further_impact, time_of_impact};
 use polhode_dynamics::Flight;
 use polhode_spatial::{Motion, Still};
@@ -110,7 +109,7 @@ impl Motions {
     /// Whether two bodies penetrate measurably at `t` (s) if they continue their present motion.
     fn penetrates_at(&self, core: &Core, (a, b): (usize, usize), t: f64) -> bool {
         let [pose_a, pose_b] = [a, b].map(|body| self.motion(core, body).get().pose(t));
-        contact_set::shapes(&core.model, a, b).is_some_and(|(shape_a, shape_b)| {
+        contact_kinematics::shapes(&core.model, a, b).is_some_and(|(shape_a, shape_b)| {
             separation(shape_a, &pose_a, shape_b, &pose_b)
                 < -PENETRATING_RELATIVE * tolerances::pair_size(&core.model, a, b)
         })
@@ -123,7 +122,7 @@ impl Motions {
         (a, b): (usize, usize),
         (start, end): (f64, f64),
     ) -> Result<Option<f64>, SimulationError> {
-        let Some((shape_a, shape_b)) = contact_set::shapes(&core.model, a, b) else { return Ok(None) };
+        let Some((shape_a, shape_b)) = contact_kinematics::shapes(&core.model, a, b) else { return Ok(None) };
         let (motion_a, motion_b) = (self.motion(core, a), self.motion(core, b));
         let (motion_a, motion_b) = (motion_a.get(), motion_b.get());
         let is_held = self.are_held(a, b);
@@ -373,7 +372,7 @@ impl Schedule {
                 let retry = pace.retry_time(longest).min(until);
                 let is_postponed = pace.is_backing_off() && pace.is_stall(found, longest);
                 if is_postponed && !motions.penetrates_at(core, (a, b), retry) {
-                    let names = promise::pair_names(&core.model, a, b);
+                    let names = reported::pair_names(&core.model, a, b);
                     core.accounts.tolerate(found, format!("an impact of {names} was postponed for a short time"));
                     retry
                 } else {

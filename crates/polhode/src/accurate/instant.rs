@@ -2,7 +2,7 @@
 
 use super::contact_change::ContactChange;
 use super::pace::NoAdvance;
-use crate::collision::contact_set::{Hold, Touch};
+use crate::collision::touch::{Hold, Touch};
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
 use crate::tier::core::Core;

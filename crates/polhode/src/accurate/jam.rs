@@ -10,13 +10,12 @@
 use super::hold::Forces;
 use super::motions::Mode;
 use super::resolve::Resolution;
-use crate::collision::contact_set::Touch;
+use crate::collision::touch::Touch;
 use crate::error::SimulationError;
 use crate::report::event::EventKind;
 use crate::rows::groups::Group;
 use crate::solve::frictional_impact::Cause;
 use crate::solve::impact::strike_with_friction;
-use crate::tier::core::Core;
 use polhode_response::impact::ImpactStatus;
 
 /// Most jams of a group at one instant. Each stops the slip of a contact at least.
@@ -54,7 +53,7 @@ impl Resolution<'_> {
         let loads = self.core.model.loads_on(self.instant.t, &self.motions.states, &group.bodies);
         let law = (self.core.settings.impact, Cause::Jam(self.instant.t, &loads));
         let struck = strike_with_friction(&self.core.model, &mut self.motions.states, &group.bodies, &touches, law)
-            .map_err(|source| Core::response_error(self.instant.t, source))?;
+            .map_err(|source| SimulationError::of_response(self.instant.t, source))?;
         if matches!(struck.outcome.status, ImpactStatus::NoApproach | ImpactStatus::NotSolved) {
             return Ok(false);
         }

@@ -10,7 +10,8 @@ use super::contact_change::ContactChange;
 use super::hold::Forces;
 use super::locate::PENETRATION_CHECKS;
 use super::step_search::StepSearch;
-use crate::collision::contact_set::{self, Touch};
+use crate::collision::contact_kinematics;
+use crate::collision::touch::Touch;
 use crate::constraint::locator::{Side, close_in};
 use crate::error::SimulationError;
 use crate::report::frame::JointView;
@@ -87,13 +88,14 @@ impl StepSearch<'_> {
         let mut solver = std::mem::take(&mut self.core.solver);
         let forces = Forces::solve(&self.core.model, t, self.states, &self.step.bodies, &touches, &mut solver);
         self.core.solver = solver;
-        let forces = forces.map_err(|source| Core::response_error(t, source))?;
+        let forces = forces.map_err(|source| SimulationError::of_response(t, source))?;
         Ok(overloaded(&self.core.model, &loads_of(self.core, self.states, (&forces, &touches))))
     }
 }
 
 /// The held contacts of a step in these states, with their modes.
 fn held_touches(core: &Core, step: &ConstrainedStep, states: &[BodyState]) -> Vec<Touch> {
-    let touch = |&id| Some(Touch::held(id, contact_set::kinematics(&core.model, states, id)?, step.active.modes(id)));
+    let touch =
+        |&id| Some(Touch::held(id, contact_kinematics::kinematics(&core.model, states, id)?, step.active.modes(id)));
     step.active.held().iter().filter_map(touch).collect()
 }

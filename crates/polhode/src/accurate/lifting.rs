@@ -9,8 +9,9 @@
 //! Bodies on a pivot are not lifted: the projection of held contacts moves them.
 
 use super::resolve::Resolution;
-use crate::collision::contact_set::Touch;
-use crate::constraint::{ConstraintId, held};
+use crate::collision::touch::Touch;
+use crate::constraint::ConstraintId;
+use crate::joints::held;
 use crate::model::tolerances;
 use crate::solve::projection::Projection;
 use polhode_dynamics::RigidBody;

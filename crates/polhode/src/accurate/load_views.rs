@@ -10,10 +10,11 @@
 use super::engine::Engine;
 use super::hold::Forces;
 use super::joint_breaks::loads_of;
-use crate::collision::contact_set::Touch;
-use crate::constraint::bilateral::Reaction;
-use crate::constraint::{ConstraintId, held, joint_contacts};
+use crate::collision::touch::Touch;
+use crate::constraint::ConstraintId;
 use crate::identity::body_id::BodyId;
+use crate::joints::bilateral::Reaction;
+use crate::joints::{held, joint_contacts};
 use crate::model::reported;
 use crate::report::frame::{JointView, PivotView};
 use crate::rows::assembly::free_acceleration;

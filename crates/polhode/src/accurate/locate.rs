@@ -18,18 +18,17 @@ use super::hold::Forces;
 use super::motions::Motions;
 use super::pace::Pace;
 use super::step_search::StepSearch;
-use crate::collision::contact_set::{self, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
-use crate::collision::passing;
+use crate::collision::touch::Touch;
 use crate::collision::turn::Turn;
+use crate::collision::{contact_kinematics, contact_set, friction};
 use crate::constraint::ContactEvent;
 use crate::constraint::locator::{Side, close_in};
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
-use crate::model::{TOUCH_RELATIVE, prescribed, tolerances};
+use crate::model::{TOUCH_RELATIVE, prescribed, reported, tolerances};
 use crate::solve::projection::rate_exceeds_drift;
 use crate::tier::core::Core;
-use crate::tier::promise;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
@@ -93,7 +92,7 @@ impl StepSearch<'_> {
         let mut pairs: Vec<_> = self.tolerated.iter().map(|id: &ContactId| (id.a, id.b)).collect();
         pairs.dedup();
         for (a, b) in pairs {
-            let names = promise::pair_names(&self.core.model, a, b);
+            let names = reported::pair_names(&self.core.model, a, b);
             self.core.accounts.tolerate(
                 self.step.t,
                 format!("contacts of {names} that no longer hold were self.tolerated for a short time"),
@@ -215,7 +214,7 @@ impl StepSearch<'_> {
         for &id in self.step.active.held() {
             let is_tolerated = self.tolerated.contains(&id);
             let kinematics = if is_tolerated {
-                contact_set::kinematics(&self.core.model, self.states, id)
+                contact_kinematics::kinematics(&self.core.model, self.states, id)
             } else {
                 held_kinematics(self.core, self.states, id)
             };
@@ -292,7 +291,7 @@ impl StepSearch<'_> {
                 .any(|id| !self.tolerated.contains(&id))),
             Violation::Breaks => {
                 let touches = self.step.active.held().iter().map(|&id| {
-                    let kinematics = contact_set::kinematics(&self.core.model, self.states, id)?;
+                    let kinematics = contact_kinematics::kinematics(&self.core.model, self.states, id)?;
                     Some(held_touch(self.step, id, kinematics))
                 });
                 match touches.collect::<Option<Vec<_>>>() {
@@ -320,7 +319,7 @@ impl StepSearch<'_> {
         let start = self.step.t;
         let mut separation = |t: f64| {
             self.step.states_at(&self.core.model, t, self.states);
-            contact_set::kinematics(&self.core.model, self.states, id)
+            contact_kinematics::kinematics(&self.core.model, self.states, id)
                 .map(|kinematics| ContactEvent::Closing.value(&kinematics))
         };
         if separation(start)? <= touch {
@@ -355,8 +354,9 @@ fn slips<'a>(
     step: &'a ConstrainedStep,
     states: &'a [BodyState],
 ) -> impl Iterator<Item = (ContactId, Slide, DVec3)> + 'a {
-    let slip =
-        |(id, slide)| Some((id, slide, contact_set::tangential_kinematics(&core.model, states, id)?.slip_velocity));
+    let slip = |(id, slide)| {
+        Some((id, slide, contact_kinematics::tangential_kinematics(&core.model, states, id)?.slip_velocity))
+    };
     step.active.sliding().filter_map(slip)
 }
 
@@ -388,8 +388,8 @@ fn settled<'a>(
     states: &'a [BodyState],
 ) -> impl Iterator<Item = (ContactId, Turn)> + 'a {
     step.active.turning().filter_map(move |(id, turn, slide)| {
-        let normal = contact_set::kinematics(&core.model, states, id)?.geometry.normal;
-        let part = turn.part(contact_set::relative_rotation(&core.model, states, id), normal);
+        let normal = contact_kinematics::kinematics(&core.model, states, id)?.geometry.normal;
+        let part = turn.part(contact_kinematics::relative_rotation(&core.model, states, id), normal);
         has_stopped(step, t, &slide, part).then_some((id, turn))
     })
 }
@@ -432,10 +432,10 @@ fn sliding(touches: &[Touch]) -> impl Iterator<Item = ContactId> + '_ {
 /// bodies approach or separate.
 fn held_kinematics(core: &Core, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
     let tolerance = TOUCH_RELATIVE * tolerances::pair_size(&core.model, id.a, id.b);
-    let kinematics = contact_set::kinematics(&core.model, states, id)?;
+    let kinematics = contact_kinematics::kinematics(&core.model, states, id)?;
     let is_on_features = ContactEvent::Leaving.value(&kinematics) >= -tolerance;
     let stays = !rate_exceeds_drift(&core.model, states, id, &kinematics, core.settings.step_error())
-        && (is_on_features || passing::holds_beyond_border(&core.model, states, id));
+        && (is_on_features || contact_set::holds_beyond_border(&core.model, states, id));
     stays.then_some(kinematics)
 }
 
@@ -458,7 +458,7 @@ fn breaking(
             .held()
             .iter()
             .filter_map(|&id| {
-                let kinematics = contact_set::kinematics(&core.model, states, id)?;
+                let kinematics = contact_kinematics::kinematics(&core.model, states, id)?;
                 Some(held_touch(step, id, kinematics))
             })
             .collect();
@@ -477,7 +477,7 @@ fn breaking(
     let change = ContactChange { t: violated, departing, slipping, turning, ..ContactChange::default() };
     // Where kinetic friction is below static friction, the slip accelerates at once.
     let is_sudden = |id: &ContactId| {
-        contact_set::friction_of(&core.model, *id).is_some_and(|friction| friction.sliding.is_below(friction.at_rest))
+        friction::friction_of(&core.model, *id).is_some_and(|friction| friction.sliding.is_below(friction.at_rest))
     };
     let any = !(change.departing.is_empty() && change.slipping.is_empty());
     if !any || begins_to_turn || second <= first || change.slipping.keys().any(is_sudden) {
@@ -501,7 +501,7 @@ fn forces_of(
     contacts: &[Touch],
 ) -> Result<Forces, SimulationError> {
     let forces = Forces::solve(&core.model, t, states, &step.bodies, contacts, &mut core.solver)
-        .map_err(|source| Core::response_error(t, source))?;
+        .map_err(|source| SimulationError::of_response(t, source))?;
     if !forces.jams {
         core.accounts.note_solve(t, &forces.solution.report)?;
         core.note_friction(t, forces.violation);

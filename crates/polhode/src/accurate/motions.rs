@@ -362,7 +362,7 @@ pub(super) fn write_states(
         }
         Step::Crowd(step) => {
             step.advance_to(&core.model, &island.bodies, t, states)
-                .map_err(|source| Core::response_error(step.t, source))?;
+                .map_err(|source| SimulationError::of_response(step.t, source))?;
         }
         Step::Waiting(_) => {}
     }

@@ -11,7 +11,7 @@ use super::constrained_step::ConstrainedStep;
 use super::locate::PENETRATION_CHECKS;
 use super::pace::is_instant;
 use crate::constraint::locator::{Side, close_in};
-use crate::constraint::motors;
+use crate::joints::motors;
 use crate::tier::core::Core;
 use polhode_dynamics::BodyState;
 use std::convert::Infallible;

@@ -9,7 +9,8 @@
 //! Limit: a penetration that begins and ends between two checks is not found.
 
 use super::step_search::StepSearch;
-use crate::collision::contact_set::{self, Pair};
+use crate::collision::touch::Pair;
+use crate::collision::{contact_kinematics, contact_set};
 use crate::constraint::locator::{Side, close_in};
 use crate::identity::contact_id::ContactId;
 use crate::model::tolerances;
@@ -97,8 +98,9 @@ impl StepSearch<'_> {
             return Penetration { contact, excess_depths: 0.0 };
         }
         let held = self.step.active.held().iter().filter(|id| (id.a, id.b) == (a, b));
-        let held = held
-            .filter_map(|&id| Some(contact_set::kinematics(&self.core.model, self.states, id)?.geometry.separation));
+        let held = held.filter_map(|&id| {
+            Some(contact_kinematics::kinematics(&self.core.model, self.states, id)?.geometry.separation)
+        });
         let found = contacts.iter().map(|touch| touch.kinematics.geometry.separation);
         let shown = held.chain(found).fold(0.0, f64::min);
         Penetration { contact, excess_depths: (shown - separation) / depth }
@@ -106,7 +108,7 @@ impl StepSearch<'_> {
 
     /// Whether a contact had a gap at the start of the step.
     fn was_clear(&self, id: ContactId, depth: f64) -> bool {
-        contact_set::kinematics(&self.core.model, self.start, id).is_some_and(|k| k.geometry.separation > depth)
+        contact_kinematics::kinematics(&self.core.model, self.start, id).is_some_and(|k| k.geometry.separation > depth)
     }
 
     /// Whether two bodies overlapped at the start of the step. If one has passed into the other since then, its nearest

@@ -5,7 +5,8 @@ use super::hold::Forces;
 use super::island::Step;
 use super::motions::{Mode, Motions, Track};
 use super::present_crowds::StepKey;
-use crate::collision::contact_set::{self, Hold, Touch};
+use crate::collision::touch::{Hold, Touch};
+use crate::collision::{contact_kinematics, contact_set};
 use crate::error::SimulationError;
 use crate::model::{prescribed, reported, tolerances};
 use crate::report::frame::MotionKind;
@@ -65,7 +66,7 @@ impl Engine {
     /// The touching contacts of the last evaluation, evaluated in these states.
     pub(super) fn present_contacts(&self, core: &Core, states: &[BodyState]) -> Vec<Touch> {
         let present = |touch: &Touch| {
-            Some(Touch { kinematics: contact_set::kinematics(&core.model, states, touch.id)?, ..*touch })
+            Some(Touch { kinematics: contact_kinematics::kinematics(&core.model, states, touch.id)?, ..*touch })
         };
         self.schedule.contacts.all().filter_map(present).collect()
     }
@@ -178,7 +179,7 @@ impl Engine {
             }
             let forces =
                 Forces::solve(&core.model, core.t, &self.motions.states, &group.bodies, &contacts, &mut core.solver)
-                    .map_err(|source| Core::response_error(core.t, source))?;
+                    .map_err(|source| SimulationError::of_response(core.t, source))?;
             core.accounts.note_solve(core.t, &forces.solution.report)?;
         }
         Ok(())

@@ -11,11 +11,11 @@
 use super::motions::Motions;
 use super::schedule::Schedule;
 use crate::accounting::books::Balance;
-use crate::collision::contact_set;
-use crate::constraint::bilateral::Bilateral;
-use crate::constraint::held;
+use crate::collision::contact_kinematics;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
+use crate::joints::bilateral::Bilateral;
+use crate::joints::held;
 use crate::model::{Model, tolerances};
 use crate::solve::overlap::Overlaps;
 use crate::solve::projection::{self, Projected};
@@ -47,7 +47,7 @@ impl Motions {
         let start: Vec<Pose> = bodies.iter().map(|&body| self.states[body].pose).collect();
         let how = (core.settings.step_error(), &mut core.solver);
         let mut done = projection::project(&core.model, &mut self.states, bodies, projected, how)
-            .map_err(|source| Core::response_error(t, source))?;
+            .map_err(|source| SimulationError::of_response(t, source))?;
         let pushes = |body: &usize| done.moved_m > PUSH_RELATIVE * core.model.bodies[*body].size;
         if bodies.iter().any(pushes)
             && self.restore_poses_if_pushed(core, schedule, bodies, &start, projected.touching, t)?
@@ -110,7 +110,7 @@ impl Motions {
 /// Whether all these contacts touch, and the pivots of these bodies are within the touch distance of their anchors.
 fn all_touch(model: &Model, states: &[BodyState], bodies: &[usize], contacts: &[ContactId]) -> bool {
     let touches = |&id: &ContactId| {
-        let kinematics = contact_set::kinematics(model, states, id);
+        let kinematics = contact_kinematics::kinematics(model, states, id);
         kinematics.is_some_and(|kinematics| {
             kinematics.geometry.separation <= tolerances::touch_distance(model, states, id.a, id.b)
         })

@@ -11,7 +11,6 @@
 
 use super::held_forces::HeldForces;
 use super::system::ContactSystem;
-use crate::collision::contact_set;
 use crate::constraint::tree_joint::FreeMotionOfJoint;
 use crate::model::Model;
 use crate::reduced::Articulated;
@@ -168,7 +167,7 @@ fn speed_of(model: &Model, node: &Node, (start, end): (&[f64], &[f64])) -> f64 {
     let speed = |flat: &[f64]| {
         let state = flat.as_chunks::<WIDTH>().0.get(node.place).map(BodyState::from_array);
         state.map_or(0.0, |state| {
-            let velocity = contact_set::velocity(model, node.body, &state);
+            let velocity = model.velocity(node.body, &state);
             velocity.linear.length().max(velocity.angular.length() * size)
         })
     };

@@ -9,14 +9,14 @@ use super::instant::Instant;
 use super::motions::{Mode, Motions};
 use super::schedule::Schedule;
 use crate::collision::contact_modes::ContactModes;
-use crate::collision::contact_set::{self, FoundContact, Hold, Pair, Touch};
-use crate::collision::covered_borders;
 use crate::collision::friction_mode::{FrictionMode, Slide};
-use crate::constraint::breaking;
+use crate::collision::touch::{FoundContact, Hold, Pair, Touch};
+use crate::collision::{contact_kinematics, contact_set, covered_borders, friction};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::ContactId;
-use crate::model::{prescribed, tolerances};
+use crate::joints::breaking;
+use crate::model::{prescribed, reported, tolerances};
 use crate::report::event::{Event, EventKind};
 use crate::rows::groups::{Group, groups};
 use crate::solve::frictional_impact::Restitution;
@@ -25,7 +25,6 @@ use crate::solve::open_loads;
 use crate::solve::overlap::is_excess;
 use crate::solve::projection::{self, Projected};
 use crate::tier::core::Core;
-use crate::tier::promise;
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
@@ -184,7 +183,7 @@ impl Resolution<'_> {
             &settings,
             &mut self.core.solver,
         )
-        .map_err(|source| Core::response_error(self.instant.t, source))?;
+        .map_err(|source| SimulationError::of_response(self.instant.t, source))?;
         let outcome = &struck.outcome;
         if outcome.status == ImpactStatus::NotSolved {
             return Err(SimulationError::ContactSolve { t_s: self.instant.t, residual: outcome.residual });
@@ -192,7 +191,7 @@ impl Resolution<'_> {
         self.book_struck(&group.contacts, &struck, EventKind::Impact);
         self.core.accounts.note_impact(&self.core.model, self.instant.t, law, &group.bodies, outcome);
         if outcome.status == ImpactStatus::LimitReached {
-            let names = promise::names_of(&self.core.model, &group.bodies);
+            let names = reported::names_of(&self.core.model, &group.bodies);
             let what = format!("an impact of {names} by {} was not resolved within its limit", law.name());
             self.core.accounts.note_unsolved(self.instant.t, what);
         }
@@ -327,7 +326,7 @@ impl Resolution<'_> {
             &members,
             &mut self.core.solver,
         )
-        .map_err(|source| Core::response_error(self.instant.t, source))?;
+        .map_err(|source| SimulationError::of_response(self.instant.t, source))?;
         if forces.jams {
             return Err(SimulationError::ContactSolve {
                 t_s: self.instant.t,
@@ -337,7 +336,7 @@ impl Resolution<'_> {
         self.core.accounts.note_solve(self.instant.t, &forces.solution.report)?;
         self.core.note_friction(self.instant.t, forces.violation);
         if forces.motion_depends_on_choice {
-            let names = promise::names_of(&self.core.model, &group.bodies);
+            let names = reported::names_of(&self.core.model, &group.bodies);
             self.core.accounts.choose(self.instant.t, format!("{LEAST_NORM} {names} depends on that choice"));
         }
         self.tell_open_loads(group)?;
@@ -347,9 +346,9 @@ impl Resolution<'_> {
     /// Warns of bearings with friction whose load is not determined.
     fn tell_open_loads(&mut self, group: &Group) -> Result<(), SimulationError> {
         let is_open = open_loads::leave_open(&self.core.model, &self.motions.states, &group.bodies)
-            .map_err(|source| Core::response_error(self.instant.t, source))?;
+            .map_err(|source| SimulationError::of_response(self.instant.t, source))?;
         if is_open {
-            let names = promise::names_of(&self.core.model, &group.bodies);
+            let names = reported::names_of(&self.core.model, &group.bodies);
             self.core.accounts.warn(self.instant.t, format!("{OPEN_LOADS} {names} depends on that choice"));
         }
         Ok(())
@@ -361,7 +360,7 @@ impl Resolution<'_> {
         let change = &self.instant.change;
         let noise = slip_noise(self.core, self.instant.speed_scale, touch);
         let friction = match change.slipping.get(&touch.id) {
-            Some(&direction) if contact_set::friction_of(&self.core.model, touch.id).is_some() => {
+            Some(&direction) if friction::friction_of(&self.core.model, touch.id).is_some() => {
                 Some(FrictionMode::Sliding(Slide::beginning(direction, noise)))
             }
             _ if change.stopping.contains(&touch.id) => None,
@@ -470,7 +469,7 @@ impl Resolution<'_> {
             let before = self.core.accounts.books.balance(&self.core.model, &self.motions.states, &group.bodies);
             let (bodies, solver) = (&group.bodies, &mut self.core.solver);
             let done = projection::remove_overlap(&self.core.model, &mut self.motions.states, bodies, &pairs, solver)
-                .map_err(|source| Core::response_error(self.instant.t, source))?;
+                .map_err(|source| SimulationError::of_response(self.instant.t, source))?;
             let after = self.core.accounts.books.balance(&self.core.model, &self.motions.states, &group.bodies);
             self.core.book_projection(self.instant.t, &self.motions.states, &done, (before, after));
             self.refresh_kinematics();
@@ -596,7 +595,7 @@ impl Resolution<'_> {
     /// place, by which groups know it, but neither holds nor approaches.
     pub(super) fn refresh_kinematics(&mut self) {
         for touch in &mut self.instant.touches {
-            let kinematics = contact_set::kinematics(&self.core.model, &self.motions.states, touch.id);
+            let kinematics = contact_kinematics::kinematics(&self.core.model, &self.motions.states, touch.id);
             touch.is_defined = kinematics.is_some();
             touch.kinematics = kinematics.unwrap_or(touch.kinematics);
         }
@@ -606,8 +605,8 @@ impl Resolution<'_> {
 impl Motions {
     /// The friction of a contact that has a slip; none without a slip or friction.
     pub(super) fn slide_of(&self, core: &Core, speed_scale: f64, touch: &Touch) -> Option<FrictionMode> {
-        contact_set::friction_of(&core.model, touch.id)?;
-        let slip = contact_set::tangential_kinematics(&core.model, &self.states, touch.id)?.slip_velocity;
+        friction::friction_of(&core.model, touch.id)?;
+        let slip = contact_kinematics::tangential_kinematics(&core.model, &self.states, touch.id)?.slip_velocity;
         let speed = slip.length();
         let slides = speed > self.sustained_speed(core, speed_scale, touch);
         let noise = slip_noise(core, speed_scale, touch);

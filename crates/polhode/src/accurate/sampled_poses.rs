@@ -54,7 +54,7 @@ impl Motions {
             let problem = (&mut core.solver, &mut Delassus::default());
             found
                 .remove(&core.model, &mut apart, (&island.bodies, &pairs), problem)
-                .map_err(|source| Core::response_error(t, source))?;
+                .map_err(|source| SimulationError::of_response(t, source))?;
         }
         Ok(Arc::new(apart))
     }

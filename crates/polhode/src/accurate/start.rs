@@ -6,7 +6,8 @@ use super::engine::Engine;
 use super::instant::Instant;
 use super::motions::Mode;
 use crate::collision::boxes::Boxes;
-use crate::collision::contact_set::{self, Hold, Touch};
+use crate::collision::touch::{Hold, Touch};
+use crate::collision::{contact_kinematics, contact_set};
 use crate::error::SimulationError;
 use crate::model::{prescribed, tolerances};
 use crate::rows::groups::{coupled_groups, groups};
@@ -129,19 +130,21 @@ impl Engine {
             let ids: Vec<_> = group.contacts.iter().map(|&i| contacts[i].id).collect();
             let before = core.accounts.books.balance(&core.model, &self.motions.states, &group.bodies);
             let done = projection::project_positions(&core.model, &mut self.motions.states, &group.bodies, &ids)
-                .map_err(|source| Core::response_error(core.t, source))?;
+                .map_err(|source| SimulationError::of_response(core.t, source))?;
             let after = core.accounts.books.balance(&core.model, &self.motions.states, &group.bodies);
             core.book_initial_projection(core.t, &done, (before, after));
         }
         for body in 0..self.motions.tracks.len() {
             self.motions.begin_free_motion(core, body, core.t);
         }
-        contacts.retain_mut(|touch| match contact_set::kinematics(&core.model, &self.motions.states, touch.id) {
-            Some(kinematics) => {
-                touch.kinematics = kinematics;
-                true
+        contacts.retain_mut(|touch| {
+            match contact_kinematics::kinematics(&core.model, &self.motions.states, touch.id) {
+                Some(kinematics) => {
+                    touch.kinematics = kinematics;
+                    true
+                }
+                None => false,
             }
-            None => false,
         });
         Ok(())
     }

@@ -18,9 +18,9 @@
 use super::held_forces::{self, FrictionContact, HeldForces};
 use crate::accounting::books::Received;
 use crate::collision::active_contacts::ActiveContacts;
-use crate::collision::{contact_set, moving_surfaces};
-use crate::constraint::bilateral::{self, bilateral_support};
+use crate::collision::{contact_kinematics, moving_surfaces};
 use crate::identity::contact_id::ContactId;
+use crate::joints::bilateral::{self, bilateral_support};
 use crate::model::{Loads, Model, prescribed};
 use crate::reduced::tree::Tree;
 use crate::report::momentum_ledger::Momentum;
@@ -147,7 +147,7 @@ impl<'a> ContactSystem<'a> {
     pub(super) fn loads_of_tree(&mut self, t: f64, tree: &Tree, flat: &[f64]) -> Loads {
         let states = &mut *self.states;
         tree.states(self.model, flat, |node, state| states[node.body] = state);
-        prescribed::prescribe(&self.model, t, self.states);
+        prescribed::prescribe(self.model, t, self.states);
         self.model.loads_on(t, self.states, self.bodies)
     }
 
@@ -156,7 +156,7 @@ impl<'a> ContactSystem<'a> {
         for (&body, state) in self.bodies.iter().zip(own) {
             self.states[body] = state;
         }
-        prescribed::prescribe(&self.model, t, self.states);
+        prescribed::prescribe(self.model, t, self.states);
         self.model.loads_on(t, self.states, self.bodies)
     }
 
@@ -270,8 +270,8 @@ impl<'a> ContactSystem<'a> {
         rates.fill(0.0);
         let contacts = self.contact_forces(held);
         let tangential = held.tangential.iter().map(|(id, along, force)| (*id, along, *force));
-        rates[19] = prescribed::prescribed_work(&self.model, self.states, contacts.clone())
-            + moving_surfaces::surface_work(&self.model, self.states, tangential);
+        rates[19] = prescribed::prescribed_work(self.model, self.states, contacts.clone())
+            + moving_surfaces::surface_work(self.model, self.states, tangential);
         let support = support(self.model, self.about, contacts);
         add(&mut rates[..], support.linear);
         add(&mut rates[3..], support.angular);
@@ -282,7 +282,7 @@ impl<'a> ContactSystem<'a> {
         }
         if !held.reactions.is_empty() {
             let reactions = || held.reactions.iter().map(|(of, reaction)| (of, *reaction));
-            rates[19] += bilateral::driven_work(&self.model, self.states, reactions());
+            rates[19] += bilateral::driven_work(self.model, self.states, reactions());
             let support = bilateral_support(self.about, reactions());
             add(&mut rates[..], support.linear);
             add(&mut rates[3..], support.angular);
@@ -305,11 +305,11 @@ impl System for ContactSystem<'_> {
         for (&body, numbers) in self.bodies.iter().zip(state.as_chunks::<WIDTH>().0) {
             self.states[body] = BodyState::from_array(numbers);
         }
-        prescribed::prescribe(&self.model, t, self.states);
+        prescribed::prescribe(self.model, t, self.states);
         let (model, states) = (self.model, &*self.states);
         self.contacts.clear();
         self.contacts.extend(
-            self.active.held().iter().filter_map(|&id| Some((id, contact_set::kinematics(model, states, id)?))),
+            self.active.held().iter().filter_map(|&id| Some((id, contact_kinematics::kinematics(model, states, id)?))),
         );
         if self.is_disparate {
             share_normals(self.model, &mut self.contacts);

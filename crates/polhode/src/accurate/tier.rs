@@ -8,11 +8,12 @@ use super::island::{Island, Step};
 use super::motions::{Mode, Track, book_flight};
 use crate::accounting::Accounts;
 use crate::accounting::books::Received;
+use crate::collision::contact_view;
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::model::{prescribed, reported, tolerances};
 use crate::report::acceleration::Acceleration;
-use crate::report::frame::{self, ContactView, IslandView, JointView, MotionKind, PivotView};
+use crate::report::frame::{ContactView, IslandView, JointView, MotionKind, PivotView};
 use crate::report::observer::{BodySample, Observer};
 use crate::rows::assembly::free_acceleration;
 use crate::scene::effects::Effects;
@@ -188,7 +189,7 @@ impl Tier for Engine {
             .collect();
         for (group, members) in self.present_groups(core, &states) {
             let forces = Forces::solve(&core.model, core.t, &states, &group, &members, &mut core.solver)
-                .map_err(|source| Core::response_error(core.t, source))?;
+                .map_err(|source| SimulationError::of_response(core.t, source))?;
             core.accounts.note_solve(core.t, &forces.solution.report)?;
             for (body, linear, angular) in forces.accelerations() {
                 out[body] = reported::reported_acceleration(&core.model, body, &states[body], linear, angular);
@@ -219,7 +220,7 @@ impl Tier for Engine {
             if force.is_none() && geometry.separation > tolerances::touch_distance(&core.model, states, id.a, id.b) {
                 continue;
             }
-            frame::view_contact(&core.model, states, &touch, force.unwrap_or_default(), &mut views);
+            contact_view::view_contact(&core.model, states, &touch, force.unwrap_or_default(), &mut views);
         }
         views
     }

@@ -5,9 +5,9 @@ use super::locate::PENETRATION_CHECKS;
 use super::resolve::Resolution;
 use super::step_search::StepSearch;
 use crate::constraint::locator::{Side, close_in};
-use crate::constraint::released::{self, RunOff};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
+use crate::joints::released::{self, RunOff};
 use crate::report::event::{Event, EventKind};
 use std::convert::Infallible;
 

@@ -4,8 +4,9 @@ use super::hold::{Forces, FoundMode};
 use super::motions::Motions;
 use super::resolve::Resolution;
 use super::resolve::slip_noise;
-use crate::collision::contact_set::{self, Touch};
+use crate::collision::contact_kinematics;
 use crate::collision::friction_mode::{FrictionMode, Slide};
+use crate::collision::touch::Touch;
 use crate::collision::turn::{RotationModes, Turn};
 use crate::model::tolerances;
 use crate::tier::core::Core;
@@ -16,7 +17,7 @@ impl Motions {
         if !core.model.surfaces.have_rotational_friction() {
             return RotationModes::default();
         }
-        let rotation = contact_set::relative_rotation(&core.model, &self.states, touch.id);
+        let rotation = contact_kinematics::relative_rotation(&core.model, &self.states, touch.id);
         RotationModes::of(|turn| {
             turn.friction(&core.model, (touch.id.a, touch.id.b))?;
             let part = turn.part(rotation, touch.kinematics.geometry.normal);

@@ -1,10 +1,10 @@
 //! The active contacts of an island, each with its modes.
 
 use super::contact_modes::ContactModes;
-use super::contact_set::Touch;
 use super::friction_mode::{FrictionMode, Slide};
 use super::turn::{RotationModes, Turn};
-use crate::collision::contact_set;
+use crate::collision::contact_kinematics;
+use crate::collision::touch::Touch;
 use crate::identity::contact_id::ContactId;
 use crate::model::Model;
 use polhode_dynamics::BodyState;
@@ -101,15 +101,15 @@ impl ActiveContacts {
 /// Gives what slides or turns at a contact the direction and speed of its slip in these states.
 fn renew(modes: &mut ContactModes, model: &Model, states: &[BodyState], id: ContactId) {
     if let Some(FrictionMode::Sliding(slide)) = &mut modes.friction
-        && let Some(terms) = contact_set::tangential_kinematics(model, states, id)
+        && let Some(terms) = contact_kinematics::tangential_kinematics(model, states, id)
     {
         *slide = slide.renewed(terms.slip_velocity);
     }
     if modes.rotation.is_empty() {
         return;
     }
-    let Some(kinematics) = contact_set::kinematics(model, states, id) else { return };
-    let (rotation, before) = (contact_set::relative_rotation(model, states, id), modes.rotation);
+    let Some(kinematics) = contact_kinematics::kinematics(model, states, id) else { return };
+    let (rotation, before) = (contact_kinematics::relative_rotation(model, states, id), modes.rotation);
     modes.rotation = RotationModes::of(|turn| match before.get(turn)? {
         FrictionMode::Sticking => Some(FrictionMode::Sticking),
         FrictionMode::Sliding(slide) => {

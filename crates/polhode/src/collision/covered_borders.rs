@@ -17,7 +17,7 @@
 //! of one of its parts alone. Where a body covers the plane alone and is touched by an edge or a face, it has no border
 //! there.
 
-use super::contact_set::Touch;
+use crate::collision::touch::Touch;
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::model::{Model, tolerances};
 use polhode_contact::{ContactFeature, DVec3, Side, SurfaceFeature, closest_point};

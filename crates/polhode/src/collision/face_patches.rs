@@ -10,7 +10,7 @@
 //! Patches are part of the state of a run: which poses they were found at decides their anchors. Failure: patches of
 //! bodies whose faces are strongly curved over the reach are flat.
 
-use crate::collision::contact_set;
+use crate::collision::contact_kinematics;
 use crate::model::{Model, tolerances};
 use polhode_contact::{
     Aabb, Contact, ContactFeature, ContactGeometry, Manifold, PairMemory, Shape, Side, Workspace, clipped_manifold,
@@ -276,7 +276,7 @@ impl PairPatches {
         if self.are_kept(&now, reach) {
             return;
         }
-        let Some((shape_a, shape_b)) = contact_set::shapes(model, self.a, self.b) else {
+        let Some((shape_a, shape_b)) = contact_kinematics::shapes(model, self.a, self.b) else {
             self.presses = false;
             return self.patches.clear();
         };

@@ -2,12 +2,14 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `envelope` | the distance from a body within which contacts are looked for |
 //! | `boxes` | swept boxes of moving bodies, and the pairs whose boxes overlap |
 //! | `face_patches` | where bodies may touch within a step: points fixed to both bodies, kept while these hardly move |
 //! | `inner_borders` | points of patches at a border that other bodies continue |
-//! | `narrow_phase` | contacts and separation of a pair of shapes, computed with the memory of the pair |
-//! | `contact_set` | the contacts of a pair with identity, geometry and time derivatives |
+//! | `touch` | contacts as the engine holds them |
+//! | `contact_set` | the contacts of a pair of bodies |
+//! | `contact_kinematics` | geometry and rates of a contact in any states |
+//! | `friction` | the friction of two bodies at a contact |
+//! | `contact_view` | contacts as programs see them |
 //! | `covered_borders` | contacts at a border that other bodies continue |
 //! | `passing` | bodies that pass over the border of another one without a collision |
 //! | `contact_modes` | the modes of a contact between two events |
@@ -20,16 +22,18 @@
 
 pub(crate) mod active_contacts;
 pub(crate) mod boxes;
+pub(crate) mod contact_kinematics;
 pub(crate) mod contact_modes;
 pub(crate) mod contact_set;
+pub(crate) mod contact_view;
 pub(crate) mod covered_borders;
-pub(crate) mod envelope;
 pub(crate) mod face_patches;
+pub(crate) mod friction;
 mod friction_ellipse;
 pub(crate) mod friction_mode;
 pub(crate) mod inner_borders;
 pub(crate) mod moving_surfaces;
-pub(crate) mod narrow_phase;
 pub(crate) mod passing;
 pub(crate) mod slip_directions;
+pub(crate) mod touch;
 pub(crate) mod turn;

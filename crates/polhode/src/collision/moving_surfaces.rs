@@ -10,7 +10,6 @@
 //! at the contact, `u` the slip): the drives of the surfaces give `-f.w`. Assumes that a surface moves steadily, and
 //! that no momentum of what moves matters.
 
-use crate::collision::contact_set;
 use crate::identity::contact_id::ContactId;
 use crate::model::Model;
 use polhode_contact::{ContactGeometry, TangentialKinematics};
@@ -36,7 +35,7 @@ fn relative_surface_velocity(model: &Model, states: &[BodyState], id: ContactId)
 pub(super) fn add_surface_slip(model: &Model, states: &[BodyState], id: ContactId, terms: &mut TangentialKinematics) {
     let turned = |body: usize| {
         let own = surface_velocity(model, states, body);
-        if own == DVec3::ZERO { own } else { contact_set::velocity(model, body, &states[body]).angular.cross(own) }
+        if own == DVec3::ZERO { own } else { model.velocity(body, &states[body]).angular.cross(own) }
     };
     let w = relative_surface_velocity(model, states, id);
     let rate = turned(id.a) - turned(id.b);

@@ -5,8 +5,8 @@
 //! a face at that border (`polhode_contact::Passing`, where the rule stands): the contacts with the plane of
 //! this face take the place of those that would collide.
 
-use super::contact_set::FoundContact;
-use crate::collision::contact_set;
+use crate::collision::contact_kinematics;
+use crate::collision::touch::FoundContact;
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::model::{Model, tolerances};
 use polhode_contact::{ContactKinematics, Moving, Passing};
@@ -30,7 +30,7 @@ pub(super) fn take_place_of_collisions(
     if contacts.iter().all(|contact| contact.kinematics.separation_rate >= 0.0) {
         return passing;
     }
-    let velocities = [a, b].map(|body| contact_set::velocity(model, body, &states[body]));
+    let velocities = [a, b].map(|body| model.velocity(body, &states[body]));
     let Some(mut bodies) = passing_of(model, states, (a, b), &velocities) else { return passing };
     let sustained = sustained_rate(model, (a, b), &velocities);
     let mut in_place = |FoundContact { id, kinematics }: &FoundContact| {
@@ -53,7 +53,7 @@ pub(super) fn take_place_of_collisions(
     passing.retain(|&feature| contacts.iter().all(|contact| contact.id.feature != feature));
     contacts.extend(passing.iter().filter_map(|&feature| {
         let id = ContactId { a, b, feature };
-        Some(FoundContact { id, kinematics: contact_set::kinematics_in_space(model, states, id)? })
+        Some(FoundContact { id, kinematics: contact_kinematics::kinematics_in_space(model, states, id)? })
     }));
     contacts.sort_by_key(|contact| contact.id);
     passing
@@ -72,7 +72,7 @@ fn passing_of<'a>(
     (a, b): (usize, usize),
     velocities: &'a [Velocity; 2],
 ) -> Option<Passing<'a>> {
-    let (shape_a, shape_b) = contact_set::shapes(model, a, b)?;
+    let (shape_a, shape_b) = contact_kinematics::shapes(model, a, b)?;
     let first = Moving { shape: shape_a, pose: &states[a].pose, velocity: &velocities[0] };
     let second = Moving { shape: shape_b, pose: &states[b].pose, velocity: &velocities[1] };
     Some(Passing::new(first, second, tolerances::touch_distance(model, states, a, b)))
@@ -86,17 +86,10 @@ pub(crate) fn pass_each_other(
     kinematics: &ContactKinematics,
 ) -> bool {
     let pair = (id.a, id.b);
-    let velocities = [id.a, id.b].map(|body| contact_set::velocity(model, body, &states[body]));
+    let velocities = [id.a, id.b].map(|body| model.velocity(body, &states[body]));
     let Feature::Shapes(feature) = id.feature else { return false };
     kinematics.separation_rate < -sustained_rate(model, pair, &velocities)
         && passing_of(model, states, pair, &velocities)
             .and_then(|mut bodies| bodies.in_place_of(feature, kinematics.geometry.normal))
             .is_some()
-}
-
-/// Whether a contact beyond the border of its face holds, because its bodies pass each other along that face.
-pub(crate) fn holds_beyond_border(model: &Model, states: &[BodyState], id: ContactId) -> bool {
-    let found =
-        contact_set::contacts_of_pair(model, states, id.a, id.b, tolerances::touch_distance(model, states, id.a, id.b));
-    found.iter().any(|contact| contact.id == id)
 }

@@ -2,7 +2,7 @@
 
 use super::friction_mode::FrictionMode;
 use super::slip_directions::SlipDirections;
-use crate::collision::{contact_set, slip_directions};
+use crate::collision::{friction, slip_directions};
 use crate::model::{Model, tolerances};
 use polhode_spatial::DVec3;
 
@@ -29,7 +29,7 @@ impl Turn {
 
     /// The length of its friction between two bodies, m; none without it, and of spinning in planar motion.
     pub(crate) fn friction(self, model: &Model, (a, b): (usize, usize)) -> Option<f64> {
-        let friction = contact_set::rotational_friction_of(model, a, b)?;
+        let friction = friction::rotational_friction_of(model, a, b)?;
         let length = match self {
             Self::Rolling => friction.rolling,
             Self::Spinning if slip_directions::slip_directions(model) == SlipDirections::First => return None,

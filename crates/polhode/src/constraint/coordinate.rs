@@ -31,7 +31,7 @@ use std::sync::Arc;
 
 /// A coordinate of a joint.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Measured {
+pub(crate) enum Measured {
     /// Unit vectors: the axis in the axes of B, and those at right angles to it in the axes of A and B.
     Angle {
         axis: DVec3,
@@ -51,19 +51,19 @@ pub(super) enum Measured {
 
 impl Measured {
     /// The angle about an axis of the world (unit vector), zero at the start, between bodies with these attitudes.
-    pub(super) fn angle(axis: DVec3, (a, b): (Rotation, Rotation)) -> Self {
+    pub(crate) fn angle(axis: DVec3, (a, b): (Rotation, Rotation)) -> Self {
         let across = axis.any_orthonormal_vector();
         Self::Angle { axis: b.inverse_rotate(axis), of_a: a.inverse_rotate(across), of_b: b.inverse_rotate(across) }
     }
 
     /// The displacement along an axis of the world (unit vector), zero at the start, fixed in a body with this
     /// attitude.
-    pub(super) fn displacement(axis: DVec3, b: Rotation) -> Self {
+    pub(crate) fn displacement(axis: DVec3, b: Rotation) -> Self {
         Self::Displacement { axis: b.inverse_rotate(axis) }
     }
 
     /// Its axis in the axes of B, a unit vector.
-    pub(super) fn axis(&self) -> Option<DVec3> {
+    pub(crate) fn axis(&self) -> Option<DVec3> {
         match *self {
             Self::Angle { axis, .. } | Self::Displacement { axis } => Some(axis),
             Self::Distance | Self::Along(_) | Self::Height(_) => None,
@@ -72,7 +72,7 @@ impl Measured {
 
     /// The coordinate of these ends. `length` is that of the joint, m; an angle is given within half a revolution of
     /// `near` (its arc, m).
-    pub(super) fn at(&self, a: &EndKinematics, b: &EndKinematics, length: f64, near: f64) -> Option<CoordinateAt> {
+    pub(crate) fn at(&self, a: &EndKinematics, b: &EndKinematics, length: f64, near: f64) -> Option<CoordinateAt> {
         match *self {
             Self::Angle { axis, of_a, of_b } => Some(angle((axis, of_a, of_b), a, b, length, near)),
             Self::Displacement { axis } => {
@@ -122,7 +122,7 @@ fn angle(
 }
 
 /// The distance of two ends; none at one place, where it has no direction.
-pub(super) fn distance(a: &EndKinematics, b: &EndKinematics) -> Option<CoordinateAt> {
+pub(crate) fn distance(a: &EndKinematics, b: &EndKinematics) -> Option<CoordinateAt> {
     let way = a.point - b.point;
     let value = way.length();
     let direction = way.try_normalize()?;

@@ -19,7 +19,7 @@ pub(crate) struct CoordinateAt {
     /// Of an angle: the moment on A that such a force of 1 N stands for.
     pub(crate) moment: Option<AsMoment>,
     /// Of an angle: such a force at the lever of B.
-    pub(super) at_second: Option<AtLever>,
+    pub(crate) at_second: Option<AtLever>,
 }
 
 /// The row of an angle as a moment about the axis, without a lever.
@@ -35,34 +35,34 @@ pub(crate) struct AsMoment {
 
 /// A force at a lever of a body, which stands for the moment about a hinge.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct AtLever {
-    pub(super) point: DVec3,
-    pub(super) direction: DVec3,
-    pub(super) rate: f64,
-    pub(super) bias: f64,
+pub(crate) struct AtLever {
+    pub(crate) point: DVec3,
+    pub(crate) direction: DVec3,
+    pub(crate) rate: f64,
+    pub(crate) bias: f64,
 }
 
 impl CoordinateAt {
     /// That of a row of displacement along a direction (unit vector, world) at a point (m), whose gap is its value.
-    pub(super) fn displacement(row: &BilateralRow, point: DVec3, direction: DVec3) -> Self {
+    pub(crate) fn displacement(row: &BilateralRow, point: DVec3, direction: DVec3) -> Self {
         let BilateralRow { gap: value, rate, bias, .. } = *row;
         Self { value, rate, bias, point, direction, moment: None, at_second: None }
     }
 
     /// The rate of the coordinate itself, m/s: of an angle not that of its lever, which contains how fast the anchors
     /// part where the joint does not hold them yet, and depends on which way across the axis the lever points.
-    pub(super) fn own_rate(&self) -> f64 {
+    pub(crate) fn own_rate(&self) -> f64 {
         self.moment.map_or(self.rate, |moment| moment.rate)
     }
 
     /// The same with the force of an angle at the lever of B, which turns with that body.
-    pub(super) fn at_lever_of_second(self) -> Self {
+    pub(crate) fn at_lever_of_second(self) -> Self {
         let at = |AtLever { point, direction, rate, bias }| Self { rate, bias, point, direction, ..self };
         self.at_second.map_or(self, at)
     }
 
     /// The row that keeps the coordinate at a value (m).
-    pub(super) fn row(&self, value: f64) -> BilateralRow {
+    pub(crate) fn row(&self, value: f64) -> BilateralRow {
         BilateralRow { kind: RowKind::Along(self.direction), gap: self.value - value, rate: self.rate, bias: self.bias }
     }
 }

@@ -24,14 +24,14 @@ pub(crate) enum End {
 
 /// Whether the first body of a contact at a joint is the first one of the joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Order {
+pub(crate) enum Order {
     Same,
     Reversed,
 }
 
 impl Order {
     /// The sign of motions of the first body of the joint in those of the first one of the contact.
-    pub(super) fn sign(self) -> f64 {
+    pub(crate) fn sign(self) -> f64 {
         match self {
             Self::Same => 1.0,
             Self::Reversed => -1.0,
@@ -41,16 +41,16 @@ impl Order {
 
 /// An end in given states, all world.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct EndKinematics {
-    pub(super) point: DVec3,
+pub(crate) struct EndKinematics {
+    pub(crate) point: DVec3,
     /// Of the point, m/s.
-    pub(super) velocity: DVec3,
+    pub(crate) velocity: DVec3,
     /// `w x (w x r)`: the acceleration of the point without that of the body, m/s^2.
-    pub(super) acceleration: DVec3,
+    pub(crate) acceleration: DVec3,
     /// Attitude of the body.
-    pub(super) rotation: Rotation,
+    pub(crate) rotation: Rotation,
     /// Angular velocity of the body, rad/s.
-    pub(super) angular: DVec3,
+    pub(crate) angular: DVec3,
     holder: Holder,
 }
 
@@ -64,7 +64,7 @@ enum Holder {
 
 impl End {
     /// The end where this is the pose of the moving frame of a body, and its velocity.
-    pub(super) fn at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> EndKinematics {
+    pub(crate) fn at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> EndKinematics {
         match *self {
             Self::World(point) => EndKinematics {
                 point,
@@ -112,7 +112,7 @@ impl End {
 impl EndKinematics {
     /// The motion of another point (m, world) that moves with the body at this moment. Two bodies whose ends are apart
     /// bear their forces at one point, so that their angular momentum stays.
-    pub(super) fn at_point(self, point: DVec3) -> Self {
+    pub(crate) fn at_point(self, point: DVec3) -> Self {
         let way = point - self.point;
         let (arm, holder) = match self.holder {
             Holder::World => return self,
@@ -129,12 +129,12 @@ impl EndKinematics {
     }
 
     /// Whether it is fixed in the world.
-    pub(super) fn is_in_world(&self) -> bool {
+    pub(crate) fn is_in_world(&self) -> bool {
         matches!(self.holder, Holder::World)
     }
 
     /// The movable member of a constraint at this end, with its sign.
-    pub(super) fn member(&self, sign: f64) -> Option<Member> {
+    pub(crate) fn member(&self, sign: f64) -> Option<Member> {
         match self.holder {
             Holder::Body(body, arm) => Some(Member { body, arm, sign, part: Part::First }),
             Holder::World | Holder::Driver(..) => None,
@@ -142,7 +142,7 @@ impl EndKinematics {
     }
 
     /// The kinematic member, likewise.
-    pub(super) fn driver(&self, sign: f64) -> Option<Member> {
+    pub(crate) fn driver(&self, sign: f64) -> Option<Member> {
         match self.holder {
             Holder::Driver(body, arm) => Some(Member { body, arm, sign, part: Part::First }),
             Holder::World | Holder::Body(..) => None,

@@ -128,7 +128,7 @@ impl ModelJoint {
     }
 
     /// Whether it keeps anything: limits alone are stops.
-    pub(super) fn has_rows(&self) -> bool {
+    pub(crate) fn has_rows(&self) -> bool {
         self.kept.rows() > 0
     }
 
@@ -153,12 +153,12 @@ impl ModelJoint {
         self.stops.len()
     }
 
-    pub(super) fn stop(&self, place: usize) -> Option<&Stop> {
+    pub(crate) fn stop(&self, place: usize) -> Option<&Stop> {
         self.stops.get(place)
     }
 
     /// One of its stops where bodies have these poses of their moving frames, and velocities.
-    pub(super) fn stop_at(
+    pub(crate) fn stop_at(
         &self,
         place: usize,
         motion: impl Fn(usize) -> (Pose, Velocity),
@@ -167,14 +167,14 @@ impl ModelJoint {
     }
 
     /// Which end the first body of its pair is at.
-    pub(super) fn order(&self) -> Order {
+    pub(crate) fn order(&self) -> Order {
         let is_first = self.a.body().or_else(|| self.a.driver()) == Some(self.pair().0);
         if is_first { Order::Same } else { Order::Reversed }
     }
 
     /// A coordinate where bodies have these poses of their moving frames, and velocities: its value lies within half a
     /// revolution of the second number, m.
-    pub(super) fn coordinate_at(
+    pub(crate) fn coordinate_at(
         &self,
         (measured, near): (&Measured, f64),
         motion: impl Fn(usize) -> (Pose, Velocity),
@@ -184,7 +184,7 @@ impl ModelJoint {
     }
 
     /// The same with its ends there.
-    pub(super) fn coordinate_with_ends(
+    pub(crate) fn coordinate_with_ends(
         &self,
         (measured, near): (&Measured, f64),
         motion: impl Fn(usize) -> (Pose, Velocity),
@@ -195,19 +195,19 @@ impl ModelJoint {
 
     /// The velocity of its first body at its anchor relative to the second one or the world there, and its angular
     /// velocity relative to that.
-    pub(super) fn slip(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> Velocity {
+    pub(crate) fn slip(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> Velocity {
         let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
         let b = b.at_point(a.point);
         Velocity::new(a.velocity - b.velocity, a.angular - b.angular)
     }
 
     /// Where it holds its first body, world, m.
-    pub(super) fn anchor(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> DVec3 {
+    pub(crate) fn anchor(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> DVec3 {
         self.a.at(motion).point
     }
 
     /// The axis of one of its coordinates (unit vector, world): of an angle or a displacement; zero of a distance.
-    pub(super) fn axis_of(&self, place: usize, motion: impl Fn(usize) -> (Pose, Velocity)) -> DVec3 {
+    pub(crate) fn axis_of(&self, place: usize, motion: impl Fn(usize) -> (Pose, Velocity)) -> DVec3 {
         let Some(own) = self.coordinates.get(place) else { return DVec3::ZERO };
         let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
         match (&own.measured, own.measured.axis()) {
@@ -217,17 +217,17 @@ impl ModelJoint {
     }
 
     /// Length of its rows of rotation, m.
-    pub(super) fn length(&self) -> f64 {
+    pub(crate) fn length(&self) -> f64 {
         self.length
     }
 
     /// Its coordinates.
-    pub(super) fn coordinates(&self) -> &[JointCoordinate] {
+    pub(crate) fn coordinates(&self) -> &[JointCoordinate] {
         &self.coordinates
     }
 
     /// The place of a coordinate among its coordinates; without a name that of the only one.
-    pub(super) fn place_of(&self, coordinate: Option<Coordinate>) -> Option<usize> {
+    pub(crate) fn place_of(&self, coordinate: Option<Coordinate>) -> Option<usize> {
         match coordinate {
             Some(coordinate) => self.coordinates.iter().position(|own| own.coordinate == coordinate),
             None => (self.coordinates.len() == 1).then_some(0),
@@ -247,19 +247,19 @@ impl ModelJoint {
     }
 
     /// What its angles that turn on are near to, rad.
-    pub(super) fn turned(&self) -> impl Iterator<Item = f64> {
+    pub(crate) fn turned(&self) -> impl Iterator<Item = f64> {
         self.coordinates.iter().filter(|own| own.turns_on).map(|own| own.near)
     }
 
     /// The same where bodies have these poses of their moving frames, and velocities.
-    pub(super) fn turned_at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> Vec<f64> {
+    pub(crate) fn turned_at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> Vec<f64> {
         let angle = |own: &JointCoordinate| self.coordinate_at((&own.measured, own.near * own.unit), &motion);
         let near = |own| angle(own).map_or(own.near, |at| quarters_near(at.value / own.unit));
         self.coordinates.iter().filter(|own| own.turns_on).map(near).collect()
     }
 
     /// Replaces it. Returns whether forces at the joint depend on it.
-    pub(super) fn follow(&mut self, turned: &[f64]) -> bool {
+    pub(crate) fn follow(&mut self, turned: &[f64]) -> bool {
         let turning = self.coordinates.iter_mut().filter(|own| own.turns_on);
         let mut is_sprung = false;
         // A joint has one angle.
@@ -271,7 +271,7 @@ impl ModelJoint {
     }
 
     /// Gives one of its coordinates another motor, or none. Returns whether it has that coordinate.
-    pub(super) fn set_motor(&mut self, coordinate: Coordinate, motor: Option<Motor>) -> bool {
+    pub(crate) fn set_motor(&mut self, coordinate: Coordinate, motor: Option<Motor>) -> bool {
         let own = self.coordinates.iter_mut().find(|own| own.coordinate == coordinate);
         let has_it = own.is_some();
         if let Some(own) = own {
@@ -281,17 +281,17 @@ impl ModelJoint {
     }
 
     /// The movable bodies at its first and second end.
-    pub(super) fn ends(&self) -> [Option<usize>; 2] {
+    pub(crate) fn ends(&self) -> [Option<usize>; 2] {
         [self.a.body(), self.b.body()]
     }
 
     /// Its ends in given states.
-    pub(super) fn ends_at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> [EndKinematics; 2] {
+    pub(crate) fn ends_at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> [EndKinematics; 2] {
         [&self.a, &self.b].map(|end| end.at(&motion))
     }
 
     /// Its track, if it is one.
-    pub(super) fn guide(&self) -> Option<&Guide> {
+    pub(crate) fn guide(&self) -> Option<&Guide> {
         self.guide.as_deref()
     }
 
@@ -306,13 +306,13 @@ impl ModelJoint {
     }
 
     /// Whether its body is beyond an end at which it lets go.
-    pub(super) fn has_passed_end(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> bool {
+    pub(crate) fn has_passed_end(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> bool {
         let [a, b] = self.ends_at(motion);
         self.lets_go_at_ends && self.guide().is_some_and(|guide| guide.is_beyond(&a, &b))
     }
 
     /// How its track holds its body, if it is one.
-    pub(super) fn hold(&self) -> Option<TrackHold> {
+    pub(crate) fn hold(&self) -> Option<TrackHold> {
         self.hold
     }
 

@@ -17,21 +17,21 @@ use std::sync::Arc;
 
 /// A coordinate of a joint.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct JointCoordinate {
-    pub(super) coordinate: Coordinate,
-    pub(super) measured: Measured,
+pub(crate) struct JointCoordinate {
+    pub(crate) coordinate: Coordinate,
+    pub(crate) measured: Measured,
     /// The length that makes displacements of its values: m of an angle, 1 otherwise.
-    pub(super) unit: f64,
+    pub(crate) unit: f64,
     /// The value near which an angle is known to be, rad.
-    pub(super) near: f64,
+    pub(crate) near: f64,
     /// Whether that follows the angle, because it turns on.
-    pub(super) turns_on: bool,
-    pub(super) freedom: Freedom,
+    pub(crate) turns_on: bool,
+    pub(crate) freedom: Freedom,
 }
 
 /// The coordinates of a joint of bodies with these attitudes, on this track if it is one; `length` is that of its rows
 /// of rotation, m.
-pub(super) fn coordinates(
+pub(crate) fn coordinates(
     joint: &Joint,
     attitudes: (Rotation, Rotation),
     length: f64,
@@ -55,13 +55,13 @@ pub(super) fn coordinates(
 
 impl JointCoordinate {
     /// What acts along it depends on its value, within its limits.
-    pub(super) fn is_sprung(&self) -> bool {
+    pub(crate) fn is_sprung(&self) -> bool {
         let servo = |motor: Motor| matches!(motor.drive(), Drive::Position { .. });
         self.freedom.stiffness() > 0.0 || self.freedom.motor().is_some_and(servo)
     }
 }
 
 /// The multiple of a quarter of a revolution next to an angle, rad.
-pub(super) fn quarters_near(angle: f64) -> f64 {
+pub(crate) fn quarters_near(angle: f64) -> f64 {
     FRAC_PI_2 * libm::round(angle / FRAC_PI_2)
 }

@@ -21,18 +21,18 @@ use polhode_spatial::{DMat3, Pose, Velocity};
 
 /// What exerts an effort, in the unit of the coordinate.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Source {
+pub(crate) enum Source {
     Spring { stiffness: f64, rest: f64 },
     Damper { damping: f64 },
     Motor(Motor),
 }
 
 /// How an effort changes with its coordinate and its rate.
-pub(super) struct Gains {
+pub(crate) struct Gains {
     /// N m/rad or N/m.
-    pub(super) stiffness: f64,
+    pub(crate) stiffness: f64,
     /// N m s/rad or N s/m.
-    pub(super) damping: f64,
+    pub(crate) damping: f64,
 }
 
 impl Source {
@@ -44,7 +44,7 @@ impl Source {
         }
     }
 
-    pub(super) fn gains(&self, value: f64, rate: f64) -> Gains {
+    pub(crate) fn gains(&self, value: f64, rate: f64) -> Gains {
         match *self {
             Self::Spring { stiffness, .. } => Gains { stiffness, damping: 0.0 },
             Self::Damper { damping } => Gains { stiffness: 0.0, damping },
@@ -64,16 +64,16 @@ impl Source {
 /// A spring, a damper or a motor at a coordinate of a joint.
 #[derive(Debug, Clone)]
 pub(crate) struct JointForce {
-    pub(super) joint: ModelJoint,
+    pub(crate) joint: ModelJoint,
     /// Place of the coordinate among those of the joint.
-    pub(super) place: usize,
+    pub(crate) place: usize,
     measured: Measured,
     /// As in [`JointCoordinate`].
-    pub(super) unit: f64,
+    pub(crate) unit: f64,
     near: f64,
-    pub(super) source: Source,
+    pub(crate) source: Source,
     /// The movable bodies at its ends: number, and place among the movable ones.
-    pub(super) ends: [Option<(usize, usize)>; 2],
+    pub(crate) ends: [Option<(usize, usize)>; 2],
 }
 
 impl JointForce {
@@ -95,12 +95,12 @@ impl JointForce {
     }
 
     /// The coordinate where bodies have these poses of their moving frames, and velocities.
-    pub(super) fn coordinate_at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> Option<CoordinateAt> {
+    pub(crate) fn coordinate_at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> Option<CoordinateAt> {
         self.joint.coordinate_at((&self.measured, self.near * self.unit), motion)
     }
 
     /// Its effort times the rate of its coordinate, W.
-    pub(super) fn power(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> f64 {
+    pub(crate) fn power(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> f64 {
         self.coordinate_at(motion).map_or(0.0, |at| {
             let rate = at.own_rate() / self.unit;
             self.source.effort(at.value / self.unit, rate) * rate

@@ -24,7 +24,7 @@ enum StaysAlong {
 
 /// What a joint keeps.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Kept {
+pub(crate) struct Kept {
     displacement: StaysAlong,
     rotation: Vec<Perpendicular>,
     thread: Option<Thread>,
@@ -32,33 +32,33 @@ pub(super) struct Kept {
 
 impl Kept {
     /// A point: A does not move away from B, but turns.
-    pub(super) fn point() -> Self {
+    pub(crate) fn point() -> Self {
         Self { displacement: StaysAlong::All, rotation: Vec::new(), thread: None }
     }
 
     /// A point of A does not move along these directions of the world (unit vectors), fixed in B with this attitude.
-    pub(super) fn along<const N: usize>(directions: [DVec3; N], b: Rotation) -> Self {
+    pub(crate) fn along<const N: usize>(directions: [DVec3; N], b: Rotation) -> Self {
         let directions = directions.iter().map(|direction| b.inverse_rotate(*direction)).collect();
         Self { displacement: StaysAlong::Some(directions), rotation: Vec::new(), thread: None }
     }
 
     /// Nothing.
-    pub(super) fn nothing() -> Self {
+    pub(crate) fn nothing() -> Self {
         Self { displacement: StaysAlong::Some(Vec::new()), rotation: Vec::new(), thread: None }
     }
 
     /// A point of A stays at this distance (m) from one of B.
-    pub(super) fn distance(distance: f64) -> Self {
+    pub(crate) fn distance(distance: f64) -> Self {
         Self { displacement: StaysAlong::Line(distance), rotation: Vec::new(), thread: None }
     }
 
     /// A point of A stays on a track, and this follows it.
-    pub(super) fn track(guide: &Arc<Guide>, followed: Option<Followed>) -> Self {
+    pub(crate) fn track(guide: &Arc<Guide>, followed: Option<Followed>) -> Self {
         Self { displacement: StaysAlong::Track(Arc::clone(guide), followed), rotation: Vec::new(), thread: None }
     }
 
     /// These pairs of directions of the world, the first fixed in A and the second in B, stay perpendicular too.
-    pub(super) fn with_rotation<const N: usize>(
+    pub(crate) fn with_rotation<const N: usize>(
         mut self,
         pairs: [(DVec3, DVec3); N],
         attitudes: (Rotation, Rotation),
@@ -68,12 +68,12 @@ impl Kept {
     }
 
     /// A displacement that goes with a rotation is kept too.
-    pub(super) fn with_thread(self, thread: Thread) -> Self {
+    pub(crate) fn with_thread(self, thread: Thread) -> Self {
         Self { thread: Some(thread), ..self }
     }
 
     /// How many rows it has.
-    pub(super) fn rows(&self) -> usize {
+    pub(crate) fn rows(&self) -> usize {
         let displacement = match &self.displacement {
             StaysAlong::All => point::ROWS,
             StaysAlong::Some(directions) => directions.len(),
@@ -85,7 +85,7 @@ impl Kept {
 
     /// The rows of these ends; `length` is that of rows of rotation, m. Where both are bodies and the point of A stays
     /// at that of B, the force acts between them; where it slides, at the point of A.
-    pub(super) fn rows_at(&self, mut a: EndKinematics, mut b: EndKinematics, length: f64) -> RowsAt {
+    pub(crate) fn rows_at(&self, mut a: EndKinematics, mut b: EndKinematics, length: f64) -> RowsAt {
         let gap = a.point - b.point;
         let thread = self.thread.as_ref().and_then(|thread| thread.row(&a, &b));
         let mut rows: Vec<_> = match &self.displacement {

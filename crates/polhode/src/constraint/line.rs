@@ -14,7 +14,7 @@ use polhode_spatial::DVec3;
 
 /// The row of a direction in the axes of B (unit vector). `gap` is the way from the point of B to that of A (m); both
 /// ends are taken at the latter.
-pub(super) fn row(direction: DVec3, gap: DVec3, a: &EndKinematics, b: &EndKinematics) -> BilateralRow {
+pub(crate) fn row(direction: DVec3, gap: DVec3, a: &EndKinematics, b: &EndKinematics) -> BilateralRow {
     let direction = b.rotation.rotate(direction);
     let slip = a.velocity - b.velocity;
     BilateralRow {
@@ -26,7 +26,7 @@ pub(super) fn row(direction: DVec3, gap: DVec3, a: &EndKinematics, b: &EndKinema
 }
 
 /// The bias of the row of a direction (unit vector, world) that is fixed in B, m/s^2.
-pub(super) fn bias(direction: DVec3, a: &EndKinematics, b: &EndKinematics) -> f64 {
+pub(crate) fn bias(direction: DVec3, a: &EndKinematics, b: &EndKinematics) -> f64 {
     let slip = a.velocity - b.velocity;
     direction.dot(a.acceleration - b.acceleration) + 2.0 * b.angular.cross(direction).dot(slip)
 }

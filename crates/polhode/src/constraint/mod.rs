@@ -34,46 +34,33 @@
 //! | `joint_error` | how far joints are from what they keep |
 //! | `locator` | the time of an event within a step |
 
-pub(crate) mod added;
-pub(crate) mod bilateral;
-pub(crate) mod breaking;
-mod coordinate;
-mod coordinate_at;
+pub(crate) mod coordinate;
+pub(crate) mod coordinate_at;
 mod cylindrical;
-mod end;
+pub(crate) mod end;
 mod fixed;
-pub(crate) mod held;
 mod hinge;
 pub(crate) mod joint;
-pub(crate) mod joint_contacts;
-mod joint_coordinate;
-pub(crate) mod joint_error;
+pub(crate) mod joint_coordinate;
 pub(crate) mod joint_forces;
-pub(crate) mod joint_friction;
-pub(crate) mod joint_power;
-mod kept;
+pub(crate) mod kept;
 mod line;
 pub(crate) mod locator;
-pub(crate) mod motors;
 mod on_track;
 mod perpendicular;
 mod planar;
 mod point;
-pub(crate) mod released;
 pub(crate) mod row;
 mod screw;
 mod slider;
-pub(crate) mod soft_rows;
 pub(crate) mod softness;
-mod stop;
+pub(crate) mod stop;
 mod thread;
 pub(crate) mod tie;
-pub(crate) mod ties;
-mod track;
+pub(crate) mod track;
 pub(crate) mod track_frame;
 pub(crate) mod track_springs;
 pub(crate) mod tree_joint;
-pub(crate) mod turns;
 mod universal;
 
 use crate::identity::contact_id::ContactId;

@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 /// The track of a joint whose second body has this attitude at the start; none of another kind, or of a track that does
 /// not exist.
-pub(super) fn guide(joint: &Joint, tracks: &[Arc<Curve>], attitude: Rotation) -> Option<Guide> {
+pub(crate) fn guide(joint: &Joint, tracks: &[Arc<Curve>], attitude: Rotation) -> Option<Guide> {
     let JointKind::Track { track, hold, .. } = joint.kind() else { return None };
     let towards = match hold {
         TrackHold::OneSide(side) => Some(side.towards.get()),
@@ -33,7 +33,7 @@ fn followed(guide: &Guide, follows: Follows, attitude: Rotation) -> Option<Follo
 }
 
 /// What a track keeps of the motion of its body on another one with these attitudes at the start.
-pub(super) fn kept(guide: Option<&Arc<Guide>>, hold: TrackHold, (a, b): (Rotation, Rotation)) -> Kept {
+pub(crate) fn kept(guide: Option<&Arc<Guide>>, hold: TrackHold, (a, b): (Rotation, Rotation)) -> Kept {
     match (guide, hold) {
         (Some(guide), TrackHold::Both(follows)) => Kept::track(guide, followed(guide, follows, a)),
         (Some(guide), TrackHold::OneSide(_)) => Kept::along([guide.plane_normal()], b),
@@ -42,7 +42,7 @@ pub(super) fn kept(guide: Option<&Arc<Guide>>, hold: TrackHold, (a, b): (Rotatio
 }
 
 /// The stops of a track: its side, and its ends.
-pub(super) fn stops(guide: &Arc<Guide>, kind: JointKind) -> Vec<Stop> {
+pub(crate) fn stops(guide: &Arc<Guide>, kind: JointKind) -> Vec<Stop> {
     let JointKind::Track { hold, ends, .. } = kind else { return Vec::new() };
     let side = match hold {
         TrackHold::OneSide(side) => Some(Stop::one_side(guide, side.restitution)),
@@ -56,11 +56,11 @@ pub(super) fn stops(guide: &Arc<Guide>, kind: JointKind) -> Vec<Stop> {
 }
 
 /// Whether a track holds nothing beyond its ends.
-pub(super) fn lets_go_at_ends(kind: JointKind) -> bool {
+pub(crate) fn lets_go_at_ends(kind: JointKind) -> bool {
     matches!(kind, JointKind::Track { ends: TrackEnds::Free, .. })
 }
 
 /// How a track holds its body; none of another kind.
-pub(super) fn hold(kind: JointKind) -> Option<TrackHold> {
+pub(crate) fn hold(kind: JointKind) -> Option<TrackHold> {
     if let JointKind::Track { hold, .. } = kind { Some(hold) } else { None }
 }

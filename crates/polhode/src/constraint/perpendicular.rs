@@ -15,7 +15,7 @@ use polhode_spatial::{DVec3, Rotation};
 
 /// A direction of each body, perpendicular to each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Perpendicular {
+pub(crate) struct Perpendicular {
     /// Unit vector in the axes of A.
     a: DVec3,
     /// Unit vector in the axes of B.
@@ -24,12 +24,12 @@ pub(super) struct Perpendicular {
 
 impl Perpendicular {
     /// These directions of the world (unit vectors), fixed in bodies with these attitudes.
-    pub(super) fn new((a, b): (DVec3, DVec3), attitudes: (Rotation, Rotation)) -> Self {
+    pub(crate) fn new((a, b): (DVec3, DVec3), attitudes: (Rotation, Rotation)) -> Self {
         Self { a: attitudes.0.inverse_rotate(a), b: attitudes.1.inverse_rotate(b) }
     }
 
     /// The row; `length` is that of the joint, m.
-    pub(super) fn row(&self, a: &EndKinematics, b: &EndKinematics, length: f64) -> BilateralRow {
+    pub(crate) fn row(&self, a: &EndKinematics, b: &EndKinematics, length: f64) -> BilateralRow {
         let (of_a, of_b) = (a.rotation.rotate(self.a), b.rotation.rotate(self.b));
         let (w_a, w_b) = (a.angular, b.angular);
         let relative = w_a - w_b;

@@ -5,7 +5,7 @@ use super::kept::Kept;
 use polhode_spatial::{DVec3, Rotation};
 
 /// What a planar joint with this normal (unit vector, world) keeps between bodies with these attitudes.
-pub(super) fn kept(normal: DVec3, attitudes: (Rotation, Rotation)) -> Kept {
+pub(crate) fn kept(normal: DVec3, attitudes: (Rotation, Rotation)) -> Kept {
     let (first, second) = normal.any_orthonormal_pair();
     Kept::along([normal], attitudes.1).with_rotation([(normal, first), (normal, second)], attitudes)
 }

@@ -8,10 +8,10 @@ use super::row::{BilateralRow, RowKind};
 use polhode_spatial::DVec3;
 
 /// How many rows.
-pub(super) const ROWS: usize = 3;
+pub(crate) const ROWS: usize = 3;
 
 /// The rows of a point of `a` that stays at one of `b`, from which it is this far away (m).
-pub(super) fn rows(gap: DVec3, a: &EndKinematics, b: &EndKinematics) -> impl Iterator<Item = BilateralRow> {
+pub(crate) fn rows(gap: DVec3, a: &EndKinematics, b: &EndKinematics) -> impl Iterator<Item = BilateralRow> {
     let gap = gap.to_array();
     let rate = (a.velocity - b.velocity).to_array();
     let bias = (a.acceleration - b.acceleration).to_array();

@@ -32,7 +32,7 @@ pub(crate) enum Action {
 
 impl Action {
     /// The same, so many times.
-    pub(super) fn times(self, factor: f64) -> Self {
+    pub(crate) fn times(self, factor: f64) -> Self {
         match self {
             Self::Force { direction, point } => Self::Force { direction: direction * factor, point },
             Self::Moment(axis) => Self::Moment(axis * factor),

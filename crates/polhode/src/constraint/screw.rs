@@ -7,7 +7,7 @@ use polhode_spatial::{DVec3, Rotation};
 
 /// What a screw with this axis (unit vector, world) and lead (m for each revolution) keeps between bodies with these
 /// attitudes.
-pub(super) fn kept((axis, lead): (DVec3, f64), attitudes: (Rotation, Rotation)) -> Kept {
+pub(crate) fn kept((axis, lead): (DVec3, f64), attitudes: (Rotation, Rotation)) -> Kept {
     let (first, second) = axis.any_orthonormal_pair();
     let kept = Kept::along([first, second], attitudes.1).with_rotation([(axis, first), (axis, second)], attitudes);
     kept.with_thread(Thread::new((axis, lead), attitudes))

@@ -37,19 +37,19 @@ impl FreeSide {
 
 /// A limit of a coordinate.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Stop {
+pub(crate) struct Stop {
     measured: Measured,
     /// m; of an angle the length of its arc.
     limit: f64,
     side: FreeSide,
     /// Middle of the range, within half a revolution of which angles are, m.
     middle: f64,
-    pub(super) restitution: f64,
+    pub(crate) restitution: f64,
 }
 
 impl Stop {
     /// The stops of a coordinate.
-    pub(super) fn of(coordinate: &JointCoordinate) -> impl Iterator<Item = Self> + use<> {
+    pub(crate) fn of(coordinate: &JointCoordinate) -> impl Iterator<Item = Self> + use<> {
         let JointCoordinate { measured, unit, near, freedom, .. } = coordinate.clone();
         let stop = move |limits: Limits, limit: f64, side| {
             let restitution = limits.restitution();
@@ -64,18 +64,18 @@ impl Stop {
     }
 
     /// The side of a track that pushes, with this coefficient of restitution.
-    pub(super) fn one_side(guide: &Arc<Guide>, restitution: f64) -> Self {
+    pub(crate) fn one_side(guide: &Arc<Guide>, restitution: f64) -> Self {
         let measured = Measured::Height(Arc::clone(guide));
         Self { measured, limit: 0.0, side: FreeSide::Above, middle: 0.0, restitution }
     }
 
     /// Whether it is the side of a track that pushes.
-    pub(super) fn is_side_of_track(&self) -> bool {
+    pub(crate) fn is_side_of_track(&self) -> bool {
         matches!(self.measured, Measured::Height(_))
     }
 
     /// The ends of a track, at these arc lengths (m), with this coefficient of restitution.
-    pub(super) fn at_ends(guide: &Arc<Guide>, [first, last]: [f64; 2], restitution: f64) -> [Self; 2] {
+    pub(crate) fn at_ends(guide: &Arc<Guide>, [first, last]: [f64; 2], restitution: f64) -> [Self; 2] {
         [(first, FreeSide::Above), (last, FreeSide::Below)].map(|(limit, side)| {
             let measured = Measured::Along(Arc::clone(guide));
             Self { measured, limit, side, middle: limit, restitution }
@@ -83,7 +83,7 @@ impl Stop {
     }
 
     /// Where the stop acts in given states; none where the coordinate has no direction.
-    pub(super) fn at(
+    pub(crate) fn at(
         &self,
         coordinate: impl FnOnce(&Measured, f64) -> Option<CoordinateAt>,
         order: Order,

@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 
 /// A displacement along an axis that goes with the rotation about it.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Thread {
+pub(crate) struct Thread {
     displacement: Measured,
     angle: Measured,
     /// Displacement for each radian, m.
@@ -22,13 +22,13 @@ pub(super) struct Thread {
 
 impl Thread {
     /// That of an axis (unit vector, world) and a lead (m) between bodies with these attitudes.
-    pub(super) fn new((axis, lead): (DVec3, f64), attitudes: (Rotation, Rotation)) -> Self {
+    pub(crate) fn new((axis, lead): (DVec3, f64), attitudes: (Rotation, Rotation)) -> Self {
         let (displacement, angle) = (Measured::displacement(axis, attitudes.1), Measured::angle(axis, attitudes));
         Self { displacement, angle, pitch: lead / TAU }
     }
 
     /// Its row; none where the coordinates have no direction.
-    pub(super) fn row(&self, a: &EndKinematics, b: &EndKinematics) -> Option<BilateralRow> {
+    pub(crate) fn row(&self, a: &EndKinematics, b: &EndKinematics) -> Option<BilateralRow> {
         const RADIAN: f64 = 1.0;
         let displacement = self.displacement.at(a, b, RADIAN, 0.0)?;
         let angle = self.angle.at(a, b, RADIAN, displacement.value / self.pitch)?;

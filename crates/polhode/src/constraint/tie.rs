@@ -31,17 +31,17 @@ use std::f64::consts::TAU;
 
 /// A coordinate of a joint that a tie takes hold of.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Tied {
-    pub(super) joint: ModelJoint,
+pub(crate) struct Tied {
+    pub(crate) joint: ModelJoint,
     /// Its place among the coordinates of the joint.
-    pub(super) place: usize,
+    pub(crate) place: usize,
     /// Its value at the start, rad or m.
-    pub(super) start: f64,
+    pub(crate) start: f64,
 }
 
 /// What the first coordinate is held to.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum HeldTo {
+pub(crate) enum HeldTo {
     /// The ratio times another coordinate.
     Coordinate {
         second: Box<Tied>,
@@ -57,9 +57,9 @@ pub(super) enum HeldTo {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Tie {
     /// Its number: gears in the order of the scene, then prescribed motions.
-    pub(super) number: usize,
-    pub(super) first: Tied,
-    pub(super) to: HeldTo,
+    pub(crate) number: usize,
+    pub(crate) first: Tied,
+    pub(crate) to: HeldTo,
 }
 
 /// A coordinate in given states.
@@ -83,7 +83,7 @@ impl Tied {
     }
 
     /// Its value, of an angle within half a revolution of zero; none where it has no direction.
-    pub(super) fn value(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> Option<f64> {
+    pub(crate) fn value(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> Option<f64> {
         let own = self.joint.coordinates().get(self.place)?;
         Some(self.joint.coordinate_at((&own.measured, 0.0), motion)?.value / own.unit)
     }
@@ -113,7 +113,7 @@ impl Tied {
 
 impl Tie {
     /// The joints whose coordinates it takes hold of.
-    pub(super) fn joints(&self) -> impl Iterator<Item = &ModelJoint> {
+    pub(crate) fn joints(&self) -> impl Iterator<Item = &ModelJoint> {
         let second = match &self.to {
             HeldTo::Coordinate { second, .. } => Some(&second.joint),
             HeldTo::Carriage { .. } => None,
@@ -122,7 +122,7 @@ impl Tie {
     }
 
     /// Its number: gears in the order of the scene, then prescribed motions.
-    pub(super) fn number(&self) -> usize {
+    pub(crate) fn number(&self) -> usize {
         self.number
     }
 
@@ -143,7 +143,7 @@ impl Tie {
     }
 
     /// The angle whose revolutions it counts, at the end of the last step, rad; none of a tie that counts none.
-    pub(super) fn counted(&self) -> Option<f64> {
+    pub(crate) fn counted(&self) -> Option<f64> {
         match &self.to {
             HeldTo::Coordinate { second, last, .. } if second.is_angle() && self.first.is_angle() => Some(*last),
             HeldTo::Coordinate { .. } | HeldTo::Carriage { .. } => None,
@@ -151,14 +151,14 @@ impl Tie {
     }
 
     /// Sets it.
-    pub(super) fn set_counted(&mut self, angle: f64) {
+    pub(crate) fn set_counted(&mut self, angle: f64) {
         if let HeldTo::Coordinate { last, .. } = &mut self.to {
             *last = angle;
         }
     }
 
     /// That angle now, less than half a revolution from what it was; none of a tie that counts none.
-    pub(super) fn counted_at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> Option<f64> {
+    pub(crate) fn counted_at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> Option<f64> {
         let last = self.counted()?;
         let HeldTo::Coordinate { second, .. } = &self.to else { return None };
         let within = second.value(motion)?;
@@ -167,7 +167,7 @@ impl Tie {
 
     /// Its row where bodies have these poses of their moving frames, and velocities; none where a coordinate has no
     /// direction.
-    pub(super) fn row_at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> Option<RowsAt> {
+    pub(crate) fn row_at(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> Option<RowsAt> {
         let first = self.first.at(Part::First, &motion)?;
         let point = match first.action {
             Action::Force { point, .. } => point,

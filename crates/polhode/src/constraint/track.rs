@@ -38,11 +38,11 @@ const LEAST_ANGLE: f64 = 0.1;
 const BEYOND_END: f64 = 1e-13;
 
 /// How many rows a track has that holds from both sides.
-pub(super) const ROWS: usize = 2;
+pub(crate) const ROWS: usize = 2;
 
 /// A track as the end of a joint sees it.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Guide {
+pub(crate) struct Guide {
     curve: Arc<Curve>,
     /// The place of the curve's frame at which B holds the joint, m.
     origin: DVec3,
@@ -71,7 +71,7 @@ struct Near {
 impl Guide {
     /// The track of a joint that holds its second body, which has this attitude, at a point of the world (m). Of one
     /// with one side, `towards` points to it (unit vector, world).
-    pub(super) fn new(curve: &Arc<Curve>, origin: DVec3, attitude: Rotation, towards: Option<DVec3>) -> Self {
+    pub(crate) fn new(curve: &Arc<Curve>, origin: DVec3, attitude: Rotation, towards: Option<DVec3>) -> Self {
         let foot = curve.nearest(origin);
         let reference = match (curve.plane(), towards) {
             (CurvePlane::Plane(normal), _) => normal.get(),
@@ -86,17 +86,17 @@ impl Guide {
     }
 
     /// The normal of the plane of the track at the start, unit vector, world.
-    pub(super) fn plane_normal(&self) -> DVec3 {
+    pub(crate) fn plane_normal(&self) -> DVec3 {
         self.normal
     }
 
     /// The arc lengths of the ends of an open track from the foot at the start, m.
-    pub(super) fn ends(&self) -> Option<[f64; 2]> {
+    pub(crate) fn ends(&self) -> Option<[f64; 2]> {
         (!self.curve.is_closed()).then(|| [-self.start, self.curve.length() - self.start])
     }
 
     /// Whether a point is beyond an end of an open track.
-    pub(super) fn is_beyond(&self, a: &EndKinematics, b: &EndKinematics) -> bool {
+    pub(crate) fn is_beyond(&self, a: &EndKinematics, b: &EndKinematics) -> bool {
         let length = self.curve.length();
         let arc = self.curve.nearest(self.origin + self.to_curve(b, a.point - b.point)).arc;
         !self.curve.is_closed() && (arc < -BEYOND_END * length || arc > (1.0 + BEYOND_END) * length)
@@ -120,23 +120,23 @@ impl Guide {
     }
 
     /// The place of the point on the curve, and the row along it.
-    pub(super) fn place(&self, a: &EndKinematics, b: &EndKinematics) -> (CurvePoint, CoordinateAt) {
+    pub(crate) fn place(&self, a: &EndKinematics, b: &EndKinematics) -> (CurvePoint, CoordinateAt) {
         let near = self.near(a, b);
         (near.foot, self.along_at(&near, a, b, 0.0))
     }
 
     /// The rotation from the frame of the curve to the world.
-    pub(super) fn rotation(&self, b: &EndKinematics) -> Rotation {
+    pub(crate) fn rotation(&self, b: &EndKinematics) -> Rotation {
         b.rotation * self.attitude.inverse()
     }
 
     /// The place at the start.
-    pub(super) fn start(&self) -> CurvePoint {
+    pub(crate) fn start(&self) -> CurvePoint {
         self.curve.nearest(self.origin)
     }
 
     /// The rows across the track.
-    pub(super) fn rows(&self, a: &EndKinematics, b: &EndKinematics) -> [BilateralRow; ROWS] {
+    pub(crate) fn rows(&self, a: &EndKinematics, b: &EndKinematics) -> [BilateralRow; ROWS] {
         let near = self.near(a, b);
         self.across(&near).map(|direction| self.row(&near, direction, a, b))
     }
@@ -164,7 +164,7 @@ impl Guide {
     }
 
     /// The height above the side to which the track pushes.
-    pub(super) fn height(&self, a: &EndKinematics, b: &EndKinematics) -> Option<CoordinateAt> {
+    pub(crate) fn height(&self, a: &EndKinematics, b: &EndKinematics) -> Option<CoordinateAt> {
         let near = self.near(a, b);
         let direction = self.normal.cross(near.foot.tangent) * self.side;
         let row = self.row(&near, direction, a, b);
@@ -173,7 +173,7 @@ impl Guide {
     }
 
     /// The arc length from the foot at the start, within half a round of `near_value` on a closed track, m.
-    pub(super) fn along(&self, a: &EndKinematics, b: &EndKinematics, near_value: f64) -> CoordinateAt {
+    pub(crate) fn along(&self, a: &EndKinematics, b: &EndKinematics, near_value: f64) -> CoordinateAt {
         self.along_at(&self.near(a, b), a, b, near_value)
     }
 
@@ -191,7 +191,7 @@ impl Guide {
     }
 
     /// The way from the foot and the velocity across the track, world (m, m/s), with the tangent.
-    pub(super) fn deviation(&self, a: &EndKinematics, b: &EndKinematics) -> Deviation {
+    pub(crate) fn deviation(&self, a: &EndKinematics, b: &EndKinematics) -> Deviation {
         let near = self.near(a, b);
         let tangent = near.foot.tangent;
         let across = near.slip - tangent * tangent.dot(near.slip);
@@ -205,11 +205,11 @@ impl Guide {
 
 /// How a point is off a track, world.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Deviation {
+pub(crate) struct Deviation {
     /// From the foot to the point, m.
-    pub(super) way: DVec3,
+    pub(crate) way: DVec3,
     /// Across the track, m/s.
-    pub(super) velocity: DVec3,
+    pub(crate) velocity: DVec3,
     /// Unit vector.
-    pub(super) tangent: DVec3,
+    pub(crate) tangent: DVec3,
 }

@@ -28,7 +28,7 @@ pub(crate) const LEAST_SINE: f64 = 1e-2;
 
 /// What of a body follows the track.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Followed {
+pub(crate) struct Followed {
     /// Reference direction, unit vector, in the frame of the curve.
     reference: DVec3,
     /// The frame of the curve at the start in the axes of A.
@@ -67,18 +67,18 @@ fn frame(reference: DVec3, at: &CurvePoint) -> [Direction; 2] {
 
 impl Followed {
     /// A body with this attitude at the start that follows the tangent, or the whole frame, of a track from a place.
-    pub(super) fn new(reference: DVec3, at: &CurvePoint, attitude: Rotation, rows: usize) -> Self {
+    pub(crate) fn new(reference: DVec3, at: &CurvePoint, attitude: Rotation, rows: usize) -> Self {
         let [n, _] = frame(reference, at);
         let [tangent, normal] = [at.tangent, n.own].map(|own| attitude.inverse_rotate(own));
         Self { reference, tangent, normal, rows }
     }
 
-    pub(super) fn rows(&self) -> usize {
+    pub(crate) fn rows(&self) -> usize {
         self.rows
     }
 
     /// The rows; `length` is that of the joint, m.
-    pub(super) fn rows_at(
+    pub(crate) fn rows_at(
         &self,
         guide: &Guide,
         (a, b): (&EndKinematics, &EndKinematics),

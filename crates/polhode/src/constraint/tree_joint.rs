@@ -61,7 +61,7 @@ pub(crate) const fn is_of_trees(kind: JointKind) -> bool {
 impl TreeJoint {
     /// A joint between ends with these moving frames at the start (no body: the world); none where it is of another
     /// kind.
-    pub(super) fn of(joint: &Joint, ends: [(Option<usize>, Pose); 2]) -> Option<Self> {
+    pub(crate) fn of(joint: &Joint, ends: [(Option<usize>, Pose); 2]) -> Option<Self> {
         let (free, axis) = match joint.kind() {
             JointKind::Ball => (FreeMotionOfJoint::Ball, DVec3::Z),
             JointKind::Hinge { axis } => (FreeMotionOfJoint::Hinge, axis.get()),

@@ -6,6 +6,6 @@ use polhode_spatial::{DVec3, Rotation};
 
 /// What a universal joint with these axes (unit vectors, world, perpendicular), the first fixed in A and the second in
 /// B, keeps between bodies with these attitudes.
-pub(super) fn kept(axes: (DVec3, DVec3), attitudes: (Rotation, Rotation)) -> Kept {
+pub(crate) fn kept(axes: (DVec3, DVec3), attitudes: (Rotation, Rotation)) -> Kept {
     Kept::point().with_rotation([axes], attitudes)
 }

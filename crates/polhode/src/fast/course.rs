@@ -17,9 +17,10 @@ use super::turning::turn;
 use crate::collision::contact_set;
 use crate::collision::face_patches::{LastingBoxes, PairPatches, Tools, follow_pairs};
 use crate::collision::inner_borders::leave_out_inner_borders;
+use crate::constraint::ConstraintId;
 use crate::constraint::joint::ModelJoint;
-use crate::constraint::{ConstraintId, added};
 use crate::error::SimulationError;
+use crate::joints::added;
 use crate::model::{Model, prescribed, tolerances};
 use crate::scene::settings::Settings;
 use crate::tier::executor::{Executor, Task};
@@ -199,7 +200,7 @@ impl Course {
                 travels.push(0.0);
                 continue;
             }
-            let velocity = contact_set::velocity(model, body, state);
+            let velocity = model.velocity(body, state);
             let spin = velocity.angular.length() * model.bodies[body].size;
             self.spins.push(spin);
             travels.push((velocity.linear.length() + spin) * step + fall);

@@ -10,18 +10,20 @@ use super::step::step;
 use crate::accounting::Accounts;
 use crate::accounting::books::{Received, SoftStep};
 use crate::accounting::measures::Measure;
-use crate::collision::contact_set::{self, FoundContact, Touch};
 use crate::collision::face_patches::{FoundAt, PairPatches, Patch, PatchPoint};
+use crate::collision::touch::{FoundContact, Touch};
+use crate::collision::{contact_kinematics, contact_view};
+use crate::constraint::ConstraintId;
 use crate::constraint::joint::ModelJoint;
-use crate::constraint::{ConstraintId, added, joint_contacts, turns};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::identity::joint_id::JointId;
+use crate::joints::{added, joint_contacts, turns};
 use crate::model::{Model, prescribed, reported, tolerances};
 use crate::report::acceleration::Acceleration;
 use crate::report::event::{Event, EventKind};
-use crate::report::frame::{self, ContactView, IslandView, JointView, MotionKind};
+use crate::report::frame::{ContactView, IslandView, JointView, MotionKind};
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use crate::report::observer::Observer;
 use crate::snapshot::numbers::{Contact, read_states, write_states};
@@ -296,7 +298,7 @@ impl Tier for FastEngine {
                 let (linear, angular) = prescribed::prescribed_acceleration(model, body, core.t);
                 return reported::reported_acceleration(model, body, start, linear, angular);
             }
-            let [v0, v1] = [start, end].map(|state| contact_set::velocity(model, body, state));
+            let [v0, v1] = [start, end].map(|state| model.velocity(body, state));
             let (linear, angular) = ((v1.linear - v0.linear) / h, (v1.angular - v0.angular) / h);
             reported::reported_acceleration(model, body, start, linear, angular)
         };
@@ -314,7 +316,7 @@ impl Tier for FastEngine {
                     if point.normal_force > 0.0 || geometry.separation <= distance {
                         let kinematics = ContactKinematics { geometry, separation_rate: 0.0, acceleration_bias: 0.0 };
                         let touch = Touch::from(FoundContact { id, kinematics });
-                        frame::view_contact(
+                        contact_view::view_contact(
                             &core.model,
                             states,
                             &touch,
@@ -476,7 +478,7 @@ fn save_pair(pair: &PairPatches) -> content::PairPatches {
 fn restored_pair(core: &Core, saved: &content::PairPatches) -> Result<PairPatches, SnapshotError> {
     let (a, b) = saved.pair;
     let model = &core.model;
-    if a >= b || b >= model.bodies.len() || contact_set::shapes(model, a, b).is_none() {
+    if a >= b || b >= model.bodies.len() || contact_kinematics::shapes(model, a, b).is_none() {
         return Err(SnapshotError::Invalid("a contact is not of two bodies that can touch"));
     }
     let point = |saved: &content::PatchPoint| {

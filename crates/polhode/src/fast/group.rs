@@ -6,7 +6,6 @@
 use super::held::{Held, HeldJoint, HeldLimit};
 use super::rules::Rules;
 use super::turning::turn;
-use crate::collision::contact_set;
 use crate::collision::face_patches::PairPatches;
 use crate::model::prescribed_state::{state_at, velocity_of};
 use crate::model::{Loads, Model, prescribed};
@@ -308,7 +307,7 @@ impl Group {
         if model.bodies[body].moves() {
             return given.numbers[body];
         }
-        let Velocity { linear, angular } = contact_set::velocity(model, body, &given.states[body]);
+        let Velocity { linear, angular } = model.velocity(body, &given.states[body]);
         if prescribed::trajectory(model, body).is_none() {
             return SequentialImpulses::IMMOVABLE;
         }
@@ -327,7 +326,7 @@ impl Group {
     ) {
         let sides = [(pair.a, 0, 1.0), (pair.b, 1, -1.0)];
         for (body, side, sign) in sides {
-            if prescribed::trajectory(&given.model, body).is_none() || numbers[side] == SequentialImpulses::IMMOVABLE {
+            if prescribed::trajectory(given.model, body).is_none() || numbers[side] == SequentialImpulses::IMMOVABLE {
                 continue;
             }
             self.drivers.push(Driver {
@@ -358,7 +357,7 @@ impl Group {
     /// The velocity of the surface of a kinematic body `time` (s) after the start of the step, where the patch is when
     /// the other body has moved on for `ahead` (s).
     fn surface_velocity(&self, given: &Given<'_>, driver: &Driver, (time, ahead): (f64, f64)) -> Velocity {
-        let Some(trajectory) = prescribed::trajectory(&given.model, driver.body) else { return Velocity::default() };
+        let Some(trajectory) = prescribed::trajectory(given.model, driver.body) else { return Velocity::default() };
         let (now, start) = (state_at(trajectory, given.t + time), &given.states[driver.body]);
         let Velocity { linear, angular } = velocity_of(&now);
         let of_patch = self.members.get(driver.member).map_or(DVec3::ZERO, |member| {
@@ -376,7 +375,7 @@ impl Group {
         let time = f64::from(substep + 1) * given.rules.h;
         for place in 0..self.drivers.len() {
             let driver = self.drivers[place];
-            let Some(trajectory) = prescribed::trajectory(&given.model, driver.body) else { continue };
+            let Some(trajectory) = prescribed::trajectory(given.model, driver.body) else { continue };
             let (now, start) = (state_at(trajectory, given.t + time).pose, given.states[driver.body].pose);
             let turn = now.rotation * start.rotation.inverse();
             let vector = turn.to_rotation_vector();

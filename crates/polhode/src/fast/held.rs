@@ -7,10 +7,11 @@
 //! Assumption: no member is kinematic, and no coordinate has forces of its own (`TierFeature::AllOfJoints` refuses
 //! these). Failure: loads that need more rounds than there are sweeps leave gaps, which the certificate tells.
 
+use crate::constraint::ConstraintId;
 use crate::constraint::joint::pivot_rows;
 use crate::constraint::row::{BilateralRow, Member, RowsAt};
-use crate::constraint::{ConstraintId, joint_contacts};
 use crate::identity::contact_id::ContactId;
+use crate::joints::joint_contacts;
 use crate::model::Model;
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use polhode_dynamics::BodyState;

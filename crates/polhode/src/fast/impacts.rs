@@ -9,7 +9,6 @@
 
 use super::course::Course;
 use super::rules::Rules;
-use crate::collision::contact_set;
 use crate::identity::body_id::BodyId;
 use crate::model::Model;
 use crate::report::event::{Event, EventKind};
@@ -35,7 +34,7 @@ pub(super) fn impacts(course: &Course, model: &Model, before: &[BodyState], (t_s
                 let place = geometry.point + geometry.normal * (geometry.separation * towards_b);
                 let velocity = |states: &[BodyState]| {
                     let [a, b] = [pair.a, pair.b].map(|body| {
-                        let own = contact_set::velocity(model, body, &states[body]);
+                        let own = model.velocity(body, &states[body]);
                         own.linear + own.angular.cross(place - before[body].pose.translation)
                     });
                     a - b

@@ -13,12 +13,13 @@
 
 use super::course::Course;
 use super::rules::Rules;
-use crate::collision::contact_set::{self, FoundContact, Touch};
+use crate::collision::contact_kinematics;
 use crate::collision::face_patches::PairPatches;
+use crate::collision::touch::{FoundContact, Touch};
 use crate::constraint::joint::ModelJoint;
-use crate::constraint::joint_contacts;
 use crate::error::SimulationError;
 use crate::identity::contact_id::{ContactId, Feature};
+use crate::joints::joint_contacts;
 use crate::model::{Model, prescribed, tolerances};
 use crate::solve::held_at_rest::HeldAtRest;
 use crate::tier::core::Core;
@@ -50,7 +51,7 @@ pub(super) fn settle(course: &mut Course, core: &mut Core, rules: &Rules) -> Res
         if quiet < 2 || !quiet.is_power_of_two() {
             continue;
         }
-        let held = are_held(course, core, &island).map_err(|source| Core::response_error(core.t, source))?;
+        let held = are_held(course, core, &island).map_err(|source| SimulationError::of_response(core.t, source))?;
         if !held {
             continue;
         }
@@ -148,7 +149,7 @@ fn are_held(course: &Course, core: &Core, island: &[usize]) -> Result<bool, Resp
 fn present_geometry(model: &Model, states: &[BodyState], id: ContactId, of_patch: ContactGeometry) -> ContactGeometry {
     match id.feature {
         Feature::Shapes(ContactFeature::Smooth { .. }) => {
-            contact_set::kinematics(model, states, id).map_or(of_patch, |at| at.geometry)
+            contact_kinematics::kinematics(model, states, id).map_or(of_patch, |at| at.geometry)
         }
         _ => of_patch,
     }

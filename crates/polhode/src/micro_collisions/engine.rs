@@ -1,13 +1,14 @@
 //! A run by micro-collisions: one step, and queries at the present.
 
 use crate::collision::boxes::Boxes;
-use crate::collision::contact_set::{self, Touch};
-use crate::collision::envelope::CollisionEnvelope;
+use crate::collision::contact_view;
+use crate::collision::touch::Touch;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
+use crate::model::envelope::CollisionEnvelope;
 use crate::report::acceleration::Acceleration;
 use crate::report::event::EventKind;
-use crate::report::frame::{self, ContactView, IslandView, MotionKind};
+use crate::report::frame::{ContactView, IslandView, MotionKind};
 use crate::report::observer::Observer;
 use crate::rows::groups::{Group, groups};
 use crate::snapshot::parts::{restored_id, save_contact};
@@ -137,7 +138,7 @@ impl MicroCollisionEngine {
         let settings = ImpactSettings { threshold: THRESHOLD, limit: MOST_COLLISIONS, ..ImpactSettings::default() };
         let law = core.settings.impact;
         let struck = strike(&core.model, &mut self.bodies.states, group, touches, law, &settings, &mut core.solver);
-        let struck = struck.map_err(|source| Core::response_error(core.t, source))?;
+        let struck = struck.map_err(|source| SimulationError::of_response(core.t, source))?;
         // Sequences without end are what supports a body on several corners: their end at the threshold is no news.
         let mut outcome = struck.outcome.clone();
         if outcome.status == ImpactStatus::StoppedAtThreshold {
@@ -231,7 +232,7 @@ impl Tier for MicroCollisionEngine {
         for touch in contacts_within(core, states, &mut boxes, self.envelope.depth_m).unwrap_or_default() {
             let force = self.forces.iter().find(|force| force.id == touch.id);
             let force = force.map_or((0.0, DVec3::ZERO), |force| (force.normal, force.friction));
-            frame::view_contact(&core.model, states, &touch, force, &mut views);
+            contact_view::view_contact(&core.model, states, &touch, force, &mut views);
         }
         views
     }
@@ -276,7 +277,7 @@ impl Tier for MicroCollisionEngine {
 fn fastest(core: &Core, states: &[BodyState]) -> f64 {
     let model = &core.model;
     let speed = |(body, state): (usize, &BodyState)| {
-        let velocity = contact_set::velocity(model, body, state);
+        let velocity = model.velocity(body, state);
         velocity.linear.length() + velocity.angular.length() * model.bodies[body].size
     };
     states.iter().enumerate().map(speed).fold(0.0, f64::max)

@@ -7,22 +7,22 @@
 
 use super::body::ModelBody;
 use super::carriages::add_carriages;
-use super::forces::Forces;
+use super::fields::Forces;
 use super::joints::Joints;
 use super::steered::Steered;
 use super::surfaces::Surfaces;
-use crate::collision::envelope::CollisionEnvelope;
-use crate::collision::narrow_phase::NarrowPhase;
 use crate::constraint::joint::{HeldBody, ModelJoint, row_length};
-use crate::constraint::ties;
 use crate::identity::contact_id::Feature;
 use crate::identity::coordinate_id::CoordinateId;
 use crate::identity::stop_id::StopId;
+use crate::model::envelope::CollisionEnvelope;
+use crate::model::narrow_phase::NarrowPhase;
 use crate::model::pivot_form::{PivotForm, PivotRows};
 use crate::model::plane_of_motion::PlaneOfMotion;
+use crate::model::prescribed_state;
 use crate::scene::{Body, Joint, MovingFrames, Scene, SceneError};
 use polhode_dynamics::{BodyState, RigidBody};
-use polhode_spatial::DVec3;
+use polhode_spatial::{DVec3, Velocity};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -55,6 +55,15 @@ impl Model {
     /// Whether any two bodies that may collide have friction, or any joint.
     pub(crate) fn has_friction(&self) -> bool {
         self.surfaces.have_friction() || self.joints.have_friction
+    }
+
+    /// Velocity of the moving frame of a body; zero for a fixed body.
+    pub(crate) fn velocity(&self, index: usize, state: &BodyState) -> Velocity {
+        match (&self.bodies[index].rigid, &self.bodies[index].trajectory) {
+            (Some(rigid), _) => rigid.velocity(state),
+            (None, Some(_)) => prescribed_state::velocity_of(state),
+            (None, None) => Velocity::ZERO,
+        }
     }
 
     /// The model of a scene, and the states of its bodies at t = 0.
@@ -94,7 +103,8 @@ impl Model {
             plane: None,
         };
         model.make_joints(&states);
-        ties::make_ties(&mut model, &states);
+        let velocities: Vec<_> = states.iter().enumerate().map(|(body, state)| model.velocity(body, state)).collect();
+        model.joints.make_ties(&model.scene, |body| (states[body].pose, velocities[body]));
         model.index_joints();
         model.make_fields()?;
         model.forces.initial_potential_j = model.field_potential(&states);

@@ -52,10 +52,3 @@ impl Model {
         if mass > 0.0 { moment / mass } else { DVec3::ZERO }
     }
 }
-
-impl super::forces::Forces {
-    /// [`Model::sum_start_potentials`] of the bodies that are there now, J.
-    pub(crate) fn start_potential(&self) -> f64 {
-        self.start_potential_j
-    }
-}

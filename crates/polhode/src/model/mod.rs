@@ -7,6 +7,7 @@
 //! | `carriages` | kinematic bodies that carry prescribed motions of joints |
 //! | `joints` | `Joints`: what holds bodies together, and whom |
 //! | `surfaces` | `Surfaces`: whether bodies collide, and what friction does |
+//! | `fields` | `Forces`: the force fields over the movable bodies |
 //! | `forces` | force fields, and the forces that a program applies |
 //! | `field_index` | which fields act on which bodies |
 //! | `energy` | energies, and the centre of mass at the start |
@@ -18,6 +19,8 @@
 //! | `plane_of_motion` | the plane of a planar motion |
 //! | `states_of` | the states of some bodies among those of all |
 //! | `body_queries` | [`BodyQueries`](crate::BodyQueries): nearest body, rays, overlaps, distances |
+//! | `narrow_phase` | contacts and separation of a pair of shapes, computed with the memory of the pair |
+//! | `envelope` | the distance from a body within which contacts are looked for |
 //! | `reported` | bodies as samples and reports show them |
 
 mod bodies;
@@ -25,9 +28,12 @@ mod body;
 pub(crate) mod body_queries;
 mod carriages;
 mod energy;
+pub(crate) mod envelope;
 mod field_index;
+mod fields;
 mod forces;
 mod joints;
+pub(crate) mod narrow_phase;
 pub(crate) mod pivot_form;
 pub(crate) mod plane_of_motion;
 pub(crate) mod prescribed;
@@ -42,7 +48,8 @@ pub(crate) mod tolerances;
 
 pub(crate) use bodies::Model;
 pub(crate) use body::ModelBody;
-pub(crate) use forces::{Forces, Loads};
+pub(crate) use fields::Forces;
+pub(crate) use forces::Loads;
 pub(crate) use joints::Joints;
 pub(crate) use rates::{Rates, largest_eigenvalue};
 pub(crate) use tolerances::{INITIAL_OVERLAP_RELATIVE, TOUCH_RELATIVE};

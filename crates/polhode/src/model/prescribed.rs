@@ -18,7 +18,6 @@
 //! external work. The change of energy that an impact law reports is computed from relative velocities and does not
 //! include this work.
 
-use crate::collision::contact_set;
 use crate::identity::contact_id::ContactId;
 use crate::model::Model;
 use crate::model::prescribed_state::state_at;
@@ -149,7 +148,7 @@ pub(crate) fn prescribed_rate_of(
     geometry: &ContactGeometry,
 ) -> f64 {
     prescribed_term(model, states, id, geometry, |body| {
-        let velocity = contact_set::velocity(model, body, &states[body]);
+        let velocity = model.velocity(body, &states[body]);
         (velocity.linear, velocity.angular)
     })
 }
@@ -199,7 +198,9 @@ fn prescribed_term(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collision::contact_set::Touch;
+    use crate::collision::contact_kinematics;
+    use crate::collision::contact_set;
+    use crate::collision::touch::Touch;
     use crate::identity::contact_id::Feature;
     use crate::model::pivot_form::PivotRows;
     use crate::model::reported;
@@ -296,7 +297,7 @@ mod tests {
     fn check_derivatives(model: &Model, start: &[BodyState], id: ContactId, t: f64) -> TestResult {
         let h = 3e-4;
         let separation = |t: f64| {
-            let kinematics = contact_set::kinematics(model, &states_at(model, start, t), id);
+            let kinematics = contact_kinematics::kinematics(model, &states_at(model, start, t), id);
             kinematics.map(|k| k.geometry.separation).ok_or("no contact")
         };
         let (near, far) =
@@ -305,7 +306,7 @@ mod tests {
         let second = (16.0 * (near[0] + near[1]) - (far[0] + far[1]) - 30.0 * separation(t)?) / (12.0 * h * h);
 
         let states = states_at(model, start, t);
-        let kinematics = contact_set::kinematics(model, &states, id).ok_or("no contact")?;
+        let kinematics = contact_kinematics::kinematics(model, &states, id).ok_or("no contact")?;
         let assembly = Assembly::new(model, &states, &[BODY], [(id, kinematics.geometry)].into_iter())?;
         let free = assembly.free_accelerations(model, &states, &model.loads(t, &states));
         let b = assembly.acceleration_constants(model, t, &states, &free, [(id, &kinematics)].into_iter())?;
@@ -314,7 +315,7 @@ mod tests {
         assert!((b[0] - second).abs() < 1e-6, "{id:?} {} {second}", b[0]);
 
         // The rate of separation is the sum of the movable body's part and the kinematic body's term.
-        let velocity = contact_set::velocity(model, BODY, &states[BODY]);
+        let velocity = model.velocity(BODY, &states[BODY]);
         let columns = [velocity.linear.to_array(), velocity.angular.to_array()].concat();
         let moved = assembly.problem.row_velocities(&columns)?[0];
         let prescribed = prescribed_rate_of(model, &states, id, &kinematics.geometry);
@@ -347,7 +348,7 @@ mod tests {
             );
             assert!((gained - outcome.energy_change - work).abs() < 1e-12 * before, "{gained} {outcome:?} {work}");
             // Without restitution the contact neither opens nor closes afterwards.
-            let after = contact_set::kinematics(&model, &states, touches[0].id).ok_or("no contact")?;
+            let after = contact_kinematics::kinematics(&model, &states, touches[0].id).ok_or("no contact")?;
             assert!(after.separation_rate.abs() < 1e-12);
         }
         Ok(())
@@ -365,7 +366,7 @@ mod tests {
                 let now = states_at(&model, &states, t);
                 let sample = reported::sample(&model, TABLE, &now[TABLE]);
                 assert_eq!((sample.pose, sample.velocity), (trajectory.pose(t), trajectory.velocity(t)));
-                assert_eq!(contact_set::velocity(&model, TABLE, &now[TABLE]), trajectory.velocity(t));
+                assert_eq!(model.velocity(TABLE, &now[TABLE]), trajectory.velocity(t));
                 assert_eq!(prescribed_state(&model, TABLE, t), Some(now[TABLE]));
                 assert_eq!(prescribed_acceleration(&model, TABLE, t).0, trajectory.acceleration(t).linear);
             }

@@ -2,8 +2,7 @@
 //! enough.
 
 use super::bodies::Model;
-use crate::collision::contact_set;
-use crate::constraint::soft_rows;
+use crate::joints::soft_rows;
 use polhode_dynamics::field::{ForceResponse, ResponseEnd};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::DMat3;
@@ -40,7 +39,7 @@ pub(crate) fn fastest_rates(model: &Model, states: &[BodyState]) -> Rates {
     }
     let mut rates = Rates::default();
     for &body in &model.movable {
-        let turning = contact_set::velocity(model, body, &states[body]).angular.length();
+        let turning = model.velocity(body, &states[body]).angular.length();
         rates.oscillation = rates.oscillation.max(sums[body].oscillation.sqrt()).max(turning);
         rates.decay = rates.decay.max(sums[body].decay);
     }

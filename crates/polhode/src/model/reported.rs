@@ -9,6 +9,9 @@ use crate::report::body_sample::{BodySample, ReportedBody};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::{DVec3, Pose, Velocity};
 
+/// Most bodies that a warning names.
+const MOST_NAMES: usize = 4;
+
 /// A body's pose and velocity as they are reported. The velocity is that of the centre of mass; of a kinematic
 /// body, which has none, that of its own origin.
 pub(crate) fn sample(model: &Model, index: usize, state: &BodyState) -> BodySample {
@@ -56,4 +59,19 @@ pub(crate) fn named_samples(model: &Model, states: &[BodyState]) -> Vec<Reported
         state: sample(model, index, state),
     };
     named.map(reported).collect()
+}
+
+/// The names of two bodies, as warnings give them.
+pub(crate) fn pair_names(model: &Model, a: usize, b: usize) -> String {
+    if a == b { names_of(model, &[a]) } else { names_of(model, &[a, b]) }
+}
+
+/// The names of some bodies, as warnings give them; of many only the first.
+pub(crate) fn names_of(model: &Model, bodies: &[usize]) -> String {
+    let names: Vec<_> = bodies.iter().take(MOST_NAMES).map(|&body| model.bodies[body].name.as_str()).collect();
+    let named = names.join(" and ");
+    match bodies.len().saturating_sub(MOST_NAMES) {
+        0 => named,
+        more => format!("{named} and {more} more"),
+    }
 }

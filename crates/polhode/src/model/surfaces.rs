@@ -49,27 +49,27 @@ impl Surfaces {
     }
 
     /// Whether any two bodies may collide.
-    pub(crate) const fn may_collide(&self) -> bool {
+    pub(crate) const fn may_collide(self) -> bool {
         self.collide
     }
 
     /// Whether any two bodies that may collide have friction.
-    pub(crate) fn have_friction(&self) -> bool {
+    pub(crate) fn have_friction(self) -> bool {
         self.friction != FrictionKinds::None
     }
 
     /// Whether any two have friction of rolling or spinning.
-    pub(crate) fn have_rotational_friction(&self) -> bool {
+    pub(crate) fn have_rotational_friction(self) -> bool {
         self.friction == FrictionKinds::OfRotation
     }
 
     /// Whether friction of any two depends on the direction.
-    pub(crate) const fn have_grain(&self) -> bool {
+    pub(crate) const fn have_grain(self) -> bool {
         self.have_grain
     }
 
     /// Whether the surface of any body moves.
-    pub(crate) const fn are_driven(&self) -> bool {
+    pub(crate) const fn are_driven(self) -> bool {
         self.are_driven
     }
 }

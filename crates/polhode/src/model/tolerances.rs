@@ -2,7 +2,6 @@
 //! allowance for the rounding of their poses; and the rounding of the velocities of contacts.
 
 use super::bodies::Model;
-use crate::collision::contact_set;
 use polhode_dynamics::BodyState;
 use polhode_spatial::Velocity;
 
@@ -73,7 +72,7 @@ fn ulp(model: &Model, states: &[BodyState], a: usize, b: usize) -> f64 {
 
 /// Largest speed of any point of a body, m/s, bounded by its size.
 pub(crate) fn point_speed(model: &Model, states: &[BodyState], body: usize) -> f64 {
-    fastest_point(model, body, &contact_set::velocity(model, body, &states[body]))
+    fastest_point(model, body, &model.velocity(body, &states[body]))
 }
 
 /// [`Self::point_speed`] of a body with a velocity.
@@ -84,7 +83,7 @@ pub(crate) fn fastest_point(model: &Model, body: usize, velocity: &Velocity) -> 
 /// Error of the centripetal terms in accelerations of these bodies by rounding, m/s^2.
 pub(crate) fn acceleration_rounding(model: &Model, states: &[BodyState], bodies: &[usize]) -> f64 {
     let term = |&body: &usize| {
-        let velocity = contact_set::velocity(model, body, &states[body]);
+        let velocity = model.velocity(body, &states[body]);
         velocity.angular.length() * fastest_point(model, body, &velocity)
     };
     VELOCITY_UNITS * f64::EPSILON * bodies.iter().map(term).fold(0.0, f64::max)

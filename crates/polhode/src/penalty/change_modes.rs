@@ -6,7 +6,7 @@
 use super::contact::{Evaluated, Grip, Push};
 use super::events::{Happening, Passed};
 use super::run::Run;
-use crate::collision::contact_set;
+use crate::collision::contact_kinematics;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
 use crate::report::event::EventKind;
@@ -47,7 +47,7 @@ pub(super) fn rate(run: &Run<'_>, what: Happening) -> f64 {
 fn apply(run: &mut Run<'_>, change: &Passed) -> Result<(), SimulationError> {
     match change.what {
         Happening::Begin(id) => {
-            if let Some(kinematics) = contact_set::kinematics(&run.core.model, &run.states, id) {
+            if let Some(kinematics) = contact_kinematics::kinematics(&run.core.model, &run.states, id) {
                 let spring = run.begun(id, &kinematics)?;
                 run.insert(&spring);
             }

@@ -32,7 +32,7 @@
 //! contact give no force.
 
 use super::laws::{ContactLaw, Coulomb, Holding, Resistance};
-use crate::collision::contact_set;
+use crate::collision::{contact_kinematics, friction};
 use crate::identity::contact_id::ContactId;
 use crate::model::Model;
 use polhode_contact::ContactKinematics;
@@ -385,20 +385,20 @@ impl Evaluated {
 
     /// A contact in these states; none where its features no longer define one.
     pub(super) fn new(model: &Model, states: &[BodyState], id: ContactId, with_slip: bool) -> Option<Self> {
-        let kinematics = contact_set::kinematics(model, states, id)?;
+        let kinematics = contact_kinematics::kinematics(model, states, id)?;
         let geometry = &kinematics.geometry;
         let point = acting_point(model, id, &kinematics);
         let mut evaluated = Self { point, ..Self::of(kinematics) };
         if model.surfaces.have_rotational_friction() {
-            evaluated.rotation = contact_set::relative_rotation(model, states, id);
+            evaluated.rotation = contact_kinematics::relative_rotation(model, states, id);
         }
         if with_slip {
-            let terms = contact_set::tangential_kinematics(model, states, id)?;
-            let turning = contact_set::relative_rotation(model, states, id).cross(point - geometry.point);
+            let terms = contact_kinematics::tangential_kinematics(model, states, id)?;
+            let turning = contact_kinematics::relative_rotation(model, states, id).cross(point - geometry.point);
             evaluated.slip = terms.slip_velocity + in_plane(turning, geometry.normal);
             evaluated.normal_rate = terms.normal_rate;
             if model.surfaces.have_grain()
-                && let Some(coefficients) = contact_set::friction_at(model, states, id, terms.basis)
+                && let Some(coefficients) = friction::friction_at(model, states, id, terms.basis)
             {
                 let along = evaluated.slip.try_normalize().unwrap_or(terms.basis[0]);
                 evaluated.grained = Some(coefficients.sliding.opposed(terms.basis, along));

@@ -7,14 +7,15 @@ use super::run::{Group, GroupRun, Run, Segment};
 use super::saved::{restored_laws, restored_report, restored_spring, save_laws, save_report, save_spring};
 use super::{fixed, stepping};
 use crate::collision::boxes::Boxes;
-use crate::collision::contact_set::{self, Touch};
-use crate::constraint::{added, turns};
+use crate::collision::touch::Touch;
+use crate::collision::{contact_set, contact_view};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::ContactId;
+use crate::joints::{added, turns};
 use crate::model::{Model, prescribed, tolerances};
 use crate::report::acceleration::Acceleration;
-use crate::report::frame::{self, ContactView, IslandView, JointView, MotionKind};
+use crate::report::frame::{ContactView, IslandView, JointView, MotionKind};
 use crate::report::observer::Observer;
 use crate::report::run_report::RunReport;
 use crate::report::springs::SpringReport;
@@ -324,7 +325,7 @@ impl Tier for PenaltyEngine {
     fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
         let mut forces = self.loads_of_springs(core, &self.states);
         let reactions = self.joint_reactions(core, core.t, &self.states);
-        let reactions = reactions.map_err(|source| Core::response_error(core.t, source))?;
+        let reactions = reactions.map_err(|source| SimulationError::of_response(core.t, source))?;
         for (bilateral, reaction) in reactions.iter().flat_map(JointReactions::reactions) {
             for (body, force, moment) in bilateral.loads(reaction) {
                 forces[body].0 += force;
@@ -362,7 +363,13 @@ impl Tier for PenaltyEngine {
                     let force = spring.force(&at);
                     Some((force.normal, force.tangential))
                 });
-                frame::view_contact(&core.model, states, &Touch::from(found), force.unwrap_or_default(), &mut views);
+                contact_view::view_contact(
+                    &core.model,
+                    states,
+                    &Touch::from(found),
+                    force.unwrap_or_default(),
+                    &mut views,
+                );
             }
         }
         views

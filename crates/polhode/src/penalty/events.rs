@@ -259,7 +259,7 @@ impl Looking<'_, '_> {
 
     /// The margin of a point within its features, and the force of its spring (N), which it loses there.
     fn leaving(&self, id: ContactId, at: &Evaluated, force: f64) -> Signal {
-        let rounding = tolerances::rounding(&self.system.model, self.system.states, id.a, id.b);
+        let rounding = tolerances::rounding(self.system.model, self.system.states, id.a, id.b);
         let value = at.kinematics.geometry.margin + rounding;
         Signal::of(value, if value < 0.0 { force } else { 0.0 })
     }
@@ -277,7 +277,7 @@ impl Looking<'_, '_> {
 
     /// What the rounding of positions makes of the force of a normal spring (N).
     fn rounding_of(&self, id: ContactId, spring: &NormalSpring, at: &Evaluated) -> f64 {
-        let rounding = tolerances::rounding(&self.system.model, self.system.states, id.a, id.b);
+        let rounding = tolerances::rounding(self.system.model, self.system.states, id.a, id.b);
         spring.slope(at.depth.max(rounding)) * rounding
     }
 
@@ -403,7 +403,7 @@ impl Looking<'_, '_> {
             let least = match what {
                 // Contacts that overlap where a step begins get their springs then.
                 Happening::Begin(_) | Happening::Leave(_) => continue,
-                Happening::End(_) => -tolerances::rounding(&self.system.model, self.system.states, id.a, id.b),
+                Happening::End(_) => -tolerances::rounding(self.system.model, self.system.states, id.a, id.b),
                 _ => 0.0,
             };
             if signal.value >= least || signal.value.is_nan() {

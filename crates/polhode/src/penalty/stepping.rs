@@ -14,7 +14,6 @@ use super::contact::{ContactSpring, Grip, SPRING};
 use super::events::{Allowed, Happening, Looking, Passed};
 use super::run::{GroupRun, Run, Segment};
 use super::system::{DISSIPATION, DISSIPATIONS, SpringSystem};
-use crate::collision::contact_set;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
 use crate::model::tolerances;
@@ -227,7 +226,7 @@ fn allowances(run: &Run<'_>, method: &Dop853, (springs, candidates): (&[ContactS
     let end = method.end_state();
     let ends = end.as_chunks::<WIDTH>().0.iter().map(BodyState::from_array);
     let speed_at_end = bodies.iter().zip(ends).map(|(&body, state)| {
-        let velocity = contact_set::velocity(model, body, &state);
+        let velocity = model.velocity(body, &state);
         tolerances::fastest_point(model, body, &velocity)
     });
     let speeds = bodies.iter().map(|&body| tolerances::point_speed(model, &run.states, body)).chain(speed_at_end);

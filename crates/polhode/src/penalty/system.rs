@@ -9,8 +9,8 @@
 
 use super::contact::{ContactSpring, Evaluated, Force, Grip, SPRING};
 use crate::accounting::books::Received;
-use crate::constraint::bilateral::{self, bilateral_support};
 use crate::identity::contact_id::ContactId;
+use crate::joints::bilateral::{self, bilateral_support};
 use crate::model::{Loads, Model, prescribed};
 use crate::report::momentum_ledger::Momentum;
 use crate::solve::joint_reactions::JointReactions;
@@ -52,7 +52,7 @@ impl SpringSystem<'_> {
         for (&body, numbers) in self.bodies.iter().zip(flat.as_chunks::<WIDTH>().0) {
             self.states[body] = BodyState::from_array(numbers);
         }
-        prescribed::prescribe(&self.model, t, self.states);
+        prescribed::prescribe(self.model, t, self.states);
     }
 
     /// A spring with its vector of a flat state.
@@ -118,7 +118,7 @@ impl SpringSystem<'_> {
         let support = bilateral_support(self.about, found.reactions());
         add(tail, support.linear);
         add(&mut tail[3..], support.angular);
-        tail[19] += bilateral::driven_work(&self.model, self.states, found.reactions());
+        tail[19] += bilateral::driven_work(self.model, self.states, found.reactions());
     }
 
     /// Adds a force on a body and its moment about the centre of mass to the rates.

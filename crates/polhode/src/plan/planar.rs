@@ -19,7 +19,7 @@
 //! breaks the mirror symmetry; so do the forces of a linear programme. Fails: never; a scene without such a plane is
 //! simulated in space.
 
-use crate::collision::{contact_set, moving_surfaces};
+use crate::collision::moving_surfaces;
 use crate::model::plane_of_motion::PlaneOfMotion;
 use crate::model::{Model, ModelBody};
 use crate::scene::settings::Settings;
@@ -119,8 +119,7 @@ impl std::fmt::Display for Defect {
 /// Normals to try: the axis of the first spin, or, when no body spins, the axes of the world and of the first movable
 /// body.
 fn candidates(model: &Model, states: &[BodyState]) -> Vec<DVec3> {
-    let spinning =
-        (0..states.len()).map(|i| contact_set::velocity(model, i, &states[i]).angular).find(|w| *w != DVec3::ZERO);
+    let spinning = (0..states.len()).map(|i| model.velocity(i, &states[i]).angular).find(|w| *w != DVec3::ZERO);
     if let Some(axis) = spinning {
         let axis = axis.normalize_or_zero();
         // Normalising a spin about an axis of the world gives that axis to the last bit.

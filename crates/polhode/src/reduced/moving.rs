@@ -12,7 +12,6 @@
 //! same way.
 
 use super::tree::{Node, Tree};
-use crate::collision::contact_set;
 use crate::constraint::tree_joint::{FreeMotionOfJoint, JointOfChild};
 use crate::model::Model;
 use polhode_dynamics::BodyState;
@@ -122,7 +121,7 @@ impl Tree {
 
 /// The pose of the moving frame of a body, and its velocity.
 fn motion(model: &Model, states: &[BodyState], body: usize) -> (Pose, Velocity) {
-    (states[body].pose, contact_set::velocity(model, body, &states[body]))
+    (states[body].pose, model.velocity(body, &states[body]))
 }
 
 /// Three numbers of a flat state.

@@ -5,12 +5,13 @@
 //! (thesis 3.4, equations 15-18). Immovable bodies have no entry (erratum E17). In planar motion a velocity has three
 //! coordinates instead of six, and everything else is the same.
 
-use crate::constraint::bilateral::{self, Bilateral, Reaction};
-use crate::constraint::joint_friction::{self, JointForces, Pressed};
+use crate::constraint::ConstraintId;
 use crate::constraint::row::{BilateralRow, Member, RowKind};
 use crate::constraint::softness::Softness;
-use crate::constraint::{ConstraintId, held};
 use crate::identity::contact_id::{ContactId, Feature};
+use crate::joints::bilateral::{self, Bilateral, Reaction};
+use crate::joints::held;
+use crate::joints::joint_friction::{self, JointForces, Pressed};
 use crate::model::plane_of_motion::PlaneOfMotion;
 use crate::model::{Loads, Model, prescribed};
 use crate::rows::rotation_row::RotationRow;

@@ -1,8 +1,9 @@
 //! A contact with friction among the rows of a group: its coefficients, its directions, and how it slides.
 
-use crate::collision::contact_set::{self, Touch};
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::collision::slip_directions::{self, SlipDirections};
+use crate::collision::touch::Touch;
+use crate::collision::{contact_kinematics, friction};
 use crate::model::Model;
 use crate::rows::friction_blocks::push_contact;
 use crate::scene::FrictionEllipse;
@@ -45,15 +46,15 @@ impl Sliding {
 
 impl Frictional {
     pub(crate) fn of(model: &Model, states: &[BodyState], touch: &Touch) -> Option<Self> {
-        contact_set::friction_of(model, touch.id)?;
-        let terms = contact_set::tangential_kinematics(model, states, touch.id)?;
-        let coefficients = contact_set::friction_at(model, states, touch.id, terms.basis)?;
+        friction::friction_of(model, touch.id)?;
+        let terms = contact_kinematics::tangential_kinematics(model, states, touch.id)?;
+        let coefficients = friction::friction_at(model, states, touch.id, terms.basis)?;
         let sliding = match touch.modes.friction {
             None | Some(FrictionMode::Sticking) => None,
             Some(FrictionMode::Sliding(slide)) => Some(slide.direction_of(terms.slip_velocity)),
         };
         let sliding = sliding.map(|direction| Sliding::along(direction, &coefficients, &terms));
-        let rotation = contact_set::relative_rotation(model, states, touch.id);
+        let rotation = contact_kinematics::relative_rotation(model, states, touch.id);
         Some(Self { coefficients, terms, slip: slip_directions::slip_directions(model), rotation, sliding })
     }
 

@@ -5,7 +5,7 @@
 //! would otherwise add newtons to newton metres and depend on the unit of length. It is a power of two, so that it
 //! rounds nothing.
 
-use crate::collision::contact_set;
+use crate::collision::contact_kinematics;
 use crate::identity::contact_id::ContactId;
 use crate::model::{Model, prescribed, tolerances};
 use polhode_dynamics::BodyState;
@@ -27,7 +27,7 @@ impl RotationRow {
 
     /// The relative angular velocity along the axis, times the length, m/s.
     pub(crate) fn rate(&self, model: &Model, states: &[BodyState]) -> f64 {
-        self.axis.dot(contact_set::relative_rotation(model, states, self.id))
+        self.axis.dot(contact_kinematics::relative_rotation(model, states, self.id))
     }
 
     /// Term of prescribed accelerations at `t` (s) in the derivative of its rate, m/s^2. The turning of the axis

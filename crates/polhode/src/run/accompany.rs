@@ -12,7 +12,6 @@
 //! as far apart as the scene is wide, which says that the error is as large. Where the companion ends with an error,
 //! the estimate is absent, and a warning says why.
 
-use crate::collision::contact_set;
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::report::run_report::CrowdingError;
@@ -116,7 +115,7 @@ impl Simulation {
             if position_m > estimate.position_m {
                 (estimate.position_m, estimate.body) = (position_m, Some(BodyId::new(body)));
             }
-            let [one, two] = [&own, &other].map(|states| contact_set::velocity(model, body, &states[body]));
+            let [one, two] = [&own, &other].map(|states| model.velocity(body, &states[body]));
             let (linear, angular) = ((one.linear - two.linear).length(), (one.angular - two.angular).length());
             estimate.velocity_m_s = estimate.velocity_m_s.max(ESTIMATE_SAFETY * linear);
             estimate.angular_velocity_rad_s = estimate.angular_velocity_rad_s.max(ESTIMATE_SAFETY * angular);

@@ -6,22 +6,21 @@
 //! After an action the plan is derived again, because the action may end a reduction (planar motion, free flight in
 //! closed form, no contact); the report says when and what changed.
 
+use crate::action_error::ActionError;
 use crate::collision::contact_set;
-use crate::constraint::{added, held, joint_contacts, motors, released};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::joint_id::JointId;
+use crate::joints::{added, held, joint_contacts, motors, released};
 use crate::model::{INITIAL_OVERLAP_RELATIVE, Model, prescribed, reported, tolerances};
 use crate::plan::decisions::{Findings, Plan};
 use crate::plan::planar::{self, PlanarFinding};
 use crate::plan::{free_method, pivots};
 use crate::report::run_report::PlanChange;
-use crate::run::action_error::ActionError;
 use crate::run::simulation::Simulation;
 use crate::scene::effects::Effects;
 use crate::scene::{Body, Coordinate, Joint, Motor, Scene};
 use crate::solve::projection::{Removal, project_velocities};
-use crate::tier::core::Core;
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::Wrench;
 use polhode_spatial::{DVec3, Pose, Velocity};
@@ -302,7 +301,7 @@ impl Simulation {
         let (model, states) = (&self.core.model, self.tier.states_mut());
         if bodies.len() > 1 || model.joints.joints_among(bodies).next().is_some() {
             project_velocities(model, states, bodies, (&[], &[], &[]), Removal::Complete)
-                .map_err(|source| Core::response_error(self.core.t, source))?;
+                .map_err(|source| SimulationError::of_response(self.core.t, source))?;
         }
         Ok(())
     }

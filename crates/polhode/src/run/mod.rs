@@ -5,14 +5,13 @@
 //! | `simulation` | [`Simulation`](crate::Simulation): steps, runs, queries, snapshots |
 //! | `engines` | the engines of the tiers, begun and restored |
 //! | `start_overlap` | bodies that overlap at the start: refused, or moved apart |
-//! | `actions` | what a program does to bodies and joints; `action_error` says why an action is refused |
+//! | `actions` | what a program does to bodies and joints |
 //! | `steering` | kinematic bodies that a program steers |
 //! | `stability` | [`Stability`](crate::Stability): how far bodies at rest are from moving |
 //! | `accompany`, `companion` | a second run beside this one, whose difference estimates the error of crowded stretches |
 //! | `singular_force` | the singular force that has made a run fail |
 
 mod accompany;
-pub(crate) mod action_error;
 mod actions;
 mod companion;
 mod engines;

@@ -2,10 +2,10 @@
 
 use crate::accounting::Accounts;
 use crate::accounting::last_sample::LastSample;
-use crate::constraint::{added, motors, released, turns};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::joint_id::JointId;
+use crate::joints::{added, motors, released, turns};
 use crate::model::body_queries::BodyQueries;
 use crate::model::pivot_form::PivotRows;
 use crate::model::plane_of_motion::PlaneOfMotion;

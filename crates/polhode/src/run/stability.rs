@@ -16,8 +16,9 @@
 //! loose; a scene in planar motion is analysed in its plane. Bodies that move, that a motion carries, on whose surfaces
 //! a belt runs, or whose joints have limits are left out, with all that touches them.
 
+use crate::collision::contact_kinematics;
 use crate::collision::contact_modes::ContactModes;
-use crate::collision::contact_set::{self, Touch};
+use crate::collision::touch::Touch;
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::{ContactId, Feature};
@@ -147,7 +148,7 @@ pub(crate) fn of_contacts(
     states: &[BodyState],
     contacts: &[ContactView],
 ) -> Result<Stability, SimulationError> {
-    let refused = |source: ResponseError| Core::response_error(core.t, source);
+    let refused = |source: ResponseError| SimulationError::of_response(core.t, source);
     let of_view = |view| Some((view, touch(core, states, view)?));
     let (views, touches): (Vec<&ContactView>, Vec<Touch>) = contacts.iter().filter_map(of_view).unzip();
     let at_rest: Vec<usize> = (0..states.len()).filter(|&body| is_at_rest(core, &states[body], body)).collect();
@@ -177,7 +178,7 @@ pub(crate) fn of_contacts(
 /// The contact of a view.
 fn touch(core: &Core, states: &[BodyState], view: &ContactView) -> Option<Touch> {
     let id = ContactId { a: view.body_a.index(), b: view.body_b.index(), feature: Feature::Shapes(view.feature) };
-    Some(Touch::held(id, contact_set::kinematics(&core.model, states, id)?, ContactModes::default()))
+    Some(Touch::held(id, contact_kinematics::kinematics(&core.model, states, id)?, ContactModes::default()))
 }
 
 fn is_at_rest(core: &Core, state: &BodyState, body: usize) -> bool {
@@ -188,7 +189,7 @@ fn is_at_rest(core: &Core, state: &BodyState, body: usize) -> bool {
 /// Whether the surfaces of a contact move over each other: a belt, or a body that a motion carries.
 fn slips(core: &Core, states: &[BodyState], touch: &Touch) -> bool {
     let limit = SLIP_RELATIVE * core.model.gravity().length().max(1.0);
-    let tangential = contact_set::tangential_kinematics(&core.model, states, touch.id);
+    let tangential = contact_kinematics::tangential_kinematics(&core.model, states, touch.id);
     tangential.is_some_and(|terms| terms.slip_velocity.length() > limit)
         || touch.kinematics.separation_rate.abs() > limit
 }

@@ -39,7 +39,7 @@ pub(crate) fn judge(
     let pairs = near_pairs(model, settings, states)?;
     let solvers = (&mut ComplementaritySolver::default(), &mut Delassus::default());
     let removed = Overlaps::find(model, states, &pairs).remove(model, states, (&movable, &pairs), solvers);
-    let moved_m = removed.map_err(|source| crate::tier::core::Core::response_error(0.0, source))?.moved_m;
+    let moved_m = removed.map_err(|source| SimulationError::of_response(0.0, source))?.moved_m;
     let left = overlaps(model, settings, states)?;
     if !left.is_empty() {
         return Err(SceneError::InitialOverlap(left).into());

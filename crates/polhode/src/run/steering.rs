@@ -20,15 +20,13 @@
 //! without an impact, give a pose. Bodies that joints hold to it take its velocity at once, by an impulse that the
 //! ledger books as the program's.
 
-use crate::collision::contact_set;
+use crate::action_error::ActionError;
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::model::prescribed;
 use crate::model::steered::{Goal, Steered};
-use crate::run::action_error::ActionError;
 use crate::run::simulation::Simulation;
 use crate::solve::projection::{Removal, project_velocities};
-use crate::tier::core::Core;
 use polhode_spatial::{Pose, Velocity};
 
 /// What a kinematic body does from now on ([`Simulation::set_motion`]).
@@ -102,7 +100,7 @@ impl Simulation {
         let (core, states) = (&mut self.core, self.tier.states_mut());
         let before = core.accounts.books.balance(&core.model, states, driven);
         project_velocities(&core.model, states, driven, (&[], &[], &[]), Removal::Complete)
-            .map_err(|source| Core::response_error(core.t, source))?;
+            .map_err(|source| SimulationError::of_response(core.t, source))?;
         let after = core.accounts.books.balance(&core.model, states, driven);
         core.accounts.books.program(before, after);
         Ok(())
@@ -133,10 +131,7 @@ impl Simulation {
             Steering::Velocity(velocity) => (velocity, crate::report::acceleration::Acceleration::default()),
             Steering::Pose { .. } => {
                 let (linear, angular) = prescribed::prescribed_acceleration(model, index, t);
-                (
-                    contact_set::velocity(model, index, &now),
-                    crate::report::acceleration::Acceleration { linear, angular },
-                )
+                (model.velocity(index, &now), crate::report::acceleration::Acceleration { linear, angular })
             }
         };
         let steered = Steered { from_s: t, pose: now.pose, velocity, acceleration, goal };

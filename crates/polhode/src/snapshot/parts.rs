@@ -2,7 +2,7 @@
 
 use super::numbers::{Contact, read_state};
 use super::{SnapshotError, content};
-use crate::collision::contact_set;
+use crate::collision::contact_kinematics;
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::model::Model;
 use polhode_dynamics::{Flight, RigidBody};
@@ -21,7 +21,7 @@ pub(crate) fn restored_id(model: &Model, saved: &Contact) -> Result<ContactId, S
     let Contact { a, b, feature } = *saved;
     let feature = feature.into();
     let can_touch = match feature {
-        Feature::Shapes(_) => a < b && b < model.bodies.len() && contact_set::shapes(model, a, b).is_some(),
+        Feature::Shapes(_) => a < b && b < model.bodies.len() && contact_kinematics::shapes(model, a, b).is_some(),
         Feature::Stop(_) | Feature::JointFriction(_) => model.joints.joint_contacts_of_pair((a, b)).contains(&feature),
     };
     if can_touch {

@@ -9,11 +9,11 @@
 //! and kinetic friction differ, the contacts that cannot stick under the static coefficient slide under the kinetic
 //! one, and the problem is solved again until no further contact begins to slide.
 
-use crate::collision::contact_set::{Hold, Touch};
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
+use crate::collision::touch::{Hold, Touch};
 use crate::collision::turn::Turn;
-use crate::constraint::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::identity::contact_id::ContactId;
+use crate::joints::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::model::{Loads, Model, tolerances};
 use crate::rows::assembly::{self, Assembly, TangentRow};
 use crate::rows::friction_blocks::{direction_of, push_held, with_rotations};

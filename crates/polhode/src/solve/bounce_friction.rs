@@ -21,7 +21,7 @@
 //! rolling and spinning, whose moments of friction are smaller by their length than those of the slip. Where the rounds
 //! do not converge, as where a slip presses its own contact, nothing is given back.
 
-use crate::collision::{contact_set, moving_surfaces};
+use crate::collision::{contact_kinematics, friction, moving_surfaces};
 use crate::identity::contact_id::ContactId;
 use crate::model::states_of::{set_states, states_of};
 use crate::model::{Model, prescribed};
@@ -59,11 +59,11 @@ struct Sliding {
 impl Sliding {
     /// A contact whose slip is faster than `slowest` (m/s); none for another one, or without friction.
     fn of(model: &Model, states: &[BodyState], id: ContactId, slowest: f64) -> Option<Self> {
-        let terms = contact_set::tangential_kinematics(model, states, id)?;
-        let friction = contact_set::friction_at(model, states, id, terms.basis)?;
+        let terms = contact_kinematics::tangential_kinematics(model, states, id)?;
+        let friction = friction::friction_at(model, states, id, terms.basis)?;
         let direction = (terms.slip_velocity.length() > slowest).then(|| terms.slip_velocity.try_normalize())??;
         let (against, coefficient) = friction.sliding.opposed(terms.basis, direction);
-        let geometry = contact_set::kinematics(model, states, id)?.geometry;
+        let geometry = contact_kinematics::kinematics(model, states, id)?.geometry;
         Some(Self { row: TangentRow::new(id, &geometry, &terms, against), coefficient })
     }
 
@@ -75,7 +75,7 @@ impl Sliding {
 
     /// Its slip along the row, m/s.
     fn slip(&self, model: &Model, states: &[BodyState]) -> f64 {
-        let terms = contact_set::tangential_kinematics(model, states, self.row.id);
+        let terms = contact_kinematics::tangential_kinematics(model, states, self.row.id);
         terms.map_or(0.0, |terms| self.row.along.normal.dot(terms.slip_velocity))
     }
 }

@@ -17,8 +17,8 @@
 //! Source: the projection of Hairer, Lubich and Wanner 2006, IV.4, in its symmetric form, V.4.1 (docs/REFERENCES.md).
 
 use super::projection::project_positions;
-use crate::constraint::bilateral::{Bilateral, Reaction, bilateral_support};
-use crate::constraint::held;
+use crate::joints::bilateral::{Bilateral, Reaction, bilateral_support};
+use crate::joints::held;
 use crate::model::Model;
 use crate::model::states_of::{set_states, states_of};
 use crate::report::momentum_ledger::{Momentum, MomentumSum};

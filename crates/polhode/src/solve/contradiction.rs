@@ -8,12 +8,10 @@
 //! Limit: where a mechanism passes a singular position the rank is that of rounding, and a motion that is driven
 //! through it may be told to contradict itself there, as it does.
 
-use crate::collision::contact_set;
 use crate::constraint::ConstraintId;
 use crate::error::SimulationError;
-use crate::model::prescribed;
+use crate::model::{Model, prescribed};
 use crate::rows::assembly::Assembly;
-use crate::tier::core::Core;
 use polhode_dynamics::BodyState;
 use polhode_response::{LeastNormHold, ResponseError};
 
@@ -26,30 +24,29 @@ const CONTRADICTION: f64 = 1e-6;
 /// # Errors
 /// [`SimulationError::JointsContradict`]; when a number is not finite.
 pub(crate) fn refuse_contradictions(
-    core: &Core,
+    model: &Model,
     t: f64,
     states: &[BodyState],
     bodies: &[usize],
 ) -> Result<(), SimulationError> {
-    if core.model.joints.ties_among(bodies).next().is_none() {
+    if model.joints.ties_among(bodies).next().is_none() {
         return Ok(());
     }
-    match contradicted(core, t, states, bodies).map_err(|source| Core::response_error(t, source))? {
+    match contradicted(model, t, states, bodies).map_err(|source| SimulationError::of_response(t, source))? {
         None => Ok(()),
-        Some(tie) => Err(SimulationError::JointsContradict { t_s: t, what: core.model.joints.name_of_tie(tie) }),
+        Some(tie) => Err(SimulationError::JointsContradict { t_s: t, what: model.joints.name_of_tie(tie) }),
     }
 }
 
 /// The number of the first tie whose row, or that of another constraint beside it, cannot be kept.
-fn contradicted(core: &Core, t: f64, states: &[BodyState], bodies: &[usize]) -> Result<Option<usize>, ResponseError> {
-    let model = &core.model;
+fn contradicted(model: &Model, t: f64, states: &[BodyState], bodies: &[usize]) -> Result<Option<usize>, ResponseError> {
     let assembly = Assembly::new(model, states, bodies, std::iter::empty())?;
     let still = assembly.uniform_accelerations(polhode_spatial::DVec3::ZERO);
     let constants = assembly.acceleration_constants(model, t, states, &still, std::iter::empty())?;
     let largest = constants.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
     // Terms of motions that cancel leave the rounding of their parts.
     let parts = bodies.iter().chain(prescribed::prescribed(model)).map(|&body| {
-        let velocity = contact_set::velocity(model, body, &states[body]);
+        let velocity = model.velocity(body, &states[body]);
         let turning = velocity.angular.length();
         turning * (turning * model.bodies[body].size + velocity.linear.length())
     });

@@ -11,11 +11,11 @@
 //! An impact without a collision has the same impulses, but no approach: contacts slide, and no finite forces satisfy
 //! Coulomb's law (Painleve).
 
-use crate::collision::contact_set::{self, Touch};
-use crate::collision::slip_directions;
+use crate::collision::touch::Touch;
 use crate::collision::turn::Turn;
-use crate::constraint::joint_contacts;
+use crate::collision::{contact_kinematics, friction, slip_directions};
 use crate::identity::contact_id::ContactId;
+use crate::joints::joint_contacts;
 use crate::model::{Loads, Model, tolerances};
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{push_contact, push_held, with_rotations};
@@ -74,7 +74,7 @@ pub(crate) enum Restitution {
 
 /// Whether one of some contacts has friction.
 pub(crate) fn have_friction(model: &Model, contacts: &[Touch]) -> bool {
-    model.has_friction() && contacts.iter().any(|touch| contact_set::friction_of(model, touch.id).is_some())
+    model.has_friction() && contacts.iter().any(|touch| friction::friction_of(model, touch.id).is_some())
 }
 
 /// Solves for the impulses at `contacts` and at the pivots of `bodies` (movable, ascending).
@@ -112,7 +112,7 @@ pub(crate) fn solve(
     // Pivots have no restitution.
     restitution.resize(blocks.len(), 0.0);
     let mirrored: Vec<usize> = (0..contacts.len())
-        .filter(|&contact| contact_set::mirrored(model, states, contacts[contact].id).is_some())
+        .filter(|&contact| contact_kinematics::mirrored(model, states, contacts[contact].id).is_some())
         .collect();
     let impact = MultipleFrictionalImpact {
         contacts: &blocks.problem(&delassus, &before)?,
@@ -158,7 +158,7 @@ fn single_law(model: &Model, law: ImpactLaw) -> RestitutionLaw {
 pub(crate) fn rate_of_separation(model: &Model, states: &[BodyState], touch: &Touch) -> f64 {
     let geometry = &touch.kinematics.geometry;
     let at_point = |body: usize| {
-        let velocity = contact_set::velocity(model, body, &states[body]);
+        let velocity = model.velocity(body, &states[body]);
         velocity.linear + velocity.angular.cross(geometry.point - states[body].pose.translation)
     };
     geometry.normal.dot(touch.id.relative(at_point))
@@ -250,7 +250,7 @@ fn rotations_of(
     for (normal, touch) in contacts.iter().enumerate() {
         for turn in Turn::ALL {
             let Some(friction) = turn.coefficient(model, (touch.id.a, touch.id.b)) else { continue };
-            let Some(terms) = contact_set::tangential_kinematics(model, states, touch.id) else { continue };
+            let Some(terms) = contact_kinematics::tangential_kinematics(model, states, touch.id) else { continue };
             let first = assembly.problem.len();
             let axes = turn
                 .axes(touch.kinematics.geometry.normal, (&terms.basis, slip_directions::slip_directions(model)))
@@ -276,12 +276,12 @@ fn blocks_of(
     let mut before = assembly.rates(contacts.iter().map(|touch| touch.kinematics.separation_rate));
     let mut blocks = Blocks::default();
     for (normal, touch) in contacts.iter().enumerate() {
-        let friction = contact_set::friction_of(model, touch.id).filter(|friction| friction.sliding.largest() > 0.0);
-        let terms = friction.and_then(|_| contact_set::tangential_kinematics(model, states, touch.id));
+        let friction = friction::friction_of(model, touch.id).filter(|friction| friction.sliding.largest() > 0.0);
+        let terms = friction.and_then(|_| contact_kinematics::tangential_kinematics(model, states, touch.id));
         let first = assembly.problem.len();
         let mut ellipse = FrictionEllipse::default();
         if let Some(terms) = terms {
-            ellipse = contact_set::friction_at(model, states, touch.id, terms.basis)
+            ellipse = friction::friction_at(model, states, touch.id, terms.basis)
                 .map_or(ellipse, |friction| friction.sliding);
             let row = |tangent| TangentRow::new(touch.id, &touch.kinematics.geometry, &terms, tangent);
             let tangents = slip_directions::slip_directions(model).tangents(&terms.basis);

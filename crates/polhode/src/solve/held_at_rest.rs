@@ -5,7 +5,7 @@
 
 use super::accelerations::{FreeMotion, blocks_of};
 use super::standing::standing;
-use crate::collision::contact_set::Touch;
+use crate::collision::touch::Touch;
 use crate::model::{Loads, Model};
 use crate::rows::assembly::Assembly;
 use crate::rows::frictional_contact::Frictional;

@@ -1,11 +1,12 @@
 //! Impacts: the impact law acts on approaching contacts, together with all contacts connected to them.
 
-use crate::collision::contact_set::{self, Touch};
-use crate::collision::moving_surfaces;
-use crate::constraint::bilateral::{self, Bilateral, Reaction, apply_reactions, bilateral_support};
-use crate::constraint::{ConstraintId, joint_contacts};
+use crate::collision::touch::Touch;
+use crate::collision::{friction, moving_surfaces};
+use crate::constraint::ConstraintId;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::ContactId;
+use crate::joints::bilateral::{self, Bilateral, Reaction, apply_reactions, bilateral_support};
+use crate::joints::joint_contacts;
 use crate::model::states_of::{set_states, states_of};
 use crate::model::{Model, prescribed, tolerances};
 use crate::report::event::{Event, EventKind};
@@ -100,7 +101,7 @@ impl Struck {
         };
         let rubbing = |own: &[(ContactId, ContactGeometry, f64)]| {
             let ((id, first, _), (_, last, _)) = (own.first()?, own.last()?);
-            let ellipse = contact_set::friction_at(model, states, *id, [first.normal, last.normal])?.sliding;
+            let ellipse = friction::friction_at(model, states, *id, [first.normal, last.normal])?.sliding;
             let tangential = ellipse.length(&own.iter().map(|(.., p)| *p).collect::<Vec<_>>());
             let friction = ellipse.largest();
             Some(RubbingForce { pair: (id.a, id.b), normal: normal_of(*id)?, tangential, friction })
@@ -131,7 +132,7 @@ const RATE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Largest speed of any point of some bodies, m/s, bounded by their sizes.
 fn largest_speed(model: &Model, states: &[BodyState], bodies: &[usize]) -> f64 {
     let speed = |&body: &usize| {
-        let velocity = contact_set::velocity(model, body, &states[body]);
+        let velocity = model.velocity(body, &states[body]);
         velocity.linear.length() + velocity.angular.length() * model.bodies[body].size
     };
     bodies.iter().map(speed).fold(0.0, f64::max)

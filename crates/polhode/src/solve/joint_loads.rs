@@ -1,11 +1,12 @@
 //! What joints bear, from the forces of all rows of a group: their reactions, what gears and prescribed motions do
 //! along their coordinates, and what their stops and their friction do at levers.
 
-use crate::constraint::bilateral::{Bilateral, Reaction};
-use crate::constraint::ties::LoadOfTie;
-use crate::constraint::{ConstraintId, breaking, joint_contacts};
+use crate::constraint::ConstraintId;
 use crate::identity::contact_id::ContactId;
 use crate::identity::joint_id::JointId;
+use crate::joints::bilateral::{Bilateral, Reaction};
+use crate::joints::ties::LoadOfTie;
+use crate::joints::{breaking, joint_contacts};
 use crate::model::Model;
 use crate::report::frame::JointView;
 use crate::rows::assembly::Assembly;

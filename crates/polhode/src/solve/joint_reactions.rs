@@ -4,7 +4,7 @@
 //! What else acts on the bodies (springs, fields) is among the loads. Large trees of joints are eliminated first, as
 //! everywhere. Where rows depend on each other the least reactions are taken. How it fails: a state that is not finite.
 
-use crate::constraint::bilateral::{Bilateral, Reaction};
+use crate::joints::bilateral::{Bilateral, Reaction};
 use crate::model::{Loads, Model};
 use crate::rows::assembly::Assembly;
 use crate::solve::jointed::trees_of;

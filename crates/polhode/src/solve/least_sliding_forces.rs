@@ -6,7 +6,7 @@
 //! sliding contact presses it more than its normal force lifts it (`G_nn - mu G_nt <= 0`, Painleve), the cone problem
 //! decides.
 
-use crate::collision::contact_set::Touch;
+use crate::collision::touch::Touch;
 use crate::model::Model;
 use crate::rows::assembly::Assembly;
 use crate::rows::friction_blocks::push_contact;

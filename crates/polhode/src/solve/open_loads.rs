@@ -10,8 +10,9 @@
 //! Source: the row space projection of Golub and Van Loan 2013, 5.5 (docs/REFERENCES.md). Assumption: contacts beside
 //! the joints bear nothing of it.
 
-use crate::constraint::bilateral::Reaction;
-use crate::constraint::{ConstraintId, held, joint_friction};
+use crate::constraint::ConstraintId;
+use crate::joints::bilateral::Reaction;
+use crate::joints::{held, joint_friction};
 use crate::model::Model;
 use crate::rows::assembly::Assembly;
 use polhode_dynamics::BodyState;

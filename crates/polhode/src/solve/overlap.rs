@@ -12,9 +12,9 @@
 //! `d` opens them by some `d^2/r`, so that rounds go on until they are closed too.
 
 use crate::collision::contact_set;
-use crate::constraint::bilateral::Bilateral;
-use crate::constraint::held;
 use crate::identity::contact_id::ContactId;
+use crate::joints::bilateral::Bilateral;
+use crate::joints::held;
 use crate::model::states_of::states_of;
 use crate::model::{Model, tolerances};
 use crate::rows::assembly::{Assembly, largest_change};

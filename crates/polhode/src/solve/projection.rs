@@ -6,10 +6,11 @@
 //! motion as a force. The ledger books their change of energy.
 
 use crate::collision::turn::Turn;
-use crate::collision::{contact_set, moving_surfaces, slip_directions};
-use crate::constraint::bilateral::{self, Bilateral, Reaction, apply_reactions};
-use crate::constraint::{ConstraintId, held};
+use crate::collision::{contact_kinematics, moving_surfaces, slip_directions};
+use crate::constraint::ConstraintId;
 use crate::identity::contact_id::ContactId;
+use crate::joints::bilateral::{self, Bilateral, Reaction, apply_reactions};
+use crate::joints::held;
 use crate::model::states_of::{set_states, states_of};
 use crate::model::{Model, prescribed, tolerances};
 use crate::rows::assembly::{Assembly, TangentRow, apply_impulses, largest_change};
@@ -145,7 +146,7 @@ pub(crate) fn project(
         }
     }
     let (jumped, drifting): (Vec<_>, Vec<_>) = held.iter().copied().partition(|&id| {
-        let kinematics = contact_set::kinematics(model, states, id);
+        let kinematics = contact_kinematics::kinematics(model, states, id);
         kinematics.is_some_and(|kinematics| rate_exceeds_drift(model, states, id, &kinematics, tolerance))
     });
     done.jumped.extend(jumped.into_iter().map(ConstraintId::Contact));
@@ -160,7 +161,7 @@ pub(crate) fn project(
 fn penetrates(model: &Model, states: &[BodyState], id: ContactId) -> bool {
     let left = UNCONVERGED_RELATIVE * tolerances::pair_size(model, id.a, id.b)
         + tolerances::rounding(model, states, id.a, id.b);
-    contact_set::kinematics(model, states, id).is_some_and(|kinematics| kinematics.geometry.separation < -left)
+    contact_kinematics::kinematics(model, states, id).is_some_and(|kinematics| kinematics.geometry.separation < -left)
 }
 
 /// Whether a held contact approaches or separates faster than the drift of a step within `tolerance`: its point has
@@ -197,7 +198,7 @@ pub(crate) fn remove_overlap(
 fn speed_of_pair(model: &Model, states: &[BodyState], id: ContactId) -> f64 {
     let fall = (model.gravity().length() * tolerances::pair_size(model, id.a, id.b)).sqrt();
     let speed = |body: usize| {
-        let velocity = contact_set::velocity(model, body, &states[body]);
+        let velocity = model.velocity(body, &states[body]);
         velocity.linear.length() + velocity.angular.length() * model.bodies[body].size
     };
     fall + speed(id.a) + speed(id.b)
@@ -221,7 +222,7 @@ pub(crate) fn project_positions(
     let most = if contacts.is_empty() { MAX_CLOSING_STEPS } else { MAX_NEWTON_STEPS };
     for step in 0..=most {
         let geometries =
-            contacts.iter().filter_map(|&id| Some((id, contact_set::kinematics(model, states, id)?.geometry)));
+            contacts.iter().filter_map(|&id| Some((id, contact_kinematics::kinematics(model, states, id)?.geometry)));
         let drifted = |(id, geometry): &(ContactId, ContactGeometry)| {
             geometry.separation.abs() <= JUMPED_RELATIVE * tolerances::pair_size(model, id.a, id.b)
         };
@@ -363,7 +364,7 @@ pub(crate) fn project_velocities(
     removal: Removal,
 ) -> Result<RemovedVelocities, ResponseError> {
     let contacts: Vec<_> =
-        contacts.iter().filter_map(|&id| Some((id, contact_set::kinematics(model, states, id)?))).collect();
+        contacts.iter().filter_map(|&id| Some((id, contact_kinematics::kinematics(model, states, id)?))).collect();
     let slips: Vec<(TangentRow, f64)> = sticking.iter().flat_map(|&id| slip_rows(model, states, id)).collect();
     let turns: Vec<(RotationRow, f64)> = turns.iter().flat_map(|&turn| turn_rows(model, states, turn)).collect();
     let bilaterals: Vec<Bilateral> = held::bilaterals(model, states, bodies).collect();
@@ -409,7 +410,8 @@ pub(crate) fn project_velocities(
 
 /// Rows along the tangents of a contact, each with the slip along it, m/s.
 fn slip_rows(model: &Model, states: &[BodyState], id: ContactId) -> Vec<(TangentRow, f64)> {
-    let both = contact_set::kinematics(model, states, id).zip(contact_set::tangential_kinematics(model, states, id));
+    let both = contact_kinematics::kinematics(model, states, id)
+        .zip(contact_kinematics::tangential_kinematics(model, states, id));
     let rows = both.map(|(kinematics, terms)| {
         let row = |&tangent: &DVec3| {
             let row = TangentRow::new(id, &kinematics.geometry, &terms, tangent);
@@ -422,7 +424,8 @@ fn slip_rows(model: &Model, states: &[BodyState], id: ContactId) -> Vec<(Tangent
 
 /// Rows of a rotation, each with its rate, m/s.
 fn turn_rows(model: &Model, states: &[BodyState], (id, turn): (ContactId, Turn)) -> Vec<(RotationRow, f64)> {
-    let both = contact_set::kinematics(model, states, id).zip(contact_set::tangential_kinematics(model, states, id));
+    let both = contact_kinematics::kinematics(model, states, id)
+        .zip(contact_kinematics::tangential_kinematics(model, states, id));
     let rows = both.map(|(kinematics, terms)| {
         turn.axes(kinematics.geometry.normal, (&terms.basis, slip_directions::slip_directions(model)))
     });

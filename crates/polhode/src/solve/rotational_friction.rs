@@ -15,7 +15,6 @@
 //! The solver finds slip, rolling and spinning together ([`polhode_response::friction::Law::Resist`]). A rotation that
 //! turns already has one row, along its direction.
 
-use crate::collision::contact_set;
 use crate::identity::contact_id::ContactId;
 use crate::model::{Model, prescribed};
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
@@ -60,7 +59,7 @@ pub(crate) fn moment_work(
 ) -> f64 {
     let rotation = |body: usize| {
         if prescribed::trajectory(model, body).is_some() {
-            contact_set::velocity(model, body, &states[body]).angular
+            model.velocity(body, &states[body]).angular
         } else {
             DVec3::ZERO
         }

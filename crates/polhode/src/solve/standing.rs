@@ -10,7 +10,7 @@
 //! methods for few contacts.
 
 use super::sticking_forces::{HoldingForces, MOST_FRICTION_NEEDED};
-use crate::collision::contact_set::Touch;
+use crate::collision::touch::Touch;
 use crate::model::Model;
 use crate::rows::assembly::Assembly;
 use crate::rows::frictional_contact::Frictional;

@@ -7,7 +7,7 @@
 //! taken out by the least change, with residuals of twice the working precision: large forces that cancel on a light
 //! body then leave no more than its own weight is rounded by.
 
-use crate::collision::contact_set::Touch;
+use crate::collision::touch::Touch;
 use crate::model::Model;
 use crate::rows::assembly::Assembly;
 use crate::rows::frictional_contact::Frictional;

@@ -4,10 +4,10 @@
 use super::engine::SteppedEngine;
 use super::island_steps::advance_islands;
 use super::islands::Island;
+use crate::accounting::time_step_report::TimeStepReport;
 use crate::error::SimulationError;
 use crate::tier::core::Core;
 use crate::tier::error_estimate::EVERY;
-use crate::time_stepping::TimeStepReport;
 use polhode_dynamics::BodyState;
 
 impl SteppedEngine {
@@ -33,7 +33,7 @@ impl SteppedEngine {
         let (mut states, mut stepper) = (begin.to_vec(), self.stepper.clone());
         for part in [(t, 0.5 * h), (t + 0.5 * h, 0.5 * h)] {
             advance_islands(&core.model, &*core.executor, (&mut stepper, &mut states), &compared, part)
-                .map_err(|source| Core::response_error(core.t, source))?;
+                .map_err(|source| SimulationError::of_response(core.t, source))?;
         }
         for (island, report) in compared.iter().zip(reports) {
             let stands_for = if report.steps > 1 { 1 } else { EVERY };

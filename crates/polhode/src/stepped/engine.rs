@@ -2,7 +2,7 @@
 
 use super::instant_forces::{BodyAcceleration, PresentForces};
 use super::island_steps::advance_islands;
-use super::islands::{Island, IslandSearch, islands};
+use super::islands::{Island, IslandSearch, islands, joined};
 use super::present_forces::STICKING_RELATIVE;
 use super::rest::{Resting, may_rest, touching_groups};
 use super::saved_loads::{restored_loads, saved_loads};
@@ -10,19 +10,20 @@ use super::track_ends::let_go_at_ends_of_tracks;
 use super::unexpected::Unexpected;
 use crate::accounting::books::Received;
 use crate::accounting::long_steps::Movement;
-use crate::collision::contact_set::{self, FoundContact, Touch};
-use crate::constraint::{added, turns};
+use crate::accounting::time_step_report::TimeStepReport;
+use crate::collision::touch::{FoundContact, Touch};
+use crate::collision::{contact_kinematics, contact_set, contact_view};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::{ContactId, Feature};
+use crate::joints::{added, turns};
 use crate::model::states_of::{set_states, states_of};
-use crate::model::{Loads, Model, prescribed, reported, tolerances};
+use crate::model::{Loads, prescribed, reported, tolerances};
 use crate::report::acceleration::Acceleration;
 use crate::report::event::{Event, EventKind};
-use crate::report::frame::{self, ContactView, IslandView, JointView, MotionKind};
+use crate::report::frame::{ContactView, IslandView, JointView, MotionKind};
 use crate::report::observer::Observer;
 use crate::rows::assembly::free_acceleration;
-use crate::rows::groups::coupled_groups;
 use crate::scene::effects::Effects;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::parts::{restored_flight, restored_forces, restored_id, save_contact, save_flight};
@@ -33,7 +34,7 @@ use crate::tier::core::Core;
 use crate::tier::error_estimate::{EVERY, ErrorEstimate};
 use crate::tier::sampling::emit_samples_before;
 use crate::tier::{Reached, Tier};
-use crate::time_stepping::{NO_WORK_J, TimeStepReport, TimeStepper, given_by_gravity};
+use crate::time_stepping::{NO_WORK_J, TimeStepper, given_by_gravity};
 use polhode_dynamics::{BodyState, Flight};
 use polhode_response::ResponseError;
 use polhode_spatial::DVec3;
@@ -106,7 +107,7 @@ impl SteppedEngine {
         let pairs = engine.search.pairs(model, &engine.states, (core.t, 0.0)).map_err(SimulationError::BroadPhase)?;
         let all = islands(model, &pairs);
         for island in &all {
-            engine.come_to_rest(core, island).map_err(|source| Core::response_error(core.t, source))?;
+            engine.come_to_rest(core, island).map_err(|source| SimulationError::of_response(core.t, source))?;
         }
         engine.islands = all.into_iter().map(|island| island.bodies).collect();
         let moving = pairs.into_iter().filter(|&pair| !engine.resting.holds_pair(pair));
@@ -234,7 +235,7 @@ impl SteppedEngine {
         if core.accounts.steps().is_multiple_of(EVERY) {
             for (island, report) in islands.iter().zip(&reports).filter(|(_, report)| !report.at_rest) {
                 let settled = self.settle(core, island, &report.touching, h);
-                settled.map_err(|source| Core::response_error(core.t, source))?;
+                settled.map_err(|source| SimulationError::of_response(core.t, source))?;
             }
         }
         self.loads = Some(loads);
@@ -256,11 +257,11 @@ impl SteppedEngine {
         let all = islands(&core.model, pairs);
         self.islands = all.iter().map(|island| island.bodies.clone()).collect();
         for island in &all {
-            self.come_to_rest(core, island).map_err(|source| Core::response_error(core.t, source))?;
+            self.come_to_rest(core, island).map_err(|source| SimulationError::of_response(core.t, source))?;
         }
         let (resting, islands): (Vec<_>, Vec<_>) = all.into_iter().partition(|own| self.resting.contains_all(own));
         for island in &islands {
-            refuse_contradictions(core, core.t, &self.states, &island.bodies)?;
+            refuse_contradictions(&core.model, core.t, &self.states, &island.bodies)?;
         }
         Ok((resting, islands))
     }
@@ -282,7 +283,7 @@ impl SteppedEngine {
             let (resting, islands) = self.divide(core, &pairs)?;
             let of = (&mut self.stepper, &mut self.states[..]);
             let reports = advance_islands(&core.model, &*core.executor, of, &islands, interval);
-            let reports = reports.map_err(|source| Core::response_error(core.t, source))?;
+            let reports = reports.map_err(|source| SimulationError::of_response(core.t, source))?;
             let met = Unexpected { begin: &begin, end: &self.states, islands: &islands, pairs: &pairs, interval };
             let met = met.find(&core.model, &mut self.search).map_err(SimulationError::BroadPhase)?;
             if met.is_empty() || times == 0 {
@@ -372,7 +373,7 @@ impl SteppedEngine {
         let (mut states, mut stepper) = (self.states.clone(), self.stepper.clone());
         let of = (&mut stepper, &mut states[..]);
         let reports = advance_islands(&core.model, &*core.executor, of, resting, interval);
-        reports.map_err(|source| Core::response_error(core.t, source))?;
+        reports.map_err(|source| SimulationError::of_response(core.t, source))?;
         Ok(())
     }
 
@@ -492,7 +493,7 @@ impl SteppedEngine {
             let mut stepper = self.stepper.clone();
             stepper
                 .advance(&core.model, &mut states, &island.bodies, &island.pairs, (core.t, t - core.t))
-                .map_err(|source| Core::response_error(core.t, source))?;
+                .map_err(|source| SimulationError::of_response(core.t, source))?;
         }
         let flies = |body: usize| !in_island[body] && !self.resting.contains(body) && core.model.bodies[body].moves();
         let flying: Vec<usize> = (0..states.len()).filter(|&body| flies(body)).collect();
@@ -522,14 +523,6 @@ impl SteppedEngine {
         let touches = pairs.iter().flat_map(of_pair);
         touches.filter(|touch| touch.kinematics.separation_rate.abs() <= slow).map(Touch::from).collect()
     }
-}
-
-/// Groups of bodies that these contacts and joints connect, with their contacts.
-pub(super) fn joined(model: &Model, touches: &[Touch]) -> Vec<(Vec<usize>, Vec<Touch>)> {
-    let all = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b));
-    let members = |contacts: &[usize]| contacts.iter().map(|&index| touches[index]).collect();
-    let held = model.joints.held_among(&model.movable);
-    coupled_groups(model, all, &held).into_iter().map(|group| (group.bodies, members(&group.contacts))).collect()
 }
 
 impl Tier for SteppedEngine {
@@ -567,7 +560,7 @@ impl Tier for SteppedEngine {
     }
 
     fn accelerations(&mut self, core: &mut Core) -> Result<Vec<Acceleration>, SimulationError> {
-        let failed = |source| Core::response_error(core.t, source);
+        let failed = |source| SimulationError::of_response(core.t, source);
         let model = &core.model;
         let pairs = self.search.pairs(model, &self.states, (core.t, 0.0)).map_err(SimulationError::BroadPhase)?;
         let touches = self.resting_touches(core, &pairs);
@@ -607,7 +600,7 @@ impl Tier for SteppedEngine {
         let is_of_shapes = |id: &ContactId| matches!(id.feature, Feature::Shapes(_));
         for &id in self.forces.keys().filter(|id| is_of_shapes(id)) {
             if let Entry::Vacant(place) = found.entry(id)
-                && let Some(kinematics) = contact_set::kinematics(model, states, id)
+                && let Some(kinematics) = contact_kinematics::kinematics(model, states, id)
             {
                 place.insert(FoundContact { id, kinematics });
             }
@@ -615,7 +608,7 @@ impl Tier for SteppedEngine {
         let mut views = Vec::new();
         for (id, touch) in found {
             let MeanForce { normal, friction } = self.forces.get(&id).copied().unwrap_or_default();
-            frame::view_contact(model, states, &Touch::from(touch), (normal, friction), &mut views);
+            contact_view::view_contact(model, states, &Touch::from(touch), (normal, friction), &mut views);
         }
         views
     }

@@ -6,9 +6,9 @@
 //! contacts and bodies.
 
 use super::instant_forces::{BodyAcceleration, PresentForces, forces_on};
-use crate::collision::contact_set::{self, Touch};
 use crate::collision::friction_mode::FrictionMode;
-use crate::collision::slip_directions;
+use crate::collision::touch::Touch;
+use crate::collision::{contact_kinematics, friction, slip_directions};
 use crate::model::{Loads, Model};
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{push_contact, push_held};
@@ -91,11 +91,11 @@ enum Rubs {
 
 fn rubbing(model: &Model, states: &[BodyState], touch: &Touch) -> Rubbing {
     let none = Rubbing { rows: Vec::new(), law: Rubs::Sticks(FrictionEllipse::default()) };
-    if contact_set::friction_of(model, touch.id).is_none() {
+    if friction::friction_of(model, touch.id).is_none() {
         return none;
     }
-    let Some(terms) = contact_set::tangential_kinematics(model, states, touch.id) else { return none };
-    let Some(coefficients) = contact_set::friction_at(model, states, touch.id, terms.basis) else { return none };
+    let Some(terms) = contact_kinematics::tangential_kinematics(model, states, touch.id) else { return none };
+    let Some(coefficients) = friction::friction_at(model, states, touch.id, terms.basis) else { return none };
     let row =
         |terms: &TangentialKinematics, tangent| TangentRow::new(touch.id, &touch.kinematics.geometry, terms, tangent);
     if let Some(FrictionMode::Sliding(slide)) = touch.modes.friction {

@@ -1,6 +1,6 @@
 //! Forces of contacts at one instant, with the accelerations that they give.
 
-use crate::collision::contact_set::Touch;
+use crate::collision::touch::Touch;
 use crate::report::frame::JointView;
 use crate::solve::joint_loads::ContactForce;
 use polhode_spatial::DVec3;

@@ -6,10 +6,11 @@
 //! (kinematic ones) are left anywhere within the step: the caller prescribes them.
 
 use super::islands::Island;
+use crate::accounting::time_step_report::TimeStepReport;
 use crate::model::Model;
 use crate::model::states_of::{set_states, states_of};
 use crate::tier::executor::{Executor, Task};
-use crate::time_stepping::{TimeStepReport, TimeStepper};
+use crate::time_stepping::TimeStepper;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 

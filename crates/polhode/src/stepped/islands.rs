@@ -1,7 +1,8 @@
 //! Islands of a time step: bodies that may touch within it, or that force fields couple.
 
-use crate::collision::contact_set;
+use crate::collision::touch::Touch;
 use crate::model::{Model, prescribed, tolerances};
+use crate::rows::groups::coupled_groups;
 use polhode_contact::{Aabb, BroadPhase, BroadPhaseError, swept_aabb};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DisjointSets, Still};
@@ -95,7 +96,7 @@ pub(super) fn travel_of(model: &Model, states: &[BodyState], body: usize, h: f64
     if !own.moves() {
         return 0.0;
     }
-    let velocity = contact_set::velocity(model, body, &states[body]);
+    let velocity = model.velocity(body, &states[body]);
     let speed = velocity.linear.length() + velocity.angular.length() * own.size;
     SWEEP_FACTOR * h * (speed + model.gravity().length() * h)
 }
@@ -137,4 +138,12 @@ pub(super) fn islands(model: &Model, pairs: &[(usize, usize)]) -> Vec<Island> {
         }
     }
     islands
+}
+
+/// Groups of bodies that these contacts and joints connect, with their contacts.
+pub(super) fn joined(model: &Model, touches: &[Touch]) -> Vec<(Vec<usize>, Vec<Touch>)> {
+    let all = touches.iter().enumerate().map(|(index, touch)| (index, touch.id.a, touch.id.b));
+    let members = |contacts: &[usize]| contacts.iter().map(|&index| touches[index]).collect();
+    let held = model.joints.held_among(&model.movable);
+    coupled_groups(model, all, &held).into_iter().map(|group| (group.bodies, members(&group.contacts))).collect()
 }

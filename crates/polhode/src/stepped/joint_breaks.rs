@@ -5,11 +5,12 @@
 //! breaks by what it bears without impulses of impacts, which break by their own strength; what the others bear then
 //! shows in the next step.
 
-use super::engine::{SteppedEngine, joined};
+use super::engine::SteppedEngine;
 use super::instant_forces::PresentForces;
+use super::islands::joined;
 use crate::constraint::joint::ModelJoint;
-use crate::constraint::joint_contacts;
 use crate::error::SimulationError;
+use crate::joints::joint_contacts;
 use crate::report::frame::JointView;
 use crate::solve::joint_loads::{joint_view, overloaded};
 use crate::tier::core::Core;

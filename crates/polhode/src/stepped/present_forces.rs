@@ -3,9 +3,10 @@
 
 use super::forces_of_many::forces_of_many;
 use super::instant_forces::{BodyAcceleration, PresentForces, forces_on};
+use crate::collision::contact_kinematics;
 use crate::collision::contact_modes::ContactModes;
-use crate::collision::contact_set::{self, Touch};
 use crate::collision::friction_mode::{FrictionMode, Slide};
+use crate::collision::touch::Touch;
 use crate::collision::turn::{RotationModes, Turn};
 use crate::model::tolerances;
 use crate::solve::accelerations::Accelerations;
@@ -63,9 +64,9 @@ fn with_modes(core: &Core, states: &[BodyState], touch: &Touch) -> Touch {
         let slide = Slide { direction: velocity / speed, speed, noise: noise / size };
         (speed > none.max(noise) / size).then_some(FrictionMode::Sliding(slide))
     };
-    let slip =
-        contact_set::tangential_kinematics(model, states, touch.id).map_or(DVec3::ZERO, |terms| terms.slip_velocity);
-    let rotation = contact_set::relative_rotation(model, states, touch.id);
+    let slip = contact_kinematics::tangential_kinematics(model, states, touch.id)
+        .map_or(DVec3::ZERO, |terms| terms.slip_velocity);
+    let rotation = contact_kinematics::relative_rotation(model, states, touch.id);
     let size = tolerances::pair_size(model, touch.id.a, touch.id.b);
     let turn = |turn: Turn| {
         turn.friction(model, (touch.id.a, touch.id.b))?;

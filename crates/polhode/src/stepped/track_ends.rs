@@ -1,9 +1,9 @@
 //! Bodies that run off the ends of their tracks: at the end of the step in which they do, an error of the first order
 //! in its length.
 
-use crate::constraint::released::{self, RunOff};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
+use crate::joints::released::{self, RunOff};
 use crate::report::event::{Event, EventKind};
 use crate::tier::core::Core;
 use polhode_dynamics::BodyState;

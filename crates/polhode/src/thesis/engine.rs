@@ -5,13 +5,14 @@ use super::system::LoadedBodies;
 use crate::accounting::books::Received;
 use crate::accounting::long_steps::Movement;
 use crate::collision::boxes::Boxes;
-use crate::collision::contact_set::Touch;
+use crate::collision::contact_view;
+use crate::collision::touch::Touch;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
-use crate::model::prescribed;
+use crate::model::{prescribed, reported};
 use crate::report::acceleration::Acceleration;
 use crate::report::event::EventKind;
-use crate::report::frame::{self, ContactView, IslandView, MotionKind};
+use crate::report::frame::{ContactView, IslandView, MotionKind};
 use crate::report::momentum_ledger::Momentum;
 use crate::report::observer::Observer;
 use crate::rows::assembly::Assembly;
@@ -25,7 +26,7 @@ use crate::tier::error_estimate::{EVERY, ErrorEstimate};
 use crate::tier::fixed_steps::{Continues, SteppedBodies, accelerations_under, contacts_within, next_step_end};
 use crate::tier::free_stage::{self, Ends};
 use crate::tier::sampling::emit_samples_before;
-use crate::tier::{Reached, Tier, promise};
+use crate::tier::{Reached, Tier};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::Wrench;
 use polhode_response::impact::{ImpactOutcome, ImpactSettings};
@@ -203,7 +204,7 @@ impl ThesisEngine {
             let law = core.settings.impact;
             strike(model, states, group, touches, law, &settings, &mut core.solver).map(|struck| struck.outcome)
         };
-        outcome.map(Some).map_err(|source| Core::response_error(core.t, source))
+        outcome.map(Some).map_err(|source| SimulationError::of_response(core.t, source))
     }
 
     /// The resting contacts and their forces; none where bodies act on each other by impulses alone.
@@ -219,7 +220,7 @@ impl ThesisEngine {
         for group in groups(&core.model, all.into_iter()) {
             let members: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
             let solved = group_forces(core, &self.bodies.states, &group.bodies, &members);
-            let solved = solved.map_err(|source| Core::response_error(core.t, source))?;
+            let solved = solved.map_err(|source| SimulationError::of_response(core.t, source))?;
             for (&i, force) in group.contacts.iter().zip(solved) {
                 forces[i] = force;
             }
@@ -334,7 +335,7 @@ impl Tier for ThesisEngine {
             let id = touch.id;
             let resting = self.resting.iter().find(|(known, _)| *known == id);
             let force = resting.map_or(0.0, |(_, force)| *force);
-            frame::view_contact(&core.model, states, &touch, (force, DVec3::ZERO), &mut views);
+            contact_view::view_contact(&core.model, states, &touch, (force, DVec3::ZERO), &mut views);
         }
         views
     }
@@ -468,7 +469,7 @@ fn exact_forces(
 ) -> Result<(Vec<f64>, f64), ResponseError> {
     let solution = core.solver.solve(&assembly.problem, delassus, b, None)?;
     if solution.report.status != SolverStatus::Solved {
-        let names = promise::names_of(&core.model, assembly.bodies());
+        let names = reported::names_of(&core.model, assembly.bodies());
         let residual = solution.report.residual;
         let what =
             format!("the solver found no contact forces of {names}: the relative residual stays at {residual:e}");

@@ -11,7 +11,7 @@
 //! pulling takes energy as pushing does. Bodies are moved along the normal of the deepest contact of each pair, each by
 //! its share of the inverse masses; the ledger has the energy of that as taken by projection, with a negative sign.
 
-use crate::collision::contact_set::Touch;
+use crate::collision::touch::Touch;
 use crate::constraint::ConstraintId;
 use crate::model::Model;
 use crate::rows::assembly::{Assembly, apply_impulses};

@@ -2,16 +2,16 @@
 
 use crate::accounting::Accounts;
 use crate::accounting::last_sample::LastSample;
-use crate::constraint::{joint_contacts, released};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
+use crate::joints::{joint_contacts, released};
 use crate::model::Model;
 use crate::report::event::{Event, EventKind};
 use crate::scene::effects::Effects;
 use crate::scene::settings::Settings;
 use crate::tier::executor::Executor;
 use polhode_dynamics::BodyState;
-use polhode_response::{ComplementaritySolver, ResponseError};
+use polhode_response::ComplementaritySolver;
 use std::sync::Arc;
 
 /// The parts of a simulation that do not depend on its tier.
@@ -69,10 +69,5 @@ impl Core {
             self.accounts.add_event(Event { body_b, point, ..event });
         }
         Ok(released::release(&mut self.model, joints)?)
-    }
-
-    /// The error of a contact problem at `t` (s) that could not be set up.
-    pub(crate) fn response_error(t: f64, source: ResponseError) -> SimulationError {
-        SimulationError::ContactProblem { t_s: t, source }
     }
 }

@@ -15,7 +15,6 @@
 //! amplifies errors (a die that is about to fall on one face or another) makes them larger than their sum. A motion
 //! that damps errors makes them smaller.
 
-use crate::collision::contact_set;
 use crate::model::{Model, tolerances};
 use crate::snapshot::SnapshotError;
 use crate::solve::overlap::displacement;
@@ -70,7 +69,7 @@ impl ErrorEstimate {
         (whole, halves): (&BodyState, &BodyState),
         stands_for: u64,
     ) {
-        let [one, two] = [whole, halves].map(|state| contact_set::velocity(model, body, state));
+        let [one, two] = [whole, halves].map(|state| model.velocity(body, state));
         let size = model.bodies[body].size;
         let faster = (one.linear - two.linear).length() + (one.angular - two.angular).length() * size;
         let error = &mut self.of_bodies[body];

@@ -4,7 +4,8 @@
 //! Such a tier books every step when it makes it, and whose states are all those of the present between two steps.
 
 use crate::collision::boxes::Boxes;
-use crate::collision::contact_set::{self, Touch};
+use crate::collision::contact_set;
+use crate::collision::touch::Touch;
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::model::{ModelBody, prescribed, reported, tolerances};

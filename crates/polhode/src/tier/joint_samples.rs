@@ -1,8 +1,8 @@
 //! The joints of a simulation at one time.
 
 use crate::constraint::joint::ModelJoint;
-use crate::constraint::{joint_power, motors};
 use crate::identity::joint_id::JointId;
+use crate::joints::{joint_power, motors};
 use crate::report::joint_sample::JointSample;
 use crate::scene::Coordinate;
 use crate::tier::Tier;

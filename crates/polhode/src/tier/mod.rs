@@ -24,7 +24,7 @@ pub(crate) mod executor;
 pub(crate) mod fixed_steps;
 pub(crate) mod free_stage;
 pub(crate) mod joint_samples;
-pub(crate) mod promise;
+mod promise;
 mod sample_penetration;
 pub(crate) mod sampling;
 pub(crate) mod smooth_rates;

@@ -27,15 +27,15 @@
 use crate::accounting::books::Balance;
 use crate::accounting::measures::{Limits, Measure};
 use crate::accounting::numerical_loss::FixedStep;
-use crate::collision::contact_set::Touch;
+use crate::accounting::time_step_report::TimeStepReport;
+use crate::collision::touch::Touch;
 use crate::constraint::ConstraintId;
-use crate::model::{Model, rates, tolerances};
+use crate::model::{rates, reported, tolerances};
 use crate::scene::{ErrorOrder, OverlapLimit};
 use crate::solve::bounce_friction::EndedBounces;
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::projection::Projection;
 use crate::tier::core::Core;
-use crate::time_stepping::TimeStepReport;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::{BodyState, RigidBody};
 
@@ -54,9 +54,6 @@ const REPLACED_RELATIVE: f64 = 1e-9;
 /// Energy that a method under error control may take in a step, in units of its tolerance, relative to the largest
 /// energy (no unit, 1 to 100): the error of a step is a fraction of its tolerance.
 const TOLERANCES_PER_STEP: f64 = 10.0;
-
-/// Most bodies that a warning names.
-const MOST_NAMES: usize = 4;
 
 impl Core {
     /// The limits of the whole run.
@@ -249,30 +246,15 @@ impl Core {
             self.accounts.measures.projection_energy.note(taken);
         }
         for (a, b) in done.jumped.iter().map(ConstraintId::bodies) {
-            let names = pair_names(&self.model, a, b);
+            let names = reported::pair_names(&self.model, a, b);
             self.accounts.tolerate(t, format!("a contact of {names} whose point had jumped was not projected"));
         }
         for constraint in &done.unconverged {
             let (a, b) = constraint.bodies();
-            let names = pair_names(&self.model, a, b);
+            let names = reported::pair_names(&self.model, a, b);
             let what = if constraint.contact().is_some() { "contact" } else { "pivot" };
             self.accounts.tolerate(t, format!("the projection of a {what} of {names} did not converge"));
         }
         energy_j
-    }
-}
-
-/// The names of two bodies, as warnings give them.
-pub(crate) fn pair_names(model: &Model, a: usize, b: usize) -> String {
-    if a == b { names_of(model, &[a]) } else { names_of(model, &[a, b]) }
-}
-
-/// The names of some bodies, as warnings give them; of many only the first.
-pub(crate) fn names_of(model: &Model, bodies: &[usize]) -> String {
-    let names: Vec<_> = bodies.iter().take(MOST_NAMES).map(|&body| model.bodies[body].name.as_str()).collect();
-    let named = names.join(" and ");
-    match bodies.len().saturating_sub(MOST_NAMES) {
-        0 => named,
-        more => format!("{named} and {more} more"),
     }
 }

@@ -4,7 +4,6 @@
 //! `p' = v`, `q' = w q/2`, `v' = g + F/m`, `L' = M`, with the load `F` (N), `M` (N m) of fields.
 
 use crate::accounting::books::{given_by_fields, gravity_at};
-use crate::collision::contact_set;
 use crate::model::{Loads, Model};
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, POSITION, QUATERNION, WIDTH, quaternion_rate};
 use polhode_dynamics::{BodyState, RigidBody};
@@ -27,7 +26,7 @@ pub(crate) fn free_rates(
 ) {
     let numbers = flat.as_chunks::<WIDTH>().0;
     for ((&body, number), rate) in bodies.iter().zip(numbers).zip(rates.as_chunks_mut::<WIDTH>().0) {
-        let velocity = contact_set::velocity(model, body, &states[body]);
+        let velocity = model.velocity(body, &states[body]);
         let [w, x, y, z] = [0, 1, 2, 3].map(|k| number[QUATERNION + k]);
         rate[POSITION..QUATERNION].copy_from_slice(&velocity.linear.to_array());
         let turning = quaternion_rate(DQuat::from_xyzw(x, y, z, w), velocity.angular);

@@ -1,6 +1,6 @@
 //! Removal of what a step has left of gaps and rates of bilateral constraints, with its entry in the books.
 
-use super::report::TimeStepReport;
+use crate::accounting::time_step_report::TimeStepReport;
 use crate::model::Model;
 use crate::solve::projection::{Removal, project_positions, project_velocities};
 use polhode_dynamics::BodyState;

@@ -258,6 +258,7 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
     use super::*;
     use crate::collision::contact_set;
+    use crate::collision::{contact_kinematics, friction};
     use crate::model::Model;
     use crate::model::pivot_form::PivotRows;
     use crate::rows::assembly::TangentRow;
@@ -298,8 +299,8 @@ mod tests {
         let mut constants: Vec<f64> = touches.iter().map(|touch| touch.kinematics.separation_rate).collect();
         let mut blocks = Blocks::default();
         for (normal, touch) in touches.iter().enumerate() {
-            let terms = contact_set::tangential_kinematics(&model, &states, touch.id).unwrap();
-            let ellipse = contact_set::friction_at(&model, &states, touch.id, terms.basis).unwrap().at_rest;
+            let terms = contact_kinematics::tangential_kinematics(&model, &states, touch.id).unwrap();
+            let ellipse = friction::friction_at(&model, &states, touch.id, terms.basis).unwrap().at_rest;
             let first = assembly.problem.len();
             let row = |tangent| TangentRow::new(touch.id, &touch.kinematics.geometry, &terms, tangent);
             assembly.push_tangents(&states, terms.basis.map(row).into_iter()).unwrap();

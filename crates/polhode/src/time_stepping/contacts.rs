@@ -1,10 +1,10 @@
 //! The contacts that may act within a step, with their kinematics at its start.
 
 use super::drift;
-use crate::collision::contact_set::{self, FoundContact, Touch};
-use crate::collision::{covered_borders, passing};
-use crate::constraint::joint_contacts;
+use crate::collision::touch::{FoundContact, Touch};
+use crate::collision::{contact_kinematics, contact_set, covered_borders, friction, passing};
 use crate::identity::contact_id::ContactId;
+use crate::joints::joint_contacts;
 use crate::model::states_of::{set_states, states_of};
 use crate::model::{Model, prescribed, tolerances};
 use crate::rows::assembly::free_acceleration;
@@ -145,7 +145,7 @@ impl<'a> FreeAccelerations<'a> {
             linear + angular.cross(geometry.point - states[body].pose.translation)
         };
         let relative = geometry.normal.dot(id.relative(at_point)) + kinematics.acceleration_bias;
-        relative + prescribed::prescribed_acceleration_of(&self.model, self.t, states, id, geometry)
+        relative + prescribed::prescribed_acceleration_of(self.model, self.t, states, id, geometry)
     }
 
     /// Largest linear acceleration, m/s^2.
@@ -158,7 +158,8 @@ impl<'a> FreeAccelerations<'a> {
 /// The rate of the separation differs from it if the contact point is very close to the end of a rim or an edge. The
 /// change of energy by impulses is exact only in the relative velocity.
 pub(super) fn kinematics_at_point(model: &Model, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
-    contact_set::kinematics(model, states, id).map(|kinematics| with_rate_at_point(model, states, id, kinematics))
+    contact_kinematics::kinematics(model, states, id)
+        .map(|kinematics| with_rate_at_point(model, states, id, kinematics))
 }
 
 /// A contact with the rate of separation at its point, m/s.
@@ -170,7 +171,7 @@ pub(super) fn with_rate_at_point(
 ) -> ContactKinematics {
     let point = kinematics.geometry.point;
     let at_point = |body: usize| {
-        let velocity = contact_set::velocity(model, body, &states[body]);
+        let velocity = model.velocity(body, &states[body]);
         velocity.linear + velocity.angular.cross(point - states[body].pose.translation)
     };
     ContactKinematics { separation_rate: kinematics.geometry.normal.dot(id.relative(at_point)), ..kinematics }
@@ -301,7 +302,7 @@ pub(super) fn touch(contact: &NearContact) -> Touch {
 /// Whether the features at which two bodies meet may change within a step of `h` (s). They do not for two spheres, nor
 /// for a polyhedron and a half-space, whose vertices are all within reach, nor for bodies that hardly move.
 pub(super) fn may_change_features(model: &Model, states: &[BodyState], (a, b): (usize, usize), h: f64) -> bool {
-    let Some((shape_a, shape_b)) = contact_set::shapes(model, a, b) else { return false };
+    let Some((shape_a, shape_b)) = contact_kinematics::shapes(model, a, b) else { return false };
     let is_simple = |shape: &Shape| matches!(shape, Shape::HalfSpace(_));
     let is_sphere = |shape: &Shape| matches!(shape, Shape::Sphere(_));
     let is_polyhedral = |shape: &Shape| matches!(shape, Shape::Convex(_) | Shape::Sphere(_) | Shape::Points(_));
@@ -370,8 +371,8 @@ pub(super) fn near_contact(
 /// The speeds of slip of contacts at the start of a step, m/s; zero without friction.
 pub(super) fn slips_at_start(model: &Model, states: &[BodyState], near: &[NearContact]) -> Vec<f64> {
     let slip = |near: &NearContact| {
-        contact_set::friction_of(model, near.id)?;
-        Some(contact_set::tangential_kinematics(model, states, near.id)?.slip_velocity.length())
+        friction::friction_of(model, near.id)?;
+        Some(contact_kinematics::tangential_kinematics(model, states, near.id)?.slip_velocity.length())
     };
     near.iter().map(|near| slip(near).unwrap_or(0.0)).collect()
 }

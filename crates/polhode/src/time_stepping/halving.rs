@@ -5,8 +5,8 @@
 //! Between changes of contact this error is of order h^3 in a step, and of order h^2 in a second; where a contact
 //! changes within the step it is of order h.
 
-use super::report::TimeStepReport;
 use super::step::TimeStepper;
+use crate::accounting::time_step_report::TimeStepReport;
 use crate::model::Model;
 use crate::model::states_of::{set_states, states_of};
 use crate::solve::overlap::displacement;

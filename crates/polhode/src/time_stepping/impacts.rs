@@ -8,9 +8,9 @@
 //! close at its end (`closing.rs`).
 
 use super::contacts::{FreeAccelerations, NearContact, foresee_with_joints, kinematics_at_point, touch};
-use super::report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use super::step::{Substep, TimeStepper};
-use crate::collision::contact_set::Touch;
+use crate::accounting::time_step_report::{ContactImpulse, ImpulseKind, TimeStepReport};
+use crate::collision::touch::Touch;
 use crate::identity::contact_id::ContactId;
 use crate::model::{Model, tolerances};
 use crate::rows::groups::{Group, groups};

@@ -127,7 +127,7 @@ impl<'a> ImplicitKick<'a> {
                 let Some(end) = end else { continue };
                 let rigid = self.model.bodies[end.body].rigid.as_ref();
                 if let (Some(place), Some(rigid)) = (self.place(end), rigid) {
-                    let stiffness = largest(&response.stiffness) * rates::lightness(&self.model, end);
+                    let stiffness = largest(&response.stiffness) * rates::lightness(self.model, end);
                     sums[place] += h * h * (stiffness + turning / rigid.moments().min_element());
                 }
             }

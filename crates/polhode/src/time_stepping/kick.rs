@@ -15,7 +15,7 @@
 
 use super::implicit_kick::{Difference, ImplicitKick, Twist, change_velocities};
 use crate::accounting::books::{Books, Received};
-use crate::constraint::soft_rows;
+use crate::joints::soft_rows;
 use crate::model::states_of::{set_states, states_of};
 use crate::model::{Loads, Model};
 use crate::report::momentum_ledger::{Momentum, MomentumSum};

@@ -1,6 +1,6 @@
 //! A step that has been made, before what overlaps at its end is removed.
 
-use super::report::TimeStepReport;
+use crate::accounting::time_step_report::TimeStepReport;
 use crate::solve::overlap::Overlaps;
 use polhode_dynamics::BodyState;
 

@@ -37,8 +37,8 @@
 //! | `cone_problem`, `solved_group` | who solves them, and the impulses of a group |
 //! | `last_forces` | the forces of the last step, from which the next begins |
 //! | `projection`, `closed_joints` | stage 5: what is left of penetration and of gaps of joints |
-//! | `shared_work`, `told_loads`, `newton_law` | work of the impulses; loads as they are told, and their defect |
-//! | `halving`, `report` | the error by step halving; the report of a step |
+//! | `shared_work`, `newton_law` | work of the impulses; how far the loads that are told are from Newton's law |
+//! | `halving` | the error by step halving |
 
 mod closed_joints;
 mod closing;
@@ -55,7 +55,6 @@ mod middle;
 mod newton_law;
 mod projection;
 mod repeated;
-mod report;
 mod rigid_terms;
 mod row;
 mod shared_work;
@@ -64,11 +63,9 @@ mod step;
 mod step_rows;
 mod sustained;
 mod sustained_friction;
-mod told_loads;
 
 pub(crate) use cone_problem::LEAST_IN_BODIES;
 pub(crate) use repeated::SHARE_OF_SIZE;
-pub(crate) use report::{ImpulseKind, TimeStepReport};
 pub(crate) use step::{TimeStepper, given_by_gravity};
 
 use crate::model::Model;

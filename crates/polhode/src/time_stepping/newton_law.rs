@@ -6,7 +6,7 @@
 //! told and not applied, or told of another body. Of moments it says nothing.
 
 use super::kick::Kick;
-use super::report::TimeStepReport;
+use crate::accounting::time_step_report::TimeStepReport;
 use crate::identity::contact_id::Feature;
 use crate::model::{Model, tolerances};
 use polhode_dynamics::BodyState;

@@ -2,8 +2,8 @@
 
 use super::NO_WORK_J;
 use super::made::Made;
-use super::report::TimeStepReport;
 use super::step::TimeStepper;
+use crate::accounting::time_step_report::TimeStepReport;
 use crate::model::Model;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;

@@ -16,8 +16,8 @@
 use super::contacts::{FreeAccelerations, NearContact, Span, kinematics_at_point, near_contact};
 use super::drift;
 use super::middle::Stops;
-use super::report::TimeStepReport;
 use super::step::{Substep, TimeStepper};
+use crate::accounting::time_step_report::TimeStepReport;
 use crate::collision::contact_set;
 use crate::identity::contact_id::ContactId;
 use crate::model::states_of::{set_states, states_of};

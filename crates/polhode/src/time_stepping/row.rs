@@ -2,8 +2,8 @@
 
 use super::contacts::NearContact;
 use super::middle::Problem;
-use super::report::ImpulseKind;
 use super::sustained_friction::TangentialRow;
+use crate::accounting::time_step_report::ImpulseKind;
 use crate::model::{Model, tolerances};
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;

@@ -16,9 +16,9 @@
 
 use super::implicit_kick::Twist;
 use super::kick::Kick;
-use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::row::{BilateralRow, Member};
 use crate::identity::contact_id::ContactId;
+use crate::joints::bilateral::{Bilateral, Reaction};
 use crate::solve::closed_loops::ClosedLoops;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;

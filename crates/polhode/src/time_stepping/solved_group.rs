@@ -8,14 +8,14 @@
 
 use super::contacts::{NearContact, kinematics_at_point};
 use super::kick::Kick;
-use super::report::{Stop, TimeStepReport};
 use super::row::Row;
 use super::shared_work::Kicked;
 use super::sustained_friction::{SustainedMoment, TangentialImpulse};
+use crate::accounting::time_step_report::{Stop, TimeStepReport};
 use crate::collision::moving_surfaces;
-use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::constraint::softness::SoftWork;
 use crate::identity::contact_id::ContactId;
+use crate::joints::bilateral::{Bilateral, Reaction};
 use crate::model::Model;
 use crate::model::states_of::{set_states, states_of};
 use crate::rows::groups::Group;

@@ -8,7 +8,7 @@ use super::middle::Problem;
 use super::row::Row;
 use super::shared_work::Kicked;
 use super::sustained_friction::TangentialRow;
-use crate::constraint::joint_friction::{self, Pressed};
+use crate::joints::joint_friction::{self, Pressed};
 use crate::model::{Loads, Model, tolerances};
 use crate::rows::assembly::Assembly;
 use polhode_contact::ContactKinematics;

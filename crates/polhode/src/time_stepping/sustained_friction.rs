@@ -24,15 +24,15 @@
 use super::cone_problem::ConeSolvers;
 use super::contacts::kinematics_at_point;
 use super::middle::Stops;
-use super::report::Stop;
 use super::shared_work::Kicked;
-use crate::collision::contact_set;
+use crate::accounting::time_step_report::Stop;
 use crate::collision::friction_mode::FrictionCoefficients;
 use crate::collision::slip_directions::{self, SlipDirections};
 use crate::collision::turn::Turn;
-use crate::constraint::bilateral::{Bilateral, Reaction};
-use crate::constraint::joint_friction::MOST_ROUNDS_OF_BEARINGS;
+use crate::collision::{contact_kinematics, friction};
 use crate::identity::contact_id::ContactId;
+use crate::joints::bilateral::{Bilateral, Reaction};
+use crate::joints::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::model::{Model, tolerances};
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{push_contact, push_held, with_rotations};
@@ -95,14 +95,14 @@ impl TangentialRow {
         id: ContactId,
         (kinematics, kicked): (&ContactKinematics, Kicked<'_>),
     ) -> Option<Self> {
-        contact_set::friction_of(model, id)?;
-        let terms = contact_set::tangential_kinematics(model, states, id)?;
-        let coefficients = contact_set::friction_at(model, states, id, terms.basis)?;
+        friction::friction_of(model, id)?;
+        let terms = contact_kinematics::tangential_kinematics(model, states, id)?;
+        let coefficients = friction::friction_at(model, states, id, terms.basis)?;
         let along = terms.basis.map(|tangent| TangentRow::new(id, &kinematics.geometry, &terms, tangent));
         let slip = terms.basis.map(|tangent| tangent.dot(terms.slip_velocity));
         let rotational = Turn::ALL.map(|turn| turn.coefficient(model, (id.a, id.b)));
         let turning_length = tolerances::turning_length(model, id.a, id.b);
-        let rotation = contact_set::relative_rotation(model, states, id);
+        let rotation = contact_kinematics::relative_rotation(model, states, id);
         let normal = kinematics.geometry.normal;
         let kicked = (kicked.change_at(id, kinematics.geometry.point), kicked.change_of_rotation(id));
         let half_change = [0.0; 2];
@@ -320,11 +320,11 @@ impl TangentialImpulse {
     /// The relative velocity of the bodies where its rows act, in the present states, m/s; beside those along its
     /// tangents its components are of no use.
     fn slip(&self, model: &Model, states: &[BodyState]) -> Option<DVec3> {
-        let slip = contact_set::tangential_kinematics(model, states, self.id())?.slip_velocity;
+        let slip = contact_kinematics::tangential_kinematics(model, states, self.id())?.slip_velocity;
         let Some(offset) = self.row.offset else { return Some(slip) };
         let now = kinematics_at_point(model, states, self.id())?;
         let approach = now.geometry.normal * now.separation_rate;
-        Some(slip + approach + contact_set::relative_rotation(model, states, self.id()).cross(offset))
+        Some(slip + approach + contact_kinematics::relative_rotation(model, states, self.id()).cross(offset))
     }
 
     /// Energy lost to friction in the order of action, J: `-p.(u + u+)/2` with the slips after the kick and, in the
@@ -364,7 +364,7 @@ impl SustainedMoment {
 
     /// Energy lost to it, J: `-p.(w- + w+)/2` with the rotations in these states.
     pub(super) fn lost_j(&self, model: &Model, states: &[BodyState]) -> f64 {
-        -0.5 * self.moment.dot(self.rotation_before + contact_set::relative_rotation(model, states, self.id))
+        -0.5 * self.moment.dot(self.rotation_before + contact_kinematics::relative_rotation(model, states, self.id))
     }
 }
 

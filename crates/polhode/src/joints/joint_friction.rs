@@ -22,11 +22,10 @@
 //! Sources: thesis 3.4 (contacts with friction); Featherstone 2008, chapter 9 (forces at joints). Assumption: what the
 //! joint keeps holds. Finite forces give no impulse: in impacts joints have no friction.
 
-use super::ConstraintId;
-use super::joint::ModelJoint;
-use super::joint_coordinate::JointCoordinate;
-use crate::collision::contact_set;
 use crate::collision::friction_mode::FrictionCoefficients;
+use crate::constraint::ConstraintId;
+use crate::constraint::joint::ModelJoint;
+use crate::constraint::joint_coordinate::JointCoordinate;
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::identity::coordinate_id::CoordinateId;
 use crate::model::{Joints, Model};
@@ -136,8 +135,7 @@ pub(crate) fn friction_slip(model: &Model, states: &[BodyState], of: CoordinateI
 
 /// Where friction acts, and the slip of the first body of its contact on the second one.
 fn slip_at_joint(model: &Model, states: &[BodyState], of: CoordinateId) -> Option<(DVec3, TangentialKinematics)> {
-    let motion =
-        |body: usize| -> (Pose, Velocity) { (states[body].pose, contact_set::velocity(model, body, &states[body])) };
+    let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, model.velocity(body, &states[body])) };
     let joint = model.joints.joint_numbered(of.joint)?;
     let JointCoordinate { measured, unit, near, .. } = joint.coordinates().get(of.place)?;
     let at = joint.coordinate_at((measured, near * unit), motion)?.at_lever_of_second();
@@ -155,8 +153,7 @@ fn slip_at_joint(model: &Model, states: &[BodyState], of: CoordinateId) -> Optio
 /// The bearings whose load presses their friction among the joints of these bodies: the joint, and its axis in
 /// these states.
 pub(crate) fn bearings_among(model: &Model, states: &[BodyState], bodies: &[usize]) -> Vec<(ConstraintId, DVec3)> {
-    let motion =
-        |body: usize| -> (Pose, Velocity) { (states[body].pose, contact_set::velocity(model, body, &states[body])) };
+    let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, model.velocity(body, &states[body])) };
     let mut bearings = Vec::new();
     if !model.joints.have_friction {
         return bearings;
@@ -178,9 +175,7 @@ pub(crate) fn pressed(model: &Model, states: &[BodyState], id: ContactId) -> Opt
     let compliance = id.members().filter_map(mass).map(f64::recip).sum();
     let unloaded = friction.effort() / unit;
     let bearing = (friction.arm() > 0.0).then(|| {
-        let motion = |body: usize| -> (Pose, Velocity) {
-            (states[body].pose, contact_set::velocity(model, body, &states[body]))
-        };
+        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, model.velocity(body, &states[body])) };
         let axis = joint.axis_of(of.place, motion);
         Bearing { unloaded, share: friction.arm() / unit, axis, sign: joint.order().sign() }
     });

@@ -5,8 +5,8 @@
 //! impact law are kept apart: they grow beyond all bounds as forces of shorter and shorter steps.
 
 use crate::constraint::ConstraintId;
-use crate::constraint::bilateral::{Bilateral, Reaction};
 use crate::identity::contact_id::Feature;
+use crate::joints::bilateral::{Bilateral, Reaction};
 use crate::model::Model;
 use crate::report::frame::JointView;
 use crate::solve::joint_loads::{ContactForce, add_joint_loads};
@@ -22,12 +22,12 @@ pub(crate) struct ToldLoads {
     /// The same of impacts.
     pub(crate) struck: BTreeMap<usize, JointView>,
     /// Impulses of what is no joint and no contact, N s: body and impulse.
-    pub(super) others: Vec<(usize, DVec3)>,
+    pub(crate) others: Vec<(usize, DVec3)>,
 }
 
 impl ToldLoads {
     /// Takes the impulses of constraints in these states.
-    pub(super) fn take<'a>(
+    pub(crate) fn take<'a>(
         &mut self,
         model: &Model,
         states: &[BodyState],
@@ -42,7 +42,7 @@ impl ToldLoads {
     }
 
     /// Takes those of an impact.
-    pub(super) fn take_struck<'a>(
+    pub(crate) fn take_struck<'a>(
         &mut self,
         model: &Model,
         states: &[BodyState],
@@ -54,7 +54,7 @@ impl ToldLoads {
     }
 
     /// Takes the impulse of a contact on A, N s, if it is one of a joint.
-    pub(super) fn take_contact(
+    pub(crate) fn take_contact(
         &mut self,
         model: &Model,
         states: &[BodyState],
@@ -67,7 +67,7 @@ impl ToldLoads {
     }
 
     /// Adds those of a later step.
-    pub(super) fn append(&mut self, later: Self) {
+    pub(crate) fn append(&mut self, later: Self) {
         for (views, later) in [(&mut self.joints, later.joints), (&mut self.struck, later.struck)] {
             for (joint, view) in later {
                 let own =

@@ -1,7 +1,7 @@
 //! Joints that a program adds to a simulation, between bodies as they are then. Those that it takes away are
 //! `released.rs`.
 
-use super::joint::{AddedJoint, ModelJoint};
+use crate::constraint::joint::{AddedJoint, ModelJoint};
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::model::{Joints, Model};
 use crate::scene::{Joint, Scene, SceneError, Tier};

@@ -1,15 +1,13 @@
 //! The ties of the world (`tie.rs`): made from the gears and prescribed motions of the scene, and found by their
 //! bodies.
 
-use super::ConstraintId;
-use super::bilateral::{Bilateral, Reaction};
-use super::joint::ModelJoint;
-use super::row::{Action, BilateralRow, RowKind};
-use super::tie::{HeldTo, Tie, Tied};
-use crate::collision::contact_set;
-use crate::model::{Joints, Model};
-use crate::scene::{Gear, GearEnd};
-use polhode_dynamics::BodyState;
+use crate::constraint::ConstraintId;
+use crate::constraint::joint::ModelJoint;
+use crate::constraint::row::{Action, BilateralRow, RowKind};
+use crate::constraint::tie::{HeldTo, Tie, Tied};
+use crate::joints::bilateral::{Bilateral, Reaction};
+use crate::model::Joints;
+use crate::scene::{Gear, GearEnd, Scene};
 use polhode_spatial::{DVec3, Pose, Velocity};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -27,6 +25,31 @@ pub(crate) struct LoadOfTie {
 }
 
 impl Joints {
+    /// Makes the ties of the scene, between bodies with these motions at the start.
+    pub(crate) fn make_ties(&mut self, scene: &Scene, motion: impl Fn(usize) -> (Pose, Velocity) + Copy) {
+        let tied = |end: GearEnd| -> Option<Tied> {
+            let joint = self.joint_numbered(end.joint.index())?;
+            let place = joint.place_of(end.coordinate)?;
+            let made = Tied { joint: joint.clone(), place, start: 0.0 };
+            let start = made.value(motion)?;
+            Some(Tied { start, ..made })
+        };
+        let gear = |(number, gear): (usize, &Gear)| {
+            let [first, second] = gear.ends().map(tied);
+            let to = HeldTo::Coordinate { second: Box::new(second?), ratio: gear.ratio(), last: 0.0 };
+            Some(Tie { number, first: first?, to })
+        };
+        let gears = scene.gears.len();
+        let mut ties: Vec<Tie> = scene.gears.iter().enumerate().filter_map(gear).collect();
+        let motions = scene.coordinate_motions.iter().zip(self.carriages.clone()).enumerate();
+        ties.extend(motions.filter_map(|(number, ((end, _), body))| {
+            let to = HeldTo::Carriage { body, start: motion(body).0.translation.x };
+            Some(Tie { number: gears + number, first: tied(*end)?, to })
+        }));
+        self.ties = ties;
+        self.index_ties();
+    }
+
     /// Enters the ties whose joints are there at their bodies.
     pub(crate) fn index_ties(&mut self) {
         let mut ties_of: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
@@ -81,31 +104,4 @@ impl Joints {
         };
         tie.joints().zip([first, second]).map(load).collect()
     }
-}
-
-/// Makes the ties of the scene, between bodies in their states at the start.
-pub(crate) fn make_ties(model: &mut Model, states: &[BodyState]) {
-    let motion =
-        |body: usize| -> (Pose, Velocity) { (states[body].pose, contact_set::velocity(model, body, &states[body])) };
-    let tied = |end: GearEnd| -> Option<Tied> {
-        let joint = model.joints.joint_numbered(end.joint.index())?;
-        let place = joint.place_of(end.coordinate)?;
-        let made = Tied { joint: joint.clone(), place, start: 0.0 };
-        let start = made.value(motion)?;
-        Some(Tied { start, ..made })
-    };
-    let gear = |(number, gear): (usize, &Gear)| {
-        let [first, second] = gear.ends().map(tied);
-        let to = HeldTo::Coordinate { second: Box::new(second?), ratio: gear.ratio(), last: 0.0 };
-        Some(Tie { number, first: first?, to })
-    };
-    let gears = model.scene.gears.len();
-    let mut ties: Vec<Tie> = model.scene.gears.iter().enumerate().filter_map(gear).collect();
-    let motions = model.scene.coordinate_motions.iter().zip(model.joints.carriages.clone()).enumerate();
-    ties.extend(motions.filter_map(|(number, ((end, _), body))| {
-        let to = HeldTo::Carriage { body, start: states[body].pose.translation.x };
-        Some(Tie { number: gears + number, first: tied(*end)?, to })
-    }));
-    model.joints.ties = ties;
-    model.joints.index_ties();
 }

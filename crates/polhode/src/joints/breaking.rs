@@ -1,7 +1,7 @@
 //! Joints of the world that may break. Those that have broken hold nothing any more (`released.rs`).
 
-use super::ConstraintId;
-use super::bilateral::{Bilateral, Reaction};
+use crate::constraint::ConstraintId;
+use crate::joints::bilateral::{Bilateral, Reaction};
 use crate::model::{Joints, Model};
 use crate::scene::Strength;
 

@@ -1,10 +1,10 @@
 //! The contacts at joints: their stops (`stop.rs`) and their dry friction (`joint_friction.rs`).
 
-use super::joint::ModelJoint;
-use super::stop::Stop;
-use crate::collision::contact_set::{self, FoundContact, Touch};
-use crate::constraint::joint_friction;
+use crate::collision::touch::{FoundContact, Touch};
+use crate::constraint::joint::ModelJoint;
+use crate::constraint::stop::Stop;
 use crate::identity::contact_id::{ContactId, Feature};
+use crate::joints::joint_friction;
 use crate::model::{Joints, Model, tolerances};
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
@@ -74,7 +74,7 @@ impl Joints {
     }
 
     /// The joint of this number; none where there is none, or it was removed with a body.
-    pub(super) fn joint_numbered(&self, joint: usize) -> Option<&ModelJoint> {
+    pub(crate) fn joint_numbered(&self, joint: usize) -> Option<&ModelJoint> {
         let place = self.list.binary_search_by_key(&joint, ModelJoint::number).ok()?;
         self.list.get(place)
     }
@@ -101,8 +101,7 @@ pub(crate) fn joint_contact_kinematics(
     states: &[BodyState],
     id: ContactId,
 ) -> Option<ContactKinematics> {
-    let motion =
-        |body: usize| -> (Pose, Velocity) { (states[body].pose, contact_set::velocity(model, body, &states[body])) };
+    let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, model.velocity(body, &states[body])) };
     match id.feature {
         Feature::Shapes(_) => None,
         Feature::Stop(stop) => model.joints.joint_numbered(stop.joint)?.stop_at(stop.stop, motion),
@@ -146,7 +145,6 @@ pub(crate) fn exceeds_limits(model: &Model, states: &[BodyState], body: usize) -
 
 /// Where a joint holds its first body, world, m.
 pub(crate) fn anchor_of(model: &Model, states: &[BodyState], joint: &ModelJoint) -> DVec3 {
-    let motion =
-        |body: usize| -> (Pose, Velocity) { (states[body].pose, contact_set::velocity(model, body, &states[body])) };
+    let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, model.velocity(body, &states[body])) };
     joint.anchor(motion)
 }

@@ -1,9 +1,9 @@
 //! How far joints are from what they keep: displacements in m, rotations in rad, gears and prescribed motions in the
 //! unit of their first coordinate.
 
-use super::ConstraintId;
-use super::row::{Action, BilateralRow, RowKind};
-use crate::constraint::held;
+use crate::constraint::ConstraintId;
+use crate::constraint::row::{Action, BilateralRow, RowKind};
+use crate::joints::held;
 use crate::model::Model;
 use polhode_dynamics::BodyState;
 

@@ -1,7 +1,6 @@
 //! The power that a joint gives to its bodies.
 
-use super::joint::ModelJoint;
-use crate::collision::contact_set;
+use crate::constraint::joint::ModelJoint;
 use crate::model::Model;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Pose, Velocity};
@@ -14,8 +13,7 @@ pub(crate) fn power_of_joint(
     joint: &ModelJoint,
     (force, moment): (DVec3, DVec3),
 ) -> f64 {
-    let motion =
-        |body: usize| -> (Pose, Velocity) { (states[body].pose, contact_set::velocity(model, body, &states[body])) };
+    let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, model.velocity(body, &states[body])) };
     let own = model.forces.of_joints.iter().filter(|own| own.joint.number() == joint.number());
     let by_forces: f64 = own.map(|own| own.power(motion)).sum();
     let slip = joint.slip(motion);

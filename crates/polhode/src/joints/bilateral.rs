@@ -15,10 +15,9 @@
 //! ([`Model::driven_acceleration`]), and does work on the other one ([`Model::driven_work`]). Rows are made in
 //! `point.rs`, `line.rs` and `perpendicular.rs`, and put together in one file for each kind of joint.
 
-use super::ConstraintId;
-use super::row::{Action, BilateralRow, Member, Part, RowKind, RowsAt};
-use super::softness::Softness;
-use crate::collision::contact_set;
+use crate::constraint::ConstraintId;
+use crate::constraint::row::{Action, BilateralRow, Member, Part, RowKind, RowsAt};
+use crate::constraint::softness::Softness;
 use crate::model::{Model, prescribed};
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use polhode_dynamics::BodyState;
@@ -49,12 +48,12 @@ pub(crate) struct Reaction {
 
 impl Bilateral {
     /// The constraint of this identity with these rows.
-    pub(super) fn new(id: ConstraintId, RowsAt { point, members, drivers, rows }: RowsAt) -> Self {
+    pub(crate) fn new(id: ConstraintId, RowsAt { point, members, drivers, rows }: RowsAt) -> Self {
         Self { id, point, members, drivers, rows, softness: None }
     }
 
     /// A soft row.
-    pub(super) fn soft(id: ConstraintId, rows: RowsAt, softness: Softness) -> Self {
+    pub(crate) fn soft(id: ConstraintId, rows: RowsAt, softness: Softness) -> Self {
         Self { softness: Some(softness), ..Self::new(id, rows) }
     }
 
@@ -175,7 +174,7 @@ pub(crate) fn driven_work<'a>(
     reactions: impl Iterator<Item = (&'a Bilateral, Reaction)>,
 ) -> f64 {
     let by_driver = |bilateral: &Bilateral, reaction: Reaction, driver: &Member| {
-        let velocity = contact_set::velocity(model, driver.body, &states[driver.body]);
+        let velocity = model.velocity(driver.body, &states[driver.body]);
         if let Some(row) = bilateral.tied() {
             let (along, about) = row.entries(driver);
             return -row.multiplier(reaction) * (along.dot(velocity.linear) + about.dot(velocity.angular));

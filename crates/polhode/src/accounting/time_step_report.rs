@@ -1,7 +1,7 @@
 //! Report of a time step.
 
-use super::told_loads::ToldLoads;
 use crate::accounting::books::Books;
+use crate::accounting::told_loads::ToldLoads;
 use crate::identity::contact_id::ContactId;
 use crate::solve::cone_violation::ConeViolation;
 use polhode_contact::ContactGeometry;
@@ -73,15 +73,15 @@ pub(crate) struct TimeStepReport {
     /// Whether every body is exactly at its initial pose, at zero velocity.
     pub(crate) at_rest: bool,
     /// Contacts whose slip passes through zero within the step, so that it must be made in two parts.
-    pub(super) stops: Vec<Stop>,
+    pub(crate) stops: Vec<Stop>,
 }
 
 /// A contact that comes to rest within a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Stop {
-    pub(super) id: ContactId,
+pub(crate) struct Stop {
+    pub(crate) id: ContactId,
     /// When, as a part of the step (0 to 1).
-    pub(super) part: f64,
+    pub(crate) part: f64,
 }
 
 impl TimeStepReport {

@@ -1,7 +1,6 @@
 //! Coordinates of joints as a program reads and drives them.
 
-use super::joint::ModelJoint;
-use crate::collision::contact_set;
+use crate::constraint::joint::ModelJoint;
 use crate::model::{Joints, Model};
 use crate::report::joint_sample::CoordinateSample;
 use crate::scene::{Coordinate, Drive, Motor};
@@ -42,8 +41,7 @@ pub(crate) fn coordinate_of(
 ) -> Option<CoordinateSample> {
     let joint = model.joints.joint_numbered(joint)?;
     let own = joint.coordinates().iter().find(|own| own.coordinate == coordinate)?;
-    let motion =
-        |body: usize| -> (Pose, Velocity) { (states[body].pose, contact_set::velocity(model, body, &states[body])) };
+    let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, model.velocity(body, &states[body])) };
     let at = joint.coordinate_at((&own.measured, own.near * own.unit), motion)?;
     Some(CoordinateSample { value: at.value / own.unit, rate: at.rate / own.unit })
 }

@@ -4,8 +4,7 @@
 //! Such a joint leaves the joints of the world, and its number is no other one's, until a snapshot from before brings
 //! it back.
 
-use super::joint::ModelJoint;
-use crate::collision::contact_set;
+use crate::constraint::joint::ModelJoint;
 use crate::model::{Joints, Model};
 use crate::scene::SceneError;
 use crate::snapshot::SnapshotError;
@@ -49,8 +48,7 @@ pub(crate) fn release(model: &mut Model, joints: &[usize]) -> Result<(), SceneEr
 
 /// The joints of these bodies on tracks whose ends they have passed in these states, in the order of the scene.
 pub(crate) fn run_off(model: &Model, states: &[BodyState], bodies: &[usize]) -> Vec<RunOff> {
-    let motion =
-        |body: usize| -> (Pose, Velocity) { (states[body].pose, contact_set::velocity(model, body, &states[body])) };
+    let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, model.velocity(body, &states[body])) };
     let bodies = if model.joints.ending_tracks > 0 { bodies } else { &[] };
     let passed = model.joints.joints_among(bodies).filter(|joint| joint.has_passed_end(motion));
     passed.filter_map(|joint| place_on_track(model, states, joint.number())).collect()
@@ -58,8 +56,7 @@ pub(crate) fn run_off(model: &Model, states: &[BodyState], bodies: &[usize]) -> 
 
 /// Where the body of a joint is that runs off its track in these states.
 pub(crate) fn place_on_track(model: &Model, states: &[BodyState], number: usize) -> Option<RunOff> {
-    let motion =
-        |body: usize| -> (Pose, Velocity) { (states[body].pose, contact_set::velocity(model, body, &states[body])) };
+    let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, model.velocity(body, &states[body])) };
     let joint = model.joints.joint_numbered(number)?;
     Some(RunOff { joint: number, body: joint.bodies().next()?, point: joint.anchor(motion) })
 }

@@ -1,10 +1,9 @@
 //! Which bodies of the world bilateral constraints hold, and by which.
 
-use super::ConstraintId;
-use super::bilateral::Bilateral;
-use super::joint::{ModelJoint, pivot_rows};
-use super::tie::Tie;
-use crate::collision::contact_set;
+use crate::constraint::ConstraintId;
+use crate::constraint::joint::{ModelJoint, pivot_rows};
+use crate::constraint::tie::Tie;
+use crate::joints::bilateral::Bilateral;
 use crate::model::{Joints, Model};
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DisjointSets, Pose, Velocity};
@@ -113,7 +112,7 @@ fn pivot_by(model: &Model, body: usize, motion: impl Fn(usize) -> (Pose, Velocit
 
 /// The pose of the moving frame of a body, and its velocity.
 pub(crate) fn motion_of(model: &Model, states: &[BodyState], body: usize) -> (Pose, Velocity) {
-    (states[body].pose, contact_set::velocity(model, body, &states[body]))
+    (states[body].pose, model.velocity(body, &states[body]))
 }
 
 /// Whether joints and pivots of these bodies (ascending) close loops, through the world or kinematic bodies too.

@@ -1,9 +1,8 @@
 //! The revolutions of angles of joints: those that ties count (`tie.rs`), and those of angles that turn on
 //! (`joint_coordinate.rs`).
 
-use super::joint::ModelJoint;
-use super::tie::Tie;
-use crate::collision::contact_set;
+use crate::constraint::joint::ModelJoint;
+use crate::constraint::tie::Tie;
 use crate::model::{Joints, Model};
 use crate::scene::SceneError;
 use crate::snapshot::SnapshotError;
@@ -48,8 +47,7 @@ fn count_turns_of(
     joints: impl Iterator<Item = usize>,
     ties: impl Iterator<Item = usize>,
 ) -> Result<(), SceneError> {
-    let motion =
-        |body: usize| -> (Pose, Velocity) { (states[body].pose, contact_set::velocity(model, body, &states[body])) };
+    let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, model.velocity(body, &states[body])) };
     let turned = joints.filter_map(|place| {
         let joint = &model.joints.list[place];
         let now = joint.turned_at(motion);

@@ -1,12 +1,11 @@
 //! Forces at joints in a time step: which are given as a kick, and the soft rows (`softness.rs`) of all others.
 
-use super::ConstraintId;
-use super::bilateral::Bilateral;
-use super::coordinate::CoordinateAt;
-use super::joint_forces::{Gains, JointForce, Source};
-use super::row::{BilateralRow, Member, Part, RowKind, RowsAt};
-use super::softness::{LinearForce, Softness};
-use crate::collision::contact_set;
+use crate::constraint::ConstraintId;
+use crate::constraint::coordinate::CoordinateAt;
+use crate::constraint::joint_forces::{Gains, JointForce, Source};
+use crate::constraint::row::{BilateralRow, Member, Part, RowKind, RowsAt};
+use crate::constraint::softness::{LinearForce, Softness};
+use crate::joints::bilateral::Bilateral;
 use crate::model::{Forces, Model};
 use crate::scene::Drive;
 use polhode_dynamics::BodyState;
@@ -61,9 +60,7 @@ pub(crate) fn soft_rows(
 
 impl JointForce {
     fn in_world(&self, model: &Model, states: &[BodyState]) -> Option<CoordinateAt> {
-        let motion = |body: usize| -> (Pose, Velocity) {
-            (states[body].pose, contact_set::velocity(model, body, &states[body]))
-        };
+        let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, model.velocity(body, &states[body])) };
         self.coordinate_at(motion)
     }
 
@@ -103,7 +100,7 @@ impl JointForce {
         let mut row = BilateralRow { kind, gap: 0.0, rate: 0.0, bias: 0.0 };
         let rate = |member: &Member| {
             let (along, about) = row.entries(member);
-            let velocity = contact_set::velocity(model, member.body, &states[member.body]);
+            let velocity = model.velocity(member.body, &states[member.body]);
             along.dot(velocity.linear) + about.dot(velocity.angular)
         };
         row.rate = members.iter().map(rate).sum();
