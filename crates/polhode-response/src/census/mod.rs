@@ -28,7 +28,7 @@ const ALWAYS_ASKED: u64 = 16;
 const ASKED_OF: u64 = 64;
 
 /// Problems of more rows are not solved again, nor kept.
-const MOST_ROWS: usize = 600;
+const MOST_ROWS: usize = 1000;
 
 /// Most methods that are asked in turn.
 const MOST_NEXT: u8 = 6;
@@ -173,7 +173,9 @@ pub struct Counted {
     pub most: Size,
     /// Solves that were asked what the next methods give.
     pub asked: u64,
-    /// Those of them that some other method solves.
+    /// Those of them that were solved.
+    pub asked_solved: u64,
+    /// Those of these that some other method solves.
     pub others_accepted: u64,
     /// Those that some other method solves as well.
     pub others_as_good: u64,
@@ -311,12 +313,14 @@ impl Counted {
     }
 
     fn compare(&mut self, answer: &Answer, others: &[Answer], enough: f64) {
+        let is_solved = answer.status == SolverStatus::Solved;
         self.asked += 1;
+        self.asked_solved += u64::from(is_solved);
         self.asked_cost += answer.cost as u64;
         let is_accepted = |other: &Answer| other.status == SolverStatus::Solved;
         let is_as_good = |other: &Answer| is_accepted(other) && other.residual <= answer.residual.max(enough);
-        self.others_accepted += u64::from(others.iter().any(is_accepted));
-        self.others_as_good += u64::from(others.iter().any(is_as_good));
+        self.others_accepted += u64::from(is_solved && others.iter().any(is_accepted));
+        self.others_as_good += u64::from(is_solved && others.iter().any(is_as_good));
         for (level, found) in (1..).zip(others) {
             let other = self.next.entry((level, found.method)).or_default();
             other.count += 1;
