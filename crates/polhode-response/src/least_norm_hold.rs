@@ -285,18 +285,17 @@ fn counted(
         };
         let residual = left(w.iter().copied(), b);
         let (tried, status) = (vec![method], status_of(residual));
-        Ok::<_, ResponseError>(Answer { method, tried, status, residual, cost: 1, motion: w })
+        Ok::<_, ResponseError>(Answer { method, tried, status, residual, cost: 1, motion: Vec::new() })
     };
     let loads = found.loads.as_deref();
     let first = answer(if loads.is_some() { "twice the precision" } else { "hold" }, &found.forces, loads)?;
-    let mut is_left = loads.is_some();
-    let next = || {
-        let is_tried = std::mem::replace(&mut is_left, false);
+    let again = |without: &[&str]| {
+        let is_tried = loads.is_some() && !without.contains(&"hold");
         let forces = LeastNormHold::factor(delassus).and_then(|hold| hold.forces(delassus, b));
         forces.ok().filter(|_| is_tried).and_then(|forces| answer("hold", &forces, None).ok())
     };
     let size = Size { bodies: problem.bodies(), rows: b.len(), cones: 0 };
-    census::note(Chain::LeastNorm, size, &first, first.residual, next, || problem.text(None, b));
+    census::note(Chain::LeastNorm, size, &first, first.residual, again, || problem.text(None, b));
     Ok(())
 }
 

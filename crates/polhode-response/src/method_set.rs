@@ -66,6 +66,12 @@ impl<M: ChainMethod> MethodSet<M> {
         M::ALL.iter().copied().filter(move |method| self.contains(*method))
     }
 
+    /// The methods of these names.
+    #[cfg(feature = "census")]
+    pub(crate) fn of_names(names: &[&str]) -> Self {
+        M::ALL.iter().copied().filter(|method| names.contains(&method.name())).collect()
+    }
+
     fn bit(method: M) -> u16 {
         1_u16.checked_shl(method.place() as u32).unwrap_or(0)
     }

@@ -11,11 +11,14 @@
 //! | `runs` | one run, bounded |
 //! | `table` | the tables |
 //! | `dump` | the problems themselves, a file each |
+//! | `replay` | such files solved again, by each chain |
 
 #[cfg(feature = "census")]
 mod asks;
 #[cfg(feature = "census")]
 mod dump;
+#[cfg(feature = "census")]
+mod replay;
 #[cfg(feature = "census")]
 mod runs;
 #[cfg(feature = "census")]
@@ -49,12 +52,21 @@ pub(crate) struct Options {
     /// The longest time of a run, s.
     #[arg(long, default_value_t = 3.0)]
     seconds: f64,
+    /// Scenes that run beside each other.
+    #[arg(long, default_value_t = 1)]
+    threads: usize,
     /// Write problems into this folder: of each kind of solve the first ones, and those of the largest residuals.
     #[arg(long)]
     dump: Option<PathBuf>,
     /// How many of each kind.
     #[arg(long, default_value_t = 4)]
     keep: usize,
+    /// Ask what a chain finds without methods, such as "friction: yielding-newton newton-from-zero"; may be repeated.
+    #[arg(long)]
+    without: Vec<String>,
+    /// Solve the problems of such a folder again, by each chain, in the place of running scenes.
+    #[arg(long)]
+    replay: Option<PathBuf>,
 }
 
 /// Runs the scenes and prints the tables.
@@ -64,18 +76,16 @@ pub(crate) struct Options {
 #[cfg(feature = "census")]
 pub(crate) fn run(options: &Options) -> Result<ExitCode, Box<dyn Error>> {
     use polhode_response::census;
+    if let Some(folder) = &options.replay {
+        replay::run(folder)?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    census::leave_out(options.without.iter().map(|text| left_out(text)).collect::<Result<_, _>>()?);
     if options.dump.is_some() {
         census::keep_problems(options.keep);
     }
     let subjects = subjects::all(options)?;
-    let mut ends = runs::Ends::default();
-    for (number, subject) in subjects.iter().enumerate() {
-        eprint!("\r{} of {} ", number + 1, subjects.len());
-        for tier in subject.tiers(&options.tiers) {
-            ends.add(runs::run(subject, tier, options.seconds));
-        }
-    }
-    eprintln!();
+    let ends = runs::all(&subjects, options);
     let counted = census::take();
     println!("{} scenes; runs {ends}.\n", subjects.len());
     table::print(&counted);
@@ -84,6 +94,16 @@ pub(crate) fn run(options: &Options) -> Result<ExitCode, Box<dyn Error>> {
         println!("\n{files} problems in {}", folder.display());
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// A chain and methods, from words.
+#[cfg(feature = "census")]
+fn left_out(text: &str) -> Result<polhode_response::census::LeftOut, Box<dyn Error>> {
+    use polhode_response::census::{Chain, LeftOut};
+    let (chain, methods) = text.split_once(':').ok_or("--without asks for a chain, a colon and methods")?;
+    let named = Chain::ALL.iter().find(|own| own.name() == chain.trim());
+    let chain = *named.ok_or_else(|| format!("no chain is named {chain}"))?;
+    Ok(LeftOut { chain, methods: methods.split_whitespace().map(str::to_owned).collect() })
 }
 
 /// Goes on in a build with the feature, with the same arguments.

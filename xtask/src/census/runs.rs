@@ -1,5 +1,6 @@
 //! One run of a scene by one tier, bounded in steps and time, with what can be asked on the way.
 
+use super::Options;
 use super::subjects::{Source, Subject};
 use polhode::{BodySample, Event, Flow, Observer, Simulation};
 use polhode_response::census;
@@ -7,7 +8,9 @@ use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::PathBuf;
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Steps and events after which a run is ended.
@@ -76,8 +79,29 @@ impl Observer for Watch {
     }
 }
 
+/// Runs all scenes in all tiers asked for.
+pub(super) fn all(subjects: &[Subject], options: &Options) -> Ends {
+    let (next, ends) = (AtomicUsize::new(0), Mutex::new(Ends::default()));
+    let work = || {
+        while let Some(subject) = subjects.get(next.fetch_add(1, Ordering::Relaxed)) {
+            eprint!("\r{} of {} ", next.load(Ordering::Relaxed).min(subjects.len()), subjects.len());
+            for tier in subject.tiers(&options.tiers) {
+                let ending = run(subject, tier, options.seconds);
+                ends.lock().unwrap_or_else(PoisonError::into_inner).add(ending);
+            }
+        }
+    };
+    std::thread::scope(|scope| {
+        (0..options.threads.max(1)).for_each(|_| {
+            scope.spawn(work);
+        });
+    });
+    eprintln!();
+    ends.into_inner().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// Runs a scene by a tier; none is its own.
-pub(super) fn run(subject: &Subject, tier: Option<&str>, seconds: f64) -> Ending {
+fn run(subject: &Subject, tier: Option<&str>, seconds: f64) -> Ending {
     census::set_scene(&format!("{} ({})", subject.name, tier.unwrap_or("its own tier")));
     catch_unwind(AssertUnwindSafe(|| started(subject, tier, seconds).unwrap_or(Ending::Refused)))
         .unwrap_or(Ending::Panicked)
@@ -99,7 +123,7 @@ fn started(subject: &Subject, tier: Option<&str>, seconds: f64) -> Result<Ending
 }
 
 fn simulate(
-    origin: &PathBuf,
+    origin: &Path,
     text: &str,
     subject: &Subject,
     tier: Option<&str>,

@@ -5,7 +5,7 @@
 //! solves that no other method of the chain solves.
 
 use super::asks::Ask;
-use polhode_response::census::{Chain, Counted, Kind, Other, Table, residual_of};
+use polhode_response::census::{Chain, Counted, Kind, Other, Table, Without, residual_of};
 use polhode_response::friction::FrictionMethod;
 use polhode_response::sparse::BodyMethod;
 use polhode_response::{ChainMethod, Method};
@@ -144,6 +144,7 @@ pub(super) fn print(table: &Table) {
         println!();
     }
     candidates(&lines(table.kinds.iter()));
+    sets(table);
 }
 
 /// All methods of the chains that have several.
@@ -191,5 +192,41 @@ fn candidates(lines: &Lines) {
             line.asked_solved,
             scenes.join("; ")
         );
+    }
+}
+
+/// What chains find without sets of methods.
+fn sets(table: &Table) {
+    if table.sets.is_empty() {
+        return;
+    }
+    println!("\n### Without these methods\n");
+    println!(
+        "| chain | without | asked for | solves that tried them | solved | still solved | as good | newly solved | cost |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|");
+    for (number, set) in table.sets.iter().enumerate() {
+        let mut by_ask: BTreeMap<Ask, Without> = BTreeMap::new();
+        for (kind, counted) in &table.kinds {
+            let Some(without) = counted.without.get(&number) else { continue };
+            let own = by_ask.entry(Ask::of(kind.file)).or_default();
+            own.count += without.count;
+            own.solved_before += without.solved_before;
+            own.still_solved += without.still_solved;
+            own.as_good += without.as_good;
+            own.newly_solved += without.newly_solved;
+            own.cost[0] += without.cost[0];
+            own.cost[1] += without.cost[1];
+        }
+        for (ask, own) in by_ask {
+            let Without { count, solved_before, still_solved, as_good, newly_solved, cost: [before, after] } = own;
+            println!(
+                "| {} | {} | {ask} | {count} | {solved_before} | {still_solved} | {as_good} | {newly_solved} | \
+                 {:.2} of it |",
+                set.chain.name(),
+                set.methods.join(" "),
+                after as f64 / before.max(1) as f64
+            );
+        }
     }
 }

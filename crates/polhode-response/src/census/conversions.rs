@@ -4,6 +4,7 @@ use super::problem_text::{ProblemText, TextBlock, TextRow};
 use crate::error::ResponseError;
 use crate::friction::Blocks;
 use crate::friction::problem::FrictionProblem;
+use crate::friction::rows_behind::RowsBehind;
 use crate::law::Law;
 use crate::problem::ContactProblem;
 use crate::sparse::BodyProblem;
@@ -69,8 +70,24 @@ impl ContactProblem {
 }
 
 impl FrictionProblem {
-    /// Its matrix as the inverse mass of one body.
+    /// The rows that it comes from; where they are not known, its matrix as the inverse mass of one body.
     pub(crate) fn text(&self, start: Option<&[f64]>) -> ProblemText {
+        let mut text = self.matrix_text(start);
+        let Some(RowsBehind { problem, rows, scales }) = self.origin() else { return text };
+        text.width = problem.width();
+        text.inverse_masses = (0..problem.bodies()).map(|body| problem.inverse_mass(body).to_vec()).collect();
+        let own = text.blocks.iter_mut().flat_map(|block| &mut block.rows);
+        for ((own, &row), scale) in own.zip(rows).zip(scales) {
+            let entries = problem.entries(row);
+            let scaled = |jacobian: &[f64]| jacobian.iter().map(|value| scale * value).collect();
+            own.entries = entries.map(|entry| (entry.body, scaled(entry.jacobian))).collect();
+            let soft = problem.compliances().iter().find(|(soft, _)| *soft == row);
+            own.compliance = soft.map_or(0.0, |soft| scale * scale * soft.1);
+        }
+        text
+    }
+
+    fn matrix_text(&self, start: Option<&[f64]>) -> ProblemText {
         let size = self.rows();
         let mut matrix = vec![0.0; size * size];
         for line in 0..self.len() {

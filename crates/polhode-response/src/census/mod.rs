@@ -67,6 +67,19 @@ pub enum Chain {
 }
 
 impl Chain {
+    /// All chains.
+    pub const ALL: &'static [Self] = &[
+        Self::ActiveSet,
+        Self::Friction,
+        Self::Bodies,
+        Self::LeastNorm,
+        Self::LeastNormSliding,
+        Self::LeastInCones,
+        Self::Forest,
+        Self::Limit,
+        Self::Thesis,
+    ];
+
     /// Its name in words.
     pub const fn name(self) -> &'static str {
         match self {
@@ -143,6 +156,32 @@ pub struct Other {
     pub cost: u64,
 }
 
+/// Methods of a chain that are left out together, to see what the others find.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LeftOut {
+    /// The chain.
+    pub chain: Chain,
+    /// The names of the methods.
+    pub methods: Vec<String>,
+}
+
+/// What a chain finds without some of its methods, in solves that tried some of them.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Without {
+    /// Solves.
+    pub count: u64,
+    /// Those that are solved with all methods.
+    pub solved_before: u64,
+    /// Those of them that are solved without.
+    pub still_solved: u64,
+    /// Those with a residual that is not larger, or within the tolerance.
+    pub as_good: u64,
+    /// Those that are solved without and were not before.
+    pub newly_solved: u64,
+    /// Costs with all methods, and without.
+    pub cost: [u64; 2],
+}
+
 /// A problem that was kept.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Kept {
@@ -183,6 +222,8 @@ pub struct Counted {
     pub asked_cost: u64,
     /// The methods that answered next, by how many were left out before.
     pub next: BTreeMap<(u8, &'static str), Other>,
+    /// What is found without sets of methods, by their numbers.
+    pub without: BTreeMap<usize, Without>,
     /// Scenes.
     pub scenes: Vec<String>,
     /// Problems.
@@ -196,9 +237,11 @@ pub struct Table {
     pub kinds: BTreeMap<Kind, Counted>,
     /// Problems that are kept of each kind.
     keep: usize,
+    /// Methods that are left out together.
+    pub sets: Vec<LeftOut>,
 }
 
-static TABLE: Mutex<Table> = Mutex::new(Table { kinds: BTreeMap::new(), keep: 0 });
+static TABLE: Mutex<Table> = Mutex::new(Table { kinds: BTreeMap::new(), keep: 0, sets: Vec::new() });
 
 thread_local! {
     static SCENE: RefCell<String> = const { RefCell::new(String::new()) };
@@ -209,6 +252,11 @@ pub fn keep_problems(keep: usize) {
     TABLE.lock().unwrap_or_else(PoisonError::into_inner).keep = keep;
 }
 
+/// Asks of each kind of solve what its chain finds without these methods.
+pub fn leave_out(sets: Vec<LeftOut>) {
+    TABLE.lock().unwrap_or_else(PoisonError::into_inner).sets = sets;
+}
+
 /// Names the scene of the solves that follow on this thread.
 pub fn set_scene(name: &str) {
     SCENE.with_borrow_mut(|scene| name.clone_into(scene));
@@ -217,8 +265,8 @@ pub fn set_scene(name: &str) {
 /// What has been counted since the last call.
 pub fn take() -> Table {
     let mut table = TABLE.lock().unwrap_or_else(PoisonError::into_inner);
-    let keep = table.keep;
-    std::mem::replace(&mut *table, Table { keep, ..Table::default() })
+    let (keep, sets) = (table.keep, table.sets.clone());
+    std::mem::replace(&mut *table, Table { kinds: BTreeMap::new(), keep, sets })
 }
 
 /// The class of a residual: four for each power of ten.
@@ -231,35 +279,43 @@ pub fn residual_of(class: i32) -> f64 {
     if class == i32::MIN { 0.0 } else { libm::exp10(f64::from(class) / CLASSES_A_DECADE) }
 }
 
-/// Notes a solve. `enough` is the residual that the chain strives for; `next` gives what it finds without the methods that
-/// answered so far, none where nothing else is left.
+/// Notes a solve. `enough` is the residual that the chain strives for; `again` gives what it finds without the methods of these
+/// names, none where nothing else is left.
 #[track_caller]
 pub(crate) fn note(
     chain: Chain,
     size: Size,
     answer: &Answer,
     enough: f64,
-    mut next: impl FnMut() -> Option<Answer>,
+    mut again: impl FnMut(&[&str]) -> Option<Answer>,
     problem: impl FnOnce() -> ProblemText,
 ) {
     let caller = Location::caller();
     let (file, line) = (caller.file(), caller.line());
     let kind = Kind { file, line, chain, method: answer.method, tried: answer.tried.clone() };
     let scene = SCENE.with_borrow(Clone::clone);
-    let (is_asked, keeps) = {
+    let (is_asked, keeps, sets) = {
         let mut table = TABLE.lock().unwrap_or_else(PoisonError::into_inner);
-        let keep = table.keep;
+        let (keep, sets) = (table.keep, table.sets.clone());
         let counted = table.kinds.entry(kind.clone()).or_default();
         counted.add(size, answer, &scene);
-        let is_small = size.rows <= MOST_ROWS;
+        let is_small = size.rows <= MOST_ROWS && answer.tried.contains(&answer.method);
         let is_asked = counted.count <= ALWAYS_ASKED || counted.count % ASKED_OF == 0;
-        (is_small && is_asked, is_small && counted.would_keep(keep, answer.residual))
+        (is_small && is_asked, size.rows <= MOST_ROWS && counted.would_keep(keep, answer.residual), sets)
     };
     // The table is free meanwhile.
-    let mut others = Vec::new();
+    let (mut others, mut without) = (Vec::new(), vec![answer.method]);
     while is_asked && others.len() < usize::from(MOST_NEXT) {
-        let Some(other) = next() else { break };
+        let Some(other) = again(&without) else { break };
+        without.push(other.method);
         others.push(other);
+    }
+    let mut by_sets = Vec::new();
+    for (number, set) in sets.iter().enumerate().filter(|_| is_asked) {
+        let names: Vec<&str> = set.methods.iter().map(String::as_str).collect();
+        if set.chain == chain && answer.tried.iter().any(|tried| names.contains(tried)) {
+            by_sets.push((number, again(&names)));
+        }
     }
     let problem = keeps.then(problem);
     let mut table = TABLE.lock().unwrap_or_else(PoisonError::into_inner);
@@ -267,6 +323,7 @@ pub(crate) fn note(
     let counted = table.kinds.entry(kind).or_default();
     if is_asked {
         counted.compare(answer, &others, enough);
+        by_sets.into_iter().for_each(|(set, other)| counted.compare_set(set, answer, other, enough));
     }
     if let Some(problem) = problem {
         let facts = vec![
@@ -332,6 +389,20 @@ impl Counted {
                 other.moved += u64::from(apart(&answer.motion, &found.motion) > OTHER_MOTION);
             }
         }
+    }
+
+    fn compare_set(&mut self, set: usize, answer: &Answer, other: Option<Answer>, enough: f64) {
+        let own = self.without.entry(set).or_default();
+        let was_solved = answer.status == SolverStatus::Solved;
+        let is_solved = other.as_ref().is_some_and(|other| other.status == SolverStatus::Solved);
+        let is_as_good = other.as_ref().is_some_and(|other| other.residual <= answer.residual.max(enough));
+        own.count += 1;
+        own.solved_before += u64::from(was_solved);
+        own.still_solved += u64::from(was_solved && is_solved);
+        own.as_good += u64::from(was_solved && is_solved && is_as_good);
+        own.newly_solved += u64::from(!was_solved && is_solved);
+        own.cost[0] += answer.cost as u64;
+        own.cost[1] += other.map_or(0, |other| other.cost) as u64;
     }
 
     fn would_keep(&self, keep: usize, residual: f64) -> bool {

@@ -208,22 +208,18 @@ impl ComplementaritySolver {
             };
             (answer, method)
         };
-        let (first, mut last) = answer(self);
-        let mut other = Self { settings: self.settings, ..Self::default() };
-        let next = || {
-            if last == Method::ClosedForm {
-                return None;
-            }
-            other.skipped.insert(last);
+        let (first, _) = answer(self);
+        let again = |without: &[&str]| {
+            let skipped = MethodSet::of_names(without);
+            let mut other = Self { settings: self.settings, skipped, ..Self::default() };
             other.search(data, warm_start);
             let (found, method) = answer(&other);
-            let is_new = !other.skipped.contains(method) && other.solution.report.tried.contains(method);
-            last = method;
+            let is_new = !skipped.contains(method) && found.tried.contains(&found.method);
             is_new.then_some(found)
         };
         let size = Size { bodies: data.problem.bodies(), rows: data.b.len(), cones: 0 };
         let text = || data.problem.text(data.rows, data.b);
-        census::note(Chain::ActiveSet, size, &first, self.settings.acceptance, next, text);
+        census::note(Chain::ActiveSet, size, &first, self.settings.acceptance, again, text);
     }
 
     /// Notes that a method is tried; whether it is.

@@ -170,7 +170,10 @@ impl Blocks {
             scales: self.scales().collect(),
         };
         let rows = delassus.rows().map(behind);
-        Ok(FrictionProblem::new(self.laws.clone(), matrix, self.velocities_in_blocks(constants))?.with_rows(rows))
+        let problem = FrictionProblem::new(self.laws.clone(), matrix, self.velocities_in_blocks(constants))?;
+        #[cfg(feature = "census")]
+        let problem = problem.with_origin(delassus.origin().map(behind));
+        Ok(problem.with_rows(rows))
     }
 
     /// Reactions in the order of the blocks, put into that of the problem; rows without a block have zero.

@@ -107,25 +107,17 @@ fn counted(problem: &FrictionProblem, start: Option<&[f64]>, settings: &Friction
             motion: solution.velocities.clone(),
         }
     };
-    let mut skipped = MethodSet::default();
-    let mut last = solution.report.method;
-    let next = || {
-        if !solution.report.tried.contains(solution.report.method) {
-            return None;
-        }
-        skipped.insert(last);
-        let other = solve_without(skipped, problem, start, settings);
-        last = other.report.method;
+    let again = |without: &[&str]| {
+        let other = solve_without(MethodSet::of_names(without), problem, start, settings);
         // Nothing but zero is left, or no method at all.
-        let is_new = !skipped.contains(last) && other.report.tried.contains(last);
-        is_new.then(|| answer(&other))
+        other.report.tried.contains(other.report.method).then(|| answer(&other))
     };
     let size = Size {
         bodies: 0,
         rows: problem.rows(),
         cones: problem.blocks().iter().filter(|law| law.has_friction()).count(),
     };
-    census::note(Chain::Friction, size, &answer(solution), settings.tolerance, next, || problem.text(start));
+    census::note(Chain::Friction, size, &answer(solution), settings.tolerance, again, || problem.text(start));
 }
 
 /// The methods with the best answer so far.

@@ -160,22 +160,14 @@ impl BodySolver {
                 motion: solution.rates.clone(),
             }
         };
-        let mut skipped = MethodSet::default();
-        let mut last = solution.report.stage;
         let mut solver = Self { elimination: self.elimination.clone(), system: BodySystem::default() };
-        let next = || {
-            if last == BodyMethod::Start {
-                return None;
-            }
-            skipped.insert(last);
-            let other = solver.solve_without(skipped, problem, start, settings);
-            last = other.report.stage;
-            let is_new = !skipped.contains(last) && last != BodyMethod::Start;
-            is_new.then(|| answer(&other))
+        let again = |without: &[&str]| {
+            let other = solver.solve_without(MethodSet::of_names(without), problem, start, settings);
+            other.report.tried.contains(other.report.stage).then(|| answer(&other))
         };
         let cones = problem.blocks.iter().filter(|block| block.law.has_friction()).count();
         let size = Size { bodies: problem.movable_bodies(), rows: problem.rows(), cones };
-        census::note(census::Chain::Bodies, size, &answer(solution), settings.tolerance, next, || problem.text(start));
+        census::note(census::Chain::Bodies, size, &answer(solution), settings.tolerance, again, || problem.text(start));
     }
 
     /// The elimination of the last problem.

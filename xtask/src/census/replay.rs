@@ -1,0 +1,90 @@
+//! Problems of files solved again, by each chain from nothing: whether one chain would do for all.
+
+use polhode_response::census::problem_text::ProblemText;
+use polhode_response::friction::FrictionSettings;
+use polhode_response::sparse::{BodySettings, BodySolver};
+use polhode_response::{Blocks, ContactProblem, SolverReport, SolverSettings, SolverStatus, solve_complementarity};
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::path::Path;
+use std::time::Instant;
+
+/// In a second.
+const MICROSECONDS: f64 = 1e6;
+
+/// Chains, as they stand in the table.
+const CHAINS: [&str; 3] = ["active set", "friction", "bodies"];
+
+/// What a chain has done.
+#[derive(Debug, Clone, Copy, Default)]
+struct Done {
+    taken: u32,
+    solved: u32,
+    worst: f64,
+    microseconds: f64,
+}
+
+impl Done {
+    fn add(&mut self, report: Option<SolverReport>, seconds: f64) {
+        let Some(report) = report else { return };
+        self.taken += 1;
+        self.microseconds += MICROSECONDS * seconds;
+        if report.status == SolverStatus::Solved {
+            self.solved += 1;
+            self.worst = self.worst.max(report.residual);
+        }
+    }
+}
+
+/// Solves all problems of a folder and prints a table.
+pub(super) fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
+    let mut table: BTreeMap<[String; 2], (u32, [Done; 3])> = BTreeMap::new();
+    let mut paths: Vec<_> =
+        std::fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<Result<_, std::io::Error>>()?;
+    paths.sort();
+    for path in paths {
+        let text = std::fs::read_to_string(&path)?;
+        let (problem, facts) = ProblemText::read(&text).map_err(|error| format!("{}: {error}", path.display()))?;
+        let fact = |word: &str| facts.iter().find(|(own, _)| own == word).map(|(_, fact)| fact.clone());
+        let of = [fact("asked"), fact("chain")].map(Option::unwrap_or_default);
+        let (count, chains) = table.entry(of).or_default();
+        *count += 1;
+        let (rows, blocks, constants) = problem.problem()?;
+        for (place, done) in chains.iter_mut().enumerate() {
+            let start = Instant::now();
+            let report = solved(CHAINS[place], &rows, &blocks, &constants);
+            done.add(report, start.elapsed().as_secs_f64());
+        }
+    }
+    println!(
+        "| asked for | solved by | problems | {} |",
+        CHAINS.map(|chain| format!("{chain}: solved of taken, worst, us")).join(" | ")
+    );
+    println!("|---|---|---|---|---|---|");
+    for ([ask, chain], (count, chains)) in table {
+        let cells = chains.map(|done| {
+            let mean = done.microseconds / f64::from(done.taken.max(1));
+            format!("{} of {}, {:.1e}, {mean:.0}", done.solved, done.taken, done.worst)
+        });
+        println!("| {ask} | {chain} | {count} | {} |", cells.join(" | "));
+    }
+    Ok(())
+}
+
+/// What a chain says; none where it does not take the problem.
+fn solved(chain: &str, rows: &ContactProblem, blocks: &Blocks, constants: &[f64]) -> Option<SolverReport> {
+    match chain {
+        "friction" => Some(blocks.solve(&rows.delassus(), constants, None, &FrictionSettings::default()).ok()?.report),
+        "bodies" => {
+            let mut solver = BodySolver::default();
+            let system = (&mut solver, &BodySettings::default());
+            Some(blocks.solve_in_bodies(rows, constants, None, system).ok()?.0.report)
+        }
+        _ => {
+            let is_smooth = blocks.laws().iter().all(|law| !law.pushes() || law.rows() == 1);
+            let settings = SolverSettings::default();
+            let solve = || solve_complementarity(rows, &rows.delassus(), constants, None, &settings).ok();
+            is_smooth.then(solve).flatten().map(|solution| solution.report)
+        }
+    }
+}
