@@ -1,4 +1,7 @@
 //! Problems of files solved again, by each chain from nothing: whether one chain would do for all.
+//!
+//! Chains with friction accept the same residual here, though each measures its own: the chain of rows that in units of
+//! velocity, the chain of bodies that in units of impulse. Problems whose answer was that there is none count as not solved.
 
 use polhode_response::census::problem_text::ProblemText;
 use polhode_response::friction::FrictionSettings;
@@ -15,6 +18,9 @@ const MICROSECONDS: f64 = 1e6;
 /// Chains, as they stand in the table.
 const CHAINS: [&str; 3] = ["active set", "friction", "bodies"];
 
+/// The residual that chains with friction accept (no unit): that of heaps.
+const ACCEPTED: f64 = 1e-8;
+
 /// What a chain has done.
 #[derive(Debug, Clone, Copy, Default)]
 struct Done {
@@ -25,20 +31,32 @@ struct Done {
 }
 
 impl Done {
-    fn add(&mut self, report: Option<SolverReport>, seconds: f64) {
-        let Some(report) = report else { return };
+    /// Whether it has solved the problem.
+    fn add(&mut self, report: Option<SolverReport>, seconds: f64) -> bool {
+        let Some(report) = report else { return false };
         self.taken += 1;
         self.microseconds += MICROSECONDS * seconds;
         if report.status == SolverStatus::Solved {
             self.solved += 1;
             self.worst = self.worst.max(report.residual);
         }
+        report.status == SolverStatus::Solved
     }
+}
+
+/// Problems of one kind.
+#[derive(Debug, Clone, Copy, Default)]
+struct Line {
+    count: u32,
+    chains: [Done; CHAINS.len()],
+    by_friction_alone: u32,
+    by_bodies_alone: u32,
+    by_none: u32,
 }
 
 /// Solves all problems of a folder and prints a table.
 pub(super) fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
-    let mut table: BTreeMap<[String; 2], (u32, [Done; 3])> = BTreeMap::new();
+    let mut table: BTreeMap<[String; 2], Line> = BTreeMap::new();
     let mut paths: Vec<_> =
         std::fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<Result<_, std::io::Error>>()?;
     paths.sort();
@@ -47,26 +65,31 @@ pub(super) fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
         let (problem, facts) = ProblemText::read(&text).map_err(|error| format!("{}: {error}", path.display()))?;
         let fact = |word: &str| facts.iter().find(|(own, _)| own == word).map(|(_, fact)| fact.clone());
         let of = [fact("asked"), fact("chain")].map(Option::unwrap_or_default);
-        let (count, chains) = table.entry(of).or_default();
-        *count += 1;
+        let line = table.entry(of).or_default();
+        line.count += 1;
         let (rows, blocks, constants) = problem.problem()?;
-        for (place, done) in chains.iter_mut().enumerate() {
+        let mut is_solved = [false; CHAINS.len()];
+        for (place, done) in line.chains.iter_mut().enumerate() {
             let start = Instant::now();
             let report = solved(CHAINS[place], &rows, &blocks, &constants);
-            done.add(report, start.elapsed().as_secs_f64());
+            is_solved[place] = done.add(report, start.elapsed().as_secs_f64());
         }
+        let [_, by_friction, by_bodies] = is_solved;
+        line.by_friction_alone += u32::from(by_friction && !by_bodies);
+        line.by_bodies_alone += u32::from(by_bodies && !by_friction);
+        line.by_none += u32::from(is_solved == [false; CHAINS.len()]);
     }
-    println!(
-        "| asked for | solved by | problems | {} |",
-        CHAINS.map(|chain| format!("{chain}: solved of taken, worst, us")).join(" | ")
-    );
-    println!("|---|---|---|---|---|---|");
-    for ([ask, chain], (count, chains)) in table {
-        let cells = chains.map(|done| {
+    let chains = CHAINS.map(|chain| format!("{chain}: solved of taken, worst, us"));
+    println!("| asked for | solved by | problems | {} | friction alone, bodies alone, none |", chains.join(" | "));
+    println!("|---|---|---|---|---|---|---|");
+    for ([ask, chain], line) in table {
+        let cells = line.chains.map(|done| {
             let mean = done.microseconds / f64::from(done.taken.max(1));
             format!("{} of {}, {:.1e}, {mean:.0}", done.solved, done.taken, done.worst)
         });
-        println!("| {ask} | {chain} | {count} | {} |", cells.join(" | "));
+        let Line { count, by_friction_alone, by_bodies_alone, by_none, .. } = line;
+        let cells = cells.join(" | ");
+        println!("| {ask} | {chain} | {count} | {cells} | {by_friction_alone}, {by_bodies_alone}, {by_none} |");
     }
     Ok(())
 }
@@ -74,10 +97,11 @@ pub(super) fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
 /// What a chain says; none where it does not take the problem.
 fn solved(chain: &str, rows: &ContactProblem, blocks: &Blocks, constants: &[f64]) -> Option<SolverReport> {
     match chain {
-        "friction" => Some(blocks.solve(&rows.delassus(), constants, None, &FrictionSettings::default()).ok()?.report),
+        "friction" => Some(blocks.solve(&rows.delassus(), constants, None, &settings).ok()?.report),
         "bodies" => {
             let mut solver = BodySolver::default();
-            let system = (&mut solver, &BodySettings::default());
+            let settings = BodySettings { acceptance: ACCEPTED, ..BodySettings::default() };
+            let system = (&mut solver, &settings);
             Some(blocks.solve_in_bodies(rows, constants, None, system).ok()?.0.report)
         }
         _ => {

@@ -300,7 +300,7 @@ pub(crate) fn note(
         let counted = table.kinds.entry(kind.clone()).or_default();
         counted.add(size, answer, &scene);
         let is_small = size.rows <= MOST_ROWS && answer.tried.contains(&answer.method);
-        let is_asked = counted.count <= ALWAYS_ASKED || counted.count % ASKED_OF == 0;
+        let is_asked = counted.count <= ALWAYS_ASKED || counted.count.is_multiple_of(ASKED_OF);
         (is_small && is_asked, size.rows <= MOST_ROWS && counted.would_keep(keep, answer.residual), sets)
     };
     // The table is free meanwhile.
@@ -323,7 +323,9 @@ pub(crate) fn note(
     let counted = table.kinds.entry(kind).or_default();
     if is_asked {
         counted.compare(answer, &others, enough);
-        by_sets.into_iter().for_each(|(set, other)| counted.compare_set(set, answer, other, enough));
+        for (set, other) in by_sets {
+            counted.compare_set(set, answer, other.as_ref(), enough);
+        }
     }
     if let Some(problem) = problem {
         let facts = vec![
@@ -391,11 +393,11 @@ impl Counted {
         }
     }
 
-    fn compare_set(&mut self, set: usize, answer: &Answer, other: Option<Answer>, enough: f64) {
+    fn compare_set(&mut self, set: usize, answer: &Answer, other: Option<&Answer>, enough: f64) {
         let own = self.without.entry(set).or_default();
         let was_solved = answer.status == SolverStatus::Solved;
-        let is_solved = other.as_ref().is_some_and(|other| other.status == SolverStatus::Solved);
-        let is_as_good = other.as_ref().is_some_and(|other| other.residual <= answer.residual.max(enough));
+        let is_solved = other.is_some_and(|other| other.status == SolverStatus::Solved);
+        let is_as_good = other.is_some_and(|other| other.residual <= answer.residual.max(enough));
         own.count += 1;
         own.solved_before += u64::from(was_solved);
         own.still_solved += u64::from(was_solved && is_solved);

@@ -276,10 +276,9 @@ impl ComplementaritySolver {
         };
         let decided = decided || self.begins(Method::AllHeld) && self.decide_all_held(data);
         // The interior point knows contacts only.
-        if !decided && data.bilateral.is_empty() && self.settings.fallback == FallbackPolicy::InteriorPoint {
-            if self.begins(Method::InteriorPointPolished) {
-                self.interior_point(data);
-            }
+        let may_relax = data.bilateral.is_empty() && self.settings.fallback == FallbackPolicy::InteriorPoint;
+        if !decided && may_relax && self.begins(Method::InteriorPointPolished) {
+            self.interior_point(data);
         }
         self.refine_precisely(data);
         if self.best.report.status == SolverStatus::Solved && self.best.report.residual > DOUBTFUL_RESIDUAL {

@@ -158,7 +158,7 @@ impl<'a> Structure<'a> {
     }
 
     fn least_friction(&self) -> Option<Limit> {
-        let Some(without) = self.missed(0.0) else { return None };
+        let without = self.missed(0.0)?;
         if without.last <= MISSED_CONE {
             let mechanism = vec![0.0; self.free.len()];
             return Some(Limit { mechanism, ..self.limit(0.0, &without) });
@@ -169,7 +169,7 @@ impl<'a> Structure<'a> {
             if tried > MOST_FACTOR {
                 return None;
             }
-            let Some(found) = self.missed(tried) else { return None };
+            let found = self.missed(tried)?;
             search.take(tried, found);
         }
         let Search { below: (_, misses), above: Some((factor, found)), .. } = search else { return None };
