@@ -1,7 +1,7 @@
 //! Which methods of a chain were tried.
 //!
-//! A chain tries one method after the other until one gives an answer that is accepted. Its report names the method that
-//! answered, and the set of those that were tried.
+//! A chain tries one method after the other until one gives an answer that is accepted. Its report names the method
+//! that answered, and the set of those that were tried.
 
 use std::fmt;
 use std::marker::PhantomData;

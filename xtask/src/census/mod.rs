@@ -1,11 +1,13 @@
-//! `cargo xtask census`: which method answers each solve of rows, what it costs, and what the next one would have given.
+//! `cargo xtask census`: which method answers each solve of rows, what it costs, and what the next one would have
+//! given.
 //!
-//! The scenes that the project ships, some heaps, and random scenes and mechanisms run for a bounded time each, in every tier that
-//! solves for rows. The solvers of `polhode-response` count what they do (`polhode_response::census`); that exists with the
-//! feature `census` alone, and this program builds itself with it where it has been built without.
+//! The scenes that the project ships, some heaps, and random scenes and mechanisms run for a bounded time each, in
+//! every tier that solves for rows. The solvers of `polhode-response` count what they do (`polhode_response::census`);
+//! that exists with the feature `census` alone, and this program builds itself with it where it has been built without.
 //!
 //! | module | holds |
 //! |---|---|
+//! | `options` | what is run |
 //! | `asks` | what is asked for, by the file that asks |
 //! | `subjects` | the scenes |
 //! | `runs` | one run, bounded |
@@ -17,6 +19,7 @@
 mod asks;
 #[cfg(feature = "census")]
 mod dump;
+mod options;
 #[cfg(feature = "census")]
 mod replay;
 #[cfg(feature = "census")]
@@ -26,48 +29,10 @@ mod subjects;
 #[cfg(feature = "census")]
 mod table;
 
-use clap::Args;
-use std::error::Error;
-use std::path::PathBuf;
-use std::process::ExitCode;
+pub(crate) use options::Options;
 
-/// What is run. A build without the feature `census` calls cargo again with it.
-#[derive(Debug, Args)]
-pub(crate) struct Options {
-    /// Shipped scenes, from the first on; all when left out.
-    #[arg(long)]
-    scenes: Option<usize>,
-    /// Random scenes: half of them mechanisms, half of them scenes of contacts.
-    #[arg(long, default_value_t = 100)]
-    random: u64,
-    /// The first seed of each.
-    #[arg(long, default_value_t = 0)]
-    first: u64,
-    /// Only scenes whose name contains this.
-    #[arg(long)]
-    only: Option<String>,
-    /// Tiers beside that of the scene itself.
-    #[arg(long, value_delimiter = ',', default_values_t = ["accurate", "stepped", "micro-collisions", "thesis"].map(str::to_owned))]
-    tiers: Vec<String>,
-    /// The longest time of a run, s.
-    #[arg(long, default_value_t = 3.0)]
-    seconds: f64,
-    /// Scenes that run beside each other.
-    #[arg(long, default_value_t = 1)]
-    threads: usize,
-    /// Write problems into this folder: of each kind of solve the first ones, and those of the largest residuals.
-    #[arg(long)]
-    dump: Option<PathBuf>,
-    /// How many of each kind.
-    #[arg(long, default_value_t = 4)]
-    keep: usize,
-    /// Ask what a chain finds without methods, such as "friction: yielding-newton newton-from-zero"; may be repeated.
-    #[arg(long)]
-    without: Vec<String>,
-    /// Solve the problems of such a folder again, by each chain, in the place of running scenes.
-    #[arg(long)]
-    replay: Option<PathBuf>,
-}
+use std::error::Error;
+use std::process::ExitCode;
 
 /// Runs the scenes and prints the tables.
 ///

@@ -1,7 +1,8 @@
 //! Problems of files solved again, by each chain from nothing: whether one chain would do for all.
 //!
 //! Chains with friction accept the same residual here, though each measures its own: the chain of rows that in units of
-//! velocity, the chain of bodies that in units of impulse. Problems whose answer was that there is none count as not solved.
+//! velocity, the chain of bodies that in units of impulse. Problems whose answer was that there is none count as not
+//! solved.
 
 use polhode_response::census::problem_text::ProblemText;
 use polhode_response::friction::FrictionSettings;

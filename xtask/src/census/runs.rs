@@ -1,6 +1,6 @@
 //! One run of a scene by one tier, bounded in steps and time, with what can be asked on the way.
 
-use super::Options;
+use super::options::Options;
 use super::subjects::{Source, Subject};
 use polhode::{BodySample, Event, Flow, Observer, Simulation};
 use polhode_response::census;

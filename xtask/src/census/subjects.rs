@@ -1,6 +1,6 @@
 //! The scenes of a census: shipped ones, heaps, random mechanisms and random scenes of contacts.
 
-use super::Options;
+use super::options::Options;
 use crate::random_mechanism::generate as mechanisms;
 use crate::random_mechanism::placement::Placement;
 use crate::random_scene::generate as contacts;

@@ -1,8 +1,8 @@
 //! The tables of a census, in Markdown: one for each thing asked, and one of the methods that could go.
 //!
-//! "Next" is what the chain finds without the method that answered: the method that does so most often, and in how many of the
-//! solves that were asked again some other method is accepted, or accepted with a residual as good. "Needed" is the rest of them:
-//! solves that no other method of the chain solves.
+//! "Next" is what the chain finds without the method that answered: the method that does so most often, and in how many
+//! of the solves that were asked again some other method is accepted, or accepted with a residual as good. "Needed" is
+//! the rest of them: solves that no other method of the chain solves.
 
 use super::asks::Ask;
 use polhode_response::census::{Chain, Counted, Kind, Other, Table, Without, residual_of};

@@ -1,12 +1,12 @@
 //! A census of solves: which method answered, which were tried, and what the next ones of the chain would have given.
 //!
-//! This module exists with the feature `census` alone, for `cargo xtask census`. Each public solver tells it of every solve:
-//! who asked (file and line), how large the problem is, the answer, its residual and its cost. Of some it also asks what the
-//! chain finds without the method that answered, without that and the next, and so on. Nothing that a solver returns depends
-//! on it.
+//! This module exists with the feature `census` alone, for `cargo xtask census`. Each public solver tells it of every
+//! solve: who asked (file and line), how large the problem is, the answer, its residual and its cost. Of some it also
+//! asks what the chain finds without the method that answered, without that and the next, and so on. Nothing that a
+//! solver returns depends on it.
 //!
-//! The table is a global of the process, which the product has none of: solvers are called from everywhere, and none of them
-//! is to carry a table through its arguments for the sake of a census. Without the feature there is no table.
+//! The table is a global of the process, which the product has none of: solvers are called from everywhere, and none of
+//! them is to carry a table through its arguments for the sake of a census. Without the feature there is no table.
 //!
 //! | module | holds |
 //! |---|---|
@@ -279,8 +279,8 @@ pub fn residual_of(class: i32) -> f64 {
     if class == i32::MIN { 0.0 } else { libm::exp10(f64::from(class) / CLASSES_A_DECADE) }
 }
 
-/// Notes a solve. `enough` is the residual that the chain strives for; `again` gives what it finds without the methods of these
-/// names, none where nothing else is left.
+/// Notes a solve. `enough` is the residual that the chain strives for; `again` gives what it finds without the methods
+/// of these names, none where nothing else is left.
 #[track_caller]
 pub(crate) fn note(
     chain: Chain,

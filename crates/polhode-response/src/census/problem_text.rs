@@ -10,9 +10,10 @@
 //! row <constant term> <compliance> <start> <body> <width numbers> <body> <width numbers>
 //! ```
 //!
-//! A block is one of `push`, `hold ROWS`, `cone ROWS MU`, `slide MU` and `resist` with rows, coefficient and `0` or `1` (slides) of
-//! slip, rolling and spinning; its rows follow it. A row that names no body is the unit vector of its own number on the only
-//! body: so stands a problem of which only the matrix is known, which is then the inverse mass. Numbers have all their digits.
+//! A block is one of `push`, `hold ROWS`, `cone ROWS MU`, `slide MU` and `resist` with rows, coefficient and `0` or `1`
+//! (slides) of slip, rolling and spinning; its rows follow it. A row that names no body is the unit vector of its own
+//! number on the only body: so stands a problem of which only the matrix is known, which is then the inverse mass.
+//! Numbers have all their digits.
 
 use crate::law::{Law, Resistance};
 use std::fmt;
