@@ -202,7 +202,8 @@ fn sets(table: &Table) {
     }
     println!("\n### Without these methods\n");
     println!(
-        "| chain | without | asked for | solves that tried them | solved | still solved | as good | newly solved | cost |"
+        "| chain | without | asked for | solves that tried them | solved | still solved | as good | newly solved | \
+         cost |"
     );
     println!("|---|---|---|---|---|---|---|---|---|");
     for (number, set) in table.sets.iter().enumerate() {
