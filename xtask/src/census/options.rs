@@ -5,6 +5,9 @@
 use clap::Args;
 use std::path::PathBuf;
 
+/// The tiers that solve for rows.
+const TIERS: [&str; 4] = ["accurate", "stepped", "micro-collisions", "thesis"];
+
 /// What is run. A build without the feature `census` calls cargo again with it.
 #[derive(Debug, Args)]
 pub(crate) struct Options {
@@ -21,7 +24,7 @@ pub(crate) struct Options {
     #[arg(long)]
     pub(super) only: Option<String>,
     /// Tiers beside that of the scene itself.
-    #[arg(long, value_delimiter = ',', default_values_t = ["accurate", "stepped", "micro-collisions", "thesis"].map(str::to_owned))]
+    #[arg(long, value_delimiter = ',', default_values_t = TIERS.map(str::to_owned))]
     pub(super) tiers: Vec<String>,
     /// The longest time of a run, s.
     #[arg(long, default_value_t = 3.0)]
