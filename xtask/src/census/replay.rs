@@ -98,7 +98,10 @@ pub(super) fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
 /// What a chain says; none where it does not take the problem.
 fn solved(chain: &str, rows: &ContactProblem, blocks: &Blocks, constants: &[f64]) -> Option<SolverReport> {
     match chain {
-        "friction" => Some(blocks.solve(&rows.delassus(), constants, None, &settings).ok()?.report),
+        "friction" => {
+            let settings = FrictionSettings { acceptance: ACCEPTED, ..FrictionSettings::default() };
+            Some(blocks.solve(&rows.delassus(), constants, None, &settings).ok()?.report)
+        }
         "bodies" => {
             let mut solver = BodySolver::default();
             let settings = BodySettings { acceptance: ACCEPTED, ..BodySettings::default() };
