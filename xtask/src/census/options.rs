@@ -1,7 +1,5 @@
 //! What a census runs.
 
-#![cfg_attr(not(feature = "census"), expect(dead_code, reason = "what is read by a build with the feature"))]
-
 use clap::Args;
 use std::path::PathBuf;
 
