@@ -90,8 +90,18 @@ impl Check {
 /// # Errors
 /// When cargo cannot be run.
 pub(crate) fn go_on_in_release() -> Result<ExitCode, Box<dyn Error>> {
+    go_on_with(&["--release"])
+}
+
+/// Goes on in a build of this program with these arguments of cargo, with the same arguments and in the same folder.
+///
+/// # Errors
+/// When cargo cannot be run.
+pub(crate) fn go_on_with(build: &[&str]) -> Result<ExitCode, Box<dyn Error>> {
     let status = cargo(&std::env::current_dir()?)
-        .args(["run", "--release", "--quiet", "--package", env!("CARGO_PKG_NAME"), "--"])
+        .args(["run", "--quiet", "--package", env!("CARGO_PKG_NAME")])
+        .args(build)
+        .arg("--")
         .args(std::env::args_os().skip(1))
         .status()?;
     Ok(if status.success() { ExitCode::SUCCESS } else { ExitCode::FAILURE })

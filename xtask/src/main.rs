@@ -9,6 +9,7 @@
 //! | [`book`] | README and book: what they print is run |
 //! | [`verify`] | the command: which steps, table, exit code |
 //! | [`schedule`] | which steps run beside each other, and how long each takes |
+//! | [`census`] | the command: which method answers each solve of rows, and what the next one would give |
 //! | [`cost`] | the command: what accuracy costs, from shipped scenes |
 //! | [`cross`] | the command: golden trajectories on other platforms, bit by bit |
 //! | [`friction`] | the command: frictional contact problems of other programs |
@@ -39,6 +40,7 @@
 
 mod book;
 mod cases;
+mod census;
 mod chain_costs;
 mod commands;
 mod contact_chart;
@@ -104,6 +106,8 @@ enum Task {
     Elastic(elastic_table::Options),
     /// Measures the processor time of heaps in the tiers, from which the plan chooses a tier.
     TierCosts(tier_costs::Options),
+    /// Counts which method answers each solve of rows, and what the next one would have given.
+    Census(census::Options),
     /// Measures the time of a step of chains against their length.
     ChainCosts(chain_costs::Options),
     /// Writes the random scene of a seed as a scene file.
@@ -127,6 +131,7 @@ impl Task {
             Self::Verify(_)
             | Self::Cross(_)
             | Self::ImportRigidIpc(_)
+            | Self::Census(_)
             | Self::Gallery(_)
             | Self::Licences
             | Self::RandomScene(_)
@@ -150,6 +155,7 @@ fn main() -> ExitCode {
         Task::NarrowPhase => verify::workspace_root().and_then(|root| narrow_phase::run(&root)),
         Task::Elastic(options) => verify::workspace_root().and_then(|root| elastic_table::run(&options, &root)),
         Task::TierCosts(options) => tier_costs::run(&options),
+        Task::Census(options) => census::run(&options),
         Task::ChainCosts(options) => chain_costs::run(&options),
         Task::RandomScene(options) => random_scene::run(&options),
         Task::JudgeScenes(options) => cases::random_scenes::run(&options),

@@ -27,6 +27,9 @@ pub struct Delassus {
     not_finite: Option<usize>,
     /// The rows that it was formed of, where they are many.
     rows: Option<Arc<ContactProblem>>,
+    /// The rows that it was formed of, however few.
+    #[cfg(feature = "census")]
+    origin: Option<Arc<ContactProblem>>,
 }
 
 impl Delassus {
@@ -68,12 +71,18 @@ impl Delassus {
     /// The matrix of these entries, row-major and symmetric.
     pub(crate) fn from_entries(size: usize, entries: Vec<f64>) -> Self {
         let not_finite = entries.iter().position(|entry| !entry.is_finite());
-        Self { size, entries, not_finite, rows: None }
+        Self { size, entries, not_finite, ..Self::default() }
     }
 
     /// The rows that it was formed of; none where they are few.
     pub(crate) fn rows(&self) -> Option<&Arc<ContactProblem>> {
         self.rows.as_ref()
+    }
+
+    /// The rows that it was formed of, however few.
+    #[cfg(feature = "census")]
+    pub(crate) fn origin(&self) -> Option<&Arc<ContactProblem>> {
+        self.origin.as_ref()
     }
 
     /// All entries, row-major.
@@ -128,6 +137,10 @@ impl ContactProblem {
         let is_rigid = self.compliances().is_empty();
         let is_kept = is_rigid && size >= LEAST_ROWS_IN_BODIES && !self.bilateral_rows(None).is_empty();
         delassus.rows = is_kept.then(|| Arc::new(self.clone()));
+        #[cfg(feature = "census")]
+        {
+            delassus.origin = Some(Arc::new(self.clone()));
+        }
         delassus.entries.clear();
         delassus.entries.resize(size * size, 0.0);
         // All (body, row, slot), sorted by body: rows of one body stand together, in the order of the rows.

@@ -13,6 +13,8 @@
 //!
 //! Source: thesis, section 3.4, Finding the Vanishing Contact Points.
 
+#[cfg(feature = "census")]
+use crate::census::{self, Chain, Size};
 use crate::certificate::{nan_max, power_bound, row_accelerations, row_residual, row_scales};
 use crate::delassus::Delassus;
 use crate::error::{ResponseError, check_finite, check_length};
@@ -51,7 +53,18 @@ pub struct GuessedForces {
 ///
 /// # Errors
 /// When there are more than [`MOST_GUESSED`] contacts, lengths differ, a number is not finite, or a setting is out of range.
+#[cfg_attr(feature = "census", track_caller)]
 pub fn guesses(delassus: &Delassus, b: &[f64], settings: &SolverSettings) -> Result<GuessedForces, ResponseError> {
+    let found = by_guesses(delassus, b, settings)?;
+    #[cfg(feature = "census")]
+    {
+        let size = Size { rows: b.len(), ..Size::default() };
+        census::note_single(Chain::Thesis, size, "guesses", found.report.status, found.report.residual);
+    }
+    Ok(found)
+}
+
+fn by_guesses(delassus: &Delassus, b: &[f64], settings: &SolverSettings) -> Result<GuessedForces, ResponseError> {
     check_length("constant terms", delassus.len(), b.len())?;
     check_finite("constant terms", b)?;
     delassus.check_finite()?;

@@ -55,6 +55,7 @@ pub struct HeuristicSolution {
 ///
 /// # Errors
 /// When lengths differ, a number is not finite, or a setting is out of range.
+#[cfg_attr(feature = "census", track_caller)]
 pub fn heuristic(
     delassus: &Delassus,
     b: &[f64],

@@ -11,6 +11,8 @@
 //!
 //! Source: thesis, section 3.4, Finding the Vanishing Contact Points, with the signs of errata E11.
 
+#[cfg(feature = "census")]
+use crate::census::{self, Chain, Size};
 use crate::certificate::{nan_max, power_bound, row_accelerations, row_residual, row_scales};
 use crate::delassus::Delassus;
 use crate::dense::householder::PivotedQr;
@@ -70,7 +72,28 @@ pub struct LeastForceSolution {
 ///
 /// # Errors
 /// When lengths differ, a number is not finite, or a setting is out of range.
+#[cfg_attr(feature = "census", track_caller)]
 pub fn least_force(
+    delassus: &Delassus,
+    b: &[f64],
+    settings: &SolverSettings,
+) -> Result<LeastForceSolution, ResponseError> {
+    let found = by_programmes(delassus, b, settings)?;
+    #[cfg(feature = "census")]
+    {
+        let stage = match found.stage {
+            LeastForceStage::NoneVanish => "none vanish",
+            LeastForceStage::GuessOfVanishing => "guess of vanishing",
+            LeastForceStage::LeastSum => "least sum",
+            LeastForceStage::NoForces => "no forces",
+        };
+        let size = Size { rows: b.len(), ..Size::default() };
+        census::note_single(Chain::Thesis, size, stage, found.report.status, found.report.residual);
+    }
+    Ok(found)
+}
+
+fn by_programmes(
     delassus: &Delassus,
     b: &[f64],
     settings: &SolverSettings,

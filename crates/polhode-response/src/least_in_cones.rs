@@ -20,12 +20,16 @@
 //!
 //! [`least_norm_sliding_forces`]: crate::least_norm_sliding_forces
 
+#[cfg(feature = "census")]
+use crate::census::{self, Chain, Size};
 use crate::delassus::Delassus;
 use crate::dense::cholesky::GrowingCholesky;
 use crate::dense::householder::PivotedQr;
 use crate::dense::kernels::{dot, largest};
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::Blocks;
+#[cfg(feature = "census")]
+use crate::report::SolverStatus;
 use crate::sliding::{DEPENDENT_COLUMN, SlidingRow, check_rows, held_by_forces};
 
 /// A force exceeds its cone from this much above it on, relative to the largest force (no unit, 1e-11 to 1e-10).
@@ -201,6 +205,7 @@ impl ForceCone {
 ///
 /// # Errors
 /// When lengths differ, a row does not exist, or a number is not finite.
+#[cfg_attr(feature = "census", track_caller)]
 pub fn least_forces_in_cones(
     delassus: &Delassus,
     held: usize,
@@ -216,14 +221,26 @@ pub fn least_forces_in_cones(
     check_rows(sliding, held, rows)?;
     let cones = Cones::of(blocks, held)?;
     let first = cones.variables_of(&forces[..held]);
+    #[cfg(feature = "census")]
+    let size = Size { bodies: 0, rows, cones: cones.of_contacts.len() };
     if cones.contain(&first) {
+        #[cfg(feature = "census")]
+        census::note_single(Chain::LeastInCones, size, "as they are", SolverStatus::Solved, 0.0);
         return Ok(Some(forces.to_vec()));
     }
     let dual = Dual::new(delassus, sliding, &cones, &first);
     if dual.determines_forces() {
+        #[cfg(feature = "census")]
+        census::note_single(Chain::LeastInCones, size, "determined", SolverStatus::Infeasible, 0.0);
         return Ok(None);
     }
-    let Some(x) = dual.minimise() else { return Ok(None) };
+    let minimum = dual.minimise();
+    #[cfg(feature = "census")]
+    {
+        let status = if minimum.is_some() { SolverStatus::Solved } else { SolverStatus::Inaccurate };
+        census::note_single(Chain::LeastInCones, size, "dual newton", status, 0.0);
+    }
+    let Some(x) = minimum else { return Ok(None) };
     let mut found: Vec<f64> = x.iter().zip(&cones.scales).map(|(x, scale)| x * scale).collect();
     found.resize(rows, 0.0);
     for slide in sliding {

@@ -27,11 +27,19 @@
 //! residuals in extended precision). Failure: a matrix that is not finite or not positive semidefinite beyond rounding
 //! is refused; beyond ratios of 1e11 the rounds do not converge, and heavy bodies are held only in part.
 
+#[cfg(feature = "census")]
+use crate::census::{self, Answer, Chain, Size};
+#[cfg(feature = "census")]
+use crate::certificate::nan_max;
 use crate::delassus::Delassus;
 use crate::dense::kernels::dot;
+#[cfg(feature = "census")]
+use crate::dense::kernels::largest;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::precise;
 use crate::problem::ContactProblem;
+#[cfg(feature = "census")]
+use crate::report::SolverStatus;
 use crate::sparse::BesideForest;
 use polhode_spatial::DoubleDouble;
 
@@ -62,6 +70,10 @@ const CONVERGED: f64 = f64::EPSILON;
 
 /// Limit of the rounds, reached at mass ratios of 1e10 and more.
 const MOST_ROUNDS: usize = 40;
+
+/// What is left of the accelerations where rows count as held in a census (no unit).
+#[cfg(feature = "census")]
+const HELD: f64 = 1e-9;
 
 /// A factorised set of rows that are all held.
 #[derive(Debug, Clone)]
@@ -156,7 +168,20 @@ impl LeastNormHold {
     ///
     /// # Errors
     /// When lengths differ or `b` is not finite.
+    #[cfg_attr(feature = "census", track_caller)]
     pub fn solve(&self, delassus: &Delassus, b: &[f64]) -> Result<Vec<f64>, ResponseError> {
+        let forces = self.forces(delassus, b)?;
+        #[cfg(feature = "census")]
+        {
+            let w = delassus.times(&forces)?.into_iter().zip(b).map(|(w, b)| w + b);
+            let size = Size { rows: b.len(), ..Size::default() };
+            let residual = left(w, b);
+            census::note_single(Chain::LeastNorm, size, "hold", status_of(residual), residual);
+        }
+        Ok(forces)
+    }
+
+    fn forces(&self, delassus: &Delassus, b: &[f64]) -> Result<Vec<f64>, ResponseError> {
         let n = self.scale.len();
         check_length("Delassus matrix", n, delassus.len())?;
         check_length("constant terms", n, b.len())?;
@@ -232,17 +257,67 @@ pub struct LeastNormForces {
 ///
 /// # Errors
 /// When lengths differ, or the matrix or `b` is not finite.
+#[cfg_attr(feature = "census", track_caller)]
 pub fn least_norm_forces(
     problem: &ContactProblem,
     delassus: &Delassus,
     b: &[f64],
 ) -> Result<LeastNormForces, ResponseError> {
+    let found = least_forces(problem, delassus, b)?;
+    #[cfg(feature = "census")]
+    counted(problem, delassus, b, &found)?;
+    Ok(found)
+}
+
+/// Tells the census, and what forces in working precision would have left where masses differ.
+#[cfg(feature = "census")]
+#[track_caller]
+fn counted(
+    problem: &ContactProblem,
+    delassus: &Delassus,
+    b: &[f64],
+    found: &LeastNormForces,
+) -> Result<(), ResponseError> {
+    let answer = |method, forces: &[f64], loads: Option<&[f64]>| {
+        let w = match loads {
+            Some(loads) => problem.accelerations_under(b, forces, loads)?,
+            None => problem.accelerations(b, forces)?,
+        };
+        let residual = left(w.iter().copied(), b);
+        let (tried, status) = (vec![method], status_of(residual));
+        Ok::<_, ResponseError>(Answer { method, tried, status, residual, cost: 1, motion: Vec::new() })
+    };
+    let loads = found.loads.as_deref();
+    let first = answer(if loads.is_some() { "twice the precision" } else { "hold" }, &found.forces, loads)?;
+    let again = |without: &[&str]| {
+        let is_tried = loads.is_some() && !without.contains(&"hold");
+        let forces = LeastNormHold::factor(delassus).and_then(|hold| hold.forces(delassus, b));
+        forces.ok().filter(|_| is_tried).and_then(|forces| answer("hold", &forces, None).ok())
+    };
+    let size = Size { bodies: problem.bodies(), rows: b.len(), cones: 0 };
+    census::note(Chain::LeastNorm, size, &first, first.residual, again, || problem.text(None, b));
+    Ok(())
+}
+
+/// What forces leave of the accelerations without them, relative to the largest.
+#[cfg(feature = "census")]
+fn left(w: impl Iterator<Item = f64>, b: &[f64]) -> f64 {
+    let size = largest(b);
+    if size == 0.0 { 0.0 } else { w.fold(0.0, |most, w| nan_max(most, w.abs())) / size }
+}
+
+#[cfg(feature = "census")]
+fn status_of(residual: f64) -> SolverStatus {
+    if residual <= HELD { SolverStatus::Solved } else { SolverStatus::Inaccurate }
+}
+
+fn least_forces(problem: &ContactProblem, delassus: &Delassus, b: &[f64]) -> Result<LeastNormForces, ResponseError> {
     check_length("Delassus matrix", problem.len(), delassus.len())?;
     check_length("constant terms", problem.len(), b.len())?;
     check_finite("constant terms", b)?;
     let ratio = problem.mass_ratio();
     if ratio <= ALIKE_MASSES {
-        let forces = LeastNormHold::factor(delassus)?.solve(delassus, b)?;
+        let forces = LeastNormHold::factor(delassus)?.forces(delassus, b)?;
         return Ok(LeastNormForces { forces, loads: None });
     }
     let hold = LeastNormHold::factor_unlike(problem, delassus)?;

@@ -21,8 +21,10 @@
 //! | [`impact::friction`] | [`SingleFrictionalImpact`], [`MultipleFrictionalImpact`]: slip, stick, reversal and jam |
 //! | [`mod@heuristic`], [`mod@guesses`] | [`heuristic()`] and [`guesses()`] of the thesis, which tell what they took for vanishing contacts |
 //! | [`mod@least_force`] | [`least_force()`]: the linear programme of the thesis |
+//! | `census` | with the feature of that name: which method answers each solve, and what the next would have given |
 //! | [`certificate`] | residual and error bound of any answer |
 //! | [`report`] | [`SolverReport`], [`SolverStatus`] |
+//! | [`method_set`] | [`MethodSet`]: which methods of a chain were tried |
 //! | [`settings`] | [`SolverSettings`] |
 //! | [`error`] | [`ResponseError`] |
 //!
@@ -78,6 +80,8 @@
 //! | or one at a time | strikes them in order | `impact/friction/sequence.rs` |
 //! | outcome | returns impulses, works, status and energy | `impact/friction/multiple_outcome.rs`, `impact/friction/outcome.rs` |
 
+#[cfg(feature = "census")]
+pub mod census;
 pub mod certificate;
 pub mod complementarity;
 pub mod delassus;
@@ -92,6 +96,7 @@ pub mod law;
 pub mod least_force;
 pub mod least_in_cones;
 pub mod least_norm_hold;
+pub mod method_set;
 pub mod minimum_norm;
 pub mod penalty;
 mod precise;
@@ -122,6 +127,7 @@ pub use law::{Law, Resistance};
 pub use least_force::{LeastForceSolution, LeastForceStage, least_force};
 pub use least_in_cones::least_forces_in_cones;
 pub use least_norm_hold::{LeastNormForces, LeastNormHold, least_norm_forces};
+pub use method_set::{ChainMethod, MethodSet};
 pub use minimum_norm::{MinimumNormForces, minimum_norm};
 pub use problem::{ContactProblem, RowEntries};
 pub use report::{Method, SolverReport, SolverStatus};

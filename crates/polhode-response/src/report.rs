@@ -1,5 +1,7 @@
 //! What a solver says about its own answer.
 
+use crate::method_set::{ChainMethod, MethodSet};
+
 /// How a solve ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum SolverStatus {
@@ -38,6 +40,12 @@ pub enum Method {
     ColdStart,
     /// The active set in twice the working precision: rows that nearly depend on each other, or squeeze bodies.
     PreciseActiveSet,
+    /// Tried only: the active set from all rows that close without forces. What it finds is told as of a cold start.
+    AllHeld,
+    /// Tried only: refinement in twice the working precision, at large mass ratios. What it refines keeps its method.
+    Refinement,
+    /// Tried only: all methods once more, with the rounding of the constant terms as noise.
+    RoundingAsNoise,
     /// Interior point, made exact by an active set.
     InteriorPointPolished,
     /// Interior point alone.
@@ -49,9 +57,48 @@ pub enum Method {
 }
 
 impl Method {
+    /// The name in words.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::ClosedForm => "closed-form",
+            Self::WarmStart => "warm-start",
+            Self::ActiveSet => "active-set",
+            Self::ColdStart => "cold-start",
+            Self::AllHeld => "all-held",
+            Self::PreciseActiveSet => "precise-active-set",
+            Self::InteriorPointPolished => "interior-point-polished",
+            Self::InteriorPoint => "interior-point",
+            Self::Refinement => "refinement",
+            Self::RoundingAsNoise => "rounding-as-noise",
+            Self::LinearProgramme => "linear-programme",
+            Self::Guesses => "guesses",
+        }
+    }
+
     /// Whether the first method tried did not succeed.
     pub fn is_fallback(self) -> bool {
         matches!(self, Self::ColdStart | Self::InteriorPointPolished | Self::InteriorPoint)
+    }
+}
+
+impl ChainMethod for Method {
+    const ALL: &'static [Self] = &[
+        Self::ClosedForm,
+        Self::WarmStart,
+        Self::ActiveSet,
+        Self::ColdStart,
+        Self::AllHeld,
+        Self::PreciseActiveSet,
+        Self::InteriorPointPolished,
+        Self::InteriorPoint,
+        Self::Refinement,
+        Self::RoundingAsNoise,
+        Self::LinearProgramme,
+        Self::Guesses,
+    ];
+
+    fn name(self) -> &'static str {
+        Self::name(self)
     }
 }
 
@@ -62,6 +109,8 @@ pub struct SolverReport {
     pub status: SolverStatus,
     /// Which method gave the answer.
     pub method: Method,
+    /// Which were tried.
+    pub tried: MethodSet<Method>,
     /// Pivots of the active set plus iterations of the interior point.
     pub iterations: usize,
     /// Natural map residual, relative, before rows that are held are set to exactly zero:
@@ -82,4 +131,24 @@ pub struct SolverReport {
     /// The residual that rounding of the terms of the problem alone leaves, where it is known (relative): large forces that cancel
     /// leave more. A solution to this is solved as exactly as its numbers allow.
     pub rounding: f64,
+}
+
+#[cfg(feature = "census")]
+impl SolverReport {
+    /// The method that answered, as the set of those tried names it; `noise_floor` is that of the settings.
+    pub(crate) fn answered_by(&self, noise_floor: f64) -> Method {
+        let has = |method| self.tried.contains(method);
+        if self.noise_floor > noise_floor {
+            return Method::RoundingAsNoise;
+        }
+        let is_decided = self.status != SolverStatus::Inaccurate;
+        if is_decided && has(Method::AllHeld) && !has(Method::InteriorPointPolished) {
+            return Method::AllHeld;
+        }
+        // After pivots the warm start is told as an active set.
+        match self.method {
+            Method::ActiveSet if !has(Method::ActiveSet) => Method::WarmStart,
+            method => method,
+        }
+    }
 }

@@ -18,6 +18,8 @@
 //! finite is refused. Where sliding makes the matrix singular or turns the sign of its determinant (Painleve), the forces
 //! are those of the equations all the same: whether they may act is for the caller to check.
 
+#[cfg(feature = "census")]
+use crate::census::{self, Chain, Size};
 use crate::delassus::Delassus;
 use crate::dense::householder::PivotedQr;
 use crate::dense::kernels::dot;
@@ -25,6 +27,8 @@ use crate::error::{ResponseError, check_finite, check_length};
 use crate::least_norm_hold::{ALIKE_MASSES, LeastNormForces, rounds};
 use crate::precise;
 use crate::problem::ContactProblem;
+#[cfg(feature = "census")]
+use crate::report::SolverStatus;
 use polhode_spatial::DoubleDouble;
 
 /// Columns below this fraction of the largest depend on the others (no unit): quadratic in distances, so
@@ -66,6 +70,7 @@ pub struct SlidingRow {
 ///
 /// # Errors
 /// When a row does not exist, or a number is not finite.
+#[cfg_attr(feature = "census", track_caller)]
 pub fn least_norm_sliding_forces(
     problem: &ContactProblem,
     delassus: &Delassus,
@@ -104,6 +109,12 @@ pub fn least_norm_sliding_forces(
     let mut forces: Vec<f64> = scaled.iter().zip(&scale).map(|(force, scale)| force * scale).collect();
     take_least(&factor, &scale, &mut forces);
     let ratio = problem.mass_ratio();
+    #[cfg(feature = "census")]
+    {
+        let size = Size { bodies: problem.bodies(), rows, cones: sliding.len() };
+        let method = if ratio > ALIKE_MASSES { "twice the precision" } else { "least norm" };
+        census::note_single(Chain::LeastNormSliding, size, method, SolverStatus::Solved, 0.0);
+    }
     if ratio > ALIKE_MASSES {
         return Ok(refined(problem, b, sliding, (&factor, &scale), (&forces, rounds(ratio))));
     }

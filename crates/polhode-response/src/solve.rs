@@ -53,6 +53,7 @@ pub struct Solution {
 ///
 /// # Errors
 /// When a list has another length than the problem has rows, a number is not finite, or a setting is out of range.
+#[cfg_attr(feature = "census", track_caller)]
 pub fn solve(
     problem: &ContactProblem,
     delassus: &Delassus,

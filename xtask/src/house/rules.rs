@@ -20,6 +20,10 @@ const JUDGED: [&str; 6] =
     ["polhode_contact", "polhode::contact", "polhode_mesh", "polhode::mesh", "polhode_response", "polhode::response"];
 const DATA: &str = "polhode::mesh::TriangleMesh";
 
+/// The one file of the core with a global: the table of `cargo xtask census`, which exists with the feature of that
+/// name alone.
+const CENSUS: &str = "crates/polhode-response/src/census/mod.rs";
+
 /// A rule about one source file at a time.
 #[derive(Debug)]
 pub(super) struct Rule {
@@ -124,6 +128,9 @@ fn outside_world(source: &RustSource) -> Vec<Violation> {
     let globals = ["thread_local!", "OnceLock", "LazyLock", "LazyCell"];
     let why = "the core does no input or output, reads no clock, starts no thread and has no global";
     let mut violations = forbidden_in_core(source, &modules, why);
+    if source.path() == CENSUS {
+        return violations;
+    }
     violations.extend(forbidden_in_core(source, &globals, why));
     if CORE.contains(&source.crate_name()) {
         // A lock in a value, as one around a cache, is no global; anything static is.

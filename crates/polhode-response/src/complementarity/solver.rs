@@ -3,6 +3,8 @@
 use super::active_set::{ActiveSet, NOISE_ALLOWED, Outcome, Problem};
 use super::rank::{Image, Motion, Rank};
 use super::{ContactSolution, WarmStart};
+#[cfg(feature = "census")]
+use crate::census::{self, Answer, Chain, Size};
 use crate::certificate::{
     DEPENDENT_ROUNDING, FACTOR_MARGIN, bilateral_residual, nan_max, power_bound, row_accelerations, row_residual,
     row_scales,
@@ -12,6 +14,7 @@ use crate::dense::kernels::{axpy, largest};
 use crate::dense::scalar::Scalar;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::interior_point;
+use crate::method_set::MethodSet;
 use crate::precise;
 use crate::problem::ContactProblem;
 use crate::report::{Method, SolverReport, SolverStatus};
@@ -51,6 +54,10 @@ pub struct ComplementaritySolver {
     guess: Vec<usize>,
     scales: Vec<f64>,
     matrix: Vec<f64>,
+    /// Which methods the search has tried.
+    tried: MethodSet<Method>,
+    /// Methods that are left out, to see what the others find.
+    skipped: MethodSet<Method>,
 }
 
 /// The active set in twice the precision, with its problem.
@@ -101,6 +108,7 @@ struct Candidate {
 ///
 /// # Errors
 /// See [`ComplementaritySolver::solve`].
+#[cfg_attr(feature = "census", track_caller)]
 pub fn solve_complementarity(
     problem: &ContactProblem,
     delassus: &Delassus,
@@ -136,6 +144,7 @@ impl ComplementaritySolver {
     ///
     /// # Errors
     /// When lengths differ, a number is not finite, or a setting is out of range.
+    #[cfg_attr(feature = "census", track_caller)]
     pub fn solve(
         &mut self,
         problem: &ContactProblem,
@@ -150,12 +159,16 @@ impl ComplementaritySolver {
         delassus.check_finite()?;
         self.settings.check()?;
         let bilateral = problem.bilateral_rows(None);
-        self.search(Data { problem, rows: None, bilateral: &bilateral, matrix: delassus.entries(), b }, warm_start);
+        let data = Data { problem, rows: None, bilateral: &bilateral, matrix: delassus.entries(), b };
+        self.search(data, warm_start);
+        #[cfg(feature = "census")]
+        self.counted(data, warm_start);
         Ok(&self.solution)
     }
 
     /// The problem of the given rows alone, as if the others were not there; the solution is in the order of `rows`.
     /// The caller has checked the data.
+    #[cfg_attr(feature = "census", track_caller)]
     pub(crate) fn solve_rows(
         &mut self,
         problem: &ContactProblem,
@@ -170,18 +183,63 @@ impl ComplementaritySolver {
             matrix.extend(rows.iter().map(|&column| line[column]));
         }
         let bilateral = problem.bilateral_rows(Some(rows));
-        self.search(Data { problem, rows: Some(rows), bilateral: &bilateral, matrix: &matrix, b }, None);
+        let data = Data { problem, rows: Some(rows), bilateral: &bilateral, matrix: &matrix, b };
+        self.search(data, None);
+        #[cfg(feature = "census")]
+        self.counted(data, None);
         self.matrix = matrix;
         &self.solution
+    }
+
+    /// Tells the census of a solve, and of what the next methods would have found.
+    #[cfg(feature = "census")]
+    #[track_caller]
+    fn counted(&self, data: Data<'_>, warm_start: Option<&WarmStart>) {
+        let answer = |solver: &Self| {
+            let report = &solver.solution.report;
+            let method = report.answered_by(solver.settings.noise_floor);
+            let answer = Answer {
+                method: method.name(),
+                tried: report.tried.iter().map(Method::name).collect(),
+                status: report.status,
+                residual: report.residual,
+                cost: report.iterations,
+                motion: solver.solution.residual_accelerations.clone(),
+            };
+            (answer, method)
+        };
+        let (first, _) = answer(self);
+        let again = |without: &[&str]| {
+            let skipped = MethodSet::of_names(without);
+            let mut other = Self { settings: self.settings, skipped, ..Self::default() };
+            other.search(data, warm_start);
+            let (found, method) = answer(&other);
+            let is_new = !skipped.contains(method) && found.tried.contains(&found.method);
+            is_new.then_some(found)
+        };
+        let size = Size { bodies: data.problem.bodies(), rows: data.b.len(), cones: 0 };
+        let text = || data.problem.text(data.rows, data.b);
+        census::note(Chain::ActiveSet, size, &first, self.settings.acceptance, again, text);
+    }
+
+    /// Notes that a method is tried; whether it is.
+    fn begins(&mut self, method: Method) -> bool {
+        let is_tried = !self.skipped.contains(method);
+        if is_tried {
+            self.tried.insert(method);
+        }
+        is_tried
     }
 
     /// Solves; where that does not succeed, once more with the rounding of the constant terms as noise: each of them is a
     /// sum of terms as large as the largest of all, and rows whose own terms vanish must not pass for bodies that are
     /// squeezed by a rounding.
     fn search(&mut self, data: Data<'_>, warm_start: Option<&WarmStart>) {
+        self.tried = MethodSet::default();
         self.try_methods(data, warm_start);
         let noise_floor = CONSTANT_ROUNDING * largest(data.b);
-        if self.solution.report.status == SolverStatus::Solved || noise_floor <= self.settings.noise_floor {
+        let is_solved = self.solution.report.status == SolverStatus::Solved;
+        if is_solved || noise_floor <= self.settings.noise_floor || !self.begins(Method::RoundingAsNoise) {
             return;
         }
         let (settings, unsolved) = (self.settings, self.solution.clone());
@@ -196,6 +254,7 @@ impl ComplementaritySolver {
             self.solution.report.noise_floor = noise_floor;
         } else {
             self.solution = unsolved;
+            self.solution.report.tried = self.tried;
         }
     }
 
@@ -205,6 +264,7 @@ impl ComplementaritySolver {
         self.best.rows.clear();
         self.best.squeeze.clear();
         if data.b.len() <= 1 {
+            self.begins(Method::ClosedForm);
             self.closed_form(data);
             return self.publish(data.b);
         }
@@ -214,9 +274,10 @@ impl ComplementaritySolver {
             }
             None => self.decide(data, &[], Method::ActiveSet),
         };
-        let decided = decided || self.decide_all_held(data);
+        let decided = decided || self.begins(Method::AllHeld) && self.decide_all_held(data);
         // The interior point knows contacts only.
-        if !decided && data.bilateral.is_empty() && self.settings.fallback == FallbackPolicy::InteriorPoint {
+        let may_relax = data.bilateral.is_empty() && self.settings.fallback == FallbackPolicy::InteriorPoint;
+        if !decided && may_relax && self.begins(Method::InteriorPointPolished) {
             self.interior_point(data);
         }
         self.refine_precisely(data);
@@ -231,6 +292,10 @@ impl ComplementaritySolver {
     /// The active set in working precision and, where that does not do, in twice the precision. Whether there is an
     /// answer that is accepted, or a proof that there is none.
     fn decide(&mut self, data: Data<'_>, start: &[usize], method: Method) -> bool {
+        self.begins(method) && self.decide_from(data, start, method)
+    }
+
+    fn decide_from(&mut self, data: Data<'_>, start: &[usize], method: Method) -> bool {
         match self.attempt(data, start, method) {
             Outcome::Accepted => true,
             Outcome::PivotLimit => self.attempt_precisely(data, start),
@@ -247,7 +312,7 @@ impl ComplementaritySolver {
         let mut guess = std::mem::take(&mut self.guess);
         guess.clear();
         guess.extend((0..data.b.len()).filter(|&row| data.b[row] <= 0.0));
-        let decided = self.decide(data, &guess, Method::ColdStart);
+        let decided = self.decide_from(data, &guess, Method::ColdStart);
         self.guess = guess;
         decided
     }
@@ -312,6 +377,9 @@ impl ComplementaritySolver {
 
     /// One run of the active set in twice the precision. Whether it decides.
     fn attempt_precisely(&mut self, data: Data<'_>, start: &[usize]) -> bool {
+        if !self.begins(Method::PreciseActiveSet) {
+            return false;
+        }
         let mut precise = std::mem::take(&mut self.precise);
         precise::delassus(data.problem, &data.all_rows(), &mut precise.matrix);
         precise.constant.clear();
@@ -368,6 +436,7 @@ impl ComplementaritySolver {
             self.best.report.method = Method::InteriorPointPolished;
             return;
         }
+        self.tried.insert(Method::InteriorPoint);
         let mut w = vec![0.0; b.len()];
         row_accelerations(matrix, b, &answer.forces, &mut w);
         let mut report = SolverReport {
@@ -392,7 +461,7 @@ impl ComplementaritySolver {
         let in_memory = report.status == SolverStatus::Solved
             && report.method != Method::PreciseActiveSet
             && self.best.rows == self.active_set.rows();
-        if !in_memory || !self.active_set.wants_precision(matrix) {
+        if !in_memory || !self.active_set.wants_precision(matrix) || !self.begins(Method::Refinement) {
             return;
         }
         let all = data.all_rows();
@@ -501,7 +570,7 @@ impl ComplementaritySolver {
 
     /// Turns the best answer into the solution: held rows get `w = 0` exactly.
     fn publish(&mut self, b: &[f64]) {
-        let Self { solution, best, settings, .. } = self;
+        let Self { solution, best, settings, tried, .. } = self;
         let size = b.len();
         if best.forces.len() != size || best.forces.iter().chain(&best.w).any(|value| !value.is_finite()) {
             // Overflow on the way: no answer at all, said by the status and a residual that is not finite.
@@ -531,6 +600,6 @@ impl ComplementaritySolver {
             }
         }
         solution.warm_start.rows.clone_from(&best.rows);
-        solution.report = SolverReport { noise_floor: settings.noise_floor, ..best.report };
+        solution.report = SolverReport { noise_floor: settings.noise_floor, tried: *tried, ..best.report };
     }
 }

@@ -16,6 +16,7 @@ impl ComplementaritySolver {
     ///
     /// # Errors
     /// Those of [`solve`](Self::solve).
+    #[cfg_attr(feature = "census", track_caller)]
     pub fn solve_with_forest(
         &mut self,
         problem: &ContactProblem,

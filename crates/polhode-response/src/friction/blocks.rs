@@ -170,7 +170,10 @@ impl Blocks {
             scales: self.scales().collect(),
         };
         let rows = delassus.rows().map(behind);
-        Ok(FrictionProblem::new(self.laws.clone(), matrix, self.velocities_in_blocks(constants))?.with_rows(rows))
+        let problem = FrictionProblem::new(self.laws.clone(), matrix, self.velocities_in_blocks(constants))?;
+        #[cfg(feature = "census")]
+        let problem = problem.with_origin(delassus.origin().map(behind));
+        Ok(problem.with_rows(rows))
     }
 
     /// Reactions in the order of the blocks, put into that of the problem; rows without a block have zero.
@@ -217,6 +220,7 @@ impl Blocks {
     ///
     /// # Errors
     /// Those of [`problem`](Self::problem) and [`solve_friction`].
+    #[cfg_attr(feature = "census", track_caller)]
     pub fn solve(
         &self,
         delassus: &Delassus,
@@ -234,14 +238,10 @@ impl Blocks {
     }
 
     fn solution(&self, solved: FrictionSolution) -> BlocksSolution {
-        let method = match solved.report.method {
-            FrictionMethod::WarmNewton => Method::WarmStart,
-            FrictionMethod::GaussSeidel | FrictionMethod::Newton => Method::ActiveSet,
-            _ => Method::ColdStart,
-        };
         let report = SolverReport {
             status: solved.report.status,
-            method,
+            method: in_general(solved.report.method),
+            tried: solved.report.tried.iter().map(in_general).collect(),
             iterations: solved.report.iterations(),
             residual: solved.report.residual,
             rounding: solved.report.rounding,
@@ -254,5 +254,14 @@ impl Blocks {
             parts: solved.parts,
             report,
         }
+    }
+}
+
+/// A method of friction in the words of all problems.
+const fn in_general(method: FrictionMethod) -> Method {
+    match method {
+        FrictionMethod::WarmNewton => Method::WarmStart,
+        FrictionMethod::GaussSeidel | FrictionMethod::Newton | FrictionMethod::NewtonFromZero => Method::ActiveSet,
+        _ => Method::ColdStart,
     }
 }

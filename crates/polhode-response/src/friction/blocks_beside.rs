@@ -41,6 +41,7 @@ impl Blocks {
     ///
     /// # Errors
     /// Those of [`HeldForest::with_others`].
+    #[cfg_attr(feature = "census", track_caller)]
     pub fn with_forest(
         &self,
         (problem, forest): (&ContactProblem, &HeldForest),

@@ -20,12 +20,16 @@
 //! it bears when it is disturbed (Livesley 1978). Rolling and spinning friction are left out, contacts that slide too.
 //! Failure: none where no forces balance the loads, or the interior point finds none.
 
+#[cfg(feature = "census")]
+use crate::census::{self, Chain, Size};
 use crate::dense::kernels::largest;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::blocks::Blocks;
 use crate::interior_point::{ConeProgramme, ConeRows, least_cost};
 use crate::law::Law;
 use crate::problem::ContactProblem;
+#[cfg(feature = "census")]
+use crate::report::SolverStatus;
 
 /// Contacts that bear less than this part of the forces on the lighter loaded of their bodies bear nothing (no unit, 1e-9 to
 /// 1e-6): the tolerance of the interior point.
@@ -117,6 +121,7 @@ impl<'a> Structure<'a> {
     ///
     /// # Errors
     /// When `live` has another length, or a number is not finite.
+    #[cfg_attr(feature = "census", track_caller)]
     pub fn load_limit(&self, live: &[f64]) -> Result<Option<Limit>, ResponseError> {
         check_length("loads", self.free.len(), live.len())?;
         check_finite("loads", live)?;
@@ -124,7 +129,10 @@ impl<'a> Structure<'a> {
         // The load is bounded, so that there is a largest one.
         let load = self.units.len();
         programme.push(ConeRows::Nonnegative(1), &[(load, -1.0)], MOST_FACTOR);
-        Ok(self.solved(&programme, -1.0).map(|solved| self.limit(solved.last, &solved)))
+        let found = self.solved(&programme, -1.0).map(|solved| self.limit(solved.last, &solved));
+        #[cfg(feature = "census")]
+        self.counted("load limit", found.is_some());
+        Ok(found)
     }
 
     /// The least part of the coefficients of friction with which it stands, above 1 where they are too small, up to
@@ -132,23 +140,40 @@ impl<'a> Structure<'a> {
     ///
     /// # Errors
     /// None so far.
+    #[cfg_attr(feature = "census", track_caller)]
     pub fn friction_limit(&self) -> Result<Option<Limit>, ResponseError> {
-        let Some(without) = self.missed(0.0) else { return Ok(None) };
+        let found = self.least_friction();
+        #[cfg(feature = "census")]
+        self.counted("friction limit", found.is_some());
+        Ok(found)
+    }
+
+    /// Tells the census of a limit that was sought.
+    #[cfg(feature = "census")]
+    #[track_caller]
+    fn counted(&self, what: &'static str, is_found: bool) {
+        let size = Size { bodies: self.problem.bodies(), rows: self.problem.len(), cones: self.blocks.len() };
+        let status = if is_found { SolverStatus::Solved } else { SolverStatus::Infeasible };
+        census::note_single(Chain::Limit, size, what, status, 0.0);
+    }
+
+    fn least_friction(&self) -> Option<Limit> {
+        let without = self.missed(0.0)?;
         if without.last <= MISSED_CONE {
             let mechanism = vec![0.0; self.free.len()];
-            return Ok(Some(Limit { mechanism, ..self.limit(0.0, &without) }));
+            return Some(Limit { mechanism, ..self.limit(0.0, &without) });
         }
         let mut search = Search { below: (0.0, without), above: None, is_slow: false };
         for _ in 0..MOST_PROGRAMMES {
             let Some(tried) = search.next() else { break };
             if tried > MOST_FACTOR {
-                return Ok(None);
+                return None;
             }
-            let Some(found) = self.missed(tried) else { return Ok(None) };
+            let found = self.missed(tried)?;
             search.take(tried, found);
         }
-        let Search { below: (_, misses), above: Some((factor, found)), .. } = search else { return Ok(None) };
-        Ok(Some(Limit { mechanism: self.mechanism(&misses), ..self.limit(factor, &found) }))
+        let Search { below: (_, misses), above: Some((factor, found)), .. } = search else { return None };
+        Some(Limit { mechanism: self.mechanism(&misses), ..self.limit(factor, &found) })
     }
 
     /// What misses the cones of this part of friction.

@@ -34,6 +34,9 @@ pub struct FrictionProblem {
     inverse_masses: Vec<f64>,
     /// The rows of the bodies behind it, where they are known and many.
     rows_behind: Option<RowsBehind>,
+    /// The same, however few.
+    #[cfg(feature = "census")]
+    origin: Option<RowsBehind>,
 }
 
 impl FrictionProblem {
@@ -79,12 +82,32 @@ impl FrictionProblem {
             if normal > 0.0 { normal } else { least }
         };
         let inverse_masses = (0..matrix.len()).map(inverse_mass).collect();
-        Ok(Self { matrix, constant, blocks, inverse_masses, rows_behind: None })
+        Ok(Self {
+            matrix,
+            constant,
+            blocks,
+            inverse_masses,
+            rows_behind: None,
+            #[cfg(feature = "census")]
+            origin: None,
+        })
     }
 
     /// The same problem, the rows of whose bodies are known.
     pub(crate) fn with_rows(self, rows: Option<RowsBehind>) -> Self {
         Self { rows_behind: rows, ..self }
+    }
+
+    /// The same problem, that knows where it comes from.
+    #[cfg(feature = "census")]
+    pub(crate) fn with_origin(self, origin: Option<RowsBehind>) -> Self {
+        Self { origin, ..self }
+    }
+
+    /// The rows of bodies that it comes from.
+    #[cfg(feature = "census")]
+    pub(crate) fn origin(&self) -> Option<&RowsBehind> {
+        self.origin.as_ref()
     }
 
     /// The rows of the bodies behind it.

@@ -1,6 +1,7 @@
 //! What comes out of a frictional contact problem.
 
 use crate::friction::linearisation::ContactStatus;
+use crate::method_set::{ChainMethod, MethodSet};
 use crate::report::SolverStatus;
 
 /// Which method gave the answer.
@@ -14,10 +15,14 @@ pub enum FrictionMethod {
     WarmNewton,
     /// Newton's method from some sweeps of block Gauss-Seidel.
     Newton,
+    /// Newton's method from zero, after that.
+    NewtonFromZero,
     /// Newton's method for contacts that yield a little around the last answer, until there is nothing left to yield to.
     ProximalNewton,
     /// Newton's method without damping, with the least of all steps where contacts are redundant.
     LeastNormNewton,
+    /// The same from zero, after other cold starts.
+    LeastNormFromZero,
     /// Newton's method once more, with damping that gives way: large mass ratios.
     YieldingNewton,
     /// Newton's method from a convex cone programme.
@@ -33,8 +38,10 @@ impl FrictionMethod {
             Self::GaussSeidel => "gauss-seidel",
             Self::WarmNewton => "warm-newton",
             Self::Newton => "newton",
+            Self::NewtonFromZero => "newton-from-zero",
             Self::ProximalNewton => "proximal-newton",
             Self::LeastNormNewton => "least-norm-newton",
+            Self::LeastNormFromZero => "least-norm-from-zero",
             Self::YieldingNewton => "yielding-newton",
             Self::ConeProgrammeNewton => "cone-programme-newton",
             Self::GaussSeidelNewton => "gauss-seidel-newton",
@@ -47,6 +54,25 @@ impl FrictionMethod {
     }
 }
 
+impl ChainMethod for FrictionMethod {
+    const ALL: &'static [Self] = &[
+        Self::WarmNewton,
+        Self::GaussSeidel,
+        Self::ProximalNewton,
+        Self::LeastNormNewton,
+        Self::Newton,
+        Self::NewtonFromZero,
+        Self::LeastNormFromZero,
+        Self::YieldingNewton,
+        Self::ConeProgrammeNewton,
+        Self::GaussSeidelNewton,
+    ];
+
+    fn name(self) -> &'static str {
+        Self::name(self)
+    }
+}
+
 /// The certificate of one solve.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
@@ -55,6 +81,8 @@ pub struct FrictionReport {
     pub status: SolverStatus,
     /// Which method gave the answer.
     pub method: FrictionMethod,
+    /// Which were tried.
+    pub tried: MethodSet<FrictionMethod>,
     /// Steps of Newton's method, of all starts.
     pub newton_steps: usize,
     /// Sweeps of block Gauss-Seidel.

@@ -4,6 +4,8 @@
 //! zero; the same with steps of least norm; the convex cone programme and Newton's method; many sweeps and Newton's method.
 //! What is best of all is returned, with its residual and what became of it.
 
+#[cfg(feature = "census")]
+use crate::census::{self, Answer, Chain, Size};
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::cone_programme::LiftedForm;
 use crate::friction::coulomb_cone::{project, put_parts_into_discs, rows_of};
@@ -13,6 +15,7 @@ use crate::friction::problem::FrictionProblem;
 use crate::friction::settings::{FrictionSettings, Redundancy};
 use crate::friction::solution::{FrictionMethod, FrictionReport, FrictionSolution};
 use crate::law::Law;
+use crate::method_set::MethodSet;
 use crate::report::SolverStatus;
 use crate::settings::FallbackPolicy;
 
@@ -50,6 +53,7 @@ const SWEEPS_BETWEEN: u32 = 50;
 ///
 /// # Errors
 /// When the start has another length or a number that is not finite, or a setting is out of range.
+#[cfg_attr(feature = "census", track_caller)]
 pub fn solve_friction(
     problem: &FrictionProblem,
     start: Option<&[f64]>,
@@ -60,9 +64,23 @@ pub fn solve_friction(
         check_length("start", problem.rows(), start.len())?;
         check_finite("start", start)?;
     }
+    let solution = solve_without(MethodSet::default(), problem, start, settings);
+    #[cfg(feature = "census")]
+    counted(problem, start, settings, &solution);
+    Ok(solution)
+}
+
+/// The answer of the chain without some of its methods.
+fn solve_without(
+    skipped: MethodSet<FrictionMethod>,
+    problem: &FrictionProblem,
+    start: Option<&[f64]>,
+    settings: &FrictionSettings,
+) -> FrictionSolution {
     let mut solver = Solver {
         problem,
         settings,
+        skipped,
         newton: Newton::new(problem),
         gauss_seidel: GaussSeidel::new(problem),
         best: Iterate::default(),
@@ -70,7 +88,36 @@ pub fn solve_friction(
         report: FrictionReport::default(),
     };
     solver.run(start);
-    Ok(solver.finish())
+    solver.finish()
+}
+
+/// Tells the census of a solve, and of what the next methods would have found.
+#[cfg(feature = "census")]
+#[track_caller]
+fn counted(problem: &FrictionProblem, start: Option<&[f64]>, settings: &FrictionSettings, solution: &FrictionSolution) {
+    let answer = |solution: &FrictionSolution| {
+        let report = &solution.report;
+        let is_zero = report.method == FrictionMethod::GaussSeidel && !report.tried.contains(report.method);
+        Answer {
+            method: if is_zero { "none needed" } else { report.method.name() },
+            tried: report.tried.iter().map(FrictionMethod::name).collect(),
+            status: report.status,
+            residual: report.residual,
+            cost: report.iterations(),
+            motion: solution.velocities.clone(),
+        }
+    };
+    let again = |without: &[&str]| {
+        let other = solve_without(MethodSet::of_names(without), problem, start, settings);
+        // Nothing but zero is left, or no method at all.
+        other.report.tried.contains(other.report.method).then(|| answer(&other))
+    };
+    let size = Size {
+        bodies: 0,
+        rows: problem.rows(),
+        cones: problem.blocks().iter().filter(|law| law.has_friction()).count(),
+    };
+    census::note(Chain::Friction, size, &answer(solution), settings.tolerance, again, || problem.text(start));
 }
 
 /// The methods with the best answer so far.
@@ -78,6 +125,8 @@ pub fn solve_friction(
 struct Solver<'a> {
     problem: &'a FrictionProblem,
     settings: &'a FrictionSettings,
+    /// Methods that are left out, to see what the others find.
+    skipped: MethodSet<FrictionMethod>,
     newton: Newton<'a>,
     gauss_seidel: GaussSeidel,
     best: Iterate,
@@ -97,12 +146,12 @@ impl Solver<'_> {
             return;
         }
         let began_at_zero = start.is_some_and(|start| start.iter().all(|reaction| *reaction == 0.0));
-        if !began_at_zero && self.newton_from(vec![0.0; self.problem.rows()], FrictionMethod::Newton) {
+        if !began_at_zero && self.newton_from(vec![0.0; self.problem.rows()], FrictionMethod::NewtonFromZero) {
             return;
         }
         if self.problem.rows() <= MOST_DENSE_ROWS
             && !self.is_accepted()
-            && self.newton_from(vec![0.0; self.problem.rows()], FrictionMethod::LeastNormNewton)
+            && self.newton_from(vec![0.0; self.problem.rows()], FrictionMethod::LeastNormFromZero)
         {
             return;
         }
@@ -112,6 +161,9 @@ impl Solver<'_> {
         }
         let zero = vec![0.0; self.problem.rows()];
         if self.newton_from(zero, FrictionMethod::YieldingNewton) || self.cone_programme() {
+            return;
+        }
+        if !self.begins(FrictionMethod::GaussSeidelNewton) {
             return;
         }
         let mut reactions = self.best.reactions.clone();
@@ -129,6 +181,7 @@ impl Solver<'_> {
     /// Newton's method from reactions of a similar problem, or from zero. Nothing here depends on the order of the contacts: where
     /// they are redundant, alike ones share a load alike. Whether the tolerance is reached, or what is accepted.
     fn warm_newton(&mut self, start: &[f64]) -> bool {
+        self.begins(FrictionMethod::WarmNewton);
         let iterate = self.iterate(start.to_vec());
         if self.keep(iterate, FrictionMethod::WarmNewton) || (self.problem.len() == 1 && self.one_sweep()) {
             return true;
@@ -152,6 +205,9 @@ impl Solver<'_> {
     /// leaves some [`YIELDING`] of the residual, and moves no reaction along the curve. Source: Rockafellar 1976. Whether the
     /// tolerance is reached.
     fn proximal_newton(&mut self, start: &[f64]) -> bool {
+        if !self.begins(FrictionMethod::ProximalNewton) {
+            return false;
+        }
         let mut around = vec![0.0; start.len()];
         let mut reactions = start.to_vec();
         let mut before = f64::INFINITY;
@@ -180,6 +236,9 @@ impl Solver<'_> {
 
     /// One sweep from zero: it solves a contact on its own, and those that do not move each other.
     fn one_sweep(&mut self) -> bool {
+        if !self.begins(FrictionMethod::GaussSeidel) {
+            return false;
+        }
         let mut reactions = vec![0.0; self.problem.rows()];
         self.sweep(&mut reactions, 1);
         let iterate = self.iterate(reactions);
@@ -204,6 +263,9 @@ impl Solver<'_> {
     /// The convex programme with the correction of its last answer, and Newton's method from each. Whether the tolerance is
     /// reached, or it is proven that there is no solution.
     fn cone_programme(&mut self) -> bool {
+        if !self.begins(FrictionMethod::ConeProgrammeNewton) {
+            return false;
+        }
         let Some(lifted) = LiftedForm::of(self.problem) else { return false };
         if !self.is_accepted()
             && let Some(squeeze) = lifted.squeeze()
@@ -232,10 +294,22 @@ impl Solver<'_> {
 
     /// Newton's method; whether the tolerance is reached.
     fn newton_from(&mut self, reactions: Vec<f64>, method: FrictionMethod) -> bool {
+        if !self.begins(method) {
+            return false;
+        }
         let mut iterate = self.iterate(reactions);
         let limits = self.limits(method);
         self.report.newton_steps += self.newton.run(&mut iterate, limits);
         self.keep(iterate, method)
+    }
+
+    /// Notes that a method is tried; whether it is.
+    fn begins(&mut self, method: FrictionMethod) -> bool {
+        let is_tried = !self.skipped.contains(method);
+        if is_tried {
+            self.report.tried.insert(method);
+        }
+        is_tried
     }
 
     fn is_accepted(&self) -> bool {
@@ -245,12 +319,12 @@ impl Solver<'_> {
     fn limits(&self, method: FrictionMethod) -> NewtonLimits {
         let FrictionSettings { tolerance, acceptance, newton_steps, .. } = *self.settings;
         let damping = match method {
-            FrictionMethod::Newton => Damping::SETTLING,
+            FrictionMethod::Newton | FrictionMethod::NewtonFromZero => Damping::SETTLING,
             _ if method.is_fallback() => Damping::YIELDING,
             _ => Damping::STEADY,
         };
         let steps = match method {
-            FrictionMethod::LeastNormNewton => NewtonSteps::LeastNorm,
+            FrictionMethod::LeastNormNewton | FrictionMethod::LeastNormFromZero => NewtonSteps::LeastNorm,
             _ => NewtonSteps::Damped(damping),
         };
         NewtonLimits { most: newton_steps as usize, tolerance, acceptance, steps }
@@ -265,7 +339,8 @@ impl Solver<'_> {
 
     /// Keeps an answer if it is the best; whether the tolerance is reached.
     fn keep(&mut self, iterate: Iterate, method: FrictionMethod) -> bool {
-        if iterate.residual < self.best.residual || self.best.residual.is_nan() {
+        let is_better = iterate.residual < self.best.residual || self.best.residual.is_nan();
+        if is_better && !self.skipped.contains(method) {
             self.best = iterate;
             self.report.method = method;
         }

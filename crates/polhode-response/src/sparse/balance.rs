@@ -13,10 +13,14 @@
 //!
 //! Failure: forces that bear nothing where they would have to leave a rest, which is told.
 
+#[cfg(feature = "census")]
+use crate::census::{self, Chain, Size};
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::Blocks;
 use crate::law::{Law, MOST_ROWS};
 use crate::problem::ContactProblem;
+#[cfg(feature = "census")]
+use crate::report::SolverStatus;
 use crate::sparse::block6::{Vector6, WIDTH};
 use crate::sparse::elimination::Elimination;
 use crate::sparse::from_blocks::Converted;
@@ -62,6 +66,7 @@ impl Blocks {
     ///
     /// # Errors
     /// When a length differs, a number is not finite, a row does not exist, or as [`Blocks::solve_in_bodies`].
+    #[cfg_attr(feature = "census", track_caller)]
     pub fn balance_in_bodies(
         &self,
         problem: &ContactProblem,
@@ -75,6 +80,12 @@ impl Blocks {
         let of_rows = self.rows().iter().map(|&row| forces.get(row).copied().unwrap_or(0.0));
         let mut found: Vec<f64> = of_rows.zip(self.scales()).map(|(force, scale)| force / scale).collect();
         let left = balance(&bodies, &mut found);
+        #[cfg(feature = "census")]
+        {
+            let size = Size { bodies: problem.bodies(), rows: problem.len(), cones: self.len() };
+            let status = if left <= BALANCED { SolverStatus::Solved } else { SolverStatus::Inaccurate };
+            census::note_single(Chain::Limit, size, "balance", status, left);
+        }
         let mut in_rows = self.reactions_in_rows(&found);
         in_rows.resize(problem.len(), 0.0);
         Ok(BalancedForces { forces: in_rows, left })

@@ -10,11 +10,15 @@
 //!
 //! The forces of the trees follow from those of the others; what rounding leaves of `J v + C f + b` is solved for once more.
 
+#[cfg(feature = "census")]
+use crate::census::{self, Chain, Size};
 use crate::certificate::nan_max;
 use crate::delassus::Delassus;
 use crate::dense::kernels::dot;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::problem::ContactProblem;
+#[cfg(feature = "census")]
+use crate::report::SolverStatus;
 use crate::sparse::forest_passes::ForestPasses;
 use crate::sparse::held_forest::HeldForest;
 
@@ -110,7 +114,7 @@ impl HeldForest {
     /// # Errors
     /// When `constants` has not one finite number for each row.
     pub fn constants_beside(&self, problem: &ContactProblem, constants: &[f64]) -> Result<Vec<f64>, ResponseError> {
-        let held = self.with_others(problem, constants, &vec![0.0; self.others().len()])?;
+        let held = self.found(problem, constants, &vec![0.0; self.others().len()])?;
         Ok(self.others().iter().map(|&row| held.rates[row]).collect())
     }
 
@@ -118,7 +122,23 @@ impl HeldForest {
     ///
     /// # Errors
     /// When `constants` has not one finite number for each row, or `of_others` not one for each row beside the trees.
+    #[cfg_attr(feature = "census", track_caller)]
     pub fn with_others(
+        &self,
+        problem: &ContactProblem,
+        constants: &[f64],
+        of_others: &[f64],
+    ) -> Result<ForestSolution, ResponseError> {
+        let found = self.found(problem, constants, of_others)?;
+        #[cfg(feature = "census")]
+        {
+            let size = Size { bodies: problem.bodies(), rows: problem.len(), cones: 0 };
+            census::note_single(Chain::Forest, size, "passes", SolverStatus::Solved, found.residual);
+        }
+        Ok(found)
+    }
+
+    fn found(
         &self,
         problem: &ContactProblem,
         constants: &[f64],

@@ -54,6 +54,7 @@ impl Blocks {
     ///
     /// # Errors
     /// See the top of the module; when a length differs, a row does not exist, or a number is not finite.
+    #[cfg_attr(feature = "census", track_caller)]
     pub fn solve_in_bodies(
         &self,
         problem: &ContactProblem,
@@ -79,6 +80,7 @@ impl Blocks {
     }
 
     /// The same with rows, statuses and parts in the order of the blocks.
+    #[cfg_attr(feature = "census", track_caller)]
     fn solved_in_bodies(
         &self,
         problem: &ContactProblem,
@@ -139,6 +141,7 @@ impl Blocks {
 ///
 /// # Errors
 /// See the top of the module.
+#[cfg_attr(feature = "census", track_caller)]
 pub(crate) fn solve_behind(
     (laws, behind): (&[Law], &RowsBehind),
     constants: &[f64],
@@ -262,20 +265,28 @@ fn masses_of(problem: &ContactProblem) -> Result<Vec<BodyMass>, ResponseError> {
 }
 
 fn report_of(report: &BodyReport) -> SolverReport {
-    let method = match report.method {
-        BodyMethod::Start | BodyMethod::Warm => Method::WarmStart,
-        BodyMethod::Newton => Method::ActiveSet,
-        BodyMethod::InteriorPoint => Method::InteriorPoint,
-        BodyMethod::Smoothing | BodyMethod::Compliance | BodyMethod::Sweeps | BodyMethod::Lagrangian => {
-            Method::ColdStart
-        }
-    };
     SolverReport {
         status: report.status,
-        method,
+        method: in_general(report.method),
+        tried: report.tried.iter().map(in_general).collect(),
         iterations: report.factorisations,
         // What is told is what decides whether the problem is solved.
         residual: report.rank,
         ..SolverReport::default()
+    }
+}
+
+/// A method in the velocities of bodies in the words of all problems.
+const fn in_general(method: BodyMethod) -> Method {
+    match method {
+        BodyMethod::Start | BodyMethod::Warm => Method::WarmStart,
+        BodyMethod::Newton | BodyMethod::LastNewton => Method::ActiveSet,
+        BodyMethod::InteriorPoint => Method::InteriorPoint,
+        BodyMethod::Smoothing
+        | BodyMethod::Compliance
+        | BodyMethod::FarCompliance
+        | BodyMethod::Sweeps
+        | BodyMethod::FurtherSweeps
+        | BodyMethod::Lagrangian => Method::ColdStart,
     }
 }

@@ -1,6 +1,7 @@
 //! What comes out of a problem in the velocities of bodies.
 
 use crate::friction::ContactStatus;
+use crate::method_set::{ChainMethod, MethodSet};
 use crate::report::SolverStatus;
 
 /// Which method gave the answer.
@@ -24,6 +25,12 @@ pub enum BodyMethod {
     Sweeps,
     /// The augmented Lagrangian of a problem without friction.
     Lagrangian,
+    /// As a stage only: further rounds of sweeps.
+    FurtherSweeps,
+    /// As a stage only: the path of compliance from no reactions.
+    FarCompliance,
+    /// As a stage only: Newton's method from the best answer, at the end.
+    LastNewton,
 }
 
 impl BodyMethod {
@@ -38,7 +45,30 @@ impl BodyMethod {
             Self::Compliance => "compliance-path",
             Self::Sweeps => "sweeps",
             Self::Lagrangian => "augmented-lagrangian",
+            Self::FurtherSweeps => "further-sweeps",
+            Self::FarCompliance => "far-compliance-path",
+            Self::LastNewton => "last-newton",
         }
+    }
+}
+
+impl ChainMethod for BodyMethod {
+    const ALL: &'static [Self] = &[
+        Self::Start,
+        Self::Warm,
+        Self::Sweeps,
+        Self::Lagrangian,
+        Self::InteriorPoint,
+        Self::Newton,
+        Self::FurtherSweeps,
+        Self::Compliance,
+        Self::Smoothing,
+        Self::FarCompliance,
+        Self::LastNewton,
+    ];
+
+    fn name(self) -> &'static str {
+        Self::name(self)
     }
 }
 
@@ -50,6 +80,10 @@ pub struct BodyReport {
     pub status: SolverStatus,
     /// Which method gave the answer.
     pub method: BodyMethod,
+    /// The stage of the chain that gave it: Newton's method ends several of them.
+    pub stage: BodyMethod,
+    /// Which stages were tried.
+    pub tried: MethodSet<BodyMethod>,
     /// Natural map in units of impulse, per unit of the largest reaction: see the module's text.
     pub residual: f64,
     /// Natural map in units of velocity, balanced by the load of each contact, per unit of the largest velocity without

@@ -7,7 +7,10 @@
 //! where that turns back, smoothing Newton with Newton's method, and the path from no reactions at all. The best of all is
 //! returned, with its residual and what became of it.
 
+#[cfg(feature = "census")]
+use crate::census::{self, Answer, Size};
 use crate::error::{ResponseError, check_finite, check_length};
+use crate::method_set::MethodSet;
 use crate::report::SolverStatus;
 use crate::sparse::augmented_lagrangian::AugmentedLagrangian;
 use crate::sparse::compliance_path::{CompliancePath, PathLimits};
@@ -94,6 +97,7 @@ impl BodySolver {
     ///
     /// # Errors
     /// When the start has another length or a number that is not finite, or a setting is out of range.
+    #[cfg_attr(feature = "census", track_caller)]
     pub fn solve(
         &mut self,
         problem: &BodyProblem,
@@ -105,6 +109,20 @@ impl BodySolver {
             check_length("start", problem.rows(), start.len())?;
             check_finite("start", start)?;
         }
+        let solution = self.solve_without(MethodSet::default(), problem, start, settings);
+        #[cfg(feature = "census")]
+        self.counted(problem, start, settings, &solution);
+        Ok(solution)
+    }
+
+    /// The answer of the chain without some of its stages.
+    fn solve_without(
+        &mut self,
+        skipped: MethodSet<BodyMethod>,
+        problem: &BodyProblem,
+        start: Option<&[f64]>,
+        settings: &BodySettings,
+    ) -> BodySolution {
         let report = BodyReport { kept_elimination: self.elimination.fits(problem), ..BodyReport::default() };
         if !report.kept_elimination {
             self.elimination = Elimination::of(problem);
@@ -114,15 +132,42 @@ impl BodySolver {
         let mut chain = Chain {
             problem,
             settings,
+            skipped,
             measure: &measure,
             elimination: &self.elimination,
             newton: BodyNewton::new(problem, &self.elimination, &measure),
             system: &mut self.system,
             best: Iterate::default(),
+            stage: BodyMethod::Start,
             report,
         };
         chain.run(start);
-        Ok(chain.finish())
+        chain.finish()
+    }
+
+    /// Tells the census of a solve, and of what the next stages would have found.
+    #[cfg(feature = "census")]
+    #[track_caller]
+    fn counted(&self, problem: &BodyProblem, start: Option<&[f64]>, settings: &BodySettings, solution: &BodySolution) {
+        let answer = |solution: &BodySolution| {
+            let report = &solution.report;
+            Answer {
+                method: report.stage.name(),
+                tried: report.tried.iter().map(BodyMethod::name).collect(),
+                status: report.status,
+                residual: report.rank,
+                cost: report.factorisations,
+                motion: solution.rates.clone(),
+            }
+        };
+        let mut solver = Self { elimination: self.elimination.clone(), system: BodySystem::default() };
+        let again = |without: &[&str]| {
+            let other = solver.solve_without(MethodSet::of_names(without), problem, start, settings);
+            other.report.tried.contains(other.report.stage).then(|| answer(&other))
+        };
+        let cones = problem.blocks.iter().filter(|block| block.law.has_friction()).count();
+        let size = Size { bodies: problem.movable_bodies(), rows: problem.rows(), cones };
+        census::note(census::Chain::Bodies, size, &answer(solution), settings.tolerance, again, || problem.text(start));
     }
 
     /// The elimination of the last problem.
@@ -145,11 +190,15 @@ struct Swept {
 struct Chain<'a> {
     problem: &'a BodyProblem,
     settings: &'a BodySettings,
+    /// Stages that are left out, to see what the others find.
+    skipped: MethodSet<BodyMethod>,
     measure: &'a Measure,
     elimination: &'a Elimination,
     newton: BodyNewton<'a>,
     system: &'a mut BodySystem,
     best: Iterate,
+    /// The stage that runs.
+    stage: BodyMethod,
     report: BodyReport,
 }
 
@@ -160,7 +209,9 @@ impl Chain<'_> {
             return;
         }
         let without = self.best.clone();
-        if let Some(start) = start {
+        if let Some(start) = start
+            && self.begins(BodyMethod::Warm)
+        {
             let mut warm = Iterate::default();
             warm.take(self.problem, self.measure, start);
             self.best.keep(&warm);
@@ -184,6 +235,9 @@ impl Chain<'_> {
     /// A first round of sweeps, where they are asked for and no block resists rotations: about the size of the answer.
     fn sweep(&mut self, start: Option<&[f64]>) -> Option<Swept> {
         let sweeps = Sweeps::new(self.problem).filter(|_| self.settings.rounds_of_sweeps > 0)?;
+        if !self.begins(BodyMethod::Sweeps) {
+            return None;
+        }
         let reactions = start.map_or_else(|| vec![0.0; self.problem.rows()], <[f64]>::to_vec);
         let mut swept = Swept { sweeps, reactions, round: 0 };
         self.sweep_on(&mut swept);
@@ -203,7 +257,7 @@ impl Chain<'_> {
     /// The augmented Lagrangian where there is no friction. Returns whether the answer is found.
     fn minimise(&mut self, swept: Option<&Swept>) -> bool {
         let method = AugmentedLagrangian::new(self.problem, self.elimination, self.measure);
-        let Some(mut method) = method else { return false };
+        let Some(mut method) = method.filter(|_| self.begins(BodyMethod::Lagrangian)) else { return false };
         let mut near = self.best.clone();
         if let Some(swept) = swept {
             near.take(self.problem, self.measure, &swept.reactions);
@@ -219,6 +273,9 @@ impl Chain<'_> {
 
     /// Further rounds of sweeps, each with Newton's method after it. Returns whether the answer is found.
     fn sweep_and_finish(&mut self, mut swept: Swept) -> bool {
+        if !self.begins(BodyMethod::FurtherSweeps) {
+            return false;
+        }
         swept.reactions.clone_from(&self.best.reactions);
         let few = if Sweeps::is_for_redundant(self.problem) { ROUNDS_FOR_REDUNDANT } else { usize::MAX };
         while swept.round < self.settings.rounds_of_sweeps.min(few) && !self.is_enough() {
@@ -236,22 +293,26 @@ impl Chain<'_> {
             None => self.newton.holding(self.system, without).to_vec(),
         };
         let mut point = InteriorPoint::new(self.problem, self.elimination, self.measure, &loads);
-        let mut near = without.clone();
-        point.run(self.system, &mut near, MOST_INTERIOR_STEPS.min(self.left()));
-        self.report.interior = self.system.factorisations - before;
-        self.take(&near, BodyMethod::InteriorPoint);
-        self.finish_with_newton(near, FIRST_NEWTON_STEPS);
+        if self.begins(BodyMethod::InteriorPoint) {
+            let mut near = without.clone();
+            point.run(self.system, &mut near, MOST_INTERIOR_STEPS.min(self.left()));
+            self.report.interior = self.system.factorisations - before;
+            self.take(&near, BodyMethod::InteriorPoint);
+            self.finish_with_newton(near, FIRST_NEWTON_STEPS);
+        }
         if self.is_reached() || swept.is_some_and(|swept| self.sweep_and_finish(swept)) {
             return;
         }
         let before = self.system.factorisations;
-        self.follow_paths(self.best.clone(), FACTORISATIONS_OF_A_PATH);
+        if !self.is_enough() && self.begins(BodyMethod::Compliance) {
+            self.follow_paths(self.best.clone(), FACTORISATIONS_OF_A_PATH);
+        }
         self.report.path = self.system.factorisations - before;
         if !self.is_enough() {
             self.smooth(&point, &loads);
         }
         let before = self.system.factorisations;
-        if !self.is_enough() {
+        if !self.is_enough() && self.begins(BodyMethod::FarCompliance) {
             let mut far = without.clone();
             let mut path = self.path(&loads, vec![0.0; self.problem.rows()]);
             let limits = self.path_limits(LARGEST_FIRST_COMPLIANCE, self.left());
@@ -260,13 +321,18 @@ impl Chain<'_> {
             self.follow_paths(far, FACTORISATIONS_OF_A_PATH);
         }
         self.report.path += self.system.factorisations - before;
-        self.finish_with_newton(self.best.clone(), LAST_NEWTON_STEPS);
+        if self.begins(BodyMethod::LastNewton) {
+            self.finish_with_newton(self.best.clone(), LAST_NEWTON_STEPS);
+        }
     }
 
     /// Smoothing Newton from the best answer, with weights of where the interior point has ended.
     fn smooth(&mut self, point: &InteriorPoint<'_>, loads: &[f64]) {
         // Its cones are those of contacts that resist one motion alone.
         if self.problem.blocks.iter().any(|block| ConeForm::is_inner(block.law)) {
+            return;
+        }
+        if !self.begins(BodyMethod::Smoothing) {
             return;
         }
         let before = self.system.factorisations;
@@ -325,6 +391,16 @@ impl Chain<'_> {
         self.newton.run(self.system, from, limits);
     }
 
+    /// Notes that a stage is tried; whether it is.
+    fn begins(&mut self, stage: BodyMethod) -> bool {
+        let is_tried = !self.skipped.contains(stage);
+        if is_tried {
+            self.report.tried.insert(stage);
+            self.stage = stage;
+        }
+        is_tried
+    }
+
     fn left(&self) -> usize {
         self.settings.factorisations.saturating_sub(self.system.factorisations)
     }
@@ -346,6 +422,7 @@ impl Chain<'_> {
         if iterate.rank < self.best.rank || self.best.rank.is_nan() {
             self.best.clone_from(iterate);
             self.report.method = method;
+            self.report.stage = self.stage;
         }
     }
 

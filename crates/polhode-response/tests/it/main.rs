@@ -26,6 +26,7 @@ mod joints;
 mod laws;
 mod least_force;
 mod mass_ratios;
+mod methods_tried;
 mod multiple_frictional_impacts;
 mod oracle;
 mod problem;

@@ -241,5 +241,8 @@ fn chosen_blocks(
     let constant = chosen.iter().flat_map(|&block| constant[contacts.range(block)].iter().copied()).collect();
     let of_rows = |behind: &RowsBehind| behind.of_rows(chosen.iter().flat_map(|&block| contacts.range(block)));
     let rows = contacts.rows_behind().map(of_rows);
-    Ok(FrictionProblem::new(blocks, BlockMatrix::from_blocks(&sizes, entries)?, constant)?.with_rows(rows))
+    let problem = FrictionProblem::new(blocks, BlockMatrix::from_blocks(&sizes, entries)?, constant)?;
+    #[cfg(feature = "census")]
+    let problem = problem.with_origin(contacts.origin().map(of_rows));
+    Ok(problem.with_rows(rows))
 }
