@@ -1,6 +1,6 @@
 //! Development tasks of the workspace. `cargo xtask verify` runs everything that a release needs; `cargo xtask cost`
 //! regenerates the figures and tables of `docs/accuracy-and-cost.md`; `cargo xtask gallery` shows the shipped scenes;
-//! `cargo xtask cross` compares the bits of golden trajectories on other platforms;
+//! `cargo xtask house --counts` counts how far the design is kept; `cargo xtask cross` compares the bits of golden trajectories on other platforms;
 //! `cargo xtask licences` writes the licence texts of what a wheel of the Python package contains;
 //! `cargo xtask import-rigid-ipc` takes over scenes of another project's suite.
 //!
@@ -15,7 +15,7 @@
 //! | [`cost_summary`], [`contact_chart`] | its figures of all scenes, and of contact by every method |
 //! | [`elastic_table`] | the command: impacts of elastic rectangles, and to how many digits |
 //! | [`narrow_phase`] | the command: separating axes against GJK |
-//! | [`house`] | rules of the house, checked from `cargo metadata` and the sources |
+//! | [`house`] | rules and counts of the house, from `cargo metadata` and the sources |
 //! | [`commands`] | child processes: formatting, lints, docs, tests |
 //! | [`interpenetration`] | whether bodies are in each other, without the contact crate |
 //! | [`cases`] | validation cases, one file per group |
@@ -88,6 +88,8 @@ enum Task {
     Verify(verify::Options),
     /// Regenerates figures and tables of docs/accuracy-and-cost.md.
     Cost(cost::Options),
+    /// Checks the rules of the house, or counts how far its design is kept (`--counts`).
+    House(house::Options),
     /// Compares the strict hashes of golden trajectories on x86-64, aarch64 and wasm32.
     Cross(cross::Options),
     /// Writes a scene of the Rigid IPC suite as one of ours, with its meshes beside it.
@@ -125,6 +127,7 @@ impl Task {
             | Self::TierCosts(_)
             | Self::ChainCosts(_) => true,
             Self::Verify(_)
+            | Self::House(_)
             | Self::Cross(_)
             | Self::ImportRigidIpc(_)
             | Self::Gallery(_)
@@ -141,6 +144,7 @@ fn main() -> ExitCode {
     let outcome = match task {
         _ if cfg!(debug_assertions) && task.tells_times() => commands::go_on_in_release(),
         Task::Verify(options) => verify::run(&options),
+        Task::House(options) => verify::workspace_root().and_then(|root| house::run(&options, &root)),
         Task::ImportRigidIpc(options) => rigid_ipc::run(&options),
         Task::Cost(options) => verify::workspace_root().and_then(|root| cost::run(&options, &root)),
         Task::Cross(options) => verify::workspace_root().and_then(|root| cross::run(&options, &root)),

@@ -5,6 +5,8 @@ use super::one_dependency;
 use super::rust_source::RustSource;
 use super::violation::Violation;
 
+/// Longest line, columns; `rustfmt` keeps to it where it can break a line, which it does not in comments and texts.
+pub(super) const LONGEST_LINE: usize = 120;
 /// Longest file, lines.
 const LONGEST_FILE: usize = 700;
 /// Longest function, lines, braces included.
