@@ -5,6 +5,7 @@
 //! | module | holds |
 //! |---|---|
 //! | `counts` | the command: how much of the house there is, and the rule that it does not grow |
+//! | `count` | one count, and what all are made with |
 //! | `circles` | files of a crate that import each other |
 //! | `imports` | which files of a crate import which |
 //! | `layers` | arrows between crates; which crates are the core |
@@ -21,6 +22,7 @@
 //! | `violation` | a place that breaks a rule |
 
 mod circles;
+mod count;
 mod counts;
 mod docs;
 mod imports;

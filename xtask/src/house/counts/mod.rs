@@ -7,13 +7,11 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `count` | one count, and what all are made with |
 //! | `solvers` | places that name, call and choose solvers, and form dense matrices |
 //! | `types` | types of results, and the type `World` |
 //! | `rooms` | loose files, and arrows between rooms that run back up |
 //! | `numbers` | lines, tolerances, caps, known failures |
 
-mod count;
 mod numbers;
 mod rooms;
 mod solvers;
@@ -22,7 +20,7 @@ mod types;
 use super::project_file::ProjectFile;
 use super::rust_source::RustSource;
 use super::violation::Violation;
-use count::Count;
+use crate::house::count::Count;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 

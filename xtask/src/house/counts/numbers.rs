@@ -1,6 +1,6 @@
 //! Lines, tolerances, caps and known failures.
 
-use super::count::{Count, FACADE, RESPONSE, is_in, starts_of};
+use crate::house::count::{Count, FACADE, RESPONSE, is_in, starts_of};
 use crate::house::rules::LONGEST_LINE;
 use crate::house::rust_source::RustSource;
 

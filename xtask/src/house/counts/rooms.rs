@@ -8,7 +8,7 @@
 //! room at a time as long as fewer arrows run back up. Equal choices go to the first name, so that the count is the same
 //! everywhere. At commit ae0e5111 these are 61, where the review's drawing had 62.
 
-use super::count::{Count, FACADE, is_in};
+use crate::house::count::{Count, FACADE, is_in};
 use crate::house::imports::Imports;
 use crate::house::rust_source::RustSource;
 use std::collections::{BTreeMap, BTreeSet};

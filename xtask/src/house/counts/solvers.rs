@@ -1,6 +1,6 @@
 //! Places that name, call and choose solvers, and form dense matrices.
 
-use super::count::{Count, FACADE, RESPONSE, is_in, starts_of, words};
+use crate::house::count::{Count, FACADE, RESPONSE, is_in, starts_of, words};
 use crate::house::rust_source::RustSource;
 
 /// What names a solver, anywhere in a line: types and functions of `polhode-response`.
@@ -184,7 +184,6 @@ fn imported_functions(lines: &[&str]) -> Vec<&'static str> {
 fn dense_matrices(source: &RustSource) -> usize {
     source
         .product_code()
-        .filter(|(_, line)| !line.contains("fn "))
         .map(|(_, line)| line.matches(".delassus()").count() + line.matches("delassus_into(").count())
         .sum()
 }

@@ -1,6 +1,6 @@
 //! Types of results, and the type `World`, which is to become `Model`.
 
-use super::count::{Count, FACADE, is_in, starts_of};
+use crate::house::count::{Count, FACADE, is_in, starts_of};
 use crate::house::rust_source::RustSource;
 
 /// The type that holds the bodies, now and when it is divided.

@@ -10,7 +10,7 @@ pub(super) const RESPONSE: &str = "crates/polhode-response/src";
 
 /// One count.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(in crate::house) struct Count {
+pub(super) struct Count {
     /// Its name in the table of limits.
     pub(super) key: &'static str,
     /// What is counted.
