@@ -36,6 +36,7 @@
 //! | [`random_scene`] | the commands: random scenes, written and judged |
 //! | [`judge`] | whether the run of a random scene keeps the laws of physics |
 //! | [`known`] | rows that are known to fail, with the reason |
+//! | `scene_units` | a scene file in other units |
 
 mod book;
 mod cases;

@@ -18,6 +18,7 @@
 //! | [`mod@drop`] | [`RectangleDrop`]: from the first touch to the rebound, and its [`DropReport`] |
 //! | [`study`] | [`DropStudy`]: drops by several steps on several meshes |
 //! | [`extrapolation`] | [`Extrapolated`]: values without the error of the mesh |
+//! | `error` | what keeps an elastic body from being made or moved |
 //!
 //! ```
 //! use polhode_elastic::{ElasticMaterial, RectangleDrop};

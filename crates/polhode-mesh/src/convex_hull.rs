@@ -9,6 +9,11 @@
 //! The result depends on the points and their order alone. Time grows as n log n, and with
 //! the number of corners: 100,000 points in a cube (205 corners) take 0.05 s, on a sphere (all are corners) 3 s.
 //! Fails by [`HullError`], never by a wrong hull.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `facets` | faces of a hull |
+//! | `quickhull` | Quickhull with exact predicates |
 
 mod facets;
 mod quickhull;

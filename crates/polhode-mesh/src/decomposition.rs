@@ -18,6 +18,16 @@
 //! The number of parts is not the least possible (that is NP-hard, thesis 2): n reflex edges make n / 2 + 1 parts at
 //! least and about n^2 / 2 at worst. Fails by [`DecompositionError`] when there would be more parts than allowed, and
 //! states the volume error of every answer.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `adjacency` | which faces of a piece meet at which edges, and which of the edges are reflex |
+//! | `chain` | faces as closed chains of directed edges in a plane |
+//! | `choice` | which plane to cut a piece along |
+//! | `cut` | cutting a piece by a plane into the piece in front and the piece behind |
+//! | `faces` | the faces of a solid |
+//! | `grouping` | pieces that have fallen apart |
+//! | `plane` | planes that faces lie in and pieces are cut along |
 
 mod adjacency;
 mod chain;

@@ -5,6 +5,12 @@
 //! elements are passed over. In text every row is a line, and numbers are read to the nearest f64 whatever type the
 //! header names. Polygons are cut as in [`obj`](mod@crate::obj). Nothing is reserved by a number in the header alone,
 //! so that a false one costs nothing. Source: docs/REFERENCES.md, Turk 1994.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `header` | the header of a file |
+//! | `rows` | its body, row by row |
+//! | `writer` | files from meshes |
 
 mod header;
 mod rows;

@@ -14,6 +14,13 @@
 //! A mesh that bounds a solid keeps its triangles, for only the harmless defects are mended then and welding is for
 //! open edges alone. No vertex moves. Not looked for are surfaces that cross themselves, so a filled hole may be where a
 //! modeller meant an opening: the volume before and after says what it did.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `degenerate` | triangles that repeat another, and triangles without area |
+//! | `holes` | closing of holes |
+//! | `orientation` | which way round triangles run |
+//! | `report` | what repair did and what is left |
 
 mod degenerate;
 mod holes;

@@ -9,6 +9,12 @@
 //! Else it is text when it begins with `solid` and has no zero byte within its first [`LOOKED_AT`] bytes, and a binary
 //! file of the wrong length otherwise. Binary coordinates are f32, text ones are read to the nearest f64.
 //! Source: docs/REFERENCES.md, Burns 1993.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `binary` | binary files |
+//! | `normal` | the normal that a file gives each of its triangles |
+//! | `text` | files of text |
 
 mod binary;
 mod normal;

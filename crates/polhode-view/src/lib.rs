@@ -19,6 +19,9 @@
 //! | [`glb`] | animated models as binary glTF |
 //! | [`plot`] | figures as SVG |
 //! | [`error`] | [`ViewError`] |
+//! | `colors` | colours of bodies in pictures and models |
+//! | `text` | data as text inside a page |
+//! | `thinning` | leaving out samples that come too often |
 
 pub mod animation;
 pub mod camera;

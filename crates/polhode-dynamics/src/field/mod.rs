@@ -51,6 +51,13 @@
 //! assert_eq!(wrenches[0].force.z, -2.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! | module | holds |
+//! |---|---|
+//! | `applied_load` | [`AppliedForce`], [`AppliedTorque`] |
+//! | `error` | why numbers are no force field |
+//! | `link` | the line between two points, one of them on a body: what springs and dampers share |
+//! | `response` | how the force of a field changes with small motions of its bodies |
 
 pub mod applied_load;
 pub mod damper;

@@ -20,6 +20,8 @@
 //! | `limit_analysis` | [`Structure`]: how far what stands is from moving |
 //! | `solver` | [`solve_friction`]: the chain of methods |
 //! | `settings`, `solution` | [`FrictionSettings`], [`Redundancy`], [`FrictionSolution`] |
+//! | `blocks_beside` | blocks of contacts of bodies in trees of joints |
+//! | `rows_behind` | the rows of bodies behind the matrix of a problem |
 
 pub(crate) mod block_matrix;
 mod blocks;

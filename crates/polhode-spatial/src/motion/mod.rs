@@ -13,6 +13,11 @@
 //! | [`ConstantVelocity`] | along a line, at constant speed | steady |
 //! | [`ConstantScrew`] | along a helix: about an axis that is fixed in the world, and along it | steady |
 //! | [`SteadyFlight`] | along a parabola: constant acceleration | steady |
+//!
+//! | module | holds |
+//! |---|---|
+//! | `error` | why numbers make no motion |
+//! | `steady_spin` | what the motions with a constant angular velocity share |
 
 mod constant_screw;
 mod constant_velocity;

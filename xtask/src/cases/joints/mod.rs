@@ -3,6 +3,16 @@
 //!
 //! Bodies hang at joints, not at pivots, so that what is measured are rows of joints. Angles from hanging are positive towards +x, those
 //! about z anticlockwise. All is measured in the tier `accurate` with its default settings.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `pendulums` | JT-01 to JT-03 |
+//! | `chains` | JT-04, JT-05 and JT-09 |
+//! | `loops` | JT-06 and JT-07 |
+//! | `squeezer` | JT-08 |
+//! | `cardan` | JT-11 |
+//! | `governor` | IFToMM A05 |
+//! | `shipped` | how far the joints of the shipped scenes are from what they keep |
 
 mod cardan;
 mod chains;

@@ -2,6 +2,12 @@
 //! mirrored, turned, moved, in other units, of all effects, and paused.
 //!
 //! How far a copy may differ is measured by a run that starts a little elsewhere: what grows from that grows from rounding.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `compare` | a scene and its copies |
+//! | `trial` | one run of a random scene |
+//! | `verdict` | the verdict on one random scene |
 
 mod compare;
 mod trial;

@@ -8,6 +8,11 @@
 //! Scenes written after the suite's descriptions need nothing; those of the suite itself are read from the folder
 //! `rigid-ipc` of the folder that `POLHODE_DATA` names. The plain command runs the first [`PART_S`] of each,
 //! `--full` all of it.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `incline` | the incline of the suite |
+//! | `own_scenes` | scenes written after the descriptions of the suite's scenes |
 
 mod incline;
 mod own_scenes;

@@ -4,6 +4,13 @@
 //! The accurate run itself must be that of the same scene turned, moved and with its bodies in another order. How far apart runs may
 //! be is measured by one that starts a little elsewhere. What a run says of itself counts: one that is degraded is not wrong.
 //! The judge is `xtask/src/judge/tiers.rs`, the scenes are `xtask/src/random_mechanism` and `xtask/src/random_scene`.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `command` | the command that judges tiers by each other |
+//! | `subject` | a scene that several tiers compute |
+//! | `trial` | one run of a scene by one tier |
+//! | `verdict` | the opinions of the tiers on one scene |
 
 mod command;
 mod subject;
