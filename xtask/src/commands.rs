@@ -22,7 +22,8 @@ pub(crate) const CHECKS: &[Check] = &[
         arguments: &["clippy", "--workspace", "--all-targets", "--quiet", "--", "-D", "warnings"],
         environment: &[],
     },
-    // The Python package asks other features of libraries than the rest does: with it, each crate would be compiled twice.
+    // The Python package asks other features of libraries than the rest does: with it, each crate would be compiled
+    // twice.
     Check {
         arguments: &["doc", "--workspace", "--exclude", "polhode-py", "--no-deps", "--quiet"],
         environment: &[("RUSTDOCFLAGS", "-D warnings")],
@@ -31,7 +32,8 @@ pub(crate) const CHECKS: &[Check] = &[
         arguments: &["test", "--workspace", "--exclude", "polhode-py", "--no-fail-fast", "--quiet"],
         environment: &[],
     },
-    // Every crate but those of development can be published: manifests, readmes and versions of what they depend on are complete.
+    // Every crate but those of development can be published: manifests, readmes and versions of what they depend on are
+    // complete.
     Check {
         arguments: &[
             "package",

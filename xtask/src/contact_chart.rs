@@ -1,5 +1,5 @@
-//! The chart at the head of `docs/accuracy-and-cost.md`: contact, error against time, by every method; the same with one method
-//! highlighted for the page of that method; and the table of their best.
+//! The chart at the head of `docs/accuracy-and-cost.md`: contact, error against time, by every method; the same with
+//! one method highlighted for the page of that method; and the table of their best.
 
 use polhode_view::plot::cost_panels::{CostPanel, CostPanels, PanelBand, PanelCurve};
 use serde_json::Value;
@@ -64,8 +64,8 @@ fn panel(contact: &ContactStudy<'_>) -> CostPanel {
     CostPanel { title: contact.title.to_owned(), curves: merged(curves), band: band(contact.study) }
 }
 
-/// The tier `thesis` finds forces by its heuristic where nothing else is asked for: with the same errors, setting by setting, both
-/// are one curve.
+/// The tier `thesis` finds forces by its heuristic where nothing else is asked for: with the same errors, setting by
+/// setting, both are one curve.
 fn merged(mut curves: Vec<PanelCurve>) -> Vec<PanelCurve> {
     let place = |name: &str| curves.iter().position(|curve| curve.name == name);
     if let (Some(tier), Some(heuristic)) = (place("thesis"), place("heuristic")) {
@@ -122,7 +122,8 @@ fn candidates(study: &Value) -> impl Iterator<Item = &Value> {
     study["candidates"].as_array().into_iter().flatten()
 }
 
-/// The smallest error of a method, the shortest time that reaches it, and how far its law is from the scene's; or why there is none.
+/// The smallest error of a method, the shortest time that reaches it, and how far its law is from the scene's; or why
+/// there is none.
 fn best(study: &Value, method: &str) -> String {
     let own = methods(study).filter(|candidate| word(candidate, "method") == method);
     let Some(best) = own.min_by(|a, b| error(a).total_cmp(&error(b)).then(seconds(a).total_cmp(&seconds(b)))) else {

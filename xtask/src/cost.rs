@@ -1,8 +1,8 @@
 //! `cargo xtask cost`: figures and tables of `docs/accuracy-and-cost.md`, from scenes that ship.
 //!
-//! The program `polhode cost` does the work, so that a reader gets what is printed here from the same command. Times are
-//! ratios, but they are measured: a run on another machine, or at another hour, changes their last digits. Errors are
-//! the same everywhere.
+//! The program `polhode cost` does the work, so that a reader gets what is printed here from the same command. Times
+//! are ratios, but they are measured: a run on another machine, or at another hour, changes their last digits. Errors
+//! are the same everywhere.
 
 use crate::contact_chart::{self, ContactStudy};
 use crate::{commands, cost_summary, narrow_phase};
@@ -392,8 +392,8 @@ mod tests {
     use super::*;
     use serde_json::json;
 
-    /// The document is what the command writes: the texts of this file stand in it, and a section and a figure for every scene.
-    /// What is measured is not compared.
+    /// The document is what the command writes: the texts of this file stand in it, and a section and a figure for
+    /// every scene. What is measured is not compared.
     #[test]
     fn the_document_is_that_of_the_command() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");

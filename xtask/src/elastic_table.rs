@@ -1,10 +1,10 @@
-//! `cargo xtask elastic`: contact time, impulse and effective restitution of elastic rectangles against width to height and tilt, and how
-//! many digits the meshes hold; a section of `docs/elastic-body.md`.
+//! `cargo xtask elastic`: contact time, impulse and effective restitution of elastic rectangles against width to height
+//! and tilt, and how many digits the meshes hold; a section of `docs/elastic-body.md`.
 //!
-//! Each drop is made on meshes of about 200, 800, 3200 and 12 800 elements (`--meshes 4`), by eight step lengths each. Their means are
-//! kept in `fixtures/reference/elastic/drops.json`, so that others can compare them, and `cargo xtask verify` makes some of them
-//! again. Times are in units of `2 H/c_p`, impulses in those of `m v`, so that moduli, density and size do not matter; Poisson's
-//! ratio (0.3) does, and the speed (a thirty-seventh of c_p) hardly.
+//! Each drop is made on meshes of about 200, 800, 3200 and 12 800 elements (`--meshes 4`), by eight step lengths each.
+//! Their means are kept in `fixtures/reference/elastic/drops.json`, so that others can compare them, and `cargo xtask
+//! verify` makes some of them again. Times are in units of `2 H/c_p`, impulses in those of `m v`, so that moduli,
+//! density and size do not matter; Poisson's ratio (0.3) does, and the speed (a thirty-seventh of c_p) hardly.
 
 use clap::Args;
 use polhode_elastic::{Cells, ElasticError, ElasticMaterial, Extrapolated, Mean, MeshedDrops, Quantity, RectangleDrop};

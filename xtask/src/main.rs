@@ -1,8 +1,8 @@
 //! Development tasks of the workspace. `cargo xtask verify` runs everything that a release needs; `cargo xtask cost`
 //! regenerates the figures and tables of `docs/accuracy-and-cost.md`; `cargo xtask gallery` shows the shipped scenes;
-//! `cargo xtask house --counts` counts how far the design is kept; `cargo xtask cross` compares the bits of golden trajectories on other platforms;
-//! `cargo xtask licences` writes the licence texts of what a wheel of the Python package contains;
-//! `cargo xtask import-rigid-ipc` takes over scenes of another project's suite.
+//! `cargo xtask house --counts` counts how far the design is kept; `cargo xtask cross` compares the bits of golden
+//! trajectories on other platforms; `cargo xtask licences` writes the licence texts of what a wheel of the Python
+//! package contains; `cargo xtask import-rigid-ipc` takes over scenes of another project's suite.
 //!
 //! | module | holds |
 //! |---|---|

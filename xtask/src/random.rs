@@ -1,6 +1,7 @@
 //! Random numbers with a fixed seed, so that a failing case can be found again: the one generator of this program.
 //!
-//! SplitMix64 (docs/REFERENCES.md, Steele, Lea and Flood 2014). It is not that of the crates, whose draws are judged here.
+//! SplitMix64 (docs/REFERENCES.md, Steele, Lea and Flood 2014). It is not that of the crates, whose draws are judged
+//! here.
 
 use glam::DVec3;
 use polhode_spatial::Rotation;

@@ -1,8 +1,8 @@
 //! A scene file in other units: lengths, times and masses multiplied by powers of two.
 //!
 //! With lengths larger by `4^k` and times by `2^k` accelerations are the same numbers, and every number of the scene is
-//! scaled without rounding; square roots too, so masses grow by powers of 4 as lengths do. The table says the unit of every key of the format that has one; keys without one (names,
-//! coefficients, attitudes, choices) stay.
+//! scaled without rounding; square roots too, so masses grow by powers of 4 as lengths do. The table says the unit of
+//! every key of the format that has one; keys without one (names, coefficients, attitudes, choices) stay.
 
 use std::error::Error;
 use toml::{Table, Value};

@@ -1,8 +1,9 @@
 //! Steps of a verification: what runs beside what, and how long each takes.
 //!
-//! Steps that build run one after the other, the cheapest first: the compiler of a chain of crates leaves processors idle, and cargo
-//! makes a second build wait. All others run beside them and beside each other, one on each processor. Steps that show how long something
-//! takes, or how much memory, run alone when these are done. Rows come in the order of the steps, whichever ends first.
+//! Steps that build run one after the other, the cheapest first: the compiler of a chain of crates leaves processors
+//! idle, and cargo makes a second build wait. All others run beside them and beside each other, one on each processor.
+//! Steps that show how long something takes, or how much memory, run alone when these are done. Rows come in the order
+//! of the steps, whichever ends first.
 
 use crate::known;
 use crate::row::Row;
@@ -116,8 +117,8 @@ fn slowest(mut times: Vec<(f64, &str)>) -> impl Iterator<Item = Row> {
 
 #[cfg(test)]
 mod tests {
-    //! Rows stand in the order of their steps, whatever runs beside what, and the slowest are named. No build runs beside another, and
-    //! nothing beside what runs alone.
+    //! Rows stand in the order of their steps, whatever runs beside what, and the slowest are named. No build runs
+    //! beside another, and nothing beside what runs alone.
     use super::*;
     use std::time::Duration;
 

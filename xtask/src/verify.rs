@@ -1,12 +1,13 @@
 //! `cargo xtask verify`: everything that a release needs, in an order that finds cheap mistakes first.
 //!
 //! 1. rules of the house (seconds), 2. formatting, lints, documentation and tests by cargo, 3. validation cases,
-//! 4. README and book, the Python package, the gallery, 5. golden trajectories and pictures, 6. the viewer in a browser.
+//! 4. README and book, the Python package, the gallery, 5. golden trajectories and pictures, 6. the viewer in a
+//!    browser.
 //!
 //! Every step runs even when an earlier one failed, so that one run shows everything that is
-//! wrong; cases and golden trajectories run beside the builds and each other (`schedule.rs`). Progress goes to stderr, the table (or, with
-//! `--json`, the array) to stdout. `--quick` is for between two edits: formatting, rules, unit tests, one case of each kind
-//! and the golden trajectories.
+//! wrong; cases and golden trajectories run beside the builds and each other (`schedule.rs`). Progress goes to stderr,
+//! the table (or, with `--json`, the array) to stdout. `--quick` is for between two edits: formatting, rules, unit
+//! tests, one case of each kind and the golden trajectories.
 
 use crate::cases::{self, Amount, Context};
 use crate::row::Row;

@@ -219,8 +219,8 @@ impl Run {
         Err((self.report, Failure::Interrupted(said, interrupt.code())))
     }
 
-    /// How far the bodies that rest at the end are from moving, in a line. A report comes without it where they are too many
-    /// for it to be found at once, or it cannot be found.
+    /// How far the bodies that rest at the end are from moving, in a line. A report comes without it where they are too
+    /// many for it to be found at once, or it cannot be found.
     fn stands(&self) -> Option<String> {
         if self.simulation.contacts().len() > MOST_CONTACTS {
             return None;
@@ -255,7 +255,8 @@ impl Run {
     }
 }
 
-/// Goes on to the end, to Ctrl-C, SIGTERM or to a fault of writing; keeps checkpoints and looks at the energies on the way.
+/// Goes on to the end, to Ctrl-C, SIGTERM or to a fault of writing; keeps checkpoints and looks at the energies on the
+/// way.
 fn go_on(
     loaded: &LoadedScene,
     simulation: &mut Simulation,

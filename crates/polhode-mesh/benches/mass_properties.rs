@@ -32,8 +32,8 @@ fn snapped(mesh: &TriangleMesh) -> TriangleMesh {
     TriangleMesh::new(vertices, mesh.triangles().to_vec()).expect("a mesh")
 }
 
-/// Errors of volume and sum of moments of the mesh moved away by `offset`, relative, ours and parry3d's, against ours at
-/// home.
+/// Errors of volume and sum of moments of the mesh moved away by `offset`, relative, ours and parry3d's, against ours
+/// at home.
 fn print_accuracy(mesh: &TriangleMesh, offset: DVec3) {
     let far = mesh.translated(offset).expect("finite");
     let home = VolumeIntegrals::of(mesh);

@@ -2,8 +2,8 @@
 //!
 //! Quickhull (docs/REFERENCES.md, Barber et al. 1996) with exact predicates (Shewchuk 1997): a point is outside a face
 //! when the determinant of its four points is positive, not when it exceeds a tolerance. So no point is ever left
-//! outside, plates of any thinness have a hull, and points of one plane make one face however many they are. A corner of
-//! the hull is a point that is no mixture of others: points inside a face or an edge are left out. Points that are
+//! outside, plates of any thinness have a hull, and points of one plane make one face however many they are. A corner
+//! of the hull is a point that is no mixture of others: points inside a face or an edge are left out. Points that are
 //! coplanar only to rounding make faces that differ by rounding; whoever wants those as one merges them by a tolerance.
 //!
 //! The result depends on the points and their order alone. Time grows as n log n, and with

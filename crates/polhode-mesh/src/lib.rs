@@ -39,8 +39,8 @@
 //! | `write_error` | why a mesh cannot be written |
 //!
 //! This crate is all that a program needs to name: what its signatures speak of is here too, the rest of
-//! polhode-spatial under [`spatial`]. Programs of ten lines stand in the folder `examples` of the crate: `mesh_in_a_file`
-//! (read, diagnose, weigh) and `compose` (a body of parts).
+//! polhode-spatial under [`spatial`]. Programs of ten lines stand in the folder `examples` of the crate:
+//! `mesh_in_a_file` (read, diagnose, weigh) and `compose` (a body of parts).
 //!
 //! ```
 //! use polhode_mesh::{Density, SolidMesh, obj, solid_mass_properties};

@@ -50,8 +50,8 @@ pub enum MeshError {
     /// The surface does not part space into inside and outside, or is inside out.
     #[error("the mesh bounds no solid: {} (indices count from 0)", list(.0))]
     NotSolid(Vec<Defect>),
-    /// The surface is open along seams, at which vertices are doubled, as textured files have them: merged, they make it a
-    /// solid.
+    /// The surface is open along seams, at which vertices are doubled, as textured files have them: merged, they make
+    /// it a solid.
     #[error(
         "the mesh bounds no solid: {} (indices count from 0); its vertices are doubled at seams, {}",
         list(.defects), seams(*.distance_m)

@@ -166,8 +166,8 @@ pub enum ReadErrorKind {
 /// Most characters of a token that an error repeats.
 pub const MAX_TOKEN: usize = 40;
 
-/// A token as text, with at most [`MAX_TOKEN`] characters; control characters and bytes that are not UTF-8 are replaced,
-/// so that it can be shown.
+/// A token as text, with at most [`MAX_TOKEN`] characters; control characters and bytes that are not UTF-8 are
+/// replaced, so that it can be shown.
 pub(crate) fn shown(token: &[u8]) -> String {
     // A character has at most four bytes.
     let head = &token[..token.len().min(4 * MAX_TOKEN)];

@@ -31,7 +31,8 @@ pub const LOOKED_AT: usize = 1024;
 /// Reads a mesh from the bytes of an STL file of either kind.
 ///
 /// ```
-/// let text = b"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid";
+/// let text = b"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n\
+///              endloop\nendfacet\nendsolid";
 /// let mesh = polhode_mesh::stl::read(text)?;
 /// assert_eq!(mesh.triangles(), [[0, 1, 2]]);
 /// assert_eq!(polhode_mesh::stl::read(&polhode_mesh::stl::write_binary(&mesh)?)?, mesh);

@@ -22,8 +22,8 @@ struct Done {
     shown: Option<(Unread, Drawn)>,
 }
 
-/// Runs a scene from its start to its end; `told` is called with the time reached and the duration, s. With `keep` the page with frames
-/// at least this far apart (s) and all plots are kept.
+/// Runs a scene from its start to its end; `told` is called with the time reached and the duration, s. With `keep` the
+/// page with frames at least this far apart (s) and all plots are kept.
 #[pyfunction]
 pub(crate) fn run(
     py: Python<'_>,

@@ -548,8 +548,8 @@ pub fn weld_tolerance(distance_m: f64) -> String {
     if distance_m == 0.0 { String::new() } else { format!(" --weld-tolerance {distance_m:e}") }
 }
 
-/// How the overlaps of a start are mended, when they are small: the overlap that counts as touch is 1e-9 of a body's size,
-/// and what a file of few digits gives is below a thousandth.
+/// How the overlaps of a start are mended, when they are small: the overlap that counts as touch is 1e-9 of a body's
+/// size, and what a file of few digits gives is below a thousandth.
 fn mend(pairs: &[OverlapAtStart]) -> Option<String> {
     let deepest_m = pairs.iter().map(|pair| pair.depth_m).fold(0.0, f64::max);
     let is_small = pairs.iter().all(|pair| pair.depth_m <= MENDED_OF_TOUCH * pair.allowed_m);
@@ -562,8 +562,8 @@ fn mend(pairs: &[OverlapAtStart]) -> Option<String> {
 /// Overlaps up to this many times the one that counts as touch are taken for the rounding of a file.
 const MENDED_OF_TOUCH: f64 = 1e6;
 
-/// How many slips of the pen (a character put in, left out, replaced, or exchanged with its neighbour) make `b` of `a`, of
-/// the first [`COMPARED`] characters of each.
+/// How many slips of the pen (a character put in, left out, replaced, or exchanged with its neighbour) make `b` of `a`,
+/// of the first [`COMPARED`] characters of each.
 fn edits(a: &str, b: &str) -> usize {
     let [a, b] = [a, b].map(|word| word.chars().take(COMPARED).collect::<String>());
     strsim::osa_distance(&a, &b)

@@ -1,11 +1,13 @@
-//! `polhode cost --target E`: asked and reached on scenes with contact and friction whose motion is known in closed form.
+//! `polhode cost --target E`: asked and reached on scenes with contact and friction whose motion is known in closed
+//! form.
 //!
-//! For every scene the program names the cheapest setting of all methods whose error stays below a target. The setting is run
-//! again and compared with the closed form, which the program does not know: what it says of its error must be true, by whichever
-//! method. Errors are those of positions, relative to the largest distance that a body travels, as the program measures them.
+//! For every scene the program names the cheapest setting of all methods whose error stays below a target. The setting
+//! is run again and compared with the closed form, which the program does not know: what it says of its error must be
+//! true, by whichever method. Errors are those of positions, relative to the largest distance that a body travels, as
+//! the program measures them.
 //!
-//! The plain run takes six scenes; all sixty, and whether a setting three times as cheap would have done, are of the full run,
-//! since that is timed.
+//! The plain run takes six scenes; all sixty, and whether a setting three times as cheap would have done, are of the
+//! full run, since that is timed.
 
 use super::context::Amount;
 use super::{CaseResult, Context};

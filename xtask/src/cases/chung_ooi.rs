@@ -2,9 +2,9 @@
 //!
 //! 1 two equal balls head on; 2 a ball on a rigid plane; 3 restitution by a damper; 4 oblique impacts on a plane at one
 //! speed; 5 at one normal speed; 6 with spin instead; 7 two equal balls that spin against each other; 8 two unequal
-//! balls of which one spins. 1 to 3 and 7 are closed forms, 4 to 6 where the contact slides throughout: friction is then mu times
-//! the normal impulse, `V' = V - mu (1 + e) v_n` and `w' = w +- (5/2) mu (1 + e) v_n/r`. Where it also sticks (5, 6 and 8) the
-//! reference is an integration of its own in the plane (`two_balls.rs`).
+//! balls of which one spins. 1 to 3 and 7 are closed forms, 4 to 6 where the contact slides throughout: friction is
+//! then mu times the normal impulse, `V' = V - mu (1 + e) v_n` and `w' = w +- (5/2) mu (1 + e) v_n/r`. Where it also
+//! sticks (5, 6 and 8) the reference is an integration of its own in the plane (`two_balls.rs`).
 //! Source: docs/REFERENCES.md, Chung and Ooi 2011.
 
 use super::two_balls::{Ball, Collision, Contact};
@@ -106,7 +106,8 @@ fn closed(case: &str, quantity: &str, reference: f64, measured: f64) -> Row {
     Row::compared(case, quantity, reference, measured, Tolerance::Relative(CLOSED))
 }
 
-/// Greatest overlap, force and duration of an elastic impact after Hertz: stiffness (N/m^(3/2)), mass (kg), speed (m/s).
+/// Greatest overlap, force and duration of an elastic impact after Hertz: stiffness (N/m^(3/2)), mass (kg), speed
+/// (m/s).
 fn hertz_rows(case: &str, name: &str, impact: &Impact, (stiffness, mass, speed): (f64, f64, f64)) -> [Row; 4] {
     let depth = (1.25 * mass * speed * speed / stiffness).powf(0.4);
     let contact = &impact.contact;

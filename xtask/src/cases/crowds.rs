@@ -2,9 +2,9 @@
 //! nothing, and the estimated error of the stretches holds.
 //!
 //! Random scenes: cones, cylinders and boxes thrown on a rough floor and on each other, as they roll, slide and come to
-//! rest. Most of them crowd. The error of a run is its distance at the end from a run with a tolerance of such stretches
-//! that is [`FINER`] times smaller. The lowest points of bodies are computed here from their dimensions, by no code of the
-//! program.
+//! rest. Most of them crowd. The error of a run is its distance at the end from a run with a tolerance of such
+//! stretches that is [`FINER`] times smaller. The lowest points of bodies are computed here from their dimensions, by
+//! no code of the program.
 
 use super::bodies::GRAVITY;
 use super::{CaseResult, Context};
@@ -39,8 +39,8 @@ const SMALLEST_ERROR_M: f64 = 1e-9;
 /// Tolerance of the stretches of the runs that are judged: the default.
 const TOLERANCE: f64 = 1e-6;
 
-/// Largest penetration in a sample of a run that is not degraded, of the size of a body: the promised limit at the default
-/// tolerance, with the rounding of the coordinates.
+/// Largest penetration in a sample of a run that is not degraded, of the size of a body: the promised limit at the
+/// default tolerance, with the rounding of the coordinates.
 const DEEPEST: f64 = 1e-11;
 
 /// Largest penetration beyond what the certificate says, of the size of a body: rounding of the lowest points.

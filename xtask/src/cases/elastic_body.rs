@@ -1,5 +1,5 @@
-//! The elastic rectangle (thesis, Figure 2): the closed form of the confined bar, its ledgers and symmetry, and whether the
-//! restitution of the shipped scene of Figure 2 is that of finite elements.
+//! The elastic rectangle (thesis, Figure 2): the closed form of the confined bar, its ledgers and symmetry, and whether
+//! the restitution of the shipped scene of Figure 2 is that of finite elements.
 //!
 //! A bar of height L in uniaxial strain that meets a rigid floor sends a wave up at c_p, which comes back as one that
 //! relieves: after `2 L / c_p` the bar leaves with the speed it came with, and the floor has given `2 m v`.
@@ -104,7 +104,8 @@ fn mirrored() -> CaseResult {
     Ok(vec![Row::at_most(NAME, "mirrored drops: difference, m/s and rad/s", MIRROR, worst)])
 }
 
-/// The means of the document's table, made again: two drops on the two coarsest meshes, with all cases every drop on three.
+/// The means of the document's table, made again: two drops on the two coarsest meshes, with all cases every drop on
+/// three.
 fn kept(context: &Context) -> CaseResult {
     let drops = elastic_table::kept(&context.root)?;
     let is_full = matches!(context.amount, Amount::Full);

@@ -7,8 +7,9 @@
 //!
 //! `t = integral du sqrt((k^2 + a^2 sin^2 u) / (2 g a (cos u_0 - cos u)))`,
 //!
-//! taken here by Simpson's rule after `u = u_0 + s^2`, which removes the root at the start. The body lands when its side
-//! meets the floor: that impact is the event measured. Each runs on a half-space, on a box and on a tessellated plane.
+//! taken here by Simpson's rule after `u = u_0 + s^2`, which removes the root at the start. The body lands when its
+//! side meets the floor: that impact is the event measured. Each runs on a half-space, on a box and on a tessellated
+//! plane.
 
 use super::bodies::GRAVITY;
 use super::{CaseResult, Context};

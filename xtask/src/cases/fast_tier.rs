@@ -1,4 +1,5 @@
-//! The tier `fast` on motions with closed forms: a slide that stops and is not lifted by its friction, a flight, and a stack that stands.
+//! The tier `fast` on motions with closed forms: a slide that stops and is not lifted by its friction, a flight, and a
+//! stack that stands.
 
 use super::bodies::BRICK;
 use super::{CaseResult, Context};
@@ -18,7 +19,8 @@ const DENSITY: f64 = 1000.0;
 const FRICTION: f64 = 0.5;
 /// m/s^2.
 const GRAVITY: f64 = 9.81;
-/// How far a soft contact may sag or be lifted, m: that of a spring of 60 Hz under the weight of a body, with its margin.
+/// How far a soft contact may sag or be lifted, m: that of a spring of 60 Hz under the weight of a body, with its
+/// margin.
 const SAG_M: f64 = 1e-3;
 /// How far the top of a stack of eight may sink, m: each contact gives way by the weight above it, 2.5 cm in all.
 const STACK_SAG_M: f64 = 0.03;

@@ -88,8 +88,8 @@ fn movement(run: &Run, name: &str) -> Result<f64, Box<dyn Error>> {
     Ok((run.last(name)?.pose.translation - start).length())
 }
 
-/// Moments about the foot: the wall's force, which is the friction at the foot, times the height of the top is the weight
-/// times the distance of the centre of mass.
+/// Moments about the foot: the wall's force, which is the friction at the foot, times the height of the top is the
+/// weight times the distance of the centre of mass.
 fn friction_by_statics(scene: &Scene, name: &str) -> Result<f64, Box<dyn Error>> {
     let body = body_of(scene, name)?.1;
     let properties = body.mass_properties().ok_or("no mass")?;

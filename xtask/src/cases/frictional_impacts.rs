@@ -1,5 +1,5 @@
-//! Impacts with friction at one contact: the rod, the double pendulum, Painleve's rod, the super ball; and the energy of a
-//! million random impacts.
+//! Impacts with friction at one contact: the rod, the double pendulum, Painleve's rod, the super ball; and the energy
+//! of a million random impacts.
 
 use super::random_impacts::{RandomImpact, Rise};
 use super::{CaseResult, Context};
@@ -150,7 +150,8 @@ const JAM_ROUNDING: f64 = 1e-12;
 pub(super) fn im_09(context: &Context) -> CaseResult {
     let reference = |quantity: &str, found: &[f64]| context.reference.row("IM-09", quantity, found.to_vec());
     let critical = |degrees: f64| PainleveRod::at(degrees.to_radians()).critical_friction();
-    // Where the angles at the same factor above and below, in tan theta, have the same critical coefficient it is least.
+    // Where the angles at the same factor above and below, in tan theta, have the same critical coefficient it is
+    // least.
     let around = |tangent: f64| -> Result<f64, Box<dyn Error>> {
         let [above, below] = [1.5, 1.0 / 1.5].map(|factor| PainleveRod::at(libm::atan(factor * tangent)));
         Ok(above.critical_friction()? - below.critical_friction()?)
@@ -217,7 +218,8 @@ pub(super) fn im_10(context: &Context) -> CaseResult {
 
 /// Random impacts with friction of 1 to 8 contacts.
 const RANDOM_IMPACTS: usize = 1_000_000;
-/// Seeds whose sequences leave nothing but rounding, which contradicted itself at redundant contacts: they had no answer.
+/// Seeds whose sequences leave nothing but rounding, which contradicted itself at redundant contacts: they had no
+/// answer.
 const ENDS_IN_ROUNDING: [u64; 5] = [28_032, 141_340, 321_944, 333_660, 355_636];
 /// A rise of energy that is rounding, relative to the energy before: cone problems are solved to some 1e-13.
 const RISE: f64 = 1e-11;

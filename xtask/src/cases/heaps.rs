@@ -1,8 +1,9 @@
-//! Heaps with friction in the tier `stepped`: how exactly the problem of each step is solved, and by how many factorisations.
+//! Heaps with friction in the tier `stepped`: how exactly the problem of each step is solved, and by how many
+//! factorisations.
 //!
-//! Boxes and balls fall into a bin; a wall and a pyramid stand at first and are pushed; a heavy box is dropped on light ones. Forces are
-//! not unique, so that rows judge the residual of the problems, their factorisations, what overlap is left, and what the removal of
-//! overlaps does to the energy: all as the run tells them.
+//! Boxes and balls fall into a bin; a wall and a pyramid stand at first and are pushed; a heavy box is dropped on light
+//! ones. Forces are not unique, so that rows judge the residual of the problems, their factorisations, what overlap is
+//! left, and what the removal of overlaps does to the energy: all as the run tells them.
 
 use super::{CaseResult, Context};
 use crate::row::Row;

@@ -1,7 +1,8 @@
-//! Every impact law on the tables of multiple impacts: cradles, a ball between two, a flat stick, mass ratios; and a bounce whose
-//! restitution depends on speed.
+//! Every impact law on the tables of multiple impacts: cradles, a ball between two, a flat stick, mass ratios; and a
+//! bounce whose restitution depends on speed.
 //!
-//! The tables are rational, or closed forms: each law must give its own to rounding, and none may give the energy of another.
+//! The tables are rational, or closed forms: each law must give its own to rounding, and none may give the energy of
+//! another.
 
 use super::bodies::{GRAVITY, ball_on_x, bouncy, half_space};
 use super::run::Run;
@@ -202,8 +203,8 @@ fn energies() -> CaseResult {
     Ok(rows)
 }
 
-/// A plank that lands on its lower edge, at two points, is the rod of IM-07: slip that goes on, reverses, or sticks. The law pulse
-/// integrates the two contacts, where the rod has Stronge's closed form.
+/// A plank that lands on its lower edge, at two points, is the rod of IM-07: slip that goes on, reverses, or sticks.
+/// The law pulse integrates the two contacts, where the rod has Stronge's closed form.
 fn plank(context: &Context) -> CaseResult {
     /// Half the width of the plank, m.
     const HALF_WIDTH: f64 = 0.2;

@@ -1,8 +1,8 @@
 //! The impacts of the catalogue (IM-01 to IM-06, IM-11 to IM-14) by every impact law and every tier.
 //!
-//! One contact alone has one answer, equation (14) of the thesis, whatever the way. Where several contacts are struck at once a
-//! law decides: what is mirror symmetric has the symmetric answer by every law but propagation, and a chain of balls the table of
-//! its law. One table gives the case, the scene, the ways and their claims.
+//! One contact alone has one answer, equation (14) of the thesis, whatever the way. Where several contacts are struck
+//! at once a law decides: what is mirror symmetric has the symmetric answer by every law but propagation, and a chain
+//! of balls the table of its law. One table gives the case, the scene, the ways and their claims.
 
 use super::bodies::{GRAVITY, ball_on_x, bouncy, cuboid, half_space};
 use super::run::Run;
@@ -20,7 +20,8 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_6};
 
 const CASE: &str = "impacts by every way";
 
-/// Velocities after impacts at constant velocities, at 1 m/s. Fixed steps strike bodies that a step has turned or moved.
+/// Velocities after impacts at constant velocities, at 1 m/s. Fixed steps strike bodies that a step has turned or
+/// moved.
 const AFTER: Claims = Claims { exact: 1e-12, pulse: 1e-10, micro: 1e-12, springs: 1e-5, fast: 1e-3, thesis: 1e-3 };
 /// Those of bodies that turn meanwhile: a step earlier or later the arms are others.
 const TURNING: Claims = Claims { exact: 1e-12, pulse: 1e-10, micro: 1e-3, springs: 1e-5, fast: 1e-3, thesis: 1e-3 };
@@ -45,8 +46,8 @@ pub(super) fn rows(context: &Context) -> CaseResult {
     Ok(rows)
 }
 
-/// Whether a way strikes several contacts together and to the end of its law: propagation, and the thesis by it, strikes one after
-/// the other; the sweeps of the tier fast end before they have the answer of any law.
+/// Whether a way strikes several contacts together and to the end of its law: propagation, and the thesis by it,
+/// strikes one after the other; the sweeps of the tier fast end before they have the answer of any law.
 fn strikes_at_once(way: Way) -> bool {
     !matches!(way, Way::Law(ImpactLaw::Propagation, _) | Way::Of(Tier::Thesis | Tier::Fast))
 }
@@ -105,8 +106,8 @@ fn two_bodies(reference: &Reference, rows: &mut Vec<Row>) -> Result<(), Box<dyn 
     Ok(())
 }
 
-/// IM-02 and IM-03: a flat stick is symmetric: it leaves as it came by every law but propagation, whose numbers have cases of
-/// their own, in its own tier (thesis) too.
+/// IM-02 and IM-03: a flat stick is symmetric: it leaves as it came by every law but propagation, whose numbers have
+/// cases of their own, in its own tier (thesis) too.
 fn sticks(reference: &Reference, rows: &mut Vec<Row>) -> Result<(), Box<dyn Error>> {
     let inertias = [
         ("1/50", 0.02),
@@ -152,8 +153,8 @@ fn stick(way: Way, inertia: f64, restitution: f64) -> Found {
     Ok(vec![end.linear.z, end.angular.y])
 }
 
-/// IM-04: Newton's cradle by the tiers; the laws have theirs in the case "impact laws". Reflection is the law of stepped and of
-/// micro-collisions, propagation that of the thesis. Springs disperse: they keep momentum and energy.
+/// IM-04: Newton's cradle by the tiers; the laws have theirs in the case "impact laws". Reflection is the law of
+/// stepped and of micro-collisions, propagation that of the thesis. Springs disperse: they keep momentum and energy.
 fn cradles(reference: &Reference, rows: &mut Vec<Row>) -> Result<(), Box<dyn Error>> {
     for (count, moving) in [(3_usize, 1_u32), (4, 1), (5, 2)] {
         // As many balls leave as come.
@@ -238,7 +239,8 @@ fn mass_ratios(reference: &Reference, rows: &mut Vec<Row>) -> Result<(), Box<dyn
     Ok(())
 }
 
-/// IM-13 and IM-14: cubes on a corner and on an edge, e = 1/2. In turn (propagation, thesis) the edge has another answer.
+/// IM-13 and IM-14: cubes on a corner and on an edge, e = 1/2. In turn (propagation, thesis) the edge has another
+/// answer.
 fn cubes(reference: &Reference, rows: &mut Vec<Row>) -> Result<(), Box<dyn Error>> {
     let on_corner = Rotation::renormalized(glam::DQuat::from_rotation_arc(DVec3::ONE.normalize(), DVec3::Z));
     let on_edge = Rotation::from_rotation_vector(DVec3::Y * FRAC_PI_6);
@@ -306,8 +308,8 @@ fn bounce(way: Way, restitution: f64, duration_s: f64) -> Found {
     Ok(vec![fifth.t_s])
 }
 
-/// IM-06: Galperin's pi machine: no collision may be missed or merged. Fixed steps count while a step is short beside the time
-/// between two collisions.
+/// IM-06: Galperin's pi machine: no collision may be missed or merged. Fixed steps count while a step is short beside
+/// the time between two collisions.
 fn pi_machine(rows: &mut Vec<Row>) -> Result<(), Box<dyn Error>> {
     for (ratio, count) in [(1.0, 3), (100.0, 31)] {
         for way in every().filter(|way| tells_impacts(*way)) {

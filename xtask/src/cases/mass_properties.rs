@@ -1,5 +1,5 @@
-//! Mass properties of polyhedra: boxes, the thesis's pyramid, a published tetrahedron, an L-shaped prism near the origin
-//! and far from it, slivers, a needle and a plate; each by the library and by the program.
+//! Mass properties of polyhedra: boxes, the thesis's pyramid, a published tetrahedron, an L-shaped prism near the
+//! origin and far from it, slivers, a needle and a plate; each by the library and by the program.
 
 use super::mesh_program::{Reported, report};
 use super::{CaseResult, Context};

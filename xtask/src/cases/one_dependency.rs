@@ -1,9 +1,10 @@
 //! Every example of a crate does what it asserts, and needs no other crate.
 //!
-//! Inside the workspace an example sees all that its crate depends on, for tests too, and features that others switch on.
-//! That it names no crate but its own is a rule of the house. In full, each example is also compiled as a user has it: in
-//! a package whose only dependency is that crate. These packages stand in the folder of build products and are kept, so
-//! that only the first run compiles much: some 80 s of processor time, which is why the plain run does without.
+//! Inside the workspace an example sees all that its crate depends on, for tests too, and features that others switch
+//! on. That it names no crate but its own is a rule of the house. In full, each example is also compiled as a user has
+//! it: in a package whose only dependency is that crate. These packages stand in the folder of build products and are
+//! kept, so that only the first run compiles much: some 80 s of processor time, which is why the plain run does
+//! without.
 
 use super::{Amount, CaseResult, Context};
 use crate::commands;

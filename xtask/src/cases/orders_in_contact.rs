@@ -1,6 +1,7 @@
 //! Orders of convergence of every method with a step, in contact.
 //!
-//! The order is the slope of the error of a position at a fixed time between halved steps. What moves, and what the error is of:
+//! The order is the slope of the error of a position at a fixed time between halved steps. What moves, and what the
+//! error is of:
 //!
 //! | scene | motion | exact |
 //! |---|---|---|
@@ -11,9 +12,10 @@
 //! | stop | a box that slides to rest | `v^2/(2 mu g)` |
 //! | bounce | a ball after one impact | two parabolas |
 //!
-//! Springs have a law of their own: their fixed steps are compared with the same springs under error control. Where contacts
-//! begin or end within a step, nothing that does not locate them is better than of first order, and how much it is off depends on where in the
-//! step they do: no slope is asked there, but the bound of first order `(1 + e) v h` of a late impact.
+//! Springs have a law of their own: their fixed steps are compared with the same springs under error control. Where
+//! contacts begin or end within a step, nothing that does not locate them is better than of first order, and how much
+//! it is off depends on where in the step they do: no slope is asked there, but the bound of first order `(1 + e) v h`
+//! of a late impact.
 
 use super::bodies::{GRAVITY, cuboid, half_space};
 use super::rough_plane::{Plane, rough, sphere};
@@ -207,7 +209,8 @@ pub(super) fn rows(_context: &Context) -> CaseResult {
     Ok(rows)
 }
 
-/// Springs with fixed steps against springs under error control: integrator, motion, the longer step (s), the order claimed.
+/// Springs with fixed steps against springs under error control: integrator, motion, the longer step (s), the order
+/// claimed.
 const SPRINGS: [(Integrator, Motion, f64, f64); 4] = [
     (Integrator::Rk4, Motion::Rolling, 5e-4, 4.0),
     (Integrator::SemiImplicitEuler, Motion::Rolling, 1.25e-4, 1.0),

@@ -1,6 +1,7 @@
 //! The program `polhode`, which some cases run.
 //!
-//! It is built once: each call of cargo waits until no other one builds, and cases would wait with it while lints and tests are built.
+//! It is built once: each call of cargo waits until no other one builds, and cases would wait with it while lints and
+//! tests are built.
 
 use crate::commands;
 use std::error::Error;

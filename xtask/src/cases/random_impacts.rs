@@ -75,8 +75,8 @@ impl RandomImpact {
         self.touches.len()
     }
 
-    /// Resolves it by a law that never raises the energy; the seed chooses which. Returns the rise of the kinetic energy of
-    /// the bodies, relative to that before.
+    /// Resolves it by a law that never raises the energy; the seed chooses which. Returns the rise of the kinetic
+    /// energy of the bodies, relative to that before.
     pub(super) fn strike(&self, seed: u64) -> Result<(f64, MultipleImpact), Box<dyn Error>> {
         let law = if seed.is_multiple_of(4) { MultipleImpactLaw::Sequence } else { MultipleImpactLaw::Simultaneous };
         self.resolve(law, LAWS[(seed / 4 % 3) as usize])

@@ -1,17 +1,17 @@
 //! Random bodies thrown at walls, and bodies that touch a wall without pressing, each with its motion in closed form.
 //!
-//! A wall through the origin has the unit normal `n`, vertical or leaning over, so that gravity presses nothing against it; it
-//! may glide along itself. Free flight up to the contact; an impact with Coulomb's friction; free flight again. With the
-//! velocity `v = v_n n + v_t` at the contact, `v_n < 0`, the slip `u = v_t + w x r - w_wall` and the effective mass `m_t` along
-//! the wall:
+//! A wall through the origin has the unit normal `n`, vertical or leaning over, so that gravity presses nothing against
+//! it; it may glide along itself. Free flight up to the contact; an impact with Coulomb's friction; free flight again.
+//! With the velocity `v = v_n n + v_t` at the contact, `v_n < 0`, the slip `u = v_t + w x r - w_wall` and the effective
+//! mass `m_t` along the wall:
 //!
 //! `p_n = (1 + e) m |v_n|`, `p_t = -u min(m_t, mu p_n/|u|)`.
 //!
-//! A ball has `m_t = m k/(1 + k)` with the moment of inertia `k m R^2`. A box or a cylinder that lands flat, or a capsule or
-//! a lying cylinder that slides along its axis, does not turn, so that `m_t = m`, as long as the centre of pressure stays
-//! within the face: `mu h` below its half width, with the height `h` of the centre of mass. After an impact without
-//! restitution, and for what touches from the start, the normal force is zero: friction has nothing to act with, and the
-//! body falls freely along the wall.
+//! A ball has `m_t = m k/(1 + k)` with the moment of inertia `k m R^2`. A box or a cylinder that lands flat, or a
+//! capsule or a lying cylinder that slides along its axis, does not turn, so that `m_t = m`, as long as the centre of
+//! pressure stays within the face: `mu h` below its half width, with the height `h` of the centre of mass. After an
+//! impact without restitution, and for what touches from the start, the normal force is zero: friction has nothing to
+//! act with, and the body falls freely along the wall.
 
 use super::bodies::GRAVITY;
 use crate::random::Random;
@@ -270,7 +270,8 @@ impl Throw {
     }
 }
 
-/// The velocity after an impact on a wall with this normal that glides at this velocity, with this friction and restitution.
+/// The velocity after an impact on a wall with this normal that glides at this velocity, with this friction and
+/// restitution.
 fn struck(body: &Thrown, before: Velocity, (n, glides): (DVec3, DVec3), (friction, e): (f64, f64)) -> Velocity {
     let mass = body.properties.mass();
     let arm = n * -body.height;

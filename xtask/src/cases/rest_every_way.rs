@@ -1,9 +1,9 @@
-//! The cases of resting contact (RC-01 to RC-17) by every way that takes them: the thesis's methods of contact forces, time steps,
-//! micro-collisions, springs, sequential impulses.
+//! The cases of resting contact (RC-01 to RC-17) by every way that takes them: the thesis's methods of contact forces,
+//! time steps, micro-collisions, springs, sequential impulses.
 //!
-//! Methods of forces are judged by accelerations at the start, against those of the exact solver, which has the rational values
-//! as its reference. Ways without forces at the start (micro-collisions, springs) are judged by motion: what stands stands, what falls
-//! or slides is where the exact motion is.
+//! Methods of forces are judged by accelerations at the start, against those of the exact solver, which has the
+//! rational values as its reference. Ways without forces at the start (micro-collisions, springs) are judged by motion:
+//! what stands stands, what falls or slides is where the exact motion is.
 
 use super::bodies::{GRAVITY, ball_on_x, cuboid, half_space};
 use super::diamonds::{Sides, diamond};
@@ -92,8 +92,8 @@ fn largest(numbers: &[f64]) -> f64 {
     numbers.iter().fold(0.0, |most, number| larger(most, number.abs()))
 }
 
-/// RC-01 and RC-05: whether the forces of the thesis's methods let stand what stands, and fall what falls. Guesses are made for up to
-/// 20 contacts: the 2-diamond, four bricks.
+/// RC-01 and RC-05: whether the forces of the thesis's methods let stand what stands, and fall what falls. Guesses are
+/// made for up to 20 contacts: the 2-diamond, four bricks.
 fn equilibria(rows: &mut Vec<Row>) -> Result<(), Box<dyn Error>> {
     for way in FORCES {
         for m in 1..=5 {
@@ -223,8 +223,8 @@ fn counterexamples(context: &Context, rows: &mut Vec<Row>) -> Result<(), Box<dyn
     Ok(())
 }
 
-/// RC-10 to RC-12: a box off a table, a ladder, a rod on its end, without friction: where they are after a while, as by the exact
-/// tier, whose own cases have the references.
+/// RC-10 to RC-12: a box off a table, a ladder, a rod on its end, without friction: where they are after a while, as by
+/// the exact tier, whose own cases have the references.
 fn motions(rows: &mut Vec<Row>) -> Result<(), Box<dyn Error>> {
     let scenes = [
         ("RC-10, box off a table, 0.85 s", table_edge::scene(0.85)?),
@@ -314,7 +314,8 @@ fn leaving(rows: &mut Vec<Row>) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// RC-07, RC-15, RC-17: sums of forces that hold bodies, after 0.1 s (springs: 0.3 s, until they have settled), relative to the weight.
+/// RC-07, RC-15, RC-17: sums of forces that hold bodies, after 0.1 s (springs: 0.3 s, until they have settled),
+/// relative to the weight.
 fn forces(rows: &mut Vec<Row>) -> Result<(), Box<dyn Error>> {
     for way in TIERS.into_iter().chain(FORCES).chain([EXACT]) {
         // Those that are struck, or held, anew each step are there from the first; springs settle.
@@ -370,8 +371,8 @@ fn table(duration_s: f64) -> Result<Scene, Box<dyn Error>> {
     Ok(Scene::builder("table").body(half_space("floor", UnitVector::Z)).body(table).duration_s(duration_s).build()?)
 }
 
-/// RC-16: forces on a ball on two equal ones that walls hold, all without friction, after 0.1 s (springs: 0.3 s). The force between
-/// the lower two is free: what the wall bears beyond it is not.
+/// RC-16: forces on a ball on two equal ones that walls hold, all without friction, after 0.1 s (springs: 0.3 s). The
+/// force between the lower two is free: what the wall bears beyond it is not.
 fn held_by_walls(context: &Context, rows: &mut Vec<Row>) -> Result<(), Box<dyn Error>> {
     let of_one = context.reference.numbers("RC-16", "N_upper, wall - mutual, floor, W")?;
     let expected: Vec<f64> = of_one.iter().flat_map(|force| [*force; 2]).collect();

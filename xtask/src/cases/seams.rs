@@ -2,8 +2,8 @@
 //!
 //! Nothing stands out of the plane in which fixed boxes lie side by side, so that a body that slides over them without
 //! friction keeps its velocity, whatever its shape, its speed and the direction in which it crosses the seams. The same
-//! holds where the boxes are parts of one body, where one of them is let into a half-space, and where they may move. With
-//! friction the body moves as on one large plate. Gaps of 1e-9 m and steps of 1e-12 m do not matter to a body of a
+//! holds where the boxes are parts of one body, where one of them is let into a half-space, and where they may move.
+//! With friction the body moves as on one large plate. Gaps of 1e-9 m and steps of 1e-12 m do not matter to a body of a
 //! tenth of a metre; a step of a hundredth of its size trips it.
 
 use super::{Amount, CaseResult, Context};

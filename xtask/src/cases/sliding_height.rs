@@ -1,10 +1,10 @@
 //! Sliding bodies do not float.
 //!
 //! Engines that solve friction as one convex problem (Anitescu; MuJoCo, Drake's SAP) add `mu |u_t|` to the rate of
-//! separation: a body that slides at `v` is held at a gap of some `mu v` times a time (the step, or that of their softness). Coulomb's law with
-//! Signorini's condition has no such term. A flat box slides at several speeds and coefficients; what is measured is the
-//! largest height of its centre above the one at which it touches, and the largest depth below, over all samples.
-//! docs/peers.md has the gaps of other engines in the same scene.
+//! separation: a body that slides at `v` is held at a gap of some `mu v` times a time (the step, or that of their
+//! softness). Coulomb's law with Signorini's condition has no such term. A flat box slides at several speeds and
+//! coefficients; what is measured is the largest height of its centre above the one at which it touches, and the
+//! largest depth below, over all samples. docs/peers.md has the gaps of other engines in the same scene.
 
 use super::rough_plane::Plane;
 use super::run::Run;

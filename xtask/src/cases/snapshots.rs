@@ -1,8 +1,8 @@
 //! Snapshots: a run that goes on from one has the same bits as a run that was never stopped.
 //!
-//! Every shipped scene is stopped at random times, each at the end of a step or at an event in the middle of the steps of
-//! others, kept as bytes, and continued by another simulation. The samples and events before the stop and those after it
-//! together have the strict hash of the run that was never stopped, and the reports are the same.
+//! Every shipped scene is stopped at random times, each at the end of a step or at an event in the middle of the steps
+//! of others, kept as bytes, and continued by another simulation. The samples and events before the stop and those
+//! after it together have the strict hash of the run that was never stopped, and the reports are the same.
 
 use super::run::Run;
 use super::{Amount, CaseResult, Context};

@@ -3,8 +3,8 @@
 //! - `brick-wall` on its slope of 15 degrees slides as bricks do on each other: it needs `tan 15`, and may be tilted by
 //!   `atan 0.6 -+ 15` degrees down and up the slope.
 //! - The flat ladder of `ladder`, at two degrees below the limit, needs `(L cot a - t)/(2 L)`.
-//! - `pyramid-55` leans over sideways when the resultant leaves its base of 0.4 m: its centre of mass is `0.2 + 9 0.4/3` high; in
-//!   its plane it slides first.
+//! - `pyramid-55` leans over sideways when the resultant leaves its base of 0.4 m: its centre of mass is `0.2 + 9
+//!   0.4/3` high; in its plane it slides first.
 //! - A box on a slope of any angle and friction needs `tan a / mu`.
 
 use super::rough_plane::Plane;

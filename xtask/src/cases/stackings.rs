@@ -1,8 +1,8 @@
 //! Symmetric stackings: prisms of 3 to 64 sides on prisms and boxes, in and out of touch, aligned and turned; by the
 //! contact crate and by parry3d's own manifolds.
 //!
-//! Every arrangement stands upright at the origin, a million metres away, and turned as a whole. The contact region is the
-//! overlap of two polygons, found exactly; so is the separation along the normals of the two faces.
+//! Every arrangement stands upright at the origin, a million metres away, and turned as a whole. The contact region is
+//! the overlap of two polygons, found exactly; so is the separation along the normals of the two faces.
 
 use super::feature_numbers::JudgedBody;
 use super::random_pairs::prism_points;

@@ -1,8 +1,8 @@
 //! Stacks of boxes of very different masses on slopes: they stand by friction, and rest is certified at once.
 //!
-//! The residual of the contact forces is relative to the accelerations without them. A body of mass m under bodies of mass
-//! M gains `M g / m` from each of two forces that cancel, so that forces in working precision leave some `4 eps M/m` of it:
-//! that is the limit. The forces are found in twice the working precision and leave less.
+//! The residual of the contact forces is relative to the accelerations without them. A body of mass m under bodies of
+//! mass M gains `M g / m` from each of two forces that cancel, so that forces in working precision leave some `4 eps
+//! M/m` of it: that is the limit. The forces are found in twice the working precision and leave less.
 
 use super::rough_plane::{Plane, rough};
 use super::{CaseResult, Context};

@@ -1,10 +1,12 @@
-//! The limit of stiffness of springs (thesis, section 3.1): step against stiffness, explicit against implicit, and what each costs.
+//! The limit of stiffness of springs (thesis, section 3.1): step against stiffness, explicit against implicit, and what
+//! each costs.
 //!
-//! A ball of 1 kg falls 5 cm on a floor with a linear spring of stiffness k (N/m) and no damper, and is followed for 0.3 s. With
-//! `w = sqrt(k/m)` an explicit step is stable up to `2/w` (semi-implicit Euler) and `2.78/w` (RK4). Beyond, a run is refused with the
-//! longest step that would do. The implicit midpoint rule is stable on a spring at any step, but not where the contact begins within one:
-//! the ball is as deep in the floor then as it has flown, and leaves with the energy of a spring that is pressed so far. Below that it gains little. Error
-//! control locates the begin and the end: a contact costs the same number of steps, however short it is.
+//! A ball of 1 kg falls 5 cm on a floor with a linear spring of stiffness k (N/m) and no damper, and is followed for
+//! 0.3 s. With `w = sqrt(k/m)` an explicit step is stable up to `2/w` (semi-implicit Euler) and `2.78/w` (RK4). Beyond,
+//! a run is refused with the longest step that would do. The implicit midpoint rule is stable on a spring at any step,
+//! but not where the contact begins within one: the ball is as deep in the floor then as it has flown, and leaves with
+//! the energy of a spring that is pressed so far. Below that it gains little. Error control locates the begin and the
+//! end: a contact costs the same number of steps, however short it is.
 //!
 //! Errors are of the height after 0.3 s against error control at 1e-12. The notes of the rows are the table of
 //! `docs/contact-methods/penalty.md`.
@@ -38,7 +40,8 @@ const EVERYDAY: f64 = 1e-6;
 const WITHIN: f64 = 0.5;
 /// Bounds are those of the frequency to this, relative.
 const BOUND: f64 = 1e-9;
-/// The error of a fixed step within its bound, of the fall: the run is stable, but a contact of few steps ends early or late by one.
+/// The error of a fixed step within its bound, of the fall: the run is stable, but a contact of few steps ends early or
+/// late by one.
 const FEW_STEPS: f64 = 1.0;
 /// Energy that the implicit rule may gain over the run with steps at the bound of Euler, of that of the fall.
 const GAIN: f64 = 1e-2;

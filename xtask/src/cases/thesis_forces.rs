@@ -1,5 +1,5 @@
-//! The thesis's forces by its heuristic and by guesses, on its videos: what falls falls as the thesis tells, and what is beyond
-//! guessing is refused with the number of contacts.
+//! The thesis's forces by its heuristic and by guesses, on its videos: what falls falls as the thesis tells, and what
+//! is beyond guessing is refused with the number of contacts.
 
 use super::run::Run;
 use super::{CaseResult, Context};
@@ -57,8 +57,8 @@ pub(super) fn rows(context: &Context) -> CaseResult {
     Ok(rows)
 }
 
-/// Video 12, the 2-diamond, stands by the heuristic; with the sides of its bricks it has 24 contacts, too many to guess (without them 20: case
-/// "rest by every way").
+/// Video 12, the 2-diamond, stands by the heuristic; with the sides of its bricks it has 24 contacts, too many to guess
+/// (without them 20: case "rest by every way").
 fn video_12(context: &Context) -> CaseResult {
     let by = |contact, duration_s| -> Result<Scene, Box<dyn Error>> {
         let scene = context.shipped.load("diamond-2")?.with_duration(duration_s)?;

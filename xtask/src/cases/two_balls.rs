@@ -1,6 +1,7 @@
-//! An oracle for impacts on springs: two balls in a plane, or a ball and a plane, integrated by RK4 in [`STEPS`] steps of one
-//! length through the contact, with the begin, the end, and every change of mode of friction located by bisection. It shares no
-//! code with what it judges: two positions, two velocities and two spins, one number for the tangential force.
+//! An oracle for impacts on springs: two balls in a plane, or a ball and a plane, integrated by RK4 in [`STEPS`] steps
+//! of one length through the contact, with the begin, the end, and every change of mode of friction located by
+//! bisection. It shares no code with what it judges: two positions, two velocities and two spins, one number for the
+//! tangential force.
 //!
 //! With the overlap d, its rate, the slip u of the first ball over the second one, and the force T against it:
 //!
@@ -8,8 +9,8 @@
 //! F = k d^(3/2) (1 + a d'),    stick: T' = k_t u + T min(d'/(2 d), 0),    slide: T = +- mu F,    k_t = c sqrt(d)
 //! ```
 //!
-//! It sticks where |T| < mu F, and a sliding contact sticks when the spring would give way backwards. Source: docs/REFERENCES.md,
-//! Chung and Ooi 2011; Mindlin and Deresiewicz 1953.
+//! It sticks where |T| < mu F, and a sliding contact sticks when the spring would give way backwards. Source:
+//! docs/REFERENCES.md, Chung and Ooi 2011; Mindlin and Deresiewicz 1953.
 
 /// Steps through a contact that lasts as long as an elastic one.
 const STEPS: f64 = 200_000.0;

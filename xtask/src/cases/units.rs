@@ -1,8 +1,8 @@
 //! Scenes in other units: every number of a scaled copy is that of the original, scaled, to the last bit.
 //!
-//! Lengths are larger by a power of 4, times by the same power of 2, masses by a power of 4: nothing is rounded, no square
-//! root either, so that a copy with other bits shows a number with a unit where none may be. Beside the shipped scenes
-//! these are random ones that crowd.
+//! Lengths are larger by a power of 4, times by the same power of 2, masses by a power of 4: nothing is rounded, no
+//! square root either, so that a copy with other bits shows a number with a unit where none may be. Beside the shipped
+//! scenes these are random ones that crowd.
 
 use super::{Amount, CaseResult, Context};
 use crate::random_scene::generate;

@@ -1,7 +1,8 @@
 //! Walls: bodies thrown at walls of any azimuth, and bodies that touch one without pressing, against closed forms.
 //!
 //! What bears no normal force is held by no friction, at once or later. The scenes and their closed forms are in
-//! `random_throws`; a run must end well, with the state of the closed form, and with forces within the cones of friction.
+//! `random_throws`; a run must end well, with the state of the closed form, and with forces within the cones of
+//! friction.
 
 use super::random_throws::Throw;
 use super::{CaseResult, Context, Run};

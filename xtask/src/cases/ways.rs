@@ -1,7 +1,7 @@
 //! Every way in which bodies act on each other where they touch, and how exactly each claims to do it.
 //!
-//! A case gives its scene a way and compares what it finds with one reference; what a way answers by its own law (several contacts
-//! struck at once) is the case's, how exactly it answers is the way's.
+//! A case gives its scene a way and compares what it finds with one reference; what a way answers by its own law
+//! (several contacts struck at once) is the case's, how exactly it answers is the way's.
 
 use super::run::Run;
 use crate::row::Row;

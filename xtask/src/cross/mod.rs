@@ -1,7 +1,7 @@
 //! `cargo xtask cross`: whether the golden trajectories have the same bits on other platforms.
 //!
-//! The program `strict-hash` (`xtask/strict-hash`) is built for each platform and runs the shipped scenes there: as it is
-//! on the platform of this machine, emulated by qemu or in wasmtime on others. Its hashes are compared with those in
+//! The program `strict-hash` (`xtask/strict-hash`) is built for each platform and runs the shipped scenes there: as it
+//! is on the platform of this machine, emulated by qemu or in wasmtime on others. Its hashes are compared with those in
 //! `fixtures/golden`. A platform whose tools are not on this machine is skipped, and the reason says what to install.
 //! With `--repeat-steps` each step of a run is made twice from a snapshot.
 //!
@@ -69,7 +69,8 @@ pub(crate) struct Options {
 #[derive(Debug)]
 struct Golden {
     scene: String,
-    /// The scene file, as the program is given it: relative to the workspace, which a sandbox may have as its only folder.
+    /// The scene file, as the program is given it: relative to the workspace, which a sandbox may have as its only
+    /// folder.
     file: String,
     hash: u64,
 }

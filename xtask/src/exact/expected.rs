@@ -1,15 +1,15 @@
 //! Which contacts a pair of polyhedra in a general pose has, found from all axes and the outlines of two faces.
 //!
-//! The rules are those that polhode-contact states, evaluated by plain search over all vertices, edges and faces. Whatever
-//! lies nearer to the limit of a rule than its stated clearance and the rounding of f64 may or may not be a contact; pairs
-//! of which several faces of one body decide alike are set apart as ties.
+//! The rules are those that polhode-contact states, evaluated by plain search over all vertices, edges and faces.
+//! Whatever lies nearer to the limit of a rule than its stated clearance and the rounding of f64 may or may not be a
+//! contact; pairs of which several faces of one body decide alike are set apart as ties.
 
 use super::feature::Feature;
 use super::pair::{Axis, AxisOf, Pair};
 use glam::DVec3;
 
-/// Lengths nearer to a limit than so many clearances are undecided: features in one place count as one, and the rule for
-/// two vertices takes four.
+/// Lengths nearer to a limit than so many clearances are undecided: features in one place count as one, and the rule
+/// for two vertices takes four.
 const BAND: f64 = 8.0;
 
 /// Cosine of the angle up to which normals belong to one contact region (0.01 rad).
@@ -68,9 +68,9 @@ fn above(value: f64, limit: f64, band: f64) -> Option<bool> {
 
 /// The contacts within `reach` (m) of a pair for which the crate took an axis to decide.
 ///
-/// The crate's rule is that edges decide when they separate by more than the best face and the stated clearance, and that
-/// faces within the clearance of the best face are equally good. What f64 cannot tell from the limit of the rule may be
-/// decided either way; whether the axis that was taken may have been is part of the answer.
+/// The crate's rule is that edges decide when they separate by more than the best face and the stated clearance, and
+/// that faces within the clearance of the best face are equally good. What f64 cannot tell from the limit of the rule
+/// may be decided either way; whether the axis that was taken may have been is part of the answer.
 pub(crate) fn contacts(pair: &Pair<'_>, axes: &[Axis], taken: AxisOf, reach: f64) -> Expected {
     let rounding = |axis: &Axis| ROUNDING * pair.scale / axis.sine;
     let is_face = |axis: &&Axis| !matches!(axis.of, AxisOf::Edges(..));
@@ -111,9 +111,9 @@ pub(crate) fn contacts(pair: &Pair<'_>, axes: &[Axis], taken: AxisOf, reach: f64
     expected.map_or(Expected::Tie, Found::into)
 }
 
-/// Two faces that lie against each other: of the overlap of their outlines, the corners whose normals are alike to those of
-/// the faces that decide. These are the face that separates better, or both when they separate equally well; where a
-/// crossing decides, only such as are alike to its normal. Nothing when that cannot be decided.
+/// Two faces that lie against each other: of the overlap of their outlines, the corners whose normals are alike to
+/// those of the faces that decide. These are the face that separates better, or both when they separate equally well;
+/// where a crossing decides, only such as are alike to its normal. Nothing when that cannot be decided.
 fn between_faces(pair: &Pair<'_>, [a, b]: [usize; 2], crossing: Option<DVec3>, reach: f64) -> Option<Found> {
     let (of_a, of_b) = (Outline::new(pair, 0, a)?, Outline::new(pair, 1, b)?);
     let normals = [-of_a.normal, of_b.normal];
@@ -173,8 +173,8 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().copied().fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// The face of a body at its lowest vertices along `normal` that lies most nearly against it, and these vertices; nothing
-/// when undecided.
+/// The face of a body at its lowest vertices along `normal` that lies most nearly against it, and these vertices;
+/// nothing when undecided.
 fn opposing(pair: &Pair<'_>, body: usize, normal: DVec3) -> Option<(usize, Vec<usize>)> {
     let mut heights: Vec<(f64, usize)> =
         pair.vertices[body].iter().enumerate().map(|(v, p)| (p.dot(normal), v)).collect();
@@ -200,7 +200,8 @@ fn on_face(pair: &Pair<'_>, axis: &Axis, body: usize, face: usize, reach: f64) -
     let (against, deepest) = opposing(pair, other, outward)?;
     let mut found = between_faces(pair, if body == 0 { [face, against] } else { [against, face] }, None, reach)?;
     if found.sure.is_empty() && axis.separation <= band {
-        // Bodies that touch have a contact, also where the outlines leave none: the deepest vertex, or one of the deepest.
+        // Bodies that touch have a contact, also where the outlines leave none: the deepest vertex, or one of the
+        // deepest.
         let is_sure = found.perhaps.is_empty() && axis.separation < -band && deepest.len() == 1;
         let deciding = deepest.into_iter().map(|v| Feature::VertexFace { vertex_of: other, vertex: v, face });
         if is_sure { found.sure.extend(deciding) } else { found.perhaps.extend(deciding) }
@@ -277,8 +278,8 @@ fn across_edges(pair: &Pair<'_>, axis: &Axis, reach: f64) -> Option<Found> {
     Some(found)
 }
 
-/// Contacts beside a deciding crossing where one of the faces stands at an angle: crossings beyond the ends of their edges
-/// are none, and the deciding one is always there, unless another is in its place.
+/// Contacts beside a deciding crossing where one of the faces stands at an angle: crossings beyond the ends of their
+/// edges are none, and the deciding one is always there, unless another is in its place.
 fn along_edge(pair: &Pair<'_>, found: Found, (i, j): (usize, usize)) -> Found {
     let band = BAND * pair.clearance();
     let mut kept = Found::default();

@@ -1,10 +1,10 @@
 //! The overlap of two plane faces that lie on each other: its vertices, decided without rounding.
 //!
 //! Both faces are looked at along the first one's exact normal. On which side of a line a vertex lies is the sign of a
-//! determinant, taken in f64 where that is certain and exactly elsewhere. The vertices of the overlap are those of either
-//! polygon inside the other and the proper crossings of edges. Rounded coordinates make clusters of vertices and slivers
-//! where the meant ones coincide: those within a tolerance count once, and none counts that lies on the line of its
-//! neighbours within it.
+//! determinant, taken in f64 where that is certain and exactly elsewhere. The vertices of the overlap are those of
+//! either polygon inside the other and the proper crossings of edges. Rounded coordinates make clusters of vertices and
+//! slivers where the meant ones coincide: those within a tolerance count once, and none counts that lies on the line of
+//! its neighbours within it.
 
 use super::dyadic::Dyadic;
 use super::pair::{ExactPair, Pair};

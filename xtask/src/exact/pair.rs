@@ -121,7 +121,8 @@ impl<'a> Pair<'a> {
         self.directions[body].get(edge).copied().unwrap_or(DVec3::NAN)
     }
 
-    /// The common perpendicular of an edge of A and one of B, on the side from B to A by the directions out of the bodies.
+    /// The common perpendicular of an edge of A and one of B, on the side from B to A by the directions out of the
+    /// bodies.
     pub(crate) fn across(&self, i: usize, j: usize) -> Axis {
         let cross = self.direction(0, i).cross(self.direction(1, j));
         let sign = if cross.dot(self.outward(1, j) - self.outward(0, i)) < 0.0 { -1.0 } else { 1.0 };
@@ -130,8 +131,8 @@ impl<'a> Pair<'a> {
         Axis { of: AxisOf::Edges(i, j), normal, separation: self.along(normal), sine }
     }
 
-    /// A direction out of a body at an edge: the sum of the normals of its two faces and, in either face, of the direction
-    /// out of it across the edge.
+    /// A direction out of a body at an edge: the sum of the normals of its two faces and, in either face, of the
+    /// direction out of it across the edge.
     fn outward(&self, body: usize, edge: usize) -> DVec3 {
         let along = self.direction(body, edge);
         let [left, right] = self.edge(body, edge).faces.map(|face| self.face_normal(body, face));
@@ -183,14 +184,16 @@ impl<'a> Pair<'a> {
         a.max(b) - c.min(d)
     }
 
-    /// The axes whose separation in f64 is near the best, the best first, and all that f64 cannot tell: exact numbers will.
+    /// The axes whose separation in f64 is near the best, the best first, and all that f64 cannot tell: exact numbers
+    /// will.
     pub(crate) fn near_best(&self, axes: &[Axis]) -> Vec<Axis> {
         let least = best_told(axes) - NEAR_BEST * self.scale;
         in_order(axes.iter().filter(|axis| !axis.is_told() || axis.separation >= least))
     }
 
-    /// The axes that f64 can tell and whose separation is the best to twice the clearance, the best first: faces may decide
-    /// when edges separate by no more than the clearance above the best of them, and any face that is as good as that one.
+    /// The axes that f64 can tell and whose separation is the best to twice the clearance, the best first: faces may
+    /// decide when edges separate by no more than the clearance above the best of them, and any face that is as good as
+    /// that one.
     pub(crate) fn equally_good(&self, axes: &[Axis]) -> Vec<Axis> {
         let least = best_told(axes) - 2.0 * self.clearance();
         in_order(axes.iter().filter(|axis| axis.is_told() && axis.separation >= least))
@@ -300,7 +303,8 @@ impl<'a> ExactPair<'a> {
         (!normal.is_zero()).then_some(normal)
     }
 
-    /// An axis that f64 cannot tell with its exact normal and separation, rounded once; nothing when it has no direction.
+    /// An axis that f64 cannot tell with its exact normal and separation, rounded once; nothing when it has no
+    /// direction.
     pub(crate) fn told(&self, axis: &Axis) -> Option<Axis> {
         let normal = self.normal(axis)?;
         let (square, separation) = (normal.dot(&normal), self.along(&normal).less(0.0));

@@ -14,6 +14,7 @@
 //! | `one_dependency` | the rule that an example names its own crate alone |
 //! | `kinds_of_joint` | no kind of joint is named outside of the folder of constraints |
 //! | `kinds_of_tier` | no kind of tier is named outside of the folders of tiers |
+//! | `module_tables` | every module stands in the table of its room |
 //! | `tolerances` | no two tolerances of one name with two values |
 //! | `unused_dependencies` | dependencies that nothing names |
 //! | `docs` | rules about documents and manifests |
@@ -29,6 +30,7 @@ mod imports;
 mod kinds_of_joint;
 mod kinds_of_tier;
 mod layers;
+mod module_tables;
 mod one_dependency;
 mod project_file;
 mod rules;
@@ -88,6 +90,7 @@ pub(crate) fn check(root: &Path) -> Vec<Row> {
     rows.push(row("circles of files that import each other", &circles::check(&sources)));
     rows.push(row("parry3d and clarabel stay in their private module", &third_party::check(&sources)));
     rows.extend(rules::ALL.iter().map(|rule| row(rule.name, &rule.check(&sources))));
+    rows.push(row("every module stands in the table of its room", &module_tables::check(&sources)));
     rows.push(row("kinds of joint named outside of their folder", &kinds_of_joint::check(&sources)));
     rows.push(row("kinds of tier named outside of their folders", &kinds_of_tier::check(&sources)));
     rows.push(row("no two tolerances of one name with two values", &tolerances::check(&sources)));

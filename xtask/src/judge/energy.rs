@@ -74,8 +74,8 @@ pub(super) fn hold(judged: &Judged<'_>, track: &Track, findings: &mut Findings) 
         findings.hold("loss below zero", -loss, RISE * scale, || format!("{name}: {loss:.3e} J of {scale:.3e}"));
     }
     if !may_add {
-        // By Stronge's law no normal work is given back beyond what was taken; by the others with friction some may be, at
-        // the cost of friction.
+        // By Stronge's law no normal work is given back beyond what was taken; by the others with friction some may be,
+        // at the cost of friction.
         let is_stronge = judged.model.restitution_law.is_none_or(|law| law == RestitutionLaw::Named("stronge"));
         let (name, loss) = if is_stronge {
             ("impact", account.impact)

@@ -14,13 +14,14 @@ const TOUCH: f64 = 1e-9;
 const LEAST_ARM: f64 = 1e-2;
 /// Bodies nearer than this may touch, however slow they are, m.
 const LEAST_GAP: f64 = 1e-6;
-/// Error of a flight or a momentum, relative to the largest terms that it is made of. The error allowed to an integrator
-/// is below it.
+/// Error of a flight or a momentum, relative to the largest terms that it is made of. The error allowed to an
+/// integrator is below it.
 const MOTION: f64 = 1e-8;
 /// Error of an impulse of a plane, relative to the speeds: bounces too small to be resolved end at once, with what they
 /// would still have given.
 const BOUNCES: f64 = 2e-5;
-/// Error of a flight or a momentum in runs with stretches of crowded events, in which errors of 1e-6 are allowed and told.
+/// Error of a flight or a momentum in runs with stretches of crowded events, in which errors of 1e-6 are allowed and
+/// told.
 const CROWDED: f64 = 1e-5;
 
 /// Whether all states are numbers, at the times asked for.

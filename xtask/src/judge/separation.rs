@@ -2,11 +2,11 @@
 //!
 //! Along a unit direction d two convex bodies A and B are apart by `min over B of d.x - max over A of d.x`, and their
 //! separation is the largest of these. Any direction gives a lower bound, so that one direction proves that two bodies
-//! are not in each other. Directions are tried in the order: the one that served last, from centre to centre, normals of
-//! faces, axes. If none proves it, the largest value is searched on the tangent plane of the best one: as a function of
-//! the two coordinates there it is quasi-concave (exactly for bodies that are apart, and up to the depth itself relative
-//! to the sizes for bodies in each other), so that a search by golden sections within one by golden sections finds it. A
-//! ring is searched along its circle for the point with the least separation.
+//! are not in each other. Directions are tried in the order: the one that served last, from centre to centre, normals
+//! of faces, axes. If none proves it, the largest value is searched on the tangent plane of the best one: as a function
+//! of the two coordinates there it is quasi-concave (exactly for bodies that are apart, and up to the depth itself
+//! relative to the sizes for bodies in each other), so that a search by golden sections within one by golden sections
+//! finds it. A ring is searched along its circle for the point with the least separation.
 //!
 //! Fails: an overlap that is deep compared with the bodies may be found deeper than it is.
 

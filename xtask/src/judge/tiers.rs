@@ -1,8 +1,8 @@
-//! Whether a run by fixed steps goes to the accurate motion as its steps become shorter, and whether two copies of a scene are one
-//! motion. Nothing is known here but the poses that were sampled.
+//! Whether a run by fixed steps goes to the accurate motion as its steps become shorter, and whether two copies of a
+//! scene are one motion. Nothing is known here but the poses that were sampled.
 //!
-//! Distances are in parts of a body: `|x - y|/size` and the angle (rad) between the attitudes, of the body that is farthest off, at
-//! any sample so far.
+//! Distances are in parts of a body: `|x - y|/size` and the angle (rad) between the attitudes, of the body that is
+//! farthest off, at any sample so far.
 //!
 //! | symbol | unit | is |
 //! |---|---|---|
@@ -11,19 +11,19 @@
 //! | `g` | - | growth: the distance of the accurate run from one that starts 1e-9 elsewhere, over 1e-9; at least 1 |
 //! | `r` | 1/s | rate: the largest velocity of any body in its own sizes, and the largest angular velocity |
 //!
-//! An event that is seen a step late shifts a motion by at most what it moves meanwhile, so that an error of first order is at most
-//! `C h r g`. Samples are judged up to the first at which that bound for the shortest step is a quarter of a body, or `g` is above a
-//! thousand: what is beyond that is not known to better. A run is wrong if `e` at the shortest step is above that bound and has not
-//! fallen to half of that at the longest step; between events, where the order is 2, if `e` has fallen by less than the power 1.5 of
-//! the ratio of steps, unless it is rounding.
+//! An event that is seen a step late shifts a motion by at most what it moves meanwhile, so that an error of first
+//! order is at most `C h r g`. Samples are judged up to the first at which that bound for the shortest step is a
+//! quarter of a body, or `g` is above a thousand: what is beyond that is not known to better. A run is wrong if `e` at
+//! the shortest step is above that bound and has not fallen to half of that at the longest step; between events, where
+//! the order is 2, if `e` has fallen by less than the power 1.5 of the ratio of steps, unless it is rounding.
 //!
-//! It fails where growth is not that of the start but of something within the piece (a corner that just meets an edge): growth is
-//! then underestimated, and the run is called wrong. Such scenes are told from others by shorter steps.
+//! It fails where growth is not that of the start but of something within the piece (a corner that just meets an edge):
+//! growth is then underestimated, and the run is called wrong. Such scenes are told from others by shorter steps.
 
 use glam::{DQuat, DVec3};
 
-/// By this part the run that shows growth starts elsewhere (no unit, 1e-10 to 1e-8: above the errors of the tier `accurate`, and
-/// below what changes the order of events).
+/// By this part the run that shows growth starts elsewhere (no unit, 1e-10 to 1e-8: above the errors of the tier
+/// `accurate`, and below what changes the order of events).
 pub(crate) const DISTURBED: f64 = 1e-9;
 /// The factor of the bound of first order (no unit): two velocities, before an event and after, and one more body.
 const LATE: f64 = 4.0;
@@ -173,7 +173,8 @@ impl Convergence {
 
 #[cfg(test)]
 mod tests {
-    //! Errors of the first and the second order are right, errors that stay are wrong, and what grows is not judged beyond its horizon.
+    //! Errors of the first and the second order are right, errors that stay are wrong, and what grows is not judged
+    //! beyond its horizon.
     use super::*;
 
     const STEPS: [f64; 3] = [4e-3, 2e-3, 1e-3];

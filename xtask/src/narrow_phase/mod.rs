@@ -1,5 +1,5 @@
-//! `cargo xtask narrow-phase`: the separating-axis test against GJK, error over the gap and time over the number of edges,
-//! as a figure and a section of `docs/accuracy-and-cost.md`.
+//! `cargo xtask narrow-phase`: the separating-axis test against GJK, error over the gap and time over the number of
+//! edges, as a figure and a section of `docs/accuracy-and-cost.md`.
 //!
 //! | module | holds |
 //! |---|---|

@@ -1,4 +1,5 @@
-//! The licence texts of what a wheel contains: of crates that are compiled into it, of the viewer and of Rust's own library.
+//! The licence texts of what a wheel contains: of crates that are compiled into it, of the viewer and of Rust's own
+//! library.
 
 use crate::commands;
 use crate::row::Row;

@@ -1,4 +1,5 @@
-//! What all kinds of mechanisms are built with: bars, boxes and balls, joints, words of what acts along their coordinates.
+//! What all kinds of mechanisms are built with: bars, boxes and balls, joints, words of what acts along their
+//! coordinates.
 
 use super::model::{Coordinate, Joint, JointKind, Keys, Mechanism, Member, Role, Value};
 use crate::random::Random;
@@ -13,7 +14,8 @@ pub(super) struct Build {
 }
 
 impl Build {
-    /// A body that forces move, without a shape: masses at random places about the middle of two points, at any attitude.
+    /// A body that forces move, without a shape: masses at random places about the middle of two points, at any
+    /// attitude.
     pub(super) fn bar(&mut self, a: DVec3, b: DVec3) -> usize {
         let random = &mut self.random;
         let length = (b - a).length().max(0.1);
@@ -112,8 +114,8 @@ impl Build {
         }
     }
 
-    /// The inertia that a coordinate of a joint has to do with, in orders of magnitude: that of its first body about the anchor,
-    /// kg m^2, or its mass, kg.
+    /// The inertia that a coordinate of a joint has to do with, in orders of magnitude: that of its first body about
+    /// the anchor, kg m^2, or its mass, kg.
     pub(super) fn inertia(&self, joint: usize, coordinate: Coordinate) -> f64 {
         let joint = &self.scene.joints[joint];
         let body = &self.scene.bodies[joint.bodies[0]];

@@ -94,7 +94,8 @@ pub(crate) fn scene(seed: u64) -> Mechanism {
     build.scene
 }
 
-/// Another placement of a scene, by its seed: turned about any axis, moved a little, its bodies and joints in the opposite order.
+/// Another placement of a scene, by its seed: turned about any axis, moved a little, its bodies and joints in the
+/// opposite order.
 pub(crate) fn other_placement(seed: u64) -> Placement {
     let mut random = Random(seed.wrapping_mul(SPREAD).wrapping_add(7));
     Placement { rotation: attitude(&mut random), shift: random.vector(-0.5, 0.5), is_reversed: random.below(2) == 0 }

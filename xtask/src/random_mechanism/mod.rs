@@ -1,10 +1,12 @@
-//! Random mechanisms and small piles, each made from a seed: joints of all kinds, closed loops, limits, motors, springs, dry
-//! friction, gears, prescribed motions, tracks, contacts, belts and bodies of prescribed motion, over short pieces.
+//! Random mechanisms and small piles, each made from a seed: joints of all kinds, closed loops, limits, motors,
+//! springs, dry friction, gears, prescribed motions, tracks, contacts, belts and bodies of prescribed motion, over
+//! short pieces.
 //!
-//! They are given to several tiers, which must agree (`xtask/src/judge/tiers.rs`, `xtask/src/cases/tiers_agree`). `cargo xtask
-//! judge --tiers --write SEED FILE.toml` writes one as a scene file. Bodies are small numbers of bars without a shape, with the
-//! inertia of masses at random places, at random attitudes; in piles they are boxes and balls. The start of what joints hold is
-//! made consistent by the projection of random velocities onto what the joints allow (`velocities`).
+//! They are given to several tiers, which must agree (`xtask/src/judge/tiers.rs`, `xtask/src/cases/tiers_agree`).
+//! `cargo xtask judge --tiers --write SEED FILE.toml` writes one as a scene file. Bodies are small numbers of bars
+//! without a shape, with the inertia of masses at random places, at random attitudes; in piles they are boxes and
+//! balls. The start of what joints hold is made consistent by the projection of random velocities onto what the joints
+//! allow (`velocities`).
 //!
 //! | module | holds |
 //! |---|---|

@@ -1,5 +1,5 @@
-//! A random mechanism as plain data. Points and directions are those of the world at the start; whatever turns with a body or is a
-//! number is kept as the words of the scene file.
+//! A random mechanism as plain data. Points and directions are those of the world at the start; whatever turns with a
+//! body or is a number is kept as the words of the scene file.
 
 use glam::{DQuat, DVec3};
 

@@ -1,5 +1,6 @@
-//! How a mechanism is set in the world: turned about any axis, moved, with bodies and joints in another order, or started with
-//! masses, gravity and loose bodies a little different. What grows from such a difference grows from rounding.
+//! How a mechanism is set in the world: turned about any axis, moved, with bodies and joints in another order, or
+//! started with masses, gravity and loose bodies a little different. What grows from such a difference grows from
+//! rounding.
 
 use super::model::{Mechanism, Value};
 use crate::random::Random;
@@ -44,8 +45,8 @@ impl Placement {
 }
 
 impl Mechanism {
-    /// Started a little elsewhere: masses and gravity differ by about this part of themselves, and loose bodies start as much of
-    /// their size aside and with as much of their velocities more.
+    /// Started a little elsewhere: masses and gravity differ by about this part of themselves, and loose bodies start
+    /// as much of their size aside and with as much of their velocities more.
     pub(crate) fn disturbed(&self, part: f64) -> Self {
         let mut random = Random(self.seed ^ 0x5EED);
         let mut scene = self.clone();

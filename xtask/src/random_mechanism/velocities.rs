@@ -1,9 +1,10 @@
 //! Velocities that the joints of a mechanism allow: random ones are projected onto them.
 //!
-//! Each joint gives rows `J v = r` over the velocities `v` of the centres (m/s, in parts of a length) and the angular velocities of
-//! the bodies that forces move; `r` holds what bodies of prescribed motion and prescribed rates do. The rows are made orthonormal
-//! by the modified Gram-Schmidt method, twice each; a row of which nothing is left depends on the others and is dropped. Then
-//! `v <- v - sum q (q.v - r)`. Exact to rounding over the smallest part that is kept of a row.
+//! Each joint gives rows `J v = r` over the velocities `v` of the centres (m/s, in parts of a length) and the angular
+//! velocities of the bodies that forces move; `r` holds what bodies of prescribed motion and prescribed rates do. The
+//! rows are made orthonormal by the modified Gram-Schmidt method, twice each; a row of which nothing is left depends on
+//! the others and is dropped. Then `v <- v - sum q (q.v - r)`. Exact to rounding over the smallest part that is kept of
+//! a row.
 
 use super::model::{Coordinate, Joint, JointKind, Mechanism};
 use glam::DVec3;
@@ -31,8 +32,8 @@ struct Part {
 }
 
 impl Mechanism {
-    /// Makes the velocities of the bodies that forces move ones that the joints allow. Further rows are those of gears: sums of
-    /// coordinates of joints, by number, that stay zero.
+    /// Makes the velocities of the bodies that forces move ones that the joints allow. Further rows are those of gears:
+    /// sums of coordinates of joints, by number, that stay zero.
     pub(super) fn make_consistent(&mut self, gears: &[[(usize, Coordinate, f64); 2]]) {
         let mut rows = Vec::new();
         for joint in &self.joints {

@@ -1,8 +1,8 @@
 //! The same scene set differently in the world: mirrored, turned, moved, in other units, or started a little elsewhere.
 //!
-//! In other units lengths are larger by `4^k` and times by `2^k`, so that accelerations are the same numbers, and masses
-//! by a power of 4: every number of the scene is then scaled without rounding, and so are the square roots of masses that a
-//! Cholesky factor of inverse masses takes, as those of lengths.
+//! In other units lengths are larger by `4^k` and times by `2^k`, so that accelerations are the same numbers, and
+//! masses by a power of 4: every number of the scene is then scaled without rounding, and so are the square roots of
+//! masses that a Cholesky factor of inverse masses takes, as those of lengths.
 
 use super::model::{Body, Force, Form, Material, Model, Motion, Part, Role, Triangles};
 use glam::{DQuat, DVec3};

@@ -1,8 +1,9 @@
 //! The scene of a seed: 1 to 8 bodies that forces move, of all shapes, thrown, set down or stacked on ground and among
-//! walls, obstacles and bodies of prescribed motion, or among themselves in space; materials, laws and forces at random.
+//! walls, obstacles and bodies of prescribed motion, or among themselves in space; materials, laws and forces at
+//! random.
 //!
-//! No body is put where the judge finds it nearer to another one than a gap, except bodies that are meant to touch: those
-//! are set on the ground or on each other to rounding.
+//! No body is put where the judge finds it nearer to another one than a gap, except bodies that are meant to touch:
+//! those are set on the ground or on each other to rounding.
 
 use super::model::{Body, Force, Form, Material, Model, Motion, Part, RestitutionLaw, Role};
 use super::polyhedra;

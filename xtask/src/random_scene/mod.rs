@@ -1,7 +1,7 @@
 //! Random scenes, each made from a seed: bodies of all shapes, materials, laws and prescribed motions.
 //!
-//! `cargo xtask random-scene SEED -o FILE.toml` writes one as a scene file with its meshes beside it, so that whatever a
-//! random case finds can be run, seen and cured. The case is `xtask/src/cases/random_scenes`, its judge
+//! `cargo xtask random-scene SEED -o FILE.toml` writes one as a scene file with its meshes beside it, so that whatever
+//! a random case finds can be run, seen and cured. The case is `xtask/src/cases/random_scenes`, its judge
 //! `xtask/src/judge`.
 //!
 //! | module | holds |

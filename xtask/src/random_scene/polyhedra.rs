@@ -1,5 +1,5 @@
-//! Convex polyhedra whose faces are known: affine images of prisms, pyramids, octahedra and icosahedra; and two that are
-//! not convex, an angle and a channel, with their convex pieces.
+//! Convex polyhedra whose faces are known: affine images of prisms, pyramids, octahedra and icosahedra; and two that
+//! are not convex, an angle and a channel, with their convex pieces.
 
 use super::model::{Form, Triangles};
 use crate::random::Random;

@@ -91,8 +91,8 @@ impl<'a> Meshes<'a> {
         Ok(Form::Mesh { file, scale: None, mesh: scaled })
     }
 
-    /// The mesh with the corners that it repeats joined, when that makes it a solid: exporters part a mesh along seams that
-    /// are none in space. A mesh that stays open is left as it is; only ground may be.
+    /// The mesh with the corners that it repeats joined, when that makes it a solid: exporters part a mesh along seams
+    /// that are none in space. A mesh that stays open is left as it is; only ground may be.
     fn closed(&mut self, mesh: TriangleMesh, body: &Table<'_>) -> Result<TriangleMesh, ImportError> {
         if SolidMesh::new(mesh.clone()).is_ok() {
             return Ok(mesh);

@@ -1,10 +1,11 @@
 //! `cargo xtask import-rigid-ipc`: scenes of the Rigid IPC suite in our scene format.
 //!
-//! The suite (docs/REFERENCES.md, Ferguson) writes a scene as JSON: bodies with a mesh file, a place, velocities, what is
-//! held; degrees; y upwards. Here its axes and its gravity stay as they are. Where its format leaves a choice open,
+//! The suite (docs/REFERENCES.md, Ferguson) writes a scene as JSON: bodies with a mesh file, a place, velocities, what
+//! is held; degrees; y upwards. Here its axes and its gravity stay as they are. Where its format leaves a choice open,
 //! its own reader (`read_rb_scene.cpp`, `rigid_body.cpp`, `SimState.cpp`) decides. A restitution of -1 there means that
-//! no velocity is restored after the step: 0 here. One coefficient of friction is that of all contacts, in both formats. Settings of its solver are reported as not used, keys that are not
-//! known are reported too, and what cannot be simulated yet is refused with file and key.
+//! no velocity is restored after the step: 0 here. One coefficient of friction is that of all contacts, in both
+//! formats. Settings of its solver are reported as not used, keys that are not known are reported too, and what cannot
+//! be simulated yet is refused with file and key.
 //!
 //! | module | holds |
 //! |---|---|

@@ -26,8 +26,8 @@ pub(super) fn of_scene(body: &mut Table<'_>) -> Result<Vec<DVec3>, ImportError> 
     Ok(positions)
 }
 
-/// The corners of an OBJ file that has no faces; nothing when it has, or when it cannot be read: the reader of meshes then
-/// says why.
+/// The corners of an OBJ file that has no faces; nothing when it has, or when it cannot be read: the reader of meshes
+/// then says why.
 pub(super) fn of_file(path: &Path, body: &Table<'_>) -> Result<Option<Vec<DVec3>>, ImportError> {
     if path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("obj")) {
         return Ok(None);

@@ -1,7 +1,7 @@
 //! The mesh where it is deformed most, with the vertical stress of its elements as colour, as SVG.
 //!
-//! Displacements are drawn as they are. Blue is pressure, red is tension; the darkest colour is the largest stress of the
-//! picture, which is written below it.
+//! Displacements are drawn as they are. Blue is pressure, red is tension; the darkest colour is the largest stress of
+//! the picture, which is written below it.
 
 use crate::abandoned;
 use crate::failure::Failure;

@@ -11,8 +11,8 @@
 //! | `exact`, `exact-strang` | [`Exact`] | exact without forces, else 4, 2 | poses, time |
 //! | `exact-adaptive` | [`AdaptiveExact`] | exact without forces, else 4, error-controlled | poses, time |
 //!
-//! [`Method`] knows them by name; [`event::locate`] finds when a function of the states changes its sign within the last
-//! step of any of them.
+//! [`Method`] knows them by name; [`event::locate`] finds when a function of the states changes its sign within the
+//! last step of any of them.
 //!
 //! ```
 //! use polhode_dynamics::integrator::{Method, MethodSettings, event};
@@ -98,8 +98,8 @@ use std::fmt::Debug;
 /// A one-step method for free bodies.
 ///
 /// The method keeps its own variables from step to step (a matrix that has drifted from a rotation, say, is what it
-/// goes on from); [`Integrator::states`] shows them as states of bodies. It must be given the same motion at every step,
-/// and started anew when bodies, gravity or fields have changed.
+/// goes on from); [`Integrator::states`] shows them as states of bodies. It must be given the same motion at every
+/// step, and started anew when bodies, gravity or fields have changed.
 pub trait Integrator: Debug + Send {
     /// Order of convergence of the states at a fixed time.
     fn order(&self) -> u32;

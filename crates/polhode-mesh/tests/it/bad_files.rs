@@ -210,8 +210,8 @@ proptest! {
     }
 }
 
-/// A header of very many elements, or of one with very many properties, is read in the time of its bytes; names that come
-/// twice and a second format are refused.
+/// A header of very many elements, or of one with very many properties, is read in the time of its bytes; names that
+/// come twice and a second format are refused.
 #[test]
 fn long_ply_headers() {
     let elements: String = (0..50_000).map(|k| format!("element e{k} 0\n")).collect::<Vec<_>>().concat();

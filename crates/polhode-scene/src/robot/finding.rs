@@ -1,5 +1,5 @@
-//! What a robot file is refused for, what differs from what it asks for, and what of it is ignored: each with its place, its
-//! size and its cure.
+//! What a robot file is refused for, what differs from what it asks for, and what of it is ignored: each with its
+//! place, its size and its cure.
 
 use crate::mesh_file_error::MeshFileError;
 use glam::DVec3;

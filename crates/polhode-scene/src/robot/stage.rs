@@ -25,7 +25,8 @@ pub(crate) fn is_robot_file(path: &Path) -> bool {
 /// When the robot file is refused.
 pub(crate) fn scene_of(path: &Path) -> Result<String, RobotFileError> {
     let RobotFile { robot, .. } = read_robot(path, &[])?;
-    // An inertia that is refused is told when the scene is built, which may repair it; where others refuse the file it is told with them.
+    // An inertia that is refused is told when the scene is built, which may repair it; where others refuse the file it
+    // is told with them.
     let repaired = assembled(&robot, &Placement::of_file(Unphysical::Repair), 0);
     let (assembly, _) = repaired.map_err(|found| {
         let told = assembled(&robot, &Placement::of_file(Unphysical::Refuse), 0).err();

@@ -35,8 +35,8 @@ fn a_grid_stands_in_rows_columns_and_layers() {
     }
 }
 
-/// The courses of a pyramid have one body fewer each; every second one of a wall begins and ends with half a brick, flush with
-/// the ends of the others: every body stands over the joint of two, and none juts out.
+/// The courses of a pyramid have one body fewer each; every second one of a wall begins and ends with half a brick,
+/// flush with the ends of the others: every body stands over the joint of two, and none juts out.
 #[test]
 fn courses_stand_over_the_joints_of_those_below() {
     let pyramid = scene(&array("position = [0, 0, 0.2]\nlayout.pyramid = { base = 3, spacing = [0.5, 0.4] }"));

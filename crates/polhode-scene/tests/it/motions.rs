@@ -54,7 +54,8 @@ fn sine() {
     assert!(trajectory(all).velocity(0.0).linear.x > 3.0);
 }
 
-/// Samples are where the body is; what the table leaves out comes from the body, and what the body leaves out from the table.
+/// Samples are where the body is; what the table leaves out comes from the body, and what the body leaves out from the
+/// table.
 #[test]
 fn tables() {
     let places = "motion.table = { times = [0, 1, 2], positions = [[1, 0, 0], [2, 0, 0], [2, 3, 0]] }";
@@ -207,8 +208,8 @@ fn poses_that_contradict_the_table() {
     }
 }
 
-/// A hold of two equal samples stands still unless a spline is asked for, which is warned of; what is between the samples
-/// can be named.
+/// A hold of two equal samples stands still unless a spline is asked for, which is warned of; what is between the
+/// samples can be named.
 #[test]
 fn interpolations() {
     let table = |more: &str| {
@@ -233,8 +234,8 @@ fn interpolations() {
     check(&with(&unknown), "bodies.mover.motion.table.interpolation", "\"cubic\"", "cubic");
 }
 
-/// A linear table of a body that others may touch is refused with the reason, and accepted where nothing can touch it or
-/// where it does not jump during the run.
+/// A linear table of a body that others may touch is refused with the reason, and accepted where nothing can touch it
+/// or where it does not jump during the run.
 #[test]
 fn jumps_of_bodies_that_may_be_touched_are_refused() {
     let lift = |times: &str, name: &str| {

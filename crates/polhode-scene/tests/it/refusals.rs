@@ -175,8 +175,8 @@ fn materials() {
     check(&thesis, "method.tier", "thesis", "has no friction: use tier `accurate`");
 }
 
-/// Friction along and across a grain that cannot be is refused at its key: numbers, directions, keys, and contacts of which
-/// it is not clear whose grain counts.
+/// Friction along and across a grain that cannot be is refused at its key: numbers, directions, keys, and contacts of
+/// which it is not clear whose grain counts.
 #[test]
 fn friction_along_a_grain() {
     let friction = |value: &str| BASE.replace("restitution = 0.5", &format!("friction = {value}"));

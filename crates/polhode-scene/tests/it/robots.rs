@@ -1,8 +1,8 @@
 //! Robots from URDF files are the bodies and joints that a scene would give by hand, and move as these do.
 //!
-//! Welded links have the sum of the mass properties of their parts about the common centre of mass (theorem of parallel axes,
-//! computed here from particles); joints stand where their chain of frames puts them; a small pendulum swings with the period of
-//! its inertia; a robot turned and moved as a whole moves the same.
+//! Welded links have the sum of the mass properties of their parts about the common centre of mass (theorem of parallel
+//! axes, computed here from particles); joints stand where their chain of frames puts them; a small pendulum swings
+//! with the period of its inertia; a robot turned and moved as a whole moves the same.
 
 use glam::{DMat3, DVec3};
 use polhode::scene::{Coordinate, JointKind};
@@ -88,7 +88,8 @@ fn welded_links_are_one_body() {
     assert!(body(&scene, "post").is_fixed());
 }
 
-/// A chain of three frames, each turned, puts the joint where the product of the frames does, and a rotated inertia is turned.
+/// A chain of three frames, each turned, puts the joint where the product of the frames does, and a rotated inertia is
+/// turned.
 #[test]
 fn frames_multiply() {
     let turned = "<link name=\"c\"><inertial><origin xyz=\"0.1 0.2 0.3\" rpy=\"0 0 1.5707963267948966\"/><mass value=\"2\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"2\" iyz=\"0\" izz=\"2.5\"/></inertial></link>";
@@ -111,7 +112,8 @@ fn frames_multiply() {
     ]);
     let folder = Folder::new().with("r.urdf", &text);
     let scene = folder.scene("r.urdf", "position = [0, 0, 5]\nbase = \"free\"").unwrap().scene;
-    // b is at (1, 0, 5), its x along the y of the world; c is one further along it; its z along -y of b, which is x of the world.
+    // b is at (1, 0, 5), its x along the y of the world; c is one further along it; its z along -y of b, which is x of
+    // the world.
     let joint = scene.joints()[1];
     assert!((joint.anchor() - DVec3::new(1.0, 1.0, 5.0)).length() < 1e-15, "{}", joint.anchor());
     let JointKind::Hinge { axis } = joint.kind() else { panic!("{:?}", joint.kind()) };
@@ -225,8 +227,8 @@ fn what_is_ignored_is_listed() {
     assert!(told.contains("robot.urdf:6:"), "{told}");
 }
 
-/// A joint that follows another one by nothing is held where its offset says: by the joint it follows or, in MJCF, by none. Its link is one body
-/// with the one that it hangs at.
+/// A joint that follows another one by nothing is held where its offset says: by the joint it follows or, in MJCF, by
+/// none. Its link is one body with the one that it hangs at.
 #[test]
 fn a_joint_that_follows_by_nothing_is_held() {
     let text = urdf(&[
@@ -272,8 +274,8 @@ fn a_joint_that_follows_by_nothing_is_held() {
     }
 }
 
-/// A joint that follows another one is a gear of the scene: it starts where the other one says, and moves with it. Joints of robots have
-/// names in the scene.
+/// A joint that follows another one is a gear of the scene: it starts where the other one says, and moves with it.
+/// Joints of robots have names in the scene.
 #[test]
 fn a_joint_that_follows_another_is_a_gear() {
     let text = urdf(&[
@@ -327,7 +329,8 @@ fn parts_without_mass() {
     assert!(told.iter().any(|told| told.contains("link `tip`: it has no mass and carries none")), "{told:?}");
 }
 
-/// Several robots of one file stand in one scene, with names of their own, joined by the scene; their links do not collide.
+/// Several robots of one file stand in one scene, with names of their own, joined by the scene; their links do not
+/// collide.
 #[test]
 fn several_robots_in_a_scene() {
     let text = r#"

@@ -1,5 +1,5 @@
-//! Robots from MJCF files: the same robot as URDF and as MJCF is the same scene; classes, angles, frames, several joints of one body
-//! and masks of collision mean what the reference of the format says.
+//! Robots from MJCF files: the same robot as URDF and as MJCF is the same scene; classes, angles, frames, several
+//! joints of one body and masks of collision mean what the reference of the format says.
 
 use crate::robots::{Folder, joint, link, shipped, urdf};
 use glam::DVec3;
@@ -52,7 +52,8 @@ fn formats_agree() {
     assert_eq!(ends[0], ends[1]);
 }
 
-/// Capsules from end to end have the masses of their volumes, classes reach the elements below them, degrees become radians.
+/// Capsules from end to end have the masses of their volumes, classes reach the elements below them, degrees become
+/// radians.
 #[test]
 fn the_shipped_leg() {
     let loaded = load_with(&shipped("leg.xml"), &[]).unwrap();
@@ -108,7 +109,8 @@ fn joints_of_one_body() {
     }
 }
 
-/// Euler angles turn about axes that turn along (small letters) or stand still (capitals); other ways give the same orientation.
+/// Euler angles turn about axes that turn along (small letters) or stand still (capitals); other ways give the same
+/// orientation.
 #[test]
 fn orientations() {
     let ways = [

@@ -1,4 +1,5 @@
-//! Figures: the same bytes for the same data, well-formed, without numbers that are none, and with labels that can be read.
+//! Figures: the same bytes for the same data, well-formed, without numbers that are none, and with labels that can be
+//! read.
 //!
 //! Texts are held against each other with the width of a common font (Arial), narrower than what the layout keeps free.
 
@@ -335,7 +336,8 @@ fn a_run() {
     assert!(without_joints.contains("joints: none"), "{without_joints}");
 }
 
-/// Two motions that differ by a millimetre and half a milliradian in a second: so the figure says, and the energies are those of the scene's masses.
+/// Two motions that differ by a millimetre and half a milliradian in a second: so the figure says, and the energies are
+/// those of the scene's masses.
 #[test]
 fn two_trajectories() {
     let ball = Body::movable("ball", solid_sphere(0.1, Mass::new(2.0).unwrap()).unwrap());

@@ -1,7 +1,7 @@
 //! JT-11: a Cardan joint between two shafts that meet at 30 degrees, the first driven at a constant rate.
 //!
-//! With the input angle `a` from where the fork of the driven shaft's axis lies in the plane of both shafts, or across it, the output is
-//! `tan b = tan a / cos beta` or `tan a cos beta`.
+//! With the input angle `a` from where the fork of the driven shaft's axis lies in the plane of both shafts, or across
+//! it, the output is `tan b = tan a / cos beta` or `tan a cos beta`.
 
 use super::{bodies_at, rows_of_energy, run, scene};
 use crate::cases::{CaseResult, Context};

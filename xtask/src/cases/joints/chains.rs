@@ -40,7 +40,8 @@ fn accelerations(angles: [f64; LINKS]) -> super::Result<[f64; LINKS]> {
     Ok(std::array::from_fn(|link| -found[link].angular.y))
 }
 
-/// How the accelerations change with the angles at the hanging chain, 1/s^2: central differences of three steps, extrapolated.
+/// How the accelerations change with the angles at the hanging chain, 1/s^2: central differences of three steps,
+/// extrapolated.
 fn stiffness() -> super::Result<DMat4> {
     const STEPS: [f64; 3] = [0.012, 0.006, 0.003];
     let mut columns = [[0.0; LINKS]; LINKS];
@@ -132,7 +133,8 @@ pub(crate) fn jt_05(context: &Context) -> CaseResult {
     Ok(rows)
 }
 
-/// Twenty rods between two supports at one height, where the slopes are those of equilibrium: they stay, and bear what statics says.
+/// Twenty rods between two supports at one height, where the slopes are those of equilibrium: they stay, and bear what
+/// statics says.
 pub(crate) fn jt_09(context: &Context) -> CaseResult {
     const RODS: usize = 20;
     const ROD: (f64, f64) = (0.1, 0.1);
@@ -175,7 +177,8 @@ pub(crate) fn jt_09(context: &Context) -> CaseResult {
     ])
 }
 
-/// A hanging chain of a hundred links whose last one carries a million times their mass: it bears what statics says, and hangs still.
+/// A hanging chain of a hundred links whose last one carries a million times their mass: it bears what statics says,
+/// and hangs still.
 pub(crate) fn heavy_end(context: &Context) -> CaseResult {
     const CASE: &str = "chain with a heavy end";
     const LINKS: usize = 100;

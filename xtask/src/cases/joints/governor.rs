@@ -1,19 +1,19 @@
 //! IFToMM A05: the stiff governor with two balls, against its equations in three coordinates.
 //!
-//! A shaft of length `L` turns about the vertical. Two rods of length `L`, with balls of mass `b` at their ends, hang by hinges at its
-//! head, at the angle `a` to the vertical. A slider of mass `s` lies on the shaft at the depth `u` below the head; springs with
-//! dampers (`k`, `c`, length at rest `l0`) join it to the middles of the rods. With `l^2 = (L/2 sin a)^2 + (u - L/2 cos a)^2`
-//! and `F = k (l - l0) + c l'`:
+//! A shaft of length `L` turns about the vertical. Two rods of length `L`, with balls of mass `b` at their ends, hang
+//! by hinges at its head, at the angle `a` to the vertical. A slider of mass `s` lies on the shaft at the depth `u`
+//! below the head; springs with dampers (`k`, `c`, length at rest `l0`) join it to the middles of the rods. With `l^2 =
+//! (L/2 sin a)^2 + (u - L/2 cos a)^2` and `F = k (l - l0) + c l'`:
 //!
 //! ```text
 //! J w = const,   J(a) = J0 + 2 (I sin^2 a + A cos^2 a)
 //! 2 I a'' = J'(a) w^2/2 - 2 (m/2 + b) L g sin a - 2 F dl/da,     s u'' = s g - 2 F dl/du
 //! ```
 //!
-//! `m` mass of a rod, `I` moment of a rod with its ball about the hinge, `A` about itself, `J0` of shaft and slider about the axis (kg m^2),
-//! `w` angular velocity (rad/s). Source: IFToMM benchmark library, problem A05. The slider is slow to 1e-5 s on its dampers, which
-//! is what makes the problem stiff. The oracle is the classical Runge-Kutta method at a step of 2.5e-6 s, which agrees with that at
-//! half the step to 1e-12.
+//! `m` mass of a rod, `I` moment of a rod with its ball about the hinge, `A` about itself, `J0` of shaft and slider
+//! about the axis (kg m^2), `w` angular velocity (rad/s). Source: IFToMM benchmark library, problem A05. The slider is
+//! slow to 1e-5 s on its dampers, which is what makes the problem stiff. The oracle is the classical Runge-Kutta method
+//! at a step of 2.5e-6 s, which agrees with that at half the step to 1e-12.
 
 use super::{bodies_at, rows_of_energy, run, scene};
 use crate::cases::{CaseResult, Context};

@@ -1,5 +1,5 @@
-//! JT-06 and JT-07: the four-bar linkage of N loops that stands upright, which passes the flat position at which it could bifurcate,
-//! and Bricard's loop of six hinges, which holds more than it needs to.
+//! JT-06 and JT-07: the four-bar linkage of N loops that stands upright, which passes the flat position at which it
+//! could bifurcate, and Bricard's loop of six hinges, which holds more than it needs to.
 
 use super::{WORK_OF_JOINTS, bodies_at, first_zero, hinge, rod, rows_of_energy, run, scene, whole_angle};
 use crate::cases::motion::{angle_between, least_turn, zero};
@@ -81,7 +81,8 @@ fn period_and_bottom(long: &Run) -> super::Result<(f64, f64)> {
     Ok((when(PI + TAU)? - bottom, bottom))
 }
 
-/// Bricard's loop: five rods of 1 m, 1 kg and 0.1 m square along edges of a cube, with hinges across both of their links; gravity along -y.
+/// Bricard's loop: five rods of 1 m, 1 kg and 0.1 m square along edges of a cube, with hinges across both of their
+/// links; gravity along -y.
 fn bricard(duration_s: f64) -> super::Result<Scene> {
     let corners = CORNERS.map(DVec3::from_array);
     let mut builder = scene("Bricard").gravity(DVec3::Y * -G).duration_s(duration_s);
@@ -135,7 +136,8 @@ pub(crate) fn jt_07(context: &Context) -> CaseResult {
     let scene = bricard(2.0)?;
     let whole = run(&scene)?;
     let found = Simulation::new(&scene)?.accelerations()?;
-    // At rest the second derivative of the angle is the difference of angular accelerations about the axis of the hinge.
+    // At rest the second derivative of the angle is the difference of angular accelerations about the axis of the
+    // hinge.
     let start: Vec<BodySample> = whole.record.samples[0].clone();
     let axis = way(&start, 1).cross(way(&start, 2));
     let acceleration = -axis.dot(found[2].angular - found[1].angular);
@@ -157,7 +159,8 @@ pub(crate) fn jt_07(context: &Context) -> CaseResult {
     Ok(rows)
 }
 
-/// A linkage of bars of 0.10, 0.30 and 0.25 m over a ground of 0.30 m, each with 1 kg for each metre, that swings without damping.
+/// A linkage of bars of 0.10, 0.30 and 0.25 m over a ground of 0.30 m, each with 1 kg for each metre, that swings
+/// without damping.
 pub(crate) fn linkage(_: &Context) -> CaseResult {
     const CASE: &str = "four-bar linkage";
     const BARS: [f64; 3] = [0.10, 0.30, 0.25];

@@ -1,8 +1,8 @@
-//! Joints: pendulums (JT-01 to JT-03), chains (JT-04, JT-05, JT-09), closed loops (JT-06 to JT-08, IFToMM A05) and a Cardan joint (JT-11);
-//! joints of the shipped scenes.
+//! Joints: pendulums (JT-01 to JT-03), chains (JT-04, JT-05, JT-09), closed loops (JT-06 to JT-08, IFToMM A05) and a
+//! Cardan joint (JT-11); joints of the shipped scenes.
 //!
-//! Bodies hang at joints, not at pivots, so that what is measured are rows of joints. Angles from hanging are positive towards +x, those
-//! about z anticlockwise. All is measured in the tier `accurate` with its default settings.
+//! Bodies hang at joints, not at pivots, so that what is measured are rows of joints. Angles from hanging are positive
+//! towards +x, those about z anticlockwise. All is measured in the tier `accurate` with its default settings.
 //!
 //! | module | holds |
 //! |---|---|
@@ -41,7 +41,8 @@ use std::error::Error;
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
-/// What joints may do to the energy over a run, relative to its scale: projections and the integrator, which are all that is left.
+/// What joints may do to the energy over a run, relative to its scale: projections and the integrator, which are all
+/// that is left.
 const WORK_OF_JOINTS: f64 = 1e-12;
 
 /// Moment of a thin rod about itself, kg m^2: it does not turn about itself.

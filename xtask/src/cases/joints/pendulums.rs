@@ -80,7 +80,8 @@ pub(crate) fn jt_02(context: &Context) -> CaseResult {
     let mut rows = vec![context.reference.row("JT-02", "conical rate at 60deg", rate)?];
     let scene = moving(1.0, 4.0)?;
     let whole = run(&scene)?;
-    // The height turns where the vertical velocity is zero: at the lowest point, and where the bob is as high as at the start.
+    // The height turns where the vertical velocity is zero: at the lowest point, and where the bob is as high as at the
+    // start.
     let turns = zeros(&whole, 2, |bodies| bodies[0].velocity.linear.z)?;
     let [lowest, highest] =
         [turns[0], turns[1]].map(|t| bodies_at(&scene, t).map(|bodies| polar(&bodies).to_degrees()));

@@ -1,8 +1,9 @@
 //! JT-08: Andrews' squeezing mechanism, seven bodies in a plane with three closed loops, driven by a torque for 0.03 s.
 //!
-//! Parameters and equations: Schiehlen 1990; Hairer and Wanner 1996, section VII.7. The mechanism lies in the plane of x and y; O is the
-//! origin. K1 turns about O and carries F; K2 joins F and E; K3 turns about B and ends at E, with the spring from D to C; K4 joins E and
-//! G, K5 turns about A and ends at G; K6 joins E and H, K7 turns about A and ends at H.
+//! Parameters and equations: Schiehlen 1990; Hairer and Wanner 1996, section VII.7. The mechanism lies in the plane of
+//! x and y; O is the origin. K1 turns about O and carries F; K2 joins F and E; K3 turns about B and ends at E, with the
+//! spring from D to C; K4 joins E and G, K5 turns about A and ends at G; K6 joins E and H, K7 turns about A and ends at
+//! H.
 
 use super::{bodies_at, rows_of_energy, run, scene};
 use crate::cases::{CaseResult, Context};

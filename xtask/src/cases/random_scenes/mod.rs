@@ -1,7 +1,8 @@
-//! Random scenes: every run ends, keeps the laws that the judge holds against it, and is the same run as that of the scene
-//! mirrored, turned, moved, in other units, of all effects, and paused.
+//! Random scenes: every run ends, keeps the laws that the judge holds against it, and is the same run as that of the
+//! scene mirrored, turned, moved, in other units, of all effects, and paused.
 //!
-//! How far a copy may differ is measured by a run that starts a little elsewhere: what grows from that grows from rounding.
+//! How far a copy may differ is measured by a run that starts a little elsewhere: what grows from that grows from
+//! rounding.
 //!
 //! | module | holds |
 //! |---|---|

@@ -1,5 +1,6 @@
-//! The incline of Rigid IPC (docs/REFERENCES.md, Ferguson): a block on a slope of 26.565 degrees, whose tangent is 0.5000;
-//! friction 0.5 holds it, 0.49 does not. The scene comes in the suite's format through the importer, as meshes, y upwards.
+//! The incline of Rigid IPC (docs/REFERENCES.md, Ferguson): a block on a slope of 26.565 degrees, whose tangent is
+//! 0.5000; friction 0.5 holds it, 0.49 does not. The scene comes in the suite's format through the importer, as meshes,
+//! y upwards.
 //!
 //! Coulomb: at rest if `mu >= tan(alpha)`, else `a = g (sin(alpha) - mu cos(alpha))`.
 
@@ -60,7 +61,8 @@ fn slid(folder: &Path, friction: f64) -> Result<(f64, f64), Box<dyn Error>> {
     Ok((2.0 * moved.length() / (DURATION_S * DURATION_S), run.largest_movement_m()))
 }
 
-/// The scene: a block on a slab, both turned about z, with the corners in the block's own frame on the slab's upper face.
+/// The scene: a block on a slab, both turned about z, with the corners in the block's own frame on the slab's upper
+/// face.
 fn document(friction: f64) -> serde_json::Value {
     let angle = DEGREES.to_radians();
     // The slab is 1 m thick and the block lies on its middle.

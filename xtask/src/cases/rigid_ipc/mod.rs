@@ -1,9 +1,9 @@
 //! Unit scenes of Rigid IPC (docs/REFERENCES.md, Ferguson), whose claim is: no intersection at any step.
 //!
 //! Each scene is taken over by the importer, run with default settings (no scene but the incline has friction), and
-//! every sample is checked for bodies in each other by [`crate::interpenetration`]. A scene passes when it runs to its end, no two bodies
-//! are deeper in each other than the tolerance at any sample, none is inside a solid or beyond a surface, and energy is
-//! not created. Rotations that the suite holds (in its tunnels) are free here, which is harder.
+//! every sample is checked for bodies in each other by [`crate::interpenetration`]. A scene passes when it runs to its
+//! end, no two bodies are deeper in each other than the tolerance at any sample, none is inside a solid or beyond a
+//! surface, and energy is not created. Rotations that the suite holds (in its tunnels) are free here, which is harder.
 //!
 //! Scenes written after the suite's descriptions need nothing; those of the suite itself are read from the folder
 //! `rigid-ipc` of the folder that `POLHODE_DATA` names. The plain command runs the first [`PART_S`] of each,

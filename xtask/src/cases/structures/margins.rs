@@ -1,5 +1,5 @@
-//! Random structures: the friction that they need, by the margin that a simulation tells and by the programme of `statics`,
-//! which shares no code with it.
+//! Random structures: the friction that they need, by the margin that a simulation tells and by the programme of
+//! `statics`, which shares no code with it.
 
 use super::generate::structure;
 use crate::cases::{Amount, CaseResult, Context};
@@ -14,8 +14,8 @@ const CASE: &str = "structures: margins";
 const STRUCTURES: usize = 300;
 const STRUCTURES_OF_PART: usize = 60;
 
-/// On either side of the margin the programme is asked with this part of friction more or less (no unit): well above the
-/// shortfall that it counts as none.
+/// On either side of the margin the programme is asked with this part of friction more or less (no unit): well above
+/// the shortfall that it counts as none.
 const BESIDE: f64 = 1e-3;
 
 /// What the structures showed.

@@ -187,7 +187,8 @@ fn residual(built: &Built) -> Result<f64, Box<dyn Error>> {
 /// Largest residual of a structure of bodies of nearly equal mass.
 const RESIDUAL: f64 = 1e-12;
 
-/// Arches stand above their least thickness and fall below it. That of 101 stones takes long and is left to the full run.
+/// Arches stand above their least thickness and fall below it. That of 101 stones takes long and is left to the full
+/// run.
 pub(super) fn arches(context: &Context) -> CaseResult {
     let stones: &[u32] = if context.amount == Amount::Full { &[25, 101] } else { &[25] };
     let mut rows = Vec::new();

@@ -1,9 +1,11 @@
-//! Tiers as second opinions on each other: random mechanisms and small piles are computed by the tier `accurate`, and by the tiers
-//! of fixed steps at steps h, h/2 and h/4, which must go to the accurate motion with the order that they promise.
+//! Tiers as second opinions on each other: random mechanisms and small piles are computed by the tier `accurate`, and
+//! by the tiers of fixed steps at steps h, h/2 and h/4, which must go to the accurate motion with the order that they
+//! promise.
 //!
-//! The accurate run itself must be that of the same scene turned, moved and with its bodies in another order. How far apart runs may
-//! be is measured by one that starts a little elsewhere. What a run says of itself counts: one that is degraded is not wrong.
-//! The judge is `xtask/src/judge/tiers.rs`, the scenes are `xtask/src/random_mechanism` and `xtask/src/random_scene`.
+//! The accurate run itself must be that of the same scene turned, moved and with its bodies in another order. How far
+//! apart runs may be is measured by one that starts a little elsewhere. What a run says of itself counts: one that is
+//! degraded is not wrong. The judge is `xtask/src/judge/tiers.rs`, the scenes are `xtask/src/random_mechanism` and
+//! `xtask/src/random_scene`.
 //!
 //! | module | holds |
 //! |---|---|
@@ -30,8 +32,8 @@ const CASE: &str = "tiers agree";
 /// Mechanisms of a plain run, and of a full one.
 const FEW: u64 = 200;
 const ALL: u64 = 5000;
-/// Of so many the tier `fast` is looked at as well: one in this number of a plain run, and of a full one. No divisor of the number of
-/// kinds, so that all of them come.
+/// Of so many the tier `fast` is looked at as well: one in this number of a plain run, and of a full one. No divisor of
+/// the number of kinds, so that all of them come.
 const FAST_OF_FEW: u64 = 3;
 const FAST_OF_ALL: u64 = 9;
 

@@ -5,8 +5,8 @@ use super::trial::{Ending, Trial};
 use crate::judge::tiers::Standard;
 use std::fmt;
 
-/// Distance of copies that is allowed in runs with stretches of crowded events, in which errors of 1e-6 are allowed and told,
-/// in bodies.
+/// Distance of copies that is allowed in runs with stretches of crowded events, in which errors of 1e-6 are allowed and
+/// told, in bodies.
 const CROWDED: f64 = 1e-4;
 /// Distance of copies of runs by fixed steps, in bodies.
 const STEPPED_COPY: f64 = 1e-8;

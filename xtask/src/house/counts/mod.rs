@@ -1,9 +1,9 @@
 //! `cargo xtask house --counts`: how much of the house there is, counted from its sources.
 //!
-//! The counts of the last review of the house beside those of today and what is aimed at. A count says how far the design is
-//! kept: how many places choose a solver, how large the largest type is, how many tolerances and caps there are. All are of
-//! code outside tests, unless a count says otherwise. None may grow beyond its number in [`LIMITS`], so that growth needs a
-//! reason, which stands there.
+//! The counts of the last review of the house beside those of today and what is aimed at. A count says how far the
+//! design is kept: how many places choose a solver, how large the largest type is, how many tolerances and caps there
+//! are. All are of code outside tests, unless a count says otherwise. None may grow beyond its number in [`LIMITS`], so
+//! that growth needs a reason, which stands there.
 //!
 //! | module | holds |
 //! |---|---|

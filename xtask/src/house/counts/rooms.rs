@@ -1,12 +1,13 @@
 //! Loose files of the facade, and arrows between its rooms that run back up.
 //!
-//! A room is an entry of `crates/polhode/src`: a folder with all below it, or a loose file (`tier.rs` belongs to `tier/`; the
-//! root, which says what there is, is none). There is an arrow from a file to each file of another room that it imports, tests
-//! apart; a re-export is followed to the file that holds the name. The rooms are put in the order that has the fewest arrows
-//! from a lower to a higher one, as far as this is found: after Eades, Lin and Smyth 1993 (rooms that import nothing go to the
-//! bottom, rooms that nobody imports to the top, else the one that imports most for what it is imported), then by moving one
-//! room at a time as long as fewer arrows run back up. Equal choices go to the first name, so that the count is the same
-//! everywhere. At commit ae0e5111 these are 61, where the review's drawing had 62.
+//! A room is an entry of `crates/polhode/src`: a folder with all below it, or a loose file (`tier.rs` belongs to
+//! `tier/`; the root, which says what there is, is none). There is an arrow from a file to each file of another room
+//! that it imports, tests apart; a re-export is followed to the file that holds the name. The rooms are put in the
+//! order that has the fewest arrows from a lower to a higher one, as far as this is found: after Eades, Lin and Smyth
+//! 1993 (rooms that import nothing go to the bottom, rooms that nobody imports to the top, else the one that imports
+//! most for what it is imported), then by moving one room at a time as long as fewer arrows run back up. Equal choices
+//! go to the first name, so that the count is the same everywhere. At commit ae0e5111 these are 61, where the review's
+//! drawing had 62.
 
 use crate::house::count::{Count, FACADE, is_in};
 use crate::house::imports::Imports;

@@ -146,8 +146,9 @@ fn names_a_solver(source: &RustSource) -> bool {
     })
 }
 
-/// Calls of methods and functions that solve, in a file that names `polhode_response`. A method `resolve` of the value itself
-/// is its own. Fails: a method of another type with one of these names is counted where the file names the crate as well.
+/// Calls of methods and functions that solve, in a file that names `polhode_response`. A method `resolve` of the value
+/// itself is its own. Fails: a method of another type with one of these names is counted where the file names the crate
+/// as well.
 fn calls(source: &RustSource) -> usize {
     let lines: Vec<&str> = source.product_code().map(|(_, line)| line).collect();
     if !lines.iter().any(|line| line.contains("polhode_response")) {

@@ -20,8 +20,8 @@ impl Build {
         (points, axis)
     }
 
-    /// A closed chain of bodies with joints at some points; the world is the link from the last point to the first unless it
-    /// floats. Gives the joints. `axes` has an axis for each point, or none for a ball.
+    /// A closed chain of bodies with joints at some points; the world is the link from the last point to the first
+    /// unless it floats. Gives the joints. `axes` has an axis for each point, or none for a ball.
     fn closed(&mut self, points: &[DVec3], axes: &[Option<DVec3>], floats: bool) -> Vec<usize> {
         let count = points.len();
         let bars: Vec<usize> =
@@ -102,8 +102,8 @@ pub(in crate::random_mechanism) fn spherical(build: &mut Build) {
     some_springs(build, &joints);
 }
 
-/// Six hinges, three of which are those of the other three after half a turn about a line (Bricard 1897): it moves although it has
-/// as many rows as freedoms.
+/// Six hinges, three of which are those of the other three after half a turn about a line (Bricard 1897): it moves
+/// although it has as many rows as freedoms.
 pub(in crate::random_mechanism) fn line_symmetric(build: &mut Build) {
     let half_turn = DQuat::from_axis_angle(build.random.direction(), std::f64::consts::PI);
     let mut points: Vec<DVec3> = Vec::new();

@@ -41,11 +41,13 @@ impl Build {
                 ("helix", keys, u * radius + axis * advance, tangent)
             }
             _ => {
-                // The cubic spline through points that lie evenly about its middle one has the chord of its neighbours there.
+                // The cubic spline through points that lie evenly about its middle one has the chord of its neighbours
+                // there.
                 let side = random.vector(-0.3, 0.3);
                 let (one, two) = (u * 0.8 + side, u * 1.6 + v * random.between(-0.3, 0.3));
                 let points = vec![-two, -one, DVec3::ZERO, one, two];
-                // By symmetry the slope at the middle is that of the clamped or natural spline; its direction is not needed.
+                // By symmetry the slope at the middle is that of the clamped or natural spline; its direction is not
+                // needed.
                 (
                     "spline",
                     vec![("points", Value::Points(points)), ("closed", Value::Text("false".into()))],

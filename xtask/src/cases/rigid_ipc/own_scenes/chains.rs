@@ -11,7 +11,8 @@ pub(super) const TUBE: f64 = 0.05;
 /// Between the centres of two links at the start: some play, m.
 const SPACING: f64 = 0.45;
 
-/// Simulated time of the net, s: it is taut at 0.5 s, and the contacts that change then by the microsecond take minutes.
+/// Simulated time of the net, s: it is taut at 0.5 s, and the contacts that change then by the microsecond take
+/// minutes.
 const NET_S: f64 = 0.5;
 
 /// All of them.
@@ -54,8 +55,8 @@ fn wrecking_ball() -> Value {
     Value::Array(bodies)
 }
 
-/// A net of `side` by `side` rings that lie level, each joined to its neighbours by rings that stand between them; those
-/// at the corners are held.
+/// A net of `side` by `side` rings that lie level, each joined to its neighbours by rings that stand between them;
+/// those at the corners are held.
 fn net(side: u32) -> Vec<Value> {
     let pitch = 2.0 * SPACING;
     let at = |row: f64, column: f64| [pitch * row, 0.0, pitch * column];

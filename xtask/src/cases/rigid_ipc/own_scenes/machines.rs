@@ -47,8 +47,8 @@ fn compactor(cubes: &[([f64; 3], [f64; 3])]) -> Value {
     Value::Array(plates.into_iter().chain(cubes).collect())
 }
 
-/// A rack that falls between a wall and a gear drives it, and it drives another. Gears turn about fixed pins with 2 mm to
-/// 4 mm of play.
+/// A rack that falls between a wall and a gear drives it, and it drives another. Gears turn about fixed pins with 2 mm
+/// to 4 mm of play.
 fn gears() -> Value {
     json!([
         { "mesh": "pin.obj", "type": "static" },

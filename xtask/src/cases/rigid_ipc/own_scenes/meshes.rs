@@ -194,8 +194,8 @@ pub(super) enum Ends {
     Joined,
 }
 
-/// The prism over a band between two lines of as many corners, whose rungs part it into quadrangles. Seen from +z the band
-/// is on the right of the first line.
+/// The prism over a band between two lines of as many corners, whose rungs part it into quadrangles. Seen from +z the
+/// band is on the right of the first line.
 pub(super) fn band(left: &[[f64; 2]], right: &[[f64; 2]], ends: Ends, half: f64) -> Made {
     let count = left.len() as u32;
     let at = |z: f64| left.iter().chain(right).map(move |&[x, y]| DVec3::new(x, y, z));
@@ -220,8 +220,8 @@ pub(super) fn band(left: &[[f64; 2]], right: &[[f64; 2]], ends: Ends, half: f64)
     Ok(TriangleMesh::new(vertices, triangles)?)
 }
 
-/// The solid between an outline in the plane of x and y and its copy, `half` before and behind it. The outline goes round
-/// anticlockwise seen from +z, and `inside` fills it with triangles that go round alike.
+/// The solid between an outline in the plane of x and y and its copy, `half` before and behind it. The outline goes
+/// round anticlockwise seen from +z, and `inside` fills it with triangles that go round alike.
 pub(super) fn prism(outline: &[[f64; 2]], inside: &[[u32; 3]], half: f64) -> Made {
     let count = outline.len() as u32;
     let at = |z: f64| outline.iter().map(move |&[x, y]| DVec3::new(x, y, z));

@@ -1,5 +1,5 @@
-//! The suite's scenes in the plane, as prisms along z that are 1 m long: Newton's cradles, stacks of planks that are hit,
-//! saws, towers, a box that is filled, billiards. Nothing holds them in the plane but their symmetry.
+//! The suite's scenes in the plane, as prisms along z that are 1 m long: Newton's cradles, stacks of planks that are
+//! hit, saws, towers, a box that is filled, billiards. Nothing holds them in the plane but their symmetry.
 
 use super::OwnScene;
 use super::outlines;

@@ -15,7 +15,8 @@ pub(super) fn ball() -> Made {
     Ok(Sphere::new(1.0)?.mesh(Refinement::new(2)?)?.into_mesh())
 }
 
-/// A cone about z of radius 0.05 and height 0.1, its apex towards +z, its origin a quarter of its height above the base.
+/// A cone about z of radius 0.05 and height 0.1, its apex towards +z, its origin a quarter of its height above the
+/// base.
 pub(super) fn cone() -> Made {
     Ok(Cone::new(0.05, 0.1)?.mesh(Refinement::COARSEST)?.into_mesh())
 }
@@ -29,8 +30,8 @@ pub(super) fn oloid() -> Made {
     Ok(ConvexHull::of(&on_circles.collect::<Vec<_>>())?.into_solid().into_solid().into_mesh())
 }
 
-/// The hull of two half circles of radius 1 across each other, back to back: a sphericon, which like a Goemboec balances
-/// on few of its points.
+/// The hull of two half circles of radius 1 across each other, back to back: a sphericon, which like a Goemboec
+/// balances on few of its points.
 pub(super) fn sphericon() -> Made {
     let on_arcs = (0..=16).flat_map(|corner| {
         let [forth, across] = on_circle(1.0, PI * (f64::from(corner) / 16.0 - 0.5));

@@ -1,5 +1,6 @@
-//! A screw that turns itself down in a nut. Both are helices of flat triangles: a profile in the plane of axis and radius
-//! goes round the axis, y, in steps and rises by a pitch in a turn, where its end meets its start of one turn on.
+//! A screw that turns itself down in a nut. Both are helices of flat triangles: a profile in the plane of axis and
+//! radius goes round the axis, y, in steps and rises by a pitch in a turn, where its end meets its start of one turn
+//! on.
 
 use super::OwnScene;
 use super::meshes::{Made, on_circle};
