@@ -35,6 +35,7 @@
 //! | [`random_mechanism`] | random mechanisms and small piles, which several tiers compute |
 //! | [`random_scene`] | the commands: random scenes, written and judged |
 //! | [`judge`] | whether the run of a random scene keeps the laws of physics |
+//! | [`findings`] | what historical and approximate methods are known to err by |
 //! | [`known`] | rows that are known to fail, with the reason |
 //! | `scene_units` | a scene file in other units |
 
@@ -48,6 +49,7 @@ mod cost_summary;
 mod cross;
 mod elastic_table;
 mod exact;
+mod findings;
 mod friction;
 mod gallery;
 mod golden;

@@ -231,6 +231,12 @@ impl Row {
         row
     }
 
+    /// Gives the row another reference, with the reason why that is what must be found.
+    pub(crate) fn must_find(&mut self, reference: impl Into<Value>, tolerance: Tolerance, reason: &str) {
+        *self = Self::compared(&self.case, &self.quantity, reference, self.measured.clone(), tolerance);
+        self.note = Some(reason.to_owned());
+    }
+
     /// Marks the row as known to fail for `reason`.
     pub(crate) fn mark_known(&mut self, reason: &str) {
         self.verdict = match self.verdict {

@@ -5,8 +5,8 @@
 //! Steps that show how long something takes, or how much memory, run alone when these are done. Rows come in the order
 //! of the steps, whichever ends first.
 
-use crate::known;
 use crate::row::Row;
+use crate::{findings, known};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
@@ -52,6 +52,7 @@ impl<'a> Step<'a> {
     fn run(&self) -> Done {
         let start = Instant::now();
         let mut rows = (self.rows)();
+        findings::state(&mut rows);
         known::mark(&mut rows);
         let seconds = start.elapsed().as_secs_f64();
         let failures = rows.iter().filter(|row| row.verdict.fails_the_run()).count();

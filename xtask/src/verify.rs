@@ -14,7 +14,7 @@ use crate::row::Row;
 use crate::schedule::{self, Company, Step};
 use crate::snapshot_environment::in_snapshot_environment;
 use crate::table::{self, Counts};
-use crate::{book, commands, gallery, golden, house, python, viewer};
+use crate::{book, commands, gallery, golden, house, known, python, viewer};
 use clap::Args;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -55,6 +55,13 @@ struct Extent {
     quick: bool,
 }
 
+impl Options {
+    /// Whether all steps run, each with the rows that it has.
+    fn is_of_everything(&self) -> bool {
+        self.only.is_none() && !self.extent.quick && !self.bless
+    }
+}
+
 /// Runs the command.
 ///
 /// # Errors
@@ -71,7 +78,10 @@ pub(crate) fn run(options: &Options) -> Result<ExitCode, Box<dyn Error>> {
     if steps.is_empty() {
         return Err(no_such_case(options, &scenes).into());
     }
-    let rows = schedule::run(&steps);
+    let mut rows = schedule::run(&steps);
+    if options.is_of_everything() {
+        rows.push(known::all_mark_a_row(&rows, amount));
+    }
     print(&rows, options)?;
     let failed = rows.iter().any(|row| row.verdict.fails_the_run());
     Ok(if failed { ExitCode::from(EXIT_FAILED) } else { ExitCode::SUCCESS })
