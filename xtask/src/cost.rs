@@ -5,8 +5,9 @@
 //! are the same everywhere.
 
 use crate::contact_chart::{self, ContactStudy};
-use crate::{commands, cost_summary, narrow_phase};
+use crate::{cost_summary, narrow_phase};
 use clap::Args;
+use polhode_cases::cargo::cargo;
 use serde_json::Value;
 use std::error::Error;
 use std::fmt::Write as _;
@@ -201,7 +202,7 @@ fn contact(root: &Path, studies: &[(&PageScene, Value)]) -> Result<String, Box<d
 /// Runs the program on a scene.
 fn study(options: &Options, root: &Path, scene: &PageScene, file: &str) -> Result<Value, Box<dyn Error>> {
     let figure = format!("{FIGURES}/cost-{}.svg", scene.name);
-    let mut command: Command = commands::cargo(root);
+    let mut command: Command = cargo(root);
     command.args(["run", "--release", "--quiet", "--package", "polhode-cli", "--", "cost", file, "--json"]);
     command.args(["--svg", &figure, "--target", &TARGET.to_string()]).arg("--budget").arg(options.budget.to_string());
     if let Some(duration_s) = scene.duration_s {

@@ -4,7 +4,7 @@
 //! all of a sudden would be another method. It is no defect of the project, which is why it does not stand in
 //! `known.rs`.
 
-use crate::row::{Row, Tolerance};
+use polhode_cases::row::{Row, Tolerance};
 
 /// A row of a method that errs.
 #[derive(Debug)]
@@ -104,7 +104,7 @@ pub(crate) fn state(rows: &mut [Row]) {
 mod tests {
     //! A method that errs as stated passes; one that errs more, or not at all, does not.
     use super::*;
-    use crate::row::Verdict;
+    use polhode_cases::row::Verdict;
 
     #[test]
     fn a_method_errs_as_stated_or_fails() {

@@ -5,8 +5,8 @@
 //! everything. The list holds defects, and what neither the model nor f64 can hold. What methods are known to err by is
 //! a value that is expected of them (`findings.rs`), and how long something takes is shown, not judged.
 
-use crate::cases::Amount;
-use crate::row::{Row, Verdict};
+use polhode_cases::Amount;
+use polhode_cases::row::{Row, Verdict};
 
 /// A row that is known to fail.
 #[derive(Debug)]

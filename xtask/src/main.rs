@@ -13,68 +13,43 @@
 //! | [`cross`] | the command: golden trajectories on other platforms, bit by bit |
 //! | [`friction`] | the command: frictional contact problems of other programs |
 //! | [`cost_summary`], [`contact_chart`] | its figures of all scenes, and of contact by every method |
-//! | [`elastic_table`] | the command: impacts of elastic rectangles, and to how many digits |
 //! | [`narrow_phase`] | the command: separating axes against GJK |
 //! | [`house`] | rules and counts of the house, from `cargo metadata` and the sources |
 //! | [`commands`] | child processes: formatting, lints, docs, tests |
-//! | [`interpenetration`] | whether bodies are in each other, without the contact crate |
-//! | [`cases`] | validation cases, one file per group |
-//! | [`exact`] | exact geometry of convex polyhedra, to judge contacts by |
 //! | [`golden`] | golden trajectories |
-//! | [`snapshot_environment`] | what insta is told by its environment |
 //! | [`gallery`] | the command: stills, document and page of all shipped scenes |
-//! | [`random`] | random numbers with a fixed seed |
-//! | [`mod@reference`] | the values that cases are compared with |
-//! | [`row`], [`table`] | one result, and how results are printed |
-//! | [`rigid_ipc`] | the command: scenes of the Rigid IPC suite in our format |
+//! | [`table`] | how results are printed |
 //! | [`chain_costs`] | the command: the time of a step of chains against their length |
 //! | [`tier_costs`] | the command: the processor time of heaps in the tiers, which the plan estimates |
-//! | [`statics`] | static equilibrium of structures of blocks, from their geometry alone |
 //! | [`viewer`] | pages in a real browser |
 //! | [`python`] | the Python package: built, installed, tested |
-//! | [`random_mechanism`] | random mechanisms and small piles, which several tiers compute |
-//! | [`random_scene`] | the commands: random scenes, written and judged |
-//! | [`judge`] | whether the run of a random scene keeps the laws of physics |
 //! | [`findings`] | what historical and approximate methods are known to err by |
 //! | [`known`] | rows that are known to fail, with the reason |
-//! | `scene_units` | a scene file in other units |
 
 mod book;
-mod cases;
 mod chain_costs;
 mod commands;
 mod contact_chart;
 mod cost;
 mod cost_summary;
 mod cross;
-mod elastic_table;
-mod exact;
 mod findings;
 mod friction;
 mod gallery;
 mod golden;
 mod house;
-mod interpenetration;
-mod judge;
 mod known;
 mod narrow_phase;
 mod python;
-mod random;
-mod random_mechanism;
-mod random_scene;
-mod reference;
-mod rigid_ipc;
-mod row;
-mod scene_units;
 mod schedule;
-mod snapshot_environment;
-mod statics;
 mod table;
 mod tier_costs;
 mod verify;
 mod viewer;
 
 use clap::{Parser, Subcommand};
+use polhode_cases::{elastic_table, random_scenes, rigid_ipc, tiers_agree};
+use polhode_oracles::random_scene;
 use std::process::ExitCode;
 
 /// Development tasks.
@@ -114,9 +89,9 @@ enum Task {
     /// Writes the random scene of a seed as a scene file.
     RandomScene(random_scene::Options),
     /// Judges random scenes, and prints a line for each that is not right.
-    JudgeScenes(cases::random_scenes::Options),
+    JudgeScenes(random_scenes::Options),
     /// Judges tiers by each other on random mechanisms, and prints a line for each that is not right.
-    Judge(cases::tiers_agree::Options),
+    Judge(tiers_agree::Options),
 }
 
 impl Task {
@@ -159,8 +134,8 @@ fn main() -> ExitCode {
         Task::TierCosts(options) => tier_costs::run(&options),
         Task::ChainCosts(options) => chain_costs::run(&options),
         Task::RandomScene(options) => random_scene::run(&options),
-        Task::JudgeScenes(options) => cases::random_scenes::run(&options),
-        Task::Judge(options) => cases::tiers_agree::run(&options),
+        Task::JudgeScenes(options) => random_scenes::run(&options),
+        Task::Judge(options) => tiers_agree::run(&options),
     };
     match outcome {
         Ok(code) => code,

@@ -5,25 +5,15 @@
 //! Steps that show how long something takes, or how much memory, run alone when these are done. Rows come in the order
 //! of the steps, whichever ends first.
 
-use crate::row::Row;
 use crate::{findings, known};
+use polhode_cases::Company;
+use polhode_cases::row::Row;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 /// Slowest steps that the table names.
 const SLOWEST: usize = 10;
-
-/// Whether other steps may run at the same time.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Company {
-    /// It shows what something takes: nothing runs at the same time.
-    Alone,
-    /// It builds: no other build runs at the same time.
-    Build,
-    /// Others run beside it.
-    Beside,
-}
 
 /// A step: it gives rows under a name.
 pub(crate) struct Step<'a> {

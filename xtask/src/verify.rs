@@ -9,13 +9,13 @@
 //! the table (or, with `--json`, the array) to stdout. `--quick` is for between two edits: formatting, rules, unit
 //! tests, one case of each kind and the golden trajectories.
 
-use crate::cases::{self, Amount, Context};
-use crate::row::Row;
-use crate::schedule::{self, Company, Step};
-use crate::snapshot_environment::in_snapshot_environment;
+use crate::schedule::{self, Step};
 use crate::table::{self, Counts};
 use crate::{book, commands, gallery, golden, house, known, python, viewer};
 use clap::Args;
+use polhode_cases::row::Row;
+use polhode_cases::snapshot_environment::in_snapshot_environment;
+use polhode_cases::{self as cases, Amount, Company, Context};
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;

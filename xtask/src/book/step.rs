@@ -3,8 +3,8 @@
 use super::commands::{self, Shell};
 use super::page::{Block, Page, pages_in};
 use super::{links, programs, python, scenes, selections};
-use crate::cases::{CaseResult, Context, guarded};
-use crate::row::Row;
+use polhode_cases::row::Row;
+use polhode_cases::{CaseResult, Context, guarded};
 use std::collections::BTreeSet;
 use std::error::Error;
 use std::path::{Path, PathBuf};

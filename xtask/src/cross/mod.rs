@@ -21,14 +21,14 @@ mod program;
 mod runs;
 mod tools;
 
-use crate::cases::{Amount, Context};
 use crate::golden;
-use crate::row::{Row, Verdict};
 use crate::table::Counts;
 use crate::verify::EXIT_FAILED;
 use clap::{Args, ValueEnum};
 use machine::ThisMachine;
 use platform::Platform;
+use polhode_cases::row::{Row, Verdict};
+use polhode_cases::{Amount, Context};
 use program::Program;
 use std::error::Error;
 use std::path::Path;
@@ -155,7 +155,7 @@ fn line(row: &Row) -> String {
     if let Some(note) = &row.note {
         line = format!("{line}: {note}");
     } else if row.verdict == Verdict::Fails {
-        let words = |value: Option<&crate::row::Value>| value.map_or_else(String::new, crate::table::words);
+        let words = |value: Option<&polhode_cases::row::Value>| value.map_or_else(String::new, crate::table::words);
         line = format!("{line}: golden {}, there {}", words(row.reference.as_ref()), words(Some(&row.measured)));
     }
     line

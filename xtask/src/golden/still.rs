@@ -3,10 +3,10 @@
 //! The rasteriser draws the same pixels on every platform, so that nothing may differ. A picture that is meant to be
 //! another one is renewed by `cargo xtask verify --bless --only still`, to be looked at before it is committed.
 
-use crate::cases::{CaseResult, Context, guarded};
-use crate::row::Row;
-use crate::snapshot_environment::is_blessed;
 use polhode::Simulation;
+use polhode_cases::row::Row;
+use polhode_cases::snapshot_environment::is_blessed;
+use polhode_cases::{CaseResult, Context, guarded};
 use polhode_view::Recording;
 use polhode_view::raster::{Picture, PictureSize};
 use polhode_view::still::{still, write_png};

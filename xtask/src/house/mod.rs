@@ -40,9 +40,9 @@ mod tolerances;
 mod unused_dependencies;
 mod violation;
 
-use crate::row::Row;
 use crate::table;
 use clap::Args;
+use polhode_cases::row::Row;
 use project_file::{ProjectFile, project_files};
 use rust_source::RustSource;
 use std::error::Error;

@@ -1,8 +1,8 @@
 //! The licence texts of what a wheel contains: of crates that are compiled into it, of the viewer and of Rust's own
 //! library.
 
-use crate::commands;
-use crate::row::Row;
+use polhode_cases::cargo::cargo;
+use polhode_cases::row::Row;
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
@@ -146,7 +146,7 @@ fn packages(root: &Path) -> Result<Vec<Package>, Box<dyn Error>> {
 
 /// What a command of cargo prints.
 fn said(root: &Path, arguments: &[&str]) -> Result<String, Box<dyn Error>> {
-    let output = commands::cargo(root).args(arguments).arg("--locked").output()?;
+    let output = cargo(root).args(arguments).arg("--locked").output()?;
     if !output.status.success() {
         return Err(format!("cargo {}: {}", arguments[0], String::from_utf8_lossy(&output.stderr).trim()).into());
     }

@@ -1,6 +1,6 @@
 //! The pages that the program writes, as its users get them.
 
-use crate::cases::Context;
+use polhode_cases::Context;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::Command;
