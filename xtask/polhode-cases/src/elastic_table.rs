@@ -118,6 +118,9 @@ pub fn kept(root: &Path) -> Result<Vec<KeptDrop>, Box<dyn Error>> {
 }
 
 /// A drop on so many meshes.
+///
+/// # Errors
+/// When the impact cannot be computed.
 pub fn measured(aspect: f64, tilt_deg: f64, meshes: usize) -> Result<KeptDrop, ElasticError> {
     let (height, speed) = (1.0, 1.0);
     let material = ElasticMaterial::new(1e6, 0.3, 1000.0)?;

@@ -37,6 +37,9 @@ const MOST_FAILED: f64 = 0.02;
 const MOST_SLOW: f64 = 0.01;
 
 /// The verdicts on the scenes of some seeds, by one thread for each processor; `each` is called as they come.
+///
+/// # Errors
+/// When one of the scenes cannot be written or read.
 pub fn verdicts(
     seeds: std::ops::Range<u64>,
     copies: Copies,
