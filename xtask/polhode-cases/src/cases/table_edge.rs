@@ -5,6 +5,7 @@
 
 use super::bodies::{GRAVITY, cuboid, fixed_cuboid};
 use super::{CaseResult, Context};
+use crate::row::Row;
 use glam::DVec3;
 use polhode::spatial::Velocity;
 use polhode::{BodySample, EventKind, Recorder, Scene, Simulation};
@@ -28,6 +29,7 @@ pub(super) fn rc_10(context: &Context) -> CaseResult {
     let mut rows = vec![
         reference.row("RC-10", "time of tipping, s", tipping)?,
         reference.row("RC-10", "detachment after tipping, s", leaving - tipping)?,
+        Row::exact("RC-10", "contacts that detach", 4, detached.len() as u64),
     ];
     let (end, _) = state_at(leaving)?;
     let at_leaving = OnEdge::of(&end);
