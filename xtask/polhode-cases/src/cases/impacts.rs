@@ -71,6 +71,8 @@ fn kinetic_energy(mass: f64, inertia: DMat3, v: &[f64]) -> f64 {
 pub(super) fn im_05(context: &Context) -> CaseResult {
     /// Radius of the ball, m.
     const RADIUS: f64 = 0.5;
+    /// What may be left unexplained, relative to the largest energy of the run.
+    const CLOSURE: f64 = 1e-12;
     let mut rows = Vec::new();
     for (restitution, duration) in [(0.8, 5.0), (0.5, 2.0), (0.99, 92.0)] {
         let properties = solid_sphere(RADIUS, Mass::new(1.0)?)?;
@@ -95,6 +97,9 @@ pub(super) fn im_05(context: &Context) -> CaseResult {
         rows.push(context.reference.row("IM-05", &name("time of rest, s"), rest.t_s)?);
         rows.push(context.reference.row("IM-05", &name("time of 10th impact, s"), tenth.t_s)?);
         rows.push(context.reference.row("IM-05", &name("apex after 10th impact, m"), apex)?);
+        let stays = rests.len() == 1 && run.last("ball")?.velocity.is_zero();
+        rows.push(Row::exact("IM-05", &name("rests once, with no velocity left"), true, stays));
+        rows.push(Row::at_most("IM-05", &name("closure of the ledger"), CLOSURE, run.report.ledger.closure_relative()));
     }
     Ok(rows)
 }
