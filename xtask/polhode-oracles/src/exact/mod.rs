@@ -12,7 +12,7 @@
 //! | module | holds |
 //! |---|---|
 //! | [`dyadic`] | numbers `m 2^e` with a whole `m` of any length, and vectors of them |
-//! | [`orientation`] | on which side of a plane a point lies |
+//! | `orientation` | on which side of a plane a point lies |
 //! | [`polyhedron`] | the convex hull of points with its faces and edges |
 //! | [`feature`] | the features of a contact |
 //! | [`pair`] | two polyhedra in one exact frame: separations along faces, edges and any direction; the best axis |

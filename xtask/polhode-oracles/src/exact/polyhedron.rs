@@ -7,7 +7,7 @@
 //! number of points times the number of faces.
 //!
 //! Written for judging alone: it shares no code with the hulls of polhode-mesh and polhode-contact. There is none of
-//! flat points, and none of points of which it is a matter of tolerance whether two faces are one ([`LEAST_STEP`]).
+//! flat points, and none of points of which it is a matter of tolerance whether two faces are one (`LEAST_STEP`).
 
 use super::dyadic::ExactVector;
 use super::orientation::orientation;

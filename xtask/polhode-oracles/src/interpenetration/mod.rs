@@ -4,7 +4,7 @@
 //! no hulls, parts or distances of the crates. Every vertex is placed by the pose (and rounded once); from there on:
 //!
 //! 1. *Depth.* The surfaces of two bodies must not meet, or not when the corners of one of them are moved by at most
-//!    the tolerance ([`depth`]); whether triangles meet is decided by exact signs ([`crossing`]). This covers vertices
+//!    the tolerance (`depth`); whether triangles meet is decided by exact signs (`crossing`). This covers vertices
 //!    in faces, edges through edges, faces through faces and coincident bodies, of solids of any form.
 //! 2. *Within.* The marks of a body must not be inside another solid.
 //! 3. *Through.* Between two samples the marks of a body, seen from the other one, must not cross its surface: a body
@@ -20,11 +20,11 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`depth`] | by how much corners must be moved until two surfaces do not meet |
-//! | [`inward`] | the ways on which the corners of a solid go inwards |
-//! | [`surface`] | a body by its triangles, placed and moved; what is inside |
-//! | [`crossing`] | what meets what, by exact signs |
-//! | [`box_tree`] | which triangles are near each other |
+//! | `depth` | by how much corners must be moved until two surfaces do not meet |
+//! | `inward` | the ways on which the corners of a solid go inwards |
+//! | `surface` | a body by its triangles, placed and moved; what is inside |
+//! | `crossing` | what meets what, by exact signs |
+//! | `box_tree` | which triangles are near each other |
 
 mod box_tree;
 mod crossing;
